@@ -1,0 +1,10 @@
+//! One expression language for bank formulas, constraints, scenes and answers, and its printers.
+//!
+//! Text is read into an [`Expr`]; an `Expr` is evaluated into an exact value; every printed formula
+//! is made from an `Expr` by one of the printers. Nothing else in carom makes LaTeX or MathML.
+
+mod text;
+mod tree;
+
+pub use text::{Piece, Text};
+pub use tree::{Expr, Function, Name, Relation, Span};

@@ -1,0 +1,5 @@
+//! Carom makes and marks exercises on collisions in two dimensions.
+pub mod expr;
+pub mod number;
+pub mod paper;
+pub mod unit;

@@ -1,0 +1,116 @@
+//! Papers: what stands on a question sheet, a mark scheme and a page of worked solutions.
+//!
+//! A [`Paper`] holds everything that is printed, and nothing about how: words and formulas are
+//! [`Text`], not LaTeX or HTML. The room `render` turns it into files.
+
+use crate::expr::{Expr, Text};
+use crate::unit::Unit;
+
+/// A sheet of questions with its solutions.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Paper {
+    /// The heading of the sheet.
+    pub title: String,
+    /// Name of the school, empty if none was given.
+    pub school: String,
+    /// Date as the teacher typed it, empty if none was given.
+    pub date: String,
+    /// The seed that makes the same paper again; `None` for the reference paper.
+    pub seed: Option<u64>,
+    /// The questions, in order.
+    pub questions: Vec<PrintedQuestion>,
+}
+
+/// One question of a paper.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PrintedQuestion {
+    /// Number on the sheet, from 1.
+    pub number: usize,
+    /// The question's id in the bank, `rest/speeds-and-directions`.
+    pub id: String,
+    /// The exercise whose skills it practises, `5C-2`.
+    pub mirrors: Option<String>,
+    /// The paragraphs before the first part.
+    pub stem: Vec<Text>,
+    /// The parts; a question without parts has one whose label is empty.
+    pub parts: Vec<PrintedPart>,
+}
+
+/// One part of a question with its answer, working and marks.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PrintedPart {
+    /// `a`, `b`, … or empty.
+    pub label: String,
+    /// What is asked.
+    pub ask: Text,
+    /// Answers in the order asked.
+    pub answers: Vec<PrintedAnswer>,
+    /// The worked solution.
+    pub working: Vec<WorkingLine>,
+    /// The mark scheme, in the order in which the marks are earned.
+    pub scheme: Vec<SchemeRow>,
+}
+
+/// One final answer.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PrintedAnswer {
+    /// What it is, in words: `speed of A`.
+    pub name: Text,
+    /// The exact form, simplest as a teacher writes it.
+    pub exact: Expr,
+    /// The certified decimal, if the answer is not already short and exact: `2.78`.
+    pub rounded: Option<Expr>,
+    /// Unit of both.
+    pub unit: Unit,
+    /// Words that complete a direction, such as `to the line of centres`; may be empty.
+    pub phrase: Text,
+}
+
+/// One line of a worked solution: words, or an equation, or both.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WorkingLine {
+    /// The sentence before the equation; may be empty.
+    pub words: Text,
+    /// The equation, or a chain of them on successive lines aligned at the relation.
+    pub equations: Vec<Expr>,
+    /// The number by which later lines refer to the last equation.
+    pub label: Option<u32>,
+}
+
+/// One mark of a mark scheme.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SchemeRow {
+    /// Its id within the part, `M1a`.
+    pub id: String,
+    /// `B1`, `M1`, `A1`, `dM1`, `A1ft`, `A1*`.
+    pub code: String,
+    /// What earns it.
+    pub earned: Text,
+    /// The equation or value that earns it, where there is one.
+    pub equation: Option<Expr>,
+    /// What the marker condones or demands; may be empty.
+    pub note: Text,
+    /// Ids of the marks it depends on.
+    pub depends: Vec<String>,
+}
+
+impl PrintedPart {
+    /// The number of marks: one a row.
+    pub fn marks(&self) -> usize {
+        self.scheme.len()
+    }
+}
+
+impl PrintedQuestion {
+    /// Marks of all parts together.
+    pub fn marks(&self) -> usize {
+        self.parts.iter().map(PrintedPart::marks).sum()
+    }
+}
+
+impl Paper {
+    /// Marks of all questions together.
+    pub fn marks(&self) -> usize {
+        self.questions.iter().map(PrintedQuestion::marks).sum()
+    }
+}
