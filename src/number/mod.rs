@@ -1,5 +1,23 @@
 //! Numbers: fractions, surds, letters, certified intervals and rounding; what a law can be evaluated in.
 
+mod angle;
+mod decide;
+mod direction;
+mod enclose;
 mod fraction;
+mod interval;
+mod letter;
+mod polynomial;
+mod root;
+mod rounding;
+mod value;
 
+pub use angle::Angle;
+pub use direction::Direction;
+pub use enclose::Assignment;
 pub use fraction::{Fraction, NotAFraction};
+pub use interval::Interval;
+pub use letter::{Letter, Range};
+pub use polynomial::{Monomial, Polynomial};
+pub use rounding::{Decimal, Places, Uncertain, clear_of_tie, round, round_certified};
+pub use value::{Compound, Root, Value};

@@ -1,0 +1,266 @@
+//! The quantities of a collision, by the names that scenes, questions and keys use.
+//!
+//! Conventions. `n` is the unit vector along the line of centres from A to B, `t` is `n` turned by
+//! +90 degrees. Components, momenta and impulses are signed; `impulse` of a sphere is what that
+//! sphere receives; a loss is positive when energy is lost. Names are `A.after.speed`,
+//! `impulse.magnitude`, `ke.lost`, …; angles are in degrees.
+
+use std::fmt;
+use std::str::FromStr;
+
+use crate::unit::Unit;
+
+/// One of the two spheres.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Sphere {
+    /// The sphere from which `n` points.
+    A,
+    /// The sphere to which `n` points.
+    B,
+}
+
+/// Immediately before or immediately after the impact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Moment {
+    /// Immediately before the impact.
+    Before,
+    /// Immediately after the impact.
+    After,
+}
+
+/// A direction along which a vector is resolved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Axis {
+    /// Along **i**.
+    X,
+    /// Along **j**.
+    Y,
+    /// Along the line of centres, from A to B.
+    N,
+    /// Perpendicular to the line of centres, `n` turned by +90 degrees.
+    T,
+}
+
+/// A quantity of a collision.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Quantity {
+    /// `A.mass`
+    Mass(Sphere),
+    /// `A.before.x`: a component of a velocity.
+    Velocity(Sphere, Moment, Axis),
+    /// `A.after.speed`
+    Speed(Sphere, Moment),
+    /// `A.after.ke`
+    KineticEnergy(Sphere, Moment),
+    /// `A.after.px`, `A.after.py`
+    SphereMomentum(Sphere, Moment, Axis),
+    /// `A.after.angle_to_loc_deg`: acute, 0 to 90.
+    AngleToLine(Sphere, Moment),
+    /// `A.after.angle_from_n_deg`: signed, anticlockwise.
+    AngleFromN(Sphere, Moment),
+    /// `A.after.angle_from_i_deg`: signed, anticlockwise.
+    AngleFromI(Sphere, Moment),
+    /// `A.after.tan_to_loc`: |t|/|n|.
+    TanToLine(Sphere, Moment),
+    /// `A.after.t_over_n`: signed.
+    TOverN(Sphere, Moment),
+    /// `A.deflection_deg`: 0 to 180.
+    Deflection(Sphere),
+    /// `A.deflection_signed_deg`: anticlockwise from before to after.
+    SignedDeflection(Sphere),
+    /// `A.deflection_cross`: before × after.
+    DeflectionCross(Sphere),
+    /// `A.deflection_dot`: before · after.
+    DeflectionDot(Sphere),
+    /// `A.tan_deflection`: cross over dot, signed.
+    TanDeflection(Sphere),
+    /// `A.impulse.x`: a component of the impulse that the sphere receives.
+    Impulse(Sphere, Axis),
+    /// `A.ke_lost`
+    SphereEnergyLost(Sphere),
+    /// `impulse.magnitude`
+    ImpulseMagnitude,
+    /// `approach`: speed of approach along the line of centres.
+    Approach,
+    /// `separation`: speed of separation along the line of centres.
+    Separation,
+    /// `e`
+    Restitution,
+    /// `mass_ratio`: the mass of B over that of A.
+    MassRatio,
+    /// `n.x`, `n.y`
+    Line(Axis),
+    /// `t.x`, `t.y`
+    Tangent(Axis),
+    /// `ke.before`, `ke.after`
+    TotalEnergy(Moment),
+    /// `ke.lost`
+    EnergyLost,
+    /// `ke.fraction_lost`
+    FractionLost,
+    /// `momentum.x`, `momentum.y`
+    TotalMomentum(Axis),
+    /// `angle_between_before_deg`, `angle_between_after_deg`
+    AngleBetween(Moment),
+    /// `alpha_deg`: the acute angle of the relative velocity before to `n`.
+    Alpha,
+    /// Not by name: the equation of momentum along the line of centres.
+    MomentumEquation,
+    /// Not by name: the equation of restitution.
+    RestitutionEquation,
+}
+
+use Axis::{N, T, X, Y};
+use Moment::{After, Before};
+use Sphere::{A, B};
+
+impl Sphere {
+    /// Both spheres.
+    pub const BOTH: [Sphere; 2] = [A, B];
+
+    /// The other sphere.
+    pub fn other(self) -> Sphere {
+        match self {
+            A => B,
+            B => A,
+        }
+    }
+
+    /// `A` or `B`.
+    pub fn name(self) -> &'static str {
+        match self {
+            A => "A",
+            B => "B",
+        }
+    }
+}
+
+impl Quantity {
+    /// Every quantity that has a name, in the order in which `solve` lists them.
+    pub fn all() -> Vec<Quantity> {
+        use Quantity::*;
+        let mut all = Vec::new();
+        for sphere in Sphere::BOTH {
+            all.push(Mass(sphere));
+            for moment in [Before, After] {
+                all.extend([X, Y, N, T].map(|axis| Velocity(sphere, moment, axis)));
+                all.extend([Speed(sphere, moment), KineticEnergy(sphere, moment)]);
+                all.extend([X, Y].map(|axis| SphereMomentum(sphere, moment, axis)));
+                all.extend([AngleToLine(sphere, moment), AngleFromN(sphere, moment), AngleFromI(sphere, moment)]);
+                all.extend([TanToLine(sphere, moment), TOverN(sphere, moment)]);
+            }
+            all.extend([Deflection(sphere), SignedDeflection(sphere), DeflectionCross(sphere)]);
+            all.extend([DeflectionDot(sphere), TanDeflection(sphere)]);
+            all.extend([X, Y, N, T].map(|axis| Impulse(sphere, axis)));
+            all.push(SphereEnergyLost(sphere));
+        }
+        all.extend([ImpulseMagnitude, Approach, Separation, Restitution, MassRatio]);
+        all.extend([Line(X), Line(Y), Tangent(X), Tangent(Y)]);
+        all.extend([TotalEnergy(Before), TotalEnergy(After), EnergyLost, FractionLost]);
+        all.extend([TotalMomentum(X), TotalMomentum(Y), AngleBetween(Before), AngleBetween(After), Alpha]);
+        all
+    }
+
+    /// The unit in which it is stated.
+    pub fn unit(self) -> Unit {
+        use Quantity::*;
+        match self {
+            Mass(_) => Unit::Kilogram,
+            Velocity(..) | Speed(..) | Approach | Separation => Unit::MetrePerSecond,
+            KineticEnergy(..) | SphereEnergyLost(_) | TotalEnergy(_) | EnergyLost => Unit::Joule,
+            SphereMomentum(..) | Impulse(..) | ImpulseMagnitude | TotalMomentum(_) => Unit::NewtonSecond,
+            AngleToLine(..) | AngleFromN(..) | AngleFromI(..) | Deflection(_) | SignedDeflection(_) => Unit::Degree,
+            AngleBetween(_) | Alpha => Unit::Degree,
+            _ => Unit::None,
+        }
+    }
+
+    /// Is it an angle?
+    pub fn is_angle(self) -> bool {
+        self.unit() == Unit::Degree
+    }
+}
+
+impl fmt::Display for Axis {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            X => "x",
+            Y => "y",
+            N => "n",
+            T => "t",
+        })
+    }
+}
+
+impl fmt::Display for Moment {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(if *self == Before { "before" } else { "after" })
+    }
+}
+
+impl fmt::Display for Quantity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        use Quantity::*;
+        match self {
+            Mass(s) => write!(f, "{}.mass", s.name()),
+            Velocity(s, m, axis) => write!(f, "{}.{m}.{axis}", s.name()),
+            Speed(s, m) => write!(f, "{}.{m}.speed", s.name()),
+            KineticEnergy(s, m) => write!(f, "{}.{m}.ke", s.name()),
+            SphereMomentum(s, m, axis) => write!(f, "{}.{m}.p{axis}", s.name()),
+            AngleToLine(s, m) => write!(f, "{}.{m}.angle_to_loc_deg", s.name()),
+            AngleFromN(s, m) => write!(f, "{}.{m}.angle_from_n_deg", s.name()),
+            AngleFromI(s, m) => write!(f, "{}.{m}.angle_from_i_deg", s.name()),
+            TanToLine(s, m) => write!(f, "{}.{m}.tan_to_loc", s.name()),
+            TOverN(s, m) => write!(f, "{}.{m}.t_over_n", s.name()),
+            Deflection(s) => write!(f, "{}.deflection_deg", s.name()),
+            SignedDeflection(s) => write!(f, "{}.deflection_signed_deg", s.name()),
+            DeflectionCross(s) => write!(f, "{}.deflection_cross", s.name()),
+            DeflectionDot(s) => write!(f, "{}.deflection_dot", s.name()),
+            TanDeflection(s) => write!(f, "{}.tan_deflection", s.name()),
+            Impulse(s, axis) => write!(f, "{}.impulse.{axis}", s.name()),
+            SphereEnergyLost(s) => write!(f, "{}.ke_lost", s.name()),
+            ImpulseMagnitude => f.write_str("impulse.magnitude"),
+            Approach => f.write_str("approach"),
+            Separation => f.write_str("separation"),
+            Restitution => f.write_str("e"),
+            MassRatio => f.write_str("mass_ratio"),
+            Line(axis) => write!(f, "n.{axis}"),
+            Tangent(axis) => write!(f, "t.{axis}"),
+            TotalEnergy(m) => write!(f, "ke.{m}"),
+            EnergyLost => f.write_str("ke.lost"),
+            FractionLost => f.write_str("ke.fraction_lost"),
+            TotalMomentum(axis) => write!(f, "momentum.{axis}"),
+            AngleBetween(m) => write!(f, "angle_between_{m}_deg"),
+            Alpha => f.write_str("alpha_deg"),
+            MomentumEquation => f.write_str("equation of momentum"),
+            RestitutionEquation => f.write_str("equation of restitution"),
+        }
+    }
+}
+
+/// No quantity has this name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct UnknownQuantity;
+
+impl FromStr for Quantity {
+    type Err = UnknownQuantity;
+    fn from_str(name: &str) -> Result<Quantity, UnknownQuantity> {
+        Quantity::all().into_iter().find(|quantity| quantity.to_string() == name).ok_or(UnknownQuantity)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_quantity_is_found_by_its_own_name_and_no_two_share_one() {
+        let mut names: Vec<String> = Quantity::all().iter().map(Quantity::to_string).collect();
+        for quantity in Quantity::all() {
+            assert_eq!(quantity.to_string().parse(), Ok(quantity));
+        }
+        names.sort();
+        names.dedup();
+        assert_eq!(names.len(), Quantity::all().len());
+    }
+}

@@ -1,0 +1,116 @@
+//! Angles that are asked for: exact through their tangent, in degrees at the end.
+
+use std::cmp::Ordering;
+
+use super::enclose::Assignment;
+use super::rounding::{Decimal, Places, Uncertain, round, round_certified};
+use super::{Direction, Fraction, Interval, Letter, Value};
+
+/// The angle from the positive x-direction to the vector `(x, y)`, anticlockwise, above -180 and up
+/// to 180 degrees.
+///
+/// Where the sign of `x` is known the vector is scaled to `x = 1`, `-1` or `0`, so that two equal
+/// angles of this kind are equal as data.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Angle {
+    y: Value,
+    x: Value,
+}
+
+impl Angle {
+    /// The angle of a vector; `None` for the vector nought.
+    pub fn of(y: &Value, x: &Value) -> Option<Angle> {
+        if x.is_zero() {
+            return match y.sign() {
+                Some(Ordering::Equal) => None,
+                Some(Ordering::Less) => Some(Angle { y: Value::from(-1), x: Value::ZERO }),
+                Some(Ordering::Greater) => Some(Angle { y: Value::ONE, x: Value::ZERO }),
+                None => Some(Angle { y: y.clone(), x: Value::ZERO }),
+            };
+        }
+        if y.is_zero() {
+            return match x.sign() {
+                Some(Ordering::Less) => Some(Angle { y: Value::ZERO, x: Value::from(-1) }),
+                Some(_) => Some(Angle { y: Value::ZERO, x: Value::ONE }),
+                None => Some(Angle { y: Value::ZERO, x: x.clone() }),
+            };
+        }
+        let (scale, unit) = match x.sign() {
+            Some(Ordering::Less) => (-x, Value::from(-1)),
+            Some(_) => (x.clone(), Value::ONE),
+            None => return Some(Angle { y: y.clone(), x: x.clone() }),
+        };
+        Some(Angle { y: y.divided_by(&scale)?, x: unit })
+    }
+
+    /// The acute angle between the vector and the x-axis, from 0 to 90 degrees.
+    pub fn acute(y: &Value, x: &Value) -> Option<Angle> {
+        Angle::of(&y.absolute(), &x.absolute())
+    }
+
+    /// The angle between two directions, from 0 to 180 degrees, by their cross and scalar product.
+    pub fn between(cross: &Value, dot: &Value) -> Option<Angle> {
+        Angle::of(&cross.absolute(), dot)
+    }
+
+    /// The vector's y-component, scaled as the type says.
+    pub fn y(&self) -> &Value {
+        &self.y
+    }
+
+    /// The vector's x-component, scaled as the type says.
+    pub fn x(&self) -> &Value {
+        &self.x
+    }
+
+    /// The letters it depends on.
+    pub fn letters(&self) -> Vec<Letter> {
+        let mut letters = self.y.letters();
+        letters.extend(self.x.letters());
+        letters.sort();
+        letters.dedup();
+        letters
+    }
+
+    /// The number of degrees, where it is a rational one that one would look for: a whole or half
+    /// one, or one as fine as the angles that were given. Found by measuring, then proved.
+    pub fn whole_degrees(&self) -> Option<Fraction> {
+        let letters = self.letters();
+        if !letters.iter().all(Letter::is_constant) {
+            return None;
+        }
+        let fine = letters.iter().filter_map(|letter| letter.name().parse::<Fraction>().ok());
+        let denominator = fine.fold(Fraction::from(2), |product, given| {
+            let below = Fraction::from(given.denominator());
+            if (&product / &below).is_integer() { product } else { &product * &below }
+        });
+        let measured = self.enclose(64, &|_| None)?;
+        let middle = &(&measured.lower() + &measured.upper()) * &Fraction::new(1, 2);
+        let steps = Fraction::from((&(&middle * &denominator) + &Fraction::new(1, 2)).floor());
+        let candidate = &steps / &denominator;
+        let gap = (&middle - &candidate).abs();
+        (gap < Fraction::new(1, 1 << 40) && self.is_degrees(&candidate)).then_some(candidate)
+    }
+
+    /// Is it exactly this number of degrees?
+    pub fn is_degrees(&self, degrees: &Fraction) -> bool {
+        let Some(direction) = Direction::degrees(degrees) else { return false };
+        let cross = &(&self.y * &direction.cos) - &(&self.x * &direction.sin);
+        let dot = &(&self.x * &direction.cos) + &(&self.y * &direction.sin);
+        cross.is_zero() && dot.sign() == Some(Ordering::Greater)
+    }
+
+    /// An enclosure in degrees; `None` as for [`Value::enclose`].
+    pub fn enclose(&self, bits: usize, at: Assignment) -> Option<Interval> {
+        let radians = Interval::atan2(&self.y.enclose(bits, at)?, &self.x.enclose(bits, at)?)?;
+        (radians * Interval::integer(180, bits)).checked_div(&Interval::pi(bits))
+    }
+
+    /// Degrees, rounded half up, every digit proved. Fails if letters remain.
+    pub fn rounded(&self, places: &Places) -> Result<Decimal, Uncertain> {
+        match self.whole_degrees() {
+            Some(exact) => Ok(round(&exact, places)),
+            None => round_certified(|bits| self.enclose(bits, &|_| None), |tie| self.is_degrees(tie), places),
+        }
+    }
+}

@@ -1,0 +1,256 @@
+//! Is an exact value nought, and what is its sign? Decided, never measured.
+//!
+//! For most values the normal form itself tells. Where it cannot, these arguments do:
+//!
+//! * A nested root, `a + b√r`: it is nought exactly if `a² = b² r` while `a` and `b` have opposite
+//!   signs. So nested roots are compared by squaring, from the outermost inwards.
+//! * Sines and cosines of given degrees: twice a sine or cosine of a rational angle is an algebraic
+//!   integer. A sum of products of such numbers and surds with whole coefficients is one too, so the
+//!   product of its conjugates is a whole number. If the sum is not nought, that product is at least
+//!   one in size; with at most `D` conjugates, each at most `M`, the sum is at least `M^-(D-1)`.
+//!   An enclosure finer than that decides.
+//! * A formula in letters is nought exactly if each coefficient of each product of letters is; its
+//!   sign is known if all these coefficients have one sign once a coefficient of restitution `e` is
+//!   written `1/(1+x)`, `x` positive.
+
+use std::cmp::Ordering;
+use std::collections::BTreeMap;
+
+use dashu_int::ops::BitTest;
+
+use super::polynomial::{Monomial, Polynomial};
+use super::value::{Root, Terms, Value};
+use super::{Fraction, Interval, Letter, Range};
+
+/// Beyond this many binary places a decision is not tried any further. No angle in whole
+/// hundredths of a degree comes near it.
+const MOST_BITS: usize = 1 << 18;
+
+impl Value {
+    /// Is it nought (for a formula: whatever its letters stand for)?
+    pub fn is_zero(&self) -> bool {
+        let Value::Compound(_) = self else { return self.is_written_zero() };
+        if let Some(root @ Root::Nested { .. }) = self.roots().pop() {
+            return self.is_zero_with(&root);
+        }
+        if !self.letters().iter().any(Letter::is_constant) {
+            // No nested root and no given angle: the normal form is nought only as nought itself.
+            return false;
+        }
+        let (terms, _) = self.parts();
+        by_letters(&terms).values().all(constant_is_zero)
+    }
+
+    /// `a + b root`, the root nested.
+    fn is_zero_with(&self, root: &Root) -> bool {
+        let (a, b) = self.split(root);
+        if b.is_zero() {
+            return a.is_zero();
+        }
+        if !(&(&a * &a) - &(&(&b * &b) * &root.square())).is_zero() {
+            return false;
+        }
+        // One of a + b root and a - b root is nought, and not both as b is not.
+        match (a.sign(), b.sign()) {
+            (Some(x), Some(y)) => x != y,
+            _ => self.vanishes_at_a_point(),
+        }
+    }
+
+    /// Of two formulas of which one is nought everywhere: is it this one? A point inside the letters'
+    /// ranges tells, as soon as an enclosure there keeps clear of nought.
+    fn vanishes_at_a_point(&self) -> bool {
+        let at = |letter: Letter| {
+            let spread = letter.name().bytes().fold(7_i64, |sum, byte| (sum * 31 + i64::from(byte)) % 97);
+            Some(match letter.range() {
+                Range::Unit => Fraction::new(spread + 1, 101),
+                _ => Fraction::new(spread + 13, 29),
+            })
+        };
+        (6..12).all(|power| {
+            let bits = 1 << power;
+            let enclosure = self.enclose(bits, &|letter| Some(Interval::from_fraction(&at(letter)?, bits)));
+            enclosure.is_none_or(|interval| interval.contains_zero())
+        })
+    }
+
+    /// The sign, if it is the same wherever the letters lie in their ranges; `None` if it is not, or
+    /// if the argument above does not show it.
+    pub fn sign(&self) -> Option<Ordering> {
+        let Value::Compound(compound) = self else { return Some(self.as_fraction()?.sign()) };
+        let below = common_sign(&Terms::from([(Vec::new(), compound.denominator.clone())]))?;
+        let above = common_sign(&compound.terms)?;
+        Some(if below.is_lt() { above.reverse() } else { above })
+    }
+
+    /// Is the value known to be equal to another?
+    pub fn equals(&self, other: &Value) -> bool {
+        self == other || (self - other).is_zero()
+    }
+}
+
+/// The value's coefficient of each product of letters (and of roots that hold letters).
+fn by_letters(terms: &Terms) -> BTreeMap<(Vec<Root>, Monomial), Value> {
+    let mut groups: BTreeMap<(Vec<Root>, Monomial), Value> = BTreeMap::new();
+    for (key, coefficient) in terms {
+        let (constant, lettered): (Vec<Root>, Vec<Root>) =
+            key.iter().cloned().partition(|root| Value::root(root.clone()).is_constant());
+        for (monomial, number) in coefficient.terms() {
+            let (fixed, free): (Monomial, Monomial) = monomial.iter().partition(|(letter, _)| letter.is_constant());
+            let factor = Polynomial::from_terms(vec![(fixed, number.clone())]);
+            let term = Value::build(Terms::from([(constant.clone(), factor)]), Polynomial::one());
+            let entry = groups.entry((lettered.clone(), free)).or_insert(Value::ZERO);
+            *entry = &*entry + &term;
+        }
+    }
+    groups
+}
+
+/// The sign that all coefficients share, if letters are in their ranges.
+fn common_sign(terms: &Terms) -> Option<Ordering> {
+    let terms = without_units(terms);
+    let mut common = Ordering::Equal;
+    for ((_, monomial), coefficient) in by_letters(&terms) {
+        let even = |(letter, power): &(Letter, u32)| letter.range() != Range::Real || power % 2 == 0;
+        let sign = constant_sign(&coefficient)?;
+        if sign.is_eq() {
+            continue;
+        }
+        if !monomial.iter().all(even) || (common.is_ne() && common != sign) {
+            return None;
+        }
+        common = sign;
+    }
+    Some(common)
+}
+
+/// The terms times a positive factor, each coefficient of restitution `e` written as `1/(1+x)`.
+fn without_units(terms: &Terms) -> Terms {
+    let mut terms = terms.clone();
+    let mut units: Vec<Letter> = terms.values().flat_map(Polynomial::letters).collect();
+    units.retain(|letter| letter.range() == Range::Unit);
+    units.sort();
+    units.dedup();
+    for unit in units {
+        let highest = terms.values().map(|p| p.degree(unit)).max().unwrap_or(0);
+        let grown = &Polynomial::one() + &Polynomial::letter(unit);
+        for coefficient in terms.values_mut() {
+            let powers = coefficient.coefficients(unit);
+            *coefficient = powers.iter().enumerate().fold(Polynomial::zero(), |sum, (power, p)| {
+                &sum + &(p * &grown.power(highest - power as u32))
+            });
+        }
+    }
+    terms
+}
+
+/// The sign of a value without letters.
+fn constant_sign(value: &Value) -> Option<Ordering> {
+    if let Some(number) = value.as_fraction() {
+        return Some(number.sign());
+    }
+    let enclosed = |bits| value.enclose_constant(bits).and_then(|interval: Interval| interval.sign());
+    if let Some(sign) = enclosed(64).or_else(|| enclosed(256)) {
+        return Some(sign);
+    }
+    if value.is_zero() {
+        return Some(Ordering::Equal);
+    }
+    let mut bits = 1024;
+    while bits <= MOST_BITS {
+        if let Some(sign) = enclosed(bits) {
+            return Some(sign);
+        }
+        bits *= 2;
+    }
+    None
+}
+
+/// A sum of products of surds, sines and cosines of given degrees: is it nought?
+fn constant_is_zero(value: &Value) -> bool {
+    let (terms, _) = value.parts();
+    if value.as_fraction().is_some() || !value.letters().iter().any(Letter::is_constant) {
+        return value.is_written_zero();
+    }
+    // Times a power of each cosine, so that only sines and cosines are left of the tangents.
+    let mut angles = value.letters();
+    angles.retain(Letter::is_constant);
+    let highest: Vec<u32> = angles.iter().map(|t| terms.values().map(|p| p.degree(*t)).max().unwrap_or(0)).collect();
+    let scaled = angles.iter().zip(&highest).fold(value.clone(), |product, (tangent, power)| {
+        (0..*power).fold(product, |product, _| &product * &Value::cosine(*tangent))
+    });
+    let rough = value.enclose_constant(128);
+    if rough.is_some_and(|interval| !interval.contains_zero()) {
+        return false;
+    }
+    let needed = separation(&terms, &angles, &highest);
+    let mut bits = 256;
+    loop {
+        if scaled.enclose_constant(bits).is_some_and(|interval| !interval.contains_zero()) {
+            return false;
+        }
+        if bits >= needed || bits > MOST_BITS {
+            return true;
+        }
+        bits = (bits * 4).min(needed.max(bits + 1));
+    }
+}
+
+/// Binary places that separate the value, times the powers of cosines, from nought: see the module.
+fn separation(terms: &Terms, angles: &[Letter], highest: &[u32]) -> usize {
+    // The conjugates lie in the field of the angles' roots of unity with the surds adjoined.
+    let mut order: u128 = 4;
+    for tangent in angles {
+        let degrees: Fraction = tangent.name().parse().unwrap_or(Fraction::ONE);
+        let turn = &degrees / &Fraction::from(360);
+        let below = u128::try_from(turn.denominator()).unwrap_or(u128::MAX);
+        order = lowest_common_multiple(order, below);
+    }
+    let mut primes: Vec<u128> = Vec::new();
+    let mut denominators = 0;
+    let mut size = 0;
+    for (key, coefficient) in terms {
+        let mut surd_bits = 0;
+        for root in key {
+            if let Root::Prime(prime) = root {
+                surd_bits += (128 - prime.leading_zeros() as usize) / 2 + 1;
+                primes.push(*prime);
+            }
+        }
+        for (_, number) in coefficient.terms() {
+            denominators += number.denominator().bit_len();
+            size = size.max(number.numerator().bit_len() + surd_bits) + 1;
+        }
+    }
+    primes.sort();
+    primes.dedup();
+    // Each sine and cosine, doubled to be an algebraic integer, has conjugates of size at most two.
+    let doubled: usize = highest.iter().map(|power| *power as usize + 1).sum();
+    let largest = size + 2 * doubled + denominators + 8;
+    // The real numbers among them are half of the field.
+    let degree = usize::try_from(totient(order) / 2).unwrap_or(usize::MAX).saturating_mul(1 << primes.len().min(20));
+    degree.saturating_mul(largest).saturating_add(64)
+}
+
+fn lowest_common_multiple(a: u128, b: u128) -> u128 {
+    let (mut x, mut y) = (a, b);
+    while y != 0 {
+        (x, y) = (y, x % y);
+    }
+    (a / x).saturating_mul(b)
+}
+
+/// How many numbers up to `order` share no factor with it: the degree of the field of its roots of unity.
+fn totient(order: u128) -> u128 {
+    let (mut rest, mut result, mut prime) = (order, order, 2);
+    while prime * prime <= rest && prime < 1 << 20 {
+        if rest % prime == 0 {
+            result -= result / prime;
+            while rest % prime == 0 {
+                rest /= prime;
+            }
+        }
+        prime += 1;
+    }
+    if rest > 1 { result - result / rest } else { result }
+}

@@ -1,0 +1,107 @@
+//! Certified enclosures of exact values, and the decimals that they prove.
+
+use super::polynomial::Polynomial;
+use super::rounding::{Decimal, Places, Uncertain, round, round_certified};
+use super::value::{Root, Value};
+use super::{Fraction, Interval, Letter};
+
+/// What the letters stand for while a value is enclosed: for an angle its tangent.
+pub type Assignment<'a> = &'a dyn Fn(Letter) -> Option<Interval>;
+
+impl Value {
+    /// An interval that surely holds the value, about `bits` binary places wide; `None` if a letter
+    /// has no number, or the precision does not yet suffice for a quotient or a root.
+    pub fn enclose(&self, bits: usize, at: Assignment) -> Option<Interval> {
+        let (terms, denominator) = match self {
+            Value::Rational(number) => return Some(Interval::from_fraction(number, bits)),
+            Value::Compound(compound) => (&compound.terms, &compound.denominator),
+        };
+        let mut known: Vec<(Letter, Interval)> = Vec::new();
+        let mut letter = |letter: Letter| -> Option<Interval> {
+            if let Some((_, value)) = known.iter().find(|(other, _)| *other == letter) {
+                return Some(value.clone());
+            }
+            let value = if letter.is_constant() { tangent(letter, bits)? } else { at(letter)? };
+            known.push((letter, value.clone()));
+            Some(value)
+        };
+        let mut sum = Interval::integer(0, bits);
+        for (roots, coefficient) in terms {
+            let mut term = enclose_polynomial(coefficient, bits, &mut letter)?;
+            for root in roots {
+                term = term * enclose_root(root, bits, at)?;
+            }
+            sum = sum + term;
+        }
+        if denominator.is_one() { Some(sum) } else { sum.checked_div(&enclose_polynomial(denominator, bits, &mut letter)?) }
+    }
+
+    /// An enclosure of a value without letters.
+    pub fn enclose_constant(&self, bits: usize) -> Option<Interval> {
+        self.enclose(bits, &|_| None)
+    }
+
+    /// The value rounded half up, every digit proved. Fails for a value with letters.
+    ///
+    /// ```
+    /// use carom::number::{Places, Value};
+    /// let speed = Value::fraction(208, 27).square_root().unwrap();
+    /// assert_eq!(speed.rounded(&Places::SignificantFigures(3)).unwrap().to_string(), "2.78");
+    /// ```
+    pub fn rounded(&self, places: &Places) -> Result<Decimal, Uncertain> {
+        match self {
+            Value::Rational(number) => Ok(round(number, places)),
+            _ => round_certified(
+                |bits| self.enclose_constant(bits),
+                |tie: &Fraction| (self - &Value::Rational(tie.clone())).is_zero(),
+                places,
+            ),
+        }
+    }
+
+    /// The nearest double or one beside it, for charts and columns of floats; none if letters remain.
+    pub fn to_f64(&self) -> Option<f64> {
+        match self {
+            Value::Rational(number) => Some(number.to_f64()),
+            _ => self.enclose_constant(96).map(|interval| interval.to_f64()),
+        }
+    }
+}
+
+/// The tangent of so many degrees.
+fn tangent(letter: Letter, bits: usize) -> Option<Interval> {
+    radians(letter, bits)?.tan()
+}
+
+fn radians(letter: Letter, bits: usize) -> Option<Interval> {
+    let degrees: Fraction = letter.name().parse().ok()?;
+    let turn = &degrees / &Fraction::from(180);
+    Some(Interval::pi(bits) * Interval::from_fraction(&turn, bits))
+}
+
+fn enclose_root(root: &Root, bits: usize, at: Assignment) -> Option<Interval> {
+    match root {
+        Root::Cosine(letter) if letter.is_constant() => Some(radians(*letter, bits)?.cos()),
+        Root::Nested { radicand, .. } => radicand.enclose(bits, at)?.sqrt(),
+        other => other.square().enclose(bits, at)?.sqrt(),
+    }
+}
+
+fn enclose_polynomial(
+    polynomial: &Polynomial,
+    bits: usize,
+    letter: &mut dyn FnMut(Letter) -> Option<Interval>,
+) -> Option<Interval> {
+    let mut sum = Interval::integer(0, bits);
+    for (monomial, coefficient) in polynomial.terms() {
+        let mut term = Interval::from_fraction(coefficient, bits);
+        for (name, power) in monomial {
+            let base = letter(*name)?;
+            for _ in 0..*power {
+                term = term * base.clone();
+            }
+        }
+        sum = sum + term;
+    }
+    Some(sum)
+}

@@ -1,0 +1,212 @@
+//! Square roots of exact values, as simple as they come: squares taken out, nested roots undone.
+
+use std::cmp::Ordering;
+
+use dashu_int::IBig;
+use dashu_int::ops::BitTest;
+
+use super::fraction::exact_root;
+use super::polynomial::Polynomial;
+use super::value::{Root, Terms, Value, integer};
+use super::{Fraction, Range};
+
+/// Primes up to this are looked for in a radicand. What is left of a larger number is taken for a
+/// prime unless it is a square: an exam never gets there, and a value stays right all the same.
+const LARGEST_TRIAL: u64 = 100_000;
+
+impl Value {
+    /// The square root that is not negative; `None` if the value is known to be negative.
+    ///
+    /// Where the sign of the value depends on its letters, the root stands for itself: its letters
+    /// are then restricted to values for which it exists.
+    pub fn square_root(&self) -> Option<Value> {
+        if let Value::Rational(number) = self {
+            return root_of_fraction(number);
+        }
+        if self.sign() == Some(Ordering::Less) {
+            return None;
+        }
+        if self.is_zero() {
+            return Some(Value::ZERO);
+        }
+        if let Some(root) = self.undo_nesting() {
+            return Some(root);
+        }
+        let (terms, denominator) = self.parts();
+        // √(f N / q) = √(f q) √N / q, where f is what all the coefficients share and N the rest.
+        let shared = terms.values().fold(Polynomial::zero(), |shared, p| shared.greatest_common_divisor(p));
+        let content = terms.values().map(Polynomial::content).reduce(|a, b| common_content(&a, &b))?;
+        let mut rest = Terms::new();
+        let scale = content.reciprocal()?;
+        for (key, coefficient) in &terms {
+            rest.insert(key.clone(), coefficient.divided_by(&shared)?.scaled(&scale));
+        }
+        let mut sign = Fraction::ONE;
+        if rest.len() == 1 && rest.contains_key(&Vec::new()) {
+            // The rest is plus or minus one; the polynomial takes it in.
+            sign = rest.values().next().and_then(Polynomial::as_constant)?;
+            rest.clear();
+        }
+        let (outside, inside) = squares_out((&shared * &denominator).scaled(&content).scaled(&sign));
+        let inside = if rest.is_empty() {
+            inside
+        } else {
+            &inside * &Value::build(rest, Polynomial::one())
+        };
+        let root = match inside.as_fraction() {
+            Some(number) => root_of_fraction(number)?,
+            None => Value::nested(inside),
+        };
+        (&outside * &root).divided_by(&Value::quotient(denominator.clone(), Polynomial::one()).absolute())
+    }
+
+    /// The size without the sign. Where the sign depends on letters it is the root of the square.
+    pub fn absolute(&self) -> Value {
+        match self.sign() {
+            Some(Ordering::Less) => -self,
+            Some(_) => self.clone(),
+            None => Value::nested(self * self),
+        }
+    }
+
+    /// √(a + b√d) = √((a+s)/2) ± √((a-s)/2) where s² = a² - b²d is the square of a fraction.
+    fn undo_nesting(&self) -> Option<Value> {
+        let (terms, denominator) = self.parts();
+        if terms.len() != 2 || denominator.as_constant().is_none() {
+            return None;
+        }
+        let a = terms.get(&Vec::new())?.as_constant()?;
+        let (key, coefficient) = terms.iter().find(|(key, _)| !key.is_empty())?;
+        let mut square = coefficient.as_constant()?;
+        let negative = square.sign().is_lt();
+        square = &square * &square;
+        for root in key {
+            let Root::Prime(prime) = root else { return None };
+            square = &square * &integer(*prime);
+        }
+        let s = (&(&a * &a) - &square).square_root()?;
+        let half = Fraction::new(1, 2);
+        let large = root_of_fraction(&(&(&a + &s) * &half))?;
+        let small = root_of_fraction(&(&(&a - &s) * &half))?;
+        Some(if negative { &large - &small } else { &large + &small })
+    }
+}
+
+/// The greatest number that leaves both whole: the content of two contents together.
+fn common_content(a: &Fraction, b: &Fraction) -> Fraction {
+    use dashu_int::ops::Gcd;
+    let numerator: IBig = a.numerator().gcd(b.numerator()).into();
+    let (x, y) = (a.denominator(), b.denominator());
+    let shared: IBig = (&x).gcd(&y).into();
+    Fraction::from_integers(numerator, x / shared * y).unwrap_or(Fraction::ONE)
+}
+
+/// √(n/d) = (s/d) √r where n d = s² r.
+fn root_of_fraction(number: &Fraction) -> Option<Value> {
+    if number.is_zero() {
+        return Some(Value::ZERO);
+    }
+    if number.sign().is_lt() {
+        return None;
+    }
+    let (mut outside, mut inside) = (Fraction::ONE, Fraction::ONE);
+    let mut roots = Vec::new();
+    let mut take = |square: IBig, primes: Vec<u128>, rest: Option<IBig>, below: bool| {
+        let factor = Fraction::from(square);
+        outside = if below { &outside / &factor } else { &outside * &factor };
+        for prime in primes {
+            roots.push(prime);
+            if below {
+                outside = &outside / &integer(prime);
+            }
+        }
+        if let Some(rest) = rest {
+            let rest = Fraction::from(rest);
+            inside = &inside * &rest;
+            if below {
+                outside = &outside / &rest;
+            }
+        }
+    };
+    let (square, primes, rest) = square_part(number.numerator());
+    take(square, primes, rest, false);
+    let (square, primes, rest) = square_part(number.denominator());
+    take(square, primes, rest, true);
+    let mut value = Value::Rational(outside);
+    for prime in roots {
+        value = &value * &Value::root(Root::Prime(prime));
+    }
+    // Too long for a machine integer: kept whole, as a root of its own.
+    Some(if inside.is_one() { value } else { &value * &Value::nested(Value::Rational(inside)) })
+}
+
+/// `s`, distinct primes and what is too large to be one of them, in `number = s² * primes * rest`.
+fn square_part(number: IBig) -> (IBig, Vec<u128>, Option<IBig>) {
+    let (mut rest, mut square, mut primes) = (number, IBig::ONE, Vec::new());
+    let mut prime = 2_u64;
+    while prime <= LARGEST_TRIAL && IBig::from(prime) * IBig::from(prime) <= rest {
+        let mut power = 0;
+        while (&rest % prime) == 0 {
+            rest /= prime;
+            power += 1;
+        }
+        square *= IBig::from(prime).pow(power / 2);
+        if power % 2 == 1 {
+            primes.push(prime.into());
+        }
+        prime += if prime == 2 { 1 } else { 2 };
+    }
+    if let Some(root) = exact_root(&rest) {
+        return (square * root, primes, None);
+    }
+    match u128::try_from(&rest) {
+        Ok(last) => primes.push(last),
+        Err(_) => return (square, primes, Some(rest)),
+    }
+    debug_assert!(rest.bit_len() <= 128);
+    (square, primes, None)
+}
+
+/// `outside² * inside = polynomial`, with what is inside free of squares and `outside` not negative.
+fn squares_out(polynomial: Polynomial) -> (Value, Value) {
+    let (number, factors) = polynomial.square_free();
+    let whole = |p: &Polynomial| Value::quotient(p.clone(), Polynomial::one());
+    let (mut outside, mut inside) = (Value::ONE, Polynomial::one());
+    for (factor, power) in factors {
+        outside = &outside * &whole(&factor.power(power / 2)).absolute();
+        if power % 2 == 0 {
+            continue;
+        }
+        // 1 + tan² is one over the square of the cosine.
+        let cosine = factor.letters().into_iter().find(|letter| {
+            matches!(letter.range(), Range::Acute | Range::Degrees) && factor == Polynomial::one_plus_square(*letter)
+        });
+        match cosine {
+            Some(tangent) => {
+                let secant = Value::cosine(tangent).reciprocal().expect("the cosine of an acute angle is not nought");
+                outside = &outside * &secant;
+            }
+            None => inside = &inside * &factor,
+        }
+    }
+    let sign = if number.sign().is_lt() { Fraction::from(-1) } else { Fraction::ONE };
+    let root = root_of_fraction(&number.abs()).expect("an absolute value has a root");
+    // Under a root that stays, surds go back inside: √3 √(2 + x) is written √(6 + 3x).
+    if inside.is_one() && sign.is_one() {
+        return (&outside * &root, Value::ONE);
+    }
+    let (factor, surd) = split_surd(&root);
+    (&outside * &Value::Rational(factor), whole(&inside.scaled(&(&surd * &sign))))
+}
+
+/// The rational factor of a single surd, and the square of the rest.
+fn split_surd(root: &Value) -> (Fraction, Fraction) {
+    let (terms, _) = root.parts();
+    let (key, coefficient) = terms.iter().next().expect("a root of a positive number has one term");
+    let number = coefficient.as_constant().unwrap_or(Fraction::ONE);
+    let square = key.iter().fold(Fraction::ONE, |product, root| match root.square().as_fraction() {
+        Some(square) => &product * square,
+        None => product,
+    });
+    (number, square)
+}

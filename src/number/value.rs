@@ -1,0 +1,467 @@
+//! Exact values: fractions, surds, nested roots, sines of given angles and letters, in one normal form.
+//!
+//! A value is a sum over products of *roots*, each root the positive square root of something
+//! simpler, with polynomials in letters as coefficients, over one polynomial:
+//!
+//! ```text
+//!     (p_0 + p_1 √2 + p_2 √2 cos α + …) / q        p_k, q polynomials in letters; tan α is a letter
+//! ```
+//!
+//! The cosine of an acute angle is a root too, since cos² α = 1/(1 + tan² α). No denominator holds a
+//! root, numerators and denominator share no factor, and q is primitive; so two values are equal if
+//! and only if they are equal as data, but for two things that data cannot see: relations between
+//! sines of given degrees (cos 20° = cos 40° + cos 80°) and between nested roots. The room
+//! [`decide`](super::decide) decides those.
+
+use std::collections::BTreeMap;
+use std::fmt;
+use std::ops::{Add, Mul, Neg, Sub};
+use std::sync::Arc;
+
+use super::{Fraction, Letter, Polynomial};
+
+/// An exact real number, or an exact formula in letters.
+///
+/// ```
+/// use carom::number::{Fraction, Value};
+/// let root = Value::from(12).square_root().unwrap();
+/// assert_eq!(format!("{root:?}"), "2*sqrt(3)");
+/// assert_eq!(&root * &root, Value::from(12));
+/// ```
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Value {
+    /// A rational number; every rational value is one of these.
+    Rational(Fraction),
+    /// Anything else.
+    Compound(Arc<Compound>),
+}
+
+/// Sums of products of roots over a polynomial: see the [module](self).
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Compound {
+    /// What each product of roots is multiplied by, sorted by product, no polynomial nought.
+    pub(crate) terms: Terms,
+    /// Primitive, never nought.
+    pub(crate) denominator: Polynomial,
+}
+
+/// Products of roots with their coefficients.
+pub(crate) type Terms = BTreeMap<Vec<Root>, Polynomial>;
+
+/// A positive square root of something simpler.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Root {
+    /// Of a prime (or of a large number that is taken for one): √2.
+    Prime(u128),
+    /// The cosine of an acute angle, by the letter of its tangent.
+    Cosine(Letter),
+    /// Of a value that is no square. `depth` is one more than that of any root inside.
+    Nested {
+        /// How many nested roots stand inside each other here.
+        depth: u32,
+        /// What the root is taken of.
+        radicand: Value,
+    },
+}
+
+impl Root {
+    /// The square of the root.
+    pub fn square(&self) -> Value {
+        match self {
+            Root::Prime(prime) => Value::Rational(integer(*prime)),
+            Root::Cosine(tangent) => Value::quotient(Polynomial::one(), Polynomial::one_plus_square(*tangent)),
+            Root::Nested { radicand, .. } => radicand.clone(),
+        }
+    }
+
+    fn depth(&self) -> u32 {
+        match self {
+            Root::Nested { depth, .. } => *depth,
+            _ => 0,
+        }
+    }
+}
+
+/// A whole number as a fraction.
+pub(crate) fn integer(value: u128) -> Fraction {
+    Fraction::from(dashu_int::IBig::from(value))
+}
+
+impl Value {
+    /// Nought.
+    pub const ZERO: Value = Value::Rational(Fraction::ZERO);
+    /// One.
+    pub const ONE: Value = Value::Rational(Fraction::ONE);
+
+    /// The rational number `numerator/denominator`. Panics if the denominator is nought.
+    pub fn fraction(numerator: i64, denominator: i64) -> Value {
+        Value::Rational(Fraction::new(numerator, denominator))
+    }
+
+    /// A letter: for an angle its tangent.
+    pub fn letter(letter: Letter) -> Value {
+        Value::quotient(Polynomial::letter(letter), Polynomial::one())
+    }
+
+    /// The cosine of the acute angle whose tangent the letter is.
+    pub fn cosine(tangent: Letter) -> Value {
+        Value::root(Root::Cosine(tangent))
+    }
+
+    /// The sine of the acute angle whose tangent the letter is.
+    pub fn sine(tangent: Letter) -> Value {
+        &Value::cosine(tangent) * &Value::letter(tangent)
+    }
+
+    /// A root.
+    pub(crate) fn root(root: Root) -> Value {
+        Value::build(Terms::from([(vec![root], Polynomial::one())]), Polynomial::one())
+    }
+
+    /// A nested root of a value that is no square.
+    pub(crate) fn nested(radicand: Value) -> Value {
+        let depth = 1 + radicand.roots().iter().map(Root::depth).max().unwrap_or(0);
+        Value::root(Root::Nested { depth, radicand })
+    }
+
+    /// A quotient of two polynomials, the second not nought.
+    pub fn quotient(numerator: Polynomial, denominator: Polynomial) -> Value {
+        Value::build(Terms::from([(Vec::new(), numerator)]), denominator)
+    }
+
+    /// The normal form of terms over a denominator that is not nought.
+    pub(crate) fn build(mut terms: Terms, denominator: Polynomial) -> Value {
+        terms.retain(|_, coefficient| !coefficient.is_zero());
+        if terms.is_empty() {
+            return Value::ZERO;
+        }
+        let mut denominator = denominator;
+        if denominator.as_constant().is_none() {
+            let mut shared = denominator.clone();
+            for coefficient in terms.values() {
+                shared = shared.greatest_common_divisor(coefficient);
+                if shared.is_one() {
+                    break;
+                }
+            }
+            if !shared.is_one() {
+                let exact = |p: &Polynomial| p.divided_by(&shared).expect("a common divisor divides");
+                terms.values_mut().for_each(|coefficient| *coefficient = exact(coefficient));
+                denominator = exact(&denominator);
+            }
+        }
+        let primitive = denominator.primitive();
+        if primitive != denominator {
+            let scale = denominator.divided_by(&primitive).and_then(|unit| unit.as_constant());
+            let inverse = scale.and_then(|unit| unit.reciprocal()).expect("a denominator is not nought");
+            terms.values_mut().for_each(|coefficient| *coefficient = coefficient.scaled(&inverse));
+        }
+        if let (1, true, Some(numerator)) = (terms.len(), primitive.is_one(), terms.get(&Vec::new()))
+            && let Some(number) = numerator.as_constant()
+        {
+            return Value::Rational(number);
+        }
+        Value::Compound(Arc::new(Compound { terms, denominator: primitive }))
+    }
+
+    /// The terms and the denominator, whichever kind of value it is.
+    pub(crate) fn parts(&self) -> (Terms, Polynomial) {
+        match self {
+            Value::Rational(number) => {
+                (Terms::from([(Vec::new(), Polynomial::constant(number.clone()))]), Polynomial::one())
+            }
+            Value::Compound(compound) => (compound.terms.clone(), compound.denominator.clone()),
+        }
+    }
+
+    /// The rational number it is, if it is one.
+    pub fn as_fraction(&self) -> Option<&Fraction> {
+        match self {
+            Value::Rational(number) => Some(number),
+            Value::Compound(_) => None,
+        }
+    }
+
+    /// Numerator and denominator, if no root is in it.
+    pub fn as_quotient(&self) -> Option<(Polynomial, Polynomial)> {
+        let (terms, denominator) = self.parts();
+        match terms.len() {
+            1 => Some((terms.get(&Vec::new())?.clone(), denominator)),
+            0 => Some((Polynomial::zero(), denominator)),
+            _ => None,
+        }
+    }
+
+    /// The roots in it, simplest first; what stands inside nested roots is not listed.
+    pub fn roots(&self) -> Vec<Root> {
+        let Value::Compound(compound) = self else { return Vec::new() };
+        let mut roots: Vec<Root> = compound.terms.keys().flatten().cloned().collect();
+        roots.sort();
+        roots.dedup();
+        roots
+    }
+
+    /// All letters in it, those inside roots too, tangents of given degrees included; sorted.
+    pub fn letters(&self) -> Vec<Letter> {
+        let Value::Compound(compound) = self else { return Vec::new() };
+        let mut letters = compound.denominator.letters();
+        letters.extend(compound.terms.values().flat_map(Polynomial::letters));
+        for root in self.roots() {
+            match root {
+                Root::Prime(_) => {}
+                Root::Cosine(tangent) => letters.push(tangent),
+                Root::Nested { radicand, .. } => letters.extend(radicand.letters()),
+            }
+        }
+        letters.sort();
+        letters.dedup();
+        letters
+    }
+
+    /// Is it a number, without letters?
+    pub fn is_constant(&self) -> bool {
+        self.letters().iter().all(Letter::is_constant)
+    }
+
+    /// Written down as nought: see [`Value::is_zero`] for what only a decision can tell.
+    pub(crate) fn is_written_zero(&self) -> bool {
+        matches!(self, Value::Rational(number) if number.is_zero())
+    }
+
+    /// `a` and `b` in `self = a + b root`.
+    pub(crate) fn split(&self, root: &Root) -> (Value, Value) {
+        let (terms, denominator) = self.parts();
+        let (mut without, mut with) = (Terms::new(), Terms::new());
+        for (mut key, coefficient) in terms {
+            match key.iter().position(|other| other == root) {
+                Some(position) => {
+                    key.remove(position);
+                    with.insert(key, coefficient);
+                }
+                None => {
+                    without.insert(key, coefficient);
+                }
+            }
+        }
+        (Value::build(without, denominator.clone()), Value::build(with, denominator))
+    }
+
+    /// One over the value; `None` for nought.
+    pub fn reciprocal(&self) -> Option<Value> {
+        if let Value::Rational(number) = self {
+            return number.reciprocal().map(Value::Rational);
+        }
+        let Some(root) = self.roots().pop() else {
+            let (numerator, denominator) = self.as_quotient()?;
+            return Some(Value::quotient(denominator, numerator));
+        };
+        let (a, b) = self.split(&root);
+        if a.is_written_zero() {
+            return Some(&Value::root(root.clone()) * &(&b * &root.square()).reciprocal()?);
+        }
+        let norm = &(&a * &a) - &(&(&b * &b) * &root.square());
+        if norm.is_zero() {
+            // The root was no new number: either a + b root is nought, or a - b root is.
+            return if self.is_zero() { None } else { (&a * &Value::from(2)).reciprocal() };
+        }
+        Some(&(&a - &(&b * &Value::root(root))) * &norm.reciprocal()?)
+    }
+
+    /// The quotient; `None` by nought.
+    pub fn divided_by(&self, divisor: &Value) -> Option<Value> {
+        if let (Value::Rational(a), Value::Rational(b)) = (self, divisor) {
+            return b.reciprocal().map(|inverse| Value::Rational(a * &inverse));
+        }
+        if let Value::Rational(number) = divisor {
+            return number.reciprocal().map(|inverse| self * &Value::Rational(inverse));
+        }
+        if divisor.is_zero() { None } else { Some(self * &divisor.reciprocal()?) }
+    }
+
+    /// A whole power; `None` for a negative power of nought.
+    pub fn power(&self, exponent: i32) -> Option<Value> {
+        let base = if exponent < 0 { self.reciprocal()? } else { self.clone() };
+        Some((0..exponent.unsigned_abs()).fold(Value::ONE, |product, _| &product * &base))
+    }
+
+    /// Every occurrence of a letter replaced; `None` if that divides by nought or takes the root of
+    /// a negative number. The replacement of the letter of an angle is a tangent.
+    pub fn substitute(&self, letter: Letter, replacement: &Value) -> Option<Value> {
+        if !self.letters().contains(&letter) {
+            return Some(self.clone());
+        }
+        let at = |polynomial: &Polynomial| -> Value {
+            // Horner's scheme, so that the replacement is multiplied as seldom as possible.
+            polynomial.coefficients(letter).iter().rev().fold(Value::ZERO, |sum, coefficient| {
+                &(&sum * replacement) + &Value::quotient(coefficient.clone(), Polynomial::one())
+            })
+        };
+        let (terms, denominator) = self.parts();
+        let mut sum = Value::ZERO;
+        for (roots, coefficient) in &terms {
+            let mut term = at(coefficient);
+            for root in roots {
+                let factor = match root {
+                    Root::Cosine(tangent) if *tangent == letter => {
+                        (&Value::ONE + &(replacement * replacement)).reciprocal()?.square_root()?
+                    }
+                    Root::Nested { radicand, .. } => radicand.substitute(letter, replacement)?.square_root()?,
+                    other => Value::root(other.clone()),
+                };
+                term = &term * &factor;
+            }
+            sum = &sum + &term;
+        }
+        sum.divided_by(&at(&denominator))
+    }
+}
+
+impl From<i64> for Value {
+    fn from(value: i64) -> Value {
+        Value::Rational(value.into())
+    }
+}
+
+impl From<Fraction> for Value {
+    fn from(value: Fraction) -> Value {
+        Value::Rational(value)
+    }
+}
+
+impl Add for &Value {
+    type Output = Value;
+    fn add(self, other: &Value) -> Value {
+        match (self, other) {
+            (Value::Rational(a), Value::Rational(b)) => return Value::Rational(a + b),
+            (Value::Rational(nought), value) | (value, Value::Rational(nought)) if nought.is_zero() => return value.clone(),
+            _ => {}
+        }
+        let ((mut terms, a), (others, b)) = (self.parts(), other.parts());
+        let mut denominator = a.clone();
+        let (mut left, mut right) = (Polynomial::one(), Polynomial::one());
+        if a != b {
+            let shared = a.greatest_common_divisor(&b);
+            left = b.divided_by(&shared).expect("a common divisor divides");
+            right = a.divided_by(&shared).expect("a common divisor divides");
+            denominator = &a * &left;
+        }
+        terms.values_mut().for_each(|coefficient| *coefficient = &*coefficient * &left);
+        for (key, coefficient) in others {
+            let entry = terms.entry(key).or_default();
+            *entry = &*entry + &(&coefficient * &right);
+        }
+        Value::build(terms, denominator)
+    }
+}
+
+impl Mul for &Value {
+    type Output = Value;
+    fn mul(self, other: &Value) -> Value {
+        match (self, other) {
+            (Value::Rational(a), Value::Rational(b)) => return Value::Rational(a * b),
+            (Value::Rational(number), Value::Compound(compound)) | (Value::Compound(compound), Value::Rational(number)) => {
+                if number.is_zero() {
+                    return Value::ZERO;
+                }
+                let terms = compound.terms.iter().map(|(key, p)| (key.clone(), p.scaled(number))).collect();
+                let denominator = compound.denominator.clone();
+                return Value::Compound(Arc::new(Compound { terms, denominator }));
+            }
+            _ => {}
+        }
+        let ((left, a), (right, b)) = (self.parts(), other.parts());
+        let denominator = &a * &b;
+        let mut terms = Terms::new();
+        // Where a root meets itself its square takes its place; squares that are not numbers are
+        // themselves values, and join the sum at the end.
+        let mut squared = Vec::new();
+        for (x, p) in &left {
+            for (y, q) in &right {
+                let mut coefficient = p * q;
+                let mut key = Vec::with_capacity(x.len() + y.len());
+                let mut square = Value::ONE;
+                for root in x {
+                    match (y.contains(root), root) {
+                        (false, _) => key.push(root.clone()),
+                        (true, Root::Prime(prime)) => coefficient = coefficient.scaled(&integer(*prime)),
+                        (true, _) => square = &square * &root.square(),
+                    }
+                }
+                key.extend(y.iter().filter(|root| !x.contains(root)).cloned());
+                key.sort();
+                if square.as_fraction().is_some_and(Fraction::is_one) {
+                    let entry = terms.entry(key).or_default();
+                    *entry = &*entry + &coefficient;
+                } else {
+                    squared.push((Value::build(Terms::from([(key, coefficient)]), denominator.clone()), square));
+                }
+            }
+        }
+        let plain = Value::build(terms, denominator);
+        squared.iter().fold(plain, |sum, (term, square)| &sum + &(term * square))
+    }
+}
+
+impl Neg for &Value {
+    type Output = Value;
+    fn neg(self) -> Value {
+        self * &Value::from(-1)
+    }
+}
+
+impl Sub for &Value {
+    type Output = Value;
+    fn sub(self, other: &Value) -> Value {
+        self + &-other
+    }
+}
+
+macro_rules! by_value {
+    ($($law:ident $name:ident),*) => {$(
+        impl $law for Value {
+            type Output = Value;
+            fn $name(self, other: Value) -> Value {
+                (&self).$name(&other)
+            }
+        }
+    )*};
+}
+by_value!(Add add, Sub sub, Mul mul);
+
+impl Neg for Value {
+    type Output = Value;
+    fn neg(self) -> Value {
+        -&self
+    }
+}
+
+/// For messages of tests: exact, but not as a teacher writes it.
+impl fmt::Debug for Value {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (terms, denominator) = self.parts();
+        let polynomial = |p: &Polynomial| {
+            let term = |(monomial, c): &(super::Monomial, Fraction)| {
+                let letters: String = monomial.iter().map(|(letter, power)| format!("*{letter:?}^{power}")).collect();
+                format!("{c}{letters}")
+            };
+            p.terms().iter().map(term).collect::<Vec<_>>().join(" + ")
+        };
+        let sum: Vec<String> = terms
+            .iter()
+            .map(|(roots, coefficient)| {
+                let roots: String = roots
+                    .iter()
+                    .map(|root| match root {
+                        Root::Prime(prime) => format!("*sqrt({prime})"),
+                        Root::Cosine(tangent) => format!("*cos[{tangent:?}]"),
+                        Root::Nested { radicand, .. } => format!("*sqrt({radicand:?})"),
+                    })
+                    .collect();
+                let coefficient = polynomial(coefficient);
+                if terms.len() > 1 && coefficient.contains(' ') { format!("({coefficient}){roots}") } else { coefficient + &roots }
+            })
+            .collect();
+        let sum = sum.join(" + ");
+        if denominator.is_one() { write!(f, "{sum}") } else { write!(f, "({sum})/({})", polynomial(&denominator)) }
+    }
+}
