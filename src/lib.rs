@@ -1,5 +1,6 @@
 //! Carom makes and marks exercises on collisions in two dimensions.
 pub mod expr;
+pub mod mechanics;
 pub mod number;
 pub mod paper;
 pub mod unit;

@@ -136,9 +136,10 @@ fn without_units(terms: &Terms) -> Terms {
         let grown = &Polynomial::one() + &Polynomial::letter(unit);
         for coefficient in terms.values_mut() {
             let powers = coefficient.coefficients(unit);
-            *coefficient = powers.iter().enumerate().fold(Polynomial::zero(), |sum, (power, p)| {
-                &sum + &(p * &grown.power(highest - power as u32))
-            });
+            *coefficient = powers
+                .iter()
+                .enumerate()
+                .fold(Polynomial::zero(), |sum, (power, p)| &sum + &(p * &grown.power(highest - power as u32)));
         }
     }
     terms

@@ -33,7 +33,11 @@ impl Value {
             }
             sum = sum + term;
         }
-        if denominator.is_one() { Some(sum) } else { sum.checked_div(&enclose_polynomial(denominator, bits, &mut letter)?) }
+        if denominator.is_one() {
+            Some(sum)
+        } else {
+            sum.checked_div(&enclose_polynomial(denominator, bits, &mut letter)?)
+        }
     }
 
     /// An enclosure of a value without letters.

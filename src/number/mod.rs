@@ -6,11 +6,15 @@ mod direction;
 mod enclose;
 mod fraction;
 mod interval;
+mod inverse_trigonometry;
 mod letter;
 mod polynomial;
 mod root;
 mod rounding;
+mod trigonometry;
 mod value;
+#[cfg(test)]
+mod value_tests;
 
 pub use angle::Angle;
 pub use direction::Direction;
@@ -19,5 +23,5 @@ pub use fraction::{Fraction, NotAFraction};
 pub use interval::Interval;
 pub use letter::{Letter, Range};
 pub use polynomial::{Monomial, Polynomial};
-pub use rounding::{Decimal, Places, Uncertain, clear_of_tie, round, round_certified};
+pub use rounding::{Decimal, Places, Step, Uncertain, clear_of_tie, round, round_certified};
 pub use value::{Compound, Root, Value};

@@ -48,11 +48,7 @@ impl Value {
             rest.clear();
         }
         let (outside, inside) = squares_out((&shared * &denominator).scaled(&content).scaled(&sign));
-        let inside = if rest.is_empty() {
-            inside
-        } else {
-            &inside * &Value::build(rest, Polynomial::one())
-        };
+        let inside = if rest.is_empty() { inside } else { &inside * &Value::build(rest, Polynomial::one()) };
         let root = match inside.as_fraction() {
             Some(number) => root_of_fraction(number)?,
             None => Value::nested(inside),

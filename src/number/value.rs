@@ -333,7 +333,9 @@ impl Add for &Value {
     fn add(self, other: &Value) -> Value {
         match (self, other) {
             (Value::Rational(a), Value::Rational(b)) => return Value::Rational(a + b),
-            (Value::Rational(nought), value) | (value, Value::Rational(nought)) if nought.is_zero() => return value.clone(),
+            (Value::Rational(nought), value) | (value, Value::Rational(nought)) if nought.is_zero() => {
+                return value.clone();
+            }
             _ => {}
         }
         let ((mut terms, a), (others, b)) = (self.parts(), other.parts());
@@ -359,7 +361,8 @@ impl Mul for &Value {
     fn mul(self, other: &Value) -> Value {
         match (self, other) {
             (Value::Rational(a), Value::Rational(b)) => return Value::Rational(a * b),
-            (Value::Rational(number), Value::Compound(compound)) | (Value::Compound(compound), Value::Rational(number)) => {
+            (Value::Rational(number), Value::Compound(compound))
+            | (Value::Compound(compound), Value::Rational(number)) => {
                 if number.is_zero() {
                     return Value::ZERO;
                 }
@@ -458,7 +461,11 @@ impl fmt::Debug for Value {
                     })
                     .collect();
                 let coefficient = polynomial(coefficient);
-                if terms.len() > 1 && coefficient.contains(' ') { format!("({coefficient}){roots}") } else { coefficient + &roots }
+                if terms.len() > 1 && coefficient.contains(' ') {
+                    format!("({coefficient}){roots}")
+                } else {
+                    coefficient + &roots
+                }
             })
             .collect();
         let sum = sum.join(" + ");

@@ -1,0 +1,278 @@
+//! Rounding as schools do it, proved in every digit, and the decimals that come out.
+//!
+//! Conventions. A half is rounded away from nought, on both sides: 2.5 to 3 and -2.5 to -3. A 'unit' is one in the
+//! last figure kept; a 'tie' is a value half a unit from both neighbours. To significant figures the unit grows
+//! tenfold at each power of ten: the tie below 10.0 is 9.995, the one above is 10.05. Nought to any number of
+//! significant figures is `0`.
+
+use std::cmp::Ordering;
+use std::fmt;
+
+use dashu_int::IBig;
+use dashu_int::ops::{BitTest, UnsignedAbs};
+
+use super::interval::floor_quotient;
+use super::{Fraction, Interval};
+
+/// To which places a value is rounded.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Places {
+    /// So many figures from the first that is not nought; none is taken as one.
+    SignificantFigures(u32),
+    /// So many figures after the point.
+    DecimalPlaces(u32),
+    /// The nearest multiple of a step, such as 0.5 or 15.
+    Nearest(Step),
+}
+
+/// A positive step whose multiples can all be written as decimals; made by [`Places::nearest`].
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Step(Decimal);
+
+impl Places {
+    /// The nearest multiple of a step; `None` unless it is positive and has finitely many decimals.
+    ///
+    /// ```
+    /// use carom::number::{Fraction, Places, round};
+    /// let half = Places::nearest(&Fraction::new(1, 2)).unwrap();
+    /// assert_eq!(round(&Fraction::new(7, 3), &half).to_string(), "2.5");
+    /// assert_eq!(Places::nearest(&Fraction::new(1, 3)), None);
+    /// ```
+    pub fn nearest(step: &Fraction) -> Option<Places> {
+        (step.sign() == Ordering::Greater).then_some(())?;
+        Some(Places::Nearest(Step(Decimal::exact(step)?)))
+    }
+}
+
+/// A number in decimal figures, with the noughts at its end that say how far it was rounded.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Decimal {
+    /// All figures without the point: 278 in `2.78`, 200 in `2.00`.
+    pub figures: IBig,
+    /// How many of them stand after the point.
+    pub places: u32,
+}
+
+impl Decimal {
+    /// The fraction with as few figures as it takes; `None` if it takes infinitely many.
+    pub fn exact(value: &Fraction) -> Option<Decimal> {
+        let (mut denominator, mut twos, mut fives) = (value.denominator(), 0u32, 0u32);
+        while &denominator % 2u8 == 0 {
+            denominator /= 2u8;
+            twos += 1;
+        }
+        while &denominator % 5u8 == 0 {
+            denominator /= 5u8;
+            fives += 1;
+        }
+        let places = twos.max(fives);
+        let figures = value * &Fraction::from(power_of_ten(places.into()));
+        figures.is_integer().then(|| Decimal { figures: figures.numerator(), places })
+    }
+
+    /// The exact value of the figures.
+    pub fn to_fraction(&self) -> Fraction {
+        Fraction::from_integers(self.figures.clone(), power_of_ten(self.places.into())).unwrap_or(Fraction::ZERO)
+    }
+}
+
+/// `2.78`, `0.590`, `16.0`, `-0.0305`, `1230`.
+impl fmt::Display for Decimal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let sign = if self.figures < IBig::ZERO { "-" } else { "" };
+        let places = self.places as usize;
+        let figures = format!("{:0>width$}", self.figures.clone().unsigned_abs().to_string(), width = places + 1);
+        let (whole, decimals) = figures.split_at(figures.len() - places);
+        let point = if decimals.is_empty() { "" } else { "." };
+        write!(f, "{sign}{whole}{point}{decimals}")
+    }
+}
+
+/// Rounds an exact value.
+///
+/// ```
+/// use carom::number::{Fraction, Places, round};
+/// assert_eq!(round(&Fraction::new(1999, 1000), &Places::SignificantFigures(3)).to_string(), "2.00");
+/// assert_eq!(round(&Fraction::new(-5, 2), &Places::DecimalPlaces(0)).to_string(), "-3");
+/// ```
+pub fn round(exact: &Fraction, places: &Places) -> Decimal {
+    round_quotient(&exact.numerator(), &exact.denominator(), places)
+}
+
+/// The number of bits with which [`round_certified`] begins; twice as many at each step.
+const FIRST_BITS: usize = 64;
+/// The number of bits beyond which it gives up.
+const LAST_BITS: usize = 1 << 17;
+
+/// The rounding was not proved: the enclosure never became narrow enough, or there was none.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Uncertain;
+
+impl fmt::Display for Uncertain {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the rounding is not certain after {LAST_BITS} bits")
+    }
+}
+
+impl std::error::Error for Uncertain {}
+
+/// Rounds a value that can be enclosed as narrowly as one likes, and proves every figure.
+///
+/// `enclose` gives an interval around the value, computed with so many bits, or `None` if that is too few.
+/// `equals` decides exactly whether the value is a certain fraction. It is asked only where no enclosure can
+/// tell: for a tie that the interval holds, or for nought to significant figures; once for each.
+///
+/// ```
+/// use carom::number::{Fraction, Interval, Places, round_certified};
+/// let root_of_two = |bits| Interval::integer(2, bits).sqrt();
+/// let rounded = round_certified(root_of_two, |_| false, &Places::SignificantFigures(30)).unwrap();
+/// assert_eq!(rounded.to_string(), "1.41421356237309504880168872421");
+/// ```
+pub fn round_certified(
+    enclose: impl Fn(usize) -> Option<Interval>,
+    equals: impl Fn(&Fraction) -> bool,
+    places: &Places,
+) -> Result<Decimal, Uncertain> {
+    let mut denied: Vec<Fraction> = Vec::new();
+    let mut bits = FIRST_BITS;
+    while bits <= LAST_BITS {
+        if let Some(enclosure) = enclose(bits) {
+            let (below, above) = round_ends(&enclosure, places);
+            if below == above {
+                return Ok(below);
+            }
+            if let Some(suspect) = suspect(&enclosure, &below, &above, places)
+                && !denied.contains(&suspect)
+            {
+                if equals(&suspect) {
+                    return Ok(round(&suspect, places));
+                }
+                denied.push(suspect);
+            }
+        }
+        bits *= 2;
+    }
+    Err(Uncertain)
+}
+
+/// The one value because of which no narrower enclosure might settle the rounding: nought, where ever smaller units
+/// pile up, or the tie between neighbours; `None` if the ends are further apart than that.
+fn suspect(enclosure: &Interval, below: &Decimal, above: &Decimal, places: &Places) -> Option<Fraction> {
+    if matches!(places, Places::SignificantFigures(_)) && enclosure.contains_zero() {
+        return Some(Fraction::ZERO);
+    }
+    // The unit changes at numbers that are themselves rounded, so the tie is half-way on either side of them.
+    let middle = (below.to_fraction() + above.to_fraction()) * Fraction::new(1, 2);
+    let rounded = round(&middle, places);
+    (rounded == *below || rounded == *above).then_some(middle)
+}
+
+/// Is all of the enclosure proved to lie at least `margin` units away from every tie?
+///
+/// The unit of a tie is that of the figures on whose boundary it lies: 0.01 for 9.995 to three figures.
+/// An enclosure that holds nought and more is never clear to significant figures.
+///
+/// ```
+/// use carom::number::{Fraction, Interval, Places, clear_of_tie};
+/// let value = Interval::from_fraction(&Fraction::new(2744, 1000), 64);
+/// let places = Places::SignificantFigures(3);
+/// assert!(clear_of_tie(&value, &places, &Fraction::new(1, 20)));
+/// assert!(!clear_of_tie(&value, &places, &Fraction::new(1, 5)));
+/// ```
+pub fn clear_of_tie(enclosure: &Interval, places: &Places, margin: &Fraction) -> bool {
+    // To round and to measure by magnitude, which is the same by symmetry, spares the mirrored cases.
+    if enclosure.sign() == Some(Ordering::Less) {
+        return clear_of_tie(&-enclosure.clone(), places, margin);
+    }
+    let (rounded, above) = round_ends(enclosure, places);
+    if rounded != above {
+        return false;
+    }
+    let centre = rounded.to_fraction();
+    let upper_unit = unit(&centre, places);
+    // Just below a power of ten the figures are finer than at it.
+    let lower_unit = match places {
+        Places::SignificantFigures(_) => unit(&(&centre - &(&upper_unit * &Fraction::new(1, 20))), places),
+        _ => upper_unit.clone(),
+    };
+    let room = Fraction::new(1, 2) - margin.clone();
+    enclosure.lower() >= &centre - &(lower_unit * room.clone()) && enclosure.upper() <= centre + upper_unit * room
+}
+
+/// Both ends, rounded.
+fn round_ends(enclosure: &Interval, places: &Places) -> (Decimal, Decimal) {
+    let denominator = IBig::ONE << enclosure.bits;
+    (round_quotient(&enclosure.lower, &denominator, places), round_quotient(&enclosure.upper, &denominator, places))
+}
+
+/// Rounds a quotient with positive denominator, which need not be in lowest terms.
+fn round_quotient(numerator: &IBig, denominator: &IBig, places: &Places) -> Decimal {
+    let (mut factor, mut exponent) = grid(numerator, denominator, places);
+    let magnitude = IBig::from(numerator.unsigned_abs());
+    let mut count = match exponent {
+        0.. => nearest_integer(&magnitude, &(denominator * &factor * power_of_ten(exponent))),
+        _ => nearest_integer(&(magnitude * power_of_ten(-exponent)), &(denominator * &factor)),
+    };
+    if let Places::SignificantFigures(figures) = places
+        && count == power_of_ten((*figures).max(1).into())
+    {
+        // 9.995 has become 1000 hundredths, one figure too many.
+        count /= 10u8;
+        exponent += 1;
+    }
+    if *numerator < IBig::ZERO {
+        factor = -factor;
+    }
+    match u32::try_from(-exponent) {
+        Ok(places) => Decimal { figures: count * factor, places },
+        Err(_) => Decimal { figures: count * factor * power_of_ten(exponent), places: 0 },
+    }
+}
+
+/// The unit at this value: `factor` times ten to the power of `exponent`.
+fn grid(numerator: &IBig, denominator: &IBig, places: &Places) -> (IBig, i64) {
+    match places {
+        Places::DecimalPlaces(count) => (IBig::ONE, -i64::from(*count)),
+        Places::Nearest(Step(step)) => (step.figures.clone(), -i64::from(step.places)),
+        Places::SignificantFigures(_) if *numerator == IBig::ZERO => (IBig::ONE, 0),
+        Places::SignificantFigures(count) => {
+            (IBig::ONE, leading_place(numerator, denominator) + 1 - i64::from((*count).max(1)))
+        }
+    }
+}
+
+fn unit(value: &Fraction, places: &Places) -> Fraction {
+    let (factor, exponent) = grid(&value.numerator(), &value.denominator(), places);
+    let power = Fraction::from(power_of_ten(exponent.abs()));
+    let factor = Fraction::from(factor);
+    if exponent < 0 { factor / power } else { factor * power }
+}
+
+/// The place of the first figure that is not nought: 0 for 2.78, -2 for 0.0305, 3 for 1234.
+fn leading_place(numerator: &IBig, denominator: &IBig) -> i64 {
+    let magnitude = IBig::from(numerator.unsigned_abs());
+    let reaches = |place: i64| match place {
+        0.. => magnitude >= denominator * power_of_ten(place),
+        _ => &magnitude * power_of_ten(-place) >= *denominator,
+    };
+    // Lengths in bits give the place to within one; 0.30103 is the logarithm of two.
+    let bits = magnitude.bit_len() as f64 - denominator.bit_len() as f64;
+    let mut place = (bits * std::f64::consts::LOG10_2).floor() as i64;
+    while !reaches(place) {
+        place -= 1;
+    }
+    while reaches(place + 1) {
+        place += 1;
+    }
+    place
+}
+
+/// The quotient of positive integers, a half rounded up.
+fn nearest_integer(numerator: &IBig, denominator: &IBig) -> IBig {
+    floor_quotient(&(numerator * 2 + denominator), &(denominator * 2))
+}
+
+/// Ten to a power that is not negative.
+fn power_of_ten(exponent: i64) -> IBig {
+    IBig::from(10).pow(exponent as usize)
+}

@@ -1,0 +1,118 @@
+//! What carom knows of exact values.
+
+use super::*;
+
+fn root(n: i64) -> Value {
+    Value::from(n).square_root().unwrap()
+}
+
+fn letter(name: &str, range: Range) -> Letter {
+    Letter::new(name, range).unwrap()
+}
+
+fn degrees(n: i64) -> Direction {
+    Direction::degrees(&Fraction::from(n)).unwrap()
+}
+
+#[test]
+fn surds_have_one_form_and_their_reciprocals_no_root_below() {
+    assert_eq!(&root(8) + &root(2), &Value::from(3) * &root(2));
+    assert_eq!(&root(6) * &root(10), &Value::from(2) * &root(15));
+    let value = &(&Value::ONE + &root(2)) + &root(3);
+    assert_eq!(&value * &value.reciprocal().unwrap(), Value::ONE);
+    assert_eq!(Value::fraction(208, 27).square_root().unwrap(), &root(39) * &Value::fraction(4, 9));
+}
+
+#[test]
+fn nested_roots_are_undone_where_they_can_be() {
+    let five = &Value::from(5) + &(&Value::from(2) * &root(6));
+    assert_eq!(five.square_root().unwrap(), &root(2) + &root(3));
+    let minus = &Value::from(3) - &(&Value::from(2) * &root(2));
+    assert_eq!(minus.square_root().unwrap(), &root(2) - &Value::ONE);
+    let stays = (&Value::ONE + &root(2)).square_root().unwrap();
+    assert_eq!(&stays * &stays, &Value::ONE + &root(2));
+    assert_eq!(&stays * &stays.reciprocal().unwrap(), Value::ONE);
+}
+
+#[test]
+fn nested_roots_are_compared_by_squaring() {
+    // √(2+√2) √(2-√2) = √2, which the normal form does not see.
+    let plus = (&Value::from(2) + &root(2)).square_root().unwrap();
+    let minus = (&Value::from(2) - &root(2)).square_root().unwrap();
+    let product = &plus * &minus;
+    assert!(product.equals(&root(2)));
+    assert!(!product.equals(&-root(2)));
+    assert!((&product - &root(2)).reciprocal().is_none());
+    assert!(!product.equals(&(&root(2) + &Value::fraction(1, 1_000_000_000_000))));
+}
+
+#[test]
+fn a_zero_among_sines_of_whole_degrees_is_decided() {
+    let cos = |n| degrees(n).cos;
+    assert!(cos(20).equals(&(&cos(40) + &cos(80))));
+    assert!(!cos(20).equals(&(&cos(40) + &cos(79))));
+    // 4 sin 18° = √5 - 1.
+    assert!((&Value::from(4) * &degrees(18).sin).equals(&(&root(5) - &Value::ONE)));
+    let tan = |n| degrees(n).tangent().unwrap();
+    assert!((&(&tan(20) * &tan(40)) * &tan(80)).equals(&root(3)));
+    assert!((&degrees(80).cos - &degrees(10).sin).is_zero());
+}
+
+#[test]
+fn the_circle_closes() {
+    let theta = Direction::acute(letter("theta", Range::Acute));
+    let one = &(&theta.cos * &theta.cos) + &(&theta.sin * &theta.sin);
+    assert_eq!(one, Value::ONE);
+    let double = theta.times(2);
+    assert_eq!(double.sin, &(&Value::from(2) * &theta.sin) * &theta.cos);
+    for n in [0, 10, 30, 45, 100, 135, 200, 270, 300, -30, 361] {
+        let direction = degrees(n);
+        assert!((&(&direction.cos * &direction.cos) + &(&direction.sin * &direction.sin)).equals(&Value::ONE), "{n}");
+    }
+}
+
+#[test]
+fn signs_in_letters_follow_from_their_ranges() {
+    use std::cmp::Ordering::{Greater, Less};
+    let e = Value::letter(letter("e", Range::Unit));
+    let t = Value::letter(letter("alpha", Range::Acute));
+    let x = Value::letter(letter("x", Range::Real));
+    let two = Value::from(2);
+    assert_eq!((&Value::ONE - &e).sign(), Some(Greater));
+    assert_eq!((&e - &Value::from(3)).sign(), Some(Less));
+    assert_eq!((&(&two * &(&t * &t)) + &(&Value::ONE - &e)).sign(), Some(Greater));
+    assert_eq!((&(&two * &e) - &Value::ONE).sign(), None);
+    assert_eq!(x.sign(), None);
+    assert_eq!((&(&x * &x) + &Value::ONE).sign(), Some(Greater));
+    assert_eq!((&(&root(2) - &two) * &t).sign(), Some(Less));
+}
+
+#[test]
+fn roots_of_formulas_let_squares_out() {
+    let v = Value::letter(letter("v", Range::Positive));
+    let theta = Direction::acute(letter("theta", Range::Acute));
+    let square = &(&v * &v) * &Value::fraction(61, 36);
+    assert_eq!(square.square_root().unwrap(), &(&v * &root(61)) * &Value::fraction(1, 6));
+    let whole = &(&(&v * &theta.cos) * &(&v * &theta.cos)) * &Value::from(2);
+    assert_eq!(whole.square_root().unwrap(), &(&v * &theta.cos) * &root(2));
+}
+
+#[test]
+fn angles_of_whole_degrees_are_found_and_proved() {
+    let angle = Angle::of(&degrees(10).sin, &degrees(10).cos).unwrap();
+    assert_eq!(angle.whole_degrees(), Some(Fraction::from(10)));
+    assert_eq!(Angle::of(&root(3), &Value::from(-3)).unwrap().whole_degrees(), Some(Fraction::from(150)));
+    assert_eq!(Angle::of(&Value::ZERO, &Value::from(-3)).unwrap().whole_degrees(), Some(Fraction::from(180)));
+    let seed = Angle::acute(&Value::from(2), &(&root(3) * &Value::fraction(10, 9))).unwrap();
+    assert_eq!(seed.whole_degrees(), None);
+    assert_eq!(seed.rounded(&Places::SignificantFigures(3)).unwrap().to_string(), "46.1");
+}
+
+#[test]
+fn a_letter_can_be_replaced_everywhere() {
+    let name = letter("theta", Range::Acute);
+    let theta = Direction::acute(name);
+    let value = &theta.cos + &(&theta.sin * &theta.sin);
+    let replaced = value.substitute(name, &root(3)).unwrap();
+    assert_eq!(replaced, Value::fraction(5, 4));
+}
