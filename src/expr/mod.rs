@@ -3,8 +3,14 @@
 //! Text is read into an [`Expr`]; an `Expr` is evaluated into an exact value; every printed formula
 //! is made from an `Expr` by one of the printers. Nothing else in carom makes LaTeX or MathML.
 
+mod evaluate;
+mod fault;
 mod text;
 mod tree;
+mod turn;
 
+pub use evaluate::{Meaning, Names, degrees, evaluate, holds, number};
+pub use fault::Fault;
 pub use text::{Piece, Text};
 pub use tree::{Expr, Function, Name, Relation, Span};
+pub use turn::Turn;

@@ -218,6 +218,21 @@ impl Value {
         letters
     }
 
+    /// How many terms it takes to write it down, above and below.
+    pub fn terms(&self) -> usize {
+        match self {
+            Value::Rational(_) => 1,
+            Value::Compound(compound) => {
+                let nested = self.roots().into_iter().map(|root| match root {
+                    Root::Nested { radicand, .. } => radicand.terms(),
+                    _ => 0,
+                });
+                let above: usize = compound.terms.values().map(|p| p.terms().len()).sum();
+                above + compound.denominator.terms().len() + nested.sum::<usize>()
+            }
+        }
+    }
+
     /// Is it a number, without letters?
     pub fn is_constant(&self) -> bool {
         self.letters().iter().all(Letter::is_constant)

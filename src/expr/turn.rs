@@ -1,0 +1,93 @@
+//! Angles inside an expression: a rational number of degrees and the angle of a vector.
+
+use crate::number::{Angle, Direction, Fraction, Interval, Value};
+
+/// An angle that can be added to others: so many degrees, and the angle of a vector.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Turn {
+    /// The part that is a rational number of degrees.
+    pub degrees: Fraction,
+    /// The part that is known through its tangent, such as `atan(3/4)` or a letter.
+    pub rest: Option<Angle>,
+}
+
+impl Turn {
+    /// So many degrees.
+    pub fn degrees(degrees: Fraction) -> Turn {
+        Turn { degrees, rest: None }
+    }
+
+    /// The angle of a vector.
+    pub fn of(angle: Angle) -> Turn {
+        match angle.whole_degrees() {
+            Some(degrees) => Turn::degrees(degrees),
+            None => Turn { degrees: Fraction::ZERO, rest: Some(angle) },
+        }
+    }
+
+    /// The sum of two angles.
+    pub fn plus(&self, other: &Turn) -> Option<Turn> {
+        let rest = match (&self.rest, &other.rest) {
+            (None, rest) | (rest, None) => rest.clone(),
+            (Some(a), Some(b)) => {
+                let y = &(a.y() * b.x()) + &(a.x() * b.y());
+                let x = &(a.x() * b.x()) - &(a.y() * b.y());
+                Some(Angle::of(&y, &x)?)
+            }
+        };
+        Some(Turn { degrees: &self.degrees + &other.degrees, rest })
+    }
+
+    /// The angle with its sign changed.
+    pub fn reversed(&self) -> Turn {
+        let rest = self.rest.as_ref().and_then(|angle| Angle::of(&-angle.y(), angle.x()));
+        Turn { degrees: -self.degrees.clone(), rest }
+    }
+
+    /// A multiple; the part known by its tangent can only be multiplied by a whole number.
+    pub fn times(&self, factor: &Fraction) -> Option<Turn> {
+        let degrees = &self.degrees * factor;
+        if self.rest.is_none() {
+            return Some(Turn::degrees(degrees));
+        }
+        let (count, 1) = factor.as_small()? else { return None };
+        if count.abs() > 12 {
+            return None;
+        }
+        let base = if count < 0 { self.reversed() } else { self.clone() };
+        let rest = Turn { degrees: Fraction::ZERO, rest: base.rest };
+        (0..count.abs()).try_fold(Turn::degrees(degrees), |sum, _| sum.plus(&rest))
+    }
+
+    /// Its cosine and sine; `None` if a root does not exist or the degrees are too fine.
+    pub fn direction(&self) -> Option<Direction> {
+        let degrees = Direction::degrees(&self.degrees)?;
+        let Some(angle) = &self.rest else { return Some(degrees) };
+        let size = (&(angle.x() * angle.x()) + &(angle.y() * angle.y())).square_root()?;
+        let rest = Direction { cos: angle.x().divided_by(&size)?, sin: angle.y().divided_by(&size)? };
+        Some(degrees.plus(&rest))
+    }
+
+    /// An enclosure of the number of degrees, if there are no letters in it.
+    pub fn enclose(&self, bits: usize) -> Option<Interval> {
+        let degrees = Interval::from_fraction(&self.degrees, bits);
+        match &self.rest {
+            None => Some(degrees),
+            Some(angle) => Some(degrees + angle.enclose(bits, &|_| None)?),
+        }
+    }
+
+    /// Is it exactly so many degrees, as a number, not only as a direction?
+    pub fn is_degrees(&self, degrees: &Fraction) -> bool {
+        let rest = degrees - &self.degrees;
+        match &self.rest {
+            None => rest.is_zero(),
+            Some(angle) => rest.abs() <= Fraction::from(180) && angle.is_degrees(&rest),
+        }
+    }
+
+    /// The tangent; `None` at a right angle.
+    pub fn tangent(&self) -> Option<Value> {
+        self.direction()?.tangent()
+    }
+}
