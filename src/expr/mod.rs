@@ -8,9 +8,11 @@ mod fault;
 mod text;
 mod tree;
 mod turn;
+mod written;
 
 pub use evaluate::{Meaning, Names, degrees, evaluate, holds, number};
 pub use fault::Fault;
 pub use text::{Piece, Text};
 pub use tree::{Expr, Function, Name, Relation, Span};
 pub use turn::Turn;
+pub use written::{in_degrees, written, written_angle};

@@ -252,6 +252,8 @@ impl Sub for &Fraction {
 /// Panics on division by nought, as machine integers do; ask [`Fraction::reciprocal`] first.
 impl Div for &Fraction {
     type Output = Fraction;
+    // Division of fractions is multiplication by the reciprocal.
+    #[allow(clippy::suspicious_arithmetic_impl)]
     fn div(self, other: &Fraction) -> Fraction {
         self * &other.reciprocal().expect("a fraction divided by nought")
     }

@@ -43,7 +43,7 @@ impl Polynomial {
     }
 
     /// One plus the square of a tangent: one over the square of the cosine.
-    pub(crate) fn one_plus_square(tangent: Letter) -> Polynomial {
+    pub fn one_plus_square(tangent: Letter) -> Polynomial {
         Polynomial { terms: vec![(Vec::new(), Fraction::ONE), (vec![(tangent, 2)], Fraction::ONE)] }
     }
 
