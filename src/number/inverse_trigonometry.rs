@@ -214,6 +214,19 @@ mod tests {
     }
 
     #[test]
+    fn the_proved_errors_hold_before_guard_bits_hide_them() {
+        let mut random = ChaCha8Rng::seed_from_u64(6);
+        for bits in (0..400).step_by(7) {
+            for _ in 0..10 {
+                let point =
+                    IBig::from(random.random_range(-1 << 30..1 << 30_i64)) << bits >> random.random_range(20..40);
+                let finer = arc_tangent(&(&point << 90usize), bits + 90);
+                assert!(arc_tangent(&point, bits).overlaps(&finer), "{finer:?}");
+            }
+        }
+    }
+
+    #[test]
     fn an_angle_is_found_again_from_its_tangent_sine_and_cosine() {
         let mut random = ChaCha8Rng::seed_from_u64(3);
         for _ in 0..100 {

@@ -461,7 +461,7 @@ mod tests {
             ("20", &nearest("15"), "0.16", true),
             ("20", &nearest("15"), "0.17", false),
         ] {
-            // Twenty decimal places in units of 10^-20: ends that are a hair outside do not matter for these margins.
+            // The enclosure of a decimal is not a point, so the margins named are met but for a hair.
             let enclosure = Interval::from_fraction(&read(value), 200);
             let hair = Fraction::ONE / Fraction::from(IBig::ONE << 100usize);
             let proved = clear_of_tie(&enclosure, places, &(read(margin) - hair));
