@@ -252,3 +252,137 @@ impl fmt::Debug for Interval {
         write!(f, "[{}, {}] ({} bits)", self.lower().to_f64(), self.upper().to_f64(), self.bits)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use rand::rngs::ChaCha8Rng;
+    use rand::{RngExt, SeedableRng};
+
+    use super::*;
+
+    fn read(text: &str) -> Fraction {
+        text.parse().unwrap()
+    }
+
+    /// The narrowest interval around both.
+    fn between(lower: &str, upper: &str, bits: usize) -> Interval {
+        Interval::from_fraction(&read(lower), bits).hull(&Interval::from_fraction(&read(upper), bits))
+    }
+
+    fn ends(interval: &Interval) -> [String; 2] {
+        [interval.lower().to_string(), interval.upper().to_string()]
+    }
+
+    #[test]
+    fn ends_are_rounded_outwards() {
+        // A third in units of 1/8 lies between 2 and 3 of them; 3/4 is 6 of them.
+        assert_eq!(ends(&Interval::from_fraction(&read("1/3"), 3)), ["1/4", "3/8"]);
+        assert_eq!(ends(&Interval::from_fraction(&read("-1/3"), 3)), ["-3/8", "-1/4"]);
+        assert_eq!(ends(&Interval::from_fraction(&read("3/4"), 3)), ["3/4", "3/4"]);
+        let eighth = between("-3/8", "3/8", 3);
+        assert_eq!(ends(&eighth.with_bits(2)), ["-1/2", "1/2"]);
+        assert_eq!(ends(&eighth.with_bits(9)), ["-3/8", "3/8"]);
+        assert_eq!(eighth.width(), read("3/4"));
+    }
+
+    #[test]
+    fn arithmetic_on_wide_intervals_takes_the_worst_corners() {
+        let products = [
+            (("2", "3"), ("4", "5"), ["8", "15"]),
+            (("-2", "3"), ("4", "5"), ["-10", "15"]),
+            (("-3", "-2"), ("4", "5"), ["-15", "-8"]),
+            (("-3", "-2"), ("-5", "4"), ["-12", "15"]),
+            (("-2", "3"), ("-5", "4"), ["-15", "12"]),
+            (("-3", "-2"), ("-5", "-4"), ["8", "15"]),
+        ];
+        for ((a, b), (c, d), expected) in products {
+            assert_eq!(ends(&(between(a, b, 8) * between(c, d, 8))), expected);
+            assert_eq!(ends(&(between(c, d, 5) * between(a, b, 8))), expected);
+        }
+        let quotients = [
+            (("2", "3"), ("4", "8"), ["1/4", "3/4"]),
+            (("-2", "3"), ("4", "8"), ["-1/2", "3/4"]),
+            (("-3", "-2"), ("4", "8"), ["-3/4", "-1/4"]),
+            (("2", "3"), ("-8", "-4"), ["-3/4", "-1/4"]),
+            (("-2", "3"), ("-8", "-4"), ["-3/4", "1/2"]),
+        ];
+        for ((a, b), (c, d), expected) in quotients {
+            assert_eq!(ends(&between(a, b, 8).checked_div(&between(c, d, 8)).unwrap()), expected);
+        }
+        assert_eq!(ends(&(between("1", "2", 3) - between("1/2", "5", 4))), ["-4", "3/2"]);
+        assert_eq!(ends(&between("-3", "2", 3).abs()), ["0", "3"]);
+        assert_eq!(ends(&between("-3", "-2", 3).abs()), ["2", "3"]);
+        assert_eq!(Interval::integer(1, 8).checked_div(&between("-1", "1", 8)), None);
+        assert_eq!(Interval::integer(1, 8).checked_div(&Interval::integer(0, 8)), None);
+    }
+
+    #[test]
+    fn signs_are_decided_only_where_they_are_certain() {
+        for (lower, upper, sign) in [
+            ("1/8", "1", Some(Ordering::Greater)),
+            ("-1", "-1/8", Some(Ordering::Less)),
+            ("0", "0", Some(Ordering::Equal)),
+            ("0", "1", None),
+            ("-1", "0", None),
+            ("-1", "1", None),
+        ] {
+            let interval = between(lower, upper, 3);
+            assert_eq!(interval.sign(), sign, "{interval:?}");
+            assert_eq!(interval.contains_zero(), !matches!(sign, Some(Ordering::Greater | Ordering::Less)));
+        }
+    }
+
+    #[test]
+    fn common_parts() {
+        let (low, high) = (between("0", "2", 4), between("1", "3", 9));
+        assert_eq!(ends(&low.intersection(&high).unwrap()), ["1", "2"]);
+        assert!(low.overlaps(&between("2", "3", 4)));
+        assert!(!low.overlaps(&between("33/16", "3", 4)));
+    }
+
+    #[test]
+    fn square_roots() {
+        assert_eq!(ends(&Interval::from_fraction(&read("9/4"), 2).sqrt().unwrap()), ["3/2", "3/2"]);
+        assert_eq!(ends(&Interval::integer(2, 2).sqrt().unwrap()), ["5/4", "3/2"]);
+        assert_eq!(ends(&between("-1", "4", 2).sqrt().unwrap()), ["0", "2"]);
+        assert_eq!(between("-2", "-1/4", 2).sqrt(), None);
+    }
+
+    #[test]
+    fn doubles_come_from_the_middle() {
+        assert_eq!(between("1", "2", 64).to_f64(), 1.5);
+        assert_eq!(Interval::from_fraction(&read("1/3"), 5000).to_f64(), 1.0 / 3.0);
+        assert_eq!(Interval::integer(-3, 5000).to_f64(), -3.0);
+    }
+
+    #[test]
+    fn no_chain_of_operations_loses_the_exact_value() {
+        let mut random = ChaCha8Rng::seed_from_u64(1);
+        for bits in [0, 5, 64, 192] {
+            for _ in 0..40 {
+                let mut exact = Fraction::ONE;
+                let mut enclosure = Interval::integer(1, bits);
+                for _ in 0..12 {
+                    let value = Fraction::new(random.random_range(-60..=60), random.random_range(1..=30));
+                    let operand = Interval::from_fraction(&value, bits);
+                    (exact, enclosure) = match random.random_range(0..5) {
+                        0 => (exact + value, enclosure + operand),
+                        1 => (value - exact, operand - enclosure),
+                        2 => (exact * value, enclosure * operand),
+                        3 => match enclosure.checked_div(&operand) {
+                            Some(quotient) => (exact / value, quotient),
+                            None => (exact, enclosure),
+                        },
+                        _ => ((&exact * &exact), (enclosure.clone() * enclosure)),
+                    };
+                    assert!(enclosure.contains(&exact), "{exact} is not in {enclosure:?}");
+                    if enclosure.width() > Fraction::from(1000) {
+                        (exact, enclosure) = (Fraction::ONE, Interval::integer(1, bits));
+                    }
+                    let square = Interval::from_fraction(&(&exact * &exact), bits);
+                    assert!(square.sqrt().unwrap().contains(&exact.abs()), "{exact}");
+                }
+            }
+        }
+    }
+}

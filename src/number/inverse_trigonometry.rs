@@ -125,3 +125,125 @@ fn arc_tangent_within_one(mut x: IBig, halvings: usize, bits: usize) -> (IBig, I
     }
     (sum << halvings, IBig::from(4 + 3 * (terms + 1)) << halvings)
 }
+
+#[cfg(test)]
+mod tests {
+    use rand::rngs::ChaCha8Rng;
+    use rand::{RngExt, SeedableRng};
+
+    use super::*;
+    use crate::number::Fraction;
+    use crate::number::trigonometry::tests::{assert_figures, enclosed, late_figures};
+
+    #[test]
+    fn inverse_functions_to_forty_figures() {
+        let surd = Interval::integer(27, 160).sqrt().unwrap() * enclosed("1/5", 160);
+        assert_figures("atan(3 root 3/5)", &surd.atan(), "0.80463367710111247079712218090885235755598");
+        for (value, angle) in [
+            ("1", "0.78539816339744830961566084581987572104929"),
+            ("-3", "-1.2490457723982544258299170772810901230778"),
+            ("100", "1.5607966601082313810249815754304718935372"),
+            ("1/7", "0.14189705460416392281285161710255308300778"),
+        ] {
+            assert_figures(value, &enclosed(value, 160).atan(), angle);
+        }
+        let (three_fifths, third) = (enclosed("3/5", 160), enclosed("-1/3", 160));
+        assert_figures("asin", &three_fifths.asin().unwrap(), "0.64350110879328438680280922871732263804151");
+        assert_figures("acos", &three_fifths.acos().unwrap(), "0.92729521800161223242851246292242880405707");
+        assert_figures("acos", &(-three_fifths).acos().unwrap(), "2.2142974355881810060341309203570740801401");
+        assert_figures("asin", &third.asin().unwrap(), "-0.33983690945412193709639251339176406638824");
+    }
+
+    #[test]
+    fn six_thousand_figures_of_an_angle() {
+        assert_eq!(late_figures(&enclosed("2/3", 20_000).atan(), 6015), "36880098921985682963864098");
+    }
+
+    fn angle(y: (i64, i64), x: (i64, i64)) -> Option<Interval> {
+        let interval = |(lower, upper)| Interval::integer(lower, 64).hull(&Interval::integer(upper, 64));
+        Interval::atan2(&interval(y), &interval(x))
+    }
+
+    #[test]
+    fn directions_in_all_quadrants_and_on_the_axes() {
+        for y in -3..=3_i64 {
+            for x in -3..=3_i64 {
+                let Some(found) = angle((y, y), (x, x)) else {
+                    assert_eq!((x, y), (0, 0));
+                    continue;
+                };
+                assert!((found.to_f64() - (y as f64).atan2(x as f64)).abs() < 1e-15, "{y} {x}");
+                assert!(found.width() < Fraction::new(1, 1 << 61), "{y} {x}");
+            }
+        }
+    }
+
+    #[test]
+    fn boxes_of_directions() {
+        let eighths = |y, x| angle(y, x).map(|range| [range.lower(), range.upper()].map(|end| end.to_f64() * 4.0));
+        let pi = std::f64::consts::PI;
+        for (y, x, expected) in [
+            ((1, 2), (1, 2), None),
+            ((-1, 1), (1, 2), Some([-pi, pi])),
+            ((1, 2), (-1, 1), Some([pi, 3.0 * pi])),
+            ((-2, -1), (-1, 1), Some([-3.0 * pi, -pi])),
+            ((0, 1), (-2, -1), Some([3.0 * pi, 4.0 * pi])),
+        ] {
+            let found = eighths(y, x).unwrap();
+            let expected = expected.unwrap_or([4.0 * 0.5_f64.atan(), 4.0 * 2_f64.atan()]);
+            assert!(found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-14), "{y:?} {x:?}: {found:?}");
+        }
+        for (y, x) in
+            [((-1, 1), (-1, 1)), ((0, 0), (0, 1)), ((-1, 1), (-2, -1)), ((-1, 0), (-2, -1)), ((0, 1), (-1, 0))]
+        {
+            assert_eq!(angle(y, x), None, "{y:?} {x:?}");
+        }
+    }
+
+    #[test]
+    fn sines_and_cosines_are_clamped_to_what_they_can_be() {
+        let (one, beyond) = (Interval::integer(1, 64), enclosed("1.01", 64));
+        assert_eq!(beyond.asin(), None);
+        assert_eq!((-beyond.clone()).acos(), None);
+        assert_eq!(one.acos(), Some(Interval::integer(0, 64)));
+        assert!((-one.clone()).acos().unwrap().overlaps(&Interval::pi(200)));
+        assert!((-one.clone()).asin().unwrap().overlaps(&-Interval::half_pi(200)));
+        let reaching = Interval::integer(0, 64).hull(&beyond);
+        assert!(reaching.asin().unwrap().overlaps(&Interval::half_pi(200)));
+        assert!(reaching.acos().unwrap().contains_zero());
+    }
+
+    #[test]
+    fn the_proved_errors_hold_before_guard_bits_hide_them() {
+        let mut random = ChaCha8Rng::seed_from_u64(6);
+        for bits in (0..400).step_by(7) {
+            for _ in 0..10 {
+                let point =
+                    IBig::from(random.random_range(-1 << 30..1 << 30_i64)) << bits >> random.random_range(20..40);
+                let finer = arc_tangent(&(&point << 90usize), bits + 90);
+                assert!(arc_tangent(&point, bits).overlaps(&finer), "{finer:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn an_angle_is_found_again_from_its_tangent_sine_and_cosine() {
+        let mut random = ChaCha8Rng::seed_from_u64(3);
+        for _ in 0..100 {
+            let bits = random.random_range(4..300);
+            // Below pi/2 in magnitude.
+            let exact = Fraction::new(random.random_range(-1500..=1500), 1000);
+            let angle = Interval::from_fraction(&exact, bits);
+            assert!(angle.sin().asin().unwrap().contains(&exact), "{exact} {bits}");
+            assert!(angle.cos().acos().unwrap().contains(&exact.abs()), "{exact} {bits}");
+            if let Some(tangent) = angle.tan() {
+                assert!(tangent.atan().contains(&exact), "{exact} {bits}");
+                assert!(tangent.atan().width() <= angle.width() * Fraction::from(9) + Fraction::new(4, 1), "{bits}");
+            }
+            let point = Interval::point(IBig::from(random.random_range(-5000..5000)) << bits >> 9usize, bits);
+            let unit = Fraction::ONE / Fraction::from(IBig::ONE << bits);
+            assert!(point.atan().width() <= unit * Fraction::from(2), "{point:?}");
+            assert!(point.atan().overlaps(&point.with_bits(bits + 100).atan()));
+        }
+    }
+}

@@ -276,3 +276,199 @@ fn nearest_integer(numerator: &IBig, denominator: &IBig) -> IBig {
 fn power_of_ten(exponent: i64) -> IBig {
     IBig::from(10).pow(exponent as usize)
 }
+
+#[cfg(test)]
+mod tests {
+    use rand::rngs::ChaCha8Rng;
+    use rand::{RngExt, SeedableRng};
+
+    use super::Places::{DecimalPlaces, SignificantFigures};
+    use super::*;
+
+    fn read(text: &str) -> Fraction {
+        text.parse().unwrap()
+    }
+
+    fn nearest(step: &str) -> Places {
+        Places::nearest(&read(step)).unwrap()
+    }
+
+    #[test]
+    fn rounded_values_and_their_noughts() {
+        for (exact, places, expected) in [
+            ("2.77555", SignificantFigures(3), "2.78"),
+            ("0.58999", SignificantFigures(3), "0.590"),
+            ("16", SignificantFigures(3), "16.0"),
+            ("-0.03049", SignificantFigures(3), "-0.0305"),
+            ("1234", SignificantFigures(3), "1230"),
+            ("1250", SignificantFigures(2), "1300"),
+            ("2", SignificantFigures(3), "2.00"),
+            ("0", SignificantFigures(3), "0"),
+            ("2.5", SignificantFigures(0), "3"),
+            // Ties, which binary floats get wrong, and a figure carried to the front.
+            ("2.675", SignificantFigures(3), "2.68"),
+            ("-2.675", SignificantFigures(3), "-2.68"),
+            ("1.005", DecimalPlaces(2), "1.01"),
+            ("9.995", SignificantFigures(3), "10.0"),
+            ("9.994999", SignificantFigures(3), "9.99"),
+            ("-9.995", SignificantFigures(3), "-10.0"),
+            ("999.5", SignificantFigures(3), "1000"),
+            ("99999.5", SignificantFigures(2), "100000"),
+            ("0.0004995", SignificantFigures(3), "0.000500"),
+            ("0.0009995", SignificantFigures(3), "0.00100"),
+            ("2/3", SignificantFigures(5), "0.66667"),
+            ("2.5", DecimalPlaces(0), "3"),
+            ("-2.5", DecimalPlaces(0), "-3"),
+            ("0.5", DecimalPlaces(0), "1"),
+            ("-0.04", DecimalPlaces(1), "0.0"),
+            ("0", DecimalPlaces(2), "0.00"),
+            ("38.2", DecimalPlaces(0), "38"),
+            ("2/3", nearest("0.25"), "0.75"),
+            ("3/8", nearest("0.25"), "0.50"),
+            ("-3/8", nearest("0.25"), "-0.50"),
+            ("67.5", nearest("15"), "75"),
+            ("22", nearest("1"), "22"),
+            ("2.3", nearest("2/5"), "2.4"),
+        ] {
+            let rounded = round(&read(exact), &places);
+            assert_eq!(rounded.to_string(), expected, "{exact} to {places:?}");
+            assert_eq!(rounded.to_fraction(), read(expected));
+        }
+    }
+
+    #[test]
+    fn steps_that_no_decimal_can_show_are_refused() {
+        for step in ["0", "-1", "1/3", "1/70"] {
+            assert_eq!(Places::nearest(&read(step)), None, "{step}");
+        }
+        assert_eq!(Decimal::exact(&read("-7/40")).unwrap().to_string(), "-0.175");
+        assert_eq!(Decimal::exact(&read("12")).unwrap().to_string(), "12");
+        assert_eq!(Decimal::exact(&read("0")).unwrap().to_string(), "0");
+    }
+
+    #[test]
+    fn exact_and_certified_rounding_agree() {
+        let mut random = ChaCha8Rng::seed_from_u64(4);
+        let steps = [nearest("0.05"), nearest("15")];
+        for turn in 0..400_u32 {
+            // Many denominators of 2^a 5^b, so that ties do occur.
+            let denominator = *[1, 8, 40, 200, 2000, 20_000, 7, 333].get(turn as usize % 8).unwrap();
+            let exact = Fraction::new(random.random_range(-30_000..=30_000), denominator);
+            let mut places = vec![SignificantFigures(1 + turn % 5), DecimalPlaces(turn % 4)];
+            places.extend(steps.clone());
+            for places in places {
+                let certified =
+                    round_certified(|bits| Some(Interval::from_fraction(&exact, bits)), |f| *f == exact, &places);
+                assert_eq!(certified, Ok(round(&exact, &places)), "{exact} to {places:?}");
+                // A sloppy enclosure that only narrows with the bits decides the same, tie or not.
+                let sloppy = |bits: usize| {
+                    let error = Fraction::ONE / Fraction::from(IBig::ONE << (bits / 16));
+                    let [low, high] = [&exact - &error, &exact + &error].map(|end| Interval::from_fraction(&end, bits));
+                    Some(low.hull(&high))
+                };
+                assert_eq!(round_certified(sloppy, |f| *f == exact, &places), Ok(round(&exact, &places)), "{exact}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_tie_in_a_surd_is_settled_by_the_exact_decision() {
+        // root(q^2) is a tie, but no enclosure of a root that knows nothing of it can tell.
+        for (tie, places, expected) in [
+            ("2.675", SignificantFigures(3), "2.68"),
+            ("9.995", SignificantFigures(3), "10.0"),
+            ("0.0004995", SignificantFigures(3), "0.000500"),
+            ("12.5", DecimalPlaces(0), "13"),
+        ] {
+            let square = read(tie) * read(tie);
+            // A root of two put on and taken off again blurs the ends.
+            let blurred = |bits| {
+                let two = Interval::integer(2, bits).sqrt()?;
+                Some(Interval::from_fraction(&square, bits).sqrt()? + two.clone() - two)
+            };
+            let equals = |value: &Fraction| value.sign() == Ordering::Greater && value * value == square;
+            assert_eq!(round_certified(blurred, equals, &places).unwrap().to_string(), expected, "{tie}");
+            let negative = |bits| blurred(bits).map(|value| -value);
+            let rounded = round_certified(negative, |value| equals(&-value.clone()), &places).unwrap();
+            assert_eq!(rounded.to_string(), format!("-{expected}"));
+        }
+    }
+
+    #[test]
+    fn values_a_hair_beside_a_tie_are_widened_until_they_are_told_apart() {
+        let hair = Fraction::ONE / Fraction::from(IBig::ONE << 900usize);
+        for (value, expected) in [(read("2.675") - hair.clone(), "2.67"), (read("2.675") + hair.clone(), "2.68")] {
+            let blurred = |bits| Some(Interval::from_fraction(&value, bits) + Interval::pi(bits) - Interval::pi(bits));
+            let rounded = round_certified(blurred, |suspect| *suspect == value, &SignificantFigures(3));
+            assert_eq!(rounded.unwrap().to_string(), expected);
+        }
+        // A very small value: 2^-900 is 1.18 times 10^-271.
+        let tiny =
+            round_certified(|bits| Some(Interval::from_fraction(&hair, bits)), |_| false, &SignificantFigures(3));
+        assert_eq!(tiny.unwrap().to_string(), format!("0.{}118", "0".repeat(270)));
+    }
+
+    #[test]
+    fn nought_is_asked_for_once_and_an_undecided_value_is_owned_up_to() {
+        use std::cell::Cell;
+        let asked = Cell::new(0);
+        let blurred_nought = |bits| Some(Interval::pi(bits) - Interval::pi(bits));
+        let yes = |value: &Fraction| {
+            asked.set(asked.get() + 1);
+            value.is_zero()
+        };
+        assert_eq!(round_certified(blurred_nought, yes, &SignificantFigures(3)).unwrap().to_string(), "0");
+        assert_eq!(asked.get(), 1);
+
+        asked.set(0);
+        let stubborn = |_| Some(Interval::integer(-1, 8).hull(&Interval::integer(1, 8)));
+        let no = |_: &Fraction| {
+            asked.set(asked.get() + 1);
+            false
+        };
+        assert_eq!(round_certified(stubborn, no, &SignificantFigures(3)), Err(Uncertain));
+        assert_eq!(asked.get(), 1);
+        assert_eq!(round_certified(|_| None, |_| true, &DecimalPlaces(1)), Err(Uncertain));
+        // Too few bits at first is no obstacle.
+        let late = |bits| (bits > 1000).then(|| Interval::integer(7, bits));
+        assert_eq!(round_certified(late, |_| false, &DecimalPlaces(1)).unwrap().to_string(), "7.0");
+    }
+
+    #[test]
+    fn distance_from_ties_counts_in_units_of_the_last_figure() {
+        let sf = SignificantFigures(3);
+        for (value, places, margin, clear) in [
+            // 2.744 is a tenth of a unit from the tie 2.745.
+            ("2.744", &sf, "0.1", true),
+            ("2.744", &sf, "0.11", false),
+            ("2.746", &sf, "0.1", true),
+            ("2.746", &sf, "0.11", false),
+            ("2.745", &sf, "0.01", false),
+            ("-2.744", &sf, "0.1", true),
+            ("-2.744", &sf, "0.11", false),
+            // About 10.0 the ties are 9.995 in hundredths and 10.05 in tenths.
+            ("9.996", &sf, "0.1", true),
+            ("9.996", &sf, "0.11", false),
+            ("10.04", &sf, "0.1", true),
+            ("10.04", &sf, "0.11", false),
+            ("10", &sf, "0.5", true),
+            ("0", &sf, "0.5", true),
+            ("0", &DecimalPlaces(1), "0.5", true),
+            ("-0.04", &DecimalPlaces(1), "0.1", true),
+            ("-0.04", &DecimalPlaces(1), "0.11", false),
+            ("37.3", &DecimalPlaces(0), "0.2", true),
+            ("37.3", &DecimalPlaces(0), "0.21", false),
+            ("20", &nearest("15"), "0.16", true),
+            ("20", &nearest("15"), "0.17", false),
+        ] {
+            // The enclosure of a decimal is not a point, so the margins named are met but for a hair.
+            let enclosure = Interval::from_fraction(&read(value), 200);
+            let hair = Fraction::ONE / Fraction::from(IBig::ONE << 100usize);
+            let proved = clear_of_tie(&enclosure, places, &(read(margin) - hair));
+            assert_eq!(proved, clear, "{value} to {places:?}, {margin}");
+        }
+        let wide = Interval::integer(-1, 8).hull(&Interval::integer(1, 8));
+        assert!(!clear_of_tie(&wide, &sf, &Fraction::ZERO));
+        assert!(!clear_of_tie(&wide, &DecimalPlaces(0), &Fraction::ZERO));
+    }
+}

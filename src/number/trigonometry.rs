@@ -198,3 +198,157 @@ fn sine_and_cosine_series(t: &IBig, bits: usize) -> (IBig, IBig, usize) {
         }
     }
 }
+
+#[cfg(test)]
+pub(super) mod tests {
+    use rand::rngs::ChaCha8Rng;
+    use rand::{RngExt, SeedableRng};
+
+    use super::*;
+    use crate::number::Fraction;
+
+    pub fn read(text: &str) -> Fraction {
+        text.parse().unwrap()
+    }
+
+    pub fn enclosed(text: &str, bits: usize) -> Interval {
+        Interval::from_fraction(&read(text), bits)
+    }
+
+    /// Is it narrow, and do both ends agree with these figures (from another library) to 39 places?
+    pub fn assert_figures(name: &str, interval: &Interval, figures: &str) {
+        let last = Fraction::ONE / read(&format!("1{}", "0".repeat(39)));
+        let figures = read(figures);
+        let near = interval.lower() > &figures - &last && interval.upper() < &figures + &last;
+        assert!(near, "{name}: {interval:?}");
+    }
+
+    /// The last 26 of the first `count` figures after the point, if both ends agree on them.
+    pub fn late_figures(interval: &Interval, count: usize) -> String {
+        let scale = Fraction::from(IBig::from(10).pow(count));
+        let (lower, upper) = ((interval.lower() * scale.clone()).floor(), (interval.upper() * scale).floor());
+        assert_eq!(lower, upper);
+        let figures = lower.to_string();
+        figures[figures.len() - 26..].to_owned()
+    }
+
+    #[test]
+    fn pi_and_sines_to_forty_figures() {
+        let degree = |count: i64| Interval::pi(160) * enclosed(&format!("{count}/180"), 160);
+        assert_figures("pi", &Interval::pi(160), "3.1415926535897932384626433832795028841972");
+        assert_figures("sin 10 deg", &degree(10).sin(), "0.17364817766693034885171662676931479600038");
+        for (angle, sine, cosine) in [
+            ("1", "0.84147098480789650665250232163029899962256", "0.54030230586813971740093660744297660373231"),
+            ("-7", "-0.65698659871878909039699909159363517793687", "0.753902254343304638141197521719182012218313"),
+            ("100000", "0.035748797972016509316470500695808829009046", "-0.999360807438212451891135414144802203235387"),
+            (
+                "100000000000000000000",
+                "-0.645251285265780844205811711312523007406904",
+                "0.76397040444172830040014680273788112283447",
+            ),
+        ] {
+            let angle = enclosed(angle, 160);
+            assert_figures("sin", &angle.sin(), sine);
+            assert_figures("cos", &angle.cos(), cosine);
+        }
+        assert_figures("tan 1", &enclosed("1", 160).tan().unwrap(), "1.5574077246549022305069748074583601730873");
+        assert_figures("tan 2", &enclosed("2", 160).tan().unwrap(), "-2.1850398632615189916433061023136825434320");
+    }
+
+    #[test]
+    fn six_thousand_figures_of_pi_and_of_a_sine() {
+        assert_eq!(late_figures(&Interval::pi(20_000), 6014), "84506877246029016187667952");
+        assert_eq!(late_figures(&enclosed("2", 20_000).sin(), 6015), "29163406399418700256231184");
+    }
+
+    #[test]
+    fn the_proved_errors_hold_before_guard_bits_hide_them() {
+        let mut random = ChaCha8Rng::seed_from_u64(5);
+        for bits in (0..400).step_by(7) {
+            assert!(machin(bits + 90).overlaps(&machin(bits)));
+            for _ in 0..10 {
+                let point =
+                    IBig::from(random.random_range(-1 << 30..1 << 30_i64)) << bits >> random.random_range(20..40);
+                let (sine, cosine) = sine_and_cosine(&point, bits);
+                let (finer_sine, finer_cosine) = sine_and_cosine(&(point << 90usize), bits + 90);
+                assert!(sine.overlaps(&finer_sine) && cosine.overlaps(&finer_cosine), "{sine:?} {cosine:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn results_are_a_few_units_wide_and_more_bits_are_narrower() {
+        for bits in [0, 1, 2, 3, 16, 64, 65, 100, 192, 1000] {
+            let unit = Fraction::ONE / Fraction::from(IBig::ONE << bits);
+            assert!(Interval::pi(bits).width() <= &unit * &Fraction::from(2), "{bits}");
+            assert!(Interval::pi(bits).overlaps(&Interval::pi(bits + 40)));
+            // A point is an angle without width of its own.
+            for numerator in [-9, -4, 0, 1, 5, 77] {
+                let angle = Interval::point(IBig::from(numerator) << bits >> 2usize, bits);
+                for value in [angle.sin(), angle.cos()] {
+                    assert!(value.width() <= &unit * &Fraction::from(2), "{angle:?} {value:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn wide_angles_reach_the_extremes_that_they_pass() {
+        for (lower, upper, sine, cosine) in [
+            ("0", "1", (0.0, 0.8414709848078965), (0.5403023058681398, 1.0)),
+            ("-1", "1", (-0.8414709848078965, 0.8414709848078965), (0.5403023058681398, 1.0)),
+            ("1", "2", (0.8414709848078965, 1.0), (-0.4161468365471424, 0.5403023058681398)),
+            ("3", "4", (-0.7568024953079282, 0.1411200080598672), (-1.0, -0.6536436208636119)),
+            ("4", "5", (-1.0, -0.7568024953079282), (-0.6536436208636119, 0.2836621854632262)),
+            ("-5", "-4", (0.7568024953079282, 1.0), (-0.6536436208636119, 0.2836621854632262)),
+            ("0", "7", (-1.0, 1.0), (-1.0, 1.0)),
+        ] {
+            let angle = enclosed(lower, 64).hull(&enclosed(upper, 64));
+            for (value, (least, greatest)) in [(angle.sin(), sine), (angle.cos(), cosine)] {
+                let near = |end: Fraction, expected: f64| (end.to_f64() - expected).abs() < 1e-15;
+                assert!(near(value.lower(), least) && near(value.upper(), greatest), "{angle:?}: {value:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn exact_values_and_poles() {
+        let zero = Interval::integer(0, 64);
+        assert_eq!((zero.sin(), zero.cos(), zero.tan()), (zero.clone(), Interval::integer(1, 64), Some(zero.clone())));
+        assert_eq!(Interval::half_pi(64).tan(), None);
+        assert_eq!(Interval::integer(1, 64).hull(&Interval::integer(2, 64)).tan(), None);
+        let pi = Interval::pi(64);
+        assert!(pi.tan().unwrap().contains_zero() && pi.cos().contains(&Fraction::from(-1)));
+        let sixth = pi * enclosed("1/6", 64);
+        assert!(sixth.sin().contains(&Fraction::new(1, 2)));
+    }
+
+    #[test]
+    fn an_absurd_angle_gives_the_whole_range_at_once() {
+        let absurd = Interval::point(IBig::ONE << 100_000usize, 64);
+        assert_eq!((absurd.sin().width(), absurd.tan()), (Fraction::from(2), None));
+    }
+
+    #[test]
+    fn every_angle_of_an_interval_has_its_sine_in_the_range() {
+        let mut random = ChaCha8Rng::seed_from_u64(2);
+        for _ in 0..150 {
+            let bits = random.random_range(0..90);
+            let start = Fraction::new(random.random_range(-4000..=4000), 300);
+            let width = Fraction::new(random.random_range(0..=900), 300);
+            let at = |part: i64| &start + &(&width * &Fraction::new(part, 7));
+            let range = Interval::from_fraction(&at(0), bits).hull(&Interval::from_fraction(&at(7), bits));
+            for part in 0..=7 {
+                let angle = Interval::from_fraction(&at(part), 200);
+                let (sine, cosine) = (angle.sin(), angle.cos());
+                assert!(range.sin().overlaps(&sine) && range.cos().overlaps(&cosine), "{range:?} {angle:?}");
+                if let (Some(wide), Some(narrow)) = (range.tan(), angle.tan()) {
+                    assert!(wide.overlaps(&narrow), "{range:?} {angle:?}");
+                }
+                let squares = sine.clone() * sine.clone() + cosine.clone() * cosine;
+                assert!(squares.contains(&Fraction::ONE));
+                assert!((sine.to_f64() - angle.to_f64().sin()).abs() < 1e-14);
+            }
+        }
+    }
+}
