@@ -158,7 +158,7 @@ fn collect(value: &Value) -> (Vec<Term>, Polynomial) {
         for (monomial, number) in coefficient.terms() {
             let mut cosines = squares.clone();
             let (mut surd, mut nested) = (1, Vec::new());
-            for root in roots {
+            for root in &roots {
                 match root {
                     Root::Prime(prime) => surd *= prime,
                     Root::Cosine(angle) => *cosines.entry(*angle).or_insert(0) += 1,

@@ -1,0 +1,119 @@
+//! A scene as it is written down: the exchange format, in JSON or TOML, every number an expression.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+/// A scene in words of the exchange format. `S` is what holds an expression: a `String`, or where
+/// faults must point into a file a string with its place.
+///
+/// Lengths are in metres, masses in kilograms, speeds in metres a second; see `docs/exchange-formats.md`.
+#[derive(Clone, Debug, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Deserialize<'de>"))]
+pub struct SceneText<S = String> {
+    /// The masses; one may be left out to be found.
+    #[serde(default = "Pair::none")]
+    pub masses: Pair<S>,
+    /// Velocities immediately before the impact.
+    #[serde(default = "Pair::none")]
+    pub before: Pair<VelocityText<S>>,
+    /// Velocities immediately after it, where they are given.
+    #[serde(default = "Pair::none", skip_serializing_if = "Pair::is_none")]
+    pub after: Pair<VelocityText<S>>,
+    /// A vector along the line of centres, of any length.
+    #[serde(default = "none", skip_serializing_if = "Option::is_none")]
+    pub line_of_centres: Option<[S; 2]>,
+    /// Whether that vector points from A to B; else it is turned so that the spheres approach.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sense: Option<Sense>,
+    /// Positions of the centres, in place of the line of centres.
+    #[serde(default = "Pair::none", skip_serializing_if = "Pair::is_none")]
+    pub positions: Pair<[S; 2]>,
+    /// Radii.
+    #[serde(default = "Pair::none", skip_serializing_if = "Pair::is_none")]
+    pub radii: Pair<S>,
+    /// How far B's centre lies to the left of the path of A relative to B.
+    #[serde(default = "none", skip_serializing_if = "Option::is_none")]
+    pub impact_parameter: Option<S>,
+    /// The coefficient of restitution, if it is given.
+    #[serde(default = "none", skip_serializing_if = "Option::is_none")]
+    pub e: Option<S>,
+    /// The letters, each with its range: `positive`, `unit`, `acute` or `real`.
+    #[serde(default = "BTreeMap::new", skip_serializing_if = "BTreeMap::is_empty")]
+    pub symbols: BTreeMap<String, S>,
+    /// Letters to be found from the conditions.
+    #[serde(default = "Vec::new", skip_serializing_if = "Vec::is_empty")]
+    pub unknowns: Vec<S>,
+    /// Equations between quantities.
+    #[serde(default = "Vec::new", skip_serializing_if = "Vec::is_empty")]
+    pub conditions: Vec<S>,
+    /// A quantity that the unknown makes as large as possible.
+    #[serde(default = "none", skip_serializing_if = "Option::is_none")]
+    pub maximise: Option<S>,
+}
+
+fn none<T>() -> Option<T> {
+    None
+}
+
+/// Something for each sphere.
+#[derive(Clone, Debug, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, bound(deserialize = "T: Deserialize<'de>"))]
+pub struct Pair<T> {
+    /// For A.
+    #[serde(rename = "A", default = "none")]
+    pub a: Option<T>,
+    /// For B.
+    #[serde(rename = "B", default = "none")]
+    pub b: Option<T>,
+}
+
+impl<T> Pair<T> {
+    /// Nothing for either sphere.
+    pub fn none() -> Pair<T> {
+        Pair { a: None, b: None }
+    }
+
+    /// Is there nothing for either sphere?
+    pub fn is_none(&self) -> bool {
+        self.a.is_none() && self.b.is_none()
+    }
+}
+
+/// A velocity: by its components, or by a speed and a direction.
+#[derive(Clone, Debug, Deserialize, Serialize)]
+#[serde(untagged)]
+pub enum VelocityText<S> {
+    /// `["x", "y"]`, along i and j.
+    Components([S; 2]),
+    /// A speed and an angle anticlockwise from i, or the cosine and sine of that angle.
+    Polar(PolarText<S>),
+}
+
+/// A speed with a direction.
+#[derive(Clone, Debug, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Deserialize<'de>"))]
+pub struct PolarText<S> {
+    /// The speed.
+    pub speed: S,
+    /// Degrees anticlockwise from i.
+    #[serde(default = "none", skip_serializing_if = "Option::is_none")]
+    pub angle_deg: Option<S>,
+    /// Cosine of that angle.
+    #[serde(default = "none", skip_serializing_if = "Option::is_none")]
+    pub cos: Option<S>,
+    /// Sine of that angle.
+    #[serde(default = "none", skip_serializing_if = "Option::is_none")]
+    pub sin: Option<S>,
+}
+
+/// Which way a given line of centres points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
+pub enum Sense {
+    /// From A to B.
+    #[serde(rename = "A_to_B")]
+    FromAToB,
+    /// Whichever way the spheres approach.
+    #[serde(rename = "either")]
+    Either,
+}
