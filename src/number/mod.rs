@@ -1,6 +1,7 @@
 //! Numbers: fractions, surds, letters, certified intervals and rounding; what a law can be evaluated in.
 
 mod angle;
+mod arithmetic;
 mod decide;
 mod direction;
 mod enclose;
@@ -17,6 +18,7 @@ mod value;
 mod value_tests;
 
 pub use angle::Angle;
+pub use arithmetic::Number;
 pub use direction::Direction;
 pub use enclose::Assignment;
 pub use fraction::{Fraction, NotAFraction};

@@ -1,0 +1,210 @@
+//! The laws of an oblique impact, one file each, and the one list of them.
+//!
+//! A law is a room of its own: the [`Rule`]s by which it leads from known quantities to others, their
+//! evaluation in any kind of number, the words and equations of a worked solution, and the slips that
+//! students make with it. To add a law, write its file and add its line to the list below.
+
+use std::collections::BTreeMap;
+
+use super::working::{Line, Show};
+use super::{Axis, Moment, Quantity, Sphere};
+use crate::number::Number;
+
+/// A way to use a law: from the quantities in `needs` to those in `gives`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Rule {
+    /// The law it applies.
+    pub law: Law,
+    /// Which of the law's forms it is; the law's own file says what the numbers mean.
+    pub form: u8,
+    /// What must be known.
+    pub needs: Vec<Quantity>,
+    /// What is known afterwards, in the order of evaluation.
+    pub gives: Vec<Quantity>,
+    /// How much it adds to a solution, to choose between derivations: about one a line of working.
+    pub cost: u32,
+}
+
+/// What is known of a quantity.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Datum<N> {
+    /// A number.
+    Number(N),
+    /// An angle, by a vector that has it: anticlockwise from the positive x-direction.
+    Direction {
+        /// The y-component.
+        y: N,
+        /// The x-component.
+        x: N,
+    },
+    /// `p x + q y = r` for the components x, y of A and B after the impact along the line of centres.
+    Equation([N; 3]),
+}
+
+/// The quantities that are known so far.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Known<N>(pub BTreeMap<Quantity, Datum<N>>);
+
+impl<N: Number> Known<N> {
+    /// A quantity that is a number.
+    pub fn number(&self, quantity: Quantity) -> Option<N> {
+        match self.0.get(&quantity)? {
+            Datum::Number(number) => Some(number.clone()),
+            _ => None,
+        }
+    }
+
+    /// Several quantities that are numbers.
+    pub fn numbers<const COUNT: usize>(&self, quantities: [Quantity; COUNT]) -> Option<[N; COUNT]> {
+        let found: Option<Vec<N>> = quantities.into_iter().map(|quantity| self.number(quantity)).collect();
+        found?.try_into().ok()
+    }
+
+    /// The vector of an angle.
+    pub fn direction(&self, quantity: Quantity) -> Option<(N, N)> {
+        match self.0.get(&quantity)? {
+            Datum::Direction { y, x } => Some((y.clone(), x.clone())),
+            _ => None,
+        }
+    }
+
+    /// An equation.
+    pub fn equation(&self, quantity: Quantity) -> Option<[N; 3]> {
+        match self.0.get(&quantity)? {
+            Datum::Equation(coefficients) => Some(coefficients.clone()),
+            _ => None,
+        }
+    }
+}
+
+/// A mistake that students make with a law.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Slip {
+    /// A fixed tag: `sincos-swap`.
+    pub tag: &'static str,
+    /// What a good teacher says.
+    pub sentence: &'static str,
+}
+
+/// The numbers a rule arrives at, in the order of its `gives`.
+pub type Outcome<N> = Option<Vec<Datum<N>>>;
+
+macro_rules! laws {
+    ($($(#[$doc:meta])* $law:ident in $file:ident;)*) => {
+        $(mod $file;)*
+
+        /// A law of mechanics, or a step of mathematics that earns marks as one does.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub enum Law {
+            $($(#[$doc])* $law,)*
+        }
+
+        impl Law {
+            /// Every law, in the order in which a worked solution uses them.
+            pub const ALL: &[Law] = &[$(Law::$law),*];
+
+            /// Its name in a bank file: `momentum`, `line of centres`.
+            pub fn name(self) -> &'static str {
+                match self { $(Law::$law => $file::NAME,)* }
+            }
+
+            /// The ways to use it.
+            pub fn rules(self) -> Vec<Rule> {
+                match self { $(Law::$law => $file::rules(),)* }
+            }
+
+            /// The slips that students make with it.
+            pub fn slips(self) -> &'static [Slip] {
+                match self { $(Law::$law => $file::SLIPS,)* }
+            }
+
+            /// What the method mark is for, and what the marker condones.
+            pub fn method(self) -> (&'static str, &'static str) {
+                match self { $(Law::$law => $file::METHOD,)* }
+            }
+        }
+
+        impl Rule {
+            /// The quantities it gives, in any kind of number; `None` where one does not exist, as
+            /// the direction of a sphere at rest does not.
+            pub fn evaluate<N: Number>(&self, known: &Known<N>) -> Outcome<N> {
+                match self.law { $(Law::$law => $file::evaluate(self, known),)* }
+            }
+
+            /// The same with a slip of the law in place of the law; `None` if the slip changes
+            /// nothing that this rule does.
+            pub fn slipped<N: Number>(&self, slip: &str, known: &Known<N>) -> Outcome<N> {
+                match self.law { $(Law::$law => $file::slipped(slip, self, known),)* }
+            }
+
+            /// The lines of working that a worked solution shows for it.
+            pub fn lines(&self, show: &Show) -> Vec<Line> {
+                match self.law { $(Law::$law => $file::lines(self, show),)* }
+            }
+        }
+    };
+}
+
+laws! {
+    /// Where the spheres touch: the line of centres from positions or from the offset of a path.
+    Contact in contact;
+    /// Components of a velocity.
+    Resolve in resolve;
+    /// No impulse perpendicular to the line of centres.
+    Perpendicular in perpendicular;
+    /// Momentum is conserved as a vector.
+    VectorMomentum in vector_momentum;
+    /// Momentum is conserved along the line of centres.
+    Momentum in momentum;
+    /// Newton's law of restitution.
+    Restitution in restitution;
+    /// Two equations for two unknowns.
+    Solve in pair;
+    /// Impulse is change of momentum.
+    Impulse in impulse;
+    /// The line of centres is the direction of the impulse.
+    LineOfCentres in line_of_centres;
+    /// Pythagoras.
+    Speed in speed;
+    /// The direction of a velocity.
+    Direction in direction;
+    /// The angle through which a path turns.
+    Deflection in deflection;
+    /// Kinetic energy, before, after and lost.
+    Energy in energy;
+    /// Velocities relative to each other.
+    Relative in relative;
+}
+
+/// All rules of all laws, in the order of the list.
+pub fn all_rules() -> Vec<Rule> {
+    Law::ALL.iter().flat_map(|law| law.rules()).collect()
+}
+
+fn rule(law: Law, form: u8, needs: &[Quantity], gives: &[Quantity], cost: u32) -> Rule {
+    Rule { law, form, needs: needs.to_vec(), gives: gives.to_vec(), cost }
+}
+
+fn number<N>(value: N) -> Outcome<N> {
+    Some(vec![Datum::Number(value)])
+}
+
+/// The component of a sphere's velocity along an axis.
+fn velocity(sphere: Sphere, moment: Moment, axis: Axis) -> Quantity {
+    Quantity::Velocity(sphere, moment, axis)
+}
+
+/// The four components along the line of centres: A and B before, A and B after.
+const ALONG: [Quantity; 4] = [
+    Quantity::Velocity(Sphere::A, Moment::Before, Axis::N),
+    Quantity::Velocity(Sphere::B, Moment::Before, Axis::N),
+    Quantity::Velocity(Sphere::A, Moment::After, Axis::N),
+    Quantity::Velocity(Sphere::B, Moment::After, Axis::N),
+];
+
+const MASSES: [Quantity; 2] = [Quantity::Mass(Sphere::A), Quantity::Mass(Sphere::B)];
+
+/// Nothing to show: the step is part of another.
+fn silent() -> Vec<Line> {
+    Vec::new()
+}

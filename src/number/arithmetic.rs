@@ -1,0 +1,91 @@
+//! What a law can be evaluated in: exact values, certified intervals, floats.
+
+use std::ops::{Add, Mul, Neg, Sub};
+
+use super::{Fraction, Interval, Value};
+
+/// A kind of number in which the laws of mechanics can be evaluated.
+///
+/// Where a number is nought, a quotient or a root may not exist; `None` says so. For intervals it
+/// also says that the precision does not suffice.
+pub trait Number: Clone + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self> {
+    /// The number times a fraction.
+    fn scaled(&self, factor: &Fraction) -> Self;
+    /// The quotient, `None` by nought.
+    fn over(&self, divisor: &Self) -> Option<Self>;
+    /// The root that is not negative; `None` of a negative number.
+    fn root(&self) -> Option<Self>;
+    /// The size without the sign.
+    fn size(&self) -> Self;
+    /// Is it known to be nought?
+    fn is_nought(&self) -> bool;
+
+    /// Nought of this kind.
+    fn nought(&self) -> Self {
+        self.scaled(&Fraction::ZERO)
+    }
+
+    /// Half the number.
+    fn half(&self) -> Self {
+        self.scaled(&Fraction::new(1, 2))
+    }
+
+    /// The number times itself.
+    fn squared(&self) -> Self {
+        self.clone() * self.clone()
+    }
+}
+
+impl Number for Value {
+    fn scaled(&self, factor: &Fraction) -> Value {
+        self * &Value::Rational(factor.clone())
+    }
+    fn over(&self, divisor: &Value) -> Option<Value> {
+        self.divided_by(divisor)
+    }
+    fn root(&self) -> Option<Value> {
+        self.square_root()
+    }
+    fn size(&self) -> Value {
+        self.absolute()
+    }
+    fn is_nought(&self) -> bool {
+        self.is_zero()
+    }
+}
+
+impl Number for Interval {
+    fn scaled(&self, factor: &Fraction) -> Interval {
+        self.clone() * Interval::from_fraction(factor, self.bits())
+    }
+    fn over(&self, divisor: &Interval) -> Option<Interval> {
+        self.checked_div(divisor)
+    }
+    fn root(&self) -> Option<Interval> {
+        self.sqrt()
+    }
+    fn size(&self) -> Interval {
+        self.abs()
+    }
+    fn is_nought(&self) -> bool {
+        self.sign() == Some(std::cmp::Ordering::Equal)
+    }
+}
+
+impl Number for f64 {
+    fn scaled(&self, factor: &Fraction) -> f64 {
+        self * factor.to_f64()
+    }
+    fn over(&self, divisor: &f64) -> Option<f64> {
+        (*divisor != 0.0).then(|| self / divisor)
+    }
+    fn root(&self) -> Option<f64> {
+        (*self >= 0.0).then(|| self.sqrt())
+    }
+    fn size(&self) -> f64 {
+        self.abs()
+    }
+    fn is_nought(&self) -> bool {
+        *self == 0.0
+    }
+}
