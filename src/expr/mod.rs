@@ -3,8 +3,10 @@
 //! Text is read into an [`Expr`]; an `Expr` is evaluated into an exact value; every printed formula
 //! is made from an `Expr` by one of the printers. Nothing else in carom makes LaTeX or MathML.
 
+pub mod print;
 mod text;
 mod tree;
+mod walk;
 
 pub use text::{Piece, Text};
 pub use tree::{Expr, Function, Name, Relation, Span};
