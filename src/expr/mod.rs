@@ -3,10 +3,14 @@
 //! Text is read into an [`Expr`]; an `Expr` is evaluated into an exact value; every printed formula
 //! is made from an `Expr` by one of the printers. Nothing else in carom makes LaTeX or MathML.
 
+mod fault;
 pub mod print;
+mod read;
 mod text;
 mod tree;
 mod walk;
 
+pub use fault::Fault;
+pub use read::{Angles, read};
 pub use text::{Piece, Text};
 pub use tree::{Expr, Function, Name, Relation, Span};
