@@ -11,6 +11,6 @@ mod tree;
 mod walk;
 
 pub use fault::Fault;
-pub use read::{Angles, read};
+pub use read::{Angles, Markup, read, read_markup};
 pub use text::{Piece, Text};
 pub use tree::{Expr, Function, Name, Relation, Span};
