@@ -5,13 +5,17 @@
 
 mod evaluate;
 mod fault;
+pub mod print;
+mod read;
 mod text;
 mod tree;
 mod turn;
+mod walk;
 mod written;
 
 pub use evaluate::{Meaning, Names, degrees, evaluate, holds, number};
 pub use fault::Fault;
+pub use read::{Angles, Markup, read, read_markup};
 pub use text::{Piece, Text};
 pub use tree::{Expr, Function, Name, Relation, Span};
 pub use turn::Turn;

@@ -1,0 +1,15 @@
+//! Readers: one expression, or words with formulas in them, from text that anybody may have written.
+//!
+//! Whatever the text, the answer is a tree or a [`Fault`](super::Fault): length and depth are limited.
+
+mod lexer;
+mod markup;
+mod parser;
+
+pub use markup::{Markup, read_markup};
+pub use parser::{Angles, read};
+
+#[cfg(test)]
+mod markup_tests;
+#[cfg(test)]
+mod tests;
