@@ -104,6 +104,10 @@ pub enum Quantity {
     AngleBetween(Moment),
     /// `alpha_deg`: the acute angle of the relative velocity before to `n`.
     Alpha,
+    /// Not by name: the direction of a velocity as it was given.
+    GivenDirection(Sphere, Moment),
+    /// Not by name: the sine of the angle from the path of A relative to B to the line of centres.
+    ContactSine,
     /// Not by name: the equation of momentum along the line of centres.
     MomentumEquation,
     /// Not by name: the equation of restitution.
@@ -232,6 +236,8 @@ impl fmt::Display for Quantity {
             TotalMomentum(axis) => write!(f, "momentum.{axis}"),
             AngleBetween(m) => write!(f, "angle_between_{m}_deg"),
             Alpha => f.write_str("alpha_deg"),
+            GivenDirection(s, m) => write!(f, "direction of {} {m}", s.name()),
+            ContactSine => f.write_str("offset over the sum of the radii"),
             MomentumEquation => f.write_str("equation of momentum"),
             RestitutionEquation => f.write_str("equation of restitution"),
         }

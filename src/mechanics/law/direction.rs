@@ -1,0 +1,72 @@
+//! The direction of a velocity, by its components along and across the line of centres or along i and j.
+//!
+//! `tan β = v_t/v_n`. The angle *to* the line is acute, 0 to 90 degrees; the angle *from* n or i is
+//! signed, anticlockwise.
+
+use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, silent, velocity};
+use crate::mechanics::Axis::{N, T, X, Y};
+use crate::mechanics::{Moment, Quantity, Sphere};
+use crate::number::Number;
+
+pub const NAME: &str = "direction";
+
+pub const METHOD: (&str, &str) = ("inverse tangent of their two components", "either way up; both components present");
+
+pub const SLIPS: &[Slip] = &[Slip {
+    tag: "angle-complement",
+    sentence: "You found the angle with the tangent; the question asks for the angle with the line of centres (90 minus yours).",
+}];
+
+const TO_LINE: u8 = 0;
+const FROM_N: u8 = 1;
+const FROM_I: u8 = 2;
+const SIZE_OF_TANGENT: u8 = 3;
+const TANGENT: u8 = 4;
+
+pub fn rules() -> Vec<Rule> {
+    let mut rules = Vec::new();
+    for sphere in Sphere::BOTH {
+        for moment in [Moment::Before, Moment::After] {
+            let n_t = [velocity(sphere, moment, N), velocity(sphere, moment, T)];
+            let x_y = [velocity(sphere, moment, X), velocity(sphere, moment, Y)];
+            let mut add = |form, needs: &[Quantity], gives| rules.push(rule(Law::Direction, form, needs, &[gives], 1));
+            add(TO_LINE, &n_t, Quantity::AngleToLine(sphere, moment));
+            add(FROM_N, &n_t, Quantity::AngleFromN(sphere, moment));
+            add(FROM_I, &x_y, Quantity::AngleFromI(sphere, moment));
+            add(SIZE_OF_TANGENT, &n_t, Quantity::TanToLine(sphere, moment));
+            add(TANGENT, &n_t, Quantity::TOverN(sphere, moment));
+        }
+    }
+    rules
+}
+
+pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
+    let [x, y] = known.numbers([rule.needs[0], rule.needs[1]])?;
+    if rule.form <= FROM_I && x.is_nought() && y.is_nought() {
+        // A sphere at rest has no direction.
+        return None;
+    }
+    match rule.form {
+        TO_LINE => Some(vec![Datum::Direction { y: y.size(), x: x.size() }]),
+        FROM_N | FROM_I => Some(vec![Datum::Direction { y, x }]),
+        SIZE_OF_TANGENT => number(y.size().over(&x.size())?),
+        _ => number(y.over(&x)?),
+    }
+}
+
+pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
+    match (slip, rule.form, evaluate(rule, known)?.pop()?) {
+        ("angle-complement", TO_LINE, Datum::Direction { y, x }) => Some(vec![Datum::Direction { y: x, x: y }]),
+        _ => None,
+    }
+}
+
+pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
+    match rule.gives[0] {
+        Quantity::AngleToLine(sphere, moment) => show.angle_to_line(sphere, moment),
+        Quantity::TOverN(sphere, moment) | Quantity::TanToLine(sphere, moment) => {
+            show.tangent_of_direction(sphere, moment, rule.gives[0])
+        }
+        _ => silent(),
+    }
+}

@@ -1,0 +1,100 @@
+//! Impulse is change of momentum: `I = m (v - u)` for the sphere that receives it.
+//!
+//! The two impulses are equal and opposite, and act along the line of centres.
+
+use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, silent, velocity};
+use crate::mechanics::Axis::{N, T, X, Y};
+use crate::mechanics::Moment::{After, Before};
+use crate::mechanics::{Quantity, Sphere};
+use crate::number::Number;
+
+pub const NAME: &str = "impulse";
+
+pub const METHOD: (&str, &str) =
+    ("impulse as the change of momentum of one sphere", "a difference of momenta of one sphere, in either order");
+
+pub const SLIPS: &[Slip] = &[
+    Slip {
+        tag: "impulse-added",
+        sentence: "Impulse is the change of velocity component along the line of centres; mind the signs where a sphere turns back.",
+    },
+    Slip {
+        tag: "impulse-wrong-mass",
+        sentence: "The two impulses are equal and opposite: use one sphere only, mass x change.",
+    },
+    Slip { tag: "impulse-after-only", sentence: "Impulse is the change of momentum, not the momentum afterwards." },
+];
+
+const OF_COMPONENT: u8 = 0;
+const OF_VECTOR: u8 = 1;
+const REACTION: u8 = 2;
+const SIZE: u8 = 3;
+const SIZE_OF_VECTOR: u8 = 4;
+const COMPONENTS: u8 = 5;
+const ACROSS: u8 = 6;
+
+pub fn rules() -> Vec<Rule> {
+    let mut rules = Vec::new();
+    for sphere in [Sphere::B, Sphere::A] {
+        let mass = Quantity::Mass(sphere);
+        let impulse = |axis| Quantity::Impulse(sphere, axis);
+        let at = |moment, axis| velocity(sphere, moment, axis);
+        rules.push(rule(Law::Impulse, OF_COMPONENT, &[mass, at(Before, N), at(After, N)], &[impulse(N)], 1));
+        let needs = [mass, at(Before, X), at(Before, Y), at(After, X), at(After, Y)];
+        rules.push(rule(Law::Impulse, OF_VECTOR, &needs, &[impulse(X), impulse(Y)], 2));
+        for axis in [X, Y, N] {
+            rules.push(rule(Law::Impulse, REACTION, &[Quantity::Impulse(sphere.other(), axis)], &[impulse(axis)], 1));
+        }
+        rules.push(rule(Law::Impulse, SIZE, &[impulse(N)], &[Quantity::ImpulseMagnitude], 1));
+        rules.push(rule(Law::Impulse, SIZE_OF_VECTOR, &[impulse(X), impulse(Y)], &[Quantity::ImpulseMagnitude], 2));
+        let line = [impulse(N), Quantity::Line(X), Quantity::Line(Y)];
+        rules.push(rule(Law::Impulse, COMPONENTS, &line, &[impulse(X), impulse(Y)], 2));
+        rules.push(rule(Law::Impulse, ACROSS, &[impulse(N)], &[impulse(T)], 1));
+    }
+    rules
+}
+
+pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
+    match rule.form {
+        OF_COMPONENT => {
+            let [mass, before, after] = known.numbers([rule.needs[0], rule.needs[1], rule.needs[2]])?;
+            number(mass * (after - before))
+        }
+        OF_VECTOR => {
+            let n = &rule.needs;
+            let [mass, u_x, u_y, v_x, v_y] = known.numbers([n[0], n[1], n[2], n[3], n[4]])?;
+            Some(vec![Datum::Number(mass.clone() * (v_x - u_x)), Datum::Number(mass * (v_y - u_y))])
+        }
+        REACTION => number(-known.number(rule.needs[0])?),
+        SIZE => number(known.number(rule.needs[0])?.size()),
+        SIZE_OF_VECTOR => {
+            let [x, y] = known.numbers([rule.needs[0], rule.needs[1]])?;
+            number((x.squared() + y.squared()).root()?)
+        }
+        COMPONENTS => {
+            let [size, x, y] = known.numbers([rule.needs[0], rule.needs[1], rule.needs[2]])?;
+            Some(vec![Datum::Number(size.clone() * x), Datum::Number(size * y)])
+        }
+        _ => number(known.number(rule.needs[0])?.nought()),
+    }
+}
+
+pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
+    let (OF_COMPONENT, Quantity::Mass(sphere)) = (rule.form, rule.needs[0]) else { return None };
+    let [mass, before, after] = known.numbers([rule.needs[0], rule.needs[1], rule.needs[2]])?;
+    match slip {
+        "impulse-added" => number(mass * (after + before)),
+        "impulse-wrong-mass" => number(known.number(Quantity::Mass(sphere.other()))? * (after - before)),
+        "impulse-after-only" => number(mass * after),
+        _ => None,
+    }
+}
+
+pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
+    match (rule.form, rule.gives[0]) {
+        (OF_COMPONENT, Quantity::Impulse(sphere, _)) => show.impulse_along(sphere),
+        (OF_VECTOR, Quantity::Impulse(sphere, _)) => show.impulse_vector(sphere),
+        (SIZE | SIZE_OF_VECTOR, _) => show.impulse_size(),
+        _ => silent(),
+    }
+}

@@ -1,0 +1,84 @@
+//! Momentum is conserved along the line of centres.
+//!
+//! `m_A a + m_B b = m_A x + m_B y` for the components a, b before and x, y after, all positive from A
+//! to B.
+
+use super::{ALONG, Datum, Known, Law, Line, MASSES, Outcome, Rule, Show, Slip, number, rule};
+use crate::expr::Expr;
+use crate::mechanics::Quantity;
+use crate::number::Number;
+
+pub const NAME: &str = "momentum";
+
+pub const METHOD: (&str, &str) = (
+    "conservation of momentum along the line of centres, all terms",
+    "condone sign errors and sine for cosine; each mass with its own velocity",
+);
+
+pub const SLIPS: &[Slip] = &[
+    Slip { tag: "momentum-sign", sentence: "B moves against your positive direction, so its momentum is negative." },
+    Slip { tag: "momentum-ignores-b", sentence: "B is moving too: include its component in both equations." },
+    Slip { tag: "masses-swapped", sentence: "Pair each mass with its own sphere's velocity." },
+    Slip { tag: "masses-omitted", sentence: "Momentum is mass x velocity; the masses differ and do not cancel." },
+];
+
+/// The forms: an equation for two unknowns, or the one unknown, in the order a, b, x, y, m_A, m_B.
+const EQUATION: u8 = 0;
+
+pub fn rules() -> Vec<Rule> {
+    let [a, b, x, y] = ALONG;
+    let [m_a, m_b] = MASSES;
+    let all = [a, b, x, y, m_a, m_b];
+    let mut rules = vec![rule(Law::Momentum, EQUATION, &[m_a, m_b, a, b], &[Quantity::MomentumEquation], 1)];
+    for (index, unknown) in all.into_iter().enumerate() {
+        let needs: Vec<Quantity> = all.into_iter().filter(|quantity| *quantity != unknown).collect();
+        rules.push(rule(Law::Momentum, index as u8 + 1, &needs, &[unknown], 2));
+    }
+    rules
+}
+
+pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
+    let at = |quantity| known.number(quantity);
+    let [a, b, x, y] = ALONG;
+    let [m_a, m_b] = MASSES;
+    match rule.form {
+        EQUATION => {
+            let [m_a, m_b, a, b] = known.numbers([m_a, m_b, a, b])?;
+            Some(vec![Datum::Equation([m_a.clone(), m_b.clone(), m_a * a + m_b * b])])
+        }
+        1 => number(at(x)? + (at(m_b)? * (at(y)? - at(b)?)).over(&at(m_a)?)?),
+        2 => number(at(y)? + (at(m_a)? * (at(x)? - at(a)?)).over(&at(m_b)?)?),
+        3 => number(at(a)? + (at(m_b)? * (at(b)? - at(y)?)).over(&at(m_a)?)?),
+        4 => number(at(b)? + (at(m_a)? * (at(a)? - at(x)?)).over(&at(m_b)?)?),
+        5 => number((at(m_b)? * (at(y)? - at(b)?)).over(&(at(a)? - at(x)?))?),
+        _ => number((at(m_a)? * (at(a)? - at(x)?)).over(&(at(y)? - at(b)?))?),
+    }
+}
+
+pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
+    if rule.form != EQUATION {
+        return None;
+    }
+    let [m_a, m_b, a, b] = known.numbers([MASSES[0], MASSES[1], ALONG[0], ALONG[1]])?;
+    let equation = |p: N, q: N, r: N| Some(vec![Datum::Equation([p, q, r])]);
+    match slip {
+        "momentum-sign" => equation(m_a.clone(), m_b.clone(), m_a * a + m_b * b.size()),
+        "momentum-ignores-b" => equation(m_a.clone(), m_b, m_a * a),
+        "masses-swapped" => equation(m_b.clone(), m_a.clone(), m_b * a + m_a * b),
+        "masses-omitted" => {
+            let one = m_a.over(&m_a)?;
+            equation(one.clone(), one, a + b)
+        }
+        _ => None,
+    }
+}
+
+pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
+    let equation = Expr::equation(show.momentum_before(), show.momentum_after());
+    let words = "Momentum is conserved along the line of centres:";
+    if rule.form == EQUATION {
+        return vec![Line::numbered(words, show.with_simplified(equation, Quantity::MomentumEquation))];
+    }
+    let unknown = rule.gives[0];
+    vec![Line::plain(words, vec![equation, Expr::equation(show.symbol(unknown), show.shown_value(unknown))])]
+}

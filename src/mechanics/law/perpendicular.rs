@@ -1,0 +1,53 @@
+//! Smooth spheres exert no force across the line of centres: each keeps its component along the tangent.
+//!
+//! `t·v = t·u` for each sphere by itself.
+
+use super::{Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, velocity};
+use crate::mechanics::Axis::T;
+use crate::mechanics::Moment::{After, Before};
+use crate::mechanics::{Quantity, Sphere};
+use crate::number::Number;
+
+pub const NAME: &str = "perpendicular";
+
+pub const METHOD: (&str, &str) =
+    ("component perpendicular to the line of centres unchanged", "seen anywhere, on a diagram too");
+
+pub const SLIPS: &[Slip] = &[
+    Slip {
+        tag: "e-on-perpendicular",
+        sentence: "The spheres are smooth: no impulse acts along the tangent, so that component is unchanged; e acts only along the line of centres.",
+    },
+    Slip {
+        tag: "perpendicular-dropped",
+        sentence: "You have the component along the line of centres; combine it with the unchanged perpendicular component.",
+    },
+];
+
+pub fn rules() -> Vec<Rule> {
+    let mut rules = Vec::new();
+    for sphere in Sphere::BOTH {
+        let (before, after) = (velocity(sphere, Before, T), velocity(sphere, After, T));
+        rules.push(rule(Law::Perpendicular, 0, &[before], &[after], 1));
+        rules.push(rule(Law::Perpendicular, 1, &[after], &[before], 1));
+    }
+    rules
+}
+
+pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
+    number(known.number(rule.needs[0])?)
+}
+
+pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
+    let component = known.number(rule.needs[0])?;
+    match slip {
+        "e-on-perpendicular" => number(known.number(Quantity::Restitution)? * component),
+        "perpendicular-dropped" => number(component.nought()),
+        _ => None,
+    }
+}
+
+pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
+    let Quantity::Velocity(sphere, ..) = rule.gives[0] else { return Vec::new() };
+    show.unchanged(sphere)
+}

@@ -1,0 +1,74 @@
+//! Velocities relative to each other: approach and separation along the line of centres, angles between.
+//!
+//! `approach = a - b` and `separation = y - x`, positive when the spheres near, and when they part.
+
+use super::{ALONG, Datum, Known, Law, Line, MASSES, Outcome, Rule, Show, Slip, number, rule, silent, velocity};
+use crate::expr::Expr;
+use crate::mechanics::Axis::{N, T, X, Y};
+use crate::mechanics::Moment::{After, Before};
+use crate::mechanics::Quantity;
+use crate::mechanics::Sphere::{A, B};
+use crate::number::Number;
+
+pub const NAME: &str = "relative";
+
+pub const METHOD: (&str, &str) = ("relative velocity along the line of centres", "condone the order of the difference");
+
+pub const SLIPS: &[Slip] = &[];
+
+const APPROACH: u8 = 0;
+const SEPARATION: u8 = 1;
+const MASS_RATIO: u8 = 2;
+const BETWEEN: u8 = 3;
+const ALPHA: u8 = 4;
+
+pub fn rules() -> Vec<Rule> {
+    let [a, b, x, y] = ALONG;
+    let mut rules = vec![
+        rule(Law::Relative, APPROACH, &[a, b], &[Quantity::Approach], 1),
+        rule(Law::Relative, SEPARATION, &[y, x], &[Quantity::Separation], 1),
+        rule(Law::Relative, MASS_RATIO, &[MASSES[1], MASSES[0]], &[Quantity::MassRatio], 1),
+    ];
+    for moment in [Before, After] {
+        for axes in [[N, T], [X, Y]] {
+            let needs = [A, B].map(|sphere| axes.map(|axis| velocity(sphere, moment, axis))).concat();
+            rules.push(rule(Law::Relative, BETWEEN, &needs, &[Quantity::AngleBetween(moment)], 2));
+        }
+    }
+    let needs = [a, velocity(A, Before, T), b, velocity(B, Before, T)];
+    rules.push(rule(Law::Relative, ALPHA, &needs, &[Quantity::Alpha], 2));
+    rules
+}
+
+pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
+    let n = &rule.needs;
+    match rule.form {
+        APPROACH | SEPARATION => number(known.number(n[0])? - known.number(n[1])?),
+        MASS_RATIO => number(known.number(n[0])?.over(&known.number(n[1])?)?),
+        BETWEEN => {
+            let [a, b, c, d] = known.numbers([n[0], n[1], n[2], n[3]])?;
+            if (a.is_nought() && b.is_nought()) || (c.is_nought() && d.is_nought()) {
+                return None;
+            }
+            let y = (a.clone() * d.clone() - b.clone() * c.clone()).size();
+            Some(vec![Datum::Direction { y, x: a * c + b * d }])
+        }
+        _ => {
+            let [a, p, b, q] = known.numbers([n[0], n[1], n[2], n[3]])?;
+            Some(vec![Datum::Direction { y: (p - q).size(), x: (a - b).size() }])
+        }
+    }
+}
+
+pub fn slipped<N: Number>(_: &str, _: &Rule, _: &Known<N>) -> Outcome<N> {
+    None
+}
+
+pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
+    match rule.form {
+        APPROACH | SEPARATION | MASS_RATIO if show.is_asked(rule.gives[0]) => {
+            vec![Line::plain("", vec![Expr::equation(show.symbol(rule.gives[0]), show.shown_value(rule.gives[0]))])]
+        }
+        _ => silent(),
+    }
+}

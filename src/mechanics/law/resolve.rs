@@ -1,0 +1,124 @@
+//! Components of a velocity along two perpendicular directions.
+//!
+//! `v_n = v·n` and `v_t = v·t`, where `t` is `n` turned by +90 degrees; and back again. A velocity that
+//! was given by its speed and direction has the components `v cos θ`, `v sin θ`.
+
+use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, rule, silent, velocity};
+use crate::expr::Expr;
+use crate::mechanics::Axis::{N, T, X, Y};
+use crate::mechanics::{Moment, Quantity, Sphere};
+use crate::number::Number;
+
+pub const NAME: &str = "resolve";
+
+pub const METHOD: (&str, &str) =
+    ("velocities resolved along the line of centres", "scalar product or sine and cosine; condone sine for cosine");
+
+pub const SLIPS: &[Slip] = &[
+    Slip {
+        tag: "sincos-swap",
+        sentence: "The angle is measured from the line of centres, so the component along it is u cos(alpha); the sine gives the part that does not change.",
+    },
+    Slip {
+        tag: "not-resolved",
+        sentence: "Momentum and the impact law act along the line of centres only: resolve each speed along it first.",
+    },
+];
+
+/// The forms: what the components come from.
+const FROM_SPEED: u8 = 0;
+const FROM_SPEED_IN_I_J: u8 = 1;
+const FROM_I_J: u8 = 2;
+const TO_I_J: u8 = 3;
+const TURNED: u8 = 4;
+
+pub fn rules() -> Vec<Rule> {
+    let (n_x, n_y) = (Quantity::Line(X), Quantity::Line(Y));
+    let mut rules = vec![rule(Law::Resolve, TURNED, &[n_x, n_y], &[Quantity::Tangent(X), Quantity::Tangent(Y)], 1)];
+    for sphere in Sphere::BOTH {
+        for moment in [Moment::Before, Moment::After] {
+            let given = [Quantity::Speed(sphere, moment), Quantity::GivenDirection(sphere, moment)];
+            let x_y = [velocity(sphere, moment, X), velocity(sphere, moment, Y)];
+            let n_t = [velocity(sphere, moment, N), velocity(sphere, moment, T)];
+            rules.push(rule(Law::Resolve, FROM_SPEED, &[given[0], given[1], n_x, n_y], &n_t, 1));
+            rules.push(rule(Law::Resolve, FROM_SPEED_IN_I_J, &given, &x_y, 1));
+            rules.push(rule(Law::Resolve, FROM_I_J, &[x_y[0], x_y[1], n_x, n_y], &n_t, 1));
+            rules.push(rule(Law::Resolve, TO_I_J, &[n_t[0], n_t[1], n_x, n_y], &x_y, 1));
+        }
+    }
+    rules
+}
+
+pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
+    let pair = |a: N, b: N| Some(vec![Datum::Number(a), Datum::Number(b)]);
+    let line = || known.numbers([Quantity::Line(X), Quantity::Line(Y)]);
+    match rule.form {
+        FROM_SPEED | FROM_SPEED_IN_I_J => {
+            let speed = known.number(rule.needs[0])?;
+            let (sin, cos) = known.direction(rule.needs[1])?;
+            let (x, y) = (speed.clone() * cos, speed * sin);
+            if rule.form == FROM_SPEED_IN_I_J {
+                return pair(x, y);
+            }
+            let [n_x, n_y] = line()?;
+            pair(x.clone() * n_x.clone() + y.clone() * n_y.clone(), y * n_x - x * n_y)
+        }
+        FROM_I_J => {
+            let [x, y] = known.numbers([rule.needs[0], rule.needs[1]])?;
+            let [n_x, n_y] = line()?;
+            pair(x.clone() * n_x.clone() + y.clone() * n_y.clone(), y * n_x - x * n_y)
+        }
+        TO_I_J => {
+            let [n, t] = known.numbers([rule.needs[0], rule.needs[1]])?;
+            let [n_x, n_y] = line()?;
+            pair(n.clone() * n_x.clone() - t.clone() * n_y.clone(), n * n_y + t * n_x)
+        }
+        _ => {
+            let [n_x, n_y] = line()?;
+            pair(-n_y, n_x)
+        }
+    }
+}
+
+pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
+    if rule.form != FROM_SPEED {
+        return None;
+    }
+    let mut components = evaluate(rule, known)?;
+    let (Datum::Number(n), Datum::Number(t)) = (components[0].clone(), components[1].clone()) else { return None };
+    match slip {
+        "sincos-swap" => components.swap(0, 1),
+        "not-resolved" => {
+            let speed = known.number(rule.needs[0])?;
+            components[0] = Datum::Number(n.clone() * speed.over(&n.size())?);
+            components[1] = Datum::Number(t);
+        }
+        _ => return None,
+    }
+    Some(components)
+}
+
+pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
+    let Some(Quantity::Velocity(sphere, moment, _)) = rule.gives.first().copied() else { return silent() };
+    match rule.form {
+        // Along an axis there is nothing to resolve.
+        FROM_I_J if !show.along_an_axis() => {
+            let component = Expr::name(show.letter_of(velocity(sphere, moment, N)));
+            let chain = Show::chain(component, [show.scalar_product(sphere, moment), show.along(sphere, moment)]);
+            vec![Line::with(
+                show.words_for_resolving(moment),
+                &[("A", Expr::name(sphere.name())), ("n", show.line_vector())],
+                vec![chain],
+            )]
+        }
+        TO_I_J if show.is_asked(rule.gives[0]) || show.is_asked(rule.gives[1]) => {
+            let vector = show.vector(sphere, moment);
+            vec![Line::with(
+                "So the velocity of {A} after the impact is {v m/s}.",
+                &[("A", Expr::name(sphere.name())), ("v", vector)],
+                vec![],
+            )]
+        }
+        _ => silent(),
+    }
+}

@@ -1,0 +1,65 @@
+//! Pythagoras: a speed from two perpendicular components, `v² = v_n² + v_t²`.
+
+use super::{Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, velocity};
+use crate::mechanics::Axis::{N, T, X, Y};
+use crate::mechanics::{Moment, Quantity, Sphere};
+use crate::number::Number;
+
+pub const NAME: &str = "speed";
+
+pub const METHOD: (&str, &str) = ("Pythagoras with their two components", "both components present");
+
+pub const SLIPS: &[Slip] = &[
+    Slip {
+        tag: "speed-sum",
+        sentence: "Speed is the square root of the sum of the squares of the components.",
+    },
+    Slip {
+        tag: "speed-no-root",
+        sentence: "Speed is the square root of the sum of the squares of the components.",
+    },
+    Slip {
+        tag: "speed-along-only",
+        sentence: "You have the component along the line of centres; combine it with the unchanged perpendicular component.",
+    },
+];
+
+pub fn rules() -> Vec<Rule> {
+    let mut rules = Vec::new();
+    for sphere in Sphere::BOTH {
+        for moment in [Moment::Before, Moment::After] {
+            for (form, (first, second)) in [(N, T), (X, Y)].into_iter().enumerate() {
+                let needs = [velocity(sphere, moment, first), velocity(sphere, moment, second)];
+                rules.push(rule(Law::Speed, form as u8, &needs, &[Quantity::Speed(sphere, moment)], 1));
+            }
+        }
+    }
+    rules
+}
+
+pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
+    let [along, across] = known.numbers([rule.needs[0], rule.needs[1]])?;
+    // The square of a root is not always seen to be one: a lone component is its own root.
+    if across.is_nought() {
+        return number(along.size());
+    }
+    if along.is_nought() {
+        return number(across.size());
+    }
+    number((along.squared() + across.squared()).root()?)
+}
+
+pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
+    let [along, across] = known.numbers([rule.needs[0], rule.needs[1]])?;
+    match slip {
+        "speed-sum" => number(along.size() + across.size()),
+        "speed-no-root" => number(along.squared() + across.squared()),
+        "speed-along-only" => number(along.size()),
+        _ => None,
+    }
+}
+
+pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
+    let Quantity::Speed(sphere, moment) = rule.gives[0] else { return Vec::new() };
+    show.speed(sphere, moment, rule.form == 1)
+}

@@ -1,0 +1,135 @@
+//! Momentum is conserved as a vector.
+//!
+//! `m_A u_A + m_B u_B = m_A v_A + m_B v_B`. Three velocities and the masses give the fourth velocity; four
+//! velocities give the ratio of the masses.
+
+use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, silent, velocity};
+use crate::expr::Expr;
+use crate::mechanics::Axis::{X, Y};
+use crate::mechanics::Moment::{After, Before};
+use crate::mechanics::Sphere::{A, B};
+use crate::mechanics::{Axis, Moment, Quantity, Sphere};
+use crate::number::Number;
+
+pub const NAME: &str = "vector momentum";
+
+pub const METHOD: (&str, &str) = ("conservation of momentum as a vector equation, four terms", "condone sign errors");
+
+pub const SLIPS: &[Slip] =
+    &[Slip { tag: "division-forgotten", sentence: "Divide by the mass of the sphere at the end." }];
+
+const STATES: [(Sphere, Moment); 4] = [(A, Before), (B, Before), (A, After), (B, After)];
+
+/// Forms 0 to 3 find a velocity, in the order of `STATES`; these find a mass, the totals the momentum.
+const MASS_OF_A: u8 = 4;
+const MASS_OF_B: u8 = 5;
+const TOTAL: u8 = 6;
+const OF_ONE: u8 = 7;
+
+fn both(state: (Sphere, Moment)) -> [Quantity; 2] {
+    [velocity(state.0, state.1, X), velocity(state.0, state.1, Y)]
+}
+
+pub fn rules() -> Vec<Rule> {
+    let masses = [Quantity::Mass(A), Quantity::Mass(B)];
+    let mut rules = Vec::new();
+    for (index, unknown) in STATES.into_iter().enumerate() {
+        let mut needs = masses.to_vec();
+        needs.extend(STATES.into_iter().filter(|state| *state != unknown).flat_map(both));
+        rules.push(rule(Law::VectorMomentum, index as u8, &needs, &both(unknown), 2));
+    }
+    for (form, given, unknown) in [(MASS_OF_A, masses[1], masses[0]), (MASS_OF_B, masses[0], masses[1])] {
+        let mut needs = vec![given];
+        needs.extend(STATES.into_iter().flat_map(both));
+        rules.push(rule(Law::VectorMomentum, form, &needs, &[unknown], 2));
+    }
+    for axis in [X, Y] {
+        for (sphere, moment) in STATES {
+            let needs = [Quantity::Mass(sphere), velocity(sphere, moment, axis)];
+            rules.push(rule(Law::VectorMomentum, OF_ONE, &needs, &[Quantity::SphereMomentum(sphere, moment, axis)], 1));
+        }
+        for moment in [Before, After] {
+            let needs = [Quantity::SphereMomentum(A, moment, axis), Quantity::SphereMomentum(B, moment, axis)];
+            let cost = if moment == Before { 1 } else { 2 };
+            rules.push(rule(Law::VectorMomentum, TOTAL, &needs, &[Quantity::TotalMomentum(axis)], cost));
+        }
+    }
+    rules
+}
+
+pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
+    match rule.form {
+        OF_ONE => number(known.number(rule.needs[0])? * known.number(rule.needs[1])?),
+        TOTAL => number(known.number(rule.needs[0])? + known.number(rule.needs[1])?),
+        MASS_OF_A => mass(A, known),
+        MASS_OF_B => mass(B, known),
+        form => {
+            let (sphere, moment) = STATES[form as usize];
+            let found: Option<Vec<Datum<N>>> =
+                [X, Y].into_iter().map(|axis| component(sphere, moment, axis, known).map(Datum::Number)).collect();
+            found
+        }
+    }
+}
+
+/// The component of the one velocity that is not known.
+fn component<N: Number>(sphere: Sphere, moment: Moment, axis: Axis, known: &Known<N>) -> Option<N> {
+    let other = if moment == Before { After } else { Before };
+    let beside = sphere.other();
+    let [own, mass] = known.numbers([Quantity::Mass(sphere), Quantity::Mass(beside)])?;
+    let [same, a, b] =
+        known.numbers([velocity(sphere, other, axis), velocity(beside, other, axis), velocity(beside, moment, axis)])?;
+    Some(same + (mass * (a - b)).over(&own)?)
+}
+
+/// The mass of a sphere from the changes of both velocities, along whichever axis they change.
+fn mass<N: Number>(sphere: Sphere, known: &Known<N>) -> Outcome<N> {
+    let change = |sphere: Sphere, axis| -> Option<N> {
+        let [before, after] = known.numbers([velocity(sphere, Before, axis), velocity(sphere, After, axis)])?;
+        Some(after - before)
+    };
+    let other = sphere.other();
+    let given = known.number(Quantity::Mass(other))?;
+    for axis in [X, Y] {
+        let own = change(sphere, axis)?;
+        if !own.is_nought() {
+            return number(-(given * change(other, axis)?).over(&own)?);
+        }
+    }
+    None
+}
+
+pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
+    match (slip, rule.form) {
+        ("division-forgotten", form @ 0..=3) => {
+            let own = known.number(Quantity::Mass(STATES[form as usize].0))?;
+            let components = evaluate(rule, known)?;
+            let multiplied = components.into_iter().map(|datum| match datum {
+                Datum::Number(value) => Datum::Number(value * own.clone()),
+                other => other,
+            });
+            Some(multiplied.collect())
+        }
+        _ => None,
+    }
+}
+
+pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
+    match rule.form {
+        form @ 0..=3 => {
+            let (sphere, moment) = STATES[form as usize];
+            let name = Expr::name(show.vector_letter(sphere, moment));
+            let equation = Expr::equation(show.vector_momentum(Before, sphere, moment), show.vector_momentum(After, sphere, moment));
+            vec![
+                Line::plain("Momentum is conserved:", vec![equation]),
+                Line::plain("", vec![Expr::equation(name, show.vector(sphere, moment))]),
+            ]
+        }
+        MASS_OF_A | MASS_OF_B => {
+            let equation = Expr::equation(show.vector_momentum(Before, A, After), show.vector_momentum(After, A, After));
+            let found = Expr::equation(show.symbol(rule.gives[0]), show.shown_value(rule.gives[0]));
+            vec![Line::plain("Momentum is conserved:", vec![equation, found])]
+        }
+        _ => silent(),
+    }
+}
