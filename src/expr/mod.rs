@@ -5,9 +5,11 @@
 
 mod evaluate;
 mod fault;
+pub mod print;
 mod text;
 mod tree;
 mod turn;
+mod walk;
 mod written;
 
 pub use evaluate::{Meaning, Names, degrees, evaluate, holds, number};

@@ -1,0 +1,88 @@
+//! How a name is printed: Greek letters, subscripts, and words in upright type.
+
+/// A name taken apart.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Letter {
+    /// What stands on the line.
+    pub base: Symbol,
+    /// What stands below it.
+    pub subscript: Option<Symbol>,
+}
+
+/// One part of a [`Letter`].
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Symbol {
+    /// Latin letters and digits, in italics.
+    Italic(String),
+    /// A Greek letter by its name, as LaTeX and the language know it, and as a character.
+    Greek(&'static str, char),
+    /// A word, or a text that is no name of the language; printers escape it.
+    Upright(String),
+}
+
+/// Names of Greek letters; those that look like Latin ones are left out, as LaTeX does.
+const GREEK: [(&str, char); 33] = [
+    ("alpha", 'α'),
+    ("beta", 'β'),
+    ("gamma", 'γ'),
+    ("delta", 'δ'),
+    ("epsilon", 'ε'),
+    ("zeta", 'ζ'),
+    ("eta", 'η'),
+    ("theta", 'θ'),
+    ("iota", 'ι'),
+    ("kappa", 'κ'),
+    ("lambda", 'λ'),
+    ("mu", 'μ'),
+    ("nu", 'ν'),
+    ("xi", 'ξ'),
+    ("pi", 'π'),
+    ("rho", 'ρ'),
+    ("sigma", 'σ'),
+    ("tau", 'τ'),
+    ("upsilon", 'υ'),
+    ("phi", 'φ'),
+    ("chi", 'χ'),
+    ("psi", 'ψ'),
+    ("omega", 'ω'),
+    ("Gamma", 'Γ'),
+    ("Delta", 'Δ'),
+    ("Theta", 'Θ'),
+    ("Lambda", 'Λ'),
+    ("Xi", 'Ξ'),
+    ("Pi", 'Π'),
+    ("Sigma", 'Σ'),
+    ("Phi", 'Φ'),
+    ("Psi", 'Ψ'),
+    ("Omega", 'Ω'),
+];
+
+/// The Greek letter of a name.
+pub(super) fn greek(name: &str) -> Option<(&'static str, char)> {
+    GREEK.into_iter().find(|(known, _)| *known == name)
+}
+
+/// A name taken apart: `v_A`, `u1`, `alpha`, `KE`.
+pub(super) fn letter(name: &str) -> Letter {
+    let whole = || Letter { base: Symbol::Upright(name.to_owned()), subscript: None };
+    let in_language = name.starts_with(|c: char| c.is_ascii_alphabetic())
+        && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+    if !in_language {
+        return whole();
+    }
+    let (base, below) = match name.split_once('_') {
+        Some(parts) => parts,
+        None => name.split_at(name.trim_end_matches(|c: char| c.is_ascii_digit()).len()),
+    };
+    let symbol = match greek(base) {
+        Some((name, character)) => Symbol::Greek(name, character),
+        None if base.len() == 1 => Symbol::Italic(base.to_owned()),
+        None => Symbol::Upright(base.to_owned()),
+    };
+    let subscript = match greek(below) {
+        Some((name, character)) => Some(Symbol::Greek(name, character)),
+        None if below.is_empty() => None,
+        None => Some(Symbol::Italic(below.replace('_', ","))),
+    };
+    Letter { base: symbol, subscript }
+}

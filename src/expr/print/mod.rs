@@ -1,0 +1,27 @@
+//! Printers: one expression as plain ASCII, LaTeX, MathML or the mathematics of a terminal.
+//!
+//! [`plain`] is the form that other programs parse. The three pretty printers share one
+//! [`layout`](self): signs, brackets, multiplication signs and dropped ones are decided there once,
+//! so that a question sheet cannot differ from its web page. No printer simplifies.
+
+mod latex;
+mod layout;
+mod letter;
+mod mathml;
+mod plain;
+mod shape;
+mod text;
+mod unicode;
+mod unit;
+mod words;
+
+pub use latex::latex;
+pub use mathml::{mathml, mathml_block, mathml_inline};
+pub use plain::plain;
+pub use text::{text_html, text_latex, text_unicode};
+pub use unicode::unicode;
+pub use unit::{unit_latex, unit_mathml, unit_unicode};
+pub use words::{words_html, words_latex, words_unicode};
+
+#[cfg(test)]
+mod tests;

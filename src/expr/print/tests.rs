@@ -1,0 +1,230 @@
+//! Examples of printed formulas, one row each, in all four forms.
+
+use super::*;
+use crate::expr::{Expr, Function, Piece, Relation, Text};
+use crate::number::Fraction;
+use crate::unit::Unit;
+
+fn n(value: i64) -> Expr {
+    Expr::integer(value)
+}
+fn f(numerator: i64, denominator: i64) -> Expr {
+    Expr::Number(Fraction::new(numerator, denominator))
+}
+fn x(name: &str) -> Expr {
+    Expr::name(name)
+}
+fn neg(inner: Expr) -> Expr {
+    Expr::Negative(Box::new(inner))
+}
+fn sum<const N: usize>(terms: [Expr; N]) -> Expr {
+    Expr::Sum(terms.into())
+}
+fn times<const N: usize>(factors: [Expr; N]) -> Expr {
+    Expr::Product(factors.into())
+}
+fn over(numerator: Expr, denominator: Expr) -> Expr {
+    Expr::Quotient(Box::new(numerator), Box::new(denominator))
+}
+fn pow(base: Expr, exponent: Expr) -> Expr {
+    Expr::Power(Box::new(base), Box::new(exponent))
+}
+fn root(inner: Expr) -> Expr {
+    Expr::call(Function::Sqrt, inner)
+}
+fn sin(inner: Expr) -> Expr {
+    Expr::call(Function::Sin, inner)
+}
+fn cos(inner: Expr) -> Expr {
+    Expr::call(Function::Cos, inner)
+}
+fn tan(inner: Expr) -> Expr {
+    Expr::call(Function::Tan, inner)
+}
+fn deg(value: i64) -> Expr {
+    Expr::degrees(n(value))
+}
+fn vector(x: Expr, y: Expr) -> Expr {
+    Expr::Vector(Box::new(x), Box::new(y))
+}
+fn relation(left: Expr, relation: Relation, right: Expr) -> Expr {
+    Expr::Relation(Box::new(left), relation, Box::new(right))
+}
+
+/// Tree, plain, LaTeX, terminal.
+#[test]
+fn carom_knows_that_a_formula_is_written_as_a_teacher_writes_it() {
+    let rows: Vec<(Expr, &str, &str, &str)> = vec![
+        (over(times([n(16), root(n(3))]), n(9)), "16*sqrt(3)/9", r"\frac{16\sqrt{3}}{9}", "16√3/9"),
+        (sum([times([n(4), x("i")]), x("j")]), "4*i + j", r"4\mathbf{i}+\mathbf{j}", "4i + j"),
+        (times([n(6), sin(deg(10))]), "6*sin(10*deg)", r"6\sin 10^\circ", "6 sin 10°"),
+        (
+            neg(over(times([x("v"), cos(x("theta")), sum([times([n(2), x("e")]), n(-1)])]), n(3))),
+            "-v*cos(theta)*(2*e - 1)/3",
+            r"-\frac{v\cos(\theta)(2e-1)}{3}",
+            "−v cos(θ)(2e − 1)/3",
+        ),
+        (neg(pow(n(2), n(2))), "-2^2", "-2^{2}", "−2²"),
+        (pow(n(-2), n(2)), "(-2)^2", "(-2)^{2}", "(−2)²"),
+        (pow(neg(n(2)), n(2)), "(-2)^2", "(-2)^{2}", "(−2)²"),
+        (over(x("a"), times([x("b"), x("c")])), "a/(b*c)", r"\frac{a}{bc}", "a/(bc)"),
+        (over(x("a"), over(x("b"), x("c"))), "a/(b/c)", r"\frac{a}{\frac{b}{c}}", "a/(b/c)"),
+        (over(over(x("a"), x("b")), x("c")), "(a/b)/c", r"\frac{\frac{a}{b}}{c}", "(a/b)/c"),
+        (pow(over(x("a"), x("b")), n(2)), "(a/b)^2", r"\left(\frac{a}{b}\right)^{2}", "(a/b)²"),
+        (pow(n(2), n(-1)), "2^(-1)", "2^{-1}", "2⁻¹"),
+        (pow(pow(n(2), n(3)), n(2)), "(2^3)^2", "(2^{3})^{2}", "(2³)²"),
+        (pow(x("x"), f(1, 2)), "x^(1/2)", r"x^{\frac{1}{2}}", "x^(1/2)"),
+        (sum([x("a"), neg(sum([x("b"), neg(x("c"))]))]), "a - (b - c)", "a-(b-c)", "a − (b − c)"),
+        (sum([x("a"), n(-3)]), "a - 3", "a-3", "a − 3"),
+        (sum([n(4), neg(n(-3))]), "4 - (-3)", "4-(-3)", "4 − (−3)"),
+        (sum([n(2), times([n(-3), x("v")])]), "2 - 3*v", "2-3v", "2 − 3v"),
+        (times([f(3, 4), x("x")]), "(3/4)*x", r"\frac{3}{4}x", "(3/4)x"),
+        (over(times([n(3), x("x")]), n(4)), "3*x/4", r"\frac{3x}{4}", "3x/4"),
+        (pow(f(1, 2), n(2)), "(1/2)^2", r"\left(\frac{1}{2}\right)^{2}", "(1/2)²"),
+        (f(5, 2), "5/2", r"\frac{5}{2}", "5/2"),
+        (f(-5, 2), "-5/2", r"-\frac{5}{2}", "−5/2"),
+        (times([f(1, 2), x("m"), pow(x("v"), n(2))]), "(1/2)*m*v^2", r"\frac{1}{2}mv^{2}", "(1/2)mv²"),
+        (times([n(1), x("v")]), "v", "v", "v"),
+        (times([n(-1), x("v")]), "-v", "-v", "−v"),
+        (times([n(2), n(-3)]), "2*(-3)", r"2\times(-3)", "2 × (−3)"),
+        (times([n(4), n(4), cos(deg(30))]), "4*4*cos(30*deg)", r"4\times 4\cos 30^\circ", "4 × 4 cos 30°"),
+        (times([n(2), x("v"), cos(x("alpha"))]), "2*v*cos(alpha)", r"2v\cos\alpha", "2v cos α"),
+        (times([x("m"), x("u"), cos(x("alpha"))]), "m*u*cos(alpha)", r"mu\cos\alpha", "mu cos α"),
+        (times([cos(x("alpha")), sin(x("alpha"))]), "cos(alpha)*sin(alpha)", r"\cos\alpha\sin\alpha", "cos α sin α"),
+        (times([cos(x("alpha")), x("v")]), "cos(alpha)*v", r"\cos(\alpha)v", "cos(α)v"),
+        (pow(tan(x("theta")), n(2)), "tan(theta)^2", r"\tan^2\theta", "tan²θ"),
+        (pow(cos(deg(30)), n(2)), "cos(30*deg)^2", r"\cos^2 30^\circ", "cos² 30°"),
+        (pow(tan(x("theta")), n(-1)), "tan(theta)^(-1)", r"(\tan\theta)^{-1}", "(tan θ)⁻¹"),
+        (sin(times([n(2), x("x")])), "sin(2*x)", r"\sin(2x)", "sin(2x)"),
+        (cos(x("x")), "cos(x)", r"\cos x", "cos x"),
+        (Expr::call(Function::Atan, f(1, 7)), "atan(1/7)", r"\arctan\frac{1}{7}", "arctan(1/7)"),
+        (Expr::call(Function::Abs, x("x")), "abs(x)", "|x|", "|x|"),
+        (Expr::call(Function::Abs, neg(x("x"))), "abs(-x)", r"\left|-x\right|", "|−x|"),
+        (times([n(2), over(x("v"), n(3))]), "2*(v/3)", r"2\frac{v}{3}", "2(v/3)"),
+        (times([root(n(3)), x("v")]), "sqrt(3)*v", r"\sqrt{3}v", "√3 v"),
+        (times([x("v"), root(sum([n(1), x("e")]))]), "v*sqrt(1 + e)", r"v\sqrt{1+e}", "v√(1 + e)"),
+        (times([root(n(3)), n(2)]), "sqrt(3)*2", r"\sqrt{3}\times 2", "√3 × 2"),
+        (deg(30), "30*deg", r"30^\circ", "30°"),
+        (Expr::degrees(sum([n(180), neg(x("theta"))])), "(180 - theta)*deg", r"(180-\theta)^\circ", "(180 − θ)°"),
+        (over(x("alpha"), deg(1)), "alpha/deg", r"\frac{\alpha}{1^\circ}", "α/1°"),
+        (Expr::Decimal("46.1".into()), "46.1", "46.1", "46.1"),
+        (times([n(2), Expr::Pi]), "2*pi", r"2\pi", "2π"),
+        (x("v_A"), "v_A", "v_A", "v_A"),
+        (x("u_1"), "u_1", "u_1", "u₁"),
+        (x("v1"), "v1", "v_1", "v₁"),
+        (x("v_AB"), "v_AB", "v_{AB}", "v_AB"),
+        (x("KE"), "KE", r"\mathrm{KE}", "KE"),
+        (x("A.after.speed"), "A.after.speed", r"\mathrm{A.after.speed}", "A.after.speed"),
+        (times([x("mu"), x("m"), x("g")]), "mu*m*g", r"\mu mg", "μmg"),
+        (vector(n(1), n(-1)), "[1, -1]", r"\mathbf{i}-\mathbf{j}", "i − j"),
+        (vector(n(0), n(-2)), "[0, -2]", r"-2\mathbf{j}", "−2j"),
+        (vector(n(0), n(0)), "[0, 0]", r"\mathbf{0}", "0"),
+        (vector(f(5, 2), f(1, 2)), "[5/2, 1/2]", r"\frac{5}{2}\mathbf{i}+\frac{1}{2}\mathbf{j}", "(5/2)i + (1/2)j"),
+        (
+            vector(sum([n(1), x("e")]), times([x("u"), cos(x("alpha"))])),
+            "[1 + e, u*cos(alpha)]",
+            r"(1+e)\mathbf{i}+u\cos\alpha\,\mathbf{j}",
+            "(1 + e)i + u cos α j",
+        ),
+        (times([n(3), vector(n(1), n(2))]), "3*[1, 2]", r"3(\mathbf{i}+2\mathbf{j})", "3(i + 2j)"),
+        (sum([x("u"), vector(n(-1), n(0))]), "u + [-1, 0]", r"u-\mathbf{i}", "u − i"),
+        (relation(x("a"), Relation::LessOrEqual, x("b")), "a <= b", r"a\leq b", "a ≤ b"),
+        (relation(x("a"), Relation::NotEqual, x("b")), "a != b", r"a\neq b", "a ≠ b"),
+        (
+            relation(Expr::equation(x("a"), n(1)), Relation::Implies, Expr::equation(x("b"), n(2))),
+            "a = 1 => b = 2",
+            r"a=1\Rightarrow b=2",
+            "a = 1 ⇒ b = 2",
+        ),
+        (
+            relation(x("v"), Relation::Approximately, Expr::Decimal("2.78".into())),
+            "v ~ 2.78",
+            r"v\approx 2.78",
+            "v ≈ 2.78",
+        ),
+    ];
+    for (tree, as_plain, as_latex, as_unicode) in rows {
+        assert_eq!(plain(&tree), as_plain);
+        assert_eq!(latex(&tree), as_latex, "{as_plain}");
+        assert_eq!(unicode(&tree), as_unicode, "{as_plain}");
+    }
+}
+
+fn angle(expr: Expr) -> Text {
+    Text(vec![Piece::Quantity(expr, Unit::Degree)])
+}
+
+#[test]
+fn carom_knows_how_a_quantity_stands_with_its_unit() {
+    let quantity = |expr: Expr, unit: Unit| Text(vec![Piece::Quantity(expr, unit)]);
+    let velocity = || sum([times([n(4), x("i")]), neg(x("j"))]);
+    let rows = [
+        (quantity(n(4), Unit::Kilogram), r"$4\,\mathrm{kg}$", "4 kg"),
+        (
+            quantity(velocity(), Unit::MetrePerSecond),
+            r"$(4\mathbf{i}-\mathbf{j})\,\mathrm{m\,s^{-1}}$",
+            "(4i − j) m s⁻¹",
+        ),
+        (quantity(vector(n(2), n(0)), Unit::NewtonSecond), r"$2\mathbf{i}\,\mathrm{N\,s}$", "2i N s"),
+        (quantity(over(n(3), n(2)), Unit::Joule), r"$\frac{3}{2}\,\mathrm{J}$", "(3/2) J"),
+        (quantity(f(1, 2), Unit::None), r"$\frac{1}{2}$", "1/2"),
+        (angle(n(30)), r"$30^\circ$", "30°"),
+        (angle(x("alpha")), r"$\alpha^\circ$", "α°"),
+        (angle(deg(30)), r"$30^\circ$", "30°"),
+        (angle(n(-30)), r"$-30^\circ$", "−30°"),
+        (angle(Expr::call(Function::Atan, n(7))), r"$(\arctan 7)^\circ$", "(arctan 7)°"),
+        (angle(sum([n(180), neg(x("x"))])), r"$(180-x)^\circ$", "(180 − x)°"),
+    ];
+    for (text, as_latex, as_unicode) in rows {
+        assert_eq!(text_latex(&text), as_latex);
+        assert_eq!(text_unicode(&text), as_unicode);
+    }
+}
+
+#[test]
+fn carom_knows_that_words_are_only_words() {
+    let hostile = "\\ { } $ & # ^ _ ~ % < > \" | ` [a] \u{1b}[31m \u{202e}drow é – 漢 🎱";
+    assert_eq!(
+        words_latex(hostile),
+        r"\textbackslash{} \{ \} \$ \& \# \textasciicircum{} \_ \textasciitilde{} \% \textless{} \textgreater{} '' \textbar{} {}` {[}a{]} {[}31m drow é -- ? ?"
+    );
+    assert_eq!(words_html("<b a='1'>\"&\u{0}\u{202e}"), "&lt;b a=&#39;1&#39;&gt;&quot;&amp;");
+    assert_eq!(words_unicode("a\u{1b}[31m\u{7}\u{200f}\nb"), "a[31m b");
+    assert_eq!(latex(&x(r"\input{x}")), r"\mathrm{?input?x?}");
+    assert_eq!(mathml(&x("<b>")), r#"<mi mathvariant="normal">&lt;b&gt;</mi>"#);
+}
+
+#[test]
+fn carom_knows_how_a_line_of_words_is_printed() {
+    let text = Text(vec![
+        Piece::Italic(vec![Piece::Words("A & ".into()), Piece::Formula(x("B"))]),
+        Piece::Display(Expr::equation(x("e"), f(1, 2))),
+    ]);
+    assert_eq!(text_latex(&text), r"\textit{A \& $B$}\[e=\frac{1}{2}\]");
+    assert_eq!(
+        text_html(&text),
+        "<em>A &amp; <math><mi>B</mi></math></em><math display=\"block\"><mi>e</mi><mo>=</mo><mfrac><mn>1</mn><mn>2</mn></mfrac></math>"
+    );
+}
+
+#[test]
+fn carom_knows_mathml_that_browsers_draw_themselves() {
+    let times_sign = "<mo>&#x2062;</mo>";
+    let space = r#"<mspace width="0.1667em"/>"#;
+    let rows = [
+        (times([n(2), x("v")]), format!("<mn>2</mn>{times_sign}<mi>v</mi>")),
+        (
+            times([n(2), cos(x("alpha"))]),
+            format!("<mn>2</mn>{times_sign}{space}<mrow><mi>cos</mi><mo>&#x2061;</mo>{space}<mi>α</mi></mrow>"),
+        ),
+        (pow(x("v_1"), n(2)), "<msubsup><mi>v</mi><mn>1</mn><mn>2</mn></msubsup>".to_owned()),
+        (vector(n(1), n(-1)), r#"<mi class="vector">𝐢</mi><mo>−</mo><mi class="vector">𝐣</mi>"#.to_owned()),
+        (
+            pow(sum([x("a"), n(1)]), n(2)),
+            r#"<msup><mrow><mo form="prefix" stretchy="false">(</mo><mi>a</mi><mo>+</mo><mn>1</mn><mo form="postfix" stretchy="false">)</mo></mrow><mn>2</mn></msup>"#.to_owned(),
+        ),
+    ];
+    for (tree, expected) in rows {
+        assert_eq!(mathml(&tree), expected);
+    }
+}

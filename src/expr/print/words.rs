@@ -1,0 +1,129 @@
+//! Plain words made safe for LaTeX, HTML and a terminal, whoever wrote them.
+
+/// Words for LaTeX's text, readable by pdfLaTeX with its default fonts.
+///
+/// What those fonts lack becomes its nearest neighbour or `?`; control and direction characters go.
+///
+/// ```
+/// use carom::expr::print;
+/// assert_eq!(print::words_latex(r"\input{x} & 50%"), r"\textbackslash{}input\{x\} \& 50\%");
+/// ```
+pub fn words_latex(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match latex_command(c) {
+            Some(command) => out.push_str(command),
+            None if c.is_whitespace() => out.push(' '),
+            None if is_hidden(c) => {}
+            None if c.is_ascii() || is_composed(c) => out.push(c),
+            None => out.push('?'),
+        }
+    }
+    out
+}
+
+/// Words for HTML, in text and in attribute values.
+pub fn words_html(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in visible(text) {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            '\'' => out.push_str("&#39;"),
+            c => out.push(c),
+        }
+    }
+    out
+}
+
+/// Words for a terminal, without the characters that could command it.
+pub fn words_unicode(text: &str) -> String {
+    visible(text).collect()
+}
+
+fn visible(text: &str) -> impl Iterator<Item = char> {
+    text.chars().map(|c| if c.is_whitespace() && c != '\u{a0}' { ' ' } else { c }).filter(|c| !is_hidden(*c))
+}
+
+/// Control characters, and those that turn the direction of writing, join, or show nothing at all.
+fn is_hidden(c: char) -> bool {
+    c.is_control()
+        || matches!(c, '\u{ad}' | '\u{61c}' | '\u{180e}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}')
+        || matches!(c, '\u{2060}'..='\u{206f}' | '\u{fe00}'..='\u{fe0f}' | '\u{feff}' | '\u{fff0}'..='\u{fffb}')
+        || matches!(c, '\u{e000}'..='\u{f8ff}' | '\u{e0000}'..)
+}
+
+fn latex_command(c: char) -> Option<&'static str> {
+    Some(match c {
+        '\\' => r"\textbackslash{}",
+        '{' => r"\{",
+        '}' => r"\}",
+        '$' => r"\$",
+        '&' => r"\&",
+        '#' => r"\#",
+        '_' => r"\_",
+        '%' => r"\%",
+        '^' => r"\textasciicircum{}",
+        '~' => r"\textasciitilde{}",
+        '<' => r"\textless{}",
+        '>' => r"\textgreater{}",
+        '|' => r"\textbar{}",
+        '"' | '”' | '»' | '„' => "''",
+        '“' | '«' => "``",
+        // By itself, for `?` before it would make an inverted question mark.
+        '`' | '‘' => "{}`",
+        '’' | '′' => "'",
+        // In braces, for after a line break or an item it would open an option.
+        '[' => "{[}",
+        ']' => "{]}",
+        '\u{a0}' | '\u{202f}' => "~",
+        '–' => "--",
+        '—' => "---",
+        '‐' | '‑' => "-",
+        '−' => "$-$",
+        '×' => r"$\times$",
+        '÷' => r"$\div$",
+        '·' => r"$\cdot$",
+        '±' => r"$\pm$",
+        '≤' => r"$\leq$",
+        '≥' => r"$\geq$",
+        '≠' => r"$\neq$",
+        '≈' => r"$\approx$",
+        '°' => r"$^\circ$",
+        '½' => r"$\frac{1}{2}$",
+        '¼' => r"$\frac{1}{4}$",
+        '¾' => r"$\frac{3}{4}$",
+        '²' => "$^2$",
+        '³' => "$^3$",
+        '√' => r"$\surd$",
+        'α' => r"$\alpha$",
+        'β' => r"$\beta$",
+        'γ' => r"$\gamma$",
+        'θ' => r"$\theta$",
+        'λ' => r"$\lambda$",
+        'μ' | 'µ' => r"$\mu$",
+        'π' => r"$\pi$",
+        'φ' => r"$\phi$",
+        '£' => r"\pounds{}",
+        '€' => "EUR",
+        '…' => r"\ldots{}",
+        '•' => r"$\bullet$",
+        'ð' | 'đ' => "d",
+        'Ð' | 'Đ' => "D",
+        'þ' => "th",
+        'Þ' => "Th",
+        'ą' => "a",
+        'ę' => "e",
+        'Ą' => "A",
+        'Ę' => "E",
+        _ => return None,
+    })
+}
+
+/// Letters that pdfLaTeX's oldest fonts compose from a letter and an accent.
+fn is_composed(c: char) -> bool {
+    matches!(c, 'À'..='Ö' | 'Ø'..='Ý' | 'ß'..='ö' | 'ø'..='ý' | 'ÿ' | '¡' | '¿')
+        || "ĀāĂăĆćĈĉĊċČčĎďĒēĔĕĖėĚěĜĝĞğĠġĤĥĨĩĪīĬĭİıĴĵŁłĹĺĽľŃńŇňŌōŎŏŐőŒœŔŕŘřŚśŜŝŞşŠšŢţŤťŨũŪūŬŭŮůŰűŴŵŶŷŸŹźŻżŽž".contains(c)
+}
