@@ -26,4 +26,10 @@ impl Fault {
         self.help = Some(help.into());
         self
     }
+
+    /// The fault as it stands in a longer text, in which the text that was read begins at `start`.
+    pub fn shifted(self, start: usize) -> Fault {
+        let span = Span { start: self.span.start + start, end: self.span.end + start };
+        Fault { span, ..self }
+    }
 }

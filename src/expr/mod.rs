@@ -6,6 +6,7 @@
 mod evaluate;
 mod fault;
 pub mod print;
+mod read;
 mod text;
 mod tree;
 mod turn;
@@ -14,6 +15,7 @@ mod written;
 
 pub use evaluate::{Meaning, Names, degrees, evaluate, holds, number};
 pub use fault::Fault;
+pub use read::{Angles, read};
 pub use text::{Piece, Text};
 pub use tree::{Expr, Function, Name, Relation, Span};
 pub use turn::Turn;

@@ -58,7 +58,7 @@ fn bare(expr: &Expr) -> String {
         Expr::Degrees(inner) => format!("{}*deg", at(inner, Hold::Atom)),
         Expr::Negative(inner) => format!("-{}", at(inner, Hold::Product)),
         Expr::Sum(terms) => sum(terms),
-        Expr::Product(factors) => factors.iter().map(|f| at(f, Hold::Power)).collect::<Vec<_>>().join("*"),
+        Expr::Product(factors) => product(factors),
         Expr::Quotient(numerator, denominator) => {
             let top = match &**numerator {
                 product @ Expr::Product(_) => bare(product),
@@ -71,6 +71,20 @@ fn bare(expr: &Expr) -> String {
         Expr::Vector(x, y) => format!("[{}, {}]", bare(x), bare(y)),
         Expr::Relation(left, relation, right) => format!("{} {} {}", bare(left), sign(*relation), bare(right)),
     }
+}
+
+fn product(factors: &[Expr]) -> String {
+    let mut out = String::new();
+    for (place, factor) in factors.iter().enumerate() {
+        let text = at(factor, Hold::Power);
+        match text.as_str() {
+            _ if place == 0 => out.push_str(&text),
+            // A bare `*deg` would make degrees of the factor before it.
+            "deg" => out.push_str("*(deg)"),
+            _ => out.extend(["*", &text]),
+        }
+    }
+    out
 }
 
 fn sum(terms: &[Expr]) -> String {

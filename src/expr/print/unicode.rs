@@ -66,6 +66,10 @@ fn linear(item: &Item) -> String {
             let top = if is_product(top) { unicode_row(top) } else { closed(top) };
             format!("{top}/{}", closed(bottom))
         }
+        // The bar of the root cannot be drawn, so `√x²` would be read in two ways.
+        Item::Root(inner) if matches!(inner[..], [Item::Power(..)] | [_, Item::Degree]) => {
+            format!("√({})", unicode_row(inner))
+        }
         Item::Root(inner) => format!("√{}", closed(inner)),
         Item::Power(base, exponent) => {
             let above = unicode_row(exponent);

@@ -1,0 +1,470 @@
+//! Tokens into a tree, the tightest sign first: `^`, then `*` and `/`, then `+` and `-`, then a relation.
+//!
+//! A minus sign holds less tightly than a power, as on paper: `-2^2` is -4. Writing side by side
+//! holds as `*` does, so `1/2m` is half of m.
+
+use super::lexer::{Placed, Token, tokens};
+use crate::expr::fault::Fault;
+use crate::expr::{Expr, Function, Name, Span};
+use crate::number::Fraction;
+
+/// The measure of a bare number under `sin`, `cos` and `tan`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Angles {
+    /// Radians, as in the exchange format.
+    Radians,
+    /// Degrees, as in a student's answer and in the words of a question: `6sin10`.
+    Degrees,
+}
+
+/// Reads an expression or a relation between two.
+///
+/// In degrees, every number that stands bare in the argument of `sin`, `cos` or `tan` becomes so
+/// many degrees; letters, `pi` and the results of inverse functions are angles already.
+///
+/// ```
+/// use carom::expr::{print, read};
+/// use carom::expr::Angles;
+/// let size = read("6sin10", Angles::Degrees).unwrap();
+/// assert_eq!(print::plain(&size), "6*sin(10*deg)");
+/// let fault = read("2*(u + ", Angles::Degrees).unwrap_err();
+/// assert_eq!(fault.message, "the expression ends too early");
+/// ```
+pub fn read(text: &str, angles: Angles) -> Result<Expr, Fault> {
+    read_with(text, angles, Decimals::Exact)
+}
+
+/// What becomes of a number with a decimal point.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Decimals {
+    /// The number that it is.
+    Exact,
+    /// The digits as they were written, for printing.
+    AsWritten,
+}
+
+pub(super) fn read_with(text: &str, angles: Angles, decimals: Decimals) -> Result<Expr, Fault> {
+    let tokens = tokens(text)?;
+    let mut parser = Parser { tokens: &tokens, next: 0, end: text.trim_end().len(), depth: 0, angles, decimals };
+    let whole = parser.relation()?;
+    match parser.peek() {
+        None => Ok(whole.expr),
+        Some(_) => Err(parser.unexpected()),
+    }
+}
+
+/// Deeper nesting than any formula has, and far less than would exhaust the stack.
+const DEEPEST: usize = 100;
+
+struct Parser<'a> {
+    tokens: &'a [Placed],
+    next: usize,
+    end: usize,
+    depth: usize,
+    angles: Angles,
+    decimals: Decimals,
+}
+
+/// A tree under construction, and the number of nodes from its root to its deepest leaf.
+struct Part {
+    expr: Expr,
+    height: usize,
+}
+
+impl Part {
+    fn leaf(expr: Expr) -> Part {
+        Part { expr, height: 1 }
+    }
+}
+
+impl<'a> Parser<'a> {
+    fn peek(&self) -> Option<&'a Token> {
+        self.tokens.get(self.next).map(|placed| &placed.token)
+    }
+
+    fn span(&self) -> Span {
+        self.tokens.get(self.next).map_or(Span { start: self.end, end: self.end }, |placed| placed.span)
+    }
+
+    fn eat(&mut self, token: &Token) -> bool {
+        let found = self.peek() == Some(token);
+        self.next += usize::from(found);
+        found
+    }
+
+    /// Keeps a node unless it lies too deep.
+    fn node(&self, expr: Expr, below: usize) -> Result<Part, Fault> {
+        if below >= DEEPEST {
+            return Err(self.too_deep());
+        }
+        Ok(Part { expr, height: below + 1 })
+    }
+
+    fn too_deep(&self) -> Fault {
+        let span = self.tokens.get(self.next.saturating_sub(1)).map_or(self.span(), |placed| placed.span);
+        Fault::new("the expression is nested too deeply", span, format!("more than {DEEPEST} levels here"))
+    }
+
+    /// Runs a rule one level further down.
+    fn nested(&mut self, rule: impl FnOnce(&mut Self) -> Result<Part, Fault>) -> Result<Part, Fault> {
+        if self.depth >= DEEPEST {
+            return Err(self.too_deep());
+        }
+        self.depth += 1;
+        let part = rule(self);
+        self.depth -= 1;
+        part
+    }
+
+    fn relation(&mut self) -> Result<Part, Fault> {
+        let left = self.sum()?;
+        let Some(Token::Relation(relation)) = self.peek() else { return Ok(left) };
+        self.next += 1;
+        let right = self.sum()?;
+        if let Some(Token::Relation(_)) = self.peek() {
+            return Err(Fault::new("a second relation", self.span(), "one relation at most")
+                .try_this("write two conditions instead of a chain"));
+        }
+        let below = left.height.max(right.height);
+        self.node(Expr::Relation(Box::new(left.expr), *relation, Box::new(right.expr)), below)
+    }
+
+    fn sum(&mut self) -> Result<Part, Fault> {
+        let mut terms = Vec::new();
+        let mut height = 0;
+        // A plus sign in front says nothing.
+        self.eat(&Token::Plus);
+        loop {
+            let term = self.term()?;
+            height = height.max(term.height);
+            terms.push(term.expr);
+            if self.eat(&Token::Plus) {
+                continue;
+            }
+            if self.peek() != Some(&Token::Minus) {
+                break;
+            }
+        }
+        if terms.len() == 1 {
+            return Ok(Part { expr: terms.remove(0), height });
+        }
+        self.node(Expr::Sum(terms), height)
+    }
+
+    /// A product, with the minus signs before it.
+    fn term(&mut self) -> Result<Part, Fault> {
+        if self.eat(&Token::Minus) {
+            let inner = self.nested(Self::term)?;
+            return self.node(Expr::Negative(Box::new(inner.expr)), inner.height);
+        }
+        self.product()
+    }
+
+    fn product(&mut self) -> Result<Part, Fault> {
+        let mut left = self.factor()?;
+        // Only a product of this loop takes a further factor: brackets around one are kept.
+        let mut open = false;
+        loop {
+            if self.eat(&Token::Over) {
+                let right = self.signed_factor()?;
+                let below = left.height.max(right.height);
+                left = self.node(Expr::Quotient(Box::new(left.expr), Box::new(right.expr)), below)?;
+                open = false;
+                continue;
+            }
+            let right = if self.eat(&Token::Times) {
+                let raised = self.tokens.get(self.next + 1).is_some_and(|placed| placed.token == Token::Power);
+                if !raised && self.eat(&Token::Degrees) {
+                    left = self.measured(left, open)?;
+                    continue;
+                }
+                self.signed_factor()?
+            } else if self.continues_product()? {
+                self.factor()?
+            } else {
+                return Ok(left);
+            };
+            left = match left.expr {
+                Expr::Product(mut factors) if open => {
+                    factors.push(right.expr);
+                    // A product's height counts its own node already.
+                    self.node(Expr::Product(factors), (left.height - 1).max(right.height))?
+                }
+                other => self.node(Expr::Product(vec![other, right.expr]), left.height.max(right.height))?,
+            };
+            open = true;
+        }
+    }
+
+    /// `x*deg`: the last factor of an open product, or the whole of anything else, in degrees.
+    fn measured(&self, left: Part, open: bool) -> Result<Part, Fault> {
+        match left.expr {
+            Expr::Product(mut factors) if open => {
+                if let Some(last) = factors.pop() {
+                    factors.push(Expr::degrees(last));
+                }
+                self.node(Expr::Product(factors), left.height)
+            }
+            other => self.node(Expr::degrees(other), left.height),
+        }
+    }
+
+    /// After `*` and `/` a minus sign may stand without brackets.
+    fn signed_factor(&mut self) -> Result<Part, Fault> {
+        if self.eat(&Token::Minus) {
+            let inner = self.nested(Self::signed_factor)?;
+            return self.node(Expr::Negative(Box::new(inner.expr)), inner.height);
+        }
+        self.factor()
+    }
+
+    /// An operand with its power, in degrees if their sign follows.
+    fn factor(&mut self) -> Result<Part, Fault> {
+        let mut part = self.power()?;
+        while self.eat(&Token::Degrees) {
+            part = self.node(Expr::degrees(part.expr), part.height)?;
+        }
+        Ok(part)
+    }
+
+    fn power(&mut self) -> Result<Part, Fault> {
+        let base = self.operand()?;
+        if !self.eat(&Token::Power) {
+            return Ok(base);
+        }
+        let exponent = self.nested(Self::exponent)?;
+        let below = base.height.max(exponent.height);
+        self.node(Expr::Power(Box::new(base.expr), Box::new(exponent.expr)), below)
+    }
+
+    /// Powers of powers are taken from the right: `2^3^2` is `2^9`.
+    fn exponent(&mut self) -> Result<Part, Fault> {
+        if self.eat(&Token::Minus) {
+            let inner = self.nested(Self::exponent)?;
+            return self.node(Expr::Negative(Box::new(inner.expr)), inner.height);
+        }
+        self.power()
+    }
+
+    /// Does a factor follow that is written side by side with the one before? A number does not do so.
+    fn continues_product(&self) -> Result<bool, Fault> {
+        match self.peek() {
+            Some(Token::Number(_) | Token::Vulgar(..)) => {
+                Err(Fault::new("a number without a sign before it", self.span(), "expected `+`, `-`, `*` or `/`"))
+            }
+            Some(Token::Name(_) | Token::Function(_) | Token::Pi | Token::Degrees | Token::Root | Token::Open(_)) => {
+                Ok(true)
+            }
+            _ => Ok(false),
+        }
+    }
+
+    fn operand(&mut self) -> Result<Part, Fault> {
+        let span = self.span();
+        let Some(token) = self.peek() else { return Err(self.unexpected()) };
+        match token {
+            Token::Open(open) => self.nested(|parser| parser.brackets(*open)),
+            Token::Root => {
+                self.next += 1;
+                let inner = self.nested(Self::operand)?;
+                self.node(Expr::call(Function::Sqrt, inner.expr), inner.height)
+            }
+            Token::Function(function) => {
+                self.next += 1;
+                self.nested(|parser| parser.call(*function, span))
+            }
+            _ => self.atom(),
+        }
+    }
+
+    /// A number, name or constant.
+    fn atom(&mut self) -> Result<Part, Fault> {
+        let span = self.span();
+        let expr = match self.peek() {
+            Some(Token::Number(digits)) if digits.contains('.') && self.decimals == Decimals::AsWritten => {
+                Expr::Decimal(digits.clone())
+            }
+            Some(Token::Number(digits)) => match digits.parse::<Fraction>() {
+                Ok(whole) => match self.tokens.get(self.next + 1) {
+                    // Two and a half, written `2½`.
+                    Some(Placed { token: Token::Vulgar(numerator, denominator), spaced: false, .. }) => {
+                        self.next += 1;
+                        Expr::Number(whole + Fraction::new(*numerator, *denominator))
+                    }
+                    _ => Expr::Number(whole),
+                },
+                Err(_) => return Err(Fault::new(format!("`{digits}` is no number"), span, "not a number")),
+            },
+            Some(Token::Vulgar(numerator, denominator)) => Expr::Number(Fraction::new(*numerator, *denominator)),
+            Some(Token::Name(text)) => Expr::Name(Name { text: text.clone(), span }),
+            Some(Token::Pi) => Expr::Pi,
+            Some(Token::Degrees) => Expr::degrees(Expr::integer(1)),
+            _ => return Err(self.unexpected()),
+        };
+        self.next += 1;
+        Ok(Part::leaf(expr))
+    }
+
+    /// Brackets around one expression, or around the two components of a vector.
+    fn brackets(&mut self, open: char) -> Result<Part, Fault> {
+        let opened = self.span();
+        self.next += 1;
+        let first = self.sum()?;
+        let part = if self.eat(&Token::Comma) {
+            let second = self.sum()?;
+            let below = first.height.max(second.height);
+            self.node(Expr::Vector(Box::new(first.expr), Box::new(second.expr)), below)?
+        } else {
+            first
+        };
+        let close = if open == '(' { ')' } else { ']' };
+        match self.peek() {
+            Some(Token::Close(found)) if *found == close => {
+                self.next += 1;
+                Ok(part)
+            }
+            None => Err(Fault::new(format!("`{open}` is never closed"), opened, format!("its `{close}` is missing"))),
+            Some(Token::Comma) => {
+                Err(Fault::new("a third component", self.span(), "a vector has two components, along i and j"))
+            }
+            Some(Token::Relation(_)) => Err(Fault::new("a relation in brackets", self.span(), "only outside brackets")),
+            Some(Token::Close(found)) => {
+                Err(Fault::new(format!("`{found}` closes `{open}`"), self.span(), format!("expected `{close}`")))
+            }
+            Some(_) => Err(self.unexpected()),
+        }
+    }
+
+    /// What follows a function's name: perhaps a power, then its argument.
+    fn call(&mut self, function: Function, named: Span) -> Result<Part, Fault> {
+        let power = if self.eat(&Token::Power) {
+            let negative = self.eat(&Token::Minus);
+            let exponent = match self.peek() {
+                Some(Token::Open(_)) => self.operand()?,
+                _ => self.atom()?,
+            };
+            Some(if negative { self.node(exponent.expr.negated(), exponent.height)? } else { exponent })
+        } else {
+            None
+        };
+        let argument = match self.peek() {
+            Some(Token::Open(_)) => self.operand()?,
+            _ => self.bare_argument(function, named)?,
+        };
+        let (function, power) = match (inverse(function), power) {
+            (Some(inverse), Some(power)) if power.expr == Expr::integer(-1) => (inverse, None),
+            (_, power) => (function, power),
+        };
+        let below = argument.height + 1;
+        let argument = match (function, self.angles) {
+            (Function::Sin | Function::Cos | Function::Tan, Angles::Degrees) => in_degrees(argument.expr),
+            _ => argument.expr,
+        };
+        let call = self.node(Expr::call(function, argument), below)?;
+        match power {
+            None => Ok(call),
+            Some(power) => {
+                let below = power.height.max(call.height);
+                self.node(Expr::Power(Box::new(call.expr), Box::new(power.expr)), below)
+            }
+        }
+    }
+
+    /// An argument without brackets: what is written tightly together, as in `sin2x` or `cos alpha`.
+    fn bare_argument(&mut self, function: Function, named: Span) -> Result<Part, Fault> {
+        if !matches!(self.peek(), Some(Token::Number(_) | Token::Name(_) | Token::Pi | Token::Vulgar(..) | Token::Root))
+        {
+            let name = function.name();
+            return Err(Fault::new(format!("`{name}` without its argument"), named, "an argument must follow")
+                .try_this(format!("write `{name}(x)`")));
+        }
+        let first = match self.peek() {
+            Some(Token::Root) => self.operand()?,
+            _ => self.atom()?,
+        };
+        let mut height = first.height;
+        let mut factors = vec![first.expr];
+        let one_only = matches!(function, Function::Sqrt | Function::Abs);
+        while !one_only && self.continues_argument() {
+            let next = self.atom()?;
+            height = height.max(next.height);
+            factors.push(next.expr);
+        }
+        if let (Some(Token::Power), false) = (self.peek(), one_only) {
+            return Err(Fault::new(
+                "a power after a function without brackets",
+                self.span(),
+                "of the argument, or of the whole",
+            )
+            .try_this(format!("write `{0}(x^2)` or `{0}(x)^2`", function.name())));
+        }
+        let mut part = match factors.len() {
+            1 => Part { expr: factors.remove(0), height },
+            _ => self.node(Expr::Product(factors), height)?,
+        };
+        while !one_only && self.eat(&Token::Degrees) {
+            part = self.node(Expr::degrees(part.expr), part.height)?;
+        }
+        Ok(part)
+    }
+
+    /// Does the next token belong to the same bare argument? Space ends it, and so does a unit vector.
+    fn continues_argument(&self) -> bool {
+        self.tokens.get(self.next).is_some_and(|placed| {
+            let fits = match &placed.token {
+                Token::Pi => true,
+                Token::Name(name) => name != "i" && name != "j",
+                _ => false,
+            };
+            fits && !placed.spaced
+        })
+    }
+
+    /// The fault of a token that cannot stand where it does.
+    fn unexpected(&self) -> Fault {
+        let span = self.span();
+        match self.peek() {
+            None if self.tokens.is_empty() => {
+                Fault::new("an empty expression", span, "expected a number, letter or `(`")
+            }
+            None => Fault::new("the expression ends too early", span, "expected a number, letter or `(`"),
+            Some(Token::Close(close)) => Fault::new(format!("unexpected `{close}`"), span, "nothing to close here"),
+            Some(Token::Comma) => Fault::new("unexpected `,`", span, "a vector needs brackets")
+                .try_this("write a vector as `[2, 3]` or `2i + 3j`"),
+            Some(Token::Relation(_)) => {
+                Fault::new("a relation without its left side", span, "expected a number, letter or `(`")
+            }
+            Some(_) => Fault::new("a sign without its operand", span, "expected a number, letter or `(`"),
+        }
+    }
+}
+
+/// The argument of a function with the numbers that stand bare in it taken as degrees.
+fn in_degrees(argument: Expr) -> Expr {
+    match argument {
+        Expr::Sum(terms) if !terms.iter().all(is_numeric) => Expr::Sum(terms.into_iter().map(in_degrees).collect()),
+        Expr::Negative(inner) if !is_numeric(&inner) => Expr::Negative(Box::new(in_degrees(*inner))),
+        other if is_numeric(&other) => Expr::degrees(other),
+        other => other,
+    }
+}
+
+/// Is it made of numbers alone, with no letter and nothing that is an angle already?
+fn is_numeric(expr: &Expr) -> bool {
+    match expr {
+        Expr::Number(_) | Expr::Decimal(_) => true,
+        Expr::Name(_) | Expr::Pi | Expr::Degrees(_) | Expr::Vector(..) | Expr::Relation(..) => false,
+        Expr::Call(Function::Asin | Function::Acos | Function::Atan, _) => false,
+        Expr::Call(Function::Sin | Function::Cos | Function::Tan, _) => true,
+        other => other.children().into_iter().all(is_numeric),
+    }
+}
+
+fn inverse(function: Function) -> Option<Function> {
+    match function {
+        Function::Sin => Some(Function::Asin),
+        Function::Cos => Some(Function::Acos),
+        Function::Tan => Some(Function::Atan),
+        _ => None,
+    }
+}
