@@ -1,6 +1,6 @@
 //! Words with formulas in them, before it is decided on what they are printed.
 
-use super::Expr;
+use super::{Expr, Name};
 use crate::unit::Unit;
 
 /// A run of words, formulas and quantities.
@@ -31,5 +31,54 @@ impl Text {
     /// Is there nothing in it?
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
+    }
+
+    /// The text with each formula and the size of each quantity changed, or the first error met.
+    ///
+    /// ```
+    /// use carom::expr::{Expr, print, read_markup};
+    /// let stem = read_markup("a mass of {k kg}").unwrap();
+    /// let filled = stem[0].map_formulas(&mut |formula| {
+    ///     Ok::<_, ()>(formula.substitute(&|name| (name == "k").then(|| Expr::integer(3))))
+    /// });
+    /// assert_eq!(print::text_unicode(&filled.unwrap()), "a mass of 3 kg");
+    /// ```
+    pub fn map_formulas<E>(&self, change: &mut impl FnMut(&Expr) -> Result<Expr, E>) -> Result<Text, E> {
+        changed(&self.0, change).map(Text)
+    }
+
+    /// Every formula and size of a quantity, in order.
+    pub fn formulas(&self) -> Vec<&Expr> {
+        let mut found = Vec::new();
+        collect(&self.0, &mut found);
+        found
+    }
+
+    /// Every name in its formulas, with the place where it was read.
+    pub fn names(&self) -> Vec<&Name> {
+        self.formulas().into_iter().flat_map(Expr::names).collect()
+    }
+}
+
+fn changed<E>(pieces: &[Piece], change: &mut impl FnMut(&Expr) -> Result<Expr, E>) -> Result<Vec<Piece>, E> {
+    let each = |piece: &Piece| {
+        Ok(match piece {
+            Piece::Words(words) => Piece::Words(words.clone()),
+            Piece::Italic(inner) => Piece::Italic(changed(inner, change)?),
+            Piece::Formula(expr) => Piece::Formula(change(expr)?),
+            Piece::Quantity(expr, unit) => Piece::Quantity(change(expr)?, *unit),
+            Piece::Display(expr) => Piece::Display(change(expr)?),
+        })
+    };
+    pieces.iter().map(each).collect()
+}
+
+fn collect<'a>(pieces: &'a [Piece], found: &mut Vec<&'a Expr>) {
+    for piece in pieces {
+        match piece {
+            Piece::Words(_) => {}
+            Piece::Italic(inner) => collect(inner, found),
+            Piece::Formula(expr) | Piece::Quantity(expr, _) | Piece::Display(expr) => found.push(expr),
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! Walks over an expression: its names, and other expressions put in their place.
 
-use super::{Expr, Name};
+use super::{Expr, Name, Span};
 
 impl Expr {
     /// The same node with each child replaced.
@@ -41,6 +41,16 @@ impl Expr {
         match self {
             Expr::Name(name) => value(&name.text).unwrap_or_else(|| self.clone()),
             _ => self.map_children(&mut |child| child.substitute(value)),
+        }
+    }
+
+    /// The expression with the places of its names moved on by so many bytes.
+    pub(crate) fn moved(self, by: usize) -> Expr {
+        match self {
+            Expr::Name(Name { text, span }) => {
+                Expr::Name(Name { text, span: Span { start: span.start + by, end: span.end + by } })
+            }
+            other => other.map_children(&mut |child| child.clone().moved(by)),
         }
     }
 

@@ -59,15 +59,24 @@ pub(super) fn layout(expr: &Expr) -> Row {
 
 /// The layout of a value with its unit: `(4i - j) m s^-1`, `30°`.
 pub(super) fn quantity(expr: &Expr, unit: Unit) -> Row {
-    let expr = by_components(&tidied(expr));
-    let size = behind_minus(&expr);
-    match unit {
-        Unit::None => row(&expr),
-        Unit::Degree if matches!(expr, Expr::Degrees(_)) => row(&expr),
-        Unit::Degree => row(&Expr::degrees(expr)),
+    measured(&by_components(&tidied(expr)), unit)
+}
+
+fn measured(expr: &Expr, unit: Unit) -> Row {
+    match (expr, unit) {
+        // In `u = 4 m s^-1` the unit belongs to the right side.
+        (Expr::Relation(left, relation, right), _) => {
+            let mut items = row(left);
+            items.push(Item::Relation(*relation));
+            items.extend(measured(right, unit));
+            items
+        }
+        (_, Unit::None) | (Expr::Degrees(_), Unit::Degree) => row(expr),
+        (_, Unit::Degree) => row(&Expr::degrees(expr.clone())),
         _ => {
-            let loose = is_loose(size.as_ref().unwrap_or(&expr));
-            let mut items = if loose { vec![Item::Brackets(row(&expr))] } else { row(&expr) };
+            let size = behind_minus(expr);
+            let loose = is_loose(size.as_ref().unwrap_or(expr));
+            let mut items = if loose { bracketed(expr) } else { row(expr) };
             items.push(Item::Unit(unit));
             items
         }

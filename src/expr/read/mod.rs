@@ -3,9 +3,13 @@
 //! Whatever the text, the answer is a tree or a [`Fault`](super::Fault): length and depth are limited.
 
 mod lexer;
+mod markup;
 mod parser;
 
+pub use markup::{Markup, read_markup};
 pub use parser::{Angles, read};
 
+#[cfg(test)]
+mod markup_tests;
 #[cfg(test)]
 mod tests;
