@@ -72,6 +72,8 @@ fn measured(expr: &Expr, unit: Unit) -> Row {
             items
         }
         (_, Unit::None) | (Expr::Degrees(_), Unit::Degree) => row(expr),
+        // So many degrees as an angle has is that angle.
+        (Expr::Quotient(angle, one), Unit::Degree) if **one == Expr::degrees(Expr::integer(1)) => row(angle),
         (_, Unit::Degree) => row(&Expr::degrees(expr.clone())),
         _ => {
             let size = behind_minus(expr);
@@ -185,7 +187,8 @@ fn product(factors: &[Expr]) -> Row {
     for (place, factor) in factors.iter().enumerate() {
         let next = operand(factor);
         if place > 0 {
-            let sign = match (is_numeric(factor, &next), next.first(), open_argument(&mut items)) {
+            let shows = is_times_shown(items.last(), factor, &next);
+            let sign = match (shows, next.first(), open_argument(&mut items)) {
                 (true, ..) => Item::Times,
                 (_, Some(Item::Bold(_)), Some(_)) => Item::Gap,
                 (_, Some(Item::Call(..)), _) | (.., None) => Item::Beside,
@@ -203,10 +206,17 @@ fn product(factors: &[Expr]) -> Row {
 }
 
 /// Does a multiplication sign show before the factor? It does before digits and negative numbers.
-fn is_numeric(factor: &Expr, next: &Row) -> bool {
-    match behind_minus(factor) {
-        Some(size) => matches!(size, Expr::Number(_) | Expr::Decimal(_)),
-        None => begins_with_digit(next),
+fn is_times_shown(before: Option<&Item>, factor: &Expr, next: &Row) -> bool {
+    if let Some(size) = behind_minus(factor) {
+        return matches!(size, Expr::Number(_) | Expr::Decimal(_));
+    }
+    match next.first() {
+        Some(Item::Fraction(top, bottom)) => {
+            let number = matches!((&top[..], &bottom[..]), ([Item::Digits(_)], [Item::Digits(_)]));
+            // A number straight before a fraction that begins with digits would look like a mixed number.
+            number || (matches!(before, Some(Item::Digits(_))) && begins_with_digit(top))
+        }
+        _ => begins_with_digit(next),
     }
 }
 
@@ -243,6 +253,7 @@ fn argument_row(argument: &Expr) -> Row {
     let number = matches!(argument, Expr::Number(_)) && behind_minus(argument).is_none();
     let alone = match argument {
         Expr::Degrees(inner) => is_digits(inner) || is_letter(inner),
+        Expr::Quotient(top, bottom) => is_digits(top) && is_digits(bottom),
         other => number || is_digits(other) || is_letter(other),
     };
     if alone { row(argument) } else { bracketed(argument) }

@@ -98,9 +98,17 @@ fn carom_knows_that_a_formula_is_written_as_a_teacher_writes_it() {
         (sin(times([n(2), x("x")])), "sin(2*x)", r"\sin(2x)", "sin(2x)"),
         (cos(x("x")), "cos(x)", r"\cos x", "cos x"),
         (Expr::call(Function::Atan, f(1, 7)), "atan(1/7)", r"\arctan\frac{1}{7}", "arctan(1/7)"),
+        (Expr::call(Function::Atan, over(n(3), n(4))), "atan(3/4)", r"\arctan\frac{3}{4}", "arctan(3/4)"),
         (Expr::call(Function::Abs, x("x")), "abs(x)", "|x|", "|x|"),
         (Expr::call(Function::Abs, neg(x("x"))), "abs(-x)", r"\left|-x\right|", "|−x|"),
         (times([n(2), over(x("v"), n(3))]), "2*(v/3)", r"2\frac{v}{3}", "2(v/3)"),
+        (
+            times([x("u"), over(sum([n(1), x("e")]), n(3)), cos(x("alpha"))]),
+            "u*((1 + e)/3)*cos(alpha)",
+            r"u\frac{1+e}{3}\cos\alpha",
+            "u((1 + e)/3) cos α",
+        ),
+        (times([n(2), over(times([n(3), x("e")]), n(5))]), "2*(3*e/5)", r"2\times\frac{3e}{5}", "2 × 3e/5"),
         (times([root(n(3)), x("v")]), "sqrt(3)*v", r"\sqrt{3}v", "√3 v"),
         (times([x("v"), root(sum([n(1), x("e")]))]), "v*sqrt(1 + e)", r"v\sqrt{1+e}", "v√(1 + e)"),
         (times([root(n(3)), n(2)]), "sqrt(3)*2", r"\sqrt{3}\times 2", "√3 × 2"),
@@ -173,6 +181,7 @@ fn carom_knows_how_a_quantity_stands_with_its_unit() {
         (angle(deg(30)), r"$30^\circ$", "30°"),
         (angle(n(-30)), r"$-30^\circ$", "−30°"),
         (angle(Expr::call(Function::Atan, n(7))), r"$(\arctan 7)^\circ$", "(arctan 7)°"),
+        (angle(over(Expr::call(Function::Atan, n(7)), deg(1))), r"$\arctan 7$", "arctan 7"),
         (angle(sum([n(180), neg(x("x"))])), r"$(180-x)^\circ$", "(180 − x)°"),
     ];
     for (text, as_latex, as_unicode) in rows {

@@ -106,7 +106,7 @@ fn latex_command(c: char) -> Option<&'static str> {
         'μ' | 'µ' => r"$\mu$",
         'π' => r"$\pi$",
         'φ' => r"$\phi$",
-        '£' => r"\pounds{}",
+        '£' => r"$\pounds$",
         '€' => "EUR",
         '…' => r"\ldots{}",
         '•' => r"$\bullet$",
