@@ -1,31 +1,30 @@
-//! What is wrong with a text that should be an expression, and where.
+//! A fault in an expression: what is wrong, where, what was expected and one thing to try.
 
 use super::Span;
 
-/// A fault in a text: what was found, where, and what to try.
-///
-/// The text of each part is lower case, with what was read in backticks and no full stop.
+/// A fault in the text of an expression. Messages are lower case, names in backticks, no full stop.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fault {
     /// What is wrong.
     pub message: String,
-    /// Where, in bytes of the text that was read.
+    /// Where, in bytes of the expression's text.
     pub span: Span,
-    /// What was expected there: a short label under the caret.
+    /// What stands under the caret: what was expected there.
     pub expected: String,
     /// One thing to try.
     pub help: Option<String>,
 }
 
 impl Fault {
-    /// A fault without a suggestion.
+    /// A fault without help.
     pub fn new(message: impl Into<String>, span: Span, expected: impl Into<String>) -> Fault {
         Fault { message: message.into(), span, expected: expected.into(), help: None }
     }
 
-    /// The fault with a suggestion.
-    pub fn with_help(self, help: impl Into<String>) -> Fault {
-        Fault { help: Some(help.into()), ..self }
+    /// The fault with one thing to try.
+    pub fn try_this(mut self, help: impl Into<String>) -> Fault {
+        self.help = Some(help.into());
+        self
     }
 
     /// The fault as it stands in a longer text, in which the text that was read begins at `start`.

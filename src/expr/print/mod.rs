@@ -1,7 +1,7 @@
 //! Printers: one expression as plain ASCII, LaTeX, MathML or the mathematics of a terminal.
 //!
 //! [`plain`] is the form that other programs parse. The three pretty printers share one
-//! [`layout`](self): signs, brackets, multiplication signs and dropped ones are decided there once,
+//! layout: signs, brackets, multiplication signs and dropped ones are decided there once,
 //! so that a question sheet cannot differ from its web page. No printer simplifies.
 
 mod latex;

@@ -78,7 +78,7 @@ impl<'a> Reader<'a> {
                 '}' => {
                     let span = Span { start: self.at, end: self.at + 1 };
                     return Err(Fault::new("`}` closes nothing", span, "no `{` stands open")
-                        .with_help("write `}}` for a brace that is printed"));
+                        .try_this("write `}}` for a brace that is printed"));
                 }
                 '*' if self.starred() => {}
                 '_' if !self.italic && self.underlined()? => {}
@@ -106,7 +106,7 @@ impl<'a> Reader<'a> {
         let Some(length) = self.rest().find('}') else {
             let span = Span { start: open, end: open + 1 };
             return Err(Fault::new("`{` is never closed", span, "its `}` is missing")
-                .with_help("write `{{` for a brace that is printed"));
+                .try_this("write `{{` for a brace that is printed"));
         };
         let inside = &self.text[open + 1..open + length];
         self.at = open + length + 1;

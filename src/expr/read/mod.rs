@@ -2,6 +2,7 @@
 //!
 //! Whatever the text, the answer is a tree or a [`Fault`](super::Fault): length and depth are limited.
 
+mod call;
 mod lexer;
 mod markup;
 mod parser;

@@ -56,19 +56,20 @@ pub(super) fn read_with(text: &str, angles: Angles, decimals: Decimals) -> Resul
 /// Deeper nesting than any formula has, and far less than would exhaust the stack.
 const DEEPEST: usize = 100;
 
-struct Parser<'a> {
-    tokens: &'a [Placed],
-    next: usize,
+/// A walk over the tokens of a text.
+pub(super) struct Parser<'a> {
+    pub(super) tokens: &'a [Placed],
+    pub(super) next: usize,
     end: usize,
     depth: usize,
-    angles: Angles,
+    pub(super) angles: Angles,
     decimals: Decimals,
 }
 
 /// A tree under construction, and the number of nodes from its root to its deepest leaf.
-struct Part {
-    expr: Expr,
-    height: usize,
+pub(super) struct Part {
+    pub(super) expr: Expr,
+    pub(super) height: usize,
 }
 
 impl Part {
@@ -78,22 +79,22 @@ impl Part {
 }
 
 impl<'a> Parser<'a> {
-    fn peek(&self) -> Option<&'a Token> {
+    pub(super) fn peek(&self) -> Option<&'a Token> {
         self.tokens.get(self.next).map(|placed| &placed.token)
     }
 
-    fn span(&self) -> Span {
+    pub(super) fn span(&self) -> Span {
         self.tokens.get(self.next).map_or(Span { start: self.end, end: self.end }, |placed| placed.span)
     }
 
-    fn eat(&mut self, token: &Token) -> bool {
+    pub(super) fn eat(&mut self, token: &Token) -> bool {
         let found = self.peek() == Some(token);
         self.next += usize::from(found);
         found
     }
 
     /// Keeps a node unless it lies too deep.
-    fn node(&self, expr: Expr, below: usize) -> Result<Part, Fault> {
+    pub(super) fn node(&self, expr: Expr, below: usize) -> Result<Part, Fault> {
         if below >= DEEPEST {
             return Err(self.too_deep());
         }
@@ -123,7 +124,7 @@ impl<'a> Parser<'a> {
         let right = self.sum()?;
         if let Some(Token::Relation(_)) = self.peek() {
             return Err(Fault::new("a second relation", self.span(), "one relation at most")
-                .with_help("write two conditions instead of a chain"));
+                .try_this("write two conditions instead of a chain"));
         }
         let below = left.height.max(right.height);
         self.node(Expr::Relation(Box::new(left.expr), *relation, Box::new(right.expr)), below)
@@ -259,7 +260,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    fn operand(&mut self) -> Result<Part, Fault> {
+    pub(super) fn operand(&mut self) -> Result<Part, Fault> {
         let span = self.span();
         let Some(token) = self.peek() else { return Err(self.unexpected()) };
         match token {
@@ -278,7 +279,7 @@ impl<'a> Parser<'a> {
     }
 
     /// A number, name or constant.
-    fn atom(&mut self) -> Result<Part, Fault> {
+    pub(super) fn atom(&mut self) -> Result<Part, Fault> {
         let span = self.span();
         let expr = match self.peek() {
             Some(Token::Number(digits)) if digits.contains('.') && self.decimals == Decimals::AsWritten => {
@@ -335,91 +336,6 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// What follows a function's name: perhaps a power, then its argument.
-    fn call(&mut self, function: Function, named: Span) -> Result<Part, Fault> {
-        let power = if self.eat(&Token::Power) {
-            let negative = self.eat(&Token::Minus);
-            let exponent = match self.peek() {
-                Some(Token::Open(_)) => self.operand()?,
-                _ => self.atom()?,
-            };
-            Some(if negative { self.node(exponent.expr.negated(), exponent.height)? } else { exponent })
-        } else {
-            None
-        };
-        let argument = match self.peek() {
-            Some(Token::Open(_)) => self.operand()?,
-            _ => self.bare_argument(function, named)?,
-        };
-        let (function, power) = match (inverse(function), power) {
-            (Some(inverse), Some(power)) if power.expr == Expr::integer(-1) => (inverse, None),
-            (_, power) => (function, power),
-        };
-        let below = argument.height + 1;
-        let argument = match (function, self.angles) {
-            (Function::Sin | Function::Cos | Function::Tan, Angles::Degrees) => in_degrees(argument.expr),
-            _ => argument.expr,
-        };
-        let call = self.node(Expr::call(function, argument), below)?;
-        match power {
-            None => Ok(call),
-            Some(power) => {
-                let below = power.height.max(call.height);
-                self.node(Expr::Power(Box::new(call.expr), Box::new(power.expr)), below)
-            }
-        }
-    }
-
-    /// An argument without brackets: what is written tightly together, as in `sin2x` or `cos alpha`.
-    fn bare_argument(&mut self, function: Function, named: Span) -> Result<Part, Fault> {
-        if !matches!(self.peek(), Some(Token::Number(_) | Token::Name(_) | Token::Pi | Token::Vulgar(..) | Token::Root))
-        {
-            let name = function.name();
-            return Err(Fault::new(format!("`{name}` without its argument"), named, "an argument must follow")
-                .with_help(format!("write `{name}(x)`")));
-        }
-        let first = match self.peek() {
-            Some(Token::Root) => self.operand()?,
-            _ => self.atom()?,
-        };
-        let mut height = first.height;
-        let mut factors = vec![first.expr];
-        let one_only = matches!(function, Function::Sqrt | Function::Abs);
-        while !one_only && self.continues_argument() {
-            let next = self.atom()?;
-            height = height.max(next.height);
-            factors.push(next.expr);
-        }
-        if let (Some(Token::Power), false) = (self.peek(), one_only) {
-            return Err(Fault::new(
-                "a power after a function without brackets",
-                self.span(),
-                "of the argument, or of the whole",
-            )
-            .with_help(format!("write `{0}(x^2)` or `{0}(x)^2`", function.name())));
-        }
-        let mut part = match factors.len() {
-            1 => Part { expr: factors.remove(0), height },
-            _ => self.node(Expr::Product(factors), height)?,
-        };
-        while !one_only && self.eat(&Token::Degrees) {
-            part = self.node(Expr::degrees(part.expr), part.height)?;
-        }
-        Ok(part)
-    }
-
-    /// Does the next token belong to the same bare argument? Space ends it, and so does a unit vector.
-    fn continues_argument(&self) -> bool {
-        self.tokens.get(self.next).is_some_and(|placed| {
-            let fits = match &placed.token {
-                Token::Pi => true,
-                Token::Name(name) => name != "i" && name != "j",
-                _ => false,
-            };
-            fits && !placed.spaced
-        })
-    }
-
     /// The fault of a token that cannot stand where it does.
     fn unexpected(&self) -> Fault {
         let span = self.span();
@@ -430,41 +346,11 @@ impl<'a> Parser<'a> {
             None => Fault::new("the expression ends too early", span, "expected a number, letter or `(`"),
             Some(Token::Close(close)) => Fault::new(format!("unexpected `{close}`"), span, "nothing to close here"),
             Some(Token::Comma) => Fault::new("unexpected `,`", span, "a vector needs brackets")
-                .with_help("write a vector as `[2, 3]` or `2i + 3j`"),
+                .try_this("write a vector as `[2, 3]` or `2i + 3j`"),
             Some(Token::Relation(_)) => {
                 Fault::new("a relation without its left side", span, "expected a number, letter or `(`")
             }
             Some(_) => Fault::new("a sign without its operand", span, "expected a number, letter or `(`"),
         }
-    }
-}
-
-/// The argument of a function with the numbers that stand bare in it taken as degrees.
-fn in_degrees(argument: Expr) -> Expr {
-    match argument {
-        Expr::Sum(terms) if !terms.iter().all(is_numeric) => Expr::Sum(terms.into_iter().map(in_degrees).collect()),
-        Expr::Negative(inner) if !is_numeric(&inner) => Expr::Negative(Box::new(in_degrees(*inner))),
-        other if is_numeric(&other) => Expr::degrees(other),
-        other => other,
-    }
-}
-
-/// Is it made of numbers alone, with no letter and nothing that is an angle already?
-fn is_numeric(expr: &Expr) -> bool {
-    match expr {
-        Expr::Number(_) | Expr::Decimal(_) => true,
-        Expr::Name(_) | Expr::Pi | Expr::Degrees(_) | Expr::Vector(..) | Expr::Relation(..) => false,
-        Expr::Call(Function::Asin | Function::Acos | Function::Atan, _) => false,
-        Expr::Call(Function::Sin | Function::Cos | Function::Tan, _) => true,
-        other => other.children().into_iter().all(is_numeric),
-    }
-}
-
-fn inverse(function: Function) -> Option<Function> {
-    match function {
-        Function::Sin => Some(Function::Asin),
-        Function::Cos => Some(Function::Acos),
-        Function::Tan => Some(Function::Atan),
-        _ => None,
     }
 }
