@@ -3,4 +3,5 @@ pub mod expr;
 pub mod mechanics;
 pub mod number;
 pub mod paper;
+pub mod render;
 pub mod unit;
