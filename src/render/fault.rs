@@ -31,10 +31,12 @@ pub enum RenderFault {
         /// What the template engine says, with line and caret where there are any.
         message: String,
     },
-    /// A template uses a name that no page has.
+    /// A template uses a name that there is not.
     UnknownName {
         /// Path of the template.
         file: String,
+        /// What it is looked for in: a `page`, a `question`, a `part`, …
+        of: String,
         /// The name that it uses.
         name: String,
         /// The names that there are.
@@ -54,14 +56,18 @@ impl fmt::Display for RenderFault {
             RenderFault::Manifest { file, message } | RenderFault::Template { file, message } => {
                 write!(f, "templates/{file}: {message}")
             }
-            RenderFault::UnknownName { file, name, available } => {
-                write!(f, "templates/{file}: unknown name `{name}`: a page has {}", listed(available))
+            RenderFault::UnknownName { file, of, name, available } => {
+                write!(f, "templates/{file}: unknown name `{name}`: {} {of} has {}", article(of), listed(available))
             }
         }
     }
 }
 
 impl std::error::Error for RenderFault {}
+
+fn article(noun: &str) -> &'static str {
+    if noun.starts_with(['a', 'e']) { "an" } else { "a" }
+}
 
 /// `` `a`, `b` and `c` ``
 fn listed(names: &[String]) -> String {

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use tera::{Context, ErrorKind, Tera};
 
 use super::manifest::Manifest;
-use super::{PageNames, RenderFault, RenderedFile, page};
+use super::{RenderFault, RenderedFile, names, page};
 use crate::paper::Paper;
 
 /// A format whose templates have been read and whose names have been checked.
@@ -24,7 +24,7 @@ impl std::fmt::Debug for Format {
 
 impl Format {
     /// The format in the folder `name`, from the files in it.
-    pub fn load(name: &str, mut files: BTreeMap<String, String>, names: &PageNames) -> Result<Format, RenderFault> {
+    pub fn load(name: &str, mut files: BTreeMap<String, String>) -> Result<Format, RenderFault> {
         let Some(text) = files.remove("format.toml") else {
             return Err(RenderFault::NoManifest { format: name.to_owned() });
         };
@@ -34,8 +34,11 @@ impl Format {
             return Err(unfit(format!("there is no template `{}` in the folder", document.template)));
         }
         let tera = compile(name, &manifest, &files, unfit)?;
+        for (file, template) in &files {
+            names::check(&format!("{name}/{file}"), template, &manifest.delimiters)?;
+        }
         let format = Format { name: name.to_owned(), manifest, tera };
-        format.check_names(names)?;
+        format.check_documents()?;
         Ok(format)
     }
 
@@ -60,10 +63,10 @@ impl Format {
             .collect()
     }
 
-    /// Refuses a template that uses a name which no page has, also where no page would come to it.
+    /// Refuses a document that uses a name by itself which no page has, also where no page would come to it.
     ///
     /// Included templates are left to rendering: they may stand in a loop and use the names of the loop.
-    fn check_names(&self, names: &PageNames) -> Result<(), RenderFault> {
+    fn check_documents(&self) -> Result<(), RenderFault> {
         let variables =
             |path: &str| self.tera.get_template_variables(path).map_err(|fault| template_fault(path, &fault));
         let documents: Vec<String> =
@@ -74,13 +77,9 @@ impl Format {
         }
         for document in &documents {
             let mut unknown = variables(document)?;
-            unknown.retain(|name| !names.contains(*name) && !of_included.contains(name));
+            unknown.retain(|name| !names::is_of_page(name) && !of_included.contains(name));
             if let Some(name) = unknown.into_iter().min() {
-                return Err(RenderFault::UnknownName {
-                    file: document.clone(),
-                    name: name.to_owned(),
-                    available: names.iter().cloned().collect(),
-                });
+                return Err(names::unknown(document, "", name));
             }
         }
         Ok(())

@@ -21,11 +21,12 @@
 mod fault;
 mod format;
 mod manifest;
+mod names;
 mod notation;
 mod page;
 mod shipped;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 pub use fault::RenderFault;
 pub use notation::Notation;
@@ -94,10 +95,9 @@ impl Formats {
                 _ => {}
             }
         }
-        let names = page::names();
         let formats = folders
             .into_iter()
-            .map(|(name, files)| Ok((name.clone(), Format::load(&name, files, &names)?)))
+            .map(|(name, files)| Ok((name.clone(), Format::load(&name, files)?)))
             .collect::<Result<_, RenderFault>>()?;
         Ok(Formats { formats })
     }
@@ -118,6 +118,3 @@ impl Formats {
         }
     }
 }
-
-/// Names that may stand at the top of a page.
-type PageNames = BTreeSet<String>;

@@ -1,12 +1,12 @@
 //! The page: what a template sees of a paper, every formula printed in the notation of the format.
 //!
-//! `templates/README.md` lists these names for those who write templates; a test compares the two.
+//! The fields are the names that templates may use; tests hold [`NAMES`](super::names::NAMES) and `templates/README.md` to them.
 //! Fields of type [`Value`] are printed already and are not escaped again; `String`s are escaped.
 
 use serde::Serialize;
 use tera::Value;
 
-use super::{Notation, PageNames};
+use super::Notation;
 use crate::expr::{Expr, Piece, Relation, Text};
 use crate::paper::{Paper, PrintedAnswer, PrintedPart, PrintedQuestion, SchemeRow, WorkingLine};
 use crate::unit::Unit;
@@ -88,16 +88,6 @@ pub(super) fn page(paper: &Paper, notation: Notation) -> Page {
         seed: paper.seed.map(|seed| seed.to_string()).unwrap_or_default(),
         marks: paper.marks(),
         questions: paper.questions.iter().map(|question| question_on(question, notation)).collect(),
-    }
-}
-
-/// The names at the top of every page.
-pub(super) fn names() -> PageNames {
-    let nothing =
-        Paper { title: String::new(), school: String::new(), date: String::new(), seed: None, questions: Vec::new() };
-    match serde_json::to_value(page(&nothing, Notation::Unicode)) {
-        Ok(serde_json::Value::Object(fields)) => fields.into_iter().map(|(name, _)| name).collect(),
-        _ => PageNames::new(),
     }
 }
 
@@ -196,4 +186,117 @@ fn formula(value: &Expr, notation: Notation) -> Value {
 
 fn nothing() -> Value {
     Value::safe_string("")
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::{BTreeMap, BTreeSet};
+
+    use super::super::names::NAMES;
+    use super::*;
+
+    fn paper() -> Paper {
+        let part = PrintedPart {
+            label: "a".into(),
+            ask: Text::words("Find"),
+            answers: vec![PrintedAnswer {
+                name: Text::words("speed"),
+                exact: Expr::integer(2),
+                rounded: None,
+                unit: Unit::MetrePerSecond,
+                phrase: Text::default(),
+            }],
+            working: vec![WorkingLine {
+                words: Text::default(),
+                equations: vec![Expr::equation(Expr::name("v"), Expr::integer(2))],
+                label: None,
+            }],
+            scheme: vec![SchemeRow {
+                id: "B1".into(),
+                code: "B1".into(),
+                earned: Text::default(),
+                equation: None,
+                note: Text::default(),
+                depends: Vec::new(),
+            }],
+        };
+        let question =
+            PrintedQuestion { number: 1, id: "x/y".into(), mirrors: None, stem: Vec::new(), parts: vec![part] };
+        Paper {
+            title: String::new(),
+            school: String::new(),
+            date: String::new(),
+            seed: None,
+            questions: vec![question],
+        }
+    }
+
+    fn chain<const N: usize>(equations: [Expr; N]) -> [[String; 3]; N] {
+        let working = WorkingLine { words: Text::default(), equations: equations.to_vec(), label: None };
+        let line = line_on(&working, Notation::Unicode);
+        let printed = |value: &Value| value.as_str().unwrap_or_default().to_owned();
+        std::array::from_fn(|i| {
+            let Equation { left, relation, right, .. } = &line.equations[i];
+            [left, relation, right].map(printed)
+        })
+    }
+
+    #[test]
+    fn carom_knows_where_equations_align() {
+        let relation = |left, sign, right| Expr::Relation(Box::new(left), sign, Box::new(right));
+        let (v, two) = (|| Expr::name("v"), || Expr::integer(2));
+        assert_eq!(chain([Expr::equation(v(), two())]), [["v", "=", "2"]]);
+        let repeated = [Expr::equation(v(), two()), relation(v(), Relation::Approximately, two())];
+        assert_eq!(chain(repeated), [["v", "=", "2"], ["", "≈", "2"]]);
+        let implied = relation(Expr::equation(two(), v()), Relation::Implies, Expr::equation(v(), two()));
+        assert_eq!(chain([implied]), [["2", "=", "v ⇒ v = 2"]]);
+        assert_eq!(chain([two()]), [["", "", "2"]]);
+        let apart = [Expr::equation(v(), two()), two(), Expr::equation(v(), two())];
+        assert_eq!(chain(apart).map(|[left, _, _]| left), ["v", "", "v"]);
+    }
+
+    #[test]
+    fn carom_knows_where_a_unit_stands() {
+        let answer = |exact: Expr, rounded: Option<&str>, unit| {
+            let rounded = rounded.map(|digits| Expr::Decimal(digits.into()));
+            let answer = PrintedAnswer { name: Text::default(), exact, rounded, unit, phrase: Text::default() };
+            let on_page = answer_on(&answer, Notation::Latex);
+            [on_page.exact, on_page.rounded].map(|value| value.as_str().unwrap_or_default().to_owned())
+        };
+        let speed = |rounded| answer(Expr::integer(2), rounded, Unit::MetrePerSecond);
+        assert_eq!(speed(None), [r"$2\,\mathrm{m\,s^{-1}}$", ""]);
+        assert_eq!(speed(Some("2.00")), ["$2$", r"$2.00\,\mathrm{m\,s^{-1}}$"]);
+        assert_eq!(answer(Expr::degrees(Expr::integer(60)), None, Unit::Degree), [r"$60^\circ$", ""]);
+        assert_eq!(answer(Expr::integer(60), None, Unit::Degree), [r"$60^\circ$", ""]);
+    }
+
+    /// The fields of a page and, for its lists, of the first thing in them.
+    fn gather(thing: &str, value: &serde_json::Value, found: &mut BTreeMap<String, BTreeSet<String>>) {
+        let Some(fields) = value.as_object() else { return };
+        found.insert(thing.to_owned(), fields.keys().cloned().collect());
+        let things = [
+            ("questions", "question"),
+            ("parts", "part"),
+            ("answers", "answer"),
+            ("working", "line"),
+            ("equations", "equation"),
+            ("scheme", "mark"),
+        ];
+        for (list, thing) in things {
+            if let Some(first) = fields.get(list).and_then(|list| list.get(0)) {
+                gather(thing, first, found);
+            }
+        }
+    }
+
+    #[test]
+    fn carom_knows_the_names_of_a_page() {
+        let mut found = BTreeMap::new();
+        gather("", &serde_json::to_value(page(&paper(), Notation::Unicode)).unwrap(), &mut found);
+        let listed: BTreeMap<String, BTreeSet<String>> = NAMES
+            .iter()
+            .map(|(thing, names)| (thing.to_string(), names.iter().map(|name| name.to_string()).collect()))
+            .collect();
+        assert_eq!(found, listed);
+    }
 }

@@ -131,7 +131,7 @@ fn carom_knows_which_formats_and_names_there_are() {
     let rendered = |contents: &str| {
         with("html/question-sheet.html", contents).and_then(|formats| formats.render("html", &paper::paper()))
     };
-    let cases: [(Result<Vec<RenderedFile>, RenderFault>, &[&str]); 9] = [
+    let cases: [(Result<Vec<RenderedFile>, RenderFault>, &[&str]); 10] = [
         (
             Formats::shipped().unwrap().render("docx", &paper::paper()),
             &["unknown format `docx`: there are `html` and `latex`"],
@@ -140,6 +140,10 @@ fn carom_knows_which_formats_and_names_there_are() {
         (rendered("{% if titel %}never{% endif %}"), &["unknown name `titel`"]),
         (
             rendered("{% for question in questions %}{{ question.nummer }}{% endfor %}"),
+            &["templates/html/question-sheet.html: unknown name `nummer`: a question has `number`"],
+        ),
+        (
+            rendered("{% for q in questions %}{{ q.nummer }}{% endfor %}"),
             &["templates/html/question-sheet.html: ", "nummer", "html/question-sheet.html:1:"],
         ),
         (rendered("{% for question in questions %}"), &["templates/html"]),
@@ -160,7 +164,6 @@ fn carom_knows_which_formats_and_names_there_are() {
     ];
     for (outcome, promised) in cases {
         let message = outcome.expect_err("a fault").to_string();
-        println!("{message}\n");
         for words in promised {
             assert!(message.contains(words), "{message}\nlacks {words}");
         }
