@@ -1,4 +1,5 @@
 //! Carom makes and marks exercises on collisions in two dimensions.
+pub mod cli;
 pub mod expr;
 pub mod mechanics;
 pub mod number;
