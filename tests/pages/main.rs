@@ -132,7 +132,8 @@ fn carom_knows_which_formats_and_names_there_are() {
     let rendered = |contents: &str| {
         with("html/question-sheet.html", contents).and_then(|formats| formats.render("html", &paper::paper()))
     };
-    let cases: [(Result<Vec<RenderedFile>, RenderFault>, &[&str]); 10] = [
+    type Case<'a> = (Result<Vec<RenderedFile>, RenderFault>, &'a [&'a str]);
+    let cases: [Case; 10] = [
         (
             Formats::shipped().unwrap().render("docx", &paper::paper()),
             &["unknown format `docx`: there are `html` and `latex`"],
