@@ -1,6 +1,8 @@
 //! Carom makes and marks exercises on collisions in two dimensions.
+pub mod cli;
 pub mod expr;
 pub mod mechanics;
 pub mod number;
 pub mod paper;
+pub mod render;
 pub mod unit;

@@ -1,0 +1,81 @@
+//! Notations: how words and formulas are printed in a format, and how its plain words are escaped.
+
+use std::io::{self, Write};
+
+use serde::Deserialize;
+use tera::EscapeFn;
+
+use crate::expr::{Expr, Relation, Text, print};
+
+/// The notation in which a format has its formulas.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Notation {
+    /// Words and formulas of LaTeX; a formula by itself is without dollars, to stand in mathematics.
+    Latex,
+    /// HTML with MathML; a formula by itself is a `math` element.
+    Html,
+    /// Plain text with Unicode signs.
+    Unicode,
+}
+
+impl Notation {
+    /// Words with formulas in them.
+    pub(super) fn text(self, text: &Text) -> String {
+        match self {
+            Notation::Latex => print::text_latex(text),
+            Notation::Html => print::text_html(text),
+            Notation::Unicode => print::text_unicode(text),
+        }
+    }
+
+    /// A formula by itself.
+    pub(super) fn formula(self, formula: &Expr) -> String {
+        match self {
+            Notation::Latex => print::latex(formula),
+            Notation::Html => print::mathml_inline(formula),
+            Notation::Unicode => print::unicode(formula),
+        }
+    }
+
+    /// The sign of a relation, where its two sides stand in columns of their own.
+    pub(super) fn relation(self, relation: Relation) -> &'static str {
+        let (latex, unicode) = match relation {
+            Relation::Equal => ("=", "="),
+            Relation::NotEqual => (r"\ne", "≠"),
+            Relation::Less => ("<", "<"),
+            Relation::LessOrEqual => (r"\le", "≤"),
+            Relation::Greater => (">", ">"),
+            Relation::GreaterOrEqual => (r"\ge", "≥"),
+            Relation::Implies => (r"\Rightarrow", "⇒"),
+            Relation::Approximately => (r"\approx", "≈"),
+        };
+        match (self, relation) {
+            (Notation::Latex, _) => latex,
+            (Notation::Html, Relation::Less) => "&lt;",
+            (Notation::Html, Relation::Greater) => "&gt;",
+            (Notation::Html | Notation::Unicode, _) => unicode,
+        }
+    }
+
+    /// What makes plain words harmless: titles, names of schools and students, whatever they contain.
+    pub(super) fn escape(self) -> EscapeFn {
+        match self {
+            Notation::Latex => escape_latex,
+            Notation::Html => escape_html,
+            Notation::Unicode => escape_unicode,
+        }
+    }
+}
+
+fn escape_latex(words: &str, out: &mut dyn Write) -> io::Result<()> {
+    out.write_all(print::words_latex(words).as_bytes())
+}
+
+fn escape_html(words: &str, out: &mut dyn Write) -> io::Result<()> {
+    out.write_all(print::words_html(words).as_bytes())
+}
+
+fn escape_unicode(words: &str, out: &mut dyn Write) -> io::Result<()> {
+    out.write_all(print::words_unicode(words).as_bytes())
+}

@@ -1,0 +1,189 @@
+//! Pages as files: what a paper composed by hand becomes in every shipped format, byte for byte.
+//!
+//! `CAROM_ACCEPT=1 cargo test --test pages` writes the files anew; read them before you commit them.
+
+mod paper;
+mod typeset;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use carom::paper::Paper;
+use carom::render::{Formats, RenderFault, RenderedFile, TemplateFile};
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/pages")
+}
+
+fn own(path: &str, contents: &str) -> TemplateFile {
+    TemplateFile { path: path.into(), contents: contents.into() }
+}
+
+fn file<'a>(files: &'a [RenderedFile], name: &str) -> &'a str {
+    &files.iter().find(|file| file.name == name).expect(name).contents
+}
+
+#[test]
+fn carom_knows_that_the_same_paper_is_the_same_pages() {
+    let formats = Formats::shipped().unwrap();
+    let accept = std::env::var_os("CAROM_ACCEPT").is_some();
+    let mut differing = Vec::new();
+    for (format, _) in formats.list() {
+        for rendered in formats.render(format, &paper::paper()).unwrap() {
+            let path = folder().join(&rendered.name);
+            if accept {
+                fs::write(&path, &rendered.contents).unwrap();
+            } else if fs::read_to_string(&path).unwrap_or_default() != rendered.contents {
+                differing.push(rendered.name);
+            }
+        }
+    }
+    assert!(differing.is_empty(), "{differing:?} differ from tests/pages/: CAROM_ACCEPT=1 writes them anew");
+}
+
+#[test]
+fn carom_knows_what_is_told_only_to_teachers() {
+    let formats = Formats::shipped().unwrap();
+    for (format, sheet) in [("latex", "question-sheet.tex"), ("html", "question-sheet.html")] {
+        let files = formats.render(format, &paper::paper()).unwrap();
+        for secret in ["3.65", "55.3", "4.68", "B1", "dM1", "rest/speeds-and-directions"] {
+            // a comment of LaTeX is for the teacher, who has the source
+            let mut printed = file(&files, sheet).lines().filter(|line| !line.starts_with('%'));
+            assert!(!printed.any(|line| line.contains(secret)), "{sheet} gives {secret} away");
+        }
+        for promised in ["(Total for Question 1 is 11 marks)", "(Total for Question 3 is 2 marks)", "20270312"] {
+            assert!(file(&files, sheet).contains(promised), "{sheet} lacks {promised}");
+        }
+    }
+}
+
+#[test]
+fn carom_knows_that_a_title_may_contain_anything() {
+    let hostile = r"}\input{/etc/passwd} <script>alert(1)</script> $&#_^~%\ ]]> -->";
+    let paper = Paper { title: hostile.into(), school: hostile.into(), date: hostile.into(), ..paper::paper() };
+    let formats = Formats::shipped().unwrap();
+    for rendered in formats.render("latex", &paper).unwrap() {
+        assert!(!rendered.contents.contains(r"\input{"), "{}", rendered.name);
+        assert!(rendered.contents.contains(r"\}\textbackslash{}input\{/etc/passwd\}"), "{}", rendered.name);
+        assert!(rendered.contents.contains(r"\$\&\#\_\textasciicircum{}\textasciitilde{}\%\textbackslash{}"));
+    }
+    for rendered in formats.render("html", &paper).unwrap() {
+        assert!(!rendered.contents.contains("<script"), "{}", rendered.name);
+        assert!(rendered.contents.contains("&lt;script&gt;alert(1)"), "{}", rendered.name);
+    }
+}
+
+#[test]
+fn carom_knows_that_html_fetches_nothing() {
+    for rendered in Formats::shipped().unwrap().render("html", &paper::paper()).unwrap() {
+        for fetched in ["<link", "<script", "@import", "url(", " src=", "@font-face"] {
+            assert!(!rendered.contents.contains(fetched), "{} has {fetched}", rendered.name);
+        }
+    }
+}
+
+#[test]
+fn carom_knows_that_the_reference_paper_has_no_seed_and_the_seed_nought_is_one() {
+    let formats = Formats::shipped().unwrap();
+    for (seed, said) in [(None, "Reference paper"), (Some(0), "Seed 0")] {
+        for format in ["latex", "html"] {
+            for rendered in formats.render(format, &Paper { seed, ..paper::paper() }).unwrap() {
+                assert!(rendered.contents.contains(said), "{} lacks {said}", rendered.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn carom_knows_that_a_teachers_file_takes_the_place_of_one_file() {
+    let formats = Formats::with([own("latex/question-sheet.tex", "<<title>>, <<marks>> marks\n")]).unwrap();
+    let files = formats.render("latex", &paper::paper()).unwrap();
+    assert_eq!(file(&files, "question-sheet.tex"), "Oblique impact of smooth spheres, 20 marks\n");
+    let shipped = Formats::shipped().unwrap().render("latex", &paper::paper()).unwrap();
+    assert_eq!(file(&files, "mark-scheme.tex"), file(&shipped, "mark-scheme.tex"));
+}
+
+#[test]
+fn carom_knows_that_a_format_is_one_folder() {
+    let manifest = r#"
+        about = "the answers for a terminal"
+        notation = "unicode"
+        documents = [{ file = "answers.txt", template = "answers.txt" }]
+    "#;
+    let template = "{% for question in questions %}{% for part in question.parts %}\
+        {% for answer in part.answers %}{% include 'one.txt' %}\n{% endfor %}{% endfor %}{% endfor %}";
+    let one = "{{ question.number }}{{ part.label }} {{ answer.name }}";
+    let formats = Formats::with([
+        own("plain/format.toml", manifest),
+        own("plain/answers.txt", template),
+        own("plain/one.txt", one),
+    ]);
+    let formats = formats.unwrap();
+    let files = formats.render("plain", &paper::paper()).unwrap();
+    assert!(
+        file(&files, "answers.txt").starts_with("1 speed of A\n1 direction of A\n1 speed of B\n2a velocity of A\n")
+    );
+    assert_eq!(formats.list().map(|(name, _)| name).collect::<Vec<_>>(), ["html", "latex", "plain"]);
+}
+
+#[test]
+fn carom_knows_which_formats_and_names_there_are() {
+    let with = |path: &str, contents: &str| Formats::with([own(path, contents)]);
+    let rendered = |contents: &str| {
+        with("html/question-sheet.html", contents).and_then(|formats| formats.render("html", &paper::paper()))
+    };
+    type Case<'a> = (Result<Vec<RenderedFile>, RenderFault>, &'a [&'a str]);
+    let cases: [Case; 10] = [
+        (
+            Formats::shipped().unwrap().render("docx", &paper::paper()),
+            &["unknown format `docx`: there are `html` and `latex`"],
+        ),
+        (rendered("{{ titel }}"), &["templates/html/question-sheet.html: unknown name `titel`", "`title`"]),
+        (rendered("{% if titel %}never{% endif %}"), &["unknown name `titel`"]),
+        (
+            rendered("{% for question in questions %}{{ question.nummer }}{% endfor %}"),
+            &["templates/html/question-sheet.html: unknown name `nummer`: a question has `number`"],
+        ),
+        (
+            rendered("{% for q in questions %}{{ q.nummer }}{% endfor %}"),
+            &["templates/html/question-sheet.html: ", "nummer", "html/question-sheet.html:1:"],
+        ),
+        (rendered("{% for question in questions %}"), &["templates/html"]),
+        (rendered("{{ title | shout }}"), &["shout"]),
+        (
+            with("latex/format.toml", "about = 'x'\nnotatoin = 'latex'").map(|_| Vec::new()),
+            &["templates/latex/format.toml: ", "unknown field `notatoin`"],
+        ),
+        (with("new/sheet.txt", "{{ title }}").map(|_| Vec::new()), &["templates/new: a format needs a `format.toml`"]),
+        (
+            with(
+                "new/format.toml",
+                "about = 'x'\nnotation = 'html'\ndocuments = [{ file = '../x.html', template = 'x.html' }]",
+            )
+            .map(|_| Vec::new()),
+            &["`../x.html` is not the name of a file"],
+        ),
+    ];
+    for (outcome, promised) in cases {
+        let message = outcome.expect_err("a fault").to_string();
+        for words in promised {
+            assert!(message.contains(words), "{message}\nlacks {words}");
+        }
+    }
+}
+
+#[test]
+fn carom_knows_every_file_of_its_templates_folder() {
+    let templates = Path::new(env!("CARGO_MANIFEST_DIR")).join("templates");
+    let source = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("src/render/shipped.rs")).unwrap();
+    let mut on_disk = Vec::new();
+    for format in fs::read_dir(&templates).unwrap().map(|entry| entry.unwrap().path()).filter(|path| path.is_dir()) {
+        for template in fs::read_dir(&format).unwrap().map(|entry| entry.unwrap().path()) {
+            on_disk.push(template.strip_prefix(&templates).unwrap().to_string_lossy().replace('\\', "/"));
+        }
+    }
+    on_disk.sort();
+    let listed: Vec<&str> =
+        source.lines().filter_map(|line| line.trim().strip_prefix('"')?.strip_suffix("\",")).collect();
+    assert_eq!(listed, on_disk);
+}
