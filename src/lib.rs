@@ -5,4 +5,5 @@ pub mod mechanics;
 pub mod number;
 pub mod paper;
 pub mod render;
+pub mod solve;
 pub mod unit;

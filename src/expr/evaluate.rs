@@ -93,7 +93,7 @@ pub fn number(expr: &Expr, names: Names) -> Result<Value, Fault> {
         Number(value) => Ok(value),
         Vector(..) => Err(fault("a vector stands where a number is expected", "a number")),
         Meaning::Angle(_) => Err(fault("an angle stands where a number is expected", "a number")
-            .with_help("divide it by `deg` for the number of degrees")),
+            .try_this("divide it by `deg` for the number of degrees")),
         Degrees(_) => Err(fault("a number of degrees without a rational value", "a number")),
         OverPi(_) => Err(fault("one over pi is of no use here", "a number")),
     }
@@ -106,7 +106,7 @@ pub fn degrees(expr: &Expr, names: Names) -> Result<Turn, Fault> {
         Number(value) => match value.as_fraction() {
             Some(degrees) => Ok(Turn::degrees(degrees.clone())),
             None => Err(fault("an angle in degrees is neither a fraction nor an acute letter", "a number of degrees")
-                .with_help("declare the letter as `acute`, or give `cos` and `sin` instead")),
+                .try_this("declare the letter as `acute`, or give `cos` and `sin` instead")),
         },
         Degrees(turn) | Meaning::Angle(turn) => Ok(turn),
         _ => Err(fault("a vector stands where an angle is expected", "a number of degrees")),
@@ -197,7 +197,7 @@ fn add(left: Meaning, right: Meaning) -> Result<Meaning, Fault> {
         },
         (Vector(..), Number(_)) | (Number(_), Vector(..)) => {
             Err(fault("a number is added to a vector", "both vectors or both numbers")
-                .with_help("write the vector's other component with `i` or `j`"))
+                .try_this("write the vector's other component with `i` or `j`"))
         }
         _ => Err(fault("an angle is added to something else", "two angles or two numbers")),
     }
@@ -303,11 +303,11 @@ fn trigonometric(function: Function, argument: Meaning) -> Result<Meaning, Fault
         Number(value) if value.is_zero() => Turn::degrees(Fraction::ZERO),
         Number(value) if value.is_constant() => {
             return Err(fault(format!("`{}` of a plain number, which would be radians", function.name()), "an angle")
-                .with_help("write degrees with `deg`, as in `sin(30 deg)`"));
+                .try_this("write degrees with `deg`, as in `sin(30 deg)`"));
         }
         Number(_) => {
             return Err(fault(format!("`{}` of a letter that is no angle", function.name()), "an acute letter")
-                .with_help("declare the letter as `acute`"));
+                .try_this("declare the letter as `acute`"));
         }
         _ => return Err(fault(format!("`{}` of something that is no angle", function.name()), "an angle")),
     };

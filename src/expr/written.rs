@@ -32,14 +32,23 @@ pub fn written(value: &Value) -> Expr {
     } else {
         Some(ordered_sum(&rest))
     };
-    let negative = scale.sign().is_lt();
+    // A denominator known to be negative, such as e - 1, is turned round.
+    let below_value = Value::quotient(below.clone(), Polynomial::one());
+    let turned = below_value.sign().is_some_and(|sign| sign.is_lt());
+    let below = if turned { -&below } else { below };
+    let negative = scale.sign().is_lt() != turned;
     let scale = scale.abs();
     let mut factors = vec![Expr::Number(scale.numerator().into())];
-    factors.extend(shared.factors());
-    if let [single] = rest.as_slice() {
-        factors.extend(single.symbols());
+    // The bracket stands before sines and cosines, so that it is not taken for part of the angle.
+    match rest.as_slice() {
+        [single] => factors.extend(single.symbols()),
+        _ => {
+            let (before, circular) = shared.factors();
+            factors.extend(before);
+            factors.extend(bracket);
+            factors.extend(circular);
+        }
     }
-    factors.extend(bracket);
     let denominator = Expr::product([Expr::Number(scale.denominator().into()), below_expr(&below)]);
     let size = Expr::product(factors).over(denominator);
     if negative { size.negated() } else { size }
@@ -308,15 +317,16 @@ impl Shared {
         rest
     }
 
-    fn factors(&self) -> Vec<Expr> {
-        let whole = Term {
+    /// What stands before a bracket, and what stands behind it.
+    fn factors(&self) -> (Vec<Expr>, Vec<Expr>) {
+        let plain = Term {
             number: Fraction::ONE,
             surd: self.surd,
             nested: self.nested.clone(),
             letters: self.letters.clone(),
-            circular: self.circular.clone(),
+            circular: BTreeMap::new(),
         };
-        whole.symbols()
+        (plain.symbols(), circular_factors(&self.circular))
     }
 }
 

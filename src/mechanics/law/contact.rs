@@ -66,11 +66,11 @@ pub fn lines(_: &Rule, show: &Show) -> Vec<Line> {
     let size = if let Expr::Negative(inner) = size { *inner } else { size };
     let chain = match show.contact_quotient() {
         Some(quotient) => Show::chain(sine, [quotient, size]),
-        None => Expr::equation(sine, size),
+        None => vec![Expr::equation(sine, size)],
     };
     vec![Line::with(
         "At the impact the line joining the centres is as long as the two radii together. If it makes an angle {a} with the path of {A},",
         &[("a", Expr::name(show.contact_angle())), ("A", Expr::name("A"))],
-        vec![chain],
+        chain,
     )]
 }

@@ -4,6 +4,9 @@
 //! their quotient, and also `(tan β - tan α)/(1 + tan α tan β)` by the angles to the line of centres.
 
 use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, silent, velocity};
+use crate::expr::{Expr, Function, written};
+use crate::mechanics::Velocity;
+use crate::mechanics::working::{difference, times};
 use crate::mechanics::Axis::{N, T, X, Y};
 use crate::mechanics::Moment::{After, Before};
 use crate::mechanics::{Quantity, Sphere};
@@ -101,10 +104,61 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
 
 pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
     match (rule.form, rule.gives[0]) {
-        (BY_TANGENTS, Quantity::TanDeflection(sphere)) => show.tangent_of_deflection(sphere),
-        (DOT, Quantity::DeflectionDot(sphere)) => show.product_before_and_after(sphere),
-        (ANGLE, Quantity::Deflection(sphere)) => show.deflection(sphere),
-        (BY_PRODUCTS, Quantity::TanDeflection(sphere)) => show.tangent_by_products(sphere),
+        (BY_TANGENTS, Quantity::TanDeflection(sphere)) => by_tangents(show, sphere),
+        (DOT, Quantity::DeflectionDot(sphere)) => scalar_product(show, sphere),
+        (ANGLE, Quantity::Deflection(sphere)) => turned(show, sphere),
+        (BY_PRODUCTS, Quantity::TanDeflection(sphere)) => by_products(show, sphere),
         _ => silent(),
     }
+}
+
+/// `tan(β - α) = (tan β - tan α)/(1 + tan α tan β)`.
+fn by_tangents(show: &Show, sphere: Sphere) -> Vec<Line> {
+    let value = |moment| show.value(Quantity::TOverN(sphere, moment));
+    let (alpha, beta) = (value(Before), value(After));
+    let left = Expr::call(Function::Tan, Expr::name("delta"));
+    let product = times(beta.clone(), alpha.clone());
+    let quotient = Expr::Quotient(Box::new(difference(beta, alpha)), Box::new(Expr::sum([Expr::integer(1), product])));
+    let found = show.value(Quantity::TanDeflection(sphere));
+    let words = "The deflection {d} of {A} is the difference of the angles that its path makes with the line of centres before and after, so";
+    let formulas = [("d", Expr::name("delta")), ("A", Expr::name(sphere.name()))];
+    vec![Line::with(words, &formulas, Show::chain(left, [quotient, found]))]
+}
+
+/// The scalar product of the velocities before and after, in numbers.
+fn scalar_product(show: &Show, sphere: Sphere) -> Vec<Line> {
+    let axes = if show.along_an_axis() || !show.scene().before.iter().flatten().any(is_components) { [N, T] } else { [X, Y] };
+    let at = |moment, axis| written(&show.worked(velocity(sphere, moment, axis)));
+    let terms = axes.map(|axis| times(at(Before, axis), at(After, axis)));
+    let left = Expr::name("s");
+    let found = show.value(Quantity::DeflectionDot(sphere));
+    let words = "The scalar product of the velocities of {A} before and after is";
+    vec![Line::with(words, &[("A", Expr::name(sphere.name()))], Show::chain(left, [Expr::sum(terms), found]))]
+}
+
+fn is_components(velocity: &Velocity) -> bool {
+    matches!(velocity, Velocity::Components(..))
+}
+
+/// The angle between the velocities before and after.
+fn turned(show: &Show, sphere: Sphere) -> Vec<Line> {
+    let Some(angle) = show.angle(Quantity::Deflection(sphere)) else { return silent() };
+    let left = Expr::name("delta");
+    let mut equations = Vec::new();
+    let dot = show.exact(Quantity::DeflectionDot(sphere));
+    let size = &show.exact(Quantity::DeflectionCross(sphere)).absolute();
+    if let Some(tangent) = size.divided_by(&dot) {
+        equations.push(Expr::equation(Expr::call(Function::Tan, left.clone()), written(&tangent)));
+    }
+    equations.push(Expr::equation(left.clone(), Show::angle_expr(&angle)));
+    equations.extend(Show::approximate_angle(&left, &angle));
+    let words = "The path of {A} turns through the angle {d} between its velocities before and after:";
+    vec![Line::with(words, &[("A", Expr::name(sphere.name())), ("d", left)], equations)]
+}
+
+fn by_products(show: &Show, sphere: Sphere) -> Vec<Line> {
+    let left = Expr::call(Function::Tan, Expr::name("delta"));
+    let words = "The tangent of the deflection {d} of {A} is the cross product of the two velocities over their scalar product:";
+    let formulas = [("d", Expr::name("delta")), ("A", Expr::name(sphere.name()))];
+    vec![Line::with(words, &formulas, vec![Expr::equation(left, show.value(Quantity::TanDeflection(sphere)))])]
 }

@@ -4,6 +4,7 @@
 //! signed, anticlockwise.
 
 use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, silent, velocity};
+use crate::expr::{Expr, Function, written};
 use crate::mechanics::Axis::{N, T, X, Y};
 use crate::mechanics::{Moment, Quantity, Sphere};
 use crate::number::Number;
@@ -63,10 +64,54 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
 
 pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
     match rule.gives[0] {
-        Quantity::AngleToLine(sphere, moment) => show.angle_to_line(sphere, moment),
+        Quantity::AngleToLine(sphere, moment) => angle_to_line(show, sphere, moment),
         Quantity::TOverN(sphere, moment) | Quantity::TanToLine(sphere, moment) => {
-            show.tangent_of_direction(sphere, moment, rule.gives[0])
+            tangent_of_direction(show, sphere, moment, rule.gives[0])
         }
         _ => silent(),
     }
+}
+
+/// The acute angle to the line of centres.
+fn angle_to_line(show: &Show, sphere: Sphere, moment: Moment) -> Vec<Line> {
+    let quantity = Quantity::AngleToLine(sphere, moment);
+    let Some(angle) = show.angle(quantity) else { return silent() };
+    let name = Expr::name(sphere.name());
+    match angle.whole_degrees().and_then(|degrees| degrees.as_small()) {
+        Some((0, 1)) => return vec![Line::with("{A} moves along the line of centres.", &[("A", name)], vec![])],
+        Some((90, 1)) => {
+            return vec![Line::with("{A} moves perpendicular to the line of centres.", &[("A", name)], vec![])];
+        }
+        _ => {}
+    }
+    let left = Expr::name("beta");
+    let mut equations = vec![tangent_equation(show, sphere, moment, true)];
+    equations.push(Expr::equation(left.clone(), Show::angle_expr(&angle)));
+    equations.extend(Show::approximate_angle(&left, &angle));
+    let words = "The path of {A} makes an angle {b} with the line of centres, where";
+    vec![Line::with(words, &[("A", name), ("b", left)], equations)]
+}
+
+/// `tan β = p/v`, in numbers.
+fn tangent_equation(show: &Show, sphere: Sphere, moment: Moment, size: bool) -> Expr {
+    let at = |axis| {
+        let value = show.worked(velocity(sphere, moment, axis));
+        written(&if size && value.sign() == Some(std::cmp::Ordering::Less) { -value } else { value })
+    };
+    let quotient = Expr::Quotient(Box::new(at(T)), Box::new(at(N)));
+    Expr::equation(Expr::call(Function::Tan, Expr::name("beta")), quotient)
+}
+
+fn tangent_of_direction(show: &Show, sphere: Sphere, moment: Moment, quantity: Quantity) -> Vec<Line> {
+    // The path before makes an angle that is given; its tangent needs no line of its own.
+    if moment == Moment::Before && !show.is_asked(quantity) {
+        return silent();
+    }
+    let left = Expr::call(Function::Tan, Expr::name("beta"));
+    let equations = vec![
+        tangent_equation(show, sphere, moment, quantity == Quantity::TanToLine(sphere, moment)),
+        Expr::equation(left, show.value(quantity)),
+    ];
+    let words = "The path of {A} then makes an angle {b} with the line of centres, where";
+    vec![Line::with(words, &[("A", Expr::name(sphere.name())), ("b", Expr::name("beta"))], equations)]
 }

@@ -4,6 +4,10 @@
 //! `½ m (u_n² - v_n²)`.
 
 use super::{Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, silent, velocity};
+use crate::expr::{Expr, written};
+use crate::mechanics::Moment;
+use crate::mechanics::working::times;
+use crate::number::{Fraction, Value};
 use crate::mechanics::Axis::{N, X, Y};
 use crate::mechanics::Moment::{After, Before};
 use crate::mechanics::Sphere::{A, B};
@@ -118,9 +122,73 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
 
 pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
     match (rule.form, rule.gives[0]) {
-        (TOTAL, Quantity::TotalEnergy(moment)) => show.total_energy(moment),
-        (LOST_BY_SPHERES | LOST_BY_TOTALS, _) => show.energy_lost(),
-        (FRACTION | FRACTION_BY_TOTALS, _) => show.fraction_lost(),
+        (TOTAL, Quantity::TotalEnergy(moment)) => total(show, moment),
+        (LOST_BY_SPHERES | LOST_BY_TOTALS, _) => lost(show),
+        (FRACTION | FRACTION_BY_TOTALS, _) => fraction(show),
         _ => silent(),
     }
+}
+
+/// `½ m`, the half written first.
+fn half(show: &Show, sphere: Sphere) -> Expr {
+    times(Expr::Number(Fraction::new(1, 2)), show.mass(sphere))
+}
+
+/// The energy of both spheres at a moment, by their speeds.
+fn total(show: &Show, moment: Moment) -> Vec<Line> {
+    let terms = Sphere::BOTH.map(|sphere| times(half(show, sphere), square(show, sphere, moment)));
+    let (words, left) = match moment {
+        Before => ("The kinetic energy before the impact, in joules, is", "E_1"),
+        After => ("The kinetic energy after the impact, in joules, is", "E_2"),
+    };
+    vec![Line::plain(words, Show::chain(Expr::name(left), [Expr::sum(terms), show.value(Quantity::TotalEnergy(moment))]))]
+}
+
+/// The square of a speed: a speed that is a root gives its radicand.
+fn square(show: &Show, sphere: Sphere, moment: Moment) -> Expr {
+    let speed = show.exact(Quantity::Speed(sphere, moment));
+    if speed.is_zero() { Expr::integer(0) } else { written(&speed).to_the(2) }
+}
+
+/// What both spheres lose, by the components that change.
+fn lost(show: &Show) -> Vec<Line> {
+    let along = show.given_along();
+    let terms = Sphere::BOTH.map(|sphere| {
+        let part = |moment| {
+            if along {
+                size_of(&show.worked(velocity(sphere, moment, N))).to_the(2)
+            } else {
+                let at = |axis| size_of(&show.exact(velocity(sphere, moment, axis))).to_the(2);
+                Expr::Sum(vec![at(X), at(Y)])
+            }
+        };
+        times(half(show, sphere), difference_of(part(Before), part(After)))
+    });
+    let value = show.exact(Quantity::EnergyLost);
+    let left = Expr::name("L");
+    let mut equations = Show::chain(left.clone(), [Expr::sum(terms), written(&value)]);
+    equations.extend(Show::approximately(&left, &value));
+    let words = if along {
+        "The components perpendicular to the line of centres do not change, so the kinetic energy lost, in joules, is"
+    } else {
+        "The kinetic energy lost, in joules, is"
+    };
+    vec![Line::plain(words, equations)]
+}
+
+fn size_of(value: &Value) -> Expr {
+    written(&if value.sign() == Some(std::cmp::Ordering::Less) { -value } else { value.clone() })
+}
+
+fn difference_of(before: Expr, after: Expr) -> Expr {
+    // A sum of two squares stays together in its bracket.
+    Expr::Sum(vec![before, after.negated()])
+}
+
+fn fraction(show: &Show) -> Vec<Line> {
+    let at = |moment| show.value(Quantity::TotalEnergy(moment));
+    let lost = Expr::Sum(vec![at(Before), at(After).negated()]);
+    let quotient = Expr::Quotient(Box::new(lost), Box::new(at(Before)));
+    let rights = [quotient, show.value(Quantity::FractionLost)];
+    vec![Line::plain("The fraction of the kinetic energy that is lost is", Show::chain(Expr::name("f"), rights))]
 }

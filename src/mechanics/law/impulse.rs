@@ -3,6 +3,8 @@
 //! The two impulses are equal and opposite, and act along the line of centres.
 
 use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, silent, velocity};
+use crate::expr::{Expr, Function, written};
+use crate::mechanics::working::{difference, times};
 use crate::mechanics::Axis::{N, T, X, Y};
 use crate::mechanics::Moment::{After, Before};
 use crate::mechanics::{Quantity, Sphere};
@@ -92,9 +94,38 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
 
 pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
     match (rule.form, rule.gives[0]) {
-        (OF_COMPONENT, Quantity::Impulse(sphere, _)) => show.impulse_along(sphere),
-        (OF_VECTOR, Quantity::Impulse(sphere, _)) => show.impulse_vector(sphere),
-        (SIZE | SIZE_OF_VECTOR, _) => show.impulse_size(),
+        (OF_COMPONENT, Quantity::Impulse(sphere, _)) => along(show, sphere),
+        (OF_VECTOR, Quantity::Impulse(sphere, _)) => vector(show, sphere),
+        (SIZE | SIZE_OF_VECTOR, _) => size(show),
         _ => silent(),
     }
+}
+
+/// `I = m (w - u)` along the line of centres.
+fn along(show: &Show, sphere: Sphere) -> Vec<Line> {
+    let at = |moment| show.worked(velocity(sphere, moment, N));
+    let (before, after) = (show.along(sphere, Before), written(&at(After)));
+    let change = difference(after, before);
+    let impulse = Quantity::Impulse(sphere, N);
+    let rights = [times(show.mass(sphere), change), show.shown_value(impulse)];
+    let words = "The impulse on {B} is its change of momentum along the line of centres:";
+    vec![Line::with(words, &[("B", Expr::name(sphere.name()))], Show::chain(Expr::name("I"), rights))]
+}
+
+/// `I = m (v - u)` as a vector.
+fn vector(show: &Show, sphere: Sphere) -> Vec<Line> {
+    let change = difference(show.vector(sphere, After), show.vector(sphere, Before));
+    let at = |axis| Box::new(show.value(Quantity::Impulse(sphere, axis)));
+    let rights = [times(show.mass(sphere), change), Expr::Vector(at(X), at(Y))];
+    let words = "The impulse on {A} is its change of momentum:";
+    vec![Line::with(words, &[("A", Expr::name(sphere.name()))], Show::chain(Expr::name("I"), rights))]
+}
+
+/// The magnitude, with its decimal.
+fn size(show: &Show) -> Vec<Line> {
+    let value = show.exact(Quantity::ImpulseMagnitude);
+    let left = Expr::call(Function::Abs, Expr::name("I"));
+    let mut equations = vec![Expr::equation(left.clone(), written(&value))];
+    equations.extend(Show::approximately(&left, &value));
+    vec![Line::plain("So the magnitude of the impulse, in newton seconds, is", equations)]
 }

@@ -42,8 +42,14 @@ pub enum Datum<N> {
 }
 
 /// The quantities that are known so far.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Known<N>(pub BTreeMap<Quantity, Datum<N>>);
+
+impl<N> Default for Known<N> {
+    fn default() -> Known<N> {
+        Known(BTreeMap::new())
+    }
+}
 
 impl<N: Number> Known<N> {
     /// A quantity that is a number.
@@ -195,14 +201,14 @@ fn velocity(sphere: Sphere, moment: Moment, axis: Axis) -> Quantity {
 }
 
 /// The four components along the line of centres: A and B before, A and B after.
-const ALONG: [Quantity; 4] = [
+pub(super) const ALONG: [Quantity; 4] = [
     Quantity::Velocity(Sphere::A, Moment::Before, Axis::N),
     Quantity::Velocity(Sphere::B, Moment::Before, Axis::N),
     Quantity::Velocity(Sphere::A, Moment::After, Axis::N),
     Quantity::Velocity(Sphere::B, Moment::After, Axis::N),
 ];
 
-const MASSES: [Quantity; 2] = [Quantity::Mass(Sphere::A), Quantity::Mass(Sphere::B)];
+pub(super) const MASSES: [Quantity; 2] = [Quantity::Mass(Sphere::A), Quantity::Mass(Sphere::B)];
 
 /// Nothing to show: the step is part of another.
 fn silent() -> Vec<Line> {

@@ -5,6 +5,8 @@
 //! components after the impact to those before it, `a - b = (y - x)/e` takes the place of restitution.
 
 use super::{ALONG, Datum, Known, Law, Line, MASSES, Outcome, Rule, Show, Slip, rule};
+use crate::expr::{Expr, written};
+use crate::mechanics::working::multiple;
 use crate::mechanics::Quantity;
 use crate::number::Number;
 
@@ -51,10 +53,56 @@ pub fn slipped<N: Number>(_: &str, _: &Rule, _: &Known<N>) -> Outcome<N> {
 
 pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
     if rule.form == FORWARDS {
-        return show.solved_pair();
+        return solved(show);
     }
     vec![Line::plain(
         "Momentum and restitution along the line of centres give the components before the impact:",
-        rule.gives.iter().map(|quantity| crate::expr::Expr::equation(show.symbol(*quantity), show.shown_value(*quantity))).collect(),
+        rule.gives.iter().map(|quantity| Expr::equation(show.symbol(*quantity), show.shown_value(*quantity))).collect(),
     )]
+}
+
+/// Eliminates w, finds v, then w from the second equation.
+fn solved(show: &Show) -> Vec<Line> {
+    let [x, y] = [ALONG[2], ALONG[3]];
+    let (v, w) = (show.symbol(x), show.symbol(y));
+    let (Some([p, q, r]), Some([_, _, s])) =
+        (show.equation(Quantity::MomentumEquation), show.equation(Quantity::RestitutionEquation))
+    else {
+        return Vec::new();
+    };
+    let left = &p + &q;
+    let right = &r - &(&q * &s);
+    let value = show.shown_value(x);
+    let mut equations = Vec::new();
+    if !left.equals(&crate::number::Value::ONE) {
+        equations.push(Expr::equation(multiple(&left, v.clone()), written(&right)));
+    }
+    equations.push(Expr::equation(v.clone(), value));
+    let eliminated = if q.equals(&crate::number::Value::ONE) {
+        Line::plain("Subtracting equation (2) from equation (1):", equations)
+    } else {
+        Line::with("Subtracting {q} times equation (2) from equation (1):", &[("q", written(&q))], equations)
+    };
+    let substituted = Line::plain("Then from equation (2):", vec![Expr::equation(w, show.shown_value(y))]);
+    let mut lines = vec![eliminated, substituted];
+    lines.extend(remark(show));
+    lines
+}
+
+/// What the signs say of the directions.
+fn remark(show: &Show) -> Option<Line> {
+    use std::cmp::Ordering::{Equal, Less};
+    let sign = |quantity| show.worked(quantity).sign();
+    let sphere = Expr::name("A");
+    if sign(ALONG[2]) == Some(Equal) {
+        return Some(Line::with("{A} has no velocity left along the line of centres.", &[("A", sphere)], vec![]));
+    }
+    let turned = show.exact(ALONG[0]).sign().zip(show.exact(ALONG[2]).sign());
+    match turned {
+        Some((before, after)) if before != Equal && after == before.reverse() && after == Less => {
+            let words = "The signs differ before and after: {A} turns back along the line of centres.";
+            Some(Line::with(words, &[("A", sphere)], vec![]))
+        }
+        _ => None,
+    }
 }

@@ -3,6 +3,7 @@
 //! `t·v = t·u` for each sphere by itself.
 
 use super::{Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, velocity};
+use crate::expr::{Expr, written};
 use crate::mechanics::Axis::T;
 use crate::mechanics::Moment::{After, Before};
 use crate::mechanics::{Quantity, Sphere};
@@ -48,6 +49,16 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
 }
 
 pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
-    let Quantity::Velocity(sphere, ..) = rule.gives[0] else { return Vec::new() };
-    show.unchanged(sphere)
+    let Quantity::Velocity(sphere, moment, _) = rule.gives[0] else { return Vec::new() };
+    let known = if moment == After { Before } else { After };
+    let name = Expr::name(sphere.name());
+    let value = show.worked(rule.needs[0]);
+    if value.is_zero() {
+        let words = "{A} has no velocity perpendicular to the line of centres, and none is given to it: it moves along the line of centres.";
+        return vec![Line::with(words, &[("A", name)], vec![])];
+    }
+    let words = "The spheres are smooth, so the component of the velocity of {A} perpendicular to the line of centres does not change: it is {p m/s}.";
+    let (shown, exact) = (show.across(sphere, known), written(&value));
+    let component = if shown == exact { exact } else { Expr::equation(shown, exact) };
+    vec![Line::with(words, &[("A", name), ("p", component)], vec![])]
 }

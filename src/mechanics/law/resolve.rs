@@ -6,6 +6,7 @@
 use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, rule, silent, velocity};
 use crate::expr::Expr;
 use crate::mechanics::Axis::{N, T, X, Y};
+use crate::mechanics::working::times;
 use crate::mechanics::{Moment, Quantity, Sphere};
 use crate::number::Number;
 
@@ -104,12 +105,13 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
         // Along an axis there is nothing to resolve.
         FROM_I_J if !show.along_an_axis() => {
             let component = Expr::name(show.letter_of(velocity(sphere, moment, N)));
-            let chain = Show::chain(component, [show.scalar_product(sphere, moment), show.along(sphere, moment)]);
-            vec![Line::with(
-                show.words_for_resolving(moment),
-                &[("A", Expr::name(sphere.name())), ("n", show.line_vector())],
-                vec![chain],
-            )]
+            let words = match moment {
+                Moment::Before => "Along {n}, from *A* to *B*, the component of the velocity of {A} before the impact is",
+                Moment::After => "Along {n}, the component of the velocity of {A} after the impact is",
+            };
+            let formulas = [("A", Expr::name(sphere.name())), ("n", show.line_vector())];
+            let rights = [scalar_product(show, sphere, moment), show.along(sphere, moment)];
+            vec![Line::with(words, &formulas, Show::chain(component, rights))]
         }
         TO_I_J if show.is_asked(rule.gives[0]) || show.is_asked(rule.gives[1]) => {
             let vector = show.vector(sphere, moment);
@@ -121,4 +123,10 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
         }
         _ => silent(),
     }
+}
+
+/// `u_x n_x + u_y n_y` in numbers.
+fn scalar_product(show: &Show, sphere: Sphere, moment: Moment) -> Expr {
+    let term = |axis| times(show.value(velocity(sphere, moment, axis)), show.value(Quantity::Line(axis)));
+    Expr::sum([term(X), term(Y)])
 }

@@ -111,7 +111,7 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
     if unknown == Quantity::Restitution {
         let quotient = Expr::Quotient(Box::new(show.separation()), Box::new(show.approach()));
         let chain = Show::chain(Expr::name("e"), [quotient, show.shown_value(unknown)]);
-        return vec![Line::plain("By Newton's law of restitution, separation over approach along the line of centres:", vec![chain])];
+        return vec![Line::plain("By Newton's law of restitution, separation over approach along the line of centres:", chain)];
     }
     let equation = Expr::equation(show.separation(), show.e_times_approach());
     vec![Line::plain("By Newton's law of restitution:", vec![equation, Expr::equation(show.symbol(unknown), show.shown_value(unknown))])]

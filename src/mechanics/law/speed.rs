@@ -1,6 +1,8 @@
 //! Pythagoras: a speed from two perpendicular components, `v² = v_n² + v_t²`.
 
 use super::{Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, velocity};
+use crate::expr::{Expr, Function, Piece, written};
+use crate::number::Value;
 use crate::mechanics::Axis::{N, T, X, Y};
 use crate::mechanics::{Moment, Quantity, Sphere};
 use crate::number::Number;
@@ -61,5 +63,37 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
 
 pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
     let Quantity::Speed(sphere, moment) = rule.gives[0] else { return Vec::new() };
-    show.speed(sphere, moment, rule.form == 1)
+    pythagoras(show, sphere, moment, rule.form == 1)
+}
+
+/// `√(v² + p²)` in numbers, then exact, then rounded.
+fn pythagoras(show: &Show, sphere: Sphere, moment: Moment, in_i_j: bool) -> Vec<Line> {
+    let (first, second) = if in_i_j { (X, Y) } else { (N, T) };
+    let at = |axis| show.worked(velocity(sphere, moment, axis));
+    let (along, across) = (at(first), at(second));
+    let value = show.exact(Quantity::Speed(sphere, moment));
+    let when = if moment == Moment::Before { "before" } else { "after" };
+    let name = Expr::name(sphere.name());
+    let words = format!("The speed of {{A}} {when} the impact is");
+    if along.is_zero() || across.is_zero() {
+        let words = format!("The speed of {{A}} {when} the impact is {{v m/s}}");
+        let mut text = Line::with(&words, &[("A", name), ("v", written(&value))], vec![]);
+        let direction = match (in_i_j, along.is_zero(), across.is_zero()) {
+            (_, true, true) => ": it is at rest.",
+            (false, true, _) => ", perpendicular to the line of centres.",
+            (false, _, true) => ", along the line of centres.",
+            _ => ".",
+        };
+        text.words.0.push(Piece::Words(direction.to_string()));
+        return vec![text];
+    }
+    let square = |value: &Value| {
+        let size = if value.sign() == Some(std::cmp::Ordering::Less) { -value } else { value.clone() };
+        written(&size).to_the(2)
+    };
+    let left = Expr::name(if sphere == Sphere::A { "s_A" } else { "s_B" });
+    let root = Expr::call(Function::Sqrt, Expr::sum([square(&along), square(&across)]));
+    let mut equations = Show::chain(left.clone(), [root, written(&value)]);
+    equations.extend(Show::approximately(&left, &value));
+    vec![Line::with(&words, &[("A", name)], equations)]
 }

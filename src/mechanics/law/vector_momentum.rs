@@ -4,6 +4,7 @@
 //! velocities give the ratio of the masses.
 
 use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, silent, velocity};
+use crate::mechanics::working::times;
 use crate::expr::Expr;
 use crate::mechanics::Axis::{X, Y};
 use crate::mechanics::Moment::{After, Before};
@@ -119,17 +120,30 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
         form @ 0..=3 => {
             let (sphere, moment) = STATES[form as usize];
             let name = Expr::name(show.vector_letter(sphere, moment));
-            let equation = Expr::equation(show.vector_momentum(Before, sphere, moment), show.vector_momentum(After, sphere, moment));
+            let unknown = Some((sphere, moment));
+            let equation = Expr::equation(total(show, Before, unknown), total(show, After, unknown));
             vec![
                 Line::plain("Momentum is conserved:", vec![equation]),
                 Line::plain("", vec![Expr::equation(name, show.vector(sphere, moment))]),
             ]
         }
         MASS_OF_A | MASS_OF_B => {
-            let equation = Expr::equation(show.vector_momentum(Before, A, After), show.vector_momentum(After, A, After));
+            let equation = Expr::equation(total(show, Before, None), total(show, After, None));
             let found = Expr::equation(show.symbol(rule.gives[0]), show.shown_value(rule.gives[0]));
             vec![Line::plain("Momentum is conserved:", vec![equation, found])]
         }
         _ => silent(),
     }
+}
+
+/// The total momentum at a moment, the velocity to be found under its letter.
+fn total(show: &Show, moment: Moment, unknown: Option<(Sphere, Moment)>) -> Expr {
+    Expr::sum(Sphere::BOTH.map(|sphere| {
+        let velocity = if unknown == Some((sphere, moment)) {
+            Expr::name(show.vector_letter(sphere, moment))
+        } else {
+            show.vector(sphere, moment)
+        };
+        times(show.mass(sphere), velocity)
+    }))
 }

@@ -1,0 +1,126 @@
+//! The derivation: the short list of steps from what is given to what is asked.
+//!
+//! It is planned backwards from what is asked, by the least cost, so a step that nobody needs does
+//! not exist; then it can be evaluated in any kind of number.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::OnceLock;
+
+use super::law::{Known, Outcome, Rule, all_rules};
+use super::{Law, Quantity};
+use crate::number::Number;
+
+/// Steps in the order in which a solution takes them.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Derivation {
+    /// Each step needs only what is given and what earlier steps gave.
+    pub steps: Vec<Rule>,
+}
+
+/// A step whose result does not exist for these numbers: its place in the derivation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct DeadEnd(pub usize);
+
+fn rules() -> &'static [Rule] {
+    static RULES: OnceLock<Vec<Rule>> = OnceLock::new();
+    RULES.get_or_init(all_rules)
+}
+
+impl Derivation {
+    /// The cheapest derivation of those asked quantities that follow from the given ones, without the
+    /// banned rules; and the asked quantities that do not follow.
+    pub fn plan(given: &BTreeSet<Quantity>, asked: &[Quantity], banned: &[Rule]) -> (Derivation, Vec<Quantity>) {
+        let rules = rules();
+        let mut best: BTreeMap<Quantity, (u32, Option<usize>)> =
+            given.iter().map(|quantity| (*quantity, (0, None))).collect();
+        let mut changed = true;
+        while changed {
+            changed = false;
+            for (index, rule) in rules.iter().enumerate() {
+                let costs: Option<Vec<u32>> =
+                    rule.needs.iter().map(|need| best.get(need).map(|(cost, _)| *cost)).collect();
+                let Some(costs) = costs else { continue };
+                let cost = costs.iter().sum::<u32>() + rule.cost;
+                for quantity in &rule.gives {
+                    let better = best.get(quantity).is_none_or(|(known, _)| cost < *known);
+                    if better && !banned.contains(rule) {
+                        best.insert(*quantity, (cost, Some(index)));
+                        changed = true;
+                    }
+                }
+            }
+        }
+        let mut needed = BTreeSet::new();
+        let mut open: Vec<Quantity> = asked.to_vec();
+        while let Some(quantity) = open.pop() {
+            if let Some((_, Some(index))) = best.get(&quantity)
+                && needed.insert(*index)
+            {
+                open.extend(&rules[*index].needs);
+            }
+        }
+        let missing = asked.iter().filter(|quantity| !best.contains_key(quantity)).copied().collect();
+        (Derivation { steps: in_order(given, needed.into_iter().map(|index| &rules[index]).collect()) }, missing)
+    }
+
+    /// Adds what the steps give to what is known.
+    ///
+    /// # Errors
+    ///
+    /// The first step whose result does not exist; what earlier steps gave is known all the same.
+    pub fn evaluate<N: Number>(&self, known: &mut Known<N>) -> Result<(), DeadEnd> {
+        for (place, step) in self.steps.iter().enumerate() {
+            let Some(found) = step.evaluate(known) else { return Err(DeadEnd(place)) };
+            enter(step, found, known);
+        }
+        Ok(())
+    }
+
+    /// The same with one law replaced by one of its slips wherever the slip applies.
+    pub fn evaluate_slipped<N: Number>(&self, law: Law, slip: &str, known: &mut Known<N>) -> Result<(), DeadEnd> {
+        for (place, step) in self.steps.iter().enumerate() {
+            let slipped: Outcome<N> = if step.law == law { step.slipped(slip, known) } else { None };
+            let Some(found) = slipped.or_else(|| step.evaluate(known)) else { return Err(DeadEnd(place)) };
+            enter(step, found, known);
+        }
+        Ok(())
+    }
+
+    /// Plans and evaluates, going round steps whose results do not exist. Returns the derivation and
+    /// the asked quantities that are not to be had.
+    pub fn carry_out<N: Number>(known: &mut Known<N>, asked: &[Quantity]) -> (Derivation, Vec<Quantity>) {
+        let given: BTreeSet<Quantity> = known.0.keys().copied().collect();
+        let mut banned = Vec::new();
+        loop {
+            let (plan, missing) = Derivation::plan(&given, asked, &banned);
+            let mut attempt = known.clone();
+            match plan.evaluate(&mut attempt) {
+                Ok(()) => {
+                    *known = attempt;
+                    return (plan, missing);
+                }
+                Err(DeadEnd(place)) => banned.push(plan.steps[place].clone()),
+            }
+        }
+    }
+}
+
+/// What a step gives is entered unless it is known already: a rule may give two things of which one is.
+fn enter<N: Number>(step: &Rule, found: Vec<super::law::Datum<N>>, known: &mut Known<N>) {
+    for (quantity, datum) in step.gives.iter().zip(found) {
+        known.0.entry(*quantity).or_insert(datum);
+    }
+}
+
+/// Each step as soon as it can be taken, earlier laws of the list first.
+fn in_order(given: &BTreeSet<Quantity>, mut rest: Vec<&Rule>) -> Vec<Rule> {
+    rest.sort_by_key(|rule| rule.law);
+    let mut known = given.clone();
+    let mut steps = Vec::new();
+    while let Some(place) = rest.iter().position(|rule| rule.needs.iter().all(|need| known.contains(need))) {
+        let rule = rest.remove(place);
+        known.extend(&rule.gives);
+        steps.push(rule.clone());
+    }
+    steps
+}

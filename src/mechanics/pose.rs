@@ -1,0 +1,143 @@
+//! From a scene to what is known: the quantities that it gives, and the line of centres turned so that
+//! it points from A to B.
+
+use std::cmp::Ordering;
+
+use super::law::{Datum, Known};
+use super::refusal::Refusal;
+use super::scene::{Contact, Scene, Velocity};
+use super::{Axis, Moment, Quantity, Sphere};
+use crate::number::Value;
+
+/// The quantities that a scene gives.
+///
+/// # Errors
+///
+/// Spheres that do not approach, that miss each other, or that overlap from the start.
+pub fn pose(scene: &Scene) -> Result<Known<Value>, Refusal> {
+    let mut known = Known::default();
+    for sphere in Sphere::BOTH {
+        if let Some(mass) = scene.mass(sphere) {
+            if mass.value.sign().is_some_and(Ordering::is_le) {
+                return Err(Refusal::impossible(format!("the mass of {} is not positive", sphere.name())));
+            }
+            put(&mut known, Quantity::Mass(sphere), &mass.value);
+        }
+    }
+    if let Some(e) = &scene.restitution {
+        put(&mut known, Quantity::Restitution, &e.value);
+    }
+    for moment in [Moment::Before, Moment::After] {
+        for sphere in Sphere::BOTH {
+            match scene.velocity(sphere, moment) {
+                None => {}
+                Some(Velocity::Components(x, y)) => {
+                    put(&mut known, Quantity::Velocity(sphere, moment, Axis::X), &x.value);
+                    put(&mut known, Quantity::Velocity(sphere, moment, Axis::Y), &y.value);
+                }
+                Some(Velocity::Polar { speed, cos, sin, .. }) => {
+                    put(&mut known, Quantity::Speed(sphere, moment), &speed.value);
+                    let direction = Datum::Direction { y: sin.clone(), x: cos.clone() };
+                    known.0.insert(Quantity::GivenDirection(sphere, moment), direction);
+                }
+            }
+        }
+    }
+    contact(scene, &mut known)?;
+    Ok(known)
+}
+
+fn put(known: &mut Known<Value>, quantity: Quantity, value: &Value) {
+    known.0.insert(quantity, Datum::Number(value.clone()));
+}
+
+/// Components along i and j, however the velocity was given.
+fn components(velocity: &Velocity) -> (Value, Value) {
+    match velocity {
+        Velocity::Components(x, y) => (x.value.clone(), y.value.clone()),
+        Velocity::Polar { speed, cos, sin, .. } => (&speed.value * cos, &speed.value * sin),
+    }
+}
+
+/// The velocity of A relative to B before the impact.
+fn relative(scene: &Scene) -> Option<(Value, Value)> {
+    let [a, b] = [scene.before[0].as_ref()?, scene.before[1].as_ref()?].map(components);
+    Some((&a.0 - &b.0, &a.1 - &b.1))
+}
+
+fn contact(scene: &Scene, known: &mut Known<Value>) -> Result<(), Refusal> {
+    let relative = relative(scene);
+    if let Some((x, y)) = &relative
+        && x.is_zero()
+        && y.is_zero()
+    {
+        return Err(Refusal::impossible(
+            "A and B have the same velocity before, so neither approaches the other: there is no impact",
+        ));
+    }
+    match &scene.contact {
+        None => Ok(()),
+        Some(Contact::Along(x, y, sense)) => {
+            let speed = relative.map(|(u, v)| &(&u * x) + &(&v * y));
+            let approaching = match (&speed, sense) {
+                (Some(speed), _) if speed.is_zero() => Err(Refusal::impossible(
+                    "the velocities of A and B have equal components along the line of centres: the spheres do not approach, so there is no impact",
+                )),
+                (Some(speed), None) => Ok(speed.sign() != Some(Ordering::Less)),
+                _ => Ok(true),
+            }?;
+            let size = (&(x * x) + &(y * y)).square_root().unwrap_or(Value::ONE);
+            let unit = |component: &Value| -> Value {
+                let unit = component.divided_by(&size).unwrap_or(Value::ZERO);
+                if approaching { unit } else { -unit }
+            };
+            line(known, unit(x), unit(y));
+            Ok(())
+        }
+        Some(Contact::Offset(offset, sum)) => sine(known, &offset.value, &sum.value),
+        Some(Contact::Apart(x, y, sum)) => {
+            let distance = (&(x * x) + &(y * y)).square_root().unwrap_or(Value::ZERO);
+            match (&distance - sum).sign() {
+                Some(Ordering::Less) => Err(Refusal::impossible(
+                    "the centres are closer together than the sum of the radii: the spheres overlap before the impact",
+                )),
+                Some(Ordering::Equal) => {
+                    let unit = |component: &Value| component.divided_by(&distance).unwrap_or(Value::ZERO);
+                    line(known, unit(x), unit(y));
+                    Ok(())
+                }
+                _ => {
+                    let Some((u, v)) = relative else {
+                        return Err(Refusal::underdetermined(
+                            "the spheres do not touch in these positions, and without both velocities before it is open where they will",
+                        ));
+                    };
+                    if (&(&u * x) + &(&v * y)).sign().is_some_and(Ordering::is_le) {
+                        return Err(Refusal::impossible(
+                            "from these positions the spheres move apart: there is no impact",
+                        ));
+                    }
+                    let speed = (&(&u * &u) + &(&v * &v)).square_root().unwrap_or(Value::ONE);
+                    let offset = (&(&u * y) - &(&v * x)).divided_by(&speed).unwrap_or(Value::ZERO);
+                    sine(known, &offset, sum)
+                }
+            }
+        }
+    }
+}
+
+fn line(known: &mut Known<Value>, x: Value, y: Value) {
+    known.0.insert(Quantity::Line(Axis::X), Datum::Number(x));
+    known.0.insert(Quantity::Line(Axis::Y), Datum::Number(y));
+}
+
+fn sine(known: &mut Known<Value>, offset: &Value, sum: &Value) -> Result<(), Refusal> {
+    let sine = offset.divided_by(sum).unwrap_or(Value::ZERO);
+    if (&(&sine * &sine) - &Value::ONE).sign().is_some_and(Ordering::is_ge) {
+        return Err(Refusal::impossible(
+            "the path of A passes B at a distance of at least the sum of the radii: the spheres miss each other",
+        ));
+    }
+    known.0.insert(Quantity::ContactSine, Datum::Number(sine));
+    Ok(())
+}

@@ -1,0 +1,155 @@
+//! Could it happen? Approach before, signed separation after, 0 ≤ e ≤ 1, and every law kept.
+//!
+//! Energy does not tell: spheres that pass through each other lose energy too. Only the *signed*
+//! separation along the line of centres shows that they do.
+
+use std::cmp::Ordering;
+
+use super::law::{ALONG, Known, MASSES};
+use super::refusal::Refusal;
+use super::{Axis, Derivation, Moment, Quantity, Sphere};
+use crate::expr::{print, written};
+use crate::number::Value;
+
+/// Refuses what cannot happen, as far as what is known determines it.
+///
+/// # Errors
+///
+/// The first reason found.
+pub fn check(known: &Known<Value>) -> Result<(), Refusal> {
+    let mut all = known.clone();
+    let mut asked = vec![Quantity::Approach, Quantity::Separation, Quantity::Restitution, MASSES[0], MASSES[1]];
+    asked.extend(ALONG);
+    for sphere in Sphere::BOTH {
+        asked.extend([Moment::Before, Moment::After].map(|moment| Quantity::Velocity(sphere, moment, Axis::T)));
+    }
+    Derivation::carry_out(&mut all, &asked);
+    masses(&all)?;
+    impulse_given(&all)?;
+    approach(&all)?;
+    restitution(&all)?;
+    laws(&all)
+}
+
+fn sign(known: &Known<Value>, quantity: Quantity) -> Option<Ordering> {
+    known.number(quantity)?.sign()
+}
+
+fn show(value: &Value) -> String {
+    print::unicode(&written(value))
+}
+
+fn masses(known: &Known<Value>) -> Result<(), Refusal> {
+    for (mass, name) in MASSES.into_iter().zip(["A", "B"]) {
+        if sign(known, mass).is_some_and(Ordering::is_le) {
+            let value = known.number(mass).map_or(String::new(), |value| show(&value));
+            return Err(Refusal::impossible(format!("the mass of {name} would be {value}, which is not positive")));
+        }
+    }
+    Ok(())
+}
+
+/// A sphere whose velocity is given before and after, and is the same, was not struck.
+fn impulse_given(known: &Known<Value>) -> Result<(), Refusal> {
+    for sphere in Sphere::BOTH {
+        let at = |moment, axis| known.number(Quantity::Velocity(sphere, moment, axis));
+        let change = |axis| Some(&at(Moment::After, axis)? - &at(Moment::Before, axis)?);
+        if let (Some(x), Some(y)) = (change(Axis::X), change(Axis::Y))
+            && x.is_zero()
+            && y.is_zero()
+        {
+            let name = sphere.name();
+            return Err(Refusal::impossible(format!(
+                "the velocity of {name} is the same before and after: no impulse acted, so there was no impact"
+            )));
+        }
+    }
+    Ok(())
+}
+
+fn approach(known: &Known<Value>) -> Result<(), Refusal> {
+    let Some(approach) = known.number(Quantity::Approach) else { return Ok(()) };
+    match approach.sign() {
+        Some(Ordering::Less) => Err(Refusal::impossible(format!(
+            "the spheres do not approach: along the line of centres from A to B, A moves {} slower than B, so there is no impact",
+            show(&-&approach)
+        ))
+        .with_help("check the direction of the line of centres, or leave out `sense`")),
+        Some(Ordering::Equal) => Err(Refusal::impossible(
+            "the spheres have equal velocities along the line of centres: they do not approach, so there is no impact",
+        )),
+        _ => Ok(()),
+    }
+}
+
+fn restitution(known: &Known<Value>) -> Result<(), Refusal> {
+    let separation = known.number(Quantity::Separation);
+    let e = known.number(Quantity::Restitution);
+    let e_is = |e: &Option<Value>| e.as_ref().map_or(String::new(), |e| format!(" (e would be {})", show(e)));
+    if let Some(separation) = &separation
+        && separation.sign() == Some(Ordering::Less)
+    {
+        let energy_falls = e.as_ref().is_some_and(|e| (e + &Value::ONE).sign() == Some(Ordering::Greater));
+        return Err(Refusal::impossible(format!(
+            "after the impact A would still be moving into B: the separation along the line of centres is {}, which is negative{}; the spheres would pass through each other{}",
+            show(separation),
+            e_is(&e),
+            if energy_falls { ", though kinetic energy falls" } else { "" }
+        )));
+    }
+    let Some(e) = e else { return Ok(()) };
+    if e.sign() == Some(Ordering::Less) {
+        return Err(Refusal::impossible(format!(
+            "the coefficient of restitution would be {}, which is negative: the spheres would pass through each other",
+            show(&e)
+        )));
+    }
+    if (&e - &Value::ONE).sign() == Some(Ordering::Greater) {
+        return Err(Refusal::impossible(format!(
+            "the coefficient of restitution would be {}, which is above 1: the impact would create kinetic energy",
+            show(&e)
+        )));
+    }
+    Ok(())
+}
+
+/// Where more is given than is needed, the laws must agree with all of it.
+fn laws(known: &Known<Value>) -> Result<(), Refusal> {
+    for sphere in Sphere::BOTH {
+        let at = |moment| known.number(Quantity::Velocity(sphere, moment, Axis::T));
+        if let (Some(before), Some(after)) = (at(Moment::Before), at(Moment::After))
+            && !before.equals(&after)
+        {
+            return Err(Refusal::impossible(format!(
+                "the component of {}'s velocity perpendicular to the line of centres would change from {} to {}, but smooth spheres exert no force that way",
+                sphere.name(),
+                show(&before),
+                show(&after)
+            )));
+        }
+    }
+    let [a, b, x, y] = ALONG;
+    let [m_a, m_b] = MASSES;
+    if let Some([m_a, m_b, a, b, x, y]) = known.numbers([m_a, m_b, a, b, x, y]) {
+        let before = &(&m_a * &a) + &(&m_b * &b);
+        let after = &(&m_a * &x) + &(&m_b * &y);
+        if !before.equals(&after) {
+            return Err(Refusal::impossible(format!(
+                "momentum along the line of centres would change from {} to {}, but no outside force acts",
+                show(&before),
+                show(&after)
+            )));
+        }
+    }
+    if let Some([e, a, b, x, y]) = known.numbers([Quantity::Restitution, a, b, x, y]) {
+        let (expected, separation) = (&e * &(&a - &b), &y - &x);
+        if !expected.equals(&separation) {
+            return Err(Refusal::impossible(format!(
+                "the separation along the line of centres is {}, but e times the approach is {}",
+                show(&separation),
+                show(&expected)
+            )));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,431 @@
+//! The building blocks of a worked solution: how quantities are written while it is worked.
+//!
+//! The positive direction of the working is that of n, from A to B; or, where the line of centres is
+//! parallel to **i** or **j**, the direction of that unit vector, as one would work on paper. Momentum
+//! and restitution read the same either way.
+
+use std::cmp::Ordering;
+
+use super::law::Known;
+use super::scene::{Contact, Scene, Velocity};
+use super::{Axis, Moment, Quantity, Sphere};
+use crate::expr::{Expr, Function, Text, read_markup, written, written_angle};
+use crate::number::{Angle, Fraction, Value};
+
+/// One step of working: words and the equations that follow them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Line {
+    /// The words; may be empty.
+    pub words: Text,
+    /// Equations on successive lines; a repeated left side stands for a chain.
+    pub equations: Vec<Expr>,
+    /// Does the last equation get a number by which later lines refer to it?
+    pub numbered: bool,
+}
+
+impl Line {
+    /// Words and equations.
+    pub fn plain(words: &str, equations: Vec<Expr>) -> Line {
+        Line::with(words, &[], equations)
+    }
+
+    /// Words and equations, the last of which gets a number.
+    pub fn numbered(words: &str, equations: Vec<Expr>) -> Line {
+        Line { numbered: true, ..Line::plain(words, equations) }
+    }
+
+    /// Words in the bank's own markup, in which names in braces stand for formulas.
+    pub fn with(words: &str, formulas: &[(&str, Expr)], equations: Vec<Expr>) -> Line {
+        let replace = |name: &str| formulas.iter().find(|(other, _)| *other == name).map(|(_, expr)| expr.clone());
+        let paragraphs = read_markup(words).unwrap_or_else(|_| vec![Text::words(words)]);
+        let mut pieces = Vec::new();
+        for text in paragraphs {
+            let replaced = text.map_formulas(&mut |expr: &Expr| Ok::<_, ()>(expr.substitute(&replace)));
+            pieces.extend(replaced.unwrap_or_default().0);
+        }
+        Line { words: Text(pieces), equations, numbered: false }
+    }
+}
+
+/// What a solution shows of each quantity.
+pub struct Show<'a> {
+    scene: &'a Scene,
+    known: &'a Known<Value>,
+    asked: &'a [Quantity],
+    /// The axis of i and j that the line of centres is parallel to.
+    axis: Option<Axis>,
+    /// Is the positive direction of the working against n?
+    against_n: bool,
+}
+
+impl<'a> Show<'a> {
+    /// The view of a solved scene in which some quantities are asked for.
+    pub fn new(scene: &'a Scene, known: &'a Known<Value>, asked: &'a [Quantity]) -> Show<'a> {
+        let component = |axis| known.number(Quantity::Line(axis));
+        let zero = |axis| component(axis).is_some_and(|value| value.is_zero());
+        let axis = if zero(Axis::Y) {
+            Some(Axis::X)
+        } else if zero(Axis::X) {
+            Some(Axis::Y)
+        } else {
+            None
+        };
+        let against_n = axis.and_then(component).is_some_and(|value| value.sign() == Some(Ordering::Less));
+        Show { scene, known, asked, axis, against_n }
+    }
+
+    /// Is the line of centres parallel to i or j?
+    pub fn along_an_axis(&self) -> bool {
+        self.axis.is_some()
+    }
+
+    /// Is the quantity one of those asked for?
+    pub fn is_asked(&self, quantity: Quantity) -> bool {
+        self.asked.contains(&quantity)
+    }
+
+    /// The exact value of a quantity, with the sign of its definition.
+    pub fn exact(&self, quantity: Quantity) -> Value {
+        self.known.number(quantity).unwrap_or(Value::ZERO)
+    }
+
+    /// The same, written.
+    pub fn value(&self, quantity: Quantity) -> Expr {
+        written(&self.exact(quantity))
+    }
+
+    /// The value of a quantity in the working: components have the signs of its positive direction.
+    pub fn worked(&self, quantity: Quantity) -> Value {
+        let value = self.exact(quantity);
+        match quantity {
+            Quantity::Velocity(_, _, Axis::N) | Quantity::Impulse(_, Axis::N) if self.against_n => -value,
+            // t is n turned by +90 degrees: i for n = -j, and j for n = i.
+            Quantity::Velocity(_, _, Axis::T) => match (self.axis, self.against_n) {
+                (Some(Axis::X), true) | (Some(Axis::Y), false) => -value,
+                _ => value,
+            },
+            _ => value,
+        }
+    }
+
+    /// The same, written.
+    pub fn shown_value(&self, quantity: Quantity) -> Expr {
+        written(&self.worked(quantity))
+    }
+
+    /// Does a letter of this name occur in the scene?
+    fn taken(&self, name: &str) -> bool {
+        self.scene.letters.iter().any(|letter| letter.name() == name)
+    }
+
+    /// The letter by which the working calls a quantity.
+    pub fn letter_of(&self, quantity: Quantity) -> &'static str {
+        use Moment::{After, Before};
+        use Sphere::{A, B};
+        let plain = !self.taken("v") && !self.taken("w");
+        match quantity {
+            Quantity::Velocity(A, After, Axis::N) => {
+                if plain {
+                    "v"
+                } else {
+                    "v_A"
+                }
+            }
+            Quantity::Velocity(B, After, Axis::N) => {
+                if plain {
+                    "w"
+                } else {
+                    "v_B"
+                }
+            }
+            Quantity::Velocity(A, Before, Axis::N) => "u_A",
+            Quantity::Velocity(B, Before, Axis::N) => "u_B",
+            Quantity::Mass(A) => "m_A",
+            Quantity::Mass(B) => "m_B",
+            Quantity::Restitution => "e",
+            Quantity::ImpulseMagnitude => "I",
+            _ => "x",
+        }
+    }
+
+    /// The same as an expression.
+    pub fn symbol(&self, quantity: Quantity) -> Expr {
+        match (quantity, self.given(quantity)) {
+            (Quantity::Mass(_) | Quantity::Restitution, Some(shown)) if matches!(shown, Expr::Name(_)) => shown,
+            _ => Expr::name(self.letter_of(quantity)),
+        }
+    }
+
+    /// The form in which a mass or e was given.
+    fn given(&self, quantity: Quantity) -> Option<Expr> {
+        match quantity {
+            Quantity::Mass(sphere) => self.scene.mass(sphere).map(|given| given.shown.clone()),
+            Quantity::Restitution => self.scene.restitution.as_ref().map(|given| given.shown.clone()),
+            _ => None,
+        }
+    }
+
+    /// A mass as it was given, or its letter while it is not known.
+    pub fn mass(&self, sphere: Sphere) -> Expr {
+        let quantity = Quantity::Mass(sphere);
+        self.given(quantity).unwrap_or_else(|| self.symbol(quantity))
+    }
+
+    /// e as it was given, or its letter.
+    pub fn restitution(&self) -> Expr {
+        self.given(Quantity::Restitution).unwrap_or_else(|| Expr::name("e"))
+    }
+
+    /// The component of a velocity along the line of centres as a student would write it down: `4 cos 30°`.
+    pub fn along(&self, sphere: Sphere, moment: Moment) -> Expr {
+        self.resolved(sphere, moment, true)
+    }
+
+    /// The same across the line of centres: `4 sin 30°`.
+    pub fn across(&self, sphere: Sphere, moment: Moment) -> Expr {
+        self.resolved(sphere, moment, false)
+    }
+
+    fn resolved(&self, sphere: Sphere, moment: Moment, along: bool) -> Expr {
+        let at = |axis| self.worked(Quantity::Velocity(sphere, moment, axis));
+        let value = at(if along { Axis::N } else { Axis::T });
+        if value.is_zero() {
+            return Expr::integer(0);
+        }
+        let size = match (self.scene.velocity(sphere, moment), self.axis) {
+            (Some(Velocity::Components(x, y)), Some(axis)) => {
+                let given = if (axis == Axis::X) == along { x } else { y };
+                return given.shown.clone();
+            }
+            (Some(Velocity::Polar { speed, angle, .. }), Some(_)) => {
+                let acute = Angle::acute(&at(Axis::T), &at(Axis::N));
+                let letter = angle.as_ref().map(|(_, shown)| shown).filter(|shown| matches!(shown, Expr::Name(_)));
+                let degrees =
+                    acute.as_ref().and_then(Angle::whole_degrees).map(|degrees| Expr::degrees(Expr::Number(degrees)));
+                let function = if along { Function::Cos } else { Function::Sin };
+                match (letter.cloned().or(degrees), self.axis) {
+                    (Some(Expr::Degrees(degrees)), _) if degrees.is_zero() || *degrees == Expr::integer(90) => {
+                        speed.shown.clone()
+                    }
+                    (Some(angle), Some(Axis::X)) | (Some(angle @ Expr::Degrees(_)), _) => {
+                        times(speed.shown.clone(), Expr::call(function, angle))
+                    }
+                    _ => {
+                        let share = value.divided_by(&speed.value).unwrap_or(Value::ONE).absolute();
+                        times(speed.shown.clone(), written(&share))
+                    }
+                }
+            }
+            _ => return written(&value),
+        };
+        if value.sign() == Some(Ordering::Less) { size.negated() } else { size }
+    }
+
+    /// An unknown component after the impact is a letter; a known one is written.
+    fn after(&self, sphere: Sphere) -> Expr {
+        match self.scene.velocity(sphere, Moment::After) {
+            Some(_) => self.along(sphere, Moment::After),
+            None => self.symbol(Quantity::Velocity(sphere, Moment::After, Axis::N)),
+        }
+    }
+
+    /// `m_A a + m_B b`, masses and components as given.
+    pub fn momentum_before(&self) -> Expr {
+        Expr::sum(Sphere::BOTH.map(|sphere| times(self.mass(sphere), self.along(sphere, Moment::Before))))
+    }
+
+    /// `m_A v + m_B w`.
+    pub fn momentum_after(&self) -> Expr {
+        Expr::sum(Sphere::BOTH.map(|sphere| times(self.mass(sphere), self.after(sphere))))
+    }
+
+    /// `w - v`.
+    pub fn separation(&self) -> Expr {
+        difference(self.after(Sphere::B), self.after(Sphere::A))
+    }
+
+    /// `a - b`, as given.
+    pub fn approach(&self) -> Expr {
+        difference(self.along(Sphere::A, Moment::Before), self.along(Sphere::B, Moment::Before))
+    }
+
+    /// `e (a - b)`.
+    pub fn e_times_approach(&self) -> Expr {
+        times(self.restitution(), self.approach())
+    }
+
+    /// The two equations along the line of centres in the working's own direction, as `p v + q w = r` with
+    /// p and q as simple as they come.
+    pub fn equation(&self, which: Quantity) -> Option<[Value; 3]> {
+        let [p, q, r] = self.known.equation(which)?;
+        let r = if self.against_n { -r } else { r };
+        let ratio = p.divided_by(&q)?;
+        let (p, q) = match ratio.as_fraction() {
+            // With masses in a rational ratio: coprime whole numbers.
+            Some(ratio) => (Fraction::from(ratio.numerator()), Fraction::from(ratio.denominator())),
+            None => return Some([p, q, r]),
+        };
+        let scale = Value::Rational(q.clone()).divided_by(&self.known.equation(which)?[1])?;
+        let turned = if q.sign().is_lt() { Value::from(-1) } else { Value::ONE };
+        Some([&Value::Rational(p) * &turned, &Value::Rational(q) * &turned, &(&r * &scale) * &turned])
+    }
+
+    /// `p v + q w = r`, written.
+    fn linear(&self, [p, q, r]: &[Value; 3]) -> Expr {
+        let letter = |sphere| self.symbol(Quantity::Velocity(sphere, Moment::After, Axis::N));
+        let (v, w) = (multiple(p, letter(Sphere::A)), multiple(q, letter(Sphere::B)));
+        let negative_first = p.sign() == Some(Ordering::Less);
+        let left = if negative_first { Expr::sum([w, v]) } else { Expr::sum([v, w]) };
+        Expr::equation(left, written(r))
+    }
+
+    /// An equation as a student first writes it, and then simplified if that changes anything.
+    pub fn with_simplified(&self, equation: Expr, which: Quantity) -> Vec<Expr> {
+        let Some(coefficients) = self.equation(which) else { return vec![equation] };
+        let simple = self.linear(&coefficients);
+        let same = crate::expr::print::plain(&simple) == crate::expr::print::plain(&equation);
+        if same { vec![equation] } else { vec![equation, simple] }
+    }
+
+    /// The vector of a velocity.
+    pub fn vector(&self, sphere: Sphere, moment: Moment) -> Expr {
+        let at = |axis| Box::new(self.value(Quantity::Velocity(sphere, moment, axis)));
+        Expr::Vector(at(Axis::X), at(Axis::Y))
+    }
+
+    /// The name of an unknown velocity vector.
+    pub fn vector_letter(&self, sphere: Sphere, moment: Moment) -> &'static str {
+        match (moment, sphere) {
+            (Moment::Before, Sphere::A) => "u_A",
+            (Moment::Before, Sphere::B) => "u_B",
+            (Moment::After, Sphere::A) => "v_A",
+            (Moment::After, Sphere::B) => "v_B",
+        }
+    }
+
+    /// A vector along the line of centres with small whole components, where it has such.
+    pub fn line_direction(&self) -> Expr {
+        let (x, y) = (self.exact(Quantity::Line(Axis::X)), self.exact(Quantity::Line(Axis::Y)));
+        let pair = |x: &Value, y: &Value| Expr::Vector(Box::new(written(x)), Box::new(written(y)));
+        let Some(ratio) = y.divided_by(&x) else { return pair(&Value::ZERO, &Value::ONE) };
+        match ratio.as_fraction() {
+            Some(ratio) => {
+                pair(&Value::Rational(ratio.denominator().into()), &Value::Rational(ratio.numerator().into()))
+            }
+            None => pair(&x, &y),
+        }
+    }
+
+    /// The unit vector along the line of centres, from A to B.
+    pub fn line_vector(&self) -> Expr {
+        let at = |axis| Box::new(self.value(Quantity::Line(axis)));
+        Expr::Vector(at(Axis::X), at(Axis::Y))
+    }
+
+    /// The scene that is shown.
+    pub fn scene(&self) -> &Scene {
+        self.scene
+    }
+
+    /// Are the components along the line of centres known, before and after?
+    pub fn given_along(&self) -> bool {
+        super::law::ALONG.iter().all(|quantity| self.known.number(*quantity).is_some())
+    }
+
+    /// An angle among the quantities, written.
+    pub fn angle(&self, quantity: Quantity) -> Option<Angle> {
+        let (y, x) = self.known.direction(quantity)?;
+        Angle::of(&y, &x)
+    }
+
+    /// The offset over the sum of the radii, as given.
+    pub fn contact_quotient(&self) -> Option<Expr> {
+        match self.scene.contact.as_ref()? {
+            Contact::Offset(offset, sum) => {
+                let offset = match &offset.shown {
+                    Expr::Negative(inner) => (**inner).clone(),
+                    other => other.clone(),
+                };
+                Some(Expr::Quotient(Box::new(offset), Box::new(sum.shown.clone())))
+            }
+            _ => None,
+        }
+    }
+
+    /// The name of the angle between the path of A and the line of centres.
+    pub fn contact_angle(&self) -> &'static str {
+        if self.taken("alpha") { "phi" } else { "alpha" }
+    }
+
+    /// Equations with one left side.
+    pub fn chain(left: Expr, rights: impl IntoIterator<Item = Expr>) -> Vec<Expr> {
+        let mut chain: Vec<Expr> = Vec::new();
+        for right in rights {
+            let equation = Expr::equation(left.clone(), right);
+            if chain.last() != Some(&equation) {
+                chain.push(equation);
+            }
+        }
+        chain
+    }
+
+    /// A value with its rounded decimal where it is no short fraction.
+    pub fn approximately(left: &Expr, value: &Value) -> Option<Expr> {
+        if value.as_fraction().is_some() || !value.is_constant() {
+            return None;
+        }
+        let rounded = value.rounded(&crate::number::Places::SignificantFigures(3)).ok()?;
+        let right = Box::new(Expr::Decimal(rounded.to_string()));
+        Some(Expr::Relation(Box::new(left.clone()), crate::expr::Relation::Approximately, right))
+    }
+
+    /// The same for an angle.
+    pub fn approximate_angle(left: &Expr, angle: &Angle) -> Option<Expr> {
+        if angle.whole_degrees().is_some() || !angle.letters().iter().all(|letter| letter.is_constant()) {
+            return None;
+        }
+        let rounded = angle.rounded(&crate::number::Places::SignificantFigures(3)).ok()?;
+        let right = Box::new(Expr::degrees(Expr::Decimal(rounded.to_string())));
+        Some(Expr::Relation(Box::new(left.clone()), crate::expr::Relation::Approximately, right))
+    }
+
+    /// An angle as an expression.
+    pub fn angle_expr(angle: &Angle) -> Expr {
+        written_angle(angle)
+    }
+}
+
+/// A product without needless brackets: factors of factors are factors, and a minus stands in front.
+pub fn times(left: Expr, right: Expr) -> Expr {
+    match (left, right) {
+        (Expr::Negative(inner), other) | (other, Expr::Negative(inner)) => times_in_order(*inner, other).negated(),
+        (left, right) => times_in_order(left, right),
+    }
+}
+
+fn times_in_order(left: Expr, right: Expr) -> Expr {
+    let factors = |expr: Expr| match expr {
+        Expr::Product(factors) => factors,
+        other => vec![other],
+    };
+    let product = Expr::product(factors(left).into_iter().chain(factors(right)));
+    if product.is_zero() { Expr::integer(0) } else { product }
+}
+
+/// `left - right`, without a double minus.
+pub fn difference(left: Expr, right: Expr) -> Expr {
+    match right {
+        Expr::Number(number) if number.sign().is_lt() => Expr::sum([left, Expr::Number(-number)]),
+        Expr::Negative(inner) => Expr::sum([left, *inner]),
+        Expr::Sum(terms) => Expr::sum(std::iter::once(left).chain(terms.into_iter().map(Expr::negated))),
+        right => Expr::sum([left, right.negated()]),
+    }
+}
+
+/// A letter times a value.
+pub fn multiple(factor: &Value, letter: Expr) -> Expr {
+    if factor.as_fraction().is_some_and(|number| (-number.clone()).is_one()) {
+        return letter.negated();
+    }
+    times(written(factor), letter)
+}

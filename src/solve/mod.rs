@@ -1,0 +1,134 @@
+//! A scene solved: the derivation carried out in exact numbers, with its working.
+
+mod report;
+
+pub use report::{Answer, Report, StepReport, report};
+
+use crate::expr::{Expr, in_degrees, written, written_angle};
+use crate::mechanics::{Derivation, Known, Line, Quantity, Refusal, Scene, Show, backwards, check, pose};
+use crate::number::{Angle, Letter, Value};
+
+/// A scene with what was asked of it, found.
+#[derive(Clone, Debug)]
+pub struct Solution {
+    scene: Scene,
+    asked: Vec<Quantity>,
+    known: Known<Value>,
+    derivation: Derivation,
+    found: Vec<(Letter, Value)>,
+    finding: Vec<Line>,
+    remarks: Vec<String>,
+}
+
+/// Solves a scene for the quantities asked.
+///
+/// # Errors
+///
+/// A [`Refusal`] with its reason in mechanics: the scene cannot happen, leaves a quantity open, or
+/// needs more than the methods of an exam.
+pub fn solve(scene: &Scene, asked: &[Quantity]) -> Result<Solution, Refusal> {
+    let mut solutions = solve_all(scene, asked)?;
+    if solutions.len() > 1 {
+        let values: Vec<String> = solutions.iter().map(Solution::found_in_words).collect();
+        return Err(Refusal::underdetermined(format!("more than one value is possible: {}", values.join("; or "))));
+    }
+    let solution = solutions.remove(0);
+    let missing: Vec<String> =
+        asked.iter().filter(|quantity| !solution.knows(**quantity)).map(|quantity| format!("`{quantity}`")).collect();
+    if missing.is_empty() {
+        return Ok(solution);
+    }
+    Err(Refusal::underdetermined(format!("what is given does not determine {}", missing.join(", "))))
+}
+
+/// Every solution of a scene, with those of the quantities asked that are determined. There is more
+/// than one only where the scene has unknowns that its conditions leave more than one value.
+pub fn solve_all(scene: &Scene, asked: &[Quantity]) -> Result<Vec<Solution>, Refusal> {
+    let roots = backwards(scene)?;
+    let one = |root: crate::mechanics::Found| -> Result<Solution, Refusal> {
+        let mut known = pose(&root.scene)?;
+        check(&known)?;
+        let (derivation, _) = Derivation::carry_out(&mut known, asked);
+        Ok(Solution {
+            scene: root.scene,
+            asked: asked.to_vec(),
+            known,
+            derivation,
+            found: root.values,
+            finding: root.lines,
+            remarks: root.remarks,
+        })
+    };
+    roots.into_iter().map(one).collect()
+}
+
+impl Solution {
+    /// The scene, unknowns replaced by what was found.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// The steps.
+    pub fn derivation(&self) -> &Derivation {
+        &self.derivation
+    }
+
+    /// All that is known.
+    pub fn known(&self) -> &Known<Value> {
+        &self.known
+    }
+
+    /// The unknowns of the scene and their values; of an angle the tangent.
+    pub fn found(&self) -> &[(Letter, Value)] {
+        &self.found
+    }
+
+    /// What else the finding of the unknowns showed: roots that were left out, and why.
+    pub fn remarks(&self) -> &[String] {
+        &self.remarks
+    }
+
+    /// Is the quantity known?
+    pub fn knows(&self, quantity: Quantity) -> bool {
+        self.known.0.contains_key(&quantity)
+    }
+
+    /// A quantity that is a number.
+    pub fn number(&self, quantity: Quantity) -> Option<Value> {
+        self.known.number(quantity)
+    }
+
+    /// A quantity that is an angle.
+    pub fn angle(&self, quantity: Quantity) -> Option<Angle> {
+        let (y, x) = self.known.direction(quantity)?;
+        Angle::of(&y, &x)
+    }
+
+    /// The exact form of a quantity as a teacher writes it; an angle is an angle, not its degrees.
+    pub fn exact(&self, quantity: Quantity) -> Option<Expr> {
+        match self.number(quantity) {
+            Some(value) => Some(written(&value)),
+            None => self.angle(quantity).map(|angle| written_angle(&angle)),
+        }
+    }
+
+    /// The exact form as the exchange format has it: an angle in degrees.
+    pub fn exchange(&self, quantity: Quantity) -> Option<Expr> {
+        match self.number(quantity) {
+            Some(value) => Some(written(&value)),
+            None => self.angle(quantity).map(|angle| in_degrees(&written_angle(&angle))),
+        }
+    }
+
+    /// The worked solution: how unknowns were found, then each step.
+    pub fn lines(&self) -> Vec<Line> {
+        let show = Show::new(&self.scene, &self.known, &self.asked);
+        let steps = self.derivation.steps.iter().flat_map(|step| step.lines(&show));
+        self.finding.iter().cloned().chain(steps).collect()
+    }
+
+    fn found_in_words(&self) -> String {
+        let one = |(letter, value): &(Letter, Value)| report::found_in_words(*letter, value);
+        self.found.iter().map(one).collect::<Vec<_>>().join(", ")
+    }
+}

@@ -1,0 +1,167 @@
+//! What `solve --json` prints of a solution: every quantity that the scene determines, and the steps.
+
+use serde::Serialize;
+use serde_json::{Map, Value as Json, json};
+
+use super::Solution;
+use crate::expr::{Expr, print, written};
+use crate::mechanics::{Line, Quantity};
+use crate::number::{Angle, Decimal, Letter, Places, Range, Uncertain, Value};
+
+/// A solution in the exchange format.
+#[derive(Clone, Debug, Serialize)]
+pub struct Report {
+    /// The model of the collision.
+    pub model: &'static str,
+    /// The kind of numbers that sufficed.
+    pub method: &'static str,
+    /// Why they suffice.
+    pub why: &'static str,
+    /// Quantities by name.
+    pub quantities: Map<String, Json>,
+    /// The worked solution.
+    pub steps: Vec<StepReport>,
+    /// Roots that were left out and why.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub remarks: Vec<String>,
+}
+
+/// One line of working.
+#[derive(Clone, Debug, Serialize)]
+pub struct StepReport {
+    /// The words.
+    pub words: String,
+    /// The equations, in LaTeX.
+    pub equations: Vec<String>,
+    /// The number of the last equation, if it has one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub label: Option<u32>,
+}
+
+/// An answer in every form in which it is stated.
+#[derive(Clone, Debug, Serialize)]
+pub struct Answer {
+    /// The exchange format's expression.
+    pub exact: String,
+    /// The same in LaTeX.
+    pub latex: String,
+    /// At least 15 certified figures; null where letters remain.
+    pub decimal: Option<String>,
+    /// 3 significant figures; null where letters remain.
+    pub rounded: Option<String>,
+    /// The unit, `m/s`.
+    pub unit: &'static str,
+}
+
+const FIGURES: Places = Places::SignificantFigures(15);
+const ROUNDED: Places = Places::SignificantFigures(3);
+
+impl Answer {
+    /// A quantity of a solution.
+    pub fn of(solution: &Solution, quantity: Quantity) -> Option<Answer> {
+        let unit = quantity.unit().plain();
+        match solution.number(quantity) {
+            Some(value) => Some(Answer::number(&value, unit)),
+            None => Some(Answer::angle(&solution.angle(quantity)?, unit)),
+        }
+    }
+
+    fn number(value: &Value, unit: &'static str) -> Answer {
+        let exact = written(value);
+        let round = |places| value.is_constant().then(|| text(value.rounded(places))).flatten();
+        Answer::from(&exact, &exact, round(&FIGURES), round(&ROUNDED), unit)
+    }
+
+    fn angle(angle: &Angle, unit: &'static str) -> Answer {
+        let shown = crate::expr::written_angle(angle);
+        let constant = angle.letters().iter().all(Letter::is_constant);
+        let round = |places| constant.then(|| text(angle.rounded(places))).flatten();
+        Answer::from(&crate::expr::in_degrees(&shown), &shown, round(&FIGURES), round(&ROUNDED), unit)
+    }
+
+    fn from(
+        exact: &Expr,
+        shown: &Expr,
+        decimal: Option<String>,
+        rounded: Option<String>,
+        unit: &'static str,
+    ) -> Answer {
+        Answer { exact: print::plain(exact), latex: print::latex(shown), decimal, rounded, unit }
+    }
+}
+
+fn text(decimal: Result<Decimal, Uncertain>) -> Option<String> {
+    decimal.ok().map(|decimal| decimal.to_string())
+}
+
+/// The value of a found letter: a number, or for an acute letter its angle.
+fn found(letter: Letter, value: &Value) -> Answer {
+    match (letter.range(), Angle::of(value, &Value::ONE)) {
+        (Range::Acute, Some(angle)) => Answer::angle(&angle, "deg"),
+        _ => Answer::number(value, if letter.name().ends_with(".mass") { "kg" } else { "" }),
+    }
+}
+
+/// `e = 1/2`.
+pub(super) fn found_in_words(letter: Letter, value: &Value) -> String {
+    format!("{} = {}", letter.name(), found(letter, value).exact)
+}
+
+/// The report of a solution.
+pub fn report(solution: &Solution) -> Report {
+    let mut quantities = Map::new();
+    for quantity in Quantity::all() {
+        if let Some(answer) = Answer::of(solution, quantity) {
+            quantities.insert(quantity.to_string(), json!(answer));
+        }
+    }
+    for (letter, value) in solution.found() {
+        quantities.insert(letter.name().to_string(), json!(found(*letter, value)));
+    }
+    let (method, why) = method(solution);
+    Report {
+        model: "two smooth spheres, oblique impact",
+        method,
+        why,
+        quantities,
+        steps: steps(&solution.lines()),
+        remarks: solution.remarks().to_vec(),
+    }
+}
+
+fn steps(lines: &[Line]) -> Vec<StepReport> {
+    let mut label = 0;
+    lines
+        .iter()
+        .map(|line| StepReport {
+            words: print::text_unicode(&line.words),
+            equations: line.equations.iter().map(print::latex).collect(),
+            label: line.numbered.then(|| {
+                label += 1;
+                label
+            }),
+        })
+        .collect()
+}
+
+/// The kind of numbers that the given data need.
+fn method(solution: &Solution) -> (&'static str, &'static str) {
+    use crate::mechanics::Datum;
+    let mut values = Vec::new();
+    for (quantity, datum) in &solution.known().0 {
+        if matches!(quantity, Quantity::Velocity(..) | Quantity::Mass(_) | Quantity::Restitution)
+            && let Datum::Number(value) = datum
+        {
+            values.push(value);
+        }
+    }
+    if values.iter().any(|value| !value.is_constant()) {
+        ("letters", "letters remain in what is given, so every quantity is a formula")
+    } else if values.iter().all(|value| value.as_fraction().is_some()) {
+        ("fractions", "all masses, components and e are rational")
+    } else if values.iter().all(|value| value.letters().is_empty()) {
+        ("surds", "square roots occur, but no angle without an exact sine")
+    } else {
+        ("sines and cosines", "an angle occurs whose sine is no surd; its sine and cosine are kept as they are")
+    }
+}
