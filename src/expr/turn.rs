@@ -59,6 +59,16 @@ impl Turn {
         (0..count.abs()).try_fold(Turn::degrees(degrees), |sum, _| sum.plus(&rest))
     }
 
+    /// A positive multiple of the sine, without the root that makes it the sine itself: nought where the
+    /// angle is a whole number of half turns.
+    pub fn cross(&self) -> Option<Value> {
+        let degrees = Direction::degrees(&self.degrees)?;
+        Some(match &self.rest {
+            None => degrees.sin,
+            Some(angle) => &(angle.y() * &degrees.cos) + &(angle.x() * &degrees.sin),
+        })
+    }
+
     /// Its cosine and sine; `None` if a root does not exist or the degrees are too fine.
     pub fn direction(&self) -> Option<Direction> {
         let degrees = Direction::degrees(&self.degrees)?;

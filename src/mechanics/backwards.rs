@@ -1,9 +1,19 @@
 //! Scenes that run backwards: unknown letters found from conditions on the collision.
+//!
+//! The collision is derived forwards with the unknowns as letters; each condition then is an equation
+//! in them, and so is each law that the given data do not satisfy by themselves. Every solution is put
+//! back into the scene, tried in the original condition, and tested for whether it can happen.
 
+use std::cmp::Ordering;
+
+use super::law::Known;
 use super::refusal::Refusal;
-use super::scene::Scene;
-use super::working::Line;
-use crate::number::{Letter, Value};
+use super::scene::{Condition, Contact, Given, Scene, Velocity, meaning};
+use super::validity::{check, laws};
+use super::working::{Line, Show};
+use super::{Datum, Derivation, Quantity, Sphere, pose};
+use crate::expr::{Expr, Fault, Meaning, Turn, evaluate, holds, print, written, written_angle};
+use crate::number::{Angle, Letter, NoRoots, Range, Value, solve_system};
 
 /// One solution for the unknowns of a scene.
 #[derive(Clone, Debug)]
@@ -14,14 +24,484 @@ pub struct Found {
     pub values: Vec<(Letter, Value)>,
     /// How they were found.
     pub lines: Vec<Line>,
-    /// Roots that were left out, and why.
+    /// Roots that were left out and why, and what the letters that remain must satisfy.
     pub remarks: Vec<String>,
 }
 
 /// Finds the unknowns of a scene. A scene without unknowns is its own only solution.
+///
+/// # Errors
+///
+/// The conditions leave the unknowns open, contradict each other or what can happen, or lead to an
+/// equation beyond the methods of an exam.
 pub fn backwards(scene: &Scene) -> Result<Vec<Found>, Refusal> {
     if scene.unknowns.is_empty() {
-        return Ok(vec![Found { scene: scene.clone(), values: vec![], lines: vec![], remarks: vec![] }]);
+        if scene.conditions.is_empty() && scene.maximise.is_none() {
+            return Ok(vec![Found { scene: scene.clone(), values: vec![], lines: vec![], remarks: vec![] }]);
+        }
+        return Err(Refusal::underdetermined("there are conditions, but no unknown to be found from them")
+            .try_this("name what is to be found in `unknowns`"));
     }
-    Err(Refusal::beyond("unknowns are not found yet"))
+    let scene = with_letters(scene);
+    for unknown in &scene.unknowns {
+        if !mentions(&scene, *unknown) {
+            return Err(Refusal::underdetermined(format!(
+                "the unknown `{}` does not occur in the scene",
+                unknown.name()
+            )));
+        }
+    }
+    let posed = Posed::new(&scene)?;
+    let candidates = posed.candidates()?;
+    let mut found = Vec::new();
+    let mut left_out = Vec::new();
+    for values in candidates {
+        match posed.tried(&values) {
+            Ok(one) => found.push(one),
+            Err(reason) => left_out.push(format!("{} is left out: {reason}", in_words(&scene.unknowns, &values))),
+        }
+    }
+    if found.is_empty() {
+        let reasons = if left_out.is_empty() { "it has no real solution".to_string() } else { left_out.join("; ") };
+        return Err(Refusal::impossible(format!("no collision satisfies the conditions: {reasons}")));
+    }
+    for one in &mut found {
+        one.remarks.extend(left_out.iter().cloned());
+    }
+    Ok(found)
+}
+
+/// `e`, `A.mass` and `B.mass` among the unknowns stand where the scene leaves a gap.
+fn with_letters(scene: &Scene) -> Scene {
+    let mut scene = scene.clone();
+    for letter in scene.unknowns.clone() {
+        let given = Given {
+            value: Value::letter(letter),
+            shown: Expr::name(letter.name().replace(".mass", "").replace('A', "m_A").replace('B', "m_B")),
+        };
+        match letter.name() {
+            "e" if scene.restitution.is_none() => {
+                scene.restitution = Some(Given { value: given.value, shown: Expr::name("e") });
+            }
+            "A.mass" if scene.masses[0].is_none() => scene.masses[0] = Some(given),
+            "B.mass" if scene.masses[1].is_none() => scene.masses[1] = Some(given),
+            _ => {}
+        }
+        if !scene.letters.contains(&letter) {
+            scene.letters.push(letter);
+        }
+    }
+    scene
+}
+
+fn values_of(scene: &mut Scene) -> Vec<&mut Value> {
+    let mut values = Vec::new();
+    for given in scene.masses.iter_mut().flatten().chain(&mut scene.restitution) {
+        values.push(&mut given.value);
+    }
+    for velocity in scene.before.iter_mut().chain(&mut scene.after).flatten() {
+        match velocity {
+            Velocity::Components(x, y) => values.extend([&mut x.value, &mut y.value]),
+            Velocity::Polar { speed, cos, sin, .. } => values.extend([&mut speed.value, cos, sin]),
+        }
+    }
+    match &mut scene.contact {
+        Some(Contact::Along(x, y, _)) => values.extend([x, y]),
+        Some(Contact::Offset(offset, sum)) => values.extend([&mut offset.value, &mut sum.value]),
+        Some(Contact::Apart(x, y, sum)) => values.extend([x, y, sum]),
+        None => {}
+    }
+    values
+}
+
+fn mentions(scene: &Scene, letter: Letter) -> bool {
+    values_of(&mut scene.clone()).iter().any(|value| value.letters().contains(&letter))
+}
+
+/// The scene with unknowns replaced; `None` if a value does not exist there.
+fn substituted(scene: &Scene, unknowns: &[Letter], values: &[Value]) -> Option<Scene> {
+    let mut scene = scene.clone();
+    for value in values_of(&mut scene) {
+        for (unknown, replacement) in unknowns.iter().zip(values) {
+            *value = value.substitute(*unknown, replacement)?;
+        }
+    }
+    let shown = |given: &mut Given| {
+        let names = given.shown.names().into_iter().map(|name| name.text.clone()).collect::<Vec<_>>();
+        if unknowns.iter().any(|unknown| names.iter().any(|name| name == unknown.name() || name.starts_with("m_"))) {
+            given.shown = written(&given.value);
+        }
+    };
+    scene.masses.iter_mut().flatten().chain(&mut scene.restitution).for_each(shown);
+    for velocity in scene.before.iter_mut().chain(&mut scene.after).flatten() {
+        match velocity {
+            Velocity::Components(x, y) => [x, y].into_iter().for_each(shown),
+            Velocity::Polar { speed, cos, sin, angle } => {
+                shown(speed);
+                let unknown = |name: &str| unknowns.iter().any(|unknown| unknown.name() == name);
+                if angle.as_ref().is_some_and(|(_, expr)| expr.names().iter().any(|name| unknown(&name.text))) {
+                    *angle = Angle::of(sin, cos).map(|angle| (Turn::of(angle.clone()), written_angle(&angle)));
+                }
+            }
+        }
+    }
+    if let Some(Contact::Offset(offset, sum)) = &mut scene.contact {
+        [offset, sum].into_iter().for_each(shown);
+    }
+    scene.letters.retain(|letter| !unknowns.contains(letter));
+    scene.unknowns.clear();
+    scene.conditions.clear();
+    scene.maximise = None;
+    Some(scene)
+}
+
+/// `e = 1/2`, or for an angle `theta = 30°`.
+fn in_words(unknowns: &[Letter], values: &[Value]) -> String {
+    let one = |(letter, value): (&Letter, &Value)| {
+        let shown = match (letter.range(), Angle::of(value, &Value::ONE)) {
+            (Range::Acute, Some(angle)) => written_angle(&angle),
+            _ => written(value),
+        };
+        format!("{} = {}", letter.name(), print::unicode(&shown))
+    };
+    unknowns.iter().zip(values).map(one).collect::<Vec<_>>().join(", ")
+}
+
+/// A scene derived forwards with its unknowns as letters.
+struct Posed<'a> {
+    scene: &'a Scene,
+    known: Known<Value>,
+    derivation: Derivation,
+    asked: Vec<Quantity>,
+}
+
+impl<'a> Posed<'a> {
+    fn new(scene: &'a Scene) -> Result<Posed<'a>, Refusal> {
+        let mut known = pose(scene)?;
+        let mut asked: Vec<Quantity> = scene.maximise.into_iter().collect();
+        for condition in &scene.conditions {
+            for side in [&condition.left, &condition.right] {
+                asked.extend(side.names().iter().filter_map(|name| name.text.parse::<Quantity>().ok()));
+            }
+        }
+        asked.sort();
+        asked.dedup();
+        let (derivation, missing) = Derivation::carry_out(&mut known, &asked);
+        if !missing.is_empty() {
+            let names: Vec<String> = missing.iter().map(|quantity| format!("`{quantity}`")).collect();
+            return Err(Refusal::underdetermined(format!(
+                "a condition speaks of {}, which what is given does not determine",
+                names.join(", ")
+            )));
+        }
+        Ok(Posed { scene, known, derivation, asked })
+    }
+
+    /// Every assignment of the unknowns that solves the equations, right or not.
+    fn candidates(&self) -> Result<Vec<Vec<Value>>, Refusal> {
+        let unknowns = &self.scene.unknowns;
+        let mut equations = Vec::new();
+        for condition in &self.scene.conditions {
+            equations.push(residual(condition, self.scene, &self.known).map_err(fault)?);
+        }
+        if let Some(quantity) = self.scene.maximise {
+            equations.extend(self.stationary(quantity)?);
+        }
+        let open = |value: &Value| value.letters().iter().any(|letter| unknowns.contains(letter));
+        equations.extend(self.broken_laws().into_iter().filter(open));
+        if let Some(nought) = equations.iter().position(|equation| !open(equation)) {
+            if !equations[nought].is_zero() {
+                return Err(Refusal::impossible("a condition cannot hold, whatever the unknowns are"));
+            }
+            equations.remove(nought);
+        }
+        if equations.len() < unknowns.len() {
+            let names: Vec<&str> = unknowns.iter().map(Letter::name).collect();
+            return Err(Refusal::underdetermined(format!(
+                "{} condition{} cannot determine {} unknown{} ({})",
+                equations.len(),
+                if equations.len() == 1 { "" } else { "s" },
+                unknowns.len(),
+                if unknowns.len() == 1 { "" } else { "s" },
+                names.join(", ")
+            )));
+        }
+        solve_system(&equations, unknowns).map_err(|reason| match reason {
+            NoRoots::Always => Refusal::underdetermined("the conditions hold whatever the unknowns are"),
+            NoRoots::Never => Refusal::impossible("the conditions contradict each other"),
+            NoRoots::Degree(degree) => Refusal::beyond(format!(
+                "the conditions lead to an equation of degree {degree}; only linear and quadratic ones, in an unknown or its square, are solved"
+            )),
+            NoRoots::TooLong => Refusal::beyond("the conditions lead to formulas too long to be solved exactly"),
+        })
+    }
+
+    /// The rate of change of what is to be as large as possible. A square root is largest where its
+    /// square is.
+    fn stationary(&self, quantity: Quantity) -> Result<Vec<Value>, Refusal> {
+        let [unknown] = self.scene.unknowns.as_slice() else {
+            return Err(Refusal::beyond("a quantity is made as large as possible by one unknown only"));
+        };
+        let value = match self.known.number(quantity) {
+            Some(value) => value,
+            None => match self.known.direction(quantity).and_then(|(y, x)| y.divided_by(&x)) {
+                Some(tangent) => tangent,
+                None => return Err(Refusal::beyond(format!("`{quantity}` cannot be made as large as possible"))),
+            },
+        };
+        let slope = value.derivative(*unknown).or_else(|| (&value * &value).derivative(*unknown));
+        slope
+            .map(|slope| vec![slope])
+            .ok_or_else(|| Refusal::beyond(format!("the largest `{quantity}` is beyond the methods used here")))
+    }
+
+    /// What the laws demand beyond the derivation, where more is given than it needs.
+    fn broken_laws(&self) -> Vec<Value> {
+        let mut all = self.known.clone();
+        laws(&mut all).into_iter().map(|(_, difference)| difference).filter(|value| !value.is_zero()).collect()
+    }
+
+    /// A candidate put back: its ranges, the original conditions, and whether it can happen.
+    fn tried(&self, values: &[Value]) -> Result<Found, String> {
+        let unknowns = &self.scene.unknowns;
+        let mut remarks = Vec::new();
+        for (unknown, value) in unknowns.iter().zip(values) {
+            in_range(*unknown, value, &mut remarks)?;
+        }
+        let scene = substituted(self.scene, unknowns, values).ok_or("a quantity does not exist there")?;
+        let mut known = pose(&scene).map_err(|refusal| refusal.reason)?;
+        check(&known).map_err(|refusal| refusal.reason)?;
+        Derivation::carry_out(&mut known, &self.asked);
+        for condition in &self.scene.conditions {
+            let put_back = |expr: &Expr| put_back(expr, unknowns, values);
+            let condition = Condition { left: put_back(&condition.left), right: put_back(&condition.right) };
+            let relation = Expr::equation(condition.left.clone(), condition.right.clone());
+            let letters = scene.letters.clone();
+            match holds(&relation, &|name| name_of(name, &letters, &known)) {
+                Ok(Some(true)) => {}
+                Ok(_) if residual(&condition, &scene, &known).is_ok_and(|value| vanishes(&value)) => {}
+                _ => return Err("it does not satisfy the condition itself, only its square".to_string()),
+            }
+        }
+        if let Some(quantity) = self.scene.maximise {
+            self.is_maximum(quantity, values)?;
+        }
+        let values: Vec<(Letter, Value)> = unknowns.iter().copied().zip(values.iter().cloned()).collect();
+        let lines = self.lines(&values);
+        Ok(Found { scene, values, lines, remarks })
+    }
+
+    /// The slope must fall through nought there.
+    fn is_maximum(&self, quantity: Quantity, values: &[Value]) -> Result<(), String> {
+        let (Some(slope), [unknown], [value]) = (
+            self.stationary(quantity).ok().and_then(|mut slopes| slopes.pop()),
+            self.scene.unknowns.as_slice(),
+            values,
+        ) else {
+            return Ok(());
+        };
+        let second = slope.derivative(*unknown).and_then(|second| second.substitute(*unknown, value));
+        match second.and_then(|second| second.sign()) {
+            Some(Ordering::Greater) => Err(format!("`{quantity}` is smallest there, not largest")),
+            _ => Ok(()),
+        }
+    }
+
+    /// The forward derivation in letters, the condition, and what follows from it.
+    fn lines(&self, values: &[(Letter, Value)]) -> Vec<Line> {
+        let show = Show::new(self.scene, &self.known, &self.asked);
+        let mut lines: Vec<Line> = self.derivation.steps.iter().flat_map(|step| step.lines(&show)).collect();
+        for condition in &self.scene.conditions {
+            lines.push(condition_line(condition));
+        }
+        if let Some(quantity) = self.scene.maximise {
+            lines.push(Line::plain(
+                &format!("At the largest value of {} its rate of change is nought.", in_english(quantity)),
+                vec![],
+            ));
+        }
+        for (letter, value) in values {
+            lines.push(found_line(*letter, value));
+        }
+        lines
+    }
+}
+
+/// An unknown must lie in its range; where that depends on other letters it becomes a remark.
+fn in_range(unknown: Letter, value: &Value, remarks: &mut Vec<String>) -> Result<(), String> {
+    let name = unknown.name();
+    let sign = value.sign();
+    match unknown.range() {
+        Range::Positive if sign.is_some_and(Ordering::is_le) => Err(format!("{name} is positive")),
+        Range::Acute if sign.is_some_and(Ordering::is_le) => Err(format!("{name} is an acute angle")),
+        Range::Unit if sign == Some(Ordering::Less) => Err(format!("{name} is not negative")),
+        Range::Unit if (value - &Value::ONE).sign() == Some(Ordering::Greater) => {
+            Err(format!("{name} is at most 1, or the impact would create kinetic energy"))
+        }
+        Range::Positive | Range::Acute | Range::Unit if sign.is_none() => {
+            // The root exists only where what stands under it is positive.
+            let square = value * value;
+            let shown = if square.as_quotient().is_some() { square } else { value.clone() };
+            if shown.sign().is_none() {
+                remarks.push(format!("this needs {} > 0", print::unicode(&written(&shown))));
+            }
+            Ok(())
+        }
+        _ => Ok(()),
+    }
+}
+
+/// The unknowns of a condition's own formulas replaced.
+fn put_back(expr: &Expr, unknowns: &[Letter], values: &[Value]) -> Expr {
+    expr.substitute(&|name| {
+        let place = unknowns.iter().position(|unknown| unknown.name() == name && name.parse::<Quantity>().is_err())?;
+        Some(match (unknowns[place].range(), Angle::of(&values[place], &Value::ONE)) {
+            (Range::Acute, Some(angle)) => written_angle(&angle),
+            _ => written(&values[place]),
+        })
+    })
+}
+
+/// Nought at points inside the ranges of its letters, where it exists: for a formula whose roots do
+/// not show that it is nought.
+fn vanishes(value: &Value) -> bool {
+    use crate::number::{Fraction, Interval};
+    let mut tried = 0;
+    for sample in 1..40_i64 {
+        let at = |letter: Letter| {
+            let spread = letter.name().bytes().fold(sample * 17, |sum, byte| (sum * 31 + i64::from(byte)) % 89);
+            Some(Interval::from_fraction(&Fraction::new(spread + 1, 90), 256))
+        };
+        let Some(interval) = value.enclose(256, &at) else { continue };
+        tried += 1;
+        if !interval.contains_zero() {
+            return false;
+        }
+    }
+    tried > 0
+}
+
+fn fault(fault: Fault) -> Refusal {
+    let refusal = Refusal::beyond(format!("a condition cannot be evaluated: {}", fault.message));
+    match fault.help {
+        Some(help) => refusal.try_this(help),
+        None => refusal,
+    }
+}
+
+/// A name in a condition: a quantity, or a letter of the scene.
+fn name_of(name: &str, letters: &[Letter], known: &Known<Value>) -> Option<Meaning> {
+    if let Some(found) = meaning(letters, name) {
+        return Some(found);
+    }
+    match known.0.get(&name.parse::<Quantity>().ok()?)? {
+        Datum::Number(value) => Some(Meaning::Number(value.clone())),
+        Datum::Direction { y, x } => Some(Meaning::Degrees(Turn::of(Angle::of(y, x)?))),
+        Datum::Equation(_) => None,
+    }
+}
+
+/// What a condition makes nought: the difference of its sides, or the sine of the difference of angles.
+fn residual(condition: &Condition, scene: &Scene, known: &Known<Value>) -> Result<Value, Fault> {
+    let names = |name: &str| name_of(name, &scene.letters, known);
+    let (left, right) = (evaluate(&condition.left, &names)?, evaluate(&condition.right, &names)?);
+    let turn = |meaning: &Meaning| match meaning {
+        Meaning::Degrees(turn) | Meaning::Angle(turn) => Some(turn.clone()),
+        Meaning::Number(value) => value.as_fraction().map(|degrees| Turn::degrees(degrees.clone())),
+        _ => None,
+    };
+    let unlike = || Fault::new("the two sides are not of one kind", Default::default(), "two numbers or two angles");
+    match (&left, &right) {
+        (Meaning::Number(a), Meaning::Number(b)) => Ok(a - b),
+        _ => {
+            let (a, b) = turn(&left).zip(turn(&right)).ok_or_else(unlike)?;
+            let gap = a.plus(&b.reversed()).ok_or_else(unlike)?;
+            gap.cross().ok_or_else(unlike)
+        }
+    }
+}
+
+/// The condition as a teacher says it.
+fn condition_line(condition: &Condition) -> Line {
+    let quantity = match &condition.left {
+        Expr::Name(name) => name.text.parse::<Quantity>().ok(),
+        _ => None,
+    };
+    match quantity {
+        Some(Quantity::DeflectionDot(sphere)) if condition.right.is_zero() => Line::with(
+            "The path of {A} turns through a right angle, so the scalar product of its velocities before and after is nought.",
+            &[("A", Expr::name(sphere.name()))],
+            vec![],
+        ),
+        Some(quantity) => Line::with(
+            &format!("It is given that {} is {{r}}.", in_english(quantity)),
+            &[("r", in_symbols(&condition.right))],
+            vec![],
+        ),
+        None => Line::with(
+            "It is given that {l}.",
+            &[("l", Expr::equation(in_symbols(&condition.left), in_symbols(&condition.right)))],
+            vec![],
+        ),
+    }
+}
+
+/// Names of quantities as symbols, for a formula in a sentence.
+fn in_symbols(expr: &Expr) -> Expr {
+    expr.substitute(&|name| {
+        let quantity: Quantity = name.parse().ok()?;
+        Some(Expr::name(match quantity {
+            Quantity::Speed(Sphere::A, super::Moment::After) => "v_A",
+            Quantity::Speed(Sphere::B, super::Moment::After) => "v_B",
+            Quantity::Speed(Sphere::A, super::Moment::Before) => "u_A",
+            Quantity::Speed(Sphere::B, super::Moment::Before) => "u_B",
+            Quantity::Mass(Sphere::A) => "m_A",
+            Quantity::Mass(Sphere::B) => "m_B",
+            _ => return None,
+        }))
+    })
+}
+
+/// A quantity in words, as a sentence names it.
+fn in_english(quantity: Quantity) -> String {
+    use Quantity::*;
+    let when = |moment| if moment == super::Moment::Before { "before" } else { "after" };
+    match quantity {
+        Speed(s, m) => format!("the speed of *{}* {} the impact", s.name(), when(m)),
+        AngleToLine(s, m) => format!("the angle of *{}* to the line of centres {} the impact", s.name(), when(m)),
+        Deflection(s) | SignedDeflection(s) => {
+            format!("the angle in degrees through which *{}* is deflected", s.name())
+        }
+        TanDeflection(s) => format!("the tangent of the deflection of *{}*", s.name()),
+        EnergyLost => "the kinetic energy lost".to_string(),
+        FractionLost => "the fraction of the kinetic energy lost".to_string(),
+        ImpulseMagnitude => "the magnitude of the impulse".to_string(),
+        Velocity(s, m, super::Axis::N) => {
+            format!("the component of *{}* along the line of centres {} the impact", s.name(), when(m))
+        }
+        other => other.to_string().replace('_', " "),
+    }
+}
+
+/// `tan² θ = (2e - 1)/3` where the unknown is a root, then the unknown itself.
+fn found_line(letter: Letter, value: &Value) -> Line {
+    use crate::expr::Function;
+    let name = Expr::name(letter.name().replace("A.mass", "m_A").replace("B.mass", "m_B"));
+    let acute = letter.range() == Range::Acute;
+    let base = if acute { Expr::call(Function::Tan, name.clone()) } else { name.clone() };
+    let mut equations = Vec::new();
+    let square = value * value;
+    if value.as_fraction().is_none() && square.roots().is_empty() {
+        equations.push(Expr::equation(base.clone().to_the(2), written(&square)));
+    }
+    if acute && value.is_constant() {
+        equations.push(Expr::equation(base, written(value)));
+        if let Some(angle) = Angle::of(value, &Value::ONE) {
+            equations.push(Expr::equation(name.clone(), written_angle(&angle)));
+            equations.extend(Show::approximate_angle(&name, &angle));
+        }
+    } else if !acute || equations.is_empty() {
+        equations.push(Expr::equation(base, written(value)));
+    }
+    Line::plain("Solving for the unknown:", equations)
 }

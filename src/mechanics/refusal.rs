@@ -41,7 +41,7 @@ impl Refusal {
     }
 
     /// The refusal with one thing to try.
-    pub fn with_help(mut self, help: impl Into<String>) -> Refusal {
+    pub fn try_this(mut self, help: impl Into<String>) -> Refusal {
         self.help = Some(help.into());
         self
     }

@@ -18,17 +18,12 @@ use crate::number::Value;
 /// The first reason found.
 pub fn check(known: &Known<Value>) -> Result<(), Refusal> {
     let mut all = known.clone();
-    let mut asked = vec![Quantity::Approach, Quantity::Separation, Quantity::Restitution, MASSES[0], MASSES[1]];
-    asked.extend(ALONG);
-    for sphere in Sphere::BOTH {
-        asked.extend([Moment::Before, Moment::After].map(|moment| Quantity::Velocity(sphere, moment, Axis::T)));
-    }
-    Derivation::carry_out(&mut all, &asked);
+    Derivation::carry_out(&mut all, &sides());
     masses(&all)?;
     impulse_given(&all)?;
     approach(&all)?;
     restitution(&all)?;
-    laws(&all)
+    kept(&mut all)
 }
 
 fn sign(known: &Known<Value>, quantity: Quantity) -> Option<Ordering> {
@@ -74,7 +69,7 @@ fn approach(known: &Known<Value>) -> Result<(), Refusal> {
             "the spheres do not approach: along the line of centres from A to B, A moves {} slower than B, so there is no impact",
             show(&-&approach)
         ))
-        .with_help("check the direction of the line of centres, or leave out `sense`")),
+        .try_this("check the direction of the line of centres, or leave out `sense`")),
         Some(Ordering::Equal) => Err(Refusal::impossible(
             "the spheres have equal velocities along the line of centres: they do not approach, so there is no impact",
         )),
@@ -114,18 +109,27 @@ fn restitution(known: &Known<Value>) -> Result<(), Refusal> {
 }
 
 /// Where more is given than is needed, the laws must agree with all of it.
-fn laws(known: &Known<Value>) -> Result<(), Refusal> {
+fn kept(known: &mut Known<Value>) -> Result<(), Refusal> {
+    match laws(known).into_iter().find(|(_, difference)| !difference.is_zero()) {
+        Some((reason, _)) => Err(Refusal::impossible(reason)),
+        None => Ok(()),
+    }
+}
+
+/// For each law of which everything is known: what would be wrong, and by how much.
+pub fn laws(known: &mut Known<Value>) -> Vec<(String, Value)> {
+    Derivation::carry_out(known, &sides());
+    let mut differences = Vec::new();
     for sphere in Sphere::BOTH {
         let at = |moment| known.number(Quantity::Velocity(sphere, moment, Axis::T));
-        if let (Some(before), Some(after)) = (at(Moment::Before), at(Moment::After))
-            && !before.equals(&after)
-        {
-            return Err(Refusal::impossible(format!(
+        if let (Some(before), Some(after)) = (at(Moment::Before), at(Moment::After)) {
+            let reason = format!(
                 "the component of {}'s velocity perpendicular to the line of centres would change from {} to {}, but smooth spheres exert no force that way",
                 sphere.name(),
                 show(&before),
                 show(&after)
-            )));
+            );
+            differences.push((reason, &after - &before));
         }
     }
     let [a, b, x, y] = ALONG;
@@ -133,23 +137,31 @@ fn laws(known: &Known<Value>) -> Result<(), Refusal> {
     if let Some([m_a, m_b, a, b, x, y]) = known.numbers([m_a, m_b, a, b, x, y]) {
         let before = &(&m_a * &a) + &(&m_b * &b);
         let after = &(&m_a * &x) + &(&m_b * &y);
-        if !before.equals(&after) {
-            return Err(Refusal::impossible(format!(
-                "momentum along the line of centres would change from {} to {}, but no outside force acts",
-                show(&before),
-                show(&after)
-            )));
-        }
+        let reason = format!(
+            "momentum along the line of centres would change from {} to {}, but no outside force acts",
+            show(&before),
+            show(&after)
+        );
+        differences.push((reason, &after - &before));
     }
     if let Some([e, a, b, x, y]) = known.numbers([Quantity::Restitution, a, b, x, y]) {
         let (expected, separation) = (&e * &(&a - &b), &y - &x);
-        if !expected.equals(&separation) {
-            return Err(Refusal::impossible(format!(
-                "the separation along the line of centres is {}, but e times the approach is {}",
-                show(&separation),
-                show(&expected)
-            )));
-        }
+        let reason = format!(
+            "the separation along the line of centres is {}, but e times the approach is {}",
+            show(&separation),
+            show(&expected)
+        );
+        differences.push((reason, &separation - &expected));
     }
-    Ok(())
+    differences
+}
+
+/// What the laws speak of.
+fn sides() -> Vec<Quantity> {
+    let mut asked = vec![Quantity::Approach, Quantity::Separation, Quantity::Restitution, MASSES[0], MASSES[1]];
+    asked.extend(ALONG);
+    for sphere in Sphere::BOTH {
+        asked.extend([Moment::Before, Moment::After].map(|moment| Quantity::Velocity(sphere, moment, Axis::T)));
+    }
+    asked
 }
