@@ -13,7 +13,7 @@ use super::validity::{check, laws};
 use super::working::{Line, Show};
 use super::{Datum, Derivation, Quantity, Sphere, pose};
 use crate::expr::{Expr, Fault, Meaning, Turn, evaluate, holds, print, written, written_angle};
-use crate::number::{Angle, Letter, NoRoots, Range, Value, solve_system};
+use crate::number::{Angle, Letter, NoRoots, Range, Root, Value, solve_system};
 
 /// One solution for the unknowns of a scene.
 #[derive(Clone, Debug)]
@@ -331,6 +331,14 @@ impl<'a> Posed<'a> {
 fn in_range(unknown: Letter, value: &Value, remarks: &mut Vec<String>) -> Result<(), String> {
     let name = unknown.name();
     let sign = value.sign();
+    for root in value.roots() {
+        if let Root::Nested { radicand, .. } = root
+            && radicand.sign().is_none()
+            && radicand.square_root_of_square().is_none()
+        {
+            remarks.push(format!("this needs {} > 0", print::unicode(&written(&radicand))));
+        }
+    }
     match unknown.range() {
         Range::Positive if sign.is_some_and(Ordering::is_le) => Err(format!("{name} is positive")),
         Range::Acute if sign.is_some_and(Ordering::is_le) => Err(format!("{name} is an acute angle")),
@@ -339,12 +347,7 @@ fn in_range(unknown: Letter, value: &Value, remarks: &mut Vec<String>) -> Result
             Err(format!("{name} is at most 1, or the impact would create kinetic energy"))
         }
         Range::Positive | Range::Acute | Range::Unit if sign.is_none() => {
-            // The root exists only where what stands under it is positive.
-            let square = value * value;
-            let shown = if square.as_quotient().is_some() { square } else { value.clone() };
-            if shown.sign().is_none() {
-                remarks.push(format!("this needs {} > 0", print::unicode(&written(&shown))));
-            }
+            remarks.push(format!("this needs {} > 0", print::unicode(&written(value))));
             Ok(())
         }
         _ => Ok(()),
@@ -403,7 +406,13 @@ fn name_of(name: &str, letters: &[Letter], known: &Known<Value>) -> Option<Meani
 
 /// What a condition makes nought: the difference of its sides, or the sine of the difference of angles.
 fn residual(condition: &Condition, scene: &Scene, known: &Known<Value>) -> Result<Value, Fault> {
-    let names = |name: &str| name_of(name, &scene.letters, known);
+    let names = |name: &str| {
+        let quantity = name.parse::<Quantity>().ok();
+        match quantity.and_then(|quantity| known.direction(quantity)) {
+            Some((y, x)) => Some(Meaning::Degrees(Turn::of(Angle::unscaled(&y, &x)))),
+            None => name_of(name, &scene.letters, known),
+        }
+    };
     let (left, right) = (evaluate(&condition.left, &names)?, evaluate(&condition.right, &names)?);
     let turn = |meaning: &Meaning| match meaning {
         Meaning::Degrees(turn) | Meaning::Angle(turn) => Some(turn.clone()),

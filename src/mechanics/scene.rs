@@ -130,6 +130,7 @@ struct Reader<'a> {
 impl Reader<'_> {
     fn scene<S: AsRef<str>>(&mut self, text: &SceneText<S>) -> Scene {
         self.declare(text);
+        self.imply(text);
         let masses = [(&text.masses.a, Sphere::A), (&text.masses.b, Sphere::B)]
             .map(|(mass, sphere)| self.optional(mass.as_ref(), &format!("masses.{}", sphere.name())));
         let before = self.velocities(&text.before, "before");
@@ -174,6 +175,20 @@ impl Reader<'_> {
             match Letter::new(name, found) {
                 Some(letter) if !name.is_empty() => self.letters.push(letter),
                 _ => self.whole_fault(&field, name, "a letter's name is too long", "at most 15 characters"),
+            }
+        }
+    }
+
+    /// `e`, `A.mass` and `B.mass` need no declaration to be found: their meaning is their range.
+    fn imply<S: AsRef<str>>(&mut self, text: &SceneText<S>) {
+        for name in &text.unknowns {
+            let range = match name.as_ref() {
+                "e" => Range::Unit,
+                "A.mass" | "B.mass" => Range::Positive,
+                _ => continue,
+            };
+            if self.letters.iter().all(|letter| letter.name() != name.as_ref()) {
+                self.letters.extend(Letter::new(name.as_ref(), range));
             }
         }
     }
@@ -354,18 +369,12 @@ impl Reader<'_> {
         Some(Contact::Apart(&b_x - &a_x, &b_y - &a_y, sum))
     }
 
-    /// Letters to be found. `e`, `A.mass` and `B.mass` need no declaration: their meaning is their range.
+    /// Letters to be found.
     fn unknowns<S: AsRef<str>>(&mut self, text: &SceneText<S>) -> Vec<Letter> {
         let mut unknowns = Vec::new();
         for (index, name) in text.unknowns.iter().enumerate() {
             let name = name.as_ref();
-            let declared = self.letters.iter().find(|letter| letter.name() == name).copied();
-            let implied = match name {
-                "e" => Letter::new(name, Range::Unit),
-                "A.mass" | "B.mass" => Letter::new(name, Range::Positive),
-                _ => None,
-            };
-            match declared.or(implied) {
+            match self.letters.iter().find(|letter| letter.name() == name).copied() {
                 Some(letter) => unknowns.push(letter),
                 None => {
                     let field = format!("unknowns[{index}]");

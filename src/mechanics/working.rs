@@ -9,7 +9,7 @@ use std::cmp::Ordering;
 use super::law::Known;
 use super::scene::{Contact, Scene, Velocity};
 use super::{Axis, Moment, Quantity, Sphere};
-use crate::expr::{Expr, Function, Text, read_markup, written, written_angle};
+use crate::expr::{Expr, Function, Piece, Text, read_markup, written, written_angle};
 use crate::number::{Angle, Fraction, Value};
 
 /// One step of working: words and the equations that follow them.
@@ -41,9 +41,18 @@ impl Line {
         let mut pieces = Vec::new();
         for text in paragraphs {
             let replaced = text.map_formulas(&mut |expr: &Expr| Ok::<_, ()>(expr.substitute(&replace)));
-            pieces.extend(replaced.unwrap_or_default().0);
+            pieces.extend(replaced.unwrap_or_default().0.into_iter().map(without_second_unit));
         }
         Line { words: Text(pieces), equations, numbered: false }
+    }
+}
+
+/// A letter such as v carries its unit already; a formula in letters does not get it twice.
+fn without_second_unit(piece: Piece) -> Piece {
+    let unit_vector = |name: &str| name == "i" || name == "j";
+    match piece {
+        Piece::Quantity(expr, _) if expr.names().iter().any(|name| !unit_vector(&name.text)) => Piece::Formula(expr),
+        other => other,
     }
 }
 

@@ -43,6 +43,12 @@ impl Angle {
         Some(Angle { y: y.divided_by(&scale)?, x: unit })
     }
 
+    /// The angle of a vector as it is, not scaled: for equations, in which a division would only bring
+    /// in a factor.
+    pub fn unscaled(y: &Value, x: &Value) -> Angle {
+        Angle { y: y.clone(), x: x.clone() }
+    }
+
     /// The acute angle between the vector and the x-axis, from 0 to 90 degrees.
     pub fn acute(y: &Value, x: &Value) -> Option<Angle> {
         Angle::of(&y.absolute(), &x.absolute())

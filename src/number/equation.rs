@@ -234,7 +234,7 @@ fn rational_root(coefficients: &[Value]) -> Option<Value> {
     let scale = numbers.iter().fold(Fraction::ONE, |scale, number| &scale * &Fraction::from(number.denominator()));
     let whole = |number: &Fraction| (number * &scale).as_small().map(|(n, _)| n.unsigned_abs());
     let (constant, lead) = (whole(numbers.first()?)?, whole(numbers.last()?)?);
-    let divisors = |number: u64| (1..=number.min(2000)).filter(move |divisor| number % divisor == 0);
+    let divisors = |number: u64| (1..=number.min(2000)).filter(move |divisor| number.is_multiple_of(*divisor));
     for p in divisors(constant) {
         for q in divisors(lead) {
             for sign in [1, -1] {
@@ -302,10 +302,10 @@ fn determinant(mut rows: Vec<Vec<Value>>) -> Result<Value, NoRoots> {
             if factor.is_zero() {
                 continue;
             }
-            for place in column..size {
-                let change = &factor * &rows[column][place];
-                rows[row][place] = &rows[row][place] - &change;
-                if rows[row][place].terms() > MOST_TERMS {
+            let pivot_row = rows[column].clone();
+            for (entry, above) in rows[row].iter_mut().zip(&pivot_row).skip(column) {
+                *entry = &*entry - &(&factor * above);
+                if entry.terms() > MOST_TERMS {
                     return Err(NoRoots::TooLong);
                 }
             }

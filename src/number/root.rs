@@ -61,8 +61,39 @@ impl Value {
         match self.sign() {
             Some(Ordering::Less) => -self,
             Some(_) => self.clone(),
-            None => Value::nested(self * self),
+            None => self.absolute_by_factors().unwrap_or_else(|| Value::nested(self * self)),
         }
+    }
+
+    /// For a single product: roots are positive, and so is each factor of known sign; only the product of
+    /// the factors of unknown sign needs the root of its square.
+    fn absolute_by_factors(&self) -> Option<Value> {
+        let (terms, denominator) = self.parts();
+        let [(roots, polynomial)] = terms.iter().collect::<Vec<_>>().try_into().ok()?;
+        let whole = |p: &Polynomial| Value::quotient(p.clone(), Polynomial::one());
+        let mut known = roots.iter().fold(Value::ONE, |product, root| &product * &Value::root(root.clone()));
+        let mut unknown = Value::ONE;
+        for (part, below) in [(polynomial, false), (&denominator, true)] {
+            let (number, factors) = part.square_free();
+            let mut place = |factor: &Value, known: &mut Value| -> Option<()> {
+                let factor = if below { factor.reciprocal()? } else { factor.clone() };
+                match factor.sign() {
+                    Some(Ordering::Less) => *known = -(&*known * &factor),
+                    Some(_) => *known = &*known * &factor,
+                    None => unknown = &unknown * &factor,
+                }
+                Some(())
+            };
+            place(&Value::Rational(number), &mut known)?;
+            for (factor, power) in factors {
+                let even = whole(&factor.power(power - power % 2));
+                known = if below { known.divided_by(&even)? } else { &known * &even };
+                if power % 2 == 1 {
+                    place(&whole(&factor), &mut known)?;
+                }
+            }
+        }
+        Some(&known * &Value::nested(&unknown * &unknown))
     }
 
     /// √(a + b√d) = √((a+s)/2) ± √((a-s)/2) where s² = a² - b²d is the square of a fraction.

@@ -120,11 +120,15 @@ impl Solution {
         }
     }
 
-    /// The worked solution: how unknowns were found, then each step.
+    /// How the unknowns were found; empty if there were none.
+    pub fn finding(&self) -> &[Line] {
+        &self.finding
+    }
+
+    /// The worked solution, once the unknowns are found.
     pub fn lines(&self) -> Vec<Line> {
         let show = Show::new(&self.scene, &self.known, &self.asked);
-        let steps = self.derivation.steps.iter().flat_map(|step| step.lines(&show));
-        self.finding.iter().cloned().chain(steps).collect()
+        self.derivation.steps.iter().flat_map(|step| step.lines(&show)).collect()
     }
 
     fn found_in_words(&self) -> String {

@@ -124,7 +124,7 @@ pub fn report(solution: &Solution) -> Report {
         method,
         why,
         quantities,
-        steps: steps(&solution.lines()),
+        steps: [steps(solution.finding()), steps(&solution.lines())].concat(),
         remarks: solution.remarks().to_vec(),
     }
 }

@@ -3,7 +3,6 @@
 //! `approach = a - b` and `separation = y - x`, positive when the spheres near, and when they part.
 
 use super::{ALONG, Datum, Known, Law, Line, MASSES, Outcome, Rule, Show, Slip, number, rule, silent, velocity};
-use crate::expr::Expr;
 use crate::mechanics::Axis::{N, T, X, Y};
 use crate::mechanics::Moment::{After, Before};
 use crate::mechanics::Quantity;
@@ -65,10 +64,14 @@ pub fn slipped<N: Number>(_: &str, _: &Rule, _: &Known<N>) -> Outcome<N> {
 }
 
 pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
-    match rule.form {
-        APPROACH | SEPARATION | MASS_RATIO if show.is_asked(rule.gives[0]) => {
-            vec![Line::plain("", vec![Expr::equation(show.symbol(rule.gives[0]), show.shown_value(rule.gives[0]))])]
-        }
-        _ => silent(),
+    let words = match rule.form {
+        APPROACH => "Along the line of centres the spheres approach at {v m/s}.",
+        SEPARATION => "Along the line of centres they separate at {v m/s}.",
+        MASS_RATIO => "The mass of *B* over the mass of *A* is {v}.",
+        _ => return silent(),
+    };
+    if !show.is_asked(rule.gives[0]) {
+        return silent();
     }
+    vec![Line::with(words, &[("v", show.value(rule.gives[0]))], vec![])]
 }
