@@ -272,6 +272,9 @@ fn tree(folders: &[&str]) -> Vec<String> {
     files
 }
 
+/// No complaint.
+const NONE: [&str; 0] = [];
+
 #[test]
 fn the_checker_sees_an_import_from_below() {
     let below = [
@@ -309,7 +312,7 @@ fn the_checker_lets_pass_what_is_above() {
         ("src/main.rs", "use carom::cli;"),
     ];
     for (path, code) in above {
-        assert_eq!(imports(path, code), [] as [&str; 0], "{path}: {code}");
+        assert_eq!(imports(path, code), NONE, "{path}: {code}");
     }
 }
 
@@ -318,9 +321,9 @@ fn the_checker_sees_a_file_that_has_grown_too_tall() {
     let long = "// a line\n".repeat(CEILING + 1);
     let tested = format!("{}#[cfg(test)]\n{}", "// a line\n".repeat(CEILING), "// a test\n".repeat(300));
     assert_eq!(height("src/a.rs", &long, &[]).len(), 1);
-    assert_eq!(height("src/a.rs", &tested, &[]), [] as [&str; 0]);
-    assert_eq!(height("src/a_tests.rs", &long, &[]), [] as [&str; 0]);
-    assert_eq!(height("src/a.rs", &long, &[("src/a.rs", CEILING + 1)]), [] as [&str; 0]);
+    assert_eq!(height("src/a.rs", &tested, &[]), NONE);
+    assert_eq!(height("src/a_tests.rs", &long, &[]), NONE);
+    assert_eq!(height("src/a.rs", &long, &[("src/a.rs", CEILING + 1)]), NONE);
     assert!(height("src/a.rs", &long, &[("src/a.rs", CEILING)])[0].contains("grew"));
     assert!(height("src/a.rs", &tested, &[("src/a.rs", CEILING + 1)])[0].contains("off the list"));
 }
@@ -330,13 +333,13 @@ fn the_checker_sees_what_is_unfinished_or_unnamed() {
     for mark in UNFINISHED {
         assert_eq!(unfinished("src/a.rs", &format!("fn f() {{\n    // {mark}\n}}")).len(), 1, "{mark}");
     }
-    assert_eq!(unfinished("src/a.rs", "// done\n#[test]\nfn f() {}"), [] as [&str; 0]);
+    assert_eq!(unfinished("src/a.rs", "// done\n#[test]\nfn f() {}"), NONE);
     assert_eq!(first_line("src/a.rs", "use std::fs;\n").len(), 1);
     assert_eq!(first_line("src/a.rs", "//!\n//! Late.\n").len(), 1);
-    assert_eq!(first_line("src/a.rs", "//! Fractions in lowest terms.\n"), [] as [&str; 0]);
+    assert_eq!(first_line("src/a.rs", "//! Fractions in lowest terms.\n"), NONE);
     assert_eq!(nameless("src/number/utils.rs").len(), 1);
     assert_eq!(nameless("src/common/fraction.rs").len(), 1);
-    assert_eq!(nameless("src/number/fraction.rs"), [] as [&str; 0]);
+    assert_eq!(nameless("src/number/fraction.rs"), NONE);
 }
 
 #[test]
