@@ -82,6 +82,19 @@ fn carom_documents_every_room_in_the_order_of_import() {
     assert_eq!(rooms, ROOMS, "docs/architecture.md has a table with a row for each room, in this order");
 }
 
+#[test]
+fn carom_says_what_each_dependency_earns_its_place_with() {
+    let manifest = fs::read_to_string(root().join("Cargo.toml")).unwrap();
+    let listed = manifest.lines().skip_while(|line| *line != "[dependencies]").skip(1);
+    let crates: Vec<&str> =
+        listed.take_while(|line| !line.is_empty()).filter_map(|line| line.split(" = ").next()).collect();
+    assert!(crates.len() > 5, "{crates:?}");
+    let page = fs::read_to_string(root().join("docs/design.md")).unwrap();
+    for name in crates {
+        assert!(page.contains(&format!("\n| `{name}` | ")), "docs/design.md does not say why `{name}` is there");
+    }
+}
+
 /// A room names only rooms above it, and no room that is not on the list.
 fn imports(path: &str, text: &str) -> Vec<String> {
     let Some(room) = room_of(path) else { return Vec::new() };
