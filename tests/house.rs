@@ -71,6 +71,7 @@ fn carom_keeps_its_house() {
             complaints.extend(imports(path, &text));
             complaints.extend(height(path, &text, &TALL));
             complaints.extend(nameless(path));
+            complaints.extend(laws_by_name(path, &text));
         }
     }
     complaints.extend(open_folders(&files));
@@ -164,6 +165,26 @@ fn nameless(path: &str) -> Vec<String> {
         Some(name) => vec![format!("{path}: `{name}` says nothing about what is in it")],
         None => Vec::new(),
     }
+}
+
+/// Only the list of laws and a law's own file name a law, so that to add one takes a file and a line.
+fn laws_by_name(path: &str, text: &str) -> Vec<String> {
+    if path.starts_with("src/mechanics/law/") || path.ends_with("tests.rs") {
+        return Vec::new();
+    }
+    let code = without_comments(text);
+    let code = code.split("#[cfg(test)]").next().unwrap_or_default();
+    let named = |line: &str| line.split("Law::").skip(1).any(is_variant);
+    let lines = (1..).zip(code.lines()).filter(|(_, line)| named(line));
+    lines
+        .map(|(line, _)| format!("{path}:{line}: names a law; what it needs of the law belongs in the law's file"))
+        .collect()
+}
+
+/// Does it begin with a name in capitals and small letters, as variants have?
+fn is_variant(code: &str) -> bool {
+    let mut letters = code.chars();
+    letters.next().is_some_and(char::is_uppercase) && letters.next().is_some_and(char::is_lowercase)
 }
 
 /// A folder to which people add has a page that says how.
@@ -373,6 +394,16 @@ fn the_checker_sees_what_is_unfinished_or_unnamed() {
     assert_eq!(nameless("src/number/utils.rs").len(), 1);
     assert_eq!(nameless("src/common/fraction.rs").len(), 1);
     assert_eq!(nameless("src/number/fraction.rs"), NONE);
+}
+
+#[test]
+fn the_checker_sees_a_law_named_away_from_home() {
+    let named = "fn f(law: Law) -> bool {\n    law == Law::Momentum\n}\n";
+    assert_eq!(laws_by_name("src/paper/scheme.rs", named).len(), 1);
+    assert!(laws_by_name("src/paper/scheme.rs", named)[0].starts_with("src/paper/scheme.rs:2:"));
+    assert_eq!(laws_by_name("src/mechanics/law/momentum.rs", named), NONE);
+    assert_eq!(laws_by_name("src/paper/scheme.rs", "for law in Law::ALL {} // Law::Momentum"), NONE);
+    assert_eq!(laws_by_name("src/paper/scheme.rs", &format!("#[cfg(test)]\n{named}")), NONE);
 }
 
 #[test]
