@@ -1,5 +1,6 @@
 //! Carom makes and marks exercises on collisions in two dimensions.
 pub mod cli;
+pub mod diagnostic;
 pub mod expr;
 pub mod mechanics;
 pub mod number;
