@@ -2,6 +2,7 @@
 pub mod cli;
 pub mod diagnostic;
 pub mod expr;
+pub mod generate;
 pub mod mechanics;
 pub mod number;
 pub mod paper;
