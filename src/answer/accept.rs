@@ -58,9 +58,8 @@ fn places(text: &str) -> Result<Places, UnreadableRule> {
     let text = text.trim();
     let count = |digits: &str| digits.trim().parse::<u32>().ok().filter(|count| *count <= 12).ok_or(UnreadableRule);
     if let Some(digits) = text.strip_suffix("sf") {
-        return count(digits).and_then(|count| {
-            if count == 0 { Err(UnreadableRule) } else { Ok(Places::SignificantFigures(count)) }
-        });
+        return count(digits)
+            .and_then(|count| if count == 0 { Err(UnreadableRule) } else { Ok(Places::SignificantFigures(count)) });
     }
     if let Some(digits) = text.strip_suffix("dp") {
         return count(digits).map(Places::DecimalPlaces);
@@ -90,7 +89,8 @@ mod tests {
         for text in ["exact", "awrt 3sf", "3sf", "2dp", "awrt 1dp", "nearest 1", "nearest 0.5", "awrt nearest 15"] {
             assert_eq!(text.parse::<Accept>().unwrap().to_string(), text);
         }
-        for text in ["", "awrt", "0sf", "3 s.f.", "nearest 0", "nearest -1", "nearest 1/3", "99999999999sf", "awrt exact"]
+        for text in
+            ["", "awrt", "0sf", "3 s.f.", "nearest 0", "nearest -1", "nearest 1/3", "99999999999sf", "awrt exact"]
         {
             assert_eq!(text.parse::<Accept>(), Err(UnreadableRule), "{text}");
         }

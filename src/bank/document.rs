@@ -91,7 +91,11 @@ pub fn parse<'a>(text: &'a str, faults: &mut Faults) -> Option<Spanned<DeTable<'
             }
             message => {
                 let (what, expected) = message.split_once(", expected ").unwrap_or((message, "readable TOML"));
-                faults.report(span, format!("this is no TOML: {what}"), format!("expected {expected}"));
+                let label = match expected {
+                    "nothing" => "expected nothing here".to_owned(),
+                    _ => format!("expected {expected}"),
+                };
+                faults.report(span, format!("this is no TOML: {what}"), label);
             }
         }
     }
@@ -154,12 +158,7 @@ impl<'t, 'd> Keys<'t, 'd> {
     }
 
     /// The tables of a list; empty if the key is not there.
-    pub fn tables(
-        &mut self,
-        key: &'static str,
-        what: &'static str,
-        faults: &mut Faults,
-    ) -> Vec<Keys<'t, 'd>> {
+    pub fn tables(&mut self, key: &'static str, what: &'static str, faults: &mut Faults) -> Vec<Keys<'t, 'd>> {
         let Some(value) = self.get(key) else { return Vec::new() };
         let DeValue::Array(items) = value.get_ref() else {
             wrong_type(&format!("`{key}`"), "a list of tables", value.get_ref(), value.span(), faults);
@@ -182,12 +181,21 @@ impl<'t, 'd> Keys<'t, 'd> {
         for key in self.table.keys() {
             let name: &str = key.get_ref();
             if !self.known.contains(&name) {
-                let list = self.known.iter().map(|known| format!("`{known}`")).collect::<Vec<_>>().join(", ");
-                let label = format!("{} has {list}", self.what);
-                faults.unknown(key.span(), format!("unknown key `{name}`"), label, name, self.known.iter().copied());
+                let message = format!("unknown key `{name}`");
+                let known = self.known.iter().copied();
+                let label = match near(name, known.clone()) {
+                    Some(_) => format!("{} has no such key", self.what),
+                    None => format!("{} has {}", self.what, listed(&self.known)),
+                };
+                faults.unknown(key.span(), message, label, name, known);
             }
         }
     }
+}
+
+/// Names in backticks, with commas between.
+pub fn listed<S: AsRef<str>>(names: &[S]) -> String {
+    names.iter().map(|name| format!("`{}`", name.as_ref())).collect::<Vec<_>>().join(", ")
 }
 
 /// The pairs of a table whose keys are free, in the order of the file.

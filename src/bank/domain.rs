@@ -62,9 +62,11 @@ impl Domain {
         let count = u64::try_from(steps.floor()).ok().and_then(|steps| steps.checked_add(1)).ok_or_else(beyond)?;
         if !steps.is_integer() {
             let reached = &first + &(&step * &Fraction::from(steps.floor()));
-            return Err(Fault::new("the steps do not reach the end of the range", whole, format!(
-                "the last value is {reached}"
-            ))
+            return Err(Fault::new(
+                "the steps do not reach the end of the range",
+                whole,
+                format!("the last value is {reached}"),
+            )
             .try_this(format!("end the range at {reached}")));
         }
         Ok(Domain::Range { first, step, count })

@@ -169,11 +169,11 @@ fn parameters(value: &Spanned<DeValue>, faults: &mut Faults) -> Vec<(Words, Doma
         let what = format!("parameter `{}`", name.get_ref());
         let domain = match value.get_ref() {
             DeValue::Array(_) => {
-                Some(DomainFile::List(document::list(&format!("a value of {what}"), value, faults), value.span()))
+                DomainFile::List(document::list(&format!("a value of {what}"), value, faults), value.span())
             }
-            _ => document::words(&what, value, faults).map(DomainFile::Range),
+            _ => DomainFile::Range(document::words(&what, value, faults).unwrap_or_else(|| one(value))),
         };
-        found.extend(domain.map(|domain| (name, domain)));
+        found.push((name, domain));
     }
     found
 }
@@ -182,9 +182,14 @@ fn strings(what: &str, value: &Spanned<DeValue>, faults: &mut Faults) -> Vec<(Wo
     let mut found = Vec::new();
     for (name, value) in document::pairs(what, value, faults) {
         let text = document::words(&format!("`{}`", name.get_ref()), value, faults);
-        found.extend(text.map(|text| (name, text)));
+        found.push((name, text.unwrap_or_else(|| one(value))));
     }
     found
+}
+
+/// In place of a value of the wrong type, so that its name is known and what follows is no fault too.
+fn one(value: &Spanned<DeValue>) -> Words {
+    Spanned::new(value.span(), "1".to_owned())
 }
 
 fn part(mut keys: Keys, faults: &mut Faults) -> PartFile {

@@ -108,8 +108,12 @@ impl Requirement {
         let relation = read(&plain, Angles::Degrees)?;
         if !matches!(relation, Expr::Relation(..)) {
             let span = Span { start: 0, end: text.len() };
-            return Err(Fault::new("a requirement without a relation", span, "expected `=`, `!=`, `<`, `<=`, `>` or `>=`")
-                .try_this(format!("write `{text} > 0`")));
+            return Err(Fault::new(
+                "a requirement without a relation",
+                span,
+                "expected `=`, `!=`, `<`, `<=`, `>` or `>=`",
+            )
+            .try_this(format!("write `{text} > 0`")));
         }
         Ok(Requirement { text: text.to_owned(), relation, measured })
     }

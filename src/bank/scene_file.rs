@@ -48,7 +48,8 @@ impl SceneFile {
 
     /// Where the string, or the first of several, with this path or below it stands; else the whole scene.
     pub fn place(&self, path: &str) -> Range<usize> {
-        let within = |known: &str| known.strip_prefix(path).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));
+        let within =
+            |known: &str| known.strip_prefix(path).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));
         self.places.iter().find(|(known, _)| within(known)).map_or(self.span.clone(), |(_, words)| words.span())
     }
 

@@ -1,6 +1,6 @@
 //! Marks checked: codes, what they are awarded for, and the marks on which they depend.
 
-use super::super::document::Faults;
+use super::super::document::{Faults, listed};
 use super::super::file::MarkFile;
 use super::super::literal::Words;
 use super::super::question::{Code, EarnedFor, Mark};
@@ -40,7 +40,7 @@ pub fn marks(written: &[MarkFile], unknowns: &[String], used: &mut NamesUsed, fa
         let earned_for = earned_for.unwrap_or(EarnedFor::Unknown(String::new()));
         let id = next_id(code, &found);
         let depends = match &mark.depends {
-            Some(names) => names.iter().filter_map(|name| earlier(name, &found, faults)).collect(),
+            Some(names) => names.iter().filter_map(|name| earlier(name, names, &found, faults)).collect(),
             None if at_fault => Vec::new(),
             None => usual(code, &earned_for, mark, &found, faults),
         };
@@ -54,14 +54,18 @@ fn read_code(words: &Words, faults: &mut Faults) -> Option<Code> {
     let found = Code::ALL.into_iter().find(|code| code.name() == text);
     if found.is_none() {
         let names = Code::ALL.map(Code::name);
-        let near = names.into_iter().find(|name| name.eq_ignore_ascii_case(text)).or_else(|| near(text, names));
-        let label = format!("expected {}", listed(&names));
-        faults.unknown(words.span(), format!("unknown mark code `{text}`"), label, text, near);
-        if near.is_none()
-            && text.ends_with(|c: char| c.is_ascii_digit())
-            && let Some(fault) = faults.found.last_mut()
-        {
-            fault.help = Some("write one row for each mark: two times `A1` instead of `A2`".to_owned());
+        let several = text.len() == 2 && text.ends_with(|c: char| matches!(c, '2'..='9'));
+        let one = text.get(..1).filter(|_| several).map(|letter| format!("{letter}1"));
+        let help = match one.filter(|one| names.contains(&one.as_str())) {
+            Some(one) => Some(format!("write one row for each mark: `{one}` more than once in place of `{text}`")),
+            None => {
+                let near = names.into_iter().find(|name| name.eq_ignore_ascii_case(text)).or_else(|| near(text, names));
+                near.map(|near| format!("did you mean `{near}`?"))
+            }
+        };
+        faults.report(words.span(), format!("unknown mark code `{text}`"), format!("expected {}", listed(&names)));
+        if let Some(fault) = faults.found.last_mut() {
+            fault.help = help;
         }
     }
     found
@@ -87,14 +91,14 @@ fn read_earned_for(words: &Words, unknowns: &[String], faults: &mut Faults) -> O
     let (label, candidates): (String, Vec<&str>) = if text.contains('.') {
         ("no quantity of the collision has this name".to_owned(), quantities.iter().map(String::as_str).collect())
     } else {
-        (format!("expected a quantity, or a law: {}", listed(&LAWS)), LAWS.to_vec())
+        let label = match near(text, LAWS) {
+            Some(_) => "no law has this name".to_owned(),
+            None => format!("expected a quantity, or a law: {}", listed(&LAWS)),
+        };
+        (label, LAWS.to_vec())
     };
     faults.unknown(words.span(), format!("unknown step `{text}`"), label, text, candidates);
     None
-}
-
-fn listed(names: &[&str]) -> String {
-    names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
 }
 
 /// `M1a`, `M1b`, …, `M1z`, `M1aa`, …
@@ -112,7 +116,7 @@ fn next_id(code: Code, before: &[Mark]) -> String {
 }
 
 /// A mark that is named as a condition must stand before.
-fn earlier(name: &Words, before: &[Mark], faults: &mut Faults) -> Option<String> {
+fn earlier(name: &Words, all: &[Words], before: &[Mark], faults: &mut Faults) -> Option<String> {
     let text = name.get_ref();
     if before.iter().any(|mark| mark.id == *text) {
         return Some(text.clone());
@@ -122,7 +126,8 @@ fn earlier(name: &Words, before: &[Mark], faults: &mut Faults) -> Option<String>
         [] => "no mark stands before this one".to_owned(),
         _ => format!("the marks before this one are {}", listed(&ids)),
     };
-    faults.unknown(name.span(), format!("no earlier mark `{text}` in this part"), label, text, ids);
+    let left = ids.into_iter().filter(|id| !all.iter().any(|named| named.get_ref() == id));
+    faults.unknown(name.span(), format!("no earlier mark `{text}` in this part"), label, text, left);
     None
 }
 

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::super::document::Faults;
+use super::super::document::{Faults, listed};
 use super::super::literal::Words;
 use crate::diagnostic::near;
 use crate::expr::{Expr, Name, Piece, Text};
@@ -81,6 +81,8 @@ impl NamesUsed {
 
     /// Reports names without a meaning, and parameters that nothing uses.
     pub fn resolve(&self, scopes: &[(String, Scope)], letters: &[&str], faults: &mut Faults) {
+        let mut lacking: Vec<(&str, &str)> = Vec::new();
+        let mut unknown = false;
         for used in &self.uses {
             let name = used.name.as_str();
             if letters.contains(&name) || (used.also == Also::Quantities && name.parse::<Quantity>().is_ok()) {
@@ -100,7 +102,9 @@ impl NamesUsed {
             let Some((style, _)) = without.first() else { continue };
             if with.is_empty() {
                 self.report_unknown(used, scopes, letters, faults);
-            } else {
+                unknown = true;
+            } else if !lacking.contains(&(style, name)) {
+                lacking.push((style, name));
                 faults.report_with_help(
                     used.span.clone(),
                     format!("style `{style}` gives no values to `{name}`"),
@@ -109,7 +113,10 @@ impl NamesUsed {
                 );
             }
         }
-        self.report_unused(scopes, letters, faults);
+        if !unknown {
+            // Else the parameter is perhaps the one that was meant there.
+            self.report_unused(scopes, letters, faults);
+        }
     }
 
     fn report_unknown(&self, used: &Use, scopes: &[(String, Scope)], letters: &[&str], faults: &mut Faults) {
@@ -136,8 +143,7 @@ impl NamesUsed {
         let label = match known.as_slice() {
             [] => "the question has no parameters".to_owned(),
             _ => {
-                let list: Vec<String> = known.iter().map(|known| format!("`{known}`")).collect();
-                format!("this question has {}", list.join(", "))
+                format!("this question has {}", listed(&known))
             }
         };
         let mut candidates = known.clone();
@@ -148,7 +154,7 @@ impl NamesUsed {
     }
 
     fn report_unused(&self, scopes: &[(String, Scope)], letters: &[&str], faults: &mut Faults) {
-        let mut reported: Vec<Range<usize>> = Vec::new();
+        let mut reported: Vec<Range<usize>> = faults.found.iter().map(|fault| fault.span.clone()).collect();
         for (index, (_, scope)) in scopes.iter().enumerate() {
             for (name, span, what) in &scope.given {
                 let here = |used: &Use| used.style.is_none_or(|style| style == index);

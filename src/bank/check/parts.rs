@@ -1,6 +1,6 @@
 //! Parts and answers checked: what is asked, what is found, of which kind, and how it is accepted.
 
-use super::super::document::Faults;
+use super::super::document::{Faults, listed};
 use super::super::file::{AnswerFile, PartFile, QuestionFile};
 use super::super::literal::Words;
 use super::super::question::{Answer, Find, Part};
@@ -21,7 +21,9 @@ pub fn parts(file: &QuestionFile, used: &mut NamesUsed, faults: &mut Faults) -> 
     for (index, part) in file.parts.iter().enumerate() {
         let label = match file.parts.len() {
             1 => String::new(),
-            _ => char::from_u32('a' as u32 + index as u32).filter(char::is_ascii_lowercase).map(String::from)
+            _ => char::from_u32('a' as u32 + index as u32)
+                .filter(char::is_ascii_lowercase)
+                .map(String::from)
                 .unwrap_or_else(|| (index + 1).to_string()),
         };
         let answers = answers(part, &unknowns, lettered, used, faults);
@@ -212,8 +214,7 @@ fn read_kind(words: &Words, faults: &mut Faults) -> Option<Kind> {
     let found = text.parse::<Kind>().ok();
     if found.is_none() {
         let names = Kind::ALL.map(Kind::name);
-        let list: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
-        let label = format!("expected {}", list.join(", "));
+        let label = format!("expected {}", listed(&names));
         faults.unknown(words.span(), format!("unknown kind of answer `{text}`"), label, text, names);
     }
     found

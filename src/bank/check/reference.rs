@@ -1,6 +1,6 @@
 //! The reference numbers checked: one for each parameter of a style.
 
-use super::super::document::Faults;
+use super::super::document::{Faults, listed};
 use super::super::file::QuestionFile;
 use super::super::question::Style;
 use super::names::{Also, NamesUsed};
@@ -30,7 +30,8 @@ pub fn reference(
         let names = style.parameters.iter().map(|(name, _)| name);
         names.filter(|name| !found.iter().any(|(known, _)| known == *name)).cloned().collect()
     };
-    let excess = |style: &Style| found.iter().filter(|(name, _)| !style.parameters.iter().any(|(n, _)| n == name)).count();
+    let excess =
+        |style: &Style| found.iter().filter(|(name, _)| !style.parameters.iter().any(|(n, _)| n == name)).count();
     let distance = |index: &usize| missing(&styles[*index]).len() + excess(&styles[*index]);
     let Some(best) = (0..styles.len()).min_by_key(distance) else { return (found, 0) };
     let style = &styles[best];
@@ -48,9 +49,10 @@ pub fn reference(
         let text = name.get_ref().as_str();
         let known: Vec<&str> = style.parameters.iter().map(|(name, _)| name.as_str()).collect();
         if !known.contains(&text) {
-            let list: Vec<String> = known.iter().map(|name| format!("`{name}`")).collect();
-            let label = format!("style `{}` has {}", style.name, list.join(", "));
-            faults.unknown(name.span(), format!("`{text}` is no parameter"), label, text, known);
+            let label = format!("style `{}` has {}", style.name, listed(&known));
+            let missing = missing(style);
+            let missing = missing.iter().map(String::as_str);
+            faults.unknown(name.span(), format!("`{text}` is no parameter"), label, text, missing);
         }
     }
     (found, best)

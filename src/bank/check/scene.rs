@@ -1,6 +1,6 @@
 //! The scene checked as far as it can be without numbers: its formulas, letters and conditions.
 
-use super::super::document::Faults;
+use super::super::document::{Faults, listed};
 use super::super::scene_file::SceneFile;
 use super::names::{Also, NamesUsed};
 use crate::diagnostic::near;
@@ -16,14 +16,17 @@ pub fn scene(file: &SceneFile, used: &mut NamesUsed, faults: &mut Faults) {
             "symbols" => {
                 if !Range::DECLARED.iter().any(|(name, _)| *name == text) {
                     let names = Range::DECLARED.map(|(name, _)| name);
-                    let list: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
-                    let label = format!("expected {}", list.join(", "));
+                    let label = format!("expected {}", listed(&names));
                     faults.unknown(words.span(), format!("unknown range `{text}`"), label, text, names);
                 }
             }
             "unknowns" => {
                 if !matches!(read(text, Angles::Degrees), Ok(Expr::Name(_))) {
-                    faults.report(words.span(), format!("`{text}` is no letter"), "expected the name of what is to be found");
+                    faults.report(
+                        words.span(),
+                        format!("`{text}` is no letter"),
+                        "expected the name of what is to be found",
+                    );
                 }
             }
             "maximise" => {

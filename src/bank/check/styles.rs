@@ -11,7 +11,6 @@ use super::super::literal::Words;
 use super::super::question::{Style, StyleName};
 use super::super::requirement::Requirement;
 use super::names::{Also, NamesUsed, RESERVED, Scope};
-use crate::diagnostic::near;
 use crate::expr::{Angles, Expr, Function, Markup, read, read_markup};
 use crate::mechanics::Quantity;
 
@@ -43,7 +42,8 @@ pub fn styles(file: &QuestionFile, used: &mut NamesUsed, faults: &mut Faults) ->
     let (mut styles, mut scopes) = (Vec::new(), Vec::new());
     for (index, style) in file.styles.iter().enumerate() {
         let name = style_name(&style.name, faults);
-        let (checked, scope) = one_style(index, name.unwrap_or(StyleName::Exact), style, &shared, &letters, used, faults);
+        let (checked, scope) =
+            one_style(index, name.unwrap_or(StyleName::Exact), style, &shared, &letters, used, faults);
         styles.push(checked);
         scopes.push((style.name.get_ref().clone(), scope));
     }
@@ -55,7 +55,13 @@ fn style_name(name: &Words, faults: &mut Faults) -> Option<StyleName> {
     let found = StyleName::ALL.into_iter().find(|style| style.name() == text);
     if found.is_none() {
         let label = "expected `friendly`, `exact` or `calculator`".to_owned();
-        faults.unknown(name.span(), format!("unknown style `{text}`"), label, text, StyleName::ALL.map(StyleName::name));
+        faults.unknown(
+            name.span(),
+            format!("unknown style `{text}`"),
+            label,
+            text,
+            StyleName::ALL.map(StyleName::name),
+        );
     }
     found
 }
@@ -268,7 +274,12 @@ fn check_order<'a>(
         if later.clone().any(|later| *later.get_ref() == used.text) {
             let span = faults.place(words, used.span);
             let message = format!("`{}` is derived from `{}`, which comes later", name.get_ref(), used.text);
-            faults.report_with_help(span, message, "not known here yet", "put the names in the order in which they follow");
+            faults.report_with_help(
+                span,
+                message,
+                "not known here yet",
+                "put the names in the order in which they follow",
+            );
         }
     }
 }
@@ -282,7 +293,10 @@ fn new_name(what: &str, name: &Words, letters: &[&str], faults: &mut Faults) {
     let (message, label) = if !is_name {
         (format!("`{text}` cannot be a name"), "expected a letter, then letters, digits or `_`".to_owned())
     } else if letters.contains(&text) {
-        (format!("{what} `{text}` is also a letter of the scene"), "a letter keeps its name and has no values".to_owned())
+        (
+            format!("{what} `{text}` is also a letter of the scene"),
+            "a letter keeps its name and has no values".to_owned(),
+        )
     } else if RESERVED.contains(&text) || is_function {
         (format!("{what} `{text}` has a meaning already"), format!("`{text}` is part of the expression language"))
     } else if text != "e" && text.parse::<Quantity>().is_ok() {
@@ -290,9 +304,9 @@ fn new_name(what: &str, name: &Words, letters: &[&str], faults: &mut Faults) {
     } else {
         return;
     };
-    let help = match near(text, []) {
-        Some(other) => format!("did you mean `{other}`?"),
-        None => "choose another name, such as `u`, `mA` or `alpha`".to_owned(),
+    let help = match is_name {
+        true => format!("choose another name, such as `{text}_1`"),
+        false => "choose a name such as `u`, `mA` or `alpha`".to_owned(),
     };
     faults.report_with_help(name.span(), message, label, help);
 }
