@@ -15,7 +15,7 @@ use crate::mechanics::{Pair, PolarText, SceneText, Sense, VelocityText};
 pub struct SceneFile {
     /// The scene in the exchange format.
     pub text: SceneText,
-    /// Its strings by their path, such as `before.A.speed` or `line_of_centres.0`, in the order of the file.
+    /// Its strings by their path, such as `before.A.speed` or `line_of_centres[0]`, in the order of the file.
     pub places: Vec<(String, Words)>,
     /// Where the table stands.
     pub span: Range<usize>,
@@ -49,7 +49,7 @@ impl SceneFile {
     /// Where the string, or the first of several, with this path or below it stands; else the whole scene.
     pub fn place(&self, path: &str) -> Range<usize> {
         let within =
-            |known: &str| known.strip_prefix(path).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));
+            |known: &str| known.strip_prefix(path).is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']));
         self.places.iter().find(|(known, _)| within(known)).map_or(self.span.clone(), |(_, words)| words.span())
     }
 
@@ -107,7 +107,7 @@ impl Walk<'_> {
             return None;
         }
         let mut items = items.iter().enumerate();
-        let mut next = || items.next().and_then(|(index, item)| self.word(&format!("{path}.{index}"), item));
+        let mut next = || items.next().and_then(|(index, item)| self.word(&format!("{path}[{index}]"), item));
         let (x, y) = (next(), next());
         Some([x?, y?])
     }
@@ -164,7 +164,7 @@ impl Walk<'_> {
     fn list(&mut self, keys: &mut Keys, key: &'static str) -> Vec<String> {
         let found = keys.list(key, self.faults);
         let texts = found.iter().map(|words| words.get_ref().clone()).collect();
-        self.places.extend(found.into_iter().enumerate().map(|(index, words)| (format!("{key}.{index}"), words)));
+        self.places.extend(found.into_iter().enumerate().map(|(index, words)| (format!("{key}[{index}]"), words)));
         texts
     }
 }

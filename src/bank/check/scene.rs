@@ -12,7 +12,7 @@ use crate::number::Range;
 pub fn scene(file: &SceneFile, used: &mut NamesUsed, faults: &mut Faults) {
     for (path, words) in &file.places {
         let text = words.get_ref().as_str();
-        match path.split('.').next().unwrap_or_default() {
+        match path.split(['.', '[']).next().unwrap_or_default() {
             "symbols" => {
                 if !Range::DECLARED.iter().any(|(name, _)| *name == text) {
                     let names = Range::DECLARED.map(|(name, _)| name);
