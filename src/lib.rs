@@ -1,7 +1,7 @@
 //! Carom makes and marks exercises on collisions in two dimensions.
-pub mod cli;
 pub mod answer;
 pub mod bank;
+pub mod cli;
 pub mod diagnostic;
 pub mod expr;
 pub mod generate;

@@ -234,7 +234,7 @@ mod tests {
         assert_eq!(names.iter().map(|name| name.text.as_str()).collect::<Vec<_>>(), ["z", "x", "y"]);
         assert!(names.iter().all(|name| text[name.span.start..name.span.end] == name.text));
         let fault = Requirement::read("denominator(x + ) = 1").unwrap_err();
-        assert_eq!(fault.span.start, 16);
+        assert_eq!(fault.span.start, 15);
         assert!(Requirement::read("mA + 1").is_err());
         assert!(Requirement::read("terms(x").is_err());
     }
