@@ -1,8 +1,9 @@
 //! One set of numbers of a question, examined: everything that is required of it holds.
 
-use crate::bank::{Givens, Posed, Question, Style, StyleName, Unposed};
+use crate::bank::{Find, Givens, Posed, Question, Style, StyleName, Unposed};
 use crate::expr::Expr;
 use crate::mechanics::{Because, Scene};
+use crate::number::{Angle, Places, Range, Value};
 use crate::solve::Solution;
 
 use super::rounding::{degrees_round_safely, rounds_safely};
@@ -75,17 +76,29 @@ pub fn examine(question: &Question, style: &Style, index: u64) -> Result<Variant
     }
     for (place, answer) in question.parts.iter().flat_map(|part| &part.answers).enumerate() {
         if let Some(places) = answer.accept.places() {
-            let safe = answer.find.quantities().into_iter().all(|quantity| {
-                let number = posed.solution.number(quantity).map(|value| rounds_safely(&value, places));
-                let angle = || posed.solution.angle(quantity).map(|angle| degrees_round_safely(&angle, places));
-                number.or_else(angle).unwrap_or(true)
-            });
+            let safe = match &answer.find {
+                Find::Unknown(name) => found_rounds_safely(&posed.solution, name, places),
+                find => find.quantities().into_iter().all(|quantity| {
+                    let number = posed.solution.number(quantity).map(|value| rounds_safely(&value, places));
+                    let angle = || posed.solution.angle(quantity).map(|angle| degrees_round_safely(&angle, places));
+                    number.or_else(angle).unwrap_or(true)
+                }),
+            };
             if !safe {
                 return Err(Unfit::Tie(place));
             }
         }
     }
     Ok(variant(question, style, Some(index), parameters, posed))
+}
+
+/// The value of a letter that was found; for an angle its degrees.
+fn found_rounds_safely(solution: &Solution, name: &str, places: &Places) -> bool {
+    let Some((letter, value)) = solution.found().iter().find(|(letter, _)| letter.name() == name) else { return true };
+    match letter.range() {
+        Range::Acute => Angle::of(value, &Value::ONE).is_none_or(|angle| degrees_round_safely(&angle, places)),
+        _ => rounds_safely(value, places),
+    }
 }
 
 /// The question with its reference numbers. They were examined when its file was read, but need not meet the

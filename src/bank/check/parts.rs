@@ -195,7 +195,9 @@ fn read_find(answer: &AnswerFile, unknowns: &[String], faults: &mut Faults) -> O
     };
     match answer.find.as_slice() {
         [] => None,
-        [words] if unknowns.contains(words.get_ref()) => Some(Find::Unknown(words.get_ref().clone())),
+        [words] if unknowns.contains(words.get_ref()) && words.get_ref().parse::<Quantity>().is_err() => {
+            Some(Find::Unknown(words.get_ref().clone()))
+        }
         [words] => quantity(words, faults).map(Find::Quantity),
         [x, y] => {
             let (x, y) = (quantity(x, faults), quantity(y, faults));
