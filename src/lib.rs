@@ -1,6 +1,10 @@
 //! Carom makes and marks exercises on collisions in two dimensions.
+pub mod answer;
+pub mod bank;
 pub mod cli;
+pub mod diagnostic;
 pub mod expr;
+pub mod generate;
 pub mod mechanics;
 pub mod number;
 pub mod paper;

@@ -29,6 +29,13 @@ pub enum Places {
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Step(Decimal);
 
+impl Step {
+    /// The step as it was given.
+    pub fn decimal(&self) -> &Decimal {
+        &self.0
+    }
+}
+
 impl Places {
     /// The nearest multiple of a step; `None` unless it is positive and has finitely many decimals.
     ///

@@ -1,0 +1,63 @@
+//! Kinds of answer, by the names that bank files and keys use.
+
+use std::str::FromStr;
+
+/// What sort of thing is to be found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Kind {
+    /// A number, with or without unit.
+    Number,
+    /// An angle in degrees.
+    Angle,
+    /// A vector by its components.
+    Vector,
+    /// A ratio such as 2 : 3.
+    Ratio,
+    /// A formula in letters.
+    Expression,
+    /// An equation between letters.
+    Equation,
+    /// The direction of a line, given by any vector along it.
+    Line,
+    /// A result that is printed in the question and is to be shown.
+    Shown,
+}
+
+impl Kind {
+    /// Every kind, in the order in which messages list them.
+    pub const ALL: [Kind; 8] = [
+        Kind::Number,
+        Kind::Angle,
+        Kind::Vector,
+        Kind::Ratio,
+        Kind::Expression,
+        Kind::Equation,
+        Kind::Line,
+        Kind::Shown,
+    ];
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Kind::Number => "number",
+            Kind::Angle => "angle",
+            Kind::Vector => "vector",
+            Kind::Ratio => "ratio",
+            Kind::Expression => "expression",
+            Kind::Equation => "equation",
+            Kind::Line => "line",
+            Kind::Shown => "shown",
+        }
+    }
+}
+
+/// No kind of answer has this name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct UnknownKind;
+
+impl FromStr for Kind {
+    type Err = UnknownKind;
+    fn from_str(name: &str) -> Result<Kind, UnknownKind> {
+        Kind::ALL.into_iter().find(|kind| kind.name() == name).ok_or(UnknownKind)
+    }
+}

@@ -1,0 +1,162 @@
+//! Marks checked: codes, what they are awarded for, and the marks on which they depend.
+
+use super::super::document::{Faults, listed};
+use super::super::file::MarkFile;
+use super::super::literal::Words;
+use super::super::question::{Code, EarnedFor, Mark};
+use super::names::NamesUsed;
+use super::parts::line;
+use crate::diagnostic::near;
+use crate::mechanics::{Law, Quantity, Sphere};
+
+/// What a mark is `for` that is earned by using a condition of the scene.
+const CONDITION: &str = "condition";
+
+/// The marks of a part.
+pub fn marks(written: &[MarkFile], unknowns: &[String], used: &mut NamesUsed, faults: &mut Faults) -> Vec<Mark> {
+    let mut found: Vec<Mark> = Vec::new();
+    for mark in written {
+        let code = mark.code.as_ref().and_then(|code| read_code(code, faults));
+        let earned_for = mark.earned_for.as_ref().and_then(|words| read_earned_for(words, unknowns, faults));
+        let text = mark.text.as_ref().and_then(|words| line(words, used, faults));
+        let note = mark.note.as_ref().and_then(|words| line(words, used, faults));
+        // A mark at fault keeps its place, so that the marks after it are no faults too.
+        let (at_fault, code) = (code.is_none() || earned_for.is_none(), code.unwrap_or(Code::B1));
+        let earned_for = earned_for.unwrap_or(EarnedFor::Unknown(String::new()));
+        let id = next_id(code, &found);
+        let depends = match &mark.depends {
+            Some(names) => names.iter().filter_map(|name| earlier(name, names, &found, faults)).collect(),
+            None if at_fault => Vec::new(),
+            None => usual(code, &earned_for, mark, &found, faults),
+        };
+        found.push(Mark { id, code, earned_for, text, note, depends });
+    }
+    found
+}
+
+fn read_code(words: &Words, faults: &mut Faults) -> Option<Code> {
+    let text = words.get_ref().as_str();
+    let found = Code::ALL.into_iter().find(|code| code.name() == text);
+    if found.is_none() {
+        let names = Code::ALL.map(Code::name);
+        let several = text.len() == 2 && text.ends_with(|c: char| matches!(c, '2'..='9'));
+        let one = text.get(..1).filter(|_| several).map(|letter| format!("{letter}1"));
+        let help = match one.filter(|one| names.contains(&one.as_str())) {
+            Some(one) => Some(format!("write one row for each mark: `{one}` more than once in place of `{text}`")),
+            None => {
+                let near = names.into_iter().find(|name| name.eq_ignore_ascii_case(text)).or_else(|| near(text, names));
+                near.map(|near| format!("did you mean `{near}`?"))
+            }
+        };
+        faults.report(words.span(), format!("unknown mark code `{text}`"), format!("expected {}", listed(&names)));
+        if let Some(fault) = faults.found.last_mut() {
+            fault.help = help;
+        }
+    }
+    found
+}
+
+fn read_earned_for(words: &Words, unknowns: &[String], faults: &mut Faults) -> Option<EarnedFor> {
+    let text = words.get_ref().trim();
+    let (law, sphere) = match text.rsplit_once(' ') {
+        Some((law, "A")) => (law, Some(Sphere::A)),
+        Some((law, "B")) => (law, Some(Sphere::B)),
+        _ => (text, None),
+    };
+    if let Some(law) = Law::ALL.iter().find(|known| known.name() == law) {
+        return Some(EarnedFor::Law(*law, sphere));
+    }
+    if text == CONDITION {
+        return Some(EarnedFor::Condition);
+    }
+    if let Ok(quantity) = text.parse::<Quantity>() {
+        return Some(EarnedFor::Quantity(quantity));
+    }
+    if unknowns.iter().any(|unknown| unknown == text) {
+        return Some(EarnedFor::Unknown(text.to_owned()));
+    }
+    let laws: Vec<&str> = Law::ALL.iter().map(|law| law.name()).chain([CONDITION]).collect();
+    let quantities: Vec<String> = Quantity::all().iter().map(Quantity::to_string).collect();
+    let (label, candidates): (String, Vec<&str>) = if text.contains('.') {
+        ("no quantity of the collision has this name".to_owned(), quantities.iter().map(String::as_str).collect())
+    } else {
+        let label = match near(text, laws.iter().copied()) {
+            Some(_) => "no law has this name".to_owned(),
+            None => format!("expected a quantity, or a law: {}", listed(&laws)),
+        };
+        (label, laws)
+    };
+    faults.unknown(words.span(), format!("unknown step `{text}`"), label, text, candidates);
+    None
+}
+
+/// `M1a`, `M1b`, …, `M1z`, `M1aa`, …
+fn next_id(code: Code, before: &[Mark]) -> String {
+    let mut number = before.iter().filter(|mark| mark.code.stem() == code.stem()).count();
+    let mut letters = Vec::new();
+    loop {
+        letters.insert(0, char::from(b'a' + (number % 26) as u8));
+        if number < 26 {
+            break;
+        }
+        number = number / 26 - 1;
+    }
+    format!("{}{}", code.stem(), letters.into_iter().collect::<String>())
+}
+
+/// A mark that is named as a condition must stand before.
+fn earlier(name: &Words, all: &[Words], before: &[Mark], faults: &mut Faults) -> Option<String> {
+    let text = name.get_ref();
+    if before.iter().any(|mark| mark.id == *text) {
+        return Some(text.clone());
+    }
+    let ids: Vec<&str> = before.iter().map(|mark| mark.id.as_str()).collect();
+    let label = match ids.as_slice() {
+        [] => "no mark stands before this one".to_owned(),
+        _ => format!("the marks before this one are {}", listed(&ids)),
+    };
+    let left = ids.into_iter().filter(|id| !all.iter().any(|named| named.get_ref() == id));
+    faults.unknown(name.span(), format!("no earlier mark `{text}` in this part"), label, text, left);
+    None
+}
+
+/// What a mark depends on if the file does not say: `A1` on the method mark of the same step or the nearest
+/// before it, `dM1` on those of momentum and restitution.
+fn usual(code: Code, earned_for: &EarnedFor, mark: &MarkFile, before: &[Mark], faults: &mut Faults) -> Vec<String> {
+    let methods: Vec<&Mark> = before.iter().filter(|mark| mark.code.is_method()).collect();
+    let span = mark.code.as_ref().map_or(mark.span.clone(), |words| words.span());
+    if code.is_accuracy() {
+        let same = methods.iter().rev().find(|method| method.earned_for == *earned_for);
+        return match same.or(methods.last()) {
+            Some(method) => vec![method.id.clone()],
+            None => {
+                faults.report_with_help(
+                    span,
+                    format!("`{}` without a method mark before it", code.name()),
+                    "an accuracy mark is not given without its method",
+                    "put an `M1` before it, or make it a `B1`",
+                );
+                Vec::new()
+            }
+        };
+    }
+    if code != Code::DependentM1 {
+        return Vec::new();
+    }
+    let central = |method: &&&Mark| {
+        matches!(&method.earned_for, EarnedFor::Law(Law::Momentum | Law::Restitution, _)) && method.code == Code::M1
+    };
+    let mut needed: Vec<String> = methods.iter().filter(central).map(|method| method.id.clone()).collect();
+    if needed.is_empty() {
+        needed = methods.iter().map(|method| method.id.clone()).collect();
+    }
+    if needed.is_empty() {
+        faults.report_with_help(
+            span,
+            "`dM1` without a method mark before it",
+            "there is nothing on which it could depend",
+            "make it an `M1`",
+        );
+    }
+    needed
+}

@@ -1,0 +1,181 @@
+//! Every name that a question uses, and whether each style gives it a meaning.
+
+use std::ops::Range;
+
+use super::super::document::{Faults, listed};
+use super::super::literal::Words;
+use crate::diagnostic::near;
+use crate::expr::{Expr, Name, Piece, Text};
+use crate::mechanics::Quantity;
+
+/// Names that mean something already, and cannot be given to a parameter.
+pub const RESERVED: [&str; 8] = ["i", "j", "pi", "deg", "result", "denominator", "radicand", "terms"];
+
+/// What may stand at a place beside parameters, derived names and letters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Also {
+    /// Nothing else.
+    Nothing,
+    /// Nothing else, and no parameters or derived names either: the value of a parameter.
+    OnlyLetters,
+    /// Quantities of the collision.
+    Quantities,
+}
+
+/// A name that was used.
+#[derive(Clone, Debug)]
+struct Use {
+    name: String,
+    span: Range<usize>,
+    also: Also,
+    /// In one style, or in all.
+    style: Option<usize>,
+}
+
+/// The names that have a meaning in one style.
+#[derive(Clone, Debug, Default)]
+pub struct Scope {
+    /// Parameters and derived names with their places, and what they are: `parameter`, `derived name`.
+    pub given: Vec<(String, Range<usize>, &'static str)>,
+}
+
+/// All uses of names in a file.
+#[derive(Debug, Default)]
+pub struct NamesUsed {
+    uses: Vec<Use>,
+}
+
+impl NamesUsed {
+    /// A name in a string of the file; `style` if only that style has the string.
+    pub fn name(&mut self, words: &Words, name: &Name, also: Also, style: Option<usize>, faults: &Faults) {
+        if name.text != "i" && name.text != "j" {
+            let span = faults.place(words, name.span);
+            self.uses.push(Use { name: name.text.clone(), span, also, style });
+        }
+    }
+
+    /// The names of an expression.
+    pub fn expression(&mut self, words: &Words, expr: &Expr, also: Also, style: Option<usize>, faults: &Faults) {
+        for name in expr.names() {
+            self.name(words, name, also, style, faults);
+        }
+    }
+
+    /// The names in the formulas of a text; `*A*` is a letter of the alphabet and no name.
+    pub fn text(&mut self, words: &Words, text: &Text, style: Option<usize>, faults: &Faults) {
+        self.pieces(words, &text.0, style, faults);
+    }
+
+    fn pieces(&mut self, words: &Words, pieces: &[Piece], style: Option<usize>, faults: &Faults) {
+        for piece in pieces {
+            match piece {
+                Piece::Words(_) => {}
+                Piece::Italic(inner) => self.pieces(words, inner, style, faults),
+                Piece::Formula(Expr::Name(name)) if is_starred(words, name) => {}
+                Piece::Formula(expr) | Piece::Quantity(expr, _) | Piece::Display(expr) => {
+                    self.expression(words, expr, Also::Nothing, style, faults);
+                }
+            }
+        }
+    }
+
+    /// Reports names without a meaning, and parameters that nothing uses.
+    pub fn resolve(&self, scopes: &[(String, Scope)], letters: &[&str], faults: &mut Faults) {
+        let mut lacking: Vec<(&str, &str)> = Vec::new();
+        let mut unknown = false;
+        for used in &self.uses {
+            let name = used.name.as_str();
+            if letters.contains(&name) || (used.also == Also::Quantities && name.parse::<Quantity>().is_ok()) {
+                continue;
+            }
+            if used.also == Also::OnlyLetters {
+                let message = format!("`{name}` in the value of a parameter");
+                let label = "expected numbers, or letters that the scene declares";
+                let help = "derive names from parameters in `[let]`";
+                faults.report_with_help(used.span.clone(), message, label, help);
+                continue;
+            }
+            let here = |index: usize| used.style.is_none_or(|style| style == index);
+            let concerned = scopes.iter().enumerate().filter(|(index, _)| here(*index)).map(|(_, scope)| scope);
+            let (with, without): (Vec<_>, Vec<_>) =
+                concerned.partition(|(_, scope)| scope.given.iter().any(|(given, ..)| given == name));
+            let Some((style, _)) = without.first() else { continue };
+            if with.is_empty() {
+                self.report_unknown(used, scopes, letters, faults);
+                unknown = true;
+            } else if !lacking.contains(&(style, name)) {
+                lacking.push((style, name));
+                faults.report_with_help(
+                    used.span.clone(),
+                    format!("style `{style}` gives no values to `{name}`"),
+                    "used in every style",
+                    format!("add `{name}` to the parameters of style `{style}`"),
+                );
+            }
+        }
+        if !unknown {
+            // Else the parameter is perhaps the one that was meant there.
+            self.report_unused(scopes, letters, faults);
+        }
+    }
+
+    fn report_unknown(&self, used: &Use, scopes: &[(String, Scope)], letters: &[&str], faults: &mut Faults) {
+        let name = used.name.as_str();
+        let mut known: Vec<&str> = letters.to_vec();
+        for (given, ..) in scopes.iter().flat_map(|(_, scope)| &scope.given) {
+            if !known.contains(&given.as_str()) {
+                known.push(given);
+            }
+        }
+        let quantities: Vec<String> = Quantity::all().iter().map(Quantity::to_string).collect();
+        if name.contains('.') && used.also == Also::Nothing && name.parse::<Quantity>().is_ok() {
+            let label = "not known before the collision is solved";
+            let help = "use it in `require`, or in the `find` of an answer";
+            faults.report_with_help(used.span.clone(), format!("`{name}` is a result"), label, help);
+            return;
+        }
+        if used.also == Also::Quantities && name.contains('.') {
+            let near = near(name, quantities.iter().map(String::as_str)).map(str::to_owned);
+            let label = "no quantity of the collision has this name".to_owned();
+            faults.unknown(used.span.clone(), format!("unknown quantity `{name}`"), label, name, near.as_deref());
+            return;
+        }
+        let label = match known.as_slice() {
+            [] => "the question has no parameters".to_owned(),
+            _ => {
+                format!("this question has {}", listed(&known))
+            }
+        };
+        let mut candidates = known.clone();
+        if used.also == Also::Quantities {
+            candidates.extend(quantities.iter().map(String::as_str));
+        }
+        faults.unknown(used.span.clone(), format!("unknown name `{name}`"), label, name, candidates);
+    }
+
+    fn report_unused(&self, scopes: &[(String, Scope)], letters: &[&str], faults: &mut Faults) {
+        let mut reported: Vec<Range<usize>> = faults.found.iter().map(|fault| fault.span.clone()).collect();
+        for (index, (_, scope)) in scopes.iter().enumerate() {
+            for (name, span, what) in &scope.given {
+                let here = |used: &Use| used.style.is_none_or(|style| style == index);
+                let counts = |used: &&Use| used.name == *name && used.also != Also::OnlyLetters && here(used);
+                let is_used = self.uses.iter().any(|used| counts(&used));
+                if is_used || reported.contains(span) || letters.contains(&name.as_str()) {
+                    continue;
+                }
+                reported.push(span.clone());
+                faults.report_with_help(
+                    span.clone(),
+                    format!("{what} `{name}` is never used"),
+                    "nothing in the question depends on it",
+                    format!("take it out, or use it as `{{{name}}}` in the stem or in the scene"),
+                );
+            }
+        }
+    }
+}
+
+/// Was it written `*A*`?
+fn is_starred(words: &Words, name: &Name) -> bool {
+    words.get_ref().get(..name.span.start).is_some_and(|before| before.ends_with('*'))
+}

@@ -1,0 +1,262 @@
+//! Parts and answers checked: what is asked, what is found, of which kind, and how it is accepted.
+
+use super::super::document::{Faults, listed};
+use super::super::file::{AnswerFile, PartFile, QuestionFile};
+use super::super::literal::Words;
+use super::super::question::{Answer, Find, Part};
+use super::marks::marks;
+use super::names::{Also, NamesUsed};
+use super::styles::markup;
+use crate::answer::{Accept, Kind};
+use crate::expr::{Angles, Expr, Markup, Name, Piece, Text, read, read_markup};
+use crate::mechanics::Quantity;
+use crate::number::Places;
+
+/// Every part of a file.
+pub fn parts(file: &QuestionFile, used: &mut NamesUsed, faults: &mut Faults) -> Vec<Part> {
+    let scene = file.scene.as_ref().map(|scene| &scene.text);
+    let unknowns = scene.map(|scene| scene.unknowns.clone()).unwrap_or_default();
+    let lettered = scene.is_some_and(|scene| scene.symbols.keys().any(|symbol| !unknowns.contains(symbol)));
+    let mut found = Vec::new();
+    for (index, part) in file.parts.iter().enumerate() {
+        let label = match file.parts.len() {
+            1 => String::new(),
+            _ => char::from_u32('a' as u32 + index as u32)
+                .filter(char::is_ascii_lowercase)
+                .map(String::from)
+                .unwrap_or_else(|| (index + 1).to_string()),
+        };
+        let answers = answers(part, &unknowns, lettered, used, faults);
+        let ask = part.ask.as_ref().and_then(|ask| read_ask(ask, &answers, used, faults)).unwrap_or_default();
+        if part.answers.is_empty() {
+            let help = "add `answers = [{ name = \"speed of *A*\", find = \"A.after.speed\" }]`";
+            faults.report_with_help(part.span.clone(), "a part without answers", "nothing is found here", help);
+        }
+        if part.marks.is_empty() {
+            let help = "add `marks = [{ code = \"B1\", for = \"perpendicular\" }]`";
+            faults.report_with_help(part.span.clone(), "a part without marks", "nothing is earned here", help);
+        }
+        let marks = marks(&part.marks, &unknowns, used, faults);
+        found.push(Part { label, ask, answers, marks });
+    }
+    found
+}
+
+/// The words of a part; `{result}` and `{display: result}` stand for what is to be shown.
+fn read_ask(words: &Words, answers: &[Answer], used: &mut NamesUsed, faults: &mut Faults) -> Option<Markup> {
+    let paragraphs = read_markup(words.get_ref()).map_err(|fault| faults.expression(words, fault)).ok()?;
+    let shown = answers.iter().any(|answer| answer.show.is_some());
+    for text in &paragraphs {
+        for expr in formulas(&text.0) {
+            for name in expr.names() {
+                if name.text != "result" {
+                    if !is_starred(words, name) {
+                        used.name(words, name, Also::Nothing, None, faults);
+                    }
+                } else if !shown {
+                    faults.report_with_help(
+                        faults.place(words, name.span),
+                        "`result` in a part that shows nothing",
+                        "no answer here has `show`",
+                        "add `show = \"tan(beta)\"` to the answer that is to be shown",
+                    );
+                }
+            }
+        }
+    }
+    Some(paragraphs)
+}
+
+fn is_starred(words: &Words, name: &Name) -> bool {
+    words.get_ref().get(..name.span.start).is_some_and(|before| before.ends_with('*'))
+}
+
+fn formulas(pieces: &[Piece]) -> Vec<&Expr> {
+    pieces
+        .iter()
+        .flat_map(|piece| match piece {
+            Piece::Words(_) => Vec::new(),
+            Piece::Italic(inner) => formulas(inner),
+            Piece::Formula(expr) | Piece::Quantity(expr, _) | Piece::Display(expr) => vec![expr],
+        })
+        .collect()
+}
+
+/// Words on one line.
+pub fn line(words: &Words, used: &mut NamesUsed, faults: &mut Faults) -> Option<Text> {
+    let mut paragraphs = markup(words, None, used, faults)?;
+    if paragraphs.len() > 1 {
+        faults.report(words.span(), "words in several paragraphs", "expected words for one line");
+        return None;
+    }
+    Some(paragraphs.pop().unwrap_or_default())
+}
+
+fn answers(
+    part: &PartFile,
+    unknowns: &[String],
+    lettered: bool,
+    used: &mut NamesUsed,
+    faults: &mut Faults,
+) -> Vec<Answer> {
+    let mut found: Vec<Answer> = Vec::new();
+    let mut names: Vec<&str> = Vec::new();
+    for answer in &part.answers {
+        if let Some(name) = &answer.name {
+            if names.contains(&name.get_ref().as_str()) {
+                let message = format!("two answers of this part are called `{}`", name.get_ref());
+                let label = "a student could not tell them apart";
+                faults.report_with_help(name.span(), message, label, "give each answer a name of its own");
+            }
+            names.push(name.get_ref());
+        }
+        found.extend(one_answer(answer, unknowns, lettered, used, faults));
+    }
+    found
+}
+
+fn one_answer(
+    answer: &AnswerFile,
+    unknowns: &[String],
+    lettered: bool,
+    used: &mut NamesUsed,
+    faults: &mut Faults,
+) -> Option<Answer> {
+    let name = answer.name.as_ref().and_then(|words| line(words, used, faults));
+    let find = read_find(answer, unknowns, faults);
+    let kind = answer.kind.as_ref().map(|words| read_kind(words, faults));
+    let accept = answer.accept.as_ref().map(|words| read_accept(words, faults));
+    let phrase = answer.phrase.as_ref().and_then(|words| line(words, used, faults)).unwrap_or_default();
+    let show = answer.show.as_ref().map(|words| read_show(words, find.as_ref(), used, faults));
+    let (name, find) = (name?, find?);
+    let kind = match kind {
+        Some(kind) => kind?,
+        None if show.is_some() => Kind::Shown,
+        None => inferred(&find, lettered),
+    };
+    check_kind(answer, &find, kind, faults);
+    let accept = match accept {
+        Some(accept) => accept?,
+        None if lettered || kind == Kind::Shown => Accept::Exact,
+        None => Accept::RoundsTo(Places::SignificantFigures(3)),
+    };
+    Some(Answer { name, find, kind, accept, phrase, show: show.flatten() })
+}
+
+fn inferred(find: &Find, lettered: bool) -> Kind {
+    match find {
+        Find::Vector(..) => Kind::Vector,
+        Find::Quantity(quantity) if quantity.is_angle() => Kind::Angle,
+        _ if lettered => Kind::Expression,
+        _ => Kind::Number,
+    }
+}
+
+/// Does the kind fit what is found?
+fn check_kind(answer: &AnswerFile, find: &Find, kind: Kind, faults: &mut Faults) {
+    let span = answer.kind.as_ref().map_or(answer.span.clone(), |words| words.span());
+    let two = matches!(find, Find::Vector(..));
+    if two != matches!(kind, Kind::Vector | Kind::Line) && !(two && kind == Kind::Shown) {
+        let (found, expected) = if two {
+            ("two components", "expected kind `vector` or `line`")
+        } else {
+            ("one quantity", "a vector is found by its two components")
+        };
+        let message = format!("kind `{}` for {found}", kind.name());
+        faults.report_with_help(span, message, expected, "write `find = [\"A.after.x\", \"A.after.y\"]` for a vector");
+    } else if kind == Kind::Angle && !matches!(find, Find::Quantity(quantity) if quantity.is_angle()) {
+        let is_unknown = matches!(find, Find::Unknown(_));
+        if !is_unknown {
+            faults.report(span, "kind `angle` for a quantity that is no angle", "expected a quantity in degrees");
+        }
+    } else if kind == Kind::Shown && answer.show.is_none() {
+        let help = "add `show = \"tan(beta)\"`, the left side of the result";
+        faults.report_with_help(span, "nothing says what is to be shown", "expected `show` beside it", help);
+    } else if kind != Kind::Shown
+        && let Some(show) = &answer.show
+    {
+        let message = format!("`show` for an answer of kind `{}`", kind.name());
+        faults.report_with_help(show.span(), message, "only for kind `shown`", "leave `kind` out");
+    }
+}
+
+fn read_find(answer: &AnswerFile, unknowns: &[String], faults: &mut Faults) -> Option<Find> {
+    let quantity = |words: &Words, faults: &mut Faults| {
+        let text = words.get_ref().as_str();
+        let found = text.parse::<Quantity>().ok();
+        if found.is_none() {
+            let mut names: Vec<String> = Quantity::all().iter().map(Quantity::to_string).collect();
+            names.extend(unknowns.iter().cloned());
+            let label = "no quantity of the collision has this name".to_owned();
+            let names = names.iter().map(String::as_str);
+            faults.unknown(words.span(), format!("unknown quantity `{text}`"), label, text, names);
+        }
+        found
+    };
+    match answer.find.as_slice() {
+        [] => None,
+        [words] if unknowns.contains(words.get_ref()) && words.get_ref().parse::<Quantity>().is_err() => {
+            Some(Find::Unknown(words.get_ref().clone()))
+        }
+        [words] => quantity(words, faults).map(Find::Quantity),
+        [x, y] => {
+            let (x, y) = (quantity(x, faults), quantity(y, faults));
+            Some(Find::Vector(x?, y?))
+        }
+        [_, _, third, ..] => {
+            let help = "write `find = [\"A.after.x\", \"A.after.y\"]`";
+            faults.report_with_help(third.span(), "a third component", "a vector has two, along i and j", help);
+            None
+        }
+    }
+}
+
+fn read_kind(words: &Words, faults: &mut Faults) -> Option<Kind> {
+    let text = words.get_ref().as_str();
+    let found = text.parse::<Kind>().ok();
+    if found.is_none() {
+        let names = Kind::ALL.map(Kind::name);
+        let label = format!("expected {}", listed(&names));
+        faults.unknown(words.span(), format!("unknown kind of answer `{text}`"), label, text, names);
+    }
+    found
+}
+
+fn read_accept(words: &Words, faults: &mut Faults) -> Option<Accept> {
+    let text = words.get_ref().as_str();
+    let found = text.parse::<Accept>().ok();
+    if found.is_none() {
+        let label = "expected `exact`, `awrt 3sf`, `3sf`, `2dp` or `nearest 1`".to_owned();
+        let usual = ["exact", "awrt 3sf", "3sf", "2dp", "nearest 1"];
+        let squeezed: String = text.to_lowercase().chars().filter(|c| !matches!(c, '.' | ' ')).collect();
+        let meant = usual.into_iter().find(|rule| rule.replace(' ', "") == squeezed);
+        let candidates: Vec<&str> = meant.map_or(usual.to_vec(), |rule| vec![rule]);
+        let name = meant.unwrap_or(text);
+        faults.unknown(words.span(), format!("unknown rule of acceptance `{text}`"), label, name, candidates);
+    }
+    found
+}
+
+/// The left side of what is shown: for a letter that is found it must hold that letter.
+fn read_show(words: &Words, find: Option<&Find>, used: &mut NamesUsed, faults: &mut Faults) -> Option<Expr> {
+    let expr = read(words.get_ref(), Angles::Degrees).map_err(|fault| faults.expression(words, fault)).ok()?;
+    if let Expr::Relation(..) = expr {
+        let left = words.get_ref().split('=').next().unwrap_or_default().trim().to_owned();
+        let message = "`show` holds a whole equation";
+        let label = "expected its left side, the right one is computed";
+        faults.report_with_help(words.span(), message, label, format!("write `show = \"{left}\"`"));
+        return None;
+    }
+    if let Some(Find::Unknown(unknown)) = find {
+        used.expression(words, &expr, Also::Nothing, None, faults);
+        if !expr.names().iter().any(|name| name.text == *unknown) {
+            faults.report_with_help(
+                words.span(),
+                format!("`{}` is shown, but `{unknown}` is found", words.get_ref()),
+                format!("expected a formula in `{unknown}`"),
+                format!("write `{unknown}` in `show`, or find what is shown"),
+            );
+        }
+    }
+    Some(expr)
+}

@@ -1,0 +1,58 @@
+//! The scene checked as far as it can be without numbers: its formulas, letters and conditions.
+
+use super::super::document::{Faults, listed};
+use super::super::scene_file::SceneFile;
+use super::names::{Also, NamesUsed};
+use crate::diagnostic::near;
+use crate::expr::{Angles, Expr, read};
+use crate::mechanics::Quantity;
+use crate::number::Range;
+
+/// Reads every formula of the scene.
+pub fn scene(file: &SceneFile, used: &mut NamesUsed, faults: &mut Faults) {
+    for (path, words) in &file.places {
+        let text = words.get_ref().as_str();
+        match path.split(['.', '[']).next().unwrap_or_default() {
+            "symbols" => {
+                if !Range::DECLARED.iter().any(|(name, _)| *name == text) {
+                    let names = Range::DECLARED.map(|(name, _)| name);
+                    let label = format!("expected {}", listed(&names));
+                    faults.unknown(words.span(), format!("unknown range `{text}`"), label, text, names);
+                }
+            }
+            "unknowns" => {
+                if !matches!(read(text, Angles::Degrees), Ok(Expr::Name(_))) {
+                    faults.report(
+                        words.span(),
+                        format!("`{text}` is no letter"),
+                        "expected the name of what is to be found",
+                    );
+                }
+            }
+            "maximise" => {
+                if text.parse::<Quantity>().is_err() {
+                    let names: Vec<String> = Quantity::all().iter().map(Quantity::to_string).collect();
+                    let label = "expected the quantity that is to be as large as possible".to_owned();
+                    let near = near(text, names.iter().map(String::as_str));
+                    faults.unknown(words.span(), format!("unknown quantity `{text}`"), label, text, near);
+                }
+            }
+            "conditions" => match read(text, Angles::Degrees) {
+                Ok(expr @ Expr::Relation(..)) => used.expression(words, &expr, Also::Quantities, None, faults),
+                Ok(_) => {
+                    let help = format!("write `{text} = 0`");
+                    faults.report_with_help(words.span(), "a condition without `=`", "expected an equation", help);
+                }
+                Err(fault) => faults.expression(words, fault),
+            },
+            _ => match read(text, Angles::Degrees) {
+                Ok(Expr::Relation(..)) => {
+                    let help = "put equations into `conditions`";
+                    faults.report_with_help(words.span(), format!("`{path}` is an equation"), "expected a value", help);
+                }
+                Ok(expr) => used.expression(words, &expr, Also::Nothing, None, faults),
+                Err(fault) => faults.expression(words, fault),
+            },
+        }
+    }
+}

@@ -1,0 +1,333 @@
+//! Styles checked: parameters, derived names, stems and requirements, the question's and the style's own.
+
+use std::ops::Range;
+
+use toml::Spanned;
+
+use super::super::document::Faults;
+use super::super::domain::Domain;
+use super::super::file::{DomainFile, QuestionFile, StyleFile};
+use super::super::literal::Words;
+use super::super::question::{Style, StyleName};
+use super::super::requirement::Requirement;
+use super::names::{Also, NamesUsed, RESERVED, Scope};
+use crate::expr::{Angles, Expr, Function, Markup, read, read_as_written, read_markup};
+use crate::mechanics::Quantity;
+
+/// What is written once for every style.
+struct Shared {
+    stem: Option<Markup>,
+    parameters: Vec<Given<Domain>>,
+    lets: Vec<Given<Expr>>,
+    require: Vec<Requirement>,
+}
+
+/// A name with its meaning and its place.
+#[derive(Clone)]
+struct Given<T> {
+    name: String,
+    span: Range<usize>,
+    meaning: T,
+}
+
+/// Every style of a file, with the names that have a meaning in it.
+pub fn styles(file: &QuestionFile, used: &mut NamesUsed, faults: &mut Faults) -> (Vec<Style>, Vec<(String, Scope)>) {
+    let letters = file.scene.as_ref().map(|scene| scene.letters()).unwrap_or_default();
+    let shared = Shared {
+        stem: file.stem.as_ref().and_then(|stem| markup(stem, None, used, faults)),
+        parameters: parameters(&file.parameters, &letters, None, used, faults),
+        lets: lets(&file.lets, &letters, None, used, faults),
+        require: require(&file.require, None, used, faults),
+    };
+    let (mut styles, mut scopes) = (Vec::new(), Vec::new());
+    for (index, style) in file.styles.iter().enumerate() {
+        let name = style_name(&style.name, faults);
+        let (checked, scope) =
+            one_style(index, name.unwrap_or(StyleName::Exact), style, &shared, &letters, used, faults);
+        styles.push(checked);
+        scopes.push((style.name.get_ref().clone(), scope));
+    }
+    (styles, scopes)
+}
+
+fn style_name(name: &Words, faults: &mut Faults) -> Option<StyleName> {
+    let text = name.get_ref().as_str();
+    let found = StyleName::ALL.into_iter().find(|style| style.name() == text);
+    if found.is_none() {
+        let label = "expected `friendly`, `exact` or `calculator`".to_owned();
+        faults.unknown(
+            name.span(),
+            format!("unknown style `{text}`"),
+            label,
+            text,
+            StyleName::ALL.map(StyleName::name),
+        );
+    }
+    found
+}
+
+fn one_style(
+    index: usize,
+    name: StyleName,
+    style: &StyleFile,
+    shared: &Shared,
+    letters: &[&str],
+    used: &mut NamesUsed,
+    faults: &mut Faults,
+) -> (Style, Scope) {
+    let own_stem = style.stem.as_ref().and_then(|stem| markup(stem, Some(index), used, faults));
+    let own_parameters = parameters(&style.parameters, letters, Some(index), used, faults);
+    let own_lets = lets(&style.lets, letters, Some(index), used, faults);
+    let mut all_require = shared.require.clone();
+    all_require.extend(require(&style.require, Some(index), used, faults));
+
+    // A style that gives a parameter a formula, or a derived name values, has the last word.
+    let hidden = |name: &str| own_lets.iter().any(|own| own.name == name);
+    let mut all_parameters: Vec<Given<Domain>> =
+        shared.parameters.iter().filter(|given| !hidden(&given.name)).cloned().collect();
+    override_with(&mut all_parameters, own_parameters.clone());
+    let hidden = |name: &str| own_parameters.iter().any(|own| own.name == name);
+    let mut all_lets: Vec<Given<Expr>> = shared.lets.iter().filter(|given| !hidden(&given.name)).cloned().collect();
+    override_with(&mut all_lets, own_lets);
+
+    for derived in &all_lets {
+        if let Some(parameter) = all_parameters.iter().find(|parameter| parameter.name == derived.name) {
+            let span = derived.span.start.max(parameter.span.start);
+            let span = if span == derived.span.start { derived.span.clone() } else { parameter.span.clone() };
+            faults.report_with_help(
+                span,
+                format!("`{}` is both a parameter and a derived name", derived.name),
+                "it has a meaning already",
+                "rename one of the two",
+            );
+        }
+    }
+    count(style.name.span(), &all_parameters, faults);
+    let scope = Scope {
+        given: all_parameters
+            .iter()
+            .map(|given| (given.name.clone(), given.span.clone(), "parameter"))
+            .chain(all_lets.iter().map(|given| (given.name.clone(), given.span.clone(), "derived name")))
+            .collect(),
+    };
+    let checked = Style {
+        name,
+        stem: own_stem.or_else(|| shared.stem.clone()).unwrap_or_default(),
+        parameters: all_parameters.into_iter().map(|given| (given.name, given.meaning)).collect(),
+        lets: all_lets.into_iter().map(|given| (given.name, given.meaning)).collect(),
+        require: all_require,
+    };
+    (checked, scope)
+}
+
+/// Those of the same name are replaced where they stand, the others follow.
+fn override_with<T>(all: &mut Vec<Given<T>>, own: Vec<Given<T>>) {
+    for given in own {
+        match all.iter_mut().find(|known| known.name == given.name) {
+            Some(known) => *known = given,
+            None => all.push(given),
+        }
+    }
+}
+
+/// The sets of parameters must be countable.
+fn count(span: Range<usize>, parameters: &[Given<Domain>], faults: &mut Faults) {
+    let size = parameters.iter().try_fold(1u64, |size, given| size.checked_mul(given.meaning.size()));
+    if size.is_none() {
+        faults.report_with_help(
+            span,
+            "the style has too many sets of parameters",
+            format!("more than {} of them", u64::MAX),
+            "give the parameters fewer values",
+        );
+    }
+}
+
+/// Paragraphs of words and formulas.
+pub fn markup(words: &Words, style: Option<usize>, used: &mut NamesUsed, faults: &mut Faults) -> Option<Markup> {
+    match read_markup(words.get_ref()) {
+        Ok(paragraphs) => {
+            for text in &paragraphs {
+                used.text(words, text, style, faults);
+            }
+            Some(paragraphs)
+        }
+        Err(fault) => {
+            faults.expression(words, fault);
+            None
+        }
+    }
+}
+
+fn parameters(
+    written: &[(Words, DomainFile)],
+    letters: &[&str],
+    style: Option<usize>,
+    used: &mut NamesUsed,
+    faults: &mut Faults,
+) -> Vec<Given<Domain>> {
+    let mut found = Vec::new();
+    for (name, domain) in written {
+        new_name("parameter", name, letters, faults);
+        // A parameter whose values are at fault is there all the same, so that its uses are no faults.
+        let meaning = read_domain(name, domain, style, used, faults).unwrap_or(Domain::List(vec![Expr::integer(1)]));
+        found.push(Given { name: name.get_ref().clone(), span: name.span(), meaning });
+    }
+    found
+}
+
+fn read_domain(
+    name: &Words,
+    domain: &DomainFile,
+    style: Option<usize>,
+    used: &mut NamesUsed,
+    faults: &mut Faults,
+) -> Option<Domain> {
+    let read_value = |words: &Words, used: &mut NamesUsed, faults: &mut Faults| {
+        let expr =
+            read_as_written(words.get_ref(), Angles::Degrees).map_err(|fault| faults.expression(words, fault)).ok()?;
+        used.expression(words, &expr, Also::OnlyLetters, style, faults);
+        Some(expr)
+    };
+    match domain {
+        DomainFile::Range(words) if words.get_ref().contains("..") => {
+            Domain::range(words.get_ref()).map_err(|fault| faults.expression(words, fault)).ok()
+        }
+        DomainFile::Range(words) => Some(Domain::List(vec![read_value(words, used, faults)?])),
+        DomainFile::List(items, span) if items.is_empty() => {
+            faults.report_with_help(
+                span.clone(),
+                format!("parameter `{}` has no values", name.get_ref()),
+                "the list is empty",
+                "write `[\"1/4\", \"1/2\"]` or a range `\"2..12\"`",
+            );
+            None
+        }
+        DomainFile::List(items, _) => {
+            let mut values: Vec<Expr> = Vec::new();
+            let mut complete = true;
+            for words in items {
+                if words.get_ref().contains("..") {
+                    faults.report_with_help(
+                        words.span(),
+                        "a range within a list",
+                        "expected one value",
+                        format!("write the range alone, without brackets: `\"{}\"`", words.get_ref()),
+                    );
+                    complete = false;
+                    continue;
+                }
+                let Some(value) = read_value(words, used, faults) else {
+                    complete = false;
+                    continue;
+                };
+                if values.contains(&value) {
+                    faults.report_with_help(
+                        words.span(),
+                        format!("the value `{}` stands in the list twice", words.get_ref()),
+                        "it was there before",
+                        "take one of the two out, so that no variant is dealt twice",
+                    );
+                }
+                values.push(value);
+            }
+            complete.then_some(Domain::List(values))
+        }
+    }
+}
+
+fn lets(
+    written: &[(Words, Words)],
+    letters: &[&str],
+    style: Option<usize>,
+    used: &mut NamesUsed,
+    faults: &mut Faults,
+) -> Vec<Given<Expr>> {
+    let mut found: Vec<Given<Expr>> = Vec::new();
+    for (name, words) in written {
+        new_name("derived name", name, letters, faults);
+        let meaning = match read(words.get_ref(), Angles::Degrees) {
+            Ok(expr) => {
+                used.expression(words, &expr, Also::Nothing, style, faults);
+                let later = written.iter().map(|(name, _)| name).skip(found.len());
+                check_order(name, words, &expr, later, faults);
+                expr
+            }
+            Err(fault) => {
+                faults.expression(words, fault);
+                Expr::integer(1)
+            }
+        };
+        found.push(Given { name: name.get_ref().clone(), span: name.span(), meaning });
+    }
+    found
+}
+
+/// A derived name may use those before it, and not itself.
+fn check_order<'a>(
+    name: &Words,
+    words: &Words,
+    expr: &Expr,
+    later: impl Iterator<Item = &'a Spanned<String>> + Clone,
+    faults: &mut Faults,
+) {
+    for used in expr.names() {
+        if later.clone().any(|later| *later.get_ref() == used.text) {
+            let span = faults.place(words, used.span);
+            let message = format!("`{}` is derived from `{}`, which comes later", name.get_ref(), used.text);
+            faults.report_with_help(
+                span,
+                message,
+                "not known here yet",
+                "put the names in the order in which they follow",
+            );
+        }
+    }
+}
+
+/// A new name must be one, and must not mean something already.
+fn new_name(what: &str, name: &Words, letters: &[&str], faults: &mut Faults) {
+    let text = name.get_ref().as_str();
+    let is_name = text.starts_with(|c: char| c.is_ascii_alphabetic())
+        && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+    let is_function = Function::ALL.iter().any(|function| function.name() == text);
+    let (message, label) = if !is_name {
+        (format!("`{text}` cannot be a name"), "expected a letter, then letters, digits or `_`".to_owned())
+    } else if letters.contains(&text) {
+        (
+            format!("{what} `{text}` is also a letter of the scene"),
+            "a letter keeps its name and has no values".to_owned(),
+        )
+    } else if RESERVED.contains(&text) || is_function {
+        (format!("{what} `{text}` has a meaning already"), format!("`{text}` is part of the expression language"))
+    } else if text != "e" && text.parse::<Quantity>().is_ok() {
+        (format!("{what} `{text}` has the name of a quantity"), "a requirement could not tell them apart".to_owned())
+    } else {
+        return;
+    };
+    let help = match is_name {
+        true => format!("choose another name, such as `{text}_1`"),
+        false => "choose a name such as `u`, `mA` or `alpha`".to_owned(),
+    };
+    faults.report_with_help(name.span(), message, label, help);
+}
+
+fn require(written: &[Words], style: Option<usize>, used: &mut NamesUsed, faults: &mut Faults) -> Vec<Requirement> {
+    let mut found = Vec::new();
+    for words in written {
+        match Requirement::read(words.get_ref()) {
+            Ok(requirement) => {
+                for name in requirement.names() {
+                    used.name(words, name, Also::Quantities, style, faults);
+                }
+                if requirement.is_constant() {
+                    let label = "it says nothing about the question";
+                    faults.report(words.span(), format!("requirement `{}` has no name in it", words.get_ref()), label);
+                }
+                found.push(requirement);
+            }
+            Err(fault) => faults.expression(words, fault),
+        }
+    }
+    found
+}

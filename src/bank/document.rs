@@ -1,0 +1,258 @@
+//! A TOML document read table by table, with every unknown key and every wrong type reported.
+
+use std::ops::Range;
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::literal::{self, Words};
+use crate::diagnostic::{Diagnostic, Source, near};
+use crate::expr::{Fault, Span};
+
+/// The faults found so far in one file.
+#[derive(Debug)]
+pub struct Faults {
+    /// The file.
+    pub source: Source,
+    /// What is wrong with it.
+    pub found: Vec<Diagnostic>,
+}
+
+impl Faults {
+    /// None yet.
+    pub fn new(source: Source) -> Faults {
+        Faults { source, found: Vec::new() }
+    }
+
+    /// A fault at a place in the file.
+    pub fn report(&mut self, span: Range<usize>, message: impl Into<String>, label: impl Into<String>) {
+        self.found.push(Diagnostic::new(message, &self.source, span, label));
+    }
+
+    /// A fault with one thing to try.
+    pub fn report_with_help(
+        &mut self,
+        span: Range<usize>,
+        message: impl Into<String>,
+        label: impl Into<String>,
+        help: impl Into<String>,
+    ) {
+        self.found.push(Diagnostic::new(message, &self.source, span, label).with_help(help));
+    }
+
+    /// A name that is not among those that can stand here.
+    pub fn unknown<'a>(
+        &mut self,
+        span: Range<usize>,
+        message: String,
+        label: String,
+        name: &str,
+        known: impl IntoIterator<Item = &'a str>,
+    ) {
+        self.found.push(Diagnostic::new(message, &self.source, span, label).with_near(near(name, known)));
+    }
+
+    /// A fault of an expression, at its place inside a string of the file.
+    pub fn expression(&mut self, words: &Words, fault: Fault) {
+        self.expression_from(words, 0, fault);
+    }
+
+    /// As [`Faults::expression`], where the expression begins some bytes into the string.
+    pub fn expression_from(&mut self, words: &Words, start: usize, fault: Fault) {
+        let mut span = self.place(words, Span { start: start + fault.span.start, end: start + fault.span.end });
+        if fault.span == Span::default() && start == 0 {
+            // No part of it in particular: the whole string.
+            span = words.span();
+        }
+        let diagnostic = Diagnostic::new(fault.message, &self.source, span, fault.expected);
+        self.found.push(Diagnostic { help: fault.help, ..diagnostic });
+    }
+
+    /// Where a part of a string stands in the file.
+    pub fn place(&self, words: &Words, part: Span) -> Range<usize> {
+        literal::place(&self.source.text, words, part)
+    }
+}
+
+/// The document as a table; `None`, and the faults reported, if it is no TOML.
+pub fn parse<'a>(text: &'a str, faults: &mut Faults) -> Option<Spanned<DeTable<'a>>> {
+    let (table, errors) = DeTable::parse_recoverable(text);
+    for error in &errors {
+        let span = error.span().unwrap_or_default();
+        match error.message() {
+            "duplicate key" => {
+                let name = text.get(span.clone()).unwrap_or_default();
+                faults.report_with_help(
+                    span,
+                    format!("`{name}` stands here for the second time"),
+                    "it already has a value",
+                    "keep one of the two",
+                );
+            }
+            message => {
+                let (what, expected) = message.split_once(", expected ").unwrap_or((message, "readable TOML"));
+                let label = match expected {
+                    "nothing" => "expected nothing here".to_owned(),
+                    _ => format!("expected {expected}"),
+                };
+                faults.report(span, format!("this is no TOML: {what}"), label);
+            }
+        }
+    }
+    errors.is_empty().then_some(table)
+}
+
+/// One table of the document while its keys are asked for one by one.
+pub struct Keys<'t, 'd> {
+    /// What the table is to a person: `a part`.
+    what: &'static str,
+    table: &'t DeTable<'d>,
+    span: Range<usize>,
+    known: Vec<&'static str>,
+}
+
+impl<'t, 'd> Keys<'t, 'd> {
+    /// The keys of a table.
+    pub fn of(what: &'static str, table: &'t DeTable<'d>, span: Range<usize>) -> Keys<'t, 'd> {
+        Keys { what, table, span, known: Vec::new() }
+    }
+
+    /// The keys of a value that must be a table.
+    pub fn within(what: &'static str, value: &'t Spanned<DeValue<'d>>, faults: &mut Faults) -> Option<Keys<'t, 'd>> {
+        match value.get_ref() {
+            DeValue::Table(table) => Some(Keys::of(what, table, value.span())),
+            other => {
+                wrong_type(what, "a table", other, value.span(), faults);
+                None
+            }
+        }
+    }
+
+    /// Where the table stands.
+    pub fn span(&self) -> Range<usize> {
+        self.span.clone()
+    }
+
+    /// The value of a key, which is known from now on.
+    pub fn get(&mut self, key: &'static str) -> Option<&'t Spanned<DeValue<'d>>> {
+        self.known.push(key);
+        self.table.get(key)
+    }
+
+    /// A string, if the key is there.
+    pub fn words(&mut self, key: &'static str, faults: &mut Faults) -> Option<Words> {
+        let value = self.get(key)?;
+        words(&format!("`{key}`"), value, faults)
+    }
+
+    /// A string that must be there.
+    pub fn required(&mut self, key: &'static str, example: &str, faults: &mut Faults) -> Option<Words> {
+        self.demand(key, example, faults);
+        self.words(key, faults)
+    }
+
+    /// A list of strings; empty if the key is not there.
+    pub fn list(&mut self, key: &'static str, faults: &mut Faults) -> Vec<Words> {
+        let Some(value) = self.get(key) else { return Vec::new() };
+        list(&format!("`{key}`"), value, faults)
+    }
+
+    /// The tables of a list; empty if the key is not there.
+    pub fn tables(&mut self, key: &'static str, what: &'static str, faults: &mut Faults) -> Vec<Keys<'t, 'd>> {
+        let Some(value) = self.get(key) else { return Vec::new() };
+        let DeValue::Array(items) = value.get_ref() else {
+            wrong_type(&format!("`{key}`"), "a list of tables", value.get_ref(), value.span(), faults);
+            return Vec::new();
+        };
+        items.iter().filter_map(|item| Keys::within(what, item, faults)).collect()
+    }
+
+    /// Reports that a key is missing, if it is.
+    pub fn demand(&mut self, key: &'static str, example: &str, faults: &mut Faults) {
+        if !self.table.contains_key(key) {
+            let span = if self.span.start == 0 { 0..0 } else { self.span.clone() };
+            let help = format!("add `{example}`");
+            faults.report_with_help(span, format!("{} without `{key}`", self.what), "it is missing here", help);
+        }
+    }
+
+    /// Every key that nobody asked for is a fault.
+    pub fn finish(self, faults: &mut Faults) {
+        for key in self.table.keys() {
+            let name: &str = key.get_ref();
+            if !self.known.contains(&name) {
+                let message = format!("unknown key `{name}`");
+                let known = self.known.iter().copied();
+                let label = match near(name, known.clone()) {
+                    Some(_) => format!("{} has no such key", self.what),
+                    None => format!("{} has {}", self.what, listed(&self.known)),
+                };
+                faults.unknown(key.span(), message, label, name, known);
+            }
+        }
+    }
+}
+
+/// Names in backticks, with commas between.
+pub fn listed<S: AsRef<str>>(names: &[S]) -> String {
+    names.iter().map(|name| format!("`{}`", name.as_ref())).collect::<Vec<_>>().join(", ")
+}
+
+/// The pairs of a table whose keys are free, in the order of the file.
+pub fn pairs<'t, 'd>(
+    what: &str,
+    value: &'t Spanned<DeValue<'d>>,
+    faults: &mut Faults,
+) -> Vec<(Words, &'t Spanned<DeValue<'d>>)> {
+    let DeValue::Table(table) = value.get_ref() else {
+        wrong_type(what, "a table", value.get_ref(), value.span(), faults);
+        return Vec::new();
+    };
+    table.iter().map(|(key, value)| (Spanned::new(key.span(), key.get_ref().to_string()), value)).collect()
+}
+
+/// A string.
+pub fn words(what: &str, value: &Spanned<DeValue>, faults: &mut Faults) -> Option<Words> {
+    match value.get_ref() {
+        DeValue::String(text) => Some(Spanned::new(value.span(), text.to_string())),
+        other => {
+            wrong_type(what, "a string", other, value.span(), faults);
+            None
+        }
+    }
+}
+
+/// A list of strings.
+pub fn list(what: &str, value: &Spanned<DeValue>, faults: &mut Faults) -> Vec<Words> {
+    match value.get_ref() {
+        DeValue::Array(items) => items.iter().filter_map(|item| words(what, item, faults)).collect(),
+        other => {
+            wrong_type(what, "a list of strings", other, value.span(), faults);
+            Vec::new()
+        }
+    }
+}
+
+/// What was found where something else was expected.
+pub fn wrong_type(what: &str, expected: &str, found: &DeValue, span: Range<usize>, faults: &mut Faults) {
+    let kind = match found {
+        DeValue::String(_) => "a string",
+        DeValue::Integer(_) | DeValue::Float(_) => "a bare number",
+        DeValue::Boolean(_) => "true or false",
+        DeValue::Datetime(_) => "a date",
+        DeValue::Array(_) => "a list",
+        DeValue::Table(_) => "a table",
+    };
+    let written = faults.source.text.get(span.clone()).unwrap_or_default().to_owned();
+    let message = format!("{what} is {kind}");
+    let label = format!("expected {expected}");
+    match (found, expected) {
+        (DeValue::Integer(_) | DeValue::Float(_), "a string") => {
+            faults.report_with_help(span, message, label, format!("put it in quotes: `\"{written}\"`"));
+        }
+        (DeValue::String(_), "a list of strings") => {
+            faults.report_with_help(span, message, label, "put it in brackets: `[\"…\"]`");
+        }
+        _ => faults.report(span, message, label),
+    }
+}

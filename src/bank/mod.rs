@@ -1,0 +1,27 @@
+//! Question banks: TOML files that a teacher writes, read into questions that have been checked.
+//!
+//! [`read_question`] reports every fault of a file at once, each with its line, what was expected and
+//! one thing to try. What comes out, a [`Question`], holds no unread text: its words are formulas and
+//! pieces, its parameters have finite domains, its marks know on which others they depend.
+
+mod check;
+mod document;
+mod domain;
+mod file;
+mod folder;
+mod givens;
+mod literal;
+mod posed;
+mod question;
+mod requirement;
+mod scene_file;
+mod shipped;
+
+pub use check::read_question;
+pub use domain::Domain;
+pub use folder::Bank;
+pub use givens::Givens;
+pub use posed::{Posed, Unposed};
+pub use question::{Answer, Code, EarnedFor, Find, Mark, Part, Question, Style, StyleName};
+pub use requirement::{Measure, Requirement};
+pub use shipped::SHIPPED;

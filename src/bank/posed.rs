@@ -1,0 +1,83 @@
+//! A question with numbers in it: its scene read and solved.
+
+use super::givens::Givens;
+use super::question::{Question, Style};
+use crate::expr::{Angles, Fault, Meaning, Turn};
+use crate::mechanics::{Quantity, Refusal, Scene, SceneFault};
+use crate::number::{Angle, Range, Value};
+use crate::solve::{Solution, solve};
+
+/// A question with numbers in it, solved for all that it asks and requires.
+#[derive(Clone, Debug)]
+pub struct Posed {
+    /// What its names stand for.
+    pub givens: Givens,
+    /// The collision.
+    pub scene: Scene,
+    /// Its solution.
+    pub solution: Solution,
+}
+
+/// Why numbers do not make a question.
+#[derive(Clone, Debug)]
+pub enum Unposed {
+    /// A derived name has no value.
+    Given(String, Fault),
+    /// Formulas of the scene have no value.
+    Scene(Vec<SceneFault>),
+    /// It cannot happen, or cannot be found.
+    Refused(Refusal),
+}
+
+impl Posed {
+    /// Solves a question for the quantities that it asks for and those that its requirements name.
+    ///
+    /// # Errors
+    ///
+    /// Why these numbers do not make a question that can be solved.
+    pub fn new(question: &Question, style: &Style, givens: Givens) -> Result<Posed, Unposed> {
+        let scene = Scene::read(&question.scene, &givens.shown, Angles::Degrees).map_err(Unposed::Scene)?;
+        let mut asked = question.asked();
+        for requirement in &style.require {
+            for quantity in requirement.quantities(&|name| givens.contains(name)) {
+                if !asked.contains(&quantity) {
+                    asked.push(quantity);
+                }
+            }
+        }
+        let solution = solve(&scene, &asked).map_err(Unposed::Refused)?;
+        Ok(Posed { givens, scene, solution })
+    }
+
+    /// What a name of a requirement stands for: a given, or a result.
+    pub fn meaning(&self, name: &str) -> Option<Meaning> {
+        if let Some(value) = self.found(name) {
+            return Some(value);
+        }
+        self.givens.meaning(name).or_else(|| self.quantity(name.parse().ok()?))
+    }
+
+    fn quantity(&self, quantity: Quantity) -> Option<Meaning> {
+        match self.solution.number(quantity) {
+            Some(value) => Some(Meaning::Number(value)),
+            None => self.solution.angle(quantity).map(|angle| degrees(&angle)),
+        }
+    }
+
+    /// What a letter of the scene was found to be.
+    pub fn found(&self, name: &str) -> Option<Meaning> {
+        let (letter, value) = self.solution.found().iter().find(|(letter, _)| letter.name() == name)?;
+        match letter.range() {
+            Range::Acute => Some(Meaning::Angle(Turn::of(Angle::of(value, &Value::ONE)?))),
+            _ => Some(Meaning::Number(value.clone())),
+        }
+    }
+}
+
+/// A number of degrees: a plain number where it is a rational one.
+fn degrees(angle: &Angle) -> Meaning {
+    match angle.whole_degrees() {
+        Some(exact) => Meaning::Number(Value::from(exact)),
+        None => Meaning::Degrees(Turn::of(angle.clone())),
+    }
+}

@@ -1,0 +1,248 @@
+//! What a question demands of its numbers: `mA != mB`, `A.after.n > 0`, `denominator(A.after.speed) = 1`.
+
+use std::str::FromStr;
+
+use super::domain::constant;
+use crate::expr::{Angles, Expr, Fault, Meaning, Name, Names, Span, evaluate, holds, read};
+use crate::mechanics::Quantity;
+use crate::number::{Fraction, Root, Value};
+
+/// A relation that must hold, over givens or results.
+#[derive(Clone, Debug)]
+pub struct Requirement {
+    /// As it was written.
+    pub text: String,
+    /// The relation; where a measure was written stands a name of our own.
+    relation: Expr,
+    /// These names, each with its measure and what is measured.
+    measured: Vec<(String, Measure, Expr)>,
+}
+
+/// How simple a number is; only requirements can ask.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Measure {
+    /// `denominator(x)`: of a fraction, or the common one of a sum of surds.
+    Denominator,
+    /// `radicand(x)`: what stands under the square root, one if nothing does.
+    Radicand,
+    /// `terms(x)`: of how many terms it is the sum.
+    Terms,
+}
+
+impl Measure {
+    /// Every measure.
+    pub const ALL: [Measure; 3] = [Measure::Denominator, Measure::Radicand, Measure::Terms];
+
+    /// Its name in a requirement.
+    pub fn name(self) -> &'static str {
+        match self {
+            Measure::Denominator => "denominator",
+            Measure::Radicand => "radicand",
+            Measure::Terms => "terms",
+        }
+    }
+
+    /// The measure of a number; `None` where it has no meaning, as the radicand of a nested root.
+    ///
+    /// ```
+    /// use carom::bank::Measure;
+    /// use carom::number::Value;
+    /// let root = Value::fraction(12, 25).square_root().unwrap();
+    /// assert_eq!(Measure::Denominator.of(&root), Some(5.into()));
+    /// assert_eq!(Measure::Radicand.of(&root), Some(3.into()));
+    /// assert_eq!(Measure::Terms.of(&root), Some(1.into()));
+    /// ```
+    pub fn of(self, value: &Value) -> Option<Fraction> {
+        let (terms, below) = value.parts();
+        match self {
+            Measure::Denominator => {
+                below.as_constant()?;
+                let mut common = Fraction::ONE;
+                for coefficient in terms.values() {
+                    let denominator = Fraction::from(coefficient.as_constant()?.denominator());
+                    let shared = Fraction::from((&common / &denominator).denominator());
+                    // Times what the other denominator has beyond the common one.
+                    common = &common * &shared;
+                }
+                Some(common)
+            }
+            Measure::Radicand => {
+                let mut largest = Fraction::ONE;
+                for roots in terms.keys() {
+                    let mut product = Fraction::ONE;
+                    for root in roots {
+                        match root {
+                            Root::Prime(_) => product = &product * root.square().as_fraction()?,
+                            _ => return None,
+                        }
+                    }
+                    largest = largest.max(product);
+                }
+                value.is_constant().then_some(largest)
+            }
+            Measure::Terms => Some(Fraction::from(i64::try_from(terms.len()).ok()?)),
+        }
+    }
+}
+
+impl Requirement {
+    /// Reads a requirement.
+    ///
+    /// # Errors
+    ///
+    /// A [`Fault`] with its place, if it cannot be read or is no relation.
+    pub fn read(text: &str) -> Result<Requirement, Fault> {
+        let mut plain = text.to_owned();
+        let mut measured = Vec::new();
+        while let Some((measure, start, open)) = next_measure(&plain) {
+            let Some(end) = closing(&plain, open) else {
+                let span = Span { start: open, end: open + 1 };
+                return Err(Fault::new("`(` is never closed", span, "its `)` is missing"));
+            };
+            let inside = read(&plain[open + 1..end], Angles::Degrees).map_err(|fault| fault.shifted(open + 1))?;
+            // A name of equal length keeps every other place where it is.
+            let name = format!("{:_<width$}", format!("Q{}", measured.len()), width = end + 1 - start);
+            plain.replace_range(start..end + 1, &name);
+            measured.push((name, measure, inside.moved(open + 1)));
+        }
+        let relation = read(&plain, Angles::Degrees)?;
+        if !matches!(relation, Expr::Relation(..)) {
+            let span = Span { start: 0, end: text.len() };
+            return Err(Fault::new(
+                "a requirement without a relation",
+                span,
+                "expected `=`, `!=`, `<`, `<=`, `>` or `>=`",
+            )
+            .try_this(format!("write `{text} > 0`")));
+        }
+        Ok(Requirement { text: text.to_owned(), relation, measured })
+    }
+
+    /// Every name in it.
+    pub fn names(&self) -> Vec<&Name> {
+        let own = |name: &&Name| !self.measured.iter().any(|(own, ..)| *own == name.text);
+        let mut names: Vec<&Name> = self.relation.names().into_iter().filter(own).collect();
+        names.extend(self.measured.iter().flat_map(|(_, _, inside)| inside.names()));
+        names
+    }
+
+    /// The quantities in it that are neither parameters nor derived names: what must be solved for first.
+    pub fn quantities(&self, is_given: &dyn Fn(&str) -> bool) -> Vec<Quantity> {
+        let results = self.names().into_iter().filter(|name| !is_given(&name.text));
+        results.filter_map(|name| Quantity::from_str(&name.text).ok()).collect()
+    }
+
+    /// Does it hold? Not if that depends on letters, or if a name has no value.
+    ///
+    /// # Errors
+    ///
+    /// A [`Fault`] if its formulas have no value, as by a division by nought.
+    pub fn holds(&self, names: Names) -> Result<bool, Fault> {
+        let mut sizes: Vec<(&str, Fraction)> = Vec::new();
+        for (name, measure, inside) in &self.measured {
+            let size = match evaluate(inside, names)? {
+                Meaning::Number(value) => measure.of(&value),
+                // The degrees of a whole or half number of degrees are a number; others are no fraction.
+                _ => None,
+            };
+            match size {
+                Some(size) => sizes.push((name.as_str(), size)),
+                None => return Ok(false),
+            }
+        }
+        let with_sizes = |name: &str| match sizes.iter().find(|(own, _)| *own == name) {
+            Some((_, size)) => Some(Meaning::Number(Value::from(size.clone()))),
+            None => names(name),
+        };
+        Ok(holds(&self.relation, &with_sizes)? == Some(true))
+    }
+
+    /// For givens that are all plain numbers: is it always true, or always false?
+    pub(crate) fn is_constant(&self) -> bool {
+        match &self.relation {
+            Expr::Relation(left, _, right) => constant(left).is_some() && constant(right).is_some(),
+            _ => false,
+        }
+    }
+}
+
+/// The first measure in the text: which, where it begins, where its bracket opens.
+fn next_measure(text: &str) -> Option<(Measure, usize, usize)> {
+    let found = Measure::ALL.into_iter().flat_map(|measure| {
+        text.match_indices(measure.name()).filter_map(move |(start, word)| {
+            let is_name = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '.';
+            let after = &text[start + word.len()..];
+            let open = text.len() - after.trim_start().len();
+            (!text[..start].ends_with(is_name) && text[open..].starts_with('(')).then_some((measure, start, open))
+        })
+    });
+    found.min_by_key(|(_, start, _)| *start)
+}
+
+/// The bracket that closes the one at `open`.
+fn closing(text: &str, open: usize) -> Option<usize> {
+    let mut depth = 0;
+    for (at, c) in text[open..].char_indices() {
+        depth += i32::from(c == '(') - i32::from(c == ')');
+        if depth == 0 {
+            return Some(open + at);
+        }
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn value(name: &str) -> Option<Meaning> {
+        let number = match name {
+            "a" => Value::fraction(7, 12),
+            "b" => Value::from(18).square_root().unwrap(),
+            "c" => &Value::fraction(1, 6) + &Value::fraction(27, 16).square_root().unwrap(),
+            "A.after.n" => Value::from(-2),
+            _ => return None,
+        };
+        Some(Meaning::Number(number))
+    }
+
+    #[test]
+    fn requirements_hold_or_do_not() {
+        let table = [
+            ("a != b", true),
+            ("A.after.n > 0", false),
+            ("denominator(a) = 12", true),
+            ("denominator(b) = 1", true),
+            ("denominator(c) = 12", true),
+            ("radicand(b) = 2", true),
+            ("radicand(a) = 1", true),
+            ("radicand(c) <= 3", true),
+            ("terms(c) = 2", true),
+            ("terms (a + (b)) + 1 = 3", true),
+            ("denominator(2*a) < denominator(a)", true),
+        ];
+        for (text, expected) in table {
+            assert_eq!(Requirement::read(text).unwrap().holds(&value), Ok(expected), "{text}");
+        }
+    }
+
+    #[test]
+    fn the_names_of_a_requirement_keep_their_places() {
+        let text = "denominator(x + y) = z";
+        let requirement = Requirement::read(text).unwrap();
+        let names = requirement.names();
+        assert_eq!(names.iter().map(|name| name.text.as_str()).collect::<Vec<_>>(), ["z", "x", "y"]);
+        assert!(names.iter().all(|name| text[name.span.start..name.span.end] == name.text));
+        let fault = Requirement::read("denominator(x + ) = 1").unwrap_err();
+        assert_eq!(fault.span.start, 15);
+        assert!(Requirement::read("mA + 1").is_err());
+        assert!(Requirement::read("terms(x").is_err());
+    }
+
+    #[test]
+    fn results_are_told_from_givens() {
+        let requirement = Requirement::read("e + A.after.n > separation").unwrap();
+        let quantities = requirement.quantities(&|name| name == "e");
+        assert_eq!(quantities.iter().map(Quantity::to_string).collect::<Vec<_>>(), ["A.after.n", "separation"]);
+    }
+}

@@ -1,0 +1,170 @@
+//! `[scene]` of a question file, every string with its place.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use toml::Spanned;
+use toml::de::DeValue;
+
+use super::document::{self, Faults, Keys, wrong_type};
+use super::literal::Words;
+use crate::mechanics::{Pair, PolarText, SceneText, Sense, VelocityText};
+
+/// A scene as written, and where each of its strings stands.
+#[derive(Clone, Debug)]
+pub struct SceneFile {
+    /// The scene in the exchange format.
+    pub text: SceneText,
+    /// Its strings by their path, such as `before.A.speed` or `line_of_centres[0]`, in the order of the file.
+    pub places: Vec<(String, Words)>,
+    /// Where the table stands.
+    pub span: Range<usize>,
+}
+
+impl SceneFile {
+    /// Reads the table; what is wrong in it is reported, the rest is read.
+    pub fn read(value: &Spanned<DeValue>, faults: &mut Faults) -> Option<SceneFile> {
+        let mut keys = Keys::within("a scene", value, faults)?;
+        let mut walk = Walk { places: Vec::new(), faults };
+        let text = SceneText {
+            masses: walk.pair(&mut keys, "masses", Walk::word),
+            before: walk.pair(&mut keys, "before", Walk::velocity),
+            after: walk.pair(&mut keys, "after", Walk::velocity),
+            line_of_centres: keys.get("line_of_centres").and_then(|value| walk.vector("line_of_centres", value)),
+            sense: keys.get("sense").and_then(|value| walk.sense(value)),
+            positions: walk.pair(&mut keys, "positions", Walk::vector),
+            radii: walk.pair(&mut keys, "radii", Walk::word),
+            impact_parameter: keys.get("impact_parameter").and_then(|value| walk.word("impact_parameter", value)),
+            e: keys.get("e").and_then(|value| walk.word("e", value)),
+            symbols: keys.get("symbols").map_or_else(BTreeMap::new, |value| walk.symbols(value)),
+            unknowns: walk.list(&mut keys, "unknowns"),
+            conditions: walk.list(&mut keys, "conditions"),
+            maximise: keys.get("maximise").and_then(|value| walk.word("maximise", value)),
+        };
+        let places = walk.places;
+        keys.finish(faults);
+        Some(SceneFile { text, places, span: value.span() })
+    }
+
+    /// Where the string, or the first of several, with this path or below it stands; else the whole scene.
+    pub fn place(&self, path: &str) -> Range<usize> {
+        let within =
+            |known: &str| known.strip_prefix(path).is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']));
+        self.places.iter().find(|(known, _)| within(known)).map_or(self.span.clone(), |(_, words)| words.span())
+    }
+
+    /// The string with exactly this path.
+    pub fn words(&self, path: &str) -> Option<&Words> {
+        self.places.iter().find(|(known, _)| known == path).map(|(_, words)| words)
+    }
+
+    /// The letters that it declares, those to be found among them.
+    pub fn letters(&self) -> Vec<&str> {
+        let declared = self.text.symbols.keys().map(String::as_str);
+        declared.chain(self.text.unknowns.iter().map(String::as_str)).collect()
+    }
+}
+
+struct Walk<'f> {
+    places: Vec<(String, Words)>,
+    faults: &'f mut Faults,
+}
+
+impl Walk<'_> {
+    fn word(&mut self, path: &str, value: &Spanned<DeValue>) -> Option<String> {
+        let words = document::words(&format!("`{path}`"), value, self.faults)?;
+        let text = words.get_ref().clone();
+        self.places.push((path.to_owned(), words));
+        Some(text)
+    }
+
+    fn pair<T>(
+        &mut self,
+        keys: &mut Keys,
+        key: &'static str,
+        read: fn(&mut Self, &str, &Spanned<DeValue>) -> Option<T>,
+    ) -> Pair<T> {
+        let what = "a pair for the spheres";
+        let Some(mut inner) = keys.get(key).and_then(|value| Keys::within(what, value, self.faults)) else {
+            return Pair::none();
+        };
+        let a = inner.get("A").and_then(|value| read(self, &format!("{key}.A"), value));
+        let b = inner.get("B").and_then(|value| read(self, &format!("{key}.B"), value));
+        inner.finish(self.faults);
+        Pair { a, b }
+    }
+
+    fn vector(&mut self, path: &str, value: &Spanned<DeValue>) -> Option<[String; 2]> {
+        let DeValue::Array(items) = value.get_ref() else {
+            let what = format!("`{path}`");
+            wrong_type(&what, "a list of two strings", value.get_ref(), value.span(), self.faults);
+            return None;
+        };
+        if items.len() != 2 {
+            let label = format!("expected two components, found {}", items.len());
+            let message = format!("`{path}` is no vector");
+            self.faults.report_with_help(value.span(), message, label, "write `[\"x\", \"y\"]`, along i and along j");
+            return None;
+        }
+        let mut items = items.iter().enumerate();
+        let mut next = || items.next().and_then(|(index, item)| self.word(&format!("{path}[{index}]"), item));
+        let (x, y) = (next(), next());
+        Some([x?, y?])
+    }
+
+    fn velocity(&mut self, path: &str, value: &Spanned<DeValue>) -> Option<VelocityText<String>> {
+        if let DeValue::Array(_) = value.get_ref() {
+            return self.vector(path, value).map(VelocityText::Components);
+        }
+        let DeValue::Table(_) = value.get_ref() else {
+            let expected = "`[\"x\", \"y\"]` or `{ speed = …, angle_deg = … }`";
+            wrong_type(&format!("`{path}`"), expected, value.get_ref(), value.span(), self.faults);
+            return None;
+        };
+        let mut keys = Keys::within("a velocity", value, self.faults)?;
+        keys.demand("speed", "speed = \"u\"", self.faults);
+        let mut part = |key: &'static str| keys.get(key).and_then(|value| self.word(&format!("{path}.{key}"), value));
+        let (speed, angle_deg, cos, sin) = (part("speed"), part("angle_deg"), part("cos"), part("sin"));
+        if !matches!((&angle_deg, &cos, &sin), (Some(_), None, None) | (None, Some(_), Some(_))) {
+            self.faults.report_with_help(
+                value.span(),
+                format!("`{path}` has no clear direction"),
+                "expected `angle_deg`, or `cos` and `sin`",
+                "give the angle anticlockwise from i as `angle_deg`",
+            );
+        }
+        keys.finish(self.faults);
+        Some(VelocityText::Polar(PolarText { speed: speed?, angle_deg, cos, sin }))
+    }
+
+    fn sense(&mut self, value: &Spanned<DeValue>) -> Option<Sense> {
+        let words = document::words("`sense`", value, self.faults)?;
+        match words.get_ref().as_str() {
+            "A_to_B" => Some(Sense::FromAToB),
+            "either" => Some(Sense::Either),
+            other => {
+                let message = format!("unknown sense `{other}`");
+                let label = "expected `A_to_B` or `either`".to_owned();
+                self.faults.unknown(words.span(), message, label, other, ["A_to_B", "either"]);
+                None
+            }
+        }
+    }
+
+    fn symbols(&mut self, value: &Spanned<DeValue>) -> BTreeMap<String, String> {
+        let mut found = BTreeMap::new();
+        for (name, value) in document::pairs("`symbols`", value, self.faults) {
+            let path = format!("symbols.{}", name.get_ref());
+            let range = self.word(&path, value);
+            found.extend(range.map(|range| (name.into_inner(), range)));
+        }
+        found
+    }
+
+    fn list(&mut self, keys: &mut Keys, key: &'static str) -> Vec<String> {
+        let found = keys.list(key, self.faults);
+        let texts = found.iter().map(|words| words.get_ref().clone()).collect();
+        self.places.extend(found.into_iter().enumerate().map(|(index, words)| (format!("{key}[{index}]"), words)));
+        texts
+    }
+}

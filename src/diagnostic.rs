@@ -1,0 +1,231 @@
+//! A fault in a person's file: what is wrong, where, what was expected, and one thing to try.
+
+use std::fmt;
+use std::ops::Range;
+use std::sync::Arc;
+
+use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
+
+/// A text with the name under which a person knows it: a file of a bank, or `answer`.
+///
+/// Cloning is cheap, so that every fault of a text can carry it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Source {
+    /// The path as the person wrote it.
+    pub file: Arc<str>,
+    /// The whole text.
+    pub text: Arc<str>,
+}
+
+impl Source {
+    /// A text under its name.
+    pub fn new(file: impl Into<Arc<str>>, text: impl Into<Arc<str>>) -> Source {
+        Source { file: file.into(), text: text.into() }
+    }
+}
+
+/// How bad it is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Severity {
+    /// The file cannot be used.
+    #[default]
+    Error,
+    /// It can, but hardly as it was meant.
+    Warning,
+}
+
+/// One fault, with everything that a person needs to mend it.
+///
+/// Messages, labels and helps are lower case, with names in backticks and no full stop.
+///
+/// ```
+/// use carom::diagnostic::{Diagnostic, Source};
+/// let source = Source::new("rest/speeds.toml", "e = '3/2'\n");
+/// let fault = Diagnostic::new("impossible coefficient of restitution `3/2`", &source, 5..8, "must be from 0 to 1");
+/// assert_eq!(fault.line(), 1);
+/// assert!(fault.to_string().contains("rest/speeds.toml:1:6"));
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Diagnostic {
+    /// Whether the file can be used in spite of it.
+    pub severity: Severity,
+    /// What is wrong.
+    pub message: String,
+    /// The text in which it is.
+    pub source: Source,
+    /// Where in the text, in bytes. Beyond the text or empty is allowed and shown as one caret.
+    pub span: Range<usize>,
+    /// The words beside the caret: what was expected.
+    pub label: String,
+    /// One thing to try.
+    pub help: Option<String>,
+}
+
+impl Diagnostic {
+    /// An error without help.
+    pub fn new(
+        message: impl Into<String>,
+        source: &Source,
+        span: Range<usize>,
+        label: impl Into<String>,
+    ) -> Diagnostic {
+        let (message, label) = (message.into(), label.into());
+        Diagnostic { severity: Severity::Error, message, source: source.clone(), span, label, help: None }
+    }
+
+    /// The fault with one thing to try.
+    pub fn with_help(self, help: impl Into<String>) -> Diagnostic {
+        Diagnostic { help: Some(help.into()), ..self }
+    }
+
+    /// The fault with the near name offered, if there is one.
+    pub fn with_near(self, near: Option<&str>) -> Diagnostic {
+        match near {
+            Some(name) => self.with_help(format!("did you mean `{name}`?")),
+            None => self,
+        }
+    }
+
+    /// The line on which it begins, from 1.
+    pub fn line(&self) -> usize {
+        let before = &self.source.text.as_bytes()[..self.place().start];
+        1 + before.iter().filter(|byte| **byte == b'\n').count()
+    }
+
+    /// The picture: message, place, line with carets, help. Ends without a line break.
+    pub fn render(&self, colour: bool) -> String {
+        let (level, help) = match self.severity {
+            Severity::Error => (Level::ERROR, Level::HELP),
+            Severity::Warning => (Level::WARNING, Level::HELP),
+        };
+        let title = level.primary_title(self.message.as_str());
+        let mut groups: Vec<Group> = Vec::new();
+        if self.source.text.is_empty() {
+            groups.push(title.element(annotate_snippets::Origin::path(&*self.source.file)));
+        } else {
+            let annotation = AnnotationKind::Primary.span(self.place()).label(self.label.as_str());
+            groups.push(
+                title.element(Snippet::source(&*self.source.text).path(&*self.source.file).annotation(annotation)),
+            );
+        }
+        if let Some(words) = &self.help {
+            groups.push(Group::with_title(help.secondary_title(words.as_str())));
+        }
+        let renderer = if colour { Renderer::styled() } else { Renderer::plain() };
+        let picture = renderer.render(&groups);
+        picture.lines().map(str::trim_end).collect::<Vec<_>>().join("\n")
+    }
+
+    /// The span, moved into the text and onto whole characters; of several lines only the first.
+    fn place(&self) -> Range<usize> {
+        let text = &*self.source.text;
+        let floor = |mut at: usize| {
+            at = at.min(text.len());
+            while !text.is_char_boundary(at) {
+                at -= 1;
+            }
+            at
+        };
+        let start = floor(self.span.start);
+        let end = floor(self.span.end).max(start);
+        let first_line = text[start..end].find(['\n', '\r']).map_or(end, |length| start + length);
+        start..first_line
+    }
+}
+
+impl fmt::Display for Diagnostic {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.render(false))
+    }
+}
+
+impl std::error::Error for Diagnostic {}
+
+/// Several pictures one after another, in the order of their files and lines, a blank line between.
+pub fn render_all(diagnostics: &[Diagnostic], colour: bool) -> String {
+    let mut sorted: Vec<&Diagnostic> = diagnostics.iter().collect();
+    sorted.sort_by(|a, b| (&a.source.file, a.span.start).cmp(&(&b.source.file, b.span.start)));
+    let mut text = String::new();
+    for (index, diagnostic) in sorted.iter().enumerate() {
+        text.push_str(if index == 0 { "" } else { "\n" });
+        text.push_str(&diagnostic.render(colour));
+        text.push('\n');
+    }
+    text
+}
+
+/// The candidate that was probably meant: the nearest, if few letters differ.
+///
+/// ```
+/// use carom::diagnostic::near;
+/// assert_eq!(near("restituton", ["momentum", "restitution"]), Some("restitution"));
+/// assert_eq!(near("speed", ["momentum", "restitution"]), None);
+/// ```
+pub fn near<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let wanted = name.to_lowercase();
+    let distance = |candidate: &str| strsim::osa_distance(&wanted, &candidate.to_lowercase());
+    let allowed = (wanted.chars().count() / 3).clamp(1, 4);
+    let nearest = candidates.into_iter().map(|candidate| (distance(candidate), candidate)).min_by_key(|pair| pair.0)?;
+    // A name of one letter is near every other such name, which helps nobody; but not if only the case differs.
+    let different = nearest.0 >= wanted.chars().count().max(nearest.1.chars().count());
+    (nearest.0 <= allowed && !different).then_some(nearest.1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_fault_is_shown_as_the_house_style_has_it() {
+        let text = "[[part]]\nfind   = [\"velocity_after.C\"]\n";
+        let start = text.find("velocity").unwrap();
+        let source = Source::new("two_spheres/components.toml", text);
+        let label = "model `two-spheres` has spheres `A` and `B`";
+        let fault = Diagnostic::new("unknown quantity `velocity_after.C`", &source, start..start + 16, label)
+            .with_near(Some("velocity_after.B"));
+        let expected = "\
+error: unknown quantity `velocity_after.C`
+ --> two_spheres/components.toml:2:12
+  |
+2 | find   = [\"velocity_after.C\"]
+  |            ^^^^^^^^^^^^^^^^ model `two-spheres` has spheres `A` and `B`
+  |
+help: did you mean `velocity_after.B`?";
+        assert_eq!(fault.to_string(), expected);
+        assert_eq!(fault.line(), 2);
+        assert!(fault.render(true).contains("\u{1b}["));
+    }
+
+    #[test]
+    fn a_span_outside_the_text_or_within_a_character_is_no_panic() {
+        for text in ["", "θ", "a\r\nb", "\n\n"] {
+            for start in 0..5 {
+                for end in 0..5 {
+                    let fault = Diagnostic::new("message", &Source::new("file", text), start..end, "label");
+                    assert!(fault.to_string().contains("error: message"), "{text:?} {start} {end}");
+                    assert!(fault.line() <= 3);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn faults_of_a_file_stand_in_the_order_of_its_lines() {
+        let source = Source::new("file", "a\nb\n");
+        let fault = |at: usize, message: &str| Diagnostic::new(message, &source, at..at + 1, "here");
+        let text = render_all(&[fault(2, "second"), fault(0, "first")], false);
+        assert!(text.find("first") < text.find("second"));
+        assert_eq!(text.matches("error:").count(), 2);
+    }
+
+    #[test]
+    fn near_names_are_found_and_far_ones_are_not() {
+        let names = ["A.after.speed", "B.after.speed", "A.mass", "e"];
+        assert_eq!(near("A.after.sped", names), Some("A.after.speed"));
+        assert_eq!(near("a.mass", names), Some("A.mass"));
+        assert_eq!(near("E", names), Some("e"));
+        assert_eq!(near("k", names), None);
+        assert_eq!(near("momentum", names), None);
+        assert_eq!(near("x", []), None);
+    }
+}

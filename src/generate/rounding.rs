@@ -1,0 +1,83 @@
+//! Is a value fit to be asked for in rounded form? Not if the rounding hangs on the last figures of the working.
+
+use crate::number::{Angle, Fraction, Interval, Places, Value, clear_of_tie, round};
+
+/// The part of a unit in the last figure that must lie between a value and a tie.
+const MARGIN: (i64, i64) = (1, 20);
+
+/// Is the value clear of a tie, or exactly what it is rounded to? A formula in letters is never rounded.
+///
+/// ```
+/// use carom::generate::rounds_safely;
+/// use carom::number::{Places, Value};
+/// let places = Places::SignificantFigures(3);
+/// assert!(rounds_safely(&Value::fraction(5, 2), &places));
+/// assert!(!rounds_safely(&Value::fraction(1245, 1000), &places));
+/// assert!(!rounds_safely(&Value::fraction(12452, 10000), &places));
+/// ```
+pub fn rounds_safely(value: &Value, places: &Places) -> bool {
+    if let Some(exact) = value.as_fraction() {
+        return fraction_rounds_safely(exact, places);
+    }
+    !value.is_constant() || clear(|bits| value.enclose(bits, &|_| None), places)
+}
+
+/// As [`rounds_safely`], for the number of degrees of an angle.
+pub fn degrees_round_safely(angle: &Angle, places: &Places) -> bool {
+    match angle.whole_degrees() {
+        Some(exact) => fraction_rounds_safely(&exact, places),
+        None => {
+            !angle.letters().iter().all(|letter| letter.is_constant())
+                || clear(|bits| angle.enclose(bits, &|_| None), places)
+        }
+    }
+}
+
+fn fraction_rounds_safely(exact: &Fraction, places: &Places) -> bool {
+    round(exact, places).to_fraction() == *exact || clear(|bits| Some(Interval::from_fraction(exact, bits)), places)
+}
+
+/// A margin that one twentieth of a unit wide need not be measured finely.
+fn clear(enclose: impl Fn(usize) -> Option<Interval>, places: &Places) -> bool {
+    let margin = Fraction::new(MARGIN.0, MARGIN.1);
+    [64, 256].into_iter().any(|bits| enclose(bits).is_some_and(|value| clear_of_tie(&value, places, &margin)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_near_a_tie_are_not_asked_for() {
+        let table = [
+            ((2, 1), true),
+            ((1, 3), true),
+            ((9995, 1000), false),
+            ((9999, 1000), true),
+            ((10049, 1000), false),
+            ((10051, 1000), false),
+            ((1006, 100), true),
+            ((0, 1), true),
+            ((-1245, 1000), false),
+        ];
+        for ((numerator, denominator), expected) in table {
+            let value = Value::fraction(numerator, denominator);
+            assert_eq!(rounds_safely(&value, &Places::SignificantFigures(3)), expected, "{numerator}/{denominator}");
+        }
+        // The root of 1.55 is 1.24499…
+        let root = Value::fraction(155, 100).square_root().unwrap();
+        assert!(!rounds_safely(&root, &Places::SignificantFigures(3)));
+        assert!(rounds_safely(&root, &Places::SignificantFigures(2)));
+    }
+
+    #[test]
+    fn whole_degrees_are_exact_and_others_are_measured() {
+        let angle = |y: i64, x: i64| Angle::of(&Value::from(y), &Value::from(x)).unwrap();
+        let places = Places::SignificantFigures(3);
+        assert!(degrees_round_safely(&angle(1, 1), &places));
+        // 36.87 degrees
+        assert!(degrees_round_safely(&angle(3, 4), &places));
+        // 26.565 degrees, to two places
+        assert!(!degrees_round_safely(&angle(1, 2), &Places::DecimalPlaces(2)));
+    }
+}

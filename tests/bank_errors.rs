@@ -1,0 +1,50 @@
+//! Every fault of a question file as a teacher sees it: `tests/errors/NAME.toml` gives `tests/errors/NAME.txt`.
+//!
+//! `CAROM_ACCEPT=1 cargo test --test bank_errors` writes the expected texts anew; read them before you keep them.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use carom::bank::read_question;
+use carom::diagnostic::{Source, render_all};
+
+fn files() -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/errors");
+    let mut files: Vec<PathBuf> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    files.retain(|path| path.extension().is_some_and(|extension| extension == "toml"));
+    files.sort();
+    files
+}
+
+fn faults_of(path: &Path) -> String {
+    let name = path.file_stem().unwrap().to_string_lossy().into_owned();
+    let source = Source::new(format!("{name}.toml"), fs::read_to_string(path).unwrap());
+    match read_question(&name, &source) {
+        Ok(_) => String::new(),
+        Err(faults) => render_all(&faults, false),
+    }
+}
+
+#[test]
+fn carom_tells_a_teacher_what_is_wrong_with_a_question_file() {
+    let accept = std::env::var_os("CAROM_ACCEPT").is_some();
+    for path in files() {
+        let shown = faults_of(&path);
+        let expected = path.with_extension("txt");
+        if accept {
+            fs::write(&expected, &shown).unwrap();
+        }
+        let wanted = fs::read_to_string(&expected).unwrap_or_default();
+        assert_eq!(shown, wanted, "{} differs; see the head of this file", path.display());
+    }
+}
+
+#[test]
+fn carom_finds_something_wrong_with_every_file_but_the_sound_one() {
+    let files = files();
+    assert!(files.len() >= 21);
+    for path in files {
+        let sound = path.file_stem().is_some_and(|name| name == "sound");
+        assert_eq!(faults_of(&path).is_empty(), sound, "{}", path.display());
+    }
+}
