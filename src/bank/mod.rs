@@ -24,4 +24,4 @@ pub use givens::Givens;
 pub use posed::{Posed, Unposed};
 pub use question::{Answer, Code, EarnedFor, Find, Mark, Part, Question, Style, StyleName};
 pub use requirement::{Measure, Requirement};
-pub use shipped::SHIPPED;
+pub use shipped::shipped;

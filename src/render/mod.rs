@@ -9,8 +9,8 @@
 //! templates/latex/preamble.tex          whatever the documents include
 //! ```
 //!
-//! To add a format, add a folder to `templates/` and a line for each of its files to the list in `shipped.rs`
-//! (a test compares the two); or put the folder beside your papers and hand its files to [`Formats::with`].
+//! To add a format, add a folder to `templates/`: every file of it is inside the binary once that is built.
+//!
 //! A file of a teacher's own folder takes the place of the shipped one of the same path; the others stay.
 //!
 //! Everything is rendered in memory. A name that a template asks for and that no page has, even where the
