@@ -11,16 +11,18 @@ fn main() -> io::Result<()> {
         println!("cargo::rerun-if-changed={folder}");
         let mut files = Vec::new();
         collect(&root.join(folder), &mut files)?;
-        files.sort();
-        let entries: String = files
-            .iter()
+        let mut named: Vec<(String, PathBuf)> = files
+            .into_iter()
             .filter(|path| path.extension().is_some_and(|extension| extension != "md"))
             .map(|path| {
                 let name = path.strip_prefix(root.join(folder)).expect("collected below the folder");
-                let name = name.components().map(|part| part.as_os_str().to_string_lossy()).collect::<Vec<_>>().join("/");
-                format!("    ({name:?}, include_str!({:?})),\n", path.to_string_lossy())
+                let parts: Vec<_> = name.components().map(|part| part.as_os_str().to_string_lossy()).collect();
+                (parts.join("/"), path)
             })
             .collect();
+        named.sort();
+        let entry = |(name, path): &(String, PathBuf)| format!("    ({name:?}, include_str!({:?})),\n", path.to_string_lossy());
+        let entries: String = named.iter().map(entry).collect();
         fs::write(out.join(list), format!("&[\n{entries}]\n"))?;
     }
     Ok(())
