@@ -21,7 +21,8 @@ fn main() -> io::Result<()> {
             })
             .collect();
         named.sort();
-        let entry = |(name, path): &(String, PathBuf)| format!("    ({name:?}, include_str!({:?})),\n", path.to_string_lossy());
+        let entry =
+            |(name, path): &(String, PathBuf)| format!("    ({name:?}, include_str!({:?})),\n", path.to_string_lossy());
         let entries: String = named.iter().map(entry).collect();
         fs::write(out.join(list), format!("&[\n{entries}]\n"))?;
     }

@@ -102,7 +102,7 @@ fn carom_deals_every_variant_once_and_says_when_there_are_no_more() {
     let style = question.style(StyleName::Friendly).unwrap();
     let mut deal = Deal::new(&question, style, 3);
     let mut dealt = BTreeSet::new();
-    while let Some(variant) = deal.next() {
+    for variant in deal.by_ref() {
         assert!(dealt.insert(numbers(&variant)), "dealt twice");
     }
     assert_eq!(deal.end(), Some(End::Exhausted));

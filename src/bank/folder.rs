@@ -21,8 +21,7 @@ impl Bank {
     ///
     /// None that a test has not found before; kept as they are for the caller to print.
     pub fn shipped() -> Result<Bank, Vec<Diagnostic>> {
-        let files = shipped()
-            .map(|(id, text)| (id.to_string(), Source::new(format!("question_bank/{id}.toml"), text)));
+        let files = shipped().map(|(id, text)| (id.to_string(), Source::new(format!("question_bank/{id}.toml"), text)));
         Bank::read(files)
     }
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::question::Style;
-use crate::expr::{Expr, Fault, Meaning, Turn, evaluate, written};
+use crate::expr::{Expr, Fault, Function, Meaning, Turn, evaluate, written};
 use crate::mechanics::SceneText;
 use crate::number::{Angle, Letter, Range, Value};
 
@@ -61,5 +61,24 @@ fn letter(name: &str, range: &str) -> Option<Meaning> {
     match range {
         Range::Acute => Some(Meaning::Angle(Turn::of(Angle::of(&value, &Value::ONE)?))),
         _ => Some(Meaning::Number(value)),
+    }
+}
+
+/// The expression with each name under a sine, cosine or tangent taken in degrees, as a bare number there is: in
+/// `tan(alpha)` the parameter `alpha` is a number of degrees. An angle stays the angle that it is.
+pub(super) fn names_in_degrees(expr: &Expr) -> Expr {
+    match expr {
+        Expr::Call(function @ (Function::Sin | Function::Cos | Function::Tan), argument) => {
+            Expr::call(*function, measured(argument))
+        }
+        _ => expr.map_children(&mut names_in_degrees),
+    }
+}
+
+fn measured(argument: &Expr) -> Expr {
+    match argument {
+        Expr::Name(_) => Expr::degrees(argument.clone()),
+        Expr::Degrees(_) | Expr::Call(..) => names_in_degrees(argument),
+        _ => argument.map_children(&mut measured),
     }
 }

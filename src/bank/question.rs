@@ -95,6 +95,8 @@ pub struct Style {
     pub name: StyleName,
     /// The paragraphs before the first part.
     pub stem: Markup,
+    /// A line after the stem, on the form of the answers; may be empty.
+    pub note: Text,
     /// The parameters with their values, in the order of the file.
     pub parameters: Vec<(String, Domain)>,
     /// Names derived from them, each from those before it.

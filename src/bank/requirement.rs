@@ -3,6 +3,7 @@
 use std::str::FromStr;
 
 use super::domain::constant;
+use super::givens::names_in_degrees;
 use crate::expr::{Angles, Expr, Fault, Meaning, Name, Names, Span, evaluate, holds, read};
 use crate::mechanics::Quantity;
 use crate::number::{Fraction, Root, Value};
@@ -103,9 +104,9 @@ impl Requirement {
             // A name of equal length keeps every other place where it is.
             let name = format!("{:_<width$}", format!("Q{}", measured.len()), width = end + 1 - start);
             plain.replace_range(start..end + 1, &name);
-            measured.push((name, measure, inside.moved(open + 1)));
+            measured.push((name, measure, names_in_degrees(&inside.moved(open + 1))));
         }
-        let relation = read(&plain, Angles::Degrees)?;
+        let relation = names_in_degrees(&read(&plain, Angles::Degrees)?);
         if !matches!(relation, Expr::Relation(..)) {
             let span = Span { start: 0, end: text.len() };
             return Err(Fault::new(
@@ -201,6 +202,7 @@ mod tests {
             "b" => Value::from(18).square_root().unwrap(),
             "c" => &Value::fraction(1, 6) + &Value::fraction(27, 16).square_root().unwrap(),
             "A.after.n" => Value::from(-2),
+            "alpha" => Value::from(30),
             _ => return None,
         };
         Some(Meaning::Number(number))
@@ -220,6 +222,9 @@ mod tests {
             ("terms(c) = 2", true),
             ("terms (a + (b)) + 1 = 3", true),
             ("denominator(2*a) < denominator(a)", true),
+            ("tan(alpha)^2 = 1/3", true),
+            ("sin(2*alpha + 30) = 1", true),
+            ("denominator(cos(alpha)) = 2", true),
         ];
         for (text, expected) in table {
             assert_eq!(Requirement::read(text).unwrap().holds(&value), Ok(expected), "{text}");

@@ -5,7 +5,7 @@ use super::super::file::MarkFile;
 use super::super::literal::Words;
 use super::super::question::{Code, EarnedFor, Mark};
 use super::names::NamesUsed;
-use super::parts::line;
+use super::styles::line;
 use crate::diagnostic::near;
 use crate::mechanics::{Law, Quantity, Sphere};
 
@@ -18,8 +18,8 @@ pub fn marks(written: &[MarkFile], unknowns: &[String], used: &mut NamesUsed, fa
     for mark in written {
         let code = mark.code.as_ref().and_then(|code| read_code(code, faults));
         let earned_for = mark.earned_for.as_ref().and_then(|words| read_earned_for(words, unknowns, faults));
-        let text = mark.text.as_ref().and_then(|words| line(words, used, faults));
-        let note = mark.note.as_ref().and_then(|words| line(words, used, faults));
+        let text = mark.text.as_ref().and_then(|words| line(words, None, used, faults));
+        let note = mark.note.as_ref().and_then(|words| line(words, None, used, faults));
         // A mark at fault keeps its place, so that the marks after it are no faults too.
         let (at_fault, code) = (code.is_none() || earned_for.is_none(), code.unwrap_or(Code::B1));
         let earned_for = earned_for.unwrap_or(EarnedFor::Unknown(String::new()));
@@ -144,7 +144,7 @@ fn usual(code: Code, earned_for: &EarnedFor, mark: &MarkFile, before: &[Mark], f
         return Vec::new();
     }
     let central = |method: &&&Mark| {
-        matches!(&method.earned_for, EarnedFor::Law(Law::Momentum | Law::Restitution, _)) && method.code == Code::M1
+        matches!(&method.earned_for, EarnedFor::Law(law, _) if law.gives_equation()) && method.code == Code::M1
     };
     let mut needed: Vec<String> = methods.iter().filter(central).map(|method| method.id.clone()).collect();
     if needed.is_empty() {

@@ -6,9 +6,9 @@ use super::super::literal::Words;
 use super::super::question::{Answer, Find, Part};
 use super::marks::marks;
 use super::names::{Also, NamesUsed};
-use super::styles::markup;
+use super::styles::line;
 use crate::answer::{Accept, Kind};
-use crate::expr::{Angles, Expr, Markup, Name, Piece, Text, read, read_markup};
+use crate::expr::{Angles, Expr, Markup, Name, Piece, read, read_markup};
 use crate::mechanics::Quantity;
 use crate::number::Places;
 
@@ -82,16 +82,6 @@ fn formulas(pieces: &[Piece]) -> Vec<&Expr> {
         .collect()
 }
 
-/// Words on one line.
-pub fn line(words: &Words, used: &mut NamesUsed, faults: &mut Faults) -> Option<Text> {
-    let mut paragraphs = markup(words, None, used, faults)?;
-    if paragraphs.len() > 1 {
-        faults.report(words.span(), "words in several paragraphs", "expected words for one line");
-        return None;
-    }
-    Some(paragraphs.pop().unwrap_or_default())
-}
-
 fn answers(
     part: &PartFile,
     unknowns: &[String],
@@ -122,11 +112,11 @@ fn one_answer(
     used: &mut NamesUsed,
     faults: &mut Faults,
 ) -> Option<Answer> {
-    let name = answer.name.as_ref().and_then(|words| line(words, used, faults));
+    let name = answer.name.as_ref().and_then(|words| line(words, None, used, faults));
     let find = read_find(answer, unknowns, faults);
     let kind = answer.kind.as_ref().map(|words| read_kind(words, faults));
     let accept = answer.accept.as_ref().map(|words| read_accept(words, faults));
-    let phrase = answer.phrase.as_ref().and_then(|words| line(words, used, faults)).unwrap_or_default();
+    let phrase = answer.phrase.as_ref().and_then(|words| line(words, None, used, faults)).unwrap_or_default();
     let show = answer.show.as_ref().map(|words| read_show(words, find.as_ref(), used, faults));
     let (name, find) = (name?, find?);
     let kind = match kind {

@@ -7,11 +7,12 @@ use toml::Spanned;
 use super::super::document::Faults;
 use super::super::domain::Domain;
 use super::super::file::{DomainFile, QuestionFile, StyleFile};
+use super::super::givens::names_in_degrees;
 use super::super::literal::Words;
 use super::super::question::{Style, StyleName};
 use super::super::requirement::Requirement;
 use super::names::{Also, NamesUsed, RESERVED, Scope};
-use crate::expr::{Angles, Expr, Function, Markup, read, read_as_written, read_markup};
+use crate::expr::{Angles, Expr, Function, Markup, Text, read, read_as_written, read_markup};
 use crate::mechanics::Quantity;
 
 /// What is written once for every style.
@@ -112,6 +113,7 @@ fn one_style(
     };
     let checked = Style {
         name,
+        note: style.note.as_ref().and_then(|note| line(note, Some(index), used, faults)).unwrap_or_default(),
         stem: own_stem.or_else(|| shared.stem.clone()).unwrap_or_default(),
         parameters: all_parameters.into_iter().map(|given| (given.name, given.meaning)).collect(),
         lets: all_lets.into_iter().map(|given| (given.name, given.meaning)).collect(),
@@ -157,6 +159,16 @@ pub fn markup(words: &Words, style: Option<usize>, used: &mut NamesUsed, faults:
             None
         }
     }
+}
+
+/// Words on one line.
+pub fn line(words: &Words, style: Option<usize>, used: &mut NamesUsed, faults: &mut Faults) -> Option<Text> {
+    let mut paragraphs = markup(words, style, used, faults)?;
+    if paragraphs.len() > 1 {
+        faults.report(words.span(), "words in several paragraphs", "expected words for one line");
+        return None;
+    }
+    Some(paragraphs.pop().unwrap_or_default())
 }
 
 fn parameters(
@@ -251,7 +263,7 @@ fn lets(
                 used.expression(words, &expr, Also::Nothing, style, faults);
                 let later = written.iter().map(|(name, _)| name).skip(found.len());
                 check_order(name, words, &expr, later, faults);
-                expr
+                names_in_degrees(&expr)
             }
             Err(fault) => {
                 faults.expression(words, fault);

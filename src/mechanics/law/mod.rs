@@ -130,6 +130,16 @@ macro_rules! laws {
             }
         }
 
+        impl Law {
+            /// Does it give an equation for two unknowns, to be solved with another?
+            pub fn gives_equation(self) -> bool {
+                let equation = |quantity: &Quantity| {
+                    matches!(quantity, Quantity::MomentumEquation | Quantity::RestitutionEquation)
+                };
+                self.rules().iter().any(|rule| rule.gives.iter().any(equation))
+            }
+        }
+
         impl Rule {
             /// The quantities it gives, in any kind of number; `None` where one does not exist, as
             /// the direction of a sphere at rest does not.
