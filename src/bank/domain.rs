@@ -1,7 +1,7 @@
 //! The values that a parameter can take: a range or a list, from the text of a bank file.
 
-use crate::expr::{Angles, Expr, Fault, Span, read, written};
-use crate::number::{Fraction, Value};
+use crate::expr::{Angles, Expr, Fault, Span, read, read_as_written, written};
+use crate::number::{Decimal, Fraction, Value};
 
 /// Finitely many values in a fixed order.
 ///
@@ -21,6 +21,8 @@ pub enum Domain {
         step: Fraction,
         /// How many values; at least one.
         count: u64,
+        /// Whether they were written, and are printed, with a decimal point.
+        decimals: bool,
     },
     /// Expressions as they were written; at least one.
     List(Vec<Expr>),
@@ -34,7 +36,7 @@ impl Domain {
     /// A [`Fault`] if an end is no number, the range runs backwards or the step is not above nought.
     pub fn range(text: &str) -> Result<Domain, Fault> {
         let Some(dots) = text.find("..") else {
-            return Ok(Domain::List(vec![read(text, Angles::Degrees)?]));
+            return Ok(Domain::List(vec![read_as_written(text, Angles::Degrees)?]));
         };
         let after = dots + 2;
         let (last_end, step_text) = match text[after..].find("step") {
@@ -69,7 +71,7 @@ impl Domain {
             )
             .try_this(format!("end the range at {reached}")));
         }
-        Ok(Domain::Range { first, step, count })
+        Ok(Domain::Range { first, step, count, decimals: text.replace("..", " ").contains('.') })
     }
 
     /// How many values there are.
@@ -84,8 +86,9 @@ impl Domain {
     pub fn value(&self, index: u64) -> Expr {
         let index = index % self.size().max(1);
         match self {
-            Domain::Range { first, step, .. } => {
-                written(&Value::from(first + &(step * &Fraction::from(dashu_int::IBig::from(index)))))
+            Domain::Range { first, step, decimals, .. } => {
+                let value = first + &(step * &Fraction::from(dashu_int::IBig::from(index)));
+                if *decimals { decimal(&value) } else { written(&Value::from(value)) }
             }
             Domain::List(values) => values.get(index as usize).cloned().unwrap_or_else(|| Expr::integer(0)),
         }
@@ -95,11 +98,20 @@ impl Domain {
     pub fn contains(&self, value: &Expr) -> bool {
         match self {
             Domain::List(values) => values.contains(value),
-            Domain::Range { first, step, count } => constant(value).is_some_and(|value| {
+            Domain::Range { first, step, count, .. } => constant(value).is_some_and(|value| {
                 let steps = &(&value - first) / step;
                 steps.is_integer() && steps.sign().is_ge() && steps < Fraction::from(dashu_int::IBig::from(*count))
             }),
         }
+    }
+}
+
+/// With a decimal point, if it has finitely many decimals.
+fn decimal(value: &Fraction) -> Expr {
+    match Decimal::exact(&value.abs()) {
+        Some(digits) if digits.places > 0 && value.sign().is_lt() => Expr::Decimal(digits.to_string()).negated(),
+        Some(digits) if digits.places > 0 => Expr::Decimal(digits.to_string()),
+        _ => written(&Value::from(value.clone())),
     }
 }
 
@@ -144,6 +156,7 @@ pub(crate) fn constant(expr: &Expr) -> Option<Fraction> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::expr::print;
 
     #[test]
     fn ranges_hold_their_ends_and_every_step_between() {
@@ -162,6 +175,17 @@ mod tests {
             assert_eq!(constant(&domain.value(size - 1)), last.parse().ok(), "{text}");
             assert!((0..size).all(|index| domain.contains(&domain.value(index))), "{text}");
         }
+    }
+
+    #[test]
+    fn decimals_are_printed_as_decimals() {
+        let values = |text: &str| {
+            let domain = Domain::range(text).unwrap();
+            (0..domain.size()).map(|index| print::plain(&domain.value(index))).collect::<Vec<_>>()
+        };
+        assert_eq!(values("-0.5..1 step 0.5"), ["-0.5", "0", "0.5", "1"]);
+        assert_eq!(values("0.25"), ["0.25"]);
+        assert_eq!(values("-1/2..1/2 step 1/2"), ["-1/2", "0", "1/2"]);
     }
 
     #[test]

@@ -1,10 +1,10 @@
 //! A question with numbers in it: its scene read and solved.
 
 use super::givens::Givens;
-use super::question::{Find, Question, Style};
-use crate::expr::{Angles, Expr, Fault, Meaning, Turn};
+use super::question::{Question, Style};
+use crate::expr::{Angles, Fault, Meaning, Turn};
 use crate::mechanics::{Quantity, Refusal, Scene, SceneFault};
-use crate::number::{Angle, Value};
+use crate::number::{Angle, Range, Value};
 use crate::solve::{Solution, solve};
 
 /// A question with numbers in it, solved for all that it asks and requires.
@@ -58,10 +58,19 @@ impl Posed {
     }
 
     fn quantity(&self, quantity: Quantity) -> Option<Meaning> {
-        if let Some(value) = self.solution.number(quantity) {
-            return Some(Meaning::Number(value.clone()));
+        match self.solution.number(quantity) {
+            Some(value) => Some(Meaning::Number(value)),
+            None => self.solution.angle(quantity).map(|angle| degrees(&angle)),
         }
-        self.solution.angle(quantity).map(degrees)
+    }
+
+    /// What a letter of the scene was found to be.
+    pub fn found(&self, name: &str) -> Option<Meaning> {
+        let (letter, value) = self.solution.found().iter().find(|(letter, _)| letter.name() == name)?;
+        match letter.range() {
+            Range::Acute => Some(Meaning::Angle(Turn::of(Angle::of(value, &Value::ONE)?))),
+            _ => Some(Meaning::Number(value.clone())),
+        }
     }
 }
 

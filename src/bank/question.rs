@@ -5,7 +5,7 @@ use std::fmt;
 use super::{Domain, Requirement};
 use crate::answer::{Accept, Kind};
 use crate::expr::{Expr, Markup, Text};
-use crate::mechanics::{Quantity, SceneText, Sphere};
+use crate::mechanics::{Law, Quantity, SceneText, Sphere};
 
 /// A question of a bank.
 #[derive(Clone, Debug)]
@@ -254,7 +254,9 @@ pub struct Mark {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum EarnedFor {
     /// The use of a law, for one sphere if it is named.
-    Law(&'static str, Option<Sphere>),
+    Law(Law, Option<Sphere>),
+    /// The use of a condition of the scene: `condition`.
+    Condition,
     /// The value of a quantity.
     Quantity(Quantity),
     /// The value of a letter that the scene names among its unknowns.

@@ -15,7 +15,7 @@ mod written;
 
 pub use evaluate::{Meaning, Names, degrees, evaluate, holds, number};
 pub use fault::Fault;
-pub use read::{Angles, Markup, read, read_markup};
+pub use read::{Angles, Markup, read, read_as_written, read_markup};
 pub use text::{Piece, Text};
 pub use tree::{Expr, Function, Name, Relation, Span};
 pub use turn::Turn;

@@ -1,6 +1,6 @@
 //! One set of numbers of a question, examined: everything that is required of it holds.
 
-use crate::bank::{Find, Givens, Posed, Question, Style, StyleName, Unposed};
+use crate::bank::{Givens, Posed, Question, Style, StyleName, Unposed};
 use crate::expr::Expr;
 use crate::mechanics::{Because, Scene};
 use crate::solve::Solution;
@@ -76,8 +76,8 @@ pub fn examine(question: &Question, style: &Style, index: u64) -> Result<Variant
     for (place, answer) in question.parts.iter().flat_map(|part| &part.answers).enumerate() {
         if let Some(places) = answer.accept.places() {
             let safe = answer.find.quantities().into_iter().all(|quantity| {
-                let number = posed.solution.number(quantity).map(|value| rounds_safely(value, places));
-                let angle = || posed.solution.angle(quantity).map(|angle| degrees_round_safely(angle, places));
+                let number = posed.solution.number(quantity).map(|value| rounds_safely(&value, places));
+                let angle = || posed.solution.angle(quantity).map(|angle| degrees_round_safely(&angle, places));
                 number.or_else(angle).unwrap_or(true)
             });
             if !safe {

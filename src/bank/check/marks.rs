@@ -7,25 +7,10 @@ use super::super::question::{Code, EarnedFor, Mark};
 use super::names::NamesUsed;
 use super::parts::line;
 use crate::diagnostic::near;
-use crate::mechanics::{Quantity, Sphere};
+use crate::mechanics::{Law, Quantity, Sphere};
 
-/// The laws by the names that a mark may have.
-const LAWS: [&str; 14] = [
-    "resolve",
-    "perpendicular",
-    "momentum",
-    "restitution",
-    "solve",
-    "speed",
-    "direction",
-    "deflection",
-    "energy",
-    "impulse",
-    "vector momentum",
-    "line of centres",
-    "contact",
-    "condition",
-];
+/// What a mark is `for` that is earned by using a condition of the scene.
+const CONDITION: &str = "condition";
 
 /// The marks of a part.
 pub fn marks(written: &[MarkFile], unknowns: &[String], used: &mut NamesUsed, faults: &mut Faults) -> Vec<Mark> {
@@ -78,8 +63,11 @@ fn read_earned_for(words: &Words, unknowns: &[String], faults: &mut Faults) -> O
         Some((law, "B")) => (law, Some(Sphere::B)),
         _ => (text, None),
     };
-    if let Some(law) = LAWS.into_iter().find(|known| *known == law) {
-        return Some(EarnedFor::Law(law, sphere));
+    if let Some(law) = Law::ALL.iter().find(|known| known.name() == law) {
+        return Some(EarnedFor::Law(*law, sphere));
+    }
+    if text == CONDITION {
+        return Some(EarnedFor::Condition);
     }
     if let Ok(quantity) = text.parse::<Quantity>() {
         return Some(EarnedFor::Quantity(quantity));
@@ -87,15 +75,16 @@ fn read_earned_for(words: &Words, unknowns: &[String], faults: &mut Faults) -> O
     if unknowns.iter().any(|unknown| unknown == text) {
         return Some(EarnedFor::Unknown(text.to_owned()));
     }
+    let laws: Vec<&str> = Law::ALL.iter().map(|law| law.name()).chain([CONDITION]).collect();
     let quantities: Vec<String> = Quantity::all().iter().map(Quantity::to_string).collect();
     let (label, candidates): (String, Vec<&str>) = if text.contains('.') {
         ("no quantity of the collision has this name".to_owned(), quantities.iter().map(String::as_str).collect())
     } else {
-        let label = match near(text, LAWS) {
+        let label = match near(text, laws.iter().copied()) {
             Some(_) => "no law has this name".to_owned(),
-            None => format!("expected a quantity, or a law: {}", listed(&LAWS)),
+            None => format!("expected a quantity, or a law: {}", listed(&laws)),
         };
-        (label, LAWS.to_vec())
+        (label, laws)
     };
     faults.unknown(words.span(), format!("unknown step `{text}`"), label, text, candidates);
     None
@@ -155,7 +144,7 @@ fn usual(code: Code, earned_for: &EarnedFor, mark: &MarkFile, before: &[Mark], f
         return Vec::new();
     }
     let central = |method: &&&Mark| {
-        matches!(&method.earned_for, EarnedFor::Law("momentum" | "restitution", _)) && method.code == Code::M1
+        matches!(&method.earned_for, EarnedFor::Law(Law::Momentum | Law::Restitution, _)) && method.code == Code::M1
     };
     let mut needed: Vec<String> = methods.iter().filter(central).map(|method| method.id.clone()).collect();
     if needed.is_empty() {

@@ -5,6 +5,7 @@ mod names;
 mod parts;
 mod reference;
 mod scene;
+mod solvable;
 mod styles;
 
 use super::document::Faults;
@@ -43,7 +44,7 @@ fn check(id: &str, file: &QuestionFile, faults: &mut Faults) -> Option<Question>
     if !faults.found.is_empty() {
         return None;
     }
-    Some(Question {
+    let question = Question {
         id: id.to_owned(),
         title: file.title.as_ref()?.get_ref().clone(),
         mirrors: file.mirrors.as_ref().map(|words| words.get_ref().clone()),
@@ -54,5 +55,7 @@ fn check(id: &str, file: &QuestionFile, faults: &mut Faults) -> Option<Question>
         reference,
         reference_style,
         erratum: file.erratum.as_ref().map(|words| words.get_ref().clone()),
-    })
+    };
+    solvable::solvable(&question, file, faults);
+    Some(question)
 }

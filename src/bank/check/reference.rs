@@ -4,7 +4,7 @@ use super::super::document::{Faults, listed};
 use super::super::file::QuestionFile;
 use super::super::question::Style;
 use super::names::{Also, NamesUsed};
-use crate::expr::{Angles, Expr, read};
+use crate::expr::{Angles, Expr, read_as_written};
 
 /// The reference numbers, and the style whose parameters they are.
 pub fn reference(
@@ -15,7 +15,7 @@ pub fn reference(
 ) -> (Vec<(String, Expr)>, usize) {
     let mut found = Vec::new();
     for (name, words) in &file.reference {
-        match read(words.get_ref(), Angles::Degrees) {
+        match read_as_written(words.get_ref(), Angles::Degrees) {
             Ok(expr) => {
                 used.expression(words, &expr, Also::OnlyLetters, None, faults);
                 found.push((name.get_ref().clone(), expr));

@@ -11,7 +11,7 @@ use super::super::literal::Words;
 use super::super::question::{Style, StyleName};
 use super::super::requirement::Requirement;
 use super::names::{Also, NamesUsed, RESERVED, Scope};
-use crate::expr::{Angles, Expr, Function, Markup, read, read_markup};
+use crate::expr::{Angles, Expr, Function, Markup, read, read_as_written, read_markup};
 use crate::mechanics::Quantity;
 
 /// What is written once for every style.
@@ -184,7 +184,8 @@ fn read_domain(
     faults: &mut Faults,
 ) -> Option<Domain> {
     let read_value = |words: &Words, used: &mut NamesUsed, faults: &mut Faults| {
-        let expr = read(words.get_ref(), Angles::Degrees).map_err(|fault| faults.expression(words, fault)).ok()?;
+        let expr =
+            read_as_written(words.get_ref(), Angles::Degrees).map_err(|fault| faults.expression(words, fault)).ok()?;
         used.expression(words, &expr, Also::OnlyLetters, style, faults);
         Some(expr)
     };

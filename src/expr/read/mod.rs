@@ -8,7 +8,7 @@ mod markup;
 mod parser;
 
 pub use markup::{Markup, read_markup};
-pub use parser::{Angles, read};
+pub use parser::{Angles, read, read_as_written};
 
 #[cfg(test)]
 mod markup_tests;

@@ -34,6 +34,16 @@ pub fn read(text: &str, angles: Angles) -> Result<Expr, Fault> {
     read_with(text, angles, Decimals::Exact)
 }
 
+/// As [`read`], but a number with a decimal point keeps the digits with which it was written, for printing.
+///
+/// ```
+/// use carom::expr::{Angles, print, read_as_written};
+/// assert_eq!(print::plain(&read_as_written("2.50", Angles::Degrees).unwrap()), "2.50");
+/// ```
+pub fn read_as_written(text: &str, angles: Angles) -> Result<Expr, Fault> {
+    read_with(text, angles, Decimals::AsWritten)
+}
+
 /// What becomes of a number with a decimal point.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Decimals {

@@ -1,0 +1,122 @@
+//! The question tried with its reference numbers: every formula has a value, and all that is asked can be found.
+
+use super::super::document::Faults;
+use super::super::file::QuestionFile;
+use super::super::givens::Givens;
+use super::super::literal::Words;
+use super::super::posed::{Posed, Unposed};
+use super::super::question::{Question, Style};
+use super::super::scene_file::SceneFile;
+use crate::expr::{Angles, Fault};
+use crate::mechanics::{Because, Quantity, Refusal, Scene};
+use crate::solve::solve;
+
+/// Reports what cannot be found with the reference numbers, and why.
+pub fn solvable(question: &Question, file: &QuestionFile, faults: &mut Faults) {
+    let (Some(style), Some(scene)) = (question.styles.get(question.reference_style), &file.scene) else { return };
+    let givens = match Givens::new(style, &question.reference, &question.scene) {
+        Ok(givens) => givens,
+        Err((name, fault)) => return given(&name, fault, question, file, faults),
+    };
+    match Posed::new(question, style, givens.clone()) {
+        Ok(posed) => requirements(&posed, style, file, faults),
+        Err(Unposed::Given(name, fault)) => given(&name, fault, question, file, faults),
+        Err(Unposed::Scene(found)) => {
+            for fault in found {
+                in_scene(&fault.field, fault.fault, scene, faults);
+            }
+        }
+        Err(Unposed::Refused(refusal)) => refused(&refusal, question, &givens, file, scene, faults),
+    }
+}
+
+/// A fault of the value of a parameter or derived name.
+fn given(name: &str, fault: Fault, question: &Question, file: &QuestionFile, faults: &mut Faults) {
+    let style = question.styles[question.reference_style].name.name();
+    let own = file.styles.iter().filter(|written| written.name.get_ref() == style).flat_map(|style| &style.lets);
+    let all = file.reference.iter().chain(own).chain(&file.lets);
+    if let Some((_, words)) = all.into_iter().find(|(written, _)| written.get_ref() == name) {
+        with_reference(words, fault, faults);
+    }
+}
+
+fn in_scene(field: &str, fault: Fault, scene: &SceneFile, faults: &mut Faults) {
+    match scene.words(field) {
+        Some(words) => with_reference(words, fault, faults),
+        None => {
+            let message = format!("with the reference numbers: {}", fault.message);
+            faults.report(scene.place(field), message, fault.expected);
+            if let Some(diagnostic) = faults.found.last_mut() {
+                diagnostic.help = fault.help;
+            }
+        }
+    }
+}
+
+/// A fault that only shows once numbers are put in; its place within the string may be that of a number put in.
+fn with_reference(words: &Words, fault: Fault, faults: &mut Faults) {
+    let message = format!("with the reference numbers: {}", fault.message);
+    let inside = fault.span.end <= words.get_ref().len();
+    let span = if inside { fault.span } else { Default::default() };
+    faults.expression(words, Fault { message, span, ..fault });
+}
+
+/// Requirements must have a truth, if not hold, with the reference numbers.
+fn requirements(posed: &Posed, style: &Style, file: &QuestionFile, faults: &mut Faults) {
+    let own = file.styles.iter().filter(|written| written.name.get_ref() == style.name.name());
+    let written = file.require.iter().chain(own.flat_map(|written| &written.require));
+    for (requirement, words) in style.require.iter().zip(written) {
+        if let Err(fault) = requirement.holds(&|name| posed.meaning(name)) {
+            with_reference(words, fault, faults);
+        }
+    }
+}
+
+fn refused(
+    refusal: &Refusal,
+    question: &Question,
+    givens: &Givens,
+    file: &QuestionFile,
+    scene: &SceneFile,
+    faults: &mut Faults,
+) {
+    let Ok(read) = Scene::read(&question.scene, &givens.shown, Angles::Degrees) else { return };
+    // If the collision itself is sound, each quantity that is left open is a fault of its own.
+    if refusal.because == Because::Underdetermined && solve(&read, &[]).is_ok() {
+        let mut open = false;
+        for words in wanted(question, file) {
+            let quantity = words.get_ref().parse::<Quantity>();
+            if let Ok(quantity) = quantity
+                && solve(&read, &[quantity]).is_err()
+            {
+                open = true;
+                faults.report_with_help(
+                    words.span(),
+                    format!("the scene does not determine `{quantity}`"),
+                    "asked for here, with the reference numbers",
+                    "give more in `[scene]`, or ask for something else",
+                );
+            }
+        }
+        if open {
+            return;
+        }
+    }
+    let (message, label) = match refusal.because {
+        Because::Impossible => ("with its reference numbers the collision cannot happen", &file.reference_span),
+        Because::Underdetermined => ("with its reference numbers the question has no single answer", &None),
+        Because::BeyondMethods => ("the question needs more than exam methods", &None),
+    };
+    let span = label.clone().unwrap_or_else(|| scene.span.clone());
+    faults.report(span, message, refusal.reason.clone());
+    if let Some(diagnostic) = faults.found.last_mut() {
+        diagnostic.help = refusal.help.clone();
+    }
+}
+
+/// Every string that asks for a quantity.
+fn wanted<'f>(question: &Question, file: &'f QuestionFile) -> Vec<&'f Words> {
+    let is_quantity = |words: &&Words| !question.scene.unknowns.contains(words.get_ref());
+    let finds = file.parts.iter().flat_map(|part| &part.answers).flat_map(|answer| &answer.find);
+    finds.filter(is_quantity).collect()
+}
