@@ -83,6 +83,11 @@ impl Solution {
         &self.found
     }
 
+    /// How the unknowns were found.
+    pub fn finding(&self) -> &[Line] {
+        &self.finding
+    }
+
     /// What else the finding of the unknowns showed: roots that were left out, and why.
     pub fn remarks(&self) -> &[String] {
         &self.remarks
