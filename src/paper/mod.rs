@@ -4,13 +4,17 @@
 //! [`Text`], not LaTeX or HTML. The room `render` turns it into files.
 
 mod answer;
+mod choice;
 mod compose;
+mod dealer;
 mod key;
 mod scheme;
 mod wording;
 mod working;
 
+pub use choice::{choose_count, choose_marks};
 pub use compose::compose;
+pub use dealer::Dealer;
 pub use key::{Blank, Key, KeyMark, KeyPart, KeyQuestion, key_question};
 
 use crate::expr::{Expr, Text};
