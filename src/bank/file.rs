@@ -56,6 +56,8 @@ pub struct StyleFile {
     pub name: Words,
     /// Another stem.
     pub stem: Option<Words>,
+    /// A paragraph after the stem.
+    pub note: Option<Words>,
     /// More requirements.
     pub require: Vec<Words>,
     /// More or other parameters.
@@ -155,6 +157,7 @@ fn style(name: Words, value: &Spanned<DeValue>, faults: &mut Faults) -> Option<S
     let style = StyleFile {
         name,
         stem: keys.words("stem", faults),
+        note: keys.words("note", faults),
         require: keys.list("require", faults),
         parameters: keys.get("parameters").map_or_else(Vec::new, |value| parameters(value, faults)),
         lets: keys.get("let").map_or_else(Vec::new, |value| strings("`let`", value, faults)),

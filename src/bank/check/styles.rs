@@ -76,6 +76,7 @@ fn one_style(
     faults: &mut Faults,
 ) -> (Style, Scope) {
     let own_stem = style.stem.as_ref().and_then(|stem| markup(stem, Some(index), used, faults));
+    let note = style.note.as_ref().and_then(|note| markup(note, Some(index), used, faults)).unwrap_or_default();
     let own_parameters = parameters(&style.parameters, letters, Some(index), used, faults);
     let own_lets = lets(&style.lets, letters, Some(index), used, faults);
     let mut all_require = shared.require.clone();
@@ -112,7 +113,7 @@ fn one_style(
     };
     let checked = Style {
         name,
-        stem: own_stem.or_else(|| shared.stem.clone()).unwrap_or_default(),
+        stem: own_stem.or_else(|| shared.stem.clone()).unwrap_or_default().into_iter().chain(note).collect(),
         parameters: all_parameters.into_iter().map(|given| (given.name, given.meaning)).collect(),
         lets: all_lets.into_iter().map(|given| (given.name, given.meaning)).collect(),
         require: all_require,
