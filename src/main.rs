@@ -1,3 +1,7 @@
-//! The program: parse arguments, run, print the error, choose the exit code; nothing else.
+//! Parses arguments, runs a command, prints the error, chooses the exit code.
 
-fn main() {}
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    carom::cli::run()
+}

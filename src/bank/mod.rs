@@ -5,6 +5,7 @@
 //! pieces, its parameters have finite domains, its marks know on which others they depend.
 
 mod check;
+mod contents;
 mod document;
 mod domain;
 mod file;
@@ -18,10 +19,12 @@ mod scene_file;
 mod shipped;
 
 pub use check::read_question;
+pub use contents::{Contents, Heading};
 pub use domain::Domain;
 pub use folder::Bank;
 pub use givens::Givens;
 pub use posed::{Posed, Unposed};
 pub use question::{Answer, Code, EarnedFor, Find, Mark, Part, Question, Style, StyleName};
 pub use requirement::{Measure, Requirement};
+pub use scene_file::read_scene;
 pub use shipped::shipped;

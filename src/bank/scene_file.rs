@@ -8,7 +8,9 @@ use toml::de::DeValue;
 
 use super::document::{self, Faults, Keys, wrong_type};
 use super::literal::Words;
-use crate::mechanics::{Pair, PolarText, SceneText, Sense, VelocityText};
+use crate::diagnostic::{Diagnostic, Source};
+use crate::expr::Angles;
+use crate::mechanics::{Pair, PolarText, Scene, SceneText, Sense, VelocityText};
 
 /// A scene as written, and where each of its strings stands.
 #[derive(Clone, Debug)]
@@ -19,6 +21,38 @@ pub struct SceneFile {
     pub places: Vec<(String, Words)>,
     /// Where the table stands.
     pub span: Range<usize>,
+}
+
+/// Reads a file that holds a scene of the exchange format as TOML, and nothing else.
+///
+/// # Errors
+///
+/// Every fault of the file, each with its place.
+pub fn read_scene(source: &Source) -> Result<Scene, Vec<Diagnostic>> {
+    let mut faults = Faults::new(source.clone());
+    let text = source.text.clone();
+    let file = document::parse(&text, &mut faults).and_then(|document| {
+        let span = document.span();
+        SceneFile::read(&Spanned::new(span, DeValue::Table(document.into_inner())), &mut faults)
+    });
+    if let (Some(file), true) = (file, faults.found.is_empty()) {
+        match Scene::read(&file.text, &BTreeMap::new(), Angles::Radians) {
+            Ok(scene) => return Ok(scene),
+            Err(found) => {
+                for fault in found {
+                    match file.words(&fault.field) {
+                        Some(words) => faults.expression(words, fault.fault),
+                        None => {
+                            let place = file.place(&fault.field);
+                            let place = place.start..place.end.min(place.start + 1).max(place.start);
+                            faults.report(place, fault.fault.message, fault.fault.expected);
+                        }
+                    }
+                }
+            }
+        }
+    }
+    Err(faults.found)
 }
 
 impl SceneFile {

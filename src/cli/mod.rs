@@ -1,5 +1,79 @@
 //! The command line: the only rooms that read arguments, touch the disk or print.
+//!
+//! Data goes to stdout and talk to stderr; the exit code is 0 if all is well, 1 if the input is wrong, 2 if the
+//! arguments are. One file a command.
 
+mod bank;
+mod check;
+mod explain;
+mod failure;
+mod json_scene;
+mod list;
+mod output;
+mod scene_input;
+mod sheet;
+mod solve;
 mod template_folder;
+mod write;
 
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use failure::Failure;
 pub use template_folder::read_templates;
+
+const LONG: &str = "Carom makes exercises on collisions in two dimensions: question sheets with fresh numbers, worked \
+solutions and mark schemes. Every model answer is exact.";
+
+const AFTER: &str = "Begin with:
+  carom sheet                    six questions with their mark scheme, in the folder `sheet`
+  carom list                     the questions there are
+  carom explain 5C-2             what one of them varies, asks and marks";
+
+/// The arguments of carom.
+#[derive(Parser)]
+#[command(name = "carom", version, about = "Exercises on oblique collisions, with exact answers", long_about = LONG)]
+#[command(after_help = AFTER, disable_help_subcommand = true)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    Sheet(sheet::SheetArguments),
+    Solve(solve::SolveArguments),
+    List(list::ListArguments),
+    Explain(explain::ExplainArguments),
+    Check(check::CheckArguments),
+}
+
+/// Runs the command that the arguments name and reports what went wrong.
+pub fn run() -> ExitCode {
+    // Faults in arguments, and requests for help, are clap's: it prints them and exits with 2 or 0.
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => {
+            let code = if error.use_stderr() { 2 } else { 0 };
+            // A reader that has gone away needs no help.
+            let _ = error.print();
+            return ExitCode::from(code);
+        }
+    };
+    let outcome = match arguments.command {
+        Command::Sheet(arguments) => sheet::run(&arguments),
+        Command::Solve(arguments) => solve::run(&arguments),
+        Command::List(arguments) => list::run(&arguments),
+        Command::Explain(arguments) => explain::run(&arguments),
+        Command::Check(arguments) => check::run(&arguments),
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(Failure::ReaderGone) => ExitCode::SUCCESS,
+        Err(failure) => {
+            failure.print();
+            ExitCode::from(1)
+        }
+    }
+}

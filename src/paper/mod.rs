@@ -3,6 +3,20 @@
 //! A [`Paper`] holds everything that is printed, and nothing about how: words and formulas are
 //! [`Text`], not LaTeX or HTML. The room `render` turns it into files.
 
+mod answer;
+mod choice;
+mod compose;
+mod dealer;
+mod key;
+mod scheme;
+mod wording;
+mod working;
+
+pub use choice::{choose_count, choose_marks};
+pub use compose::compose;
+pub use dealer::Dealer;
+pub use key::{Blank, Key, KeyMark, KeyPart, KeyQuestion, key_question};
+
 use crate::expr::{Expr, Text};
 use crate::unit::Unit;
 
@@ -56,8 +70,9 @@ pub struct PrintedPart {
 pub struct PrintedAnswer {
     /// What it is, in words: `speed of A`.
     pub name: Text,
-    /// The exact form, simplest as a teacher writes it.
-    pub exact: Expr,
+    /// The exact form, simplest as a teacher writes it; none where the phrase says all, as `along the line of
+    /// centres` does.
+    pub exact: Option<Expr>,
     /// The certified decimal, if the answer is not already short and exact: `2.78`.
     pub rounded: Option<Expr>,
     /// Unit of both.

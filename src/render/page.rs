@@ -116,13 +116,12 @@ fn part_on(part: &PrintedPart, notation: Notation) -> Part {
 fn answer_on(answer: &PrintedAnswer, notation: Notation) -> Answer {
     let quantity = |value: &Expr| words(&Text(vec![Piece::Quantity(value.clone(), answer.unit)]), notation);
     let formula = |value: &Expr| words(&Text(vec![Piece::Formula(value.clone())]), notation);
-    let (exact, rounded) = match &answer.rounded {
-        Some(rounded) => (formula(&answer.exact), quantity(rounded)),
+    let (exact, rounded) = match (&answer.exact, &answer.rounded) {
+        (None, _) => (nothing(), nothing()),
+        (Some(exact), Some(rounded)) => (formula(exact), quantity(rounded)),
         // 60° is an angle without our help
-        None if matches!(answer.exact, Expr::Degrees(_)) && answer.unit == Unit::Degree => {
-            (formula(&answer.exact), nothing())
-        }
-        None => (quantity(&answer.exact), nothing()),
+        (Some(exact @ Expr::Degrees(_)), None) if answer.unit == Unit::Degree => (formula(exact), nothing()),
+        (Some(exact), None) => (quantity(exact), nothing()),
     };
     Answer { name: words(&answer.name, notation), exact, rounded, phrase: words(&answer.phrase, notation) }
 }
@@ -201,7 +200,7 @@ mod tests {
             ask: Text::words("Find"),
             answers: vec![PrintedAnswer {
                 name: Text::words("speed"),
-                exact: Expr::integer(2),
+                exact: Some(Expr::integer(2)),
                 rounded: None,
                 unit: Unit::MetrePerSecond,
                 phrase: Text::default(),
@@ -259,6 +258,7 @@ mod tests {
     fn carom_knows_where_a_unit_stands() {
         let answer = |exact: Expr, rounded: Option<&str>, unit| {
             let rounded = rounded.map(|digits| Expr::Decimal(digits.into()));
+            let exact = Some(exact);
             let answer = PrintedAnswer { name: Text::default(), exact, rounded, unit, phrase: Text::default() };
             let on_page = answer_on(&answer, Notation::Latex);
             [on_page.exact, on_page.rounded].map(|value| value.as_str().unwrap_or_default().to_owned())

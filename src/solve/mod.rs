@@ -83,6 +83,11 @@ impl Solution {
         &self.found
     }
 
+    /// How the unknowns were found.
+    pub fn finding(&self) -> &[Line] {
+        &self.finding
+    }
+
     /// What else the finding of the unknowns showed: roots that were left out, and why.
     pub fn remarks(&self) -> &[String] {
         &self.remarks
@@ -118,11 +123,6 @@ impl Solution {
             Some(value) => Some(written(&value)),
             None => self.angle(quantity).map(|angle| in_degrees(&written_angle(&angle))),
         }
-    }
-
-    /// How the unknowns were found; empty if there were none.
-    pub fn finding(&self) -> &[Line] {
-        &self.finding
     }
 
     /// The worked solution, once the unknowns are found.

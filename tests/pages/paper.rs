@@ -192,7 +192,7 @@ fn words(text: &str) -> Text {
 fn answer(name: &str, exact: &str, rounded: &str, unit: Unit, phrase: &str) -> PrintedAnswer {
     PrintedAnswer {
         name: words(name),
-        exact: formula(exact),
+        exact: Some(formula(exact)),
         rounded: Some(decimal(rounded)).filter(|_| !rounded.is_empty()),
         unit,
         phrase: words(phrase),

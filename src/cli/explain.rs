@@ -1,0 +1,172 @@
+//! `carom explain`: what a question varies, demands, asks and marks.
+
+use std::collections::BTreeSet;
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::bank;
+use super::check::{Progress, StyleCount, counts};
+use super::failure::Failure;
+use super::output::{count, print, table};
+use super::solve::worked;
+use crate::bank::{Domain, Question, Style};
+use crate::expr::print as written;
+use crate::generate::{Variant, reference};
+use crate::mechanics::{Law, Line};
+use crate::paper::{Dealer, PrintedQuestion, compose};
+
+const AFTER: &str = "Examples:
+  carom explain 5C-2
+  carom explain rest/speeds-and-directions";
+
+/// Explain a question
+///
+/// Its parameters and their values, what is required of them and how many sets of numbers each requirement turns
+/// away, the steps of its solution, its marks, the slips that students make with its laws, and an example.
+#[derive(Args)]
+#[command(after_help = AFTER)]
+pub struct ExplainArguments {
+    /// The question: its id, a part of it, or the exercise it mirrors
+    #[arg(value_name = "QUESTION")]
+    question: String,
+    /// A bank of your own
+    #[arg(long, value_name = "DIR")]
+    bank: Option<PathBuf>,
+}
+
+/// Explains the question.
+pub fn run(arguments: &ExplainArguments) -> Result<(), Failure> {
+    let contents = bank::open(arguments.bank.as_deref())?;
+    let question = bank::find(&contents, &arguments.question)?.question()?;
+    let progress = Progress::new([&question]);
+    let styles = counts(&question, &progress);
+    progress.finish();
+
+    let mut text = format!("{}\n{}\n", question.title, question.id);
+    if let Some(mirrors) = &question.mirrors {
+        text.push_str(&format!("practises the skills of {mirrors}\n"));
+    }
+    text.push_str(&format!("topic: {}; {}\n", question.topic, count(question.marks(), "mark")));
+    if let Some(erratum) = &question.erratum {
+        text.push_str(&format!("\nErratum\n  {erratum}\n"));
+    }
+    for (style, counted) in question.styles.iter().zip(&styles) {
+        text.push_str(&style_in_words(&question, style, counted));
+    }
+    if let Ok(variant) = reference(&question) {
+        text.push_str(&steps(&variant));
+        text.push_str(&marks(&compose(&question, &variant, 1)));
+        text.push_str(&slips(&question, &variant));
+    }
+    if let Some(variant) = Dealer::new(1, None).next(&question) {
+        let printed = compose(&question, &variant, 1);
+        text.push_str(&example(&printed));
+    }
+    print(&text)
+}
+
+fn style_in_words(question: &Question, style: &Style, counted: &StyleCount) -> String {
+    let census = &counted.census;
+    let mut text = format!("\nStyle {}: {} of {} sets of numbers\n", style.name, census.fit, census.size);
+    let mut rows: Vec<Vec<String>> =
+        style.parameters.iter().map(|(name, domain)| vec![format!("  {name}"), values(domain)]).collect();
+    rows.extend(style.lets.iter().map(|(name, expr)| vec![format!("  {name}"), format!("= {}", written::plain(expr))]));
+    text.push_str(&table(&rows));
+    let turned: Vec<(String, u64)> = census.funnel(question, style);
+    for requirement in &style.require {
+        let away = turned.iter().find(|(reason, _)| *reason == format!("not `{}`", requirement.text));
+        text.push_str(&format!(
+            "  requires {}: turns away {}\n",
+            requirement.text,
+            away.map_or(0, |(_, count)| *count)
+        ));
+    }
+    for (reason, count) in turned.iter().filter(|(reason, _)| !reason.starts_with("not `")) {
+        text.push_str(&format!("  {reason}: turns away {count}\n"));
+    }
+    text
+}
+
+/// `1, 2, …, 6`, or the list.
+fn values(domain: &Domain) -> String {
+    const SHOWN: u64 = 12;
+    let value = |index| written::unicode(&domain.value(index));
+    let size = domain.size();
+    if size <= SHOWN {
+        return (0..size).map(value).collect::<Vec<_>>().join(", ");
+    }
+    format!("{}, {}, …, {} ({size} values)", value(0), value(1), value(size - 1))
+}
+
+fn steps(variant: &Variant) -> String {
+    let rows: Vec<Vec<String>> = variant
+        .solution
+        .derivation()
+        .steps
+        .iter()
+        .map(|step| {
+            let gives: Vec<String> = step.gives.iter().map(ToString::to_string).collect();
+            vec![format!("  {}", step.law.name()), gives.join(", ")]
+        })
+        .collect();
+    format!("\nSteps\n{}", table(&rows))
+}
+
+fn marks(printed: &PrintedQuestion) -> String {
+    let mut rows = Vec::new();
+    for part in &printed.parts {
+        for row in &part.scheme {
+            let label = if part.label.is_empty() { String::new() } else { format!("({})", part.label) };
+            let mut earned = written::text_unicode(&row.earned);
+            if !row.note.is_empty() {
+                earned.push_str(&format!(" [{}]", written::text_unicode(&row.note)));
+            }
+            if !row.depends.is_empty() {
+                earned.push_str(&format!(" (needs {})", row.depends.join(", ")));
+            }
+            rows.push(vec![format!("  {label}"), row.code.clone(), earned]);
+        }
+    }
+    format!("\nMarks\n{}", table(&rows))
+}
+
+fn slips(question: &Question, variant: &Variant) -> String {
+    let mut laws: BTreeSet<Law> = variant.solution.derivation().steps.iter().map(|step| step.law).collect();
+    for mark in question.parts.iter().flat_map(|part| &part.marks) {
+        if let crate::bank::EarnedFor::Law(law, _) = mark.earned_for {
+            laws.insert(law);
+        }
+    }
+    let mut text = "\nSlips that students make\n".to_owned();
+    for law in laws.iter().filter(|law| !law.slips().is_empty()) {
+        text.push_str(&format!("  {}\n", law.name()));
+        for slip in law.slips() {
+            text.push_str(&format!("    {}: {}\n", slip.tag, slip.sentence));
+        }
+    }
+    text
+}
+
+fn example(printed: &PrintedQuestion) -> String {
+    let mut text = "\nAn example\n\n".to_owned();
+    for paragraph in &printed.stem {
+        text.push_str(&format!("{}\n\n", written::text_unicode(paragraph)));
+    }
+    for part in &printed.parts {
+        let label = if part.label.is_empty() { String::new() } else { format!("({}) ", part.label) };
+        text.push_str(&format!("{label}{} [{}]\n\n", written::text_unicode(&part.ask), count(part.marks(), "mark")));
+        let lines: Vec<Line> = part
+            .working
+            .iter()
+            .map(|line| Line {
+                words: line.words.clone(),
+                equations: line.equations.clone(),
+                numbered: line.label.is_some(),
+            })
+            .collect();
+        text.push_str(&worked(&lines));
+        text.push('\n');
+    }
+    text
+}

@@ -1,0 +1,73 @@
+//! Why a command failed, and how a person is told.
+
+use std::io::{self, IsTerminal, Write};
+
+use crate::diagnostic::{Diagnostic, render_all};
+use crate::mechanics::Refusal;
+use crate::render::RenderFault;
+
+/// Why a command failed. All of these exit with 1 but the first.
+pub enum Failure {
+    /// Whoever read the output has gone away, as `head` does: no failure at all.
+    ReaderGone,
+    /// Something said in one sentence, and one thing to try.
+    Said(String, Option<String>),
+    /// Faults in a person's files.
+    Faults(Vec<Diagnostic>),
+    /// Findings that have been printed already.
+    Found,
+}
+
+impl Failure {
+    /// A failure without help.
+    pub fn said(message: impl Into<String>) -> Failure {
+        Failure::Said(message.into(), None)
+    }
+
+    /// A failure with one thing to try.
+    pub fn with_help(message: impl Into<String>, help: impl Into<String>) -> Failure {
+        Failure::Said(message.into(), Some(help.into()))
+    }
+
+    /// Tells the person.
+    pub fn print(&self) {
+        let mut stderr = io::stderr().lock();
+        // If even this cannot be written there is nobody to tell.
+        let _ = match self {
+            Failure::ReaderGone | Failure::Found => Ok(()),
+            Failure::Said(message, None) => writeln!(stderr, "error: {message}"),
+            Failure::Said(message, Some(help)) => writeln!(stderr, "error: {message}\nhelp: {help}"),
+            Failure::Faults(faults) => {
+                let colour = io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
+                write!(stderr, "{}", render_all(faults, colour))
+            }
+        };
+    }
+}
+
+impl From<Vec<Diagnostic>> for Failure {
+    fn from(faults: Vec<Diagnostic>) -> Failure {
+        Failure::Faults(faults)
+    }
+}
+
+impl From<RenderFault> for Failure {
+    fn from(fault: RenderFault) -> Failure {
+        Failure::said(fault.to_string())
+    }
+}
+
+impl From<Refusal> for Failure {
+    fn from(refusal: Refusal) -> Failure {
+        Failure::Said(refusal.reason, refusal.help)
+    }
+}
+
+impl From<io::Error> for Failure {
+    fn from(error: io::Error) -> Failure {
+        if error.kind() == io::ErrorKind::BrokenPipe {
+            return Failure::ReaderGone;
+        }
+        Failure::said(error.to_string())
+    }
+}

@@ -1,0 +1,54 @@
+//! A scene from a file or from stdin, as TOML or JSON.
+
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+
+use super::failure::Failure;
+use super::json_scene;
+use crate::bank::read_scene;
+use crate::diagnostic::Source;
+use crate::mechanics::Scene;
+
+/// No scene is longer than this.
+const LONGEST: u64 = 1 << 20;
+
+/// The scene in a file, or on stdin if the file is `-`.
+pub fn scene(path: &Path) -> Result<Scene, Failure> {
+    let from_stdin = path == Path::new("-");
+    let name = if from_stdin { "stdin".to_owned() } else { path.display().to_string() };
+    let bytes = if from_stdin { limited(io::stdin().lock()) } else { file(path) };
+    let bytes = bytes.map_err(|error| Failure::said(format!("`{name}` cannot be read: {error}")))?;
+    if bytes.len() as u64 > LONGEST {
+        return Err(Failure::said(format!("`{name}` is too long for a scene: more than {LONGEST} bytes")));
+    }
+    let text = String::from_utf8(bytes)
+        .map_err(|_| Failure::with_help(format!("`{name}` is no text"), "a scene is a file in TOML or JSON"))?;
+    // A byte order mark is no part of either language.
+    let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
+    if text.trim().is_empty() {
+        return Err(Failure::with_help(format!("`{name}` is empty"), "`carom solve --help` shows a scene"));
+    }
+    let source = Source::new(name, text);
+    let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+    let is_json = match ending.as_deref() {
+        Some("json") => true,
+        Some("toml") => false,
+        _ => text.trim_start().starts_with('{'),
+    };
+    let scene = if is_json { json_scene::read(&source) } else { read_scene(&source) };
+    Ok(scene?)
+}
+
+fn file(path: &Path) -> io::Result<Vec<u8>> {
+    if path.is_dir() {
+        return Err(io::Error::other("it is a folder"));
+    }
+    limited(File::open(path)?)
+}
+
+fn limited(from: impl Read) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    from.take(LONGEST + 1).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}

@@ -1,0 +1,42 @@
+//! Files written all or none: first beside their places under other names, then moved there.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use super::failure::Failure;
+use crate::render::RenderedFile;
+
+/// Writes files into a folder, which is made if need be, and returns their paths.
+///
+/// Until every file has been written whole, none of those that stood there before is touched.
+pub fn write_all(folder: &Path, files: &[RenderedFile]) -> Result<Vec<PathBuf>, Failure> {
+    fs::create_dir_all(folder)
+        .map_err(|error| Failure::said(format!("the folder `{}` cannot be made: {error}", folder.display())))?;
+    let mut waiting: Vec<(PathBuf, PathBuf)> = Vec::new();
+    let outcome = place(folder, files, &mut waiting);
+    if outcome.is_err() {
+        for (temporary, _) in &waiting {
+            // What is left over is only our own half-written file.
+            let _ = fs::remove_file(temporary);
+        }
+    }
+    outcome?;
+    Ok(waiting.into_iter().map(|(_, path)| path).collect())
+}
+
+fn place(folder: &Path, files: &[RenderedFile], waiting: &mut Vec<(PathBuf, PathBuf)>) -> Result<(), Failure> {
+    let cannot = |path: &Path, error| Failure::said(format!("`{}` cannot be written: {error}", path.display()));
+    for file in files {
+        let path = folder.join(&file.name);
+        if path.is_dir() {
+            return Err(Failure::said(format!("`{}` cannot be written: it is a folder", path.display())));
+        }
+        let temporary = folder.join(format!(".{}.{}", file.name, std::process::id()));
+        waiting.push((temporary.clone(), path.clone()));
+        fs::write(&temporary, &file.contents).map_err(|error| cannot(&path, error))?;
+    }
+    for (temporary, path) in waiting.iter() {
+        fs::rename(temporary, path).map_err(|error| cannot(path, error))?;
+    }
+    Ok(())
+}

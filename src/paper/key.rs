@@ -1,0 +1,227 @@
+//! The key of a paper: everything that a marker needs, in the exchange format.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+use serde_json::{Map, Value as Json, json};
+
+use super::answer::{self, Size};
+use super::working::{self, WorkedPart};
+use super::{PrintedPart, PrintedQuestion, compose, scheme};
+use crate::bank::{Answer, EarnedFor, Find, Question};
+use crate::expr::{Angles, Expr, print, read};
+use crate::generate::Variant;
+use crate::mechanics::{Pair, PolarText, Quantity, SceneText, VelocityText};
+use crate::number::Places;
+
+/// A whole key.
+#[derive(Clone, Debug, Serialize)]
+pub struct Key {
+    /// The version of carom that wrote it.
+    pub carom: &'static str,
+    /// The bank the questions come from: `shipped`, or its folder.
+    pub bank: String,
+    /// The seed of the paper; none for the reference numbers.
+    pub seed: Option<u64>,
+    /// The questions in the order of the sheet.
+    pub questions: Vec<KeyQuestion>,
+}
+
+/// A question of a key.
+#[derive(Clone, Debug, Serialize)]
+pub struct KeyQuestion {
+    /// Its id in the bank.
+    pub id: String,
+    /// Its number on the sheet.
+    pub number: usize,
+    /// The exercise that it mirrors.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mirrors: Option<String>,
+    /// The style of its numbers.
+    pub style: &'static str,
+    /// Its parameters by name, in the order of its file.
+    pub parameters: Map<String, Json>,
+    /// The collision, as `carom solve` takes it.
+    pub scene: SceneText,
+    /// Its parts.
+    pub parts: Vec<KeyPart>,
+}
+
+/// A part of a key.
+#[derive(Clone, Debug, Serialize)]
+pub struct KeyPart {
+    /// `a`, `b`, … or empty.
+    pub label: String,
+    /// Marks available.
+    pub marks: usize,
+    /// What is to be filled in.
+    pub blanks: Vec<Blank>,
+    /// The mark scheme.
+    pub scheme: Vec<KeyMark>,
+}
+
+/// One answer of a key. Of a vector `exact`, `decimal` and `rounded` are lists, and so is `find`.
+#[derive(Clone, Debug, Serialize)]
+pub struct Blank {
+    /// What it is, in words.
+    pub name: String,
+    /// The quantity that is asked for, or the letter.
+    pub find: Json,
+    /// Its kind.
+    pub kind: &'static str,
+    /// The rule of acceptance.
+    pub accept: String,
+    /// The line from which an angle is measured.
+    pub reference: Option<&'static str>,
+    /// The exact form, as an expression.
+    pub exact: Json,
+    /// The same in LaTeX.
+    pub latex: String,
+    /// At least 15 certified figures; null where letters remain.
+    pub decimal: Json,
+    /// Rounded as the rule says; null where letters remain.
+    pub rounded: Json,
+    /// The unit, `m/s`; empty if there is none.
+    pub unit: &'static str,
+}
+
+/// One mark of a key.
+#[derive(Clone, Debug, Serialize)]
+pub struct KeyMark {
+    /// Its id within the part.
+    pub id: String,
+    /// Its code.
+    pub code: String,
+    /// The law or quantity that earns it.
+    #[serde(rename = "for")]
+    pub earned_for: String,
+    /// The marks on which it depends.
+    pub depends: Vec<String>,
+    /// The blanks to which it belongs.
+    pub blanks: Vec<String>,
+    /// The equation or value that earns it.
+    pub equation: Option<String>,
+}
+
+/// The key of a question as it was printed.
+pub fn key_question(question: &Question, variant: &Variant, printed: &PrintedQuestion) -> KeyQuestion {
+    let worked = working::work(question, variant);
+    let with_units = super::wording::letters_with_units(&printed.stem);
+    let parts = worked.iter().zip(&printed.parts).map(|(part, printed)| key_part(part, printed, variant, &with_units));
+    let plain = |expr: &Expr| Json::from(print::plain(expr));
+    KeyQuestion {
+        id: question.id.clone(),
+        number: printed.number,
+        mirrors: question.mirrors.clone(),
+        style: variant.style.name(),
+        parameters: variant.parameters.iter().map(|(name, value)| (name.clone(), plain(value))).collect(),
+        scene: scene(&question.scene, &variant.givens.shown),
+        parts: parts.collect(),
+    }
+}
+
+fn key_part(part: &WorkedPart, printed: &PrintedPart, variant: &Variant, with_units: &[String]) -> KeyPart {
+    let blanks: Vec<Blank> = part.part.answers.iter().map(|answer| blank(answer, variant, with_units)).collect();
+    let scheme = part.part.marks.iter().zip(&printed.scheme).map(|(mark, row)| KeyMark {
+        id: row.id.clone(),
+        code: row.code.clone(),
+        earned_for: earned_for(&mark.earned_for),
+        depends: row.depends.clone(),
+        blanks: scheme::answers_of(mark, part).into_iter().map(|place| blanks[place].name.clone()).collect(),
+        equation: row.equation.as_ref().map(print::plain),
+    });
+    KeyPart { label: printed.label.clone(), marks: printed.marks(), scheme: scheme.collect(), blanks }
+}
+
+fn earned_for(step: &EarnedFor) -> String {
+    match step {
+        EarnedFor::Law(law, Some(sphere)) => format!("{} {}", law.name(), sphere.name()),
+        EarnedFor::Law(law, None) => law.name().to_owned(),
+        EarnedFor::Condition => "condition".to_owned(),
+        EarnedFor::Quantity(quantity) => quantity.to_string(),
+        EarnedFor::Unknown(name) => name.clone(),
+    }
+}
+
+fn blank(answer: &Answer, variant: &Variant, with_units: &[String]) -> Blank {
+    let sizes = answer::sizes(answer, variant);
+    let usual = Places::SignificantFigures(3);
+    let decimal = |places: &Places| {
+        one_or_list(&sizes, |size| size.rounded(places).map_or(Json::Null, |decimal| decimal.to_string().into()))
+    };
+    let find = match &answer.find {
+        Find::Quantity(quantity) => json!(quantity.to_string()),
+        Find::Vector(x, y) => json!([x.to_string(), y.to_string()]),
+        Find::Unknown(name) => json!(name),
+    };
+    let unit = answer::unit(answer, variant, with_units);
+    Blank {
+        name: print::text_unicode(&compose::name(answer, variant)),
+        find,
+        kind: answer.kind.name(),
+        accept: answer.accept.to_string(),
+        reference: reference(&answer.find),
+        exact: one_or_list(&sizes, |size| print::plain(&size.exchange()).into()),
+        latex: answer::exact(answer, variant).as_ref().map(print::latex).unwrap_or_default(),
+        decimal: decimal(&Places::SignificantFigures(15)),
+        rounded: decimal(answer.accept.places().unwrap_or(&usual)),
+        unit: unit.plain(),
+    }
+}
+
+fn one_or_list(sizes: &[Size], one: impl Fn(&Size) -> Json) -> Json {
+    match sizes {
+        [single] => one(single),
+        several => several.iter().map(one).collect(),
+    }
+}
+
+/// The line from which an angle is measured.
+fn reference(find: &Find) -> Option<&'static str> {
+    match find {
+        Find::Quantity(Quantity::AngleToLine(..) | Quantity::AngleFromN(..) | Quantity::Alpha) => {
+            Some("line of centres")
+        }
+        Find::Quantity(Quantity::AngleFromI(..)) => Some("i"),
+        Find::Quantity(Quantity::Deflection(_) | Quantity::SignedDeflection(_)) => Some("direction before"),
+        _ => None,
+    }
+}
+
+/// The scene with numbers in place of parameters. The words of a bank are in degrees, the exchange format in
+/// radians.
+pub fn scene(scene: &SceneText, shown: &BTreeMap<String, Expr>) -> SceneText {
+    let text = |text: &String| match read(text, Angles::Degrees) {
+        Ok(expr) => print::plain(&expr.substitute(&|name| shown.get(name).cloned())),
+        Err(_) => text.clone(),
+    };
+    let pair = |[x, y]: &[String; 2]| [text(x), text(y)];
+    let velocity = |velocity: &VelocityText<String>| match velocity {
+        VelocityText::Components(components) => VelocityText::Components(pair(components)),
+        VelocityText::Polar(polar) => VelocityText::Polar(PolarText {
+            speed: text(&polar.speed),
+            angle_deg: polar.angle_deg.as_ref().map(text),
+            cos: polar.cos.as_ref().map(text),
+            sin: polar.sin.as_ref().map(text),
+        }),
+    };
+    SceneText {
+        masses: both(&scene.masses, text),
+        before: both(&scene.before, velocity),
+        after: both(&scene.after, velocity),
+        line_of_centres: scene.line_of_centres.as_ref().map(pair),
+        sense: scene.sense,
+        positions: both(&scene.positions, pair),
+        radii: both(&scene.radii, text),
+        impact_parameter: scene.impact_parameter.as_ref().map(text),
+        e: scene.e.as_ref().map(text),
+        symbols: scene.symbols.clone(),
+        unknowns: scene.unknowns.clone(),
+        conditions: scene.conditions.iter().map(text).collect(),
+        maximise: scene.maximise.clone(),
+    }
+}
+
+fn both<T>(pair: &Pair<T>, change: impl Fn(&T) -> T) -> Pair<T> {
+    Pair { a: pair.a.as_ref().map(&change), b: pair.b.as_ref().map(&change) }
+}

@@ -1,0 +1,253 @@
+//! Mark schemes: for each mark what earns it, in words and as an equation, and what the marker condones.
+
+use std::collections::BTreeSet;
+
+use super::answer::{self, Size};
+use super::working::{WorkedPart, result};
+use super::{SchemeRow, wording};
+use crate::bank::{Code, EarnedFor, Find, Mark};
+use crate::expr::{Expr, Piece, Text, read_markup};
+use crate::generate::Variant;
+use crate::mechanics::{Axis, Derivation, Known, Law, Line, Moment, Quantity, Rule, Show, Sphere};
+use crate::number::{Places, Value};
+use crate::unit::Unit;
+
+/// The rows of one part; `worked` holds it last, after the parts before it.
+pub fn rows(worked: &[WorkedPart], variant: &Variant, with_units: &[String]) -> Vec<SchemeRow> {
+    let Some(here) = worked.last() else { return Vec::new() };
+    let marks = &here.part.marks;
+    let row = |(place, mark): (usize, &Mark)| {
+        let before = marks[..place].iter().filter(|other| same_step(other, mark)).count();
+        let (equation, rounded) = equation(mark, before, worked, variant, with_units);
+        let earned = mark.text.as_ref().map(|text| wording::sentence(text, variant, None));
+        let note = mark.note.as_ref().map(|text| wording::sentence(text, variant, None));
+        SchemeRow {
+            id: mark.id.clone(),
+            code: mark.code.name().to_owned(),
+            earned: earned.unwrap_or_else(|| usual_words(mark, here)),
+            equation,
+            note: with_rounded(rounded, note.unwrap_or_else(|| usual_note(mark))),
+            depends: mark.depends.clone(),
+        }
+    };
+    marks.iter().enumerate().map(row).collect()
+}
+
+/// Names of the answers of a part to which a mark belongs: those that cannot be found without its step.
+pub fn answers_of(mark: &Mark, here: &WorkedPart) -> Vec<usize> {
+    let answers = here.part.answers.iter().enumerate();
+    let belongs = answers.filter(|(_, answer)| {
+        let asked = answer.find.quantities();
+        match &mark.earned_for {
+            EarnedFor::Quantity(quantity) if here.asked.contains(quantity) => asked.contains(quantity),
+            EarnedFor::Unknown(name) => answer.find == Find::Unknown(name.clone()),
+            EarnedFor::Condition => matches!(answer.find, Find::Unknown(_)),
+            step => {
+                let steps = steps_to(&asked, &here.given);
+                matches!(answer.find, Find::Unknown(_)) || steps.iter().any(|rule| is_of(rule, step))
+            }
+        }
+    });
+    belongs.map(|(place, _)| place).collect()
+}
+
+fn steps_to(asked: &[Quantity], given: &BTreeSet<Quantity>) -> Vec<Rule> {
+    Derivation::plan(given, asked, &[]).0.steps
+}
+
+fn is_of(rule: &Rule, step: &EarnedFor) -> bool {
+    match step {
+        EarnedFor::Law(law, sphere) => {
+            rule.law == *law
+                && sphere.is_none_or(|sphere| rule.gives.first().is_none_or(|gives| is_about(*gives, sphere)))
+        }
+        EarnedFor::Quantity(quantity) => rule.gives.contains(quantity),
+        _ => false,
+    }
+}
+
+/// Is the quantity one of this sphere, or of no sphere?
+fn is_about(quantity: Quantity, sphere: Sphere) -> bool {
+    let name = quantity.to_string();
+    !name.starts_with(&format!("{}.", sphere.other().name()))
+}
+
+/// Is it another equation of the same law for accuracy?
+fn same_step(other: &Mark, mark: &Mark) -> bool {
+    other.code.is_accuracy() && mark.code.is_accuracy() && other.earned_for == mark.earned_for
+}
+
+/// The equation or value that earns a mark, and its decimal.
+fn equation(
+    mark: &Mark,
+    before: usize,
+    worked: &[WorkedPart],
+    variant: &Variant,
+    with_units: &[String],
+) -> (Option<Expr>, Option<(Expr, Unit)>) {
+    let Some(here) = worked.last() else { return (None, None) };
+    if mark.code == Code::A1Shown {
+        return (here.part.answers.iter().find_map(|answer| result(answer, variant)), None);
+    }
+    match &mark.earned_for {
+        EarnedFor::Quantity(quantity) => value(*quantity, here, variant, with_units),
+        EarnedFor::Unknown(name) => (answer::letter(variant, name).map(|size| size.exact()), None),
+        EarnedFor::Law(Law::Perpendicular, _) => (perpendicular(here, variant), None),
+        EarnedFor::Law(Law::LineOfCentres, _) if mark.code.is_accuracy() => {
+            (Some(Show::new(variant.solution.scene(), &here.known, &[]).line_direction()), None)
+        }
+        step if mark.code.is_accuracy() || mark.code == Code::B1 => (law_equation(step, before, worked), None),
+        _ => (None, None),
+    }
+}
+
+/// The first equation of the step that uses a law, or of the next one if earlier marks have had it.
+fn law_equation(step: &EarnedFor, before: usize, worked: &[WorkedPart]) -> Option<Expr> {
+    for part in worked.iter().rev() {
+        let of_step = part.steps.iter().filter(|(rule, _)| is_of(rule, step));
+        let first = |lines: &Vec<Line>| lines.iter().find_map(|line| line.equations.first().cloned());
+        let equations: Vec<Expr> = of_step.filter_map(|(_, lines)| first(lines)).collect();
+        if let Some(found) = equations.get(before).or(equations.last()) {
+            return Some(found.clone());
+        }
+    }
+    None
+}
+
+/// The unchanged component, if only one sphere has one.
+fn perpendicular(here: &WorkedPart, variant: &Variant) -> Option<Expr> {
+    let show = Show::new(variant.solution.scene(), &here.known, &here.asked);
+    let mut found = Vec::new();
+    for (rule, _) in &here.steps {
+        if let (Law::Perpendicular, Some(Quantity::Velocity(sphere, Moment::After, _))) = (rule.law, rule.gives.first())
+        {
+            let value = show.shown_value(Quantity::Velocity(*sphere, Moment::After, Axis::T));
+            let given = show.across(*sphere, Moment::Before);
+            if !value.is_zero() {
+                found.push(if given == value { value } else { Expr::equation(given, value) });
+            }
+        }
+    }
+    if found.len() == 1 { found.pop() } else { None }
+}
+
+/// The value of a quantity, as an equation where the working has a letter for it, and its decimal.
+fn value(
+    quantity: Quantity,
+    here: &WorkedPart,
+    variant: &Variant,
+    with_units: &[String],
+) -> (Option<Expr>, Option<(Expr, Unit)>) {
+    let answer = here.part.answers.iter().find(|answer| answer.find.quantities().contains(&quantity));
+    if let Some(answer) = answer {
+        let rounded = answer::rounded(answer, variant);
+        let unit = answer::unit(answer, variant, with_units);
+        return (answer::exact(answer, variant), rounded.map(|rounded| (rounded, unit)));
+    }
+    let Some(known) = known_with(quantity, here) else { return (None, None) };
+    let show = Show::new(variant.solution.scene(), &known, &here.asked);
+    let exact = match quantity {
+        Quantity::Velocity(_, Moment::After, Axis::N) => {
+            Expr::equation(show.symbol(quantity), show.shown_value(quantity))
+        }
+        Quantity::Velocity(_, Moment::After, axis @ (Axis::X | Axis::Y)) if show.along_an_axis() => {
+            // Along the axis of the line of centres the working has its letters.
+            let Quantity::Velocity(sphere, moment, _) = quantity else { return (None, None) };
+            let along = Quantity::Velocity(sphere, moment, Axis::N);
+            let is_along = known.number(Quantity::Line(axis)).is_some_and(|component| !component.is_zero());
+            if is_along { Expr::equation(show.symbol(along), show.value(quantity)) } else { show.value(quantity) }
+        }
+        Quantity::TOverN(..) | Quantity::TanToLine(..) => tangent("beta", show.value(quantity), here),
+        Quantity::TanDeflection(_) => tangent("delta", show.value(quantity), here),
+        _ => match show.angle(quantity) {
+            Some(angle) => Show::angle_expr(&angle),
+            None => show.value(quantity),
+        },
+    };
+    let size = known.number(quantity).map(Size::Number);
+    let places = Places::SignificantFigures(3);
+    let rounded = size.filter(|size| !size.is_short(&places)).and_then(|size| size.rounded(&places));
+    let rounded = rounded.map(|rounded| (Expr::Decimal(rounded.to_string()), Unit::None));
+    (Some(exact), rounded)
+}
+
+fn tangent(letter: &str, value: Expr, here: &WorkedPart) -> Expr {
+    let left = Expr::call(crate::expr::Function::Tan, Expr::name(letter));
+    here.in_its_letters(&Expr::equation(left, value))
+}
+
+/// What is known once a quantity that the part need not find is found too.
+fn known_with(quantity: Quantity, here: &WorkedPart) -> Option<Known<Value>> {
+    let mut known = here.known.clone();
+    Derivation::carry_out(&mut known, &[quantity]);
+    known.0.contains_key(&quantity).then_some(known)
+}
+
+/// What earns a mark, where the file does not say.
+fn usual_words(mark: &Mark, here: &WorkedPart) -> Text {
+    match &mark.earned_for {
+        _ if mark.code == Code::A1Shown => Text::words("the printed result, with no errors seen"),
+        EarnedFor::Law(Law::Perpendicular, _) => Text::words(Law::Perpendicular.method().0),
+        EarnedFor::Law(law, _) if mark.code.is_accuracy() => Text::words(match law {
+            Law::Momentum | Law::Restitution | Law::VectorMomentum | Law::Impulse => "correct equation, unsimplified",
+            Law::Solve => "a correct component",
+            Law::LineOfCentres => "correct direction, any multiple",
+            _ => "correct expression, unsimplified",
+        }),
+        EarnedFor::Law(law, _) => Text::words(law.method().0),
+        EarnedFor::Condition => Text::words("uses what is given of the motion after the impact"),
+        EarnedFor::Unknown(_) => Text::words("correct value"),
+        EarnedFor::Quantity(quantity) => {
+            let answer = here.part.answers.iter().find(|answer| answer.find.quantities().contains(quantity));
+            answer.map_or_else(|| in_words(*quantity), |answer| answer.name.clone())
+        }
+    }
+}
+
+fn usual_note(mark: &Mark) -> Text {
+    match &mark.earned_for {
+        EarnedFor::Law(law, _) if !mark.code.is_accuracy() => Text::words(law.method().1),
+        _ => Text::default(),
+    }
+}
+
+/// `awrt 2.78 m s⁻¹`, before the note if there is one.
+fn with_rounded(rounded: Option<(Expr, Unit)>, note: Text) -> Text {
+    let Some((decimal, unit)) = rounded else { return note };
+    let mut pieces = vec![Piece::Words("awrt ".to_owned()), Piece::Quantity(decimal, unit)];
+    if !note.is_empty() {
+        pieces.push(Piece::Words("; ".to_owned()));
+        pieces.extend(note.0);
+    }
+    Text(pieces)
+}
+
+/// A quantity in words.
+fn in_words(quantity: Quantity) -> Text {
+    let after = |moment| if moment == Moment::Before { " before" } else { "" };
+    let words = match quantity {
+        Quantity::Velocity(sphere, moment, axis) => {
+            let along = match axis {
+                Axis::N => "along the line of centres",
+                Axis::T => "perpendicular to the line of centres",
+                Axis::X => "along {i}",
+                Axis::Y => "along {j}",
+            };
+            format!("component of the velocity of *{}*{} {along}", sphere.name(), after(moment))
+        }
+        Quantity::Speed(sphere, moment) => format!("speed of *{}*{}", sphere.name(), after(moment)),
+        Quantity::AngleToLine(sphere, moment) => format!("direction of *{}*{}", sphere.name(), after(moment)),
+        Quantity::TOverN(sphere, _) | Quantity::TanToLine(sphere, _) => {
+            format!("tangent of the angle of *{}* to the line of centres", sphere.name())
+        }
+        Quantity::TanDeflection(sphere) => format!("tangent of the deflection of *{}*", sphere.name()),
+        Quantity::Deflection(sphere) => format!("deflection of *{}*", sphere.name()),
+        Quantity::EnergyLost => "kinetic energy lost".to_owned(),
+        Quantity::FractionLost => "fraction of the kinetic energy lost".to_owned(),
+        Quantity::TotalEnergy(moment) => format!("kinetic energy {moment}"),
+        Quantity::ImpulseMagnitude => "magnitude of the impulse".to_owned(),
+        Quantity::Restitution => "coefficient of restitution".to_owned(),
+        other => other.to_string(),
+    };
+    read_markup(&words).ok().and_then(|mut paragraphs| paragraphs.pop()).unwrap_or_default()
+}

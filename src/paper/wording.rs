@@ -1,0 +1,88 @@
+//! The words of a question with its numbers put in.
+
+use crate::expr::{Expr, Markup, Meaning, Piece, Text, evaluate, written};
+use crate::generate::Variant;
+use crate::unit::Unit;
+
+/// The paragraphs with numbers in place of names; `result` stands for what is to be shown.
+pub fn paragraphs(words: &Markup, variant: &Variant, result: Option<&Expr>) -> Vec<Text> {
+    words.iter().map(|text| sentence(text, variant, result)).collect()
+}
+
+/// Words with numbers in place of names.
+pub fn sentence(text: &Text, variant: &Variant, result: Option<&Expr>) -> Text {
+    Text(text.0.iter().map(|piece| filled_piece(piece, variant, result)).collect())
+}
+
+/// Several paragraphs as one run of words.
+pub fn joined(paragraphs: Vec<Text>) -> Text {
+    let mut pieces = Vec::new();
+    for text in paragraphs {
+        if !pieces.is_empty() {
+            pieces.push(Piece::Words(" ".to_owned()));
+        }
+        pieces.extend(text.0);
+    }
+    Text(pieces)
+}
+
+fn filled_piece(piece: &Piece, variant: &Variant, result: Option<&Expr>) -> Piece {
+    let fill = |expr: &Expr| match (expr, result) {
+        (Expr::Name(name), Some(result)) if name.text == "result" => result.clone(),
+        _ => filled(expr, variant),
+    };
+    match piece {
+        Piece::Words(words) => Piece::Words(words.clone()),
+        Piece::Italic(inner) => Piece::Italic(inner.iter().map(|piece| filled_piece(piece, variant, result)).collect()),
+        Piece::Formula(expr) => Piece::Formula(fill(expr)),
+        Piece::Display(expr) => Piece::Display(fill(expr)),
+        Piece::Quantity(expr, unit) => match (fill(expr), unit) {
+            // `atan(3/4)/deg` degrees are an angle without our help.
+            (Expr::Quotient(angle, one_degree), Unit::Degree) if is_one_degree(&one_degree) => Piece::Formula(*angle),
+            (size, unit) => Piece::Quantity(size, *unit),
+        },
+    }
+}
+
+fn is_one_degree(expr: &Expr) -> bool {
+    matches!(expr, Expr::Degrees(inner) if inner.is_one())
+}
+
+/// A formula with numbers in place of names. A name alone is printed as its number was written; a longer
+/// formula is worked out.
+pub fn filled(expr: &Expr, variant: &Variant) -> Expr {
+    let shown = &variant.givens.shown;
+    match expr {
+        Expr::Name(name) => shown.get(&name.text).cloned().unwrap_or_else(|| expr.clone()),
+        Expr::Vector(x, y) => Expr::Vector(Box::new(filled(x, variant)), Box::new(filled(y, variant))),
+        Expr::Relation(left, relation, right) => {
+            Expr::Relation(Box::new(filled(left, variant)), *relation, Box::new(filled(right, variant)))
+        }
+        _ if !expr.names().iter().any(|name| shown.contains_key(&name.text)) => expr.clone(),
+        _ => match evaluate(expr, &|name| variant.givens.meaning(name)) {
+            Ok(Meaning::Number(value)) => written(&value),
+            _ => expr.substitute(&|name| shown.get(name).cloned()),
+        },
+    }
+}
+
+/// The letters that the words give with a unit, such as `m` in 'a mass of 3m kg'.
+pub fn letters_with_units(paragraphs: &[Text]) -> Vec<String> {
+    let mut found = Vec::new();
+    for text in paragraphs {
+        collect(&text.0, &mut found);
+    }
+    found
+}
+
+fn collect(pieces: &[Piece], found: &mut Vec<String>) {
+    for piece in pieces {
+        match piece {
+            Piece::Italic(inner) => collect(inner, found),
+            Piece::Quantity(expr, unit) if *unit != Unit::None => {
+                found.extend(expr.names().iter().map(|name| name.text.clone()));
+            }
+            _ => {}
+        }
+    }
+}

@@ -1,0 +1,118 @@
+//! The worked solution part by part: what an earlier part found is known to the later ones.
+
+use std::collections::BTreeSet;
+
+use super::WorkingLine;
+use super::answer;
+use crate::bank::{Answer, Find, Part, Question};
+use crate::expr::{Expr, Function, Text};
+use crate::generate::Variant;
+use crate::mechanics::{Derivation, Known, Line, Quantity, Rule, Show, pose};
+use crate::number::Value;
+
+/// A part with the steps that lead to its answers.
+pub struct WorkedPart<'q> {
+    /// The part.
+    pub part: &'q Part,
+    /// What was known before it.
+    pub given: BTreeSet<Quantity>,
+    /// What is known after it.
+    pub known: Known<Value>,
+    /// What it asks for.
+    pub asked: Vec<Quantity>,
+    /// How letters were found, if this part does that.
+    pub finding: Vec<Line>,
+    /// Its steps, each with its lines.
+    pub steps: Vec<(Rule, Vec<Line>)>,
+    /// The letters that the question uses for angles of the working.
+    letters: Vec<(&'static str, String)>,
+}
+
+/// Every part of a question, worked. Nothing if the scene cannot be posed, which a variant's can.
+pub fn work<'q>(question: &'q Question, variant: &Variant) -> Vec<WorkedPart<'q>> {
+    let scene = variant.solution.scene();
+    let Ok(mut known) = pose(scene) else { return Vec::new() };
+    let letters = letters(question);
+    let mut finding = variant.solution.finding().to_vec();
+    let mut worked = Vec::new();
+    for part in &question.parts {
+        let asked: Vec<Quantity> = part.answers.iter().flat_map(|answer| answer.find.quantities()).collect();
+        let given = known.0.keys().copied().collect();
+        let (derivation, _) = Derivation::carry_out(&mut known, &asked);
+        let show = Show::new(scene, &known, &asked);
+        let steps = derivation.steps.into_iter().map(|rule| {
+            let lines = rule.lines(&show).into_iter().map(|line| renamed(line, &letters)).collect();
+            (rule, lines)
+        });
+        let steps = steps.collect();
+        let finding = std::mem::take(&mut finding);
+        worked.push(WorkedPart { part, given, known: known.clone(), asked, finding, steps, letters: letters.clone() });
+    }
+    worked
+}
+
+impl WorkedPart<'_> {
+    /// The lines, numbered on from `last`, and what is to be shown at their end.
+    pub fn lines(&self, variant: &Variant, last: &mut u32) -> Vec<WorkingLine> {
+        let mut printed: Vec<WorkingLine> = Vec::new();
+        for line in self.finding.iter().chain(self.steps.iter().flat_map(|(_, lines)| lines)) {
+            let label = line.numbered.then(|| {
+                *last += 1;
+                *last
+            });
+            let line = WorkingLine { words: line.words.clone(), equations: line.equations.clone(), label };
+            // The same remark twice helps nobody.
+            if !printed.contains(&line) {
+                printed.push(line);
+            }
+        }
+        for result in self.part.answers.iter().filter_map(|answer| result(answer, variant)) {
+            let there = printed.last().and_then(|line| line.equations.last()) == Some(&result);
+            let (words, equations) =
+                if there { ("as required.", Vec::new()) } else { ("Hence, as required,", vec![result]) };
+            printed.push(WorkingLine { words: Text::words(words), equations, label: None });
+        }
+        printed
+    }
+
+    /// An expression of the working in the question's own letters.
+    pub fn in_its_letters(&self, expr: &Expr) -> Expr {
+        rename(expr, &self.letters)
+    }
+}
+
+/// What is to be shown: `show = value`.
+pub fn result(answer: &Answer, variant: &Variant) -> Option<Expr> {
+    let left = super::wording::filled(answer.show.as_ref()?, variant);
+    Some(Expr::equation(left, answer::exact(answer, variant)?))
+}
+
+/// The working calls the angle to the line of centres beta and the deflection delta; a question that asks for
+/// the tangent of either has a letter of its own for it.
+fn letters(question: &Question) -> Vec<(&'static str, String)> {
+    let mut found = Vec::new();
+    for answer in question.parts.iter().flat_map(|part| &part.answers) {
+        let ours = match answer.find {
+            Find::Quantity(Quantity::TanDeflection(_)) => "delta",
+            Find::Quantity(Quantity::TOverN(..) | Quantity::TanToLine(..)) => "beta",
+            _ => continue,
+        };
+        let named = answer.show.as_ref().or_else(|| answer.name.formulas().into_iter().next());
+        if let Some(Expr::Call(Function::Tan, inner)) = named
+            && let Expr::Name(name) = &**inner
+        {
+            found.push((ours, name.text.clone()));
+        }
+    }
+    found
+}
+
+fn rename(expr: &Expr, letters: &[(&'static str, String)]) -> Expr {
+    expr.substitute(&|name| letters.iter().find(|(ours, _)| *ours == name).map(|(_, theirs)| Expr::name(theirs)))
+}
+
+fn renamed(line: Line, letters: &[(&'static str, String)]) -> Line {
+    let words = line.words.map_formulas(&mut |expr| Ok::<_, ()>(rename(expr, letters))).unwrap_or(line.words);
+    let equations = line.equations.iter().map(|expr| rename(expr, letters)).collect();
+    Line { words, equations, ..line }
+}
