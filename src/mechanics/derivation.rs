@@ -3,7 +3,8 @@
 //! It is planned backwards from what is asked, by the least cost, so a step that nobody needs does
 //! not exist; then it can be evaluated in any kind of number.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::OnceLock;
 
 use super::law::{Known, Outcome, Rule, all_rules};
@@ -21,6 +22,9 @@ pub struct Derivation {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct DeadEnd(pub usize);
 
+/// How many plans are remembered at once.
+const MOST_PLANS: usize = 256;
+
 fn rules() -> &'static [Rule] {
     static RULES: OnceLock<Vec<Rule>> = OnceLock::new();
     RULES.get_or_init(all_rules)
@@ -29,7 +33,25 @@ fn rules() -> &'static [Rule] {
 impl Derivation {
     /// The cheapest derivation of those asked quantities that follow from the given ones, without the
     /// banned rules; and the asked quantities that do not follow.
+    ///
+    /// All variants of a question have one plan, so plans are remembered.
     pub fn plan(given: &BTreeSet<Quantity>, asked: &[Quantity], banned: &[Rule]) -> (Derivation, Vec<Quantity>) {
+        type Plans = HashMap<(Vec<Quantity>, Vec<Quantity>), (Derivation, Vec<Quantity>)>;
+        thread_local!(static PLANS: RefCell<Plans> = RefCell::default());
+        if !banned.is_empty() {
+            return Derivation::planned(given, asked, banned);
+        }
+        let key = (given.iter().copied().collect(), asked.to_vec());
+        PLANS.with_borrow_mut(|plans| {
+            // A stream of scenes of all kinds must not fill the memory.
+            if plans.len() >= MOST_PLANS {
+                plans.clear();
+            }
+            plans.entry(key).or_insert_with(|| Derivation::planned(given, asked, banned)).clone()
+        })
+    }
+
+    fn planned(given: &BTreeSet<Quantity>, asked: &[Quantity], banned: &[Rule]) -> (Derivation, Vec<Quantity>) {
         let rules = rules();
         let mut best: BTreeMap<Quantity, (u32, Option<usize>)> =
             given.iter().map(|quantity| (*quantity, (0, None))).collect();

@@ -29,7 +29,10 @@ pub fn compose(question: &Question, variant: &Variant, number: usize) -> Printed
         Some(_) => question.style(variant.style),
         None => question.styles.get(question.reference_style),
     };
-    let stem = style.map(|style| wording::paragraphs(&style.stem, variant, None)).unwrap_or_default();
+    let mut stem = style.map(|style| wording::paragraphs(&style.stem, variant, None)).unwrap_or_default();
+    stem.extend(
+        style.filter(|style| !style.note.is_empty()).map(|style| wording::sentence(&style.note, variant, None)),
+    );
     let with_units = wording::letters_with_units(&stem);
     let worked = working::work(question, variant);
     let mut last = 0;
