@@ -407,7 +407,9 @@ impl<'a> Show<'a> {
 /// A product without needless brackets: factors of factors are factors, and a minus stands in front.
 pub fn times(left: Expr, right: Expr) -> Expr {
     match (left, right) {
-        (Expr::Negative(inner), other) | (other, Expr::Negative(inner)) => times_in_order(*inner, other).negated(),
+        (Expr::Negative(left), Expr::Negative(right)) => times_in_order(*left, *right),
+        (Expr::Negative(left), right) => times_in_order(*left, right).negated(),
+        (left, Expr::Negative(right)) => times_in_order(left, *right).negated(),
         (left, right) => times_in_order(left, right),
     }
 }

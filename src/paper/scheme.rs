@@ -8,7 +8,7 @@ use super::{SchemeRow, wording};
 use crate::bank::{Code, EarnedFor, Find, Mark};
 use crate::expr::{Expr, Piece, Text, read_markup};
 use crate::generate::Variant;
-use crate::mechanics::{Axis, Derivation, Known, Law, Line, Moment, Quantity, Rule, Show, Sphere};
+use crate::mechanics::{Axis, Derivation, Known, Law, Line, Moment, Quantity, Rule, Scene, Show, Sphere, pose};
 use crate::number::{Places, Value};
 use crate::unit::Unit;
 
@@ -104,7 +104,7 @@ fn equation(
 /// The first equation of the step that uses a law, or of the next one if earlier marks have had it.
 fn law_equation(step: &EarnedFor, before: usize, worked: &[WorkedPart]) -> Option<Expr> {
     for part in worked.iter().rev() {
-        let of_step = part.steps.iter().filter(|(rule, _)| is_of(rule, step));
+        let of_step = part.steps.iter().chain(&part.behind).filter(|(rule, _)| is_of(rule, step));
         let first = |lines: &Vec<Line>| lines.iter().find_map(|line| line.equations.first().cloned());
         let equations: Vec<Expr> = of_step.filter_map(|(_, lines)| first(lines)).collect();
         if let Some(found) = equations.get(before).or(equations.last()) {
@@ -139,13 +139,16 @@ fn value(
     with_units: &[String],
 ) -> (Option<Expr>, Option<(Expr, Unit)>) {
     let answer = here.part.answers.iter().find(|answer| answer.find.quantities().contains(&quantity));
-    if let Some(answer) = answer {
+    let along = matches!(quantity, Quantity::Velocity(_, Moment::After, Axis::N));
+    if let Some(answer) = answer.filter(|_| !along) {
         let rounded = answer::rounded(answer, variant);
         let unit = answer::unit(answer, variant, with_units);
         return (answer::exact(answer, variant), rounded.map(|rounded| (rounded, unit)));
     }
-    let Some(known) = known_with(quantity, here) else { return (None, None) };
-    let show = Show::new(variant.solution.scene(), &known, &here.asked);
+    let found_first = !here.finding.is_empty();
+    let scene = if found_first { &variant.scene } else { variant.solution.scene() };
+    let Some(known) = known_with(quantity, here, found_first.then_some(scene)) else { return (None, None) };
+    let show = Show::new(scene, &known, &here.asked);
     let exact = match quantity {
         Quantity::Velocity(_, Moment::After, Axis::N) => {
             Expr::equation(show.symbol(quantity), show.shown_value(quantity))
@@ -156,6 +159,12 @@ fn value(
             let along = Quantity::Velocity(sphere, moment, Axis::N);
             let is_along = known.number(Quantity::Line(axis)).is_some_and(|component| !component.is_zero());
             if is_along { Expr::equation(show.symbol(along), show.value(quantity)) } else { show.value(quantity) }
+        }
+        Quantity::Velocity(sphere, moment, Axis::X | Axis::Y) => {
+            let known = known_with(Quantity::Velocity(sphere, moment, Axis::Y), here, None).unwrap_or(known.clone());
+            let show = Show::new(variant.solution.scene(), &known, &here.asked);
+            let vector = Expr::equation(Expr::name(show.vector_letter(sphere, moment)), show.vector(sphere, moment));
+            return (Some(vector), None);
         }
         Quantity::TOverN(..) | Quantity::TanToLine(..) => tangent("beta", show.value(quantity), here),
         Quantity::TanDeflection(_) => tangent("delta", show.value(quantity), here),
@@ -177,8 +186,9 @@ fn tangent(letter: &str, value: Expr, here: &WorkedPart) -> Expr {
 }
 
 /// What is known once a quantity that the part need not find is found too.
-fn known_with(quantity: Quantity, here: &WorkedPart) -> Option<Known<Value>> {
-    let mut known = here.known.clone();
+fn known_with(quantity: Quantity, here: &WorkedPart, scene: Option<&Scene>) -> Option<Known<Value>> {
+    // Before letters are found a quantity is a formula in them.
+    let mut known = scene.map_or_else(|| Some(here.known.clone()), |scene| pose(scene).ok())?;
     Derivation::carry_out(&mut known, &[quantity]);
     known.0.contains_key(&quantity).then_some(known)
 }

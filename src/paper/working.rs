@@ -7,7 +7,7 @@ use super::answer;
 use crate::bank::{Answer, Find, Part, Question};
 use crate::expr::{Expr, Function, Text};
 use crate::generate::Variant;
-use crate::mechanics::{Derivation, Known, Line, Quantity, Rule, Show, pose};
+use crate::mechanics::{Derivation, Known, Line, Quantity, Rule, Scene, Show, pose};
 use crate::number::Value;
 
 /// A part with the steps that lead to its answers.
@@ -24,6 +24,8 @@ pub struct WorkedPart<'q> {
     pub finding: Vec<Line>,
     /// Its steps, each with its lines.
     pub steps: Vec<(Rule, Vec<Line>)>,
+    /// If letters were found: the steps that led to their conditions, which `finding` tells in words.
+    pub behind: Vec<(Rule, Vec<Line>)>,
     /// The letters that the question uses for angles of the working.
     letters: Vec<(&'static str, String)>,
 }
@@ -34,6 +36,7 @@ pub fn work<'q>(question: &'q Question, variant: &Variant) -> Vec<WorkedPart<'q>
     let Ok(mut known) = pose(scene) else { return Vec::new() };
     let letters = letters(question);
     let mut finding = variant.solution.finding().to_vec();
+    let mut behind = if finding.is_empty() { Vec::new() } else { behind_conditions(&variant.scene) };
     let mut worked = Vec::new();
     for part in &question.parts {
         let asked: Vec<Quantity> = part.answers.iter().flat_map(|answer| answer.find.quantities()).collect();
@@ -45,10 +48,26 @@ pub fn work<'q>(question: &'q Question, variant: &Variant) -> Vec<WorkedPart<'q>
             (rule, lines)
         });
         let steps = steps.collect();
-        let finding = std::mem::take(&mut finding);
-        worked.push(WorkedPart { part, given, known: known.clone(), asked, finding, steps, letters: letters.clone() });
+        let (finding, behind) = (std::mem::take(&mut finding), std::mem::take(&mut behind));
+        let (known, letters) = (known.clone(), letters.clone());
+        worked.push(WorkedPart { part, given, known, asked, finding, steps, behind, letters });
     }
     worked
+}
+
+/// The steps from a scene with unknown letters to the quantities of its conditions.
+fn behind_conditions(scene: &Scene) -> Vec<(Rule, Vec<Line>)> {
+    let Ok(mut known) = pose(scene) else { return Vec::new() };
+    let sides = scene.conditions.iter().flat_map(|condition| [&condition.left, &condition.right]);
+    let names = sides.flat_map(Expr::names);
+    let asked: Vec<Quantity> = names.filter_map(|name| name.text.parse().ok()).collect();
+    let (derivation, _) = Derivation::carry_out(&mut known, &asked);
+    let show = Show::new(scene, &known, &asked);
+    let lines = |rule: Rule| {
+        let lines = rule.lines(&show);
+        (rule, lines)
+    };
+    derivation.steps.into_iter().map(lines).collect()
 }
 
 impl WorkedPart<'_> {

@@ -5,7 +5,7 @@
 //! line of centres makes the angle α with `w`, anticlockwise, where `sin α = d/(r_A + r_B)`.
 
 use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, rule, velocity};
-use crate::expr::{Expr, Function};
+use crate::expr::{Expr, Function, written};
 use crate::mechanics::Axis::{X, Y};
 use crate::mechanics::Moment::Before;
 use crate::mechanics::Quantity;
@@ -62,8 +62,7 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
 
 pub fn lines(_: &Rule, show: &Show) -> Vec<Line> {
     let sine = Expr::call(Function::Sin, Expr::name(show.contact_angle()));
-    let size = show.value(Quantity::ContactSine);
-    let size = if let Expr::Negative(inner) = size { *inner } else { size };
+    let size = written(&show.exact(Quantity::ContactSine).absolute());
     let chain = match show.contact_quotient() {
         Some(quotient) => Show::chain(sine, [quotient, size]),
         None => vec![Expr::equation(sine, size)],

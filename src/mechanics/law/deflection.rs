@@ -129,7 +129,10 @@ fn by_tangents(show: &Show, sphere: Sphere) -> Vec<Line> {
 fn scalar_product(show: &Show, sphere: Sphere) -> Vec<Line> {
     let axes = if show.along_an_axis() || !show.scene().before.iter().flatten().any(is_components) { [N, T] } else { [X, Y] };
     let at = |moment, axis| written(&show.worked(velocity(sphere, moment, axis)));
-    let terms = axes.map(|axis| times(at(Before, axis), at(After, axis)));
+    let terms = axes.map(|axis| match (at(Before, axis), at(After, axis)) {
+        (before, after) if before == after => written(&show.exact(velocity(sphere, Before, axis)).squared()),
+        (before, after) => times(before, after),
+    });
     let left = Expr::name("s");
     let found = show.value(Quantity::DeflectionDot(sphere));
     let words = "The scalar product of the velocities of {A} before and after is";

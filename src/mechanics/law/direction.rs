@@ -77,7 +77,10 @@ fn angle_to_line(show: &Show, sphere: Sphere, moment: Moment) -> Vec<Line> {
     let quantity = Quantity::AngleToLine(sphere, moment);
     let Some(angle) = show.angle(quantity) else { return silent() };
     let name = Expr::name(sphere.name());
+    // Of a sphere whose components are not both there the speed has said so.
+    let said = show.is_asked(Quantity::Speed(sphere, moment));
     match angle.whole_degrees().and_then(|degrees| degrees.as_small()) {
+        Some((0 | 90, 1)) if said => return silent(),
         Some((0, 1)) => return vec![Line::with("{A} moves along the line of centres.", &[("A", name)], vec![])],
         Some((90, 1)) => {
             return vec![Line::with("{A} moves perpendicular to the line of centres.", &[("A", name)], vec![])];

@@ -57,8 +57,13 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
         let words = "{A} has no velocity perpendicular to the line of centres, and none is given to it: it moves along the line of centres.";
         return vec![Line::with(words, &[("A", name)], vec![])];
     }
-    let words = "The spheres are smooth, so the component of the velocity of {A} perpendicular to the line of centres does not change: it is {p m/s}.";
     let (shown, exact) = (show.across(sphere, known), written(&value));
     let component = if shown == exact { exact } else { Expr::equation(shown, exact) };
+    if sphere == Sphere::B && !show.worked(velocity(Sphere::A, moment, T)).is_zero() {
+        // A's line has just said why.
+        let words = "In the same way that of {A} does not change: it is {p m/s}.";
+        return vec![Line::with(words, &[("A", name), ("p", component)], vec![])];
+    }
+    let words = "The spheres are smooth, so the component of the velocity of {A} perpendicular to the line of centres does not change: it is {p m/s}.";
     vec![Line::with(words, &[("A", name), ("p", component)], vec![])]
 }

@@ -103,15 +103,18 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
     let Some(Quantity::Velocity(sphere, moment, _)) = rule.gives.first().copied() else { return silent() };
     match rule.form {
         // Along an axis there is nothing to resolve.
-        FROM_I_J if !show.along_an_axis() => {
+        // A sphere at rest has nothing to resolve either.
+        FROM_I_J if !show.along_an_axis() && !is_at_rest(show, sphere, moment) => {
             let component = Expr::name(show.letter_of(velocity(sphere, moment, N)));
-            let words = match moment {
-                Moment::Before => "Along {n}, from *A* to *B*, the component of the velocity of {A} before the impact is",
-                Moment::After => "Along {n}, the component of the velocity of {A} after the impact is",
+            // The first of them says what n is.
+            let n = match (sphere, moment) {
+                (Sphere::A, Moment::Before) => "The unit vector along the line of centres, from {A} to {B}, is {n}. ",
+                _ => "",
             };
-            let formulas = [("A", Expr::name(sphere.name())), ("n", show.line_vector())];
+            let words = format!("{n}The component along it of the velocity of {{S}} {moment} the impact is");
+            let formulas = [("S", Expr::name(sphere.name())), ("n", show.line_vector())];
             let rights = [scalar_product(show, sphere, moment), show.along(sphere, moment)];
-            vec![Line::with(words, &formulas, Show::chain(component, rights))]
+            vec![Line::with(&words, &formulas, Show::chain(component, rights))]
         }
         TO_I_J if show.is_asked(rule.gives[0]) || show.is_asked(rule.gives[1]) => {
             let vector = show.vector(sphere, moment);
@@ -129,4 +132,8 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
 fn scalar_product(show: &Show, sphere: Sphere, moment: Moment) -> Expr {
     let term = |axis| times(show.value(velocity(sphere, moment, axis)), show.value(Quantity::Line(axis)));
     Expr::sum([term(X), term(Y)])
+}
+
+fn is_at_rest(show: &Show, sphere: Sphere, moment: Moment) -> bool {
+    [X, Y].into_iter().all(|axis| show.exact(velocity(sphere, moment, axis)).is_zero())
 }

@@ -5,6 +5,7 @@
 use super::{ALONG, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, number, rule};
 use crate::expr::Expr;
 use crate::mechanics::Quantity;
+use crate::mechanics::working::difference;
 use crate::number::Number;
 
 pub const NAME: &str = "restitution";
@@ -109,7 +110,8 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
     }
     let unknown = rule.gives[0];
     if unknown == Quantity::Restitution {
-        let quotient = Expr::Quotient(Box::new(show.separation()), Box::new(show.approach()));
+        let [a, b, x, y] = ALONG.map(|quantity| show.shown_value(quantity));
+        let quotient = Expr::Quotient(Box::new(difference(y, x)), Box::new(difference(a, b)));
         let chain = Show::chain(Expr::name("e"), [quotient, show.shown_value(unknown)]);
         return vec![Line::plain("By Newton's law of restitution, separation over approach along the line of centres:", chain)];
     }
