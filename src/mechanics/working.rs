@@ -88,6 +88,19 @@ impl<'a> Show<'a> {
         self.axis.is_some()
     }
 
+    /// The positive direction of the working, in words.
+    pub fn positive(&self) -> &'static str {
+        let in_i_j = self.scene.before.iter().flatten().any(|velocity| match velocity {
+            Velocity::Components(x, y) => x.value.is_constant() && y.value.is_constant() && !y.value.is_zero(),
+            Velocity::Polar { .. } => false,
+        });
+        match self.axis {
+            Some(Axis::X) if in_i_j => "in the direction of {i}",
+            Some(_) if in_i_j || self.against_n => "in the direction of {j}",
+            _ => "from *A* towards *B*",
+        }
+    }
+
     /// Is the quantity one of those asked for?
     pub fn is_asked(&self, quantity: Quantity) -> bool {
         self.asked.contains(&quantity)
@@ -305,10 +318,10 @@ impl<'a> Show<'a> {
     /// The name of an unknown velocity vector.
     pub fn vector_letter(&self, sphere: Sphere, moment: Moment) -> &'static str {
         match (moment, sphere) {
-            (Moment::Before, Sphere::A) => "u_A",
-            (Moment::Before, Sphere::B) => "u_B",
-            (Moment::After, Sphere::A) => "v_A",
-            (Moment::After, Sphere::B) => "v_B",
+            (Moment::Before, Sphere::A) => "vector.u_A",
+            (Moment::Before, Sphere::B) => "vector.u_B",
+            (Moment::After, Sphere::A) => "vector.v_A",
+            (Moment::After, Sphere::B) => "vector.v_B",
         }
     }
 

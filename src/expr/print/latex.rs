@@ -85,11 +85,13 @@ fn write_item(item: &Item, out: &mut String) {
 fn written(letter: &Letter) -> String {
     let mut out = match &letter.base {
         Symbol::Italic(text) => text.clone(),
+        Symbol::Vector(letter) => format!(r"\mathbf{{{letter}}}"),
         Symbol::Greek(name, _) => format!(r"\{name}"),
         Symbol::Upright(text) => format!(r"\mathrm{{{}}}", safe(text)),
     };
     match &letter.subscript {
         Some(Symbol::Greek(name, _)) => out.push_str(&format!(r"_{{\{name}}}")),
+        Some(Symbol::Vector(letter)) => out.push_str(&format!("_{letter}")),
         Some(Symbol::Italic(text) | Symbol::Upright(text)) if text.len() == 1 => out.push_str(&format!("_{text}")),
         Some(Symbol::Italic(text) | Symbol::Upright(text)) => out.push_str(&format!("_{{{text}}}")),
         None => {}

@@ -14,6 +14,8 @@ pub(super) struct Letter {
 pub(super) enum Symbol {
     /// Latin letters and digits, in italics.
     Italic(String),
+    /// The letter of a vector, bold and upright.
+    Vector(char),
     /// A Greek letter by its name, as LaTeX and the language know it, and as a character.
     Greek(&'static str, char),
     /// A word, or a text that is no name of the language; printers escape it.
@@ -57,13 +59,24 @@ const GREEK: [(&str, char); 33] = [
     ("Omega", 'Ω'),
 ];
 
+/// What the name of a vector begins with, in formulas that carom composes. It is never read.
+pub(super) const VECTOR: &str = "vector.";
+
 /// The Greek letter of a name.
 pub(super) fn greek(name: &str) -> Option<(&'static str, char)> {
     GREEK.into_iter().find(|(known, _)| *known == name)
 }
 
-/// A name taken apart: `v_A`, `u1`, `alpha`, `KE`.
+/// A name taken apart: `v_A`, `u1`, `alpha`, `KE`; `vector.v_A` is the vector of that name.
 pub(super) fn letter(name: &str) -> Letter {
+    if let Some(vector) = name.strip_prefix(VECTOR) {
+        let plain = letter(vector);
+        let base = match plain.base {
+            Symbol::Italic(text) if text.len() == 1 => text.chars().next().map_or(Symbol::Italic(text), Symbol::Vector),
+            other => other,
+        };
+        return Letter { base, subscript: plain.subscript };
+    }
     let whole = || Letter { base: Symbol::Upright(name.to_owned()), subscript: None };
     let in_language = name.starts_with(|c: char| c.is_ascii_alphabetic())
         && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');

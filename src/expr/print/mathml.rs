@@ -108,6 +108,7 @@ fn fenced(open: &str, inner: &Row, close: &str) -> String {
 
 fn symbol(symbol: &Symbol) -> String {
     match symbol {
+        Symbol::Vector(letter) => bold(bold_letter(*letter)),
         Symbol::Italic(text) if text.chars().all(|c| c.is_ascii_digit()) => format!("<mn>{text}</mn>"),
         Symbol::Italic(text) if text.len() > 1 => {
             // Each letter by itself, for a longer `mi` would stand upright.
@@ -142,5 +143,15 @@ fn relation_sign(relation: Relation) -> &'static str {
         Relation::GreaterOrEqual => "≥",
         Relation::Implies => "⇒",
         Relation::Approximately => "≈",
+    }
+}
+
+/// The bold letter of Unicode, which has both alphabets in order.
+fn bold_letter(letter: char) -> char {
+    let from = |first: char, bold: u32| char::from_u32(bold + (u32::from(letter) - u32::from(first)));
+    match letter {
+        'a'..='z' => from('a', 0x1d41a).unwrap_or(letter),
+        'A'..='Z' => from('A', 0x1d400).unwrap_or(letter),
+        _ => letter,
     }
 }

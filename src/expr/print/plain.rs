@@ -1,5 +1,6 @@
 //! The ASCII form in which expressions are exchanged with other programs: `16*sqrt(3)/9`.
 
+use super::letter::VECTOR;
 use super::shape::{behind_minus, tidied};
 use crate::expr::{Expr, Relation};
 
@@ -52,7 +53,7 @@ fn bare(expr: &Expr) -> String {
     match expr {
         Expr::Number(value) => value.to_string(),
         Expr::Decimal(text) => text.clone(),
-        Expr::Name(name) => name.text.clone(),
+        Expr::Name(name) => name.text.trim_start_matches(VECTOR).to_owned(),
         Expr::Pi => "pi".to_owned(),
         Expr::Degrees(inner) if inner.is_one() => "deg".to_owned(),
         Expr::Degrees(inner) => format!("{}*deg", at(inner, Hold::Atom)),

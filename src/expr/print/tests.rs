@@ -124,6 +124,7 @@ fn carom_knows_that_a_formula_is_written_as_a_teacher_writes_it() {
         (x("KE"), "KE", r"\mathrm{KE}", "KE"),
         (x("A.after.speed"), "A.after.speed", r"\mathrm{A.after.speed}", "A.after.speed"),
         (times([x("mu"), x("m"), x("g")]), "mu*m*g", r"\mu mg", "μmg"),
+        (Expr::equation(x("vector.v_A"), vector(n(1), n(0))), "v_A = [1, 0]", r"\mathbf{v}_A=\mathbf{i}", "v_A = i"),
         (vector(n(1), n(-1)), "[1, -1]", r"\mathbf{i}-\mathbf{j}", "i − j"),
         (vector(n(0), n(-2)), "[0, -2]", r"-2\mathbf{j}", "−2j"),
         (vector(n(0), n(0)), "[0, 0]", r"\mathbf{0}", "0"),

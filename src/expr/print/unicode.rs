@@ -127,7 +127,7 @@ fn subscript(text: &str) -> Option<String> {
 
 fn written(letter: &Letter) -> String {
     let on_line = |symbol: &Symbol| match symbol {
-        Symbol::Greek(_, character) => character.to_string(),
+        Symbol::Greek(_, character) | Symbol::Vector(character) => character.to_string(),
         Symbol::Italic(text) | Symbol::Upright(text) => words_unicode(text),
     };
     let base = on_line(&letter.base);

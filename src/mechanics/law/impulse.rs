@@ -118,7 +118,7 @@ fn vector(show: &Show, sphere: Sphere) -> Vec<Line> {
     let at = |axis| Box::new(show.value(Quantity::Impulse(sphere, axis)));
     let rights = [times(show.mass(sphere), change), Expr::Vector(at(X), at(Y))];
     let words = "The impulse on {A} is its change of momentum:";
-    vec![Line::with(words, &[("A", Expr::name(sphere.name()))], Show::chain(Expr::name("I"), rights))]
+    vec![Line::with(words, &[("A", Expr::name(sphere.name()))], Show::chain(Expr::name("vector.I"), rights))]
 }
 
 /// The magnitude, with its decimal.

@@ -77,7 +77,13 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
     let equation = Expr::equation(show.momentum_before(), show.momentum_after());
     let words = "Momentum is conserved along the line of centres:";
     if rule.form == EQUATION {
-        return vec![Line::numbered(words, show.with_simplified(equation, Quantity::MomentumEquation))];
+        let after = |quantity| Expr::name(show.letter_of(quantity));
+        let letters = Line::with(
+            &format!("Let {{v}} and {{w}} be the components of the velocities of *A* and *B* after the impact along the line of centres, positive {}.", show.positive()),
+            &[("v", after(ALONG[2])), ("w", after(ALONG[3]))],
+            vec![],
+        );
+        return vec![letters, Line::numbered(words, show.with_simplified(equation, Quantity::MomentumEquation))];
     }
     let unknown = rule.gives[0];
     vec![Line::plain(words, vec![equation, Expr::equation(show.symbol(unknown), show.shown_value(unknown))])]

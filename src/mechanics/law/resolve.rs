@@ -4,7 +4,7 @@
 //! was given by its speed and direction has the components `v cos θ`, `v sin θ`.
 
 use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, rule, silent, velocity};
-use crate::expr::Expr;
+use crate::expr::{Expr, Function, written};
 use crate::mechanics::Axis::{N, T, X, Y};
 use crate::mechanics::working::times;
 use crate::mechanics::{Moment, Quantity, Sphere};
@@ -102,6 +102,14 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
 pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
     let Some(Quantity::Velocity(sphere, moment, _)) = rule.gives.first().copied() else { return silent() };
     match rule.form {
+        // The angle to the line of centres is known from where the spheres touch.
+        FROM_I_J
+            if show.contact_quotient().is_some()
+                && moment == Moment::Before
+                && is_at_rest(show, Sphere::B, Moment::Before) =>
+        {
+            by_contact_angle(show, sphere)
+        }
         // Along an axis there is nothing to resolve.
         // A sphere at rest has nothing to resolve either.
         FROM_I_J if !show.along_an_axis() && !is_at_rest(show, sphere, moment) => {
@@ -126,6 +134,23 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
         }
         _ => silent(),
     }
+}
+
+/// `u cos α` and `u sin α` for a sphere that strikes one at rest.
+fn by_contact_angle(show: &Show, sphere: Sphere) -> Vec<Line> {
+    if is_at_rest(show, sphere, Moment::Before) {
+        return silent();
+    }
+    let at = |axis| show.exact(velocity(sphere, Moment::Before, axis));
+    let Some(speed) = (at(X).squared() + at(Y).squared()).root() else { return silent() };
+    let speed = written(&speed);
+    let angle = Expr::name(show.contact_angle());
+    let part = |function, axis| {
+        let value = written(&at(axis).absolute());
+        Expr::equation(times(speed.clone(), Expr::call(function, angle.clone())), value)
+    };
+    let words = "The components of the velocity of {S} before the impact, along the line of centres and perpendicular to it, are";
+    vec![Line::with(words, &[("S", Expr::name(sphere.name()))], vec![part(Function::Cos, N), part(Function::Sin, T)])]
 }
 
 /// `u_x n_x + u_y n_y` in numbers.
