@@ -4,3 +4,4 @@ mod agreement;
 mod impacts;
 mod laws;
 mod scenes;
+mod seed;
