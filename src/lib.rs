@@ -6,6 +6,7 @@ pub mod diagnostic;
 pub mod expr;
 pub mod generate;
 pub mod mechanics;
+pub mod method;
 pub mod number;
 pub mod paper;
 pub mod render;

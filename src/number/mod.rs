@@ -2,6 +2,7 @@
 
 mod angle;
 mod arithmetic;
+mod coprime;
 mod decide;
 mod direction;
 mod enclose;

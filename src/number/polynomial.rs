@@ -10,6 +10,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 use dashu_int::IBig;
 use dashu_int::ops::{Abs, Gcd};
 
+use super::coprime::coprime;
 use super::{Fraction, Letter};
 
 /// A product of powers of letters, sorted by letter, exponents positive.
@@ -216,6 +217,9 @@ impl Polynomial {
         }
         if self.terms.len() == 1 || other.terms.len() == 1 {
             return Polynomial { terms: vec![(shared_monomial([self, other]), Fraction::ONE)] };
+        }
+        if coprime(self, other) {
+            return Polynomial::one();
         }
         let last = self.letters().last().copied().max(other.letters().last().copied());
         let letter = last.expect("a polynomial that is no constant has a letter");

@@ -1,0 +1,134 @@
+//! Two polynomials without a common factor, told by their remainders at a point: quick, and never wrong.
+//!
+//! Let g be the greatest common divisor. Replace every letter but one by a number, modulo a prime, so that the
+//! leading coefficient of the first polynomial in that letter does not vanish. It is a multiple of that of g, so g
+//! keeps its degree, and what becomes of g divides what becomes of both. If these have no common factor, g has
+//! degree nought in that letter; and if that is so for each letter, g is a number. Where the test says nothing, the
+//! polynomials may have a common factor or may have been unlucky, and Euclid's algorithm decides.
+
+use dashu_int::IBig;
+
+use super::{Letter, Polynomial};
+
+/// A prime below 2^31, so that products stay in machine integers.
+const PRIME: u64 = 2_147_483_647;
+
+/// Are the polynomials proved to have no common factor but numbers?
+pub(super) fn coprime(a: &Polynomial, b: &Polynomial) -> bool {
+    let shared: Vec<Letter> = b.letters().into_iter().filter(|letter| a.letters().contains(letter)).collect();
+    shared.into_iter().all(|letter| (1..=2).any(|point| coprime_in(a, b, letter, point)))
+}
+
+fn coprime_in(a: &Polynomial, b: &Polynomial, letter: Letter, point: u64) -> bool {
+    let (Some(a), Some(b)) = (image(a, letter, point), image(b, letter, point)) else { return false };
+    // What the first loses in degree its divisors might lose too; the second may lose what it likes.
+    a.last().is_some_and(|lead| *lead != 0) && remainder_degree(a, b) == Some(0)
+}
+
+/// The coefficients modulo the prime, lowest first, with numbers for all other letters; `None` if the prime
+/// divides a denominator.
+fn image(polynomial: &Polynomial, letter: Letter, point: u64) -> Option<Vec<u64>> {
+    let mut image = vec![0; polynomial.degree(letter) as usize + 1];
+    for (monomial, coefficient) in polynomial.terms() {
+        let below = modulo(coefficient.denominator());
+        if below == 0 {
+            return None;
+        }
+        let mut value = modulo(coefficient.numerator()) * power(below, PRIME - 2) % PRIME;
+        let mut place = 0;
+        for (other, exponent) in monomial {
+            if *other == letter {
+                place = *exponent as usize;
+            } else {
+                value = value * power(at(*other, point), u64::from(*exponent)) % PRIME;
+            }
+        }
+        image[place] = (image[place] + value) % PRIME;
+    }
+    Some(image)
+}
+
+/// A number for a letter, spread over the range by its name.
+fn at(letter: Letter, point: u64) -> u64 {
+    letter.name().bytes().fold(point * 0x9E37, |sum, byte| (sum * 1_000_003 + u64::from(byte) + 1) % PRIME)
+}
+
+fn modulo(number: IBig) -> u64 {
+    let rest = number % IBig::from(PRIME);
+    let positive = if rest < IBig::ZERO { rest + IBig::from(PRIME) } else { rest };
+    u64::try_from(positive).unwrap_or(0)
+}
+
+fn power(base: u64, mut exponent: u64) -> u64 {
+    let (mut base, mut result) = (base % PRIME, 1);
+    while exponent > 0 {
+        if exponent % 2 == 1 {
+            result = result * base % PRIME;
+        }
+        base = base * base % PRIME;
+        exponent /= 2;
+    }
+    result
+}
+
+/// The degree of the greatest common divisor of two polynomials modulo the prime; `None` if both are nought.
+fn remainder_degree(mut a: Vec<u64>, mut b: Vec<u64>) -> Option<usize> {
+    loop {
+        while b.last() == Some(&0) {
+            b.pop();
+        }
+        let Some(lead) = b.last() else { return a.len().checked_sub(1) };
+        let inverse = power(*lead, PRIME - 2);
+        while a.len() >= b.len() {
+            let shift = a.len() - b.len();
+            let factor = a.last().map_or(0, |top| top * inverse % PRIME);
+            for (index, coefficient) in b.iter().enumerate() {
+                a[shift + index] = (a[shift + index] + PRIME - factor * coefficient % PRIME) % PRIME;
+            }
+            a.pop();
+        }
+        while a.last() == Some(&0) {
+            a.pop();
+        }
+        (a, b) = (b, a);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::{Fraction, Range};
+
+    fn letter(name: &str) -> Polynomial {
+        Polynomial::letter(Letter::new(name, Range::Positive).unwrap())
+    }
+
+    fn plus(p: &Polynomial, number: i64) -> Polynomial {
+        p + &Polynomial::constant(Fraction::from(number))
+    }
+
+    #[test]
+    fn polynomials_with_a_common_factor_are_never_called_coprime() {
+        let (x, y) = (letter("x"), letter("y"));
+        let factors = [plus(&x, 1), plus(&y, -2), &x + &y, plus(&(&x * &y), 3), &(&x * &x) + &plus(&y, 1), x, y];
+        for common in &factors {
+            for p in &factors {
+                for q in &factors {
+                    assert!(!coprime(&(common * p), &(common * q)), "{common:?} {p:?} {q:?}");
+                    let apart = p != q && coprime(p, q);
+                    assert_eq!(apart, p != q, "{p:?} {q:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_prime_in_a_denominator_or_a_leading_coefficient_proves_nothing() {
+        let x = letter("x");
+        let prime = Fraction::from(2_147_483_647);
+        let below = plus(&x, 1).scaled(&prime.reciprocal().unwrap());
+        assert!(!coprime(&below, &plus(&x, 2)));
+        let leading = plus(&x.scaled(&prime), 1);
+        assert!(!coprime(&leading, &plus(&x, 2)));
+    }
+}

@@ -1,0 +1,239 @@
+//! The same derivation in exact, certified and float numbers, and a judge of its own on exact numbers.
+
+use std::thread;
+
+use carom::mechanics::{Datum, Known, Quantity, pose};
+use carom::method::{Impact, METHODS};
+use carom::number::{Fraction, Interval, Number, Value};
+use dashu_int::UBig;
+use dashu_ratio::RBig;
+use rand::RngExt;
+use rand::rngs::ChaCha8Rng;
+
+use super::scenes::{AFTER, Forward, Kind, generator, random, read};
+
+/// What is known, in another kind of number; `None` where one has no such form.
+pub fn turned_into<N: Number>(known: &Known<Value>, into: impl Fn(&Value) -> Option<N>) -> Option<Known<N>> {
+    let mut turned = Known::default();
+    for (quantity, datum) in &known.0 {
+        let datum = match datum {
+            Datum::Number(value) => Datum::Number(into(value)?),
+            Datum::Direction { y, x } => Datum::Direction { y: into(y)?, x: into(x)? },
+            Datum::Equation([p, q, r]) => Datum::Equation([into(p)?, into(q)?, into(r)?]),
+        };
+        turned.0.insert(*quantity, datum);
+    }
+    Some(turned)
+}
+
+fn close(float: f64, exact: f64) -> bool {
+    (float - exact).abs() <= 1e-9 * exact.abs().max(1.0)
+}
+
+/// Compares the three evaluations of one scene's derivation; the number of quantities compared.
+fn compare(scene: &Forward, asked: &[Quantity]) -> usize {
+    let solution = scene.solve(asked).or_else(|_| scene.solve(&[])).expect("a random scene is feasible");
+    let given = pose(&read(&scene.json())).unwrap();
+    let mut exact = given.clone();
+    let (derivation, _) = carom::mechanics::Derivation::carry_out(&mut exact, asked);
+    drop(solution);
+    let mut certified = turned_into(&given, |value| value.enclose_constant(160)).unwrap();
+    let mut float = turned_into(&given, Value::to_f64).unwrap();
+    let at = |what: &str, quantity: &Quantity| format!("{what} {quantity}\n{}", scene.json());
+    // An interval that cannot tell nought from its neighbours may stop at a quotient that exists.
+    let _ = derivation.evaluate(&mut certified);
+    derivation.evaluate(&mut float).unwrap_or_else(|end| panic!("{end:?} in floats\n{}", scene.json()));
+    let mut compared = 0;
+    for (quantity, datum) in &exact.0 {
+        match datum {
+            Datum::Number(value) => {
+                let truth = value.enclose_constant(256).unwrap();
+                assert!(close(float.number(*quantity).unwrap(), truth.to_f64()), "{}", at("float", quantity));
+                if let Some(interval) = certified.number(*quantity) {
+                    assert!(interval.overlaps(&truth), "{}", at("interval", quantity));
+                    assert!(interval.width() < Fraction::new(1, 1 << 62), "{}", at("wide interval of", quantity));
+                    compared += 1;
+                }
+            }
+            Datum::Direction { y, x } => {
+                let truth = Interval::atan2(&y.enclose_constant(256).unwrap(), &x.enclose_constant(256).unwrap());
+                let (y, x) = float.direction(*quantity).unwrap();
+                if let Some(truth) = truth {
+                    let turns = (y.atan2(x) - truth.to_f64()) / std::f64::consts::TAU;
+                    assert!((turns - turns.round()).abs() < 1e-9, "{}", at("float", quantity));
+                    let certified = certified.direction(*quantity).and_then(|(y, x)| Interval::atan2(&y, &x));
+                    if let Some(interval) = certified {
+                        assert!(interval.overlaps(&truth), "{}", at("interval", quantity));
+                        compared += 1;
+                    }
+                }
+            }
+            Datum::Equation(_) => {}
+        }
+    }
+    compared
+}
+
+#[test]
+fn carom_knows_the_same_in_exact_certified_and_float_numbers() {
+    let everything = Quantity::all();
+    // The tangents of a velocity with surds and a given degree in it are long: fewer of those.
+    for (kind, count) in [(Kind::Rational, 300), (Kind::Surd, 60), (Kind::Degrees, 40)] {
+        let mut numbers = generator(21);
+        let mut compared = 0;
+        for _ in 0..count {
+            compared += compare(&random(kind, &mut numbers), &everything);
+        }
+        assert!(compared > 60 * count, "{kind:?}: only {compared} quantities were compared");
+    }
+}
+
+/// A scene of small fractions, in numbers of the judge's own.
+struct Judged {
+    scene: Forward,
+    masses: [RBig; 2],
+    before: [[RBig; 2]; 2],
+    line: [RBig; 2],
+    e: RBig,
+}
+
+fn rational(numerator: i64, denominator: u64) -> RBig {
+    RBig::from_parts(numerator.into(), denominator.into())
+}
+
+fn judged(numbers: &mut ChaCha8Rng) -> Judged {
+    let mut quotient = |low: i64, high: i64| {
+        let (above, below) = (numbers.random_range(low..=high), numbers.random_range(1..=3_u64));
+        (format!("{above}/{below}"), rational(above, below))
+    };
+    let masses = [quotient(1, 9), quotient(1, 9)];
+    let velocities = [[quotient(-9, 9), quotient(-9, 9)], [quotient(-9, 9), quotient(-9, 9)]];
+    let mut line = [numbers.random_range(-5..=5), numbers.random_range(-5..=5)];
+    if line == [0, 0] {
+        line = [1, 0];
+    }
+    let below = numbers.random_range(1..=6_u64);
+    let above = numbers.random_range(0..=below as i64);
+    let scene = Forward {
+        masses: masses.each_ref().map(|(text, _)| text.clone()),
+        before: velocities.each_ref().map(|v| v.each_ref().map(|(text, _)| text.clone())),
+        line: line.map(|component| component.to_string()),
+        e: format!("{above}/{below}"),
+    };
+    Judged {
+        scene,
+        masses: masses.map(|(_, value)| value),
+        before: velocities.map(|v| v.map(|(_, value)| value)),
+        line: line.map(|component| rational(component, 1)),
+        e: rational(above, below),
+    }
+}
+
+fn dot(a: &[RBig; 2], b: &[RBig; 2]) -> RBig {
+    &a[0] * &b[0] + &a[1] * &b[1]
+}
+
+fn cross(a: &[RBig; 2], b: &[RBig; 2]) -> RBig {
+    &a[0] * &b[1] - &a[1] * &b[0]
+}
+
+fn minus(a: &[RBig; 2], b: &[RBig; 2]) -> [RBig; 2] {
+    [&a[0] - &b[0], &a[1] - &b[1]]
+}
+
+/// The laws of an impact by the vector l along the line of centres, which need not be a unit vector.
+fn judge(case: &Judged, after: &[[RBig; 2]; 2]) -> Result<(), &'static str> {
+    let [m_a, m_b] = &case.masses;
+    let ([u_a, u_b], [v_a, v_b]) = (&case.before, after);
+    for axis in [0, 1] {
+        if m_a * &u_a[axis] + m_b * &u_b[axis] != m_a * &v_a[axis] + m_b * &v_b[axis] {
+            return Err("momentum");
+        }
+    }
+    let (approach, separation) = (dot(&minus(u_a, u_b), &case.line), dot(&minus(v_b, v_a), &case.line));
+    if separation != &case.e * &approach || approach <= RBig::ZERO {
+        return Err("restitution");
+    }
+    if cross(&minus(v_a, u_a), &case.line) != RBig::ZERO || cross(&minus(v_b, u_b), &case.line) != RBig::ZERO {
+        return Err("perpendicular components");
+    }
+    let energy = |a: &[RBig; 2], b: &[RBig; 2]| m_a * dot(a, a) + m_b * dot(b, b);
+    let lost = energy(u_a, u_b) - energy(v_a, v_b);
+    let square = dot(&case.line, &case.line);
+    if lost * (m_a + m_b) * square != m_a * m_b * (RBig::ONE - &case.e * &case.e) * &approach * &approach {
+        return Err("energy");
+    }
+    Ok(())
+}
+
+fn to_judge(value: &Value) -> Option<RBig> {
+    let number = value.as_fraction()?;
+    Some(RBig::from_parts(number.numerator(), UBig::try_from(number.denominator()).ok()?))
+}
+
+/// Solves and judges scenes; half of the random ones part instead of meeting, and are turned round.
+fn judge_many(seed: u64, count: usize) {
+    let mut numbers = generator(seed);
+    let mut done = 0;
+    while done < count {
+        let mut case = judged(&mut numbers);
+        let approach = dot(&minus(&case.before[0], &case.before[1]), &case.line);
+        if approach == RBig::ZERO {
+            assert!(case.scene.solve(&AFTER).is_err(), "no approach\n{}", case.scene.json());
+            continue;
+        }
+        if approach < RBig::ZERO {
+            case.scene = case.scene.turned_round();
+            case.line = case.line.map(|component| -component);
+        }
+        let solution = case.scene.solve(&AFTER).unwrap_or_else(|r| panic!("{r}\n{}", case.scene.json()));
+        let values = AFTER.map(|quantity| solution.number(quantity).unwrap());
+        let [a_x, a_y, b_x, b_y] = values
+            .each_ref()
+            .map(|value| to_judge(value).unwrap_or_else(|| panic!("{value:?} is rational\n{}", case.scene.json())));
+        if let Err(law) = judge(&case, &[[a_x, a_y], [b_x, b_y]]) {
+            panic!("{law}\n{}", case.scene.json());
+        }
+        methods_agree(&case, &values);
+        done += 1;
+    }
+}
+
+fn methods_agree(case: &Judged, values: &[Value; 4]) {
+    let exact = |number: &RBig| {
+        let below = dashu_int::IBig::from(number.denominator().clone());
+        Value::from(Fraction::from_integers(number.numerator().clone(), below).unwrap())
+    };
+    let impact = Impact {
+        masses: case.masses.each_ref().map(exact),
+        before: case.before.each_ref().map(|velocity| velocity.each_ref().map(exact)),
+        line: case.line.each_ref().map(exact),
+        restitution: exact(&case.e),
+    };
+    let float = |value: &Value| value.to_f64().unwrap();
+    let in_floats = Impact {
+        masses: impact.masses.each_ref().map(float),
+        before: impact.before.each_ref().map(|velocity| velocity.each_ref().map(float)),
+        line: impact.line.each_ref().map(float),
+        restitution: float(&impact.restitution),
+    };
+    for method in METHODS {
+        if let Some(solve) = method.exact {
+            assert_eq!(solve(&impact).unwrap().as_flattened(), values, "{}\n{}", method.name, case.scene.json());
+        }
+        if let Some(solve) = method.float {
+            for (found, value) in solve(&in_floats).unwrap().as_flattened().iter().zip(values) {
+                assert!(close(*found, float(value)), "{}\n{}", method.name, case.scene.json());
+            }
+        }
+    }
+}
+
+#[test]
+fn carom_knows_a_hundred_thousand_impacts() {
+    thread::scope(|scope| {
+        for seed in [31, 32] {
+            scope.spawn(move || judge_many(seed, 50_000));
+        }
+    });
+}

@@ -1,0 +1,7 @@
+//! The solver proved right: the exercises of the seed, laws that hold for every impact, methods that share no code.
+
+mod agreement;
+mod impacts;
+mod laws;
+mod scenes;
+mod seed;
