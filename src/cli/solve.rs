@@ -7,7 +7,7 @@ use clap::Args;
 use serde_json::{Map, Value as Json, json};
 
 use super::failure::Failure;
-use super::output::{listed, print, print_json, table};
+use super::output::{listed, print, print_json, say, table};
 use super::scene_input;
 use crate::diagnostic::near;
 use crate::expr::print as written;
@@ -55,8 +55,10 @@ pub fn run(arguments: &SolveArguments) -> Result<(), Failure> {
         return Err(Failure::with_help(format!("unknown method `{method}`"), help));
     }
     let scene = scene_input::scene(&arguments.scene)?;
-    let asked = if arguments.json { Quantity::all() } else { wanted(&scene) };
+    let wanted = wanted(&scene);
+    let asked = if arguments.json { Quantity::all() } else { wanted.clone() };
     let solutions = solve_all(&scene, &asked)?;
+    open_ends(&solutions, &wanted)?;
     match (method, arguments.json) {
         ("float", json) => in_floats(&solutions, json),
         (_, true) => print_json(&exact_json(&solutions)),
@@ -98,6 +100,22 @@ fn wanted(scene: &Scene) -> Vec<Quantity> {
 /// Is the velocity given by components, and not nought?
 fn is_vector(velocity: &Velocity) -> bool {
     matches!(velocity, Velocity::Components(x, y) if !(x.value.is_zero() && y.value.is_zero()))
+}
+
+/// Says what the scene leaves open; a scene that determines nothing has no solution.
+fn open_ends(solutions: &[Solution], wanted: &[Quantity]) -> Result<(), Failure> {
+    let Some(solution) = solutions.first() else { return Ok(()) };
+    let open: Vec<String> =
+        wanted.iter().filter(|quantity| !solution.knows(**quantity)).map(Quantity::to_string).collect();
+    if open.len() == wanted.len() && solution.found().is_empty() {
+        let help = "give both masses, both velocities before, the line of centres and e, or velocities after in \
+                    place of some of them";
+        return Err(Failure::with_help("what is given determines nothing more", help));
+    }
+    if !open.is_empty() {
+        say(&format!("left open by what is given: {}", listed(open.iter().map(String::as_str))));
+    }
+    Ok(())
 }
 
 /// The first solution's report, with all of them and a remark if there are several.

@@ -1,0 +1,451 @@
+//! The binary as a teacher meets it: every command, its exit code, and what it says of inputs that are wrong.
+
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+use serde_json::Value as Json;
+
+fn carom(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_carom")).args(arguments).output().unwrap()
+}
+
+fn with_stdin(arguments: &[&str], input: &[u8]) -> Output {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_carom"))
+        .args(arguments)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // A program that refuses its input may close it before it has read all.
+    let _ = child.stdin.take().unwrap().write_all(input);
+    child.wait_with_output().unwrap()
+}
+
+fn code(output: &Output) -> i32 {
+    output.status.code().expect("no signal")
+}
+
+fn stdout(output: &Output) -> String {
+    String::from_utf8(output.stdout.clone()).unwrap()
+}
+
+fn stderr(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).unwrap()
+}
+
+/// An empty folder of this test's own.
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("cli-{name}"));
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+fn sheet(out: &Path, more: &[&str]) -> Output {
+    let mut arguments = vec!["sheet", "--out", out.to_str().unwrap()];
+    arguments.extend(more);
+    carom(&arguments)
+}
+
+fn key(folder: &Path) -> Json {
+    serde_json::from_str(&fs::read_to_string(folder.join("key.json")).unwrap()).unwrap()
+}
+
+const FILES: [&str; 5] =
+    ["question-sheet.tex", "mark-scheme.tex", "question-sheet.html", "mark-scheme.html", "key.json"];
+
+#[test]
+fn carom_knows_the_same_sheet_by_its_seed() {
+    let folder = folder("seed");
+    let [a, b, c] = ["a", "b", "c"].map(|name| folder.join(name));
+    assert_eq!(code(&sheet(&a, &["--seed", "7"])), 0);
+    assert_eq!(code(&sheet(&b, &["--seed", "7"])), 0);
+    assert_eq!(code(&sheet(&c, &["--seed", "8"])), 0);
+    let read = |folder: &Path, name: &str| fs::read(folder.join(name)).unwrap();
+    for name in FILES {
+        assert!(read(&a, name) == read(&b, name), "{name}");
+        assert!(read(&a, name) != read(&c, name), "{name}");
+    }
+    // Nothing else is left behind, hidden or not.
+    assert_eq!(fs::read_dir(&a).unwrap().count(), FILES.len());
+    assert_eq!(key(&a)["questions"].as_array().unwrap().len(), 6);
+    assert_eq!(key(&a)["seed"], 7);
+}
+
+#[test]
+fn a_sheet_says_what_it_wrote_and_the_seed_that_the_clock_gave() {
+    let folder = folder("fresh");
+    let first = sheet(&folder.join("a"), &["--format", "html"]);
+    assert_eq!(stdout(&first).lines().count(), 3);
+    for path in stdout(&first).lines() {
+        assert!(Path::new(path).is_file(), "{path}");
+    }
+    let said = stderr(&first);
+    let seed = said.split("--seed ").nth(1).unwrap().split('`').next().unwrap();
+    assert_eq!(code(&sheet(&folder.join("b"), &["--format", "html", "--seed", seed])), 0);
+    let read = |name: &str| fs::read(folder.join(name).join("mark-scheme.html")).unwrap();
+    assert!(read("a") == read("b"));
+}
+
+#[test]
+fn carom_knows_the_exercises_with_their_own_numbers() {
+    let folder = folder("reference");
+    let output = sheet(&folder, &["--reference"]);
+    assert_eq!((code(&output), stderr(&output).contains("17 questions")), (0, true), "{}", stderr(&output));
+    let key = key(&folder);
+    let mirrors: Vec<&str> =
+        key["questions"].as_array().unwrap().iter().map(|question| question["mirrors"].as_str().unwrap()).collect();
+    let mut expected: Vec<String> = (1..=16).map(|number| format!("5C-{number}")).collect();
+    expected.push("5C-challenge".into());
+    assert_eq!(mirrors, expected);
+    // Exercise 2 of the seed.
+    let blanks = &key["questions"][1]["parts"][0]["blanks"];
+    assert_eq!(blanks[0]["exact"], "4*sqrt(39)/9");
+    assert_eq!((&blanks[0]["rounded"], &blanks[0]["unit"]), (&"2.78".into(), &"m/s".into()));
+    assert_eq!((&blanks[1]["rounded"], &blanks[1]["reference"]), (&"46.1".into(), &"line of centres".into()));
+    // Exercise 9: a vector.
+    let velocity = &key["questions"][8]["parts"][0]["blanks"][0];
+    assert_eq!(velocity["find"], serde_json::json!(["A.after.x", "A.after.y"]));
+    assert_eq!(velocity["exact"], serde_json::json!(["4", "1"]));
+    // Exercise 6: what is to be shown.
+    let shown = &key["questions"][5]["parts"][0]["blanks"][0];
+    assert_eq!((&shown["kind"], &shown["decimal"]), (&"shown".into(), &Json::Null));
+    // A mark knows on what it depends, and to which answers it belongs.
+    let scheme = key["questions"][1]["parts"][0]["scheme"].as_array().unwrap();
+    let solve = scheme.iter().find(|mark| mark["for"] == "solve").unwrap();
+    assert_eq!((&solve["code"], &solve["depends"]), (&"dM1".into(), &serde_json::json!(["M1a", "M1b"])));
+    assert_eq!(solve["blanks"].as_array().unwrap().len(), 4);
+    let perpendicular = scheme.iter().find(|mark| mark["for"] == "perpendicular").unwrap();
+    assert_eq!(perpendicular["equation"], "4*sin(30*deg) = 2");
+    let names = scheme.iter().filter(|mark| mark["for"] == "B.after.speed").map(|mark| &mark["blanks"]);
+    assert_eq!(names.collect::<Vec<_>>(), [&serde_json::json!(["speed of B"])]);
+}
+
+#[test]
+fn the_scene_of_every_question_of_a_key_gives_its_answers_again() {
+    let folder = folder("again");
+    for more in [&["--reference"][..], &["--count", "17", "--seed", "3"], &["--count", "17", "--seed", "4"]] {
+        assert_eq!(code(&sheet(&folder, more)), 0);
+        let key = key(&folder);
+        for question in key["questions"].as_array().unwrap() {
+            let scene = question["scene"].to_string();
+            let output = with_stdin(&["solve", "-", "--json"], scene.as_bytes());
+            assert_eq!(code(&output), 0, "{scene}: {}", stderr(&output));
+            let solved: Json = serde_json::from_str(&stdout(&output)).unwrap();
+            let blanks = question["parts"].as_array().unwrap().iter().flat_map(|part| part["blanks"].as_array().unwrap());
+            for blank in blanks {
+                let finds: Vec<&str> = match &blank["find"] {
+                    Json::Array(list) => list.iter().filter_map(Json::as_str).collect(),
+                    one => one.as_str().into_iter().collect(),
+                };
+                let exact: Vec<&Json> = blank["exact"].as_array().map_or(vec![&blank["exact"]], |all| all.iter().collect());
+                for (find, exact) in finds.iter().zip(exact) {
+                    let again = &solved["quantities"][find]["exact"];
+                    assert!(again.is_string(), "{find} of {scene}");
+                    // Of a found letter the key holds what is shown about it.
+                    if find.contains('.') {
+                        assert_eq!(again, exact, "{find} of {scene}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_question_is_found_by_its_name_in_any_form() {
+    let folder = folder("names");
+    for name in ["5C-2", "5c-2", "rest/speeds-and-directions", "speeds-and-dir"] {
+        assert_eq!(code(&sheet(&folder, &[name, "--seed", "1"])), 0, "{name}");
+        assert_eq!(key(&folder)["questions"][0]["id"], "rest/speeds-and-directions");
+    }
+    let table = [
+        ("rest/speeds-and-direction", 0, ""),
+        ("speeds-and-directoins", 1, "did you mean `speeds-and-directions`?"),
+        ("i-j", 1, "name one of `i-j/"),
+        ("", 1, "unknown question"),
+        ("momentum", 1, "carom list"),
+    ];
+    for (name, expected, words) in table {
+        let output = sheet(&folder, &[name, "--seed", "1"]);
+        assert_eq!(code(&output), expected, "{name}: {}", stderr(&output));
+        assert!(stderr(&output).contains(words), "{name}: {}", stderr(&output));
+    }
+}
+
+#[test]
+fn one_question_thirty_times_has_thirty_sets_of_numbers() {
+    let folder = folder("thirty");
+    assert_eq!(code(&sheet(&folder, &["5C-5", "--count", "30", "--seed", "2", "--format", "html"])), 0);
+    let key = key(&folder);
+    let mut numbers: Vec<String> =
+        key["questions"].as_array().unwrap().iter().map(|question| question["parameters"].to_string()).collect();
+    assert_eq!(numbers.len(), 30);
+    numbers.sort();
+    numbers.dedup();
+    assert_eq!(numbers.len(), 30);
+}
+
+#[test]
+fn a_sheet_says_when_there_are_no_more_numbers() {
+    let folder = folder("exhausted");
+    let output = sheet(&folder, &["5C-6", "--count", "150", "--style", "friendly", "--format", "html"]);
+    assert_eq!(code(&output), 0);
+    assert!(stderr(&output).contains("no more than"), "{}", stderr(&output));
+    assert!(key(&folder)["questions"].as_array().unwrap().len() < 150);
+}
+
+#[test]
+fn marks_topics_and_styles_are_kept() {
+    let folder = folder("choice");
+    assert_eq!(code(&sheet(&folder, &["--marks", "40", "--seed", "5"])), 0);
+    let marks = |key: &Json| -> u64 {
+        let questions = key["questions"].as_array().unwrap().iter();
+        questions.flat_map(|question| question["parts"].as_array().unwrap()).map(|part| part["marks"].as_u64().unwrap()).sum()
+    };
+    assert_eq!(marks(&key(&folder)), 40);
+    assert_eq!(code(&sheet(&folder, &["--topic", "I and J", "--style", "friendly"])), 0);
+    for question in key(&folder)["questions"].as_array().unwrap() {
+        assert!(question["id"].as_str().unwrap().starts_with("i-j/"));
+        assert_eq!(question["style"], "friendly");
+    }
+    let table = [
+        (&["--topic", "springs"][..], 1, "the topics are"),
+        (&["--marks", "3"], 1, "the shortest has"),
+        (&["5C-4", "--style", "calculator"], 1, "it has"),
+        (&["--style", "nice"], 2, "possible values"),
+        (&["--count", "0"], 2, "0"),
+        (&["--count", "3", "--marks", "3"], 2, "cannot be used with"),
+        (&["--reference", "--seed", "3"], 2, "cannot be used with"),
+        (&["--format", "word"], 1, "unknown format `word`"),
+        (&["--bank", "no/such/bank"], 1, "no/such/bank"),
+        (&["--templates", "no/such/templates"], 1, "no/such/templates"),
+    ];
+    for (arguments, expected, words) in table {
+        let output = sheet(&folder, arguments);
+        assert_eq!(code(&output), expected, "{arguments:?}: {}", stderr(&output));
+        assert!(stderr(&output).contains(words), "{arguments:?}: {}", stderr(&output));
+        assert!(!stderr(&output).contains("panicked"));
+    }
+}
+
+#[test]
+fn nothing_is_written_where_it_cannot_be_written_whole() {
+    let folder = folder("unwritable");
+    let file = folder.join("file");
+    fs::write(&file, "mine").unwrap();
+    for out in [file.clone(), file.join("below")] {
+        let output = sheet(&out, &["--seed", "1"]);
+        assert_eq!(code(&output), 1);
+        assert!(stderr(&output).contains("cannot be made"), "{}", stderr(&output));
+    }
+    assert_eq!(fs::read_to_string(&file).unwrap(), "mine");
+    // Where one of the files cannot stand none is written, and what was there stays.
+    let out = folder.join("out");
+    fs::create_dir_all(out.join("key.json")).unwrap();
+    fs::write(out.join("question-sheet.tex"), "mine").unwrap();
+    let output = sheet(&out, &["--seed", "1"]);
+    assert_eq!(code(&output), 1);
+    assert!(stderr(&output).contains("it is a folder"), "{}", stderr(&output));
+    assert_eq!(fs::read_to_string(out.join("question-sheet.tex")).unwrap(), "mine");
+    assert_eq!(fs::read_dir(&out).unwrap().count(), 2);
+}
+
+const SCENE: &str = r#"{ "masses": {"A": "4", "B": "2"},
+  "before": {"A": {"speed": "4", "angle_deg": "30"}, "B": ["0", "0"]},
+  "line_of_centres": ["1", "0"], "sense": "A_to_B", "e": "1/3" }"#;
+
+const SCENE_TOML: &str = r#"
+masses = { A = "4", B = "2" }
+line_of_centres = ["1", "0"]
+e = "1/3"
+[before]
+A = { speed = "4", angle_deg = "30" }
+B = ["0", "0"]
+"#;
+
+#[test]
+fn a_scene_is_solved_from_json_and_from_toml() {
+    let folder = folder("scenes");
+    for (name, text) in [("scene.json", SCENE), ("scene.toml", SCENE_TOML)] {
+        let path = folder.join(name);
+        fs::write(&path, text).unwrap();
+        let output = carom(&["solve", path.to_str().unwrap()]);
+        assert_eq!(code(&output), 0, "{}", stderr(&output));
+        assert!(stdout(&output).contains("Momentum is conserved along the line of centres:"));
+        assert!(stdout(&output).contains("4√39/9 ≈ 2.78 m/s"), "{}", stdout(&output));
+    }
+    let output = with_stdin(&["solve", "-", "--json"], SCENE_TOML.as_bytes());
+    let solved: Json = serde_json::from_str(&stdout(&output)).unwrap();
+    assert_eq!(solved["quantities"]["A.after.speed"]["exact"], "4*sqrt(39)/9");
+    assert_eq!(solved["quantities"]["A.after.speed"]["decimal"], "2.77555466595484");
+    let output = with_stdin(&["solve", "-", "--json", "--method", "float"], SCENE.as_bytes());
+    let solved: Json = serde_json::from_str(&stdout(&output)).unwrap();
+    let speed: f64 = solved["quantities"]["A.after.speed"]["decimal"].as_str().unwrap().parse().unwrap();
+    assert!((speed - 2.77555466595484).abs() < 1e-13);
+}
+
+#[test]
+fn an_impossible_scene_is_refused_with_the_mechanics() {
+    // Exercise 12 as it is printed: the spheres would pass through each other.
+    let scene = r#"{"masses": {"A": "1", "B": "2"}, "before": {"A": ["2", "5"], "B": ["3", "-1"]}, "after": {"A": ["3", "2"]}}"#;
+    for arguments in [&["solve", "-"][..], &["solve", "-", "--json"]] {
+        let output = with_stdin(arguments, scene.as_bytes());
+        assert_eq!(code(&output), 1);
+        assert!(stderr(&output).starts_with("error: "), "{}", stderr(&output));
+        assert!(stdout(&output).is_empty());
+    }
+}
+
+#[test]
+fn hostile_scenes_are_refused_and_never_panic() {
+    let folder = folder("hostile");
+    let deep_json = format!("{}1{}", "[".repeat(5000), "]".repeat(5000));
+    let deep_object = format!("{}1{}", r#"{"before":"#.repeat(3000), "}".repeat(3000));
+    let deep_toml = format!("a = {}1{}", "[".repeat(5000), "]".repeat(5000));
+    let deep_formula = format!(r#"{{"e": "{}1{}"}}"#, "(".repeat(5000), ")".repeat(5000));
+    let long = format!(r#"{{"e": "{}"}}"#, "1+".repeat(600_000));
+    let table: &[(&str, &[u8], &str)] = &[
+        ("empty", b"", "is empty"),
+        ("blank", b" \n\t", "is empty"),
+        ("binary", b"\xff\xfe\x00\x01", "is no text"),
+        ("nul", b"\0\0\0", "error"),
+        ("words", b"hello there", "error"),
+        ("nothing", b"{}", "error"),
+        ("null", b"{\"masses\": null}", "error"),
+        ("list", b"[]", "error"),
+        ("open", b"{\"masses\": {\"A\": \"1\"", "this is no JSON"),
+        ("number", b"{\"e\": 0.5}", "as a string"),
+        ("velocity", b"{\"before\": {\"A\": [\"1\", \"2\", \"3\"]}}", "velocity"),
+        ("unknown key", b"{\"mass\": {}}", "mass"),
+        ("unknown letter", b"{\"e\": \"q\"}", "symbols"),
+        ("unknown toml key", b"mass = '1'", "mass"),
+        ("duplicate", b"e = '1'\ne = '1'", "second time"),
+        ("formula", b"{\"e\": \"1/(1-1)\"}", "error"),
+        ("power", b"{\"e\": \"9^9^9^9\"}", "error"),
+        ("deep json", deep_json.as_bytes(), "error"),
+        ("deep object", deep_object.as_bytes(), "error"),
+        ("deep toml", deep_toml.as_bytes(), "error"),
+        ("deep formula", deep_formula.as_bytes(), "error"),
+        ("long", long.as_bytes(), "too long"),
+        ("caret after the end", "{\"e\": \"é\\u00e9+\"}".as_bytes(), "error"),
+    ];
+    for (name, input, words) in table {
+        for ending in ["", ".json", ".toml"] {
+            let path = folder.join(format!("scene{ending}"));
+            fs::write(&path, input).unwrap();
+            let output = if ending.is_empty() {
+                with_stdin(&["solve", "-"], input)
+            } else {
+                carom(&["solve", path.to_str().unwrap()])
+            };
+            assert_eq!(code(&output), 1, "{name}{ending}: {}", stderr(&output));
+            assert!(stderr(&output).contains("error"), "{name}{ending}: {}", stderr(&output));
+            assert!(!stderr(&output).contains("panicked"), "{name}{ending}: {}", stderr(&output));
+            if ending.is_empty() {
+                assert!(stderr(&output).contains(words), "{name}: {}", stderr(&output));
+            }
+        }
+    }
+    for (path, words) in [(folder.join("none.json"), "cannot be read"), (folder.clone(), "it is a folder")] {
+        let output = carom(&["solve", path.to_str().unwrap()]);
+        assert_eq!(code(&output), 1);
+        assert!(stderr(&output).contains(words), "{}", stderr(&output));
+    }
+    let output = with_stdin(&["solve", "-", "--method", "flaot"], SCENE.as_bytes());
+    assert_eq!(code(&output), 1);
+    assert!(stderr(&output).contains("`exact`, `float`"), "{}", stderr(&output));
+}
+
+#[test]
+fn a_fault_in_a_scene_is_under_its_caret() {
+    let output = with_stdin(&["solve", "-"], b"{\n  \"e\": \"1/2 + q\"\n}");
+    assert!(stderr(&output).contains("stdin:2:15"), "{}", stderr(&output));
+    let output = with_stdin(&["solve", "-"], b"e = '1/2 + q'\n");
+    assert!(stderr(&output).contains("stdin:1:12"), "{}", stderr(&output));
+}
+
+#[test]
+fn a_bank_of_ones_own_is_listed_explained_and_checked() {
+    let folder = folder("bank");
+    let shipped = Path::new(env!("CARGO_MANIFEST_DIR")).join("question_bank/rest-letters");
+    fs::create_dir_all(folder.join("own")).unwrap();
+    let text = fs::read_to_string(shipped.join("direction-and-deflection.toml")).unwrap();
+    fs::write(folder.join("own/deflection.toml"), &text).unwrap();
+    let bank = folder.to_str().unwrap();
+
+    let output = carom(&["list", "--bank", bank, "--json"]);
+    let list: Json = serde_json::from_str(&stdout(&output)).unwrap();
+    assert_eq!(list["questions"][0]["id"], "own/deflection");
+    assert!(list["questions"][0]["styles"][0]["variants"].as_u64().unwrap() > 60);
+    assert!(stdout(&carom(&["list", "--bank", bank])).contains("1 question"));
+
+    let output = carom(&["explain", "deflection", "--bank", bank]);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    for words in ["Style friendly", "requires", "Steps", "Marks", "Slips", "An example", "restitution-reversed"] {
+        assert!(stdout(&output).contains(words), "{words}: {}", stdout(&output));
+    }
+
+    let output = carom(&["check", bank]);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    assert!(stdout(&output).contains("0 findings"), "{}", stdout(&output));
+    // No bar is drawn in a pipe.
+    assert!(stderr(&output).is_empty(), "{}", stderr(&output));
+
+    fs::write(folder.join("own/broken.toml"), text.replacen("code = \"B1\"", "code = \"B9\"", 1)).unwrap();
+    let output = carom(&["check", bank]);
+    assert_eq!(code(&output), 1);
+    assert!(stderr(&output).contains("unknown mark code `B9`"), "{}", stderr(&output));
+    let output = carom(&["check", bank, "--json"]);
+    assert_eq!(code(&output), 1);
+    let report: Json = serde_json::from_str(&stdout(&output)).unwrap();
+    assert_eq!(report["faults"].as_array().unwrap().len(), 1);
+    // A sheet of the sound question alone does not mind the broken one.
+    assert_eq!(code(&sheet(&folder.join("sheet"), &["own/deflection", "--bank", bank])), 0);
+    assert_eq!(code(&sheet(&folder.join("sheet"), &["own/broken", "--bank", bank])), 1);
+}
+
+#[test]
+fn usage_is_two_and_help_is_nought() {
+    for (arguments, expected) in [
+        (&["--help"][..], 0),
+        (&["--version"], 0),
+        (&["sheet", "--help"], 0),
+        (&["solve", "--help"], 0),
+        (&["list", "--help"], 0),
+        (&["explain", "--help"], 0),
+        (&["check", "--help"], 0),
+        (&[], 2),
+        (&["paint"], 2),
+        (&["solve"], 2),
+        (&["explain"], 2),
+        (&["sheet", "--seed", "-1"], 2),
+    ] {
+        let output = carom(arguments);
+        assert_eq!(code(&output), expected, "{arguments:?}: {}", stderr(&output));
+        if expected == 0 && arguments.len() == 2 {
+            assert!(stdout(&output).contains("Example"), "{arguments:?}");
+        }
+    }
+    assert_eq!(code(&carom(&["explain", "5C-99"])), 1);
+    assert_eq!(code(&carom(&["check", "no/such/bank"])), 1);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_reader_that_goes_away_is_no_failure() {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_carom"))
+        .args(["solve", "-", "--json"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(child.stdout.take());
+    child.stdin.take().unwrap().write_all(SCENE.as_bytes()).unwrap();
+    let output = child.wait_with_output().unwrap();
+    assert_eq!((code(&output), stderr(&output)), (0, String::new()));
+}
