@@ -135,13 +135,15 @@ fn the_scene_of_every_question_of_a_key_gives_its_answers_again() {
             let output = with_stdin(&["solve", "-", "--json"], scene.as_bytes());
             assert_eq!(code(&output), 0, "{scene}: {}", stderr(&output));
             let solved: Json = serde_json::from_str(&stdout(&output)).unwrap();
-            let blanks = question["parts"].as_array().unwrap().iter().flat_map(|part| part["blanks"].as_array().unwrap());
+            let blanks =
+                question["parts"].as_array().unwrap().iter().flat_map(|part| part["blanks"].as_array().unwrap());
             for blank in blanks {
                 let finds: Vec<&str> = match &blank["find"] {
                     Json::Array(list) => list.iter().filter_map(Json::as_str).collect(),
                     one => one.as_str().into_iter().collect(),
                 };
-                let exact: Vec<&Json> = blank["exact"].as_array().map_or(vec![&blank["exact"]], |all| all.iter().collect());
+                let exact: Vec<&Json> =
+                    blank["exact"].as_array().map_or(vec![&blank["exact"]], |all| all.iter().collect());
                 for (find, exact) in finds.iter().zip(exact) {
                     let again = &solved["quantities"][find]["exact"];
                     assert!(again.is_string(), "{find} of {scene}");
@@ -204,7 +206,10 @@ fn marks_topics_and_styles_are_kept() {
     assert_eq!(code(&sheet(&folder, &["--marks", "40", "--seed", "5"])), 0);
     let marks = |key: &Json| -> u64 {
         let questions = key["questions"].as_array().unwrap().iter();
-        questions.flat_map(|question| question["parts"].as_array().unwrap()).map(|part| part["marks"].as_u64().unwrap()).sum()
+        questions
+            .flat_map(|question| question["parts"].as_array().unwrap())
+            .map(|part| part["marks"].as_u64().unwrap())
+            .sum()
     };
     assert_eq!(marks(&key(&folder)), 40);
     assert_eq!(code(&sheet(&folder, &["--topic", "I and J", "--style", "friendly"])), 0);

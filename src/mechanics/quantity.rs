@@ -5,8 +5,10 @@
 //! sphere receives; a loss is positive when energy is lost. Names are `A.after.speed`,
 //! `impulse.magnitude`, `ke.lost`, …; angles are in degrees.
 
+use std::collections::HashMap;
 use std::fmt;
 use std::str::FromStr;
+use std::sync::OnceLock;
 
 use crate::unit::Unit;
 
@@ -251,7 +253,11 @@ pub struct UnknownQuantity;
 impl FromStr for Quantity {
     type Err = UnknownQuantity;
     fn from_str(name: &str) -> Result<Quantity, UnknownQuantity> {
-        Quantity::all().into_iter().find(|quantity| quantity.to_string() == name).ok_or(UnknownQuantity)
+        // Names are looked up for every requirement of every variant.
+        static NAMES: OnceLock<HashMap<String, Quantity>> = OnceLock::new();
+        let names = NAMES
+            .get_or_init(|| Quantity::all().into_iter().map(|quantity| (quantity.to_string(), quantity)).collect());
+        names.get(name).copied().ok_or(UnknownQuantity)
     }
 }
 

@@ -1,5 +1,8 @@
 //! Certified enclosures of exact values, and the decimals that they prove.
 
+use std::cell::RefCell;
+use std::collections::HashMap;
+
 use super::polynomial::Polynomial;
 use super::rounding::{Decimal, Places, Uncertain, round, round_certified};
 use super::value::{Root, Value};
@@ -74,7 +77,29 @@ impl Value {
 
 /// The tangent of so many degrees.
 fn tangent(letter: Letter, bits: usize) -> Option<Interval> {
-    radians(letter, bits)?.tan()
+    cosine_and_tangent(letter, bits).map(|(_, tangent)| tangent)
+}
+
+/// How many angles are remembered at once.
+const MOST_ANGLES: usize = 512;
+
+/// The cosine and tangent of so many degrees. The same angle comes back in every quantity of a scene,
+/// so it is remembered.
+fn cosine_and_tangent(letter: Letter, bits: usize) -> Option<(Interval, Interval)> {
+    type Angles = HashMap<(Letter, usize), (Interval, Interval)>;
+    thread_local!(static ANGLES: RefCell<Angles> = RefCell::default());
+    ANGLES.with_borrow_mut(|angles| {
+        if let Some(known) = angles.get(&(letter, bits)) {
+            return Some(known.clone());
+        }
+        if angles.len() >= MOST_ANGLES {
+            angles.clear();
+        }
+        let angle = radians(letter, bits)?;
+        let both = (angle.cos(), angle.tan()?);
+        angles.insert((letter, bits), both.clone());
+        Some(both)
+    })
 }
 
 fn radians(letter: Letter, bits: usize) -> Option<Interval> {
@@ -85,7 +110,7 @@ fn radians(letter: Letter, bits: usize) -> Option<Interval> {
 
 fn enclose_root(root: &Root, bits: usize, at: Assignment) -> Option<Interval> {
     match root {
-        Root::Cosine(letter) if letter.is_constant() => Some(radians(*letter, bits)?.cos()),
+        Root::Cosine(letter) if letter.is_constant() => cosine_and_tangent(*letter, bits).map(|(cosine, _)| cosine),
         Root::Nested { radicand, .. } => radicand.enclose(bits, at)?.sqrt(),
         other => other.square().enclose(bits, at)?.sqrt(),
     }
