@@ -6,7 +6,7 @@ use std::cmp::Ordering;
 use super::law::{Datum, Known};
 use super::refusal::Refusal;
 use super::scene::{Contact, Scene, Velocity};
-use super::{Axis, Moment, Quantity, Sphere};
+use super::{Axis, Derivation, Moment, Quantity, Sphere};
 use crate::number::Value;
 
 /// The quantities that a scene gives.
@@ -44,7 +44,27 @@ pub fn pose(scene: &Scene) -> Result<Known<Value>, Refusal> {
         }
     }
     contact(scene, &mut known)?;
+    if let (Some(Contact::Along(_, _, None)), None) = (&scene.contact, relative(scene)) {
+        turn_to_approach(&mut known);
+    }
     Ok(known)
+}
+
+/// Where no sense of the line of centres is given and a velocity before has first to be found, the line is turned
+/// so that the spheres approach before, or else part after the impact.
+fn turn_to_approach(known: &mut Known<Value>) {
+    let mut derived = known.clone();
+    let asked = [Quantity::Approach, Quantity::Separation];
+    Derivation::carry_out(&mut derived, &asked);
+    let mut signs =
+        asked.into_iter().filter_map(|quantity| derived.number(quantity)?.sign()).filter(|sign| sign.is_ne());
+    if signs.next() == Some(Ordering::Less) {
+        for axis in [Axis::X, Axis::Y] {
+            if let Some(component) = known.number(Quantity::Line(axis)) {
+                put(known, Quantity::Line(axis), &-&component);
+            }
+        }
+    }
 }
 
 fn put(known: &mut Known<Value>, quantity: Quantity, value: &Value) {

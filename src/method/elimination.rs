@@ -36,7 +36,7 @@ fn eliminate(rows: &mut [[f64; 5]; 4]) -> Option<[f64; 4]> {
         let largest = (column..4).max_by(|a, b| rows[*a][column].abs().total_cmp(&rows[*b][column].abs()))?;
         rows.swap(column, largest);
         let pivot = rows[column];
-        if !(pivot[column].abs() > 0.0) {
+        if pivot[column] == 0.0 || pivot[column].is_nan() {
             return None;
         }
         for (place, row) in rows.iter_mut().enumerate() {

@@ -18,14 +18,51 @@ pub const SLIPS: &[Slip] = &[];
 
 const FORWARDS: u8 = 0;
 const BACKWARDS: u8 = 1;
+/// From here on, one component before and one after, in the order of `MIXED`.
+const FIRST_MIXED: u8 = 2;
+
+/// Pairs of unknowns, by their places in `ALONG`: A before and B after, and so on.
+const MIXED: [[usize; 2]; 4] = [[0, 3], [1, 2], [0, 2], [1, 3]];
+
+/// The two components along the line of centres that are known where those of `MIXED` are not.
+fn others(unknown: [usize; 2]) -> Vec<usize> {
+    (0..ALONG.len()).filter(|place| !unknown.contains(place)).collect()
+}
 
 pub fn rules() -> Vec<Rule> {
     let [a, b, x, y] = ALONG;
     let [m_a, m_b] = MASSES;
-    vec![
+    let mut rules = vec![
         rule(Law::Solve, FORWARDS, &[Quantity::MomentumEquation, Quantity::RestitutionEquation], &[x, y], 1),
         rule(Law::Solve, BACKWARDS, &[m_a, m_b, x, y, Quantity::Restitution], &[a, b], 3),
-    ]
+    ];
+    for (form, unknown) in (FIRST_MIXED..).zip(MIXED) {
+        let mut needs = vec![m_a, m_b, Quantity::Restitution];
+        needs.extend(others(unknown).into_iter().map(|place| ALONG[place]));
+        rules.push(rule(Law::Solve, form, &needs, &unknown.map(|place| ALONG[place]), 4));
+    }
+    rules
+}
+
+/// The two unknowns of `MIXED` by Cramer's rule; no solution of that kind where the determinant is nought, as for
+/// A before and B after with `m_A = e m_B`.
+fn mixed<N: Number>(unknown: [usize; 2], known: &Known<N>) -> Outcome<N> {
+    let [m_a, m_b, e] = known.numbers([MASSES[0], MASSES[1], Quantity::Restitution])?;
+    let one = m_a.over(&m_a)?;
+    // m_A a + m_B b - m_A x - m_B y = 0 and e a - e b + x - y = 0.
+    let momentum = [m_a.clone(), m_b.clone(), -m_a, -m_b];
+    let restitution = [e.clone(), -e, one.clone(), -one];
+    let right = |row: &[N; 4]| -> Option<N> {
+        let terms: Option<Vec<N>> =
+            others(unknown).into_iter().map(|place| Some(row[place].clone() * known.number(ALONG[place])?)).collect();
+        terms?.into_iter().reduce(|sum, term| sum + term).map(|sum| -sum)
+    };
+    let (r, u) = (right(&momentum)?, right(&restitution)?);
+    let [[p, q], [s, t]] = [&momentum, &restitution].map(|row| unknown.map(|place| row[place].clone()));
+    let determinant = p.clone() * t.clone() - q.clone() * s.clone();
+    let first = (r.clone() * t - u.clone() * q).over(&determinant)?;
+    let second = (p * u - s * r).over(&determinant)?;
+    Some(vec![Datum::Number(first), Datum::Number(second)])
 }
 
 pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
@@ -36,6 +73,9 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
         let x = (r.clone() * t - u.clone() * q).over(&determinant)?;
         let y = (p * u - s * r).over(&determinant)?;
         return Some(vec![Datum::Number(x), Datum::Number(y)]);
+    }
+    if rule.form >= FIRST_MIXED {
+        return mixed(MIXED[usize::from(rule.form - FIRST_MIXED)], known);
     }
     let [m_a, m_b, x, y, e] =
         known.numbers([MASSES[0], MASSES[1], ALONG[2], ALONG[3], Quantity::Restitution])?;
@@ -55,8 +95,13 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
     if rule.form == FORWARDS {
         return solved(show);
     }
+    let words = if rule.form == BACKWARDS {
+        "Momentum and restitution along the line of centres give the components before the impact:"
+    } else {
+        "Momentum and restitution along the line of centres are two equations for the two components:"
+    };
     vec![Line::plain(
-        "Momentum and restitution along the line of centres give the components before the impact:",
+        words,
         rule.gives.iter().map(|quantity| Expr::equation(show.symbol(*quantity), show.shown_value(*quantity))).collect(),
     )]
 }
