@@ -19,4 +19,4 @@ pub use read::{Angles, Markup, read, read_as_written, read_markup};
 pub use text::{Piece, Text};
 pub use tree::{Expr, Function, Name, Relation, Span};
 pub use turn::Turn;
-pub use written::{in_degrees, written, written_angle};
+pub use written::{in_degrees, ratio, written, written_angle};

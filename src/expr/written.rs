@@ -61,13 +61,13 @@ pub fn written_angle(angle: &Angle) -> Expr {
     }
     let (y, x) = (angle.y(), angle.x());
     let negative = y.sign().is_some_and(|sign| sign.is_lt());
-    match x.as_fraction().map(Fraction::sign) {
+    match x.sign() {
         Some(sign) if sign.is_gt() => {
-            let size = arctangent(&if negative { -y } else { y.clone() });
+            let size = arctangent(&if negative { -y } else { y.clone() }, x);
             if negative { size.negated() } else { size }
         }
         Some(sign) if sign.is_lt() && y.sign().is_some() => {
-            let size = arctangent(&y.absolute());
+            let size = arctangent(&y.absolute(), &-x);
             let straight = Expr::degrees(Expr::integer(180));
             if negative { Expr::Sum(vec![size, straight.negated()]) } else { Expr::Sum(vec![straight, size.negated()]) }
         }
@@ -85,7 +85,12 @@ pub fn in_degrees(angle: &Expr) -> Expr {
     }
 }
 
-fn arctangent(tangent: &Value) -> Expr {
+/// The inverse tangent of `y/x`, x positive.
+fn arctangent(y: &Value, x: &Value) -> Expr {
+    if !x.equals(&Value::ONE) {
+        return Expr::call(Function::Atan, written(y).over(written(x)));
+    }
+    let tangent = y;
     let letter = |value: &Value| match value.as_quotient() {
         Some((above, below)) if below.is_one() => above
             .letters()
@@ -107,14 +112,20 @@ fn arctangent(tangent: &Value) -> Expr {
 fn by_half_angle(y: &Value, x: &Value) -> Expr {
     let size = (&(x * x) + &(y * y)).square_root();
     let size = size.expect("a sum of squares has a root");
-    if y.sign().is_some_and(|sign| sign.is_ge())
-        && let Some(cosine) = x.divided_by(&size)
-    {
-        return Expr::call(Function::Acos, written(&cosine));
+    if y.sign().is_some_and(|sign| sign.is_ge()) {
+        return Expr::call(Function::Acos, ratio(x, &size));
     }
-    match y.divided_by(&(&size + x)) {
-        Some(half) => Expr::product([Expr::integer(2), Expr::call(Function::Atan, written(&half))]),
-        None => Expr::degrees(Expr::integer(180)),
+    Expr::product([Expr::integer(2), Expr::call(Function::Atan, ratio(y, &(&size + x)))])
+}
+
+/// A quotient in its simplest form, or where that would be laborious just as a quotient.
+pub fn ratio(above: &Value, below: &Value) -> Expr {
+    if below.is_laborious() || below.roots().iter().any(|root| matches!(root, Root::Nested { .. })) {
+        return written(above).over(written(below));
+    }
+    match above.divided_by(below) {
+        Some(value) => written(&value),
+        None => written(above).over(written(below)),
     }
 }
 

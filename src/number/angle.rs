@@ -9,13 +9,15 @@ use super::{Direction, Fraction, Interval, Letter, Value};
 /// The angle from the positive x-direction to the vector `(x, y)`, anticlockwise, above -180 and up
 /// to 180 degrees.
 ///
-/// Where the sign of `x` is known the vector is scaled to `x = 1`, `-1` or `0`, so that two equal
-/// angles of this kind are equal as data.
+/// Where the sign of `x` is known and it holds few roots, the vector is scaled to `x = 1`, `-1` or `0`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Angle {
     y: Value,
     x: Value,
 }
+
+/// A vector whose x-component holds more roots is not scaled.
+const MOST_ROOTS: usize = 2;
 
 impl Angle {
     /// The angle of a vector; `None` for the vector nought.
@@ -34,6 +36,10 @@ impl Angle {
                 Some(_) => Some(Angle { y: Value::ZERO, x: Value::ONE }),
                 None => Some(Angle { y: Value::ZERO, x: x.clone() }),
             };
+        }
+        if x.roots().len() > MOST_ROOTS {
+            // To divide would be to rationalise the denominator, root after root, for nothing.
+            return Some(Angle::unscaled(y, x));
         }
         let (scale, unit) = match x.sign() {
             Some(Ordering::Less) => (-x, Value::from(-1)),

@@ -40,8 +40,9 @@ impl Number for Value {
     fn scaled(&self, factor: &Fraction) -> Value {
         self * &Value::Rational(factor.clone())
     }
+    /// Not by a divisor with many roots: to rationalise it would take for ever and print as pages.
     fn over(&self, divisor: &Value) -> Option<Value> {
-        self.divided_by(divisor)
+        if divisor.is_laborious() { None } else { self.divided_by(divisor) }
     }
     fn root(&self) -> Option<Value> {
         self.square_root()

@@ -306,6 +306,15 @@ impl Value {
         Some(&(&a - &(&b * &Value::root(root))) * &norm.reciprocal()?)
     }
 
+    /// Would its reciprocal be a formula that nobody wants to read? Each root doubles it, and letters
+    /// let it grow further.
+    pub fn is_laborious(&self) -> bool {
+        let roots = self.roots().len();
+        let many = if self.is_constant() { 4 } else { 3 };
+        let single = matches!(self, Value::Compound(compound) if compound.terms.len() == 1);
+        roots >= many && !single
+    }
+
     /// The quotient; `None` by nought.
     pub fn divided_by(&self, divisor: &Value) -> Option<Value> {
         if let (Value::Rational(a), Value::Rational(b)) = (self, divisor) {

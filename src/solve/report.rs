@@ -4,9 +4,9 @@ use serde::Serialize;
 use serde_json::{Map, Value as Json, json};
 
 use super::Solution;
-use crate::expr::{Expr, print, written};
-use crate::mechanics::{Line, Quantity};
-use crate::number::{Angle, Decimal, Letter, Places, Range, Uncertain, Value};
+use crate::expr::{Expr, print, ratio, written};
+use crate::mechanics::{Axis, Line, Moment, Quantity};
+use crate::number::{Angle, Decimal, Fraction, Letter, Places, Range, Uncertain, Value, round_certified};
 
 /// A solution in the exchange format.
 #[derive(Clone, Debug, Serialize)]
@@ -60,10 +60,44 @@ impl Answer {
     /// A quantity of a solution.
     pub fn of(solution: &Solution, quantity: Quantity) -> Option<Answer> {
         let unit = quantity.unit().plain();
-        match solution.number(quantity) {
-            Some(value) => Some(Answer::number(&value, unit)),
-            None => Some(Answer::angle(&solution.angle(quantity)?, unit)),
+        if let Some(value) = solution.number(quantity) {
+            return Some(Answer::number(&value, unit));
         }
+        match solution.angle(quantity) {
+            Some(angle) => Some(Answer::angle(&angle, unit)),
+            None => Answer::quotient(solution, quantity),
+        }
+    }
+
+    /// A quotient that was not carried out because its denominator holds many roots.
+    fn quotient(solution: &Solution, quantity: Quantity) -> Option<Answer> {
+        let (above, below) = match quantity {
+            Quantity::TOverN(sphere, moment) | Quantity::TanToLine(sphere, moment) => {
+                let at = |axis| solution.number(Quantity::Velocity(sphere, moment, axis));
+                (at(Axis::T)?, at(Axis::N)?)
+            }
+            Quantity::TanDeflection(sphere) => {
+                (solution.number(Quantity::DeflectionCross(sphere))?, solution.number(Quantity::DeflectionDot(sphere))?)
+            }
+            Quantity::Restitution => (solution.number(Quantity::Separation)?, solution.number(Quantity::Approach)?),
+            Quantity::FractionLost => {
+                (solution.number(Quantity::EnergyLost)?, solution.number(Quantity::TotalEnergy(Moment::Before))?)
+            }
+            _ => return None,
+        };
+        let (above, below) = match quantity {
+            Quantity::TanToLine(..) => (above.absolute(), below.absolute()),
+            _ => (above, below),
+        };
+        if below.is_zero() {
+            return None;
+        }
+        let exact = ratio(&above, &below);
+        let enclose = |bits| above.enclose_constant(bits)?.checked_div(&below.enclose_constant(bits)?);
+        let is = |tie: &Fraction| (&above - &(&below * &Value::from(tie.clone()))).is_zero();
+        let constant = above.is_constant() && below.is_constant();
+        let round = |places| constant.then(|| text(round_certified(enclose, is, places))).flatten();
+        Some(Answer::from(&exact, &exact, round(&FIGURES), round(&ROUNDED), quantity.unit().plain()))
     }
 
     fn number(value: &Value, unit: &'static str) -> Answer {
