@@ -3,7 +3,7 @@
 //! The components across the line of centres do not change, so what a sphere loses is
 //! `½ m (u_n² - v_n²)`.
 
-use super::{Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, silent, velocity};
+use super::{Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, silent, velocity, first_equation};
 use crate::expr::{Expr, written};
 use crate::mechanics::Moment;
 use crate::mechanics::working::times;
@@ -15,6 +15,8 @@ use crate::mechanics::{Quantity, Sphere};
 use crate::number::Number;
 
 pub const NAME: &str = "energy";
+
+pub const ACCURACY: &str = "correct expression, unsimplified";
 
 pub const METHOD: (&str, &str) =
     ("difference of kinetic energies, both spheres", "squares of components may leave out the unchanged ones on both sides");
@@ -118,6 +120,11 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
         ("fraction-remaining", FRACTION_BY_TOTALS) => number(known.number(n[1])?.over(&known.number(n[0])?)?),
         _ => None,
     }
+}
+
+/// What earns the mark for accuracy.
+pub fn earning(rule: &Rule, show: &Show) -> Option<Expr> {
+    first_equation(&lines(rule, show))
 }
 
 pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
