@@ -85,7 +85,12 @@ impl WorkedPart<'_> {
     /// The lines, numbered on from `last`, and what is to be shown at their end.
     pub fn lines(&self, variant: &Variant, last: &mut u32) -> Vec<WorkingLine> {
         let mut printed: Vec<WorkingLine> = Vec::new();
-        for line in self.finding.iter().chain(self.steps.iter().flat_map(|step| &step.lines)) {
+        let steps = self.steps.iter().flat_map(|step| &step.lines);
+        for (place, line) in self.finding.iter().chain(steps).enumerate() {
+            if place == self.finding.len() && place > 0 {
+                // The steps have equations (1) and (2) of their own.
+                *last = 0;
+            }
             let label = line.numbered.then(|| {
                 *last += 1;
                 *last

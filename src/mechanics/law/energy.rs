@@ -163,7 +163,7 @@ fn lost(show: &Show) -> Vec<Line> {
     let terms = Sphere::BOTH.map(|sphere| {
         let part = |moment| {
             if along {
-                size_of(&show.worked(velocity(sphere, moment, N))).to_the(2)
+                squared(&show.worked(velocity(sphere, moment, N)))
             } else {
                 let at = |axis| size_of(&show.exact(velocity(sphere, moment, axis))).to_the(2);
                 Expr::Sum(vec![at(X), at(Y)])
@@ -187,7 +187,15 @@ fn size_of(value: &Value) -> Expr {
     written(&if value.sign() == Some(std::cmp::Ordering::Less) { -value } else { value.clone() })
 }
 
+/// The square of a component; nought is its own.
+fn squared(value: &Value) -> Expr {
+    if value.is_zero() { Expr::integer(0) } else { size_of(value).to_the(2) }
+}
+
 fn difference_of(before: Expr, after: Expr) -> Expr {
+    if after.is_zero() {
+        return before;
+    }
     // A sum of two squares stays together in its bracket.
     Expr::Sum(vec![before, after.negated()])
 }
