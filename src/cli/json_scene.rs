@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use crate::diagnostic::{Diagnostic, Source};
+use crate::diagnostic::{Diagnostic, Source, near};
 use crate::expr::Angles;
 use crate::mechanics::{Scene, SceneFault, SceneText};
 
@@ -14,12 +14,32 @@ use crate::mechanics::{Scene, SceneFault, SceneText};
 /// What is no JSON or no scene, or every fault of its formulas.
 pub fn read(source: &Source) -> Result<Scene, Vec<Diagnostic>> {
     let text: SceneText = serde_json::from_str(&source.text).map_err(|error| vec![not_a_scene(source, &error)])?;
+    let places = places(&source.text);
+    if let Some(fault) = no_vector(source, &places) {
+        return Err(vec![fault]);
+    }
     let faults = match Scene::read(&text, &BTreeMap::new(), Angles::Radians) {
         Ok(scene) => return Ok(scene),
         Err(faults) => faults,
     };
-    let places = places(&source.text);
     Err(faults.into_iter().map(|fault| located(source, &places, fault)).collect())
+}
+
+/// A velocity that is a list of more or fewer than two: serde would take it for a speed and an angle.
+fn no_vector(source: &Source, places: &[(String, Range<usize>)]) -> Option<Diagnostic> {
+    for velocity in ["before.A", "before.B", "after.A", "after.B"] {
+        let below = format!("{velocity}[");
+        let within: Vec<_> = places.iter().filter(|(path, _)| path.starts_with(&below)).collect();
+        if let (Some((_, first)), Some((_, last))) = (within.first(), within.last())
+            && within.len() != 2
+        {
+            let message = format!("`{velocity}` is no vector");
+            let label = format!("expected two components, found {}", within.len());
+            let fault = Diagnostic::new(message, source, first.start..last.end, label);
+            return Some(fault.with_help("write `[\"x\", \"y\"]`, along i and along j"));
+        }
+    }
+    None
 }
 
 /// What serde_json says, in our words where a teacher is likely to meet it.
@@ -37,12 +57,15 @@ fn not_a_scene(source: &Source, error: &serde_json::Error) -> Diagnostic {
     }
     if let Some((what, expected)) = said.strip_prefix("invalid type: ").and_then(|rest| rest.split_once(", expected "))
     {
+        let expected = expected.replace("struct Pair", "a pair `{\"A\": …, \"B\": …}`");
         let fault = Diagnostic::new(format!("{what} in a scene"), source, at..at + 1, format!("expected {expected}"));
         let is_number = what.starts_with("integer") || what.starts_with("floating");
         return if is_number { fault.with_help("write every number as a string: `\"1/2\"`") } else { fault };
     }
     if let Some((what, known)) = said.split_once(", expected ") {
-        return Diagnostic::new(what, source, at..at + 1, format!("expected {known}"));
+        let name = what.split('`').nth(1).unwrap_or_default();
+        let near = near(name, known.split('`').skip(1).step_by(2));
+        return Diagnostic::new(what, source, at..at + 1, format!("expected {known}")).with_near(near);
     }
     Diagnostic::new(said, source, at..at + 1, "not as a scene has it")
 }

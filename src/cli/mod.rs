@@ -42,7 +42,7 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
-    Sheet(sheet::SheetArguments),
+    Sheet(Box<sheet::SheetArguments>),
     Solve(solve::SolveArguments),
     List(list::ListArguments),
     Explain(explain::ExplainArguments),

@@ -139,6 +139,8 @@ fn on_terminal(solutions: &[Solution], asked: &[Quantity]) -> String {
         if solutions.len() > 1 {
             text.push_str(&format!("{}Solution {}\n\n", if index == 0 { "" } else { "\n" }, index + 1));
         }
+        // Equations of each are numbered from 1, as its own words have it.
+        text.push_str(&worked(solution.finding()));
         text.push_str(&worked(&solution.lines()));
         for remark in solution.remarks() {
             text.push_str(&format!("{remark}\n"));
@@ -185,7 +187,8 @@ fn answers(solution: &Solution, asked: &[Quantity]) -> String {
         };
         let exact = written::unicode(&exact);
         let unit = if answer.unit == "deg" { "°".to_owned() } else { format!(" {}", answer.unit) };
-        let short = solution.number(*quantity).is_some_and(|value| value.as_fraction().is_some_and(|f| f.is_integer()));
+        let whole = solution.number(*quantity).is_some_and(|value| value.as_fraction().is_some_and(|f| f.is_integer()));
+        let short = whole || solution.angle(*quantity).is_some_and(|angle| angle.whole_degrees().is_some());
         let rounded = answer.rounded.filter(|rounded| !short && *rounded != exact && format!("{rounded}°") != exact);
         let exact_has_unit = exact.ends_with('°') || answer.decimal.is_none();
         let row = match rounded {

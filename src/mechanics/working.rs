@@ -421,6 +421,9 @@ impl<'a> Show<'a> {
 pub fn times(left: Expr, right: Expr) -> Expr {
     match (left, right) {
         (Expr::Negative(left), Expr::Negative(right)) => times_in_order(*left, *right),
+        (Expr::Number(left), Expr::Negative(right)) if left.sign().is_lt() => {
+            times_in_order(Expr::Number(-left), *right)
+        }
         (Expr::Negative(left), right) => times_in_order(*left, right).negated(),
         (left, Expr::Negative(right)) => times_in_order(left, *right).negated(),
         (left, right) => times_in_order(left, right),

@@ -8,7 +8,7 @@ use super::{SchemeRow, wording};
 use crate::bank::{Code, EarnedFor, Find, Mark};
 use crate::expr::{Expr, Piece, Text, read_markup};
 use crate::generate::Variant;
-use crate::mechanics::{Axis, Derivation, Known, Law, Line, Moment, Quantity, Rule, Scene, Show, Sphere, pose};
+use crate::mechanics::{Axis, Derivation, Known, Moment, Quantity, Rule, Scene, Show, Sphere, pose};
 use crate::number::{Places, Value};
 use crate::unit::Unit;
 
@@ -92,43 +92,27 @@ fn equation(
     match &mark.earned_for {
         EarnedFor::Quantity(quantity) => value(*quantity, here, variant, with_units),
         EarnedFor::Unknown(name) => (answer::letter(variant, name).map(|size| size.exact()), None),
-        EarnedFor::Law(Law::Perpendicular, _) => (perpendicular(here, variant), None),
-        EarnedFor::Law(Law::LineOfCentres, _) if mark.code.is_accuracy() => {
-            (Some(Show::new(variant.solution.scene(), &here.known, &[]).line_direction()), None)
+        step if mark.code.is_accuracy() || mark.code == Code::B1 => {
+            (law_equation(step, before, mark.code, worked), None)
         }
-        step if mark.code.is_accuracy() || mark.code == Code::B1 => (law_equation(step, before, worked), None),
         _ => (None, None),
     }
 }
 
-/// The first equation of the step that uses a law, or of the next one if earlier marks have had it.
-fn law_equation(step: &EarnedFor, before: usize, worked: &[WorkedPart]) -> Option<Expr> {
+/// The equation of the step that uses a law, or of the next one if earlier marks have had it. A `B1` for
+/// several such steps at once has none.
+fn law_equation(step: &EarnedFor, before: usize, code: Code, worked: &[WorkedPart]) -> Option<Expr> {
     for part in worked.iter().rev() {
-        let of_step = part.steps.iter().chain(&part.behind).filter(|(rule, _)| is_of(rule, step));
-        let first = |lines: &Vec<Line>| lines.iter().find_map(|line| line.equations.first().cloned());
-        let equations: Vec<Expr> = of_step.filter_map(|(_, lines)| first(lines)).collect();
+        let of_step = part.steps.iter().chain(&part.behind).filter(|other| is_of(&other.rule, step));
+        let equations: Vec<Expr> = of_step.filter_map(|step| step.equation.clone()).collect();
+        if code == Code::B1 && equations.len() > 1 {
+            return None;
+        }
         if let Some(found) = equations.get(before).or(equations.last()) {
             return Some(found.clone());
         }
     }
     None
-}
-
-/// The unchanged component, if only one sphere has one.
-fn perpendicular(here: &WorkedPart, variant: &Variant) -> Option<Expr> {
-    let show = Show::new(variant.solution.scene(), &here.known, &here.asked);
-    let mut found = Vec::new();
-    for (rule, _) in &here.steps {
-        if let (Law::Perpendicular, Some(Quantity::Velocity(sphere, Moment::After, _))) = (rule.law, rule.gives.first())
-        {
-            let value = show.shown_value(Quantity::Velocity(*sphere, Moment::After, Axis::T));
-            let given = show.across(*sphere, Moment::Before);
-            if !value.is_zero() {
-                found.push(if given == value { value } else { Expr::equation(given, value) });
-            }
-        }
-    }
-    if found.len() == 1 { found.pop() } else { None }
 }
 
 /// The value of a quantity, as an equation where the working has a letter for it, and its decimal.
@@ -197,13 +181,7 @@ fn known_with(quantity: Quantity, here: &WorkedPart, scene: Option<&Scene>) -> O
 fn usual_words(mark: &Mark, here: &WorkedPart) -> Text {
     match &mark.earned_for {
         _ if mark.code == Code::A1Shown => Text::words("the printed result, with no errors seen"),
-        EarnedFor::Law(Law::Perpendicular, _) => Text::words(Law::Perpendicular.method().0),
-        EarnedFor::Law(law, _) if mark.code.is_accuracy() => Text::words(match law {
-            Law::Momentum | Law::Restitution | Law::VectorMomentum | Law::Impulse => "correct equation, unsimplified",
-            Law::Solve => "a correct component",
-            Law::LineOfCentres => "correct direction, any multiple",
-            _ => "correct expression, unsimplified",
-        }),
+        EarnedFor::Law(law, _) if mark.code.is_accuracy() => Text::words(law.accuracy()),
         EarnedFor::Law(law, _) => Text::words(law.method().0),
         EarnedFor::Condition => Text::words("uses what is given of the motion after the impact"),
         EarnedFor::Unknown(_) => Text::words("correct value"),

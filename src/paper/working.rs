@@ -10,6 +10,25 @@ use crate::generate::Variant;
 use crate::mechanics::{Derivation, Known, Line, Quantity, Rule, Scene, Show, pose};
 use crate::number::Value;
 
+/// A step as it is printed.
+#[derive(Clone, Debug)]
+pub struct Step {
+    /// The law and what it is used for.
+    pub rule: Rule,
+    /// Its lines of working.
+    pub lines: Vec<Line>,
+    /// The equation that earns a mark.
+    pub equation: Option<Expr>,
+}
+
+impl Step {
+    fn new(rule: Rule, show: &Show, letters: &[(&'static str, String)]) -> Step {
+        let lines = rule.lines(show).into_iter().map(|line| renamed(line, letters)).collect();
+        let equation = rule.equation(show).map(|equation| rename(&equation, letters));
+        Step { rule, lines, equation }
+    }
+}
+
 /// A part with the steps that lead to its answers.
 pub struct WorkedPart<'q> {
     /// The part.
@@ -23,9 +42,9 @@ pub struct WorkedPart<'q> {
     /// How letters were found, if this part does that.
     pub finding: Vec<Line>,
     /// Its steps, each with its lines.
-    pub steps: Vec<(Rule, Vec<Line>)>,
+    pub steps: Vec<Step>,
     /// If letters were found: the steps that led to their conditions, which `finding` tells in words.
-    pub behind: Vec<(Rule, Vec<Line>)>,
+    pub behind: Vec<Step>,
     /// The letters that the question uses for angles of the working.
     letters: Vec<(&'static str, String)>,
 }
@@ -36,18 +55,14 @@ pub fn work<'q>(question: &'q Question, variant: &Variant) -> Vec<WorkedPart<'q>
     let Ok(mut known) = pose(scene) else { return Vec::new() };
     let letters = letters(question);
     let mut finding = variant.solution.finding().to_vec();
-    let mut behind = if finding.is_empty() { Vec::new() } else { behind_conditions(&variant.scene) };
+    let mut behind = if finding.is_empty() { Vec::new() } else { behind_conditions(&variant.scene, &letters) };
     let mut worked = Vec::new();
     for part in &question.parts {
         let asked: Vec<Quantity> = part.answers.iter().flat_map(|answer| answer.find.quantities()).collect();
         let given = known.0.keys().copied().collect();
         let (derivation, _) = Derivation::carry_out(&mut known, &asked);
         let show = Show::new(scene, &known, &asked);
-        let steps = derivation.steps.into_iter().map(|rule| {
-            let lines = rule.lines(&show).into_iter().map(|line| renamed(line, &letters)).collect();
-            (rule, lines)
-        });
-        let steps = steps.collect();
+        let steps = derivation.steps.into_iter().map(|rule| Step::new(rule, &show, &letters)).collect();
         let (finding, behind) = (std::mem::take(&mut finding), std::mem::take(&mut behind));
         let (known, letters) = (known.clone(), letters.clone());
         worked.push(WorkedPart { part, given, known, asked, finding, steps, behind, letters });
@@ -56,25 +71,26 @@ pub fn work<'q>(question: &'q Question, variant: &Variant) -> Vec<WorkedPart<'q>
 }
 
 /// The steps from a scene with unknown letters to the quantities of its conditions.
-fn behind_conditions(scene: &Scene) -> Vec<(Rule, Vec<Line>)> {
+fn behind_conditions(scene: &Scene, letters: &[(&'static str, String)]) -> Vec<Step> {
     let Ok(mut known) = pose(scene) else { return Vec::new() };
     let sides = scene.conditions.iter().flat_map(|condition| [&condition.left, &condition.right]);
     let names = sides.flat_map(Expr::names);
     let asked: Vec<Quantity> = names.filter_map(|name| name.text.parse().ok()).collect();
     let (derivation, _) = Derivation::carry_out(&mut known, &asked);
     let show = Show::new(scene, &known, &asked);
-    let lines = |rule: Rule| {
-        let lines = rule.lines(&show);
-        (rule, lines)
-    };
-    derivation.steps.into_iter().map(lines).collect()
+    derivation.steps.into_iter().map(|rule| Step::new(rule, &show, letters)).collect()
 }
 
 impl WorkedPart<'_> {
     /// The lines, numbered on from `last`, and what is to be shown at their end.
     pub fn lines(&self, variant: &Variant, last: &mut u32) -> Vec<WorkingLine> {
         let mut printed: Vec<WorkingLine> = Vec::new();
-        for line in self.finding.iter().chain(self.steps.iter().flat_map(|(_, lines)| lines)) {
+        let steps = self.steps.iter().flat_map(|step| &step.lines);
+        for (place, line) in self.finding.iter().chain(steps).enumerate() {
+            if place == self.finding.len() && place > 0 {
+                // The steps have equations (1) and (2) of their own.
+                *last = 0;
+            }
             let label = line.numbered.then(|| {
                 *last += 1;
                 *last

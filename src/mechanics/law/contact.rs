@@ -4,7 +4,7 @@
 //! to B, and `d` how far B's centre lies to the left of the line through A's centre along `w`. The
 //! line of centres makes the angle α with `w`, anticlockwise, where `sin α = d/(r_A + r_B)`.
 
-use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, rule, velocity};
+use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, rule, velocity, first_equation};
 use crate::expr::{Expr, Function, written};
 use crate::mechanics::Axis::{X, Y};
 use crate::mechanics::Moment::Before;
@@ -13,6 +13,8 @@ use crate::mechanics::Sphere::{A, B};
 use crate::number::Number;
 
 pub const NAME: &str = "contact";
+
+pub const ACCURACY: &str = "correct expression, unsimplified";
 
 pub const METHOD: (&str, &str) = (
     "right-angled triangle with the line joining the centres as hypotenuse",
@@ -58,6 +60,11 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
         "one-radius" => line(rule, known, sine.clone() + sine),
         _ => None,
     }
+}
+
+/// What earns the mark for accuracy.
+pub fn earning(rule: &Rule, show: &Show) -> Option<Expr> {
+    first_equation(&lines(rule, show))
 }
 
 pub fn lines(_: &Rule, show: &Show) -> Vec<Line> {

@@ -3,7 +3,7 @@
 //! `cross = u × v` and `dot = u · v` of the velocities before and after; the tangent of the deflection is
 //! their quotient, and also `(tan β - tan α)/(1 + tan α tan β)` by the angles to the line of centres.
 
-use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, silent, velocity};
+use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, silent, velocity, first_equation};
 use crate::expr::{Expr, Function, written};
 use crate::mechanics::Velocity;
 use crate::mechanics::working::{difference, times};
@@ -13,6 +13,8 @@ use crate::mechanics::{Quantity, Sphere};
 use crate::number::Number;
 
 pub const NAME: &str = "deflection";
+
+pub const ACCURACY: &str = "correct expression, unsimplified";
 
 pub const METHOD: (&str, &str) =
     ("deflection as a difference of directions, expanded or by scalar product", "either order of the difference");
@@ -100,6 +102,11 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
         "tangents-subtracted" => number(beta - alpha),
         _ => None,
     }
+}
+
+/// What earns the mark for accuracy.
+pub fn earning(rule: &Rule, show: &Show) -> Option<Expr> {
+    first_equation(&lines(rule, show))
 }
 
 pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {

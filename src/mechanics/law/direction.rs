@@ -3,13 +3,15 @@
 //! `tan β = v_t/v_n`. The angle *to* the line is acute, 0 to 90 degrees; the angle *from* n or i is
 //! signed, anticlockwise.
 
-use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, silent, velocity};
+use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, silent, velocity, first_equation};
 use crate::expr::{Expr, Function, written};
 use crate::mechanics::Axis::{N, T, X, Y};
 use crate::mechanics::{Moment, Quantity, Sphere};
 use crate::number::Number;
 
 pub const NAME: &str = "direction";
+
+pub const ACCURACY: &str = "correct expression, unsimplified";
 
 pub const METHOD: (&str, &str) = ("inverse tangent of their two components", "either way up; both components present");
 
@@ -60,6 +62,11 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
         ("angle-complement", TO_LINE, Datum::Direction { y, x }) => Some(vec![Datum::Direction { y: x, x: y }]),
         _ => None,
     }
+}
+
+/// What earns the mark for accuracy.
+pub fn earning(rule: &Rule, show: &Show) -> Option<Expr> {
+    first_equation(&lines(rule, show))
 }
 
 pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {

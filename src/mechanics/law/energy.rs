@@ -3,7 +3,7 @@
 //! The components across the line of centres do not change, so what a sphere loses is
 //! `½ m (u_n² - v_n²)`.
 
-use super::{Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, silent, velocity};
+use super::{Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, silent, velocity, first_equation};
 use crate::expr::{Expr, written};
 use crate::mechanics::Moment;
 use crate::mechanics::working::times;
@@ -15,6 +15,8 @@ use crate::mechanics::{Quantity, Sphere};
 use crate::number::Number;
 
 pub const NAME: &str = "energy";
+
+pub const ACCURACY: &str = "correct expression, unsimplified";
 
 pub const METHOD: (&str, &str) =
     ("difference of kinetic energies, both spheres", "squares of components may leave out the unchanged ones on both sides");
@@ -120,6 +122,11 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
     }
 }
 
+/// What earns the mark for accuracy.
+pub fn earning(rule: &Rule, show: &Show) -> Option<Expr> {
+    first_equation(&lines(rule, show))
+}
+
 pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
     match (rule.form, rule.gives[0]) {
         (TOTAL, Quantity::TotalEnergy(moment)) => total(show, moment),
@@ -156,7 +163,7 @@ fn lost(show: &Show) -> Vec<Line> {
     let terms = Sphere::BOTH.map(|sphere| {
         let part = |moment| {
             if along {
-                size_of(&show.worked(velocity(sphere, moment, N))).to_the(2)
+                squared(&show.worked(velocity(sphere, moment, N)))
             } else {
                 let at = |axis| size_of(&show.exact(velocity(sphere, moment, axis))).to_the(2);
                 Expr::Sum(vec![at(X), at(Y)])
@@ -180,7 +187,15 @@ fn size_of(value: &Value) -> Expr {
     written(&if value.sign() == Some(std::cmp::Ordering::Less) { -value } else { value.clone() })
 }
 
+/// The square of a component; nought is its own.
+fn squared(value: &Value) -> Expr {
+    if value.is_zero() { Expr::integer(0) } else { size_of(value).to_the(2) }
+}
+
 fn difference_of(before: Expr, after: Expr) -> Expr {
+    if after.is_zero() {
+        return before;
+    }
     // A sum of two squares stays together in its bracket.
     Expr::Sum(vec![before, after.negated()])
 }

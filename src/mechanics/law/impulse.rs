@@ -2,7 +2,7 @@
 //!
 //! The two impulses are equal and opposite, and act along the line of centres.
 
-use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, silent, velocity};
+use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, silent, velocity, first_equation};
 use crate::expr::{Expr, Function, written};
 use crate::mechanics::working::{difference, times};
 use crate::mechanics::Axis::{N, T, X, Y};
@@ -11,6 +11,8 @@ use crate::mechanics::{Quantity, Sphere};
 use crate::number::Number;
 
 pub const NAME: &str = "impulse";
+
+pub const ACCURACY: &str = "correct equation, unsimplified";
 
 pub const METHOD: (&str, &str) =
     ("impulse as the change of momentum of one sphere", "a difference of momenta of one sphere, in either order");
@@ -90,6 +92,11 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
         "impulse-after-only" => number(mass * after),
         _ => None,
     }
+}
+
+/// What earns the mark for accuracy.
+pub fn earning(rule: &Rule, show: &Show) -> Option<Expr> {
+    first_equation(&lines(rule, show))
 }
 
 pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {

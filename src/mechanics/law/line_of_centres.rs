@@ -3,11 +3,14 @@
 //! `n = I_B/|I_B|`: what B receives points from A to B.
 
 use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, rule};
+use crate::expr::Expr;
 use crate::mechanics::Axis::{X, Y};
 use crate::mechanics::{Quantity, Sphere};
 use crate::number::Number;
 
 pub const NAME: &str = "line of centres";
+
+pub const ACCURACY: &str = "correct direction, any multiple";
 
 pub const METHOD: (&str, &str) = ("line of centres parallel to the impulse", "any multiple of the vector");
 
@@ -44,6 +47,11 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
         }
         _ => None,
     }
+}
+
+/// The direction.
+pub fn earning(_: &Rule, show: &Show) -> Option<Expr> {
+    Some(show.line_direction())
 }
 
 pub fn lines(_: &Rule, show: &Show) -> Vec<Line> {

@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 
 use super::working::{Line, Show};
 use super::{Axis, Moment, Quantity, Sphere};
+use crate::expr::Expr;
 use crate::number::Number;
 
 /// A way to use a law: from the quantities in `needs` to those in `gives`.
@@ -140,7 +141,19 @@ macro_rules! laws {
             }
         }
 
+        impl Law {
+            /// What the accuracy mark of its equation is for.
+            pub fn accuracy(self) -> &'static str {
+                match self { $(Law::$law => $file::ACCURACY,)* }
+            }
+        }
+
         impl Rule {
+            /// The equation, as a student first writes it, that a mark for accuracy is given for.
+            pub fn equation(&self, show: &Show) -> Option<Expr> {
+                match self.law { $(Law::$law => $file::earning(self, show),)* }
+            }
+
             /// The quantities it gives, in any kind of number; `None` where one does not exist, as
             /// the direction of a sphere at rest does not.
             pub fn evaluate<N: Number>(&self, known: &Known<N>) -> Outcome<N> {
@@ -219,6 +232,10 @@ pub(super) const ALONG: [Quantity; 4] = [
 ];
 
 pub(super) const MASSES: [Quantity; 2] = [Quantity::Mass(Sphere::A), Quantity::Mass(Sphere::B)];
+
+fn first_equation(lines: &[Line]) -> Option<Expr> {
+    lines.iter().find_map(|line| line.equations.first().cloned())
+}
 
 /// Nothing to show: the step is part of another.
 fn silent() -> Vec<Line> {

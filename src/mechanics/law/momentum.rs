@@ -3,12 +3,14 @@
 //! `m_A a + m_B b = m_A x + m_B y` for the components a, b before and x, y after, all positive from A
 //! to B.
 
-use super::{ALONG, Datum, Known, Law, Line, MASSES, Outcome, Rule, Show, Slip, number, rule};
+use super::{ALONG, Datum, Known, Law, Line, MASSES, Outcome, Rule, Show, Slip, number, rule, first_equation};
 use crate::expr::Expr;
 use crate::mechanics::Quantity;
 use crate::number::Number;
 
 pub const NAME: &str = "momentum";
+
+pub const ACCURACY: &str = "correct equation, unsimplified";
 
 pub const METHOD: (&str, &str) = (
     "conservation of momentum along the line of centres, all terms",
@@ -71,6 +73,11 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
         }
         _ => None,
     }
+}
+
+/// What earns the mark for accuracy.
+pub fn earning(rule: &Rule, show: &Show) -> Option<Expr> {
+    first_equation(&lines(rule, show))
 }
 
 pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {

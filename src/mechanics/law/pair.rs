@@ -4,13 +4,15 @@
 //! equations of momentum and restitution the determinant is `m_A + m_B`. Backwards, from the
 //! components after the impact to those before it, `a - b = (y - x)/e` takes the place of restitution.
 
-use super::{ALONG, Datum, Known, Law, Line, MASSES, Outcome, Rule, Show, Slip, rule};
+use super::{ALONG, Datum, Known, Law, Line, MASSES, Outcome, Rule, Show, Slip, rule, first_equation};
 use crate::expr::{Expr, written};
 use crate::mechanics::working::multiple;
 use crate::mechanics::Quantity;
 use crate::number::Number;
 
 pub const NAME: &str = "solve";
+
+pub const ACCURACY: &str = "a correct component";
 
 pub const METHOD: (&str, &str) = ("solves the two equations for a component", "depends on both method marks before it");
 
@@ -89,6 +91,11 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
 
 pub fn slipped<N: Number>(_: &str, _: &Rule, _: &Known<N>) -> Outcome<N> {
     None
+}
+
+/// What earns the mark for accuracy.
+pub fn earning(rule: &Rule, show: &Show) -> Option<Expr> {
+    first_equation(&lines(rule, show))
 }
 
 pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {

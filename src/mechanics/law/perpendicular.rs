@@ -11,6 +11,8 @@ use crate::number::Number;
 
 pub const NAME: &str = "perpendicular";
 
+pub const ACCURACY: &str = "component perpendicular to the line of centres unchanged";
+
 pub const METHOD: (&str, &str) =
     ("component perpendicular to the line of centres unchanged", "seen anywhere, on a diagram too");
 
@@ -46,6 +48,15 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
         "perpendicular-dropped" => number(component.nought()),
         _ => None,
     }
+}
+
+/// `4 sin 30° = 2`; nothing if there is no such component.
+pub fn earning(rule: &Rule, show: &Show) -> Option<Expr> {
+    let Quantity::Velocity(sphere, moment, _) = rule.gives[0] else { return None };
+    let known = if moment == After { Before } else { After };
+    let value = show.worked(rule.needs[0]);
+    let (shown, exact) = (show.across(sphere, known), written(&value));
+    if value.is_zero() { None } else { Some(if shown == exact { exact } else { Expr::equation(shown, exact) }) }
 }
 
 pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {

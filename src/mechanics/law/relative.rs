@@ -2,7 +2,8 @@
 //!
 //! `approach = a - b` and `separation = y - x`, positive when the spheres near, and when they part.
 
-use super::{ALONG, Datum, Known, Law, Line, MASSES, Outcome, Rule, Show, Slip, number, rule, silent, velocity};
+use super::{ALONG, Datum, Known, Law, Line, MASSES, Outcome, Rule, Show, Slip, number, rule, silent, velocity, first_equation};
+use crate::expr::Expr;
 use crate::mechanics::Axis::{N, T, X, Y};
 use crate::mechanics::Moment::{After, Before};
 use crate::mechanics::Quantity;
@@ -10,6 +11,8 @@ use crate::mechanics::Sphere::{A, B};
 use crate::number::Number;
 
 pub const NAME: &str = "relative";
+
+pub const ACCURACY: &str = "correct expression, unsimplified";
 
 pub const METHOD: (&str, &str) = ("relative velocity along the line of centres", "condone the order of the difference");
 
@@ -61,6 +64,11 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
 
 pub fn slipped<N: Number>(_: &str, _: &Rule, _: &Known<N>) -> Outcome<N> {
     None
+}
+
+/// What earns the mark for accuracy.
+pub fn earning(rule: &Rule, show: &Show) -> Option<Expr> {
+    first_equation(&lines(rule, show))
 }
 
 pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {

@@ -3,7 +3,7 @@
 //! `v_n = v·n` and `v_t = v·t`, where `t` is `n` turned by +90 degrees; and back again. A velocity that
 //! was given by its speed and direction has the components `v cos θ`, `v sin θ`.
 
-use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, rule, silent, velocity};
+use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, rule, silent, velocity, first_equation};
 use crate::expr::{Expr, Function, written};
 use crate::mechanics::Axis::{N, T, X, Y};
 use crate::mechanics::working::times;
@@ -11,6 +11,8 @@ use crate::mechanics::{Moment, Quantity, Sphere};
 use crate::number::Number;
 
 pub const NAME: &str = "resolve";
+
+pub const ACCURACY: &str = "correct expression, unsimplified";
 
 pub const METHOD: (&str, &str) =
     ("velocities resolved along the line of centres", "scalar product or sine and cosine; condone sine for cosine");
@@ -97,6 +99,11 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
         _ => return None,
     }
     Some(components)
+}
+
+/// What earns the mark for accuracy.
+pub fn earning(rule: &Rule, show: &Show) -> Option<Expr> {
+    first_equation(&lines(rule, show))
 }
 
 pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {

@@ -2,13 +2,15 @@
 //!
 //! `y - x = e (a - b)` for the components a, b before and x, y after, all positive from A to B.
 
-use super::{ALONG, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, number, rule};
+use super::{ALONG, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, first_equation};
 use crate::expr::Expr;
 use crate::mechanics::Quantity;
 use crate::mechanics::working::difference;
 use crate::number::Number;
 
 pub const NAME: &str = "restitution";
+
+pub const ACCURACY: &str = "correct equation, unsimplified";
 
 pub const METHOD: (&str, &str) =
     ("Newton's law of restitution along the line of centres", "e on the correct side; condone sign errors");
@@ -100,6 +102,11 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
         }
         _ => None,
     }
+}
+
+/// What earns the mark for accuracy.
+pub fn earning(rule: &Rule, show: &Show) -> Option<Expr> {
+    first_equation(&lines(rule, show))
 }
 
 pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {

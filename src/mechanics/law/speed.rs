@@ -1,6 +1,6 @@
 //! Pythagoras: a speed from two perpendicular components, `v² = v_n² + v_t²`.
 
-use super::{Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, velocity};
+use super::{Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, velocity, first_equation};
 use crate::expr::{Expr, Function, Piece, written};
 use crate::number::Value;
 use crate::mechanics::Axis::{N, T, X, Y};
@@ -8,6 +8,8 @@ use crate::mechanics::{Moment, Quantity, Sphere};
 use crate::number::Number;
 
 pub const NAME: &str = "speed";
+
+pub const ACCURACY: &str = "correct expression, unsimplified";
 
 pub const METHOD: (&str, &str) = ("Pythagoras with their two components", "both components present");
 
@@ -59,6 +61,11 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
         "speed-along-only" => number(along.size()),
         _ => None,
     }
+}
+
+/// What earns the mark for accuracy.
+pub fn earning(rule: &Rule, show: &Show) -> Option<Expr> {
+    first_equation(&lines(rule, show))
 }
 
 pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {

@@ -3,7 +3,7 @@
 //! `m_A u_A + m_B u_B = m_A v_A + m_B v_B`. Three velocities and the masses give the fourth velocity; four
 //! velocities give the ratio of the masses.
 
-use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, silent, velocity};
+use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, silent, velocity, first_equation};
 use crate::mechanics::working::times;
 use crate::expr::Expr;
 use crate::mechanics::Axis::{X, Y};
@@ -13,6 +13,8 @@ use crate::mechanics::{Axis, Moment, Quantity, Sphere};
 use crate::number::Number;
 
 pub const NAME: &str = "vector momentum";
+
+pub const ACCURACY: &str = "correct equation, unsimplified";
 
 pub const METHOD: (&str, &str) = ("conservation of momentum as a vector equation, four terms", "condone sign errors");
 
@@ -113,6 +115,11 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
         }
         _ => None,
     }
+}
+
+/// What earns the mark for accuracy.
+pub fn earning(rule: &Rule, show: &Show) -> Option<Expr> {
+    first_equation(&lines(rule, show))
 }
 
 pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
