@@ -9,15 +9,12 @@ use super::{Direction, Fraction, Interval, Letter, Value};
 /// The angle from the positive x-direction to the vector `(x, y)`, anticlockwise, above -180 and up
 /// to 180 degrees.
 ///
-/// Where the sign of `x` is known and it holds few roots, the vector is scaled to `x = 1`, `-1` or `0`.
+/// Where the sign of `x` is known and it is no long sum of roots, the vector is scaled to `x = 1`, `-1` or `0`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Angle {
     y: Value,
     x: Value,
 }
-
-/// A vector whose x-component holds more roots is not scaled.
-const MOST_ROOTS: usize = 2;
 
 impl Angle {
     /// The angle of a vector; `None` for the vector nought.
@@ -37,7 +34,7 @@ impl Angle {
                 None => Some(Angle { y: Value::ZERO, x: x.clone() }),
             };
         }
-        if x.roots().len() > MOST_ROOTS {
+        if x.is_laborious() {
             // To divide would be to rationalise the denominator, root after root, for nothing.
             return Some(Angle::unscaled(y, x));
         }

@@ -11,6 +11,8 @@ use super::{Fraction, Interval, Value};
 pub trait Number: Clone + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self> {
     /// The number times a fraction.
     fn scaled(&self, factor: &Fraction) -> Self;
+    /// One of this kind.
+    fn one(&self) -> Self;
     /// The quotient, `None` by nought.
     fn over(&self, divisor: &Self) -> Option<Self>;
     /// The root that is not negative; `None` of a negative number.
@@ -40,6 +42,9 @@ impl Number for Value {
     fn scaled(&self, factor: &Fraction) -> Value {
         self * &Value::Rational(factor.clone())
     }
+    fn one(&self) -> Value {
+        Value::ONE
+    }
     /// Not by a divisor with many roots: to rationalise it would take for ever and print as pages.
     fn over(&self, divisor: &Value) -> Option<Value> {
         if divisor.is_laborious() { None } else { self.divided_by(divisor) }
@@ -59,6 +64,9 @@ impl Number for Interval {
     fn scaled(&self, factor: &Fraction) -> Interval {
         self.clone() * Interval::from_fraction(factor, self.bits())
     }
+    fn one(&self) -> Interval {
+        Interval::integer(1, self.bits())
+    }
     fn over(&self, divisor: &Interval) -> Option<Interval> {
         self.checked_div(divisor)
     }
@@ -76,6 +84,9 @@ impl Number for Interval {
 impl Number for f64 {
     fn scaled(&self, factor: &Fraction) -> f64 {
         self * factor.to_f64()
+    }
+    fn one(&self) -> f64 {
+        1.0
     }
     fn over(&self, divisor: &f64) -> Option<f64> {
         (*divisor != 0.0).then(|| self / divisor)

@@ -310,7 +310,11 @@ impl Value {
     /// let it grow further.
     pub fn is_laborious(&self) -> bool {
         let roots = self.roots().len();
-        let many = if self.is_constant() { 4 } else { 3 };
+        let many = match (self.letters().is_empty(), self.is_constant()) {
+            (true, _) => 4,
+            (false, true) => 3,
+            (false, false) => 2,
+        };
         let single = matches!(self, Value::Compound(compound) if compound.terms.len() == 1);
         roots >= many && !single
     }

@@ -336,7 +336,8 @@ fn carom_knows_that_two_exercises_of_the_seed_are_impossible() {
 
 #[test]
 fn carom_knows_the_repairs_of_exercises_12_and_14() {
-    let repairs: [(&str, [&str; 2], &[(&str, &str)]); 2] = [
+    type Repair = (&'static str, [&'static str; 2], &'static [(&'static str, &'static str)]);
+    let repairs: [Repair; 2] = [
         ("5C-12", ["4", "-1"], &[("B.after.x", "2"), ("B.after.y", "2"), ("e", "11/19")]),
         ("5C-14", ["4", "3"], &[("B.after.x", "-2"), ("B.after.y", "2"), ("e", "5/7"), ("ke.lost", "4*m")]),
     ];

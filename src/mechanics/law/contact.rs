@@ -42,8 +42,7 @@ fn line<N: Number>(rule: &Rule, known: &Known<N>, sine: N) -> Outcome<N> {
     let (x, y) = (ax - bx, ay - by);
     let size = (x.squared() + y.squared()).root()?;
     let (x, y) = (x.over(&size)?, y.over(&size)?);
-    // One, in this kind of number, without a constant of its own.
-    let one = x.squared() + y.squared();
+    let one = x.one();
     let cosine = (one - sine.squared()).root()?;
     let n_x = x.clone() * cosine.clone() - y.clone() * sine.clone();
     let n_y = y * cosine + x * sine;

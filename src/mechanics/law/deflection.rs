@@ -4,7 +4,7 @@
 //! their quotient, and also `(tan β - tan α)/(1 + tan α tan β)` by the angles to the line of centres.
 
 use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, silent, velocity, first_equation};
-use crate::expr::{Expr, Function, written};
+use crate::expr::{Expr, Function, ratio, written};
 use crate::mechanics::Velocity;
 use crate::mechanics::working::{difference, times};
 use crate::mechanics::Axis::{N, T, X, Y};
@@ -67,11 +67,7 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
         }
         BY_TANGENTS => {
             let [alpha, beta] = known.numbers([n[0], n[1]])?;
-            // x/x is one; a path along the line of centres has no tangent to divide by.
-            if alpha.is_nought() {
-                return number(beta);
-            }
-            let one = alpha.over(&alpha)?;
+            let one = alpha.one();
             number((beta.clone() - alpha.clone()).over(&(one + alpha * beta))?)
         }
         BY_PRODUCTS => {
@@ -96,7 +92,7 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
     let [alpha, beta] = known.numbers([rule.needs[0], rule.needs[1]])?;
     match slip {
         "deflection-added" => {
-            let one = alpha.over(&alpha)?;
+            let one = alpha.one();
             number((beta.clone() + alpha.clone()).over(&(one - alpha * beta))?)
         }
         "tangents-subtracted" => number(beta - alpha),
@@ -157,8 +153,8 @@ fn turned(show: &Show, sphere: Sphere) -> Vec<Line> {
     let mut equations = Vec::new();
     let dot = show.exact(Quantity::DeflectionDot(sphere));
     let size = &show.exact(Quantity::DeflectionCross(sphere)).absolute();
-    if let Some(tangent) = size.divided_by(&dot) {
-        equations.push(Expr::equation(Expr::call(Function::Tan, left.clone()), written(&tangent)));
+    if !dot.is_zero() {
+        equations.push(Expr::equation(Expr::call(Function::Tan, left.clone()), ratio(size, &dot)));
     }
     equations.push(Expr::equation(left.clone(), Show::angle_expr(&angle)));
     equations.extend(Show::approximate_angle(&left, &angle));

@@ -68,7 +68,7 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
         "momentum-ignores-b" => equation(m_a.clone(), m_b, m_a * a),
         "masses-swapped" => equation(m_b.clone(), m_a.clone(), m_b * a + m_a * b),
         "masses-omitted" => {
-            let one = m_a.over(&m_a)?;
+            let one = m_a.one();
             equation(one.clone(), one, a + b)
         }
         _ => None,

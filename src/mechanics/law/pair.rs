@@ -50,7 +50,7 @@ pub fn rules() -> Vec<Rule> {
 /// A before and B after with `m_A = e m_B`.
 fn mixed<N: Number>(unknown: [usize; 2], known: &Known<N>) -> Outcome<N> {
     let [m_a, m_b, e] = known.numbers([MASSES[0], MASSES[1], Quantity::Restitution])?;
-    let one = m_a.over(&m_a)?;
+    let one = m_a.one();
     // m_A a + m_B b - m_A x - m_B y = 0 and e a - e b + x - y = 0.
     let momentum = [m_a.clone(), m_b.clone(), -m_a, -m_b];
     let restitution = [e.clone(), -e, one.clone(), -one];

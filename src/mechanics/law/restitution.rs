@@ -73,7 +73,7 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
 fn equation<N: Number>(known: &Known<N>, right: impl Fn(N, N, N) -> N, b_leads: bool) -> Outcome<N> {
     let [a, b, e] = known.numbers([ALONG[0], ALONG[1], Quantity::Restitution])?;
     let approach = a.clone() - b.clone();
-    let one = approach.over(&approach)?;
+    let one = approach.one();
     let (p, q) = if b_leads { (-one.clone(), one) } else { (one.clone(), -one) };
     Some(vec![Datum::Equation([p, q, right(a, b, e)])])
 }
