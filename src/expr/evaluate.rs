@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use super::{Expr, Fault, Function, Name, Relation, Span, Turn};
-use crate::number::{Angle, Fraction, Interval, Value};
+use crate::number::{Angle, Fraction, Interval, Letter, Value};
 
 /// What an expression stands for.
 #[derive(Clone, Debug, PartialEq)]
@@ -347,5 +347,8 @@ fn part_of_an_angle() -> Fault {
 }
 
 fn too_fine() -> Fault {
-    fault("this angle is too finely given to be exact", "an angle of at most 15 characters in degrees")
+    fault(
+        "this angle is too finely given to be exact",
+        format!("an angle of at most {} characters in degrees", Letter::LONGEST),
+    )
 }

@@ -7,6 +7,7 @@ mod evaluate;
 mod fault;
 pub mod print;
 mod read;
+mod term;
 mod text;
 mod tree;
 mod turn;

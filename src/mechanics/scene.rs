@@ -174,7 +174,7 @@ impl Reader<'_> {
             };
             match Letter::new(name, found) {
                 Some(letter) if !name.is_empty() => self.letters.push(letter),
-                _ => self.whole_fault(&field, name, "a letter's name is too long", "at most 15 characters"),
+                _ => self.whole_fault(&field, name, "a letter's name is too long", &at_most()),
             }
         }
     }
@@ -280,7 +280,7 @@ impl Reader<'_> {
                     }
                 };
                 let Some(direction) = turn.direction() else {
-                    self.whole_fault(&field, angle.as_ref(), "too finely given an angle", "at most 15 characters");
+                    self.whole_fault(&field, angle.as_ref(), "too finely given an angle", &at_most());
                     return None;
                 };
                 let speed = speed?;
@@ -409,6 +409,11 @@ impl Reader<'_> {
         }
         conditions
     }
+}
+
+/// How long a name, of a letter or of an angle in degrees, may be.
+fn at_most() -> String {
+    format!("at most {} characters", Letter::LONGEST)
 }
 
 /// What a letter of the scene stands for in an expression.

@@ -36,7 +36,7 @@ pub struct Letter {
 
 impl Letter {
     /// The longest name of a letter, in bytes.
-    pub const LONGEST: usize = 15;
+    pub const LONGEST: usize = 23;
 
     /// A letter with a name of at most [`Letter::LONGEST`] bytes; `None` for a longer one.
     pub fn new(name: &str, range: Range) -> Option<Letter> {

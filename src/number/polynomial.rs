@@ -1,8 +1,6 @@
-//! Polynomials in letters with rational coefficients, and their greatest common divisor.
+//! Polynomials in letters with rational coefficients.
 //!
-//! Terms are kept sorted and without noughts, so equal polynomials are equal as data. Division and
-//! the greatest common divisor see a polynomial as one in its last letter, whose coefficients are
-//! polynomials in the others.
+//! Terms are kept sorted and without noughts, so equal polynomials are equal as data.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
@@ -10,7 +8,6 @@ use std::ops::{Add, Mul, Neg, Sub};
 use dashu_int::IBig;
 use dashu_int::ops::{Abs, Gcd};
 
-use super::coprime::coprime;
 use super::{Fraction, Letter};
 
 /// A product of powers of letters, sorted by letter, exponents positive.
@@ -46,6 +43,11 @@ impl Polynomial {
     /// One plus the square of a tangent: one over the square of the cosine.
     pub fn one_plus_square(tangent: Letter) -> Polynomial {
         Polynomial { terms: vec![(Vec::new(), Fraction::ONE), (vec![(tangent, 2)], Fraction::ONE)] }
+    }
+
+    /// A product of powers of letters.
+    pub(crate) fn monomial(monomial: Monomial) -> Polynomial {
+        Polynomial { terms: vec![(monomial, Fraction::ONE)] }
     }
 
     /// Collects terms, adding those with the same monomial.
@@ -172,151 +174,6 @@ impl Polynomial {
         let signed = if last.sign().is_lt() { -content } else { content };
         self.scaled(&signed.reciprocal().expect("a content is not nought"))
     }
-
-    /// The quotient where the division leaves nothing, `None` where it does (or by nought).
-    pub fn divided_by(&self, divisor: &Polynomial) -> Option<Polynomial> {
-        if let Some(number) = divisor.as_constant() {
-            return Some(self.scaled(&number.reciprocal()?));
-        }
-        if self.is_zero() {
-            return Some(Polynomial::zero());
-        }
-        if let [(monomial, coefficient)] = divisor.terms.as_slice() {
-            let inverse = coefficient.reciprocal()?;
-            let terms: Option<Vec<_>> =
-                self.terms.iter().map(|(m, c)| Some((quotient(m, monomial)?, c * &inverse))).collect();
-            return terms.map(Polynomial::from_terms);
-        }
-        let letter = *divisor.letters().last()?;
-        let (mut rest, below) = (self.coefficients(letter), divisor.coefficients(letter));
-        if rest.len() < below.len() {
-            return None;
-        }
-        let lead = below.last()?;
-        let mut result = vec![Polynomial::zero(); rest.len() - below.len() + 1];
-        for shift in (0..result.len()).rev() {
-            let factor = rest[shift + below.len() - 1].divided_by(lead)?;
-            for (index, coefficient) in below.iter().enumerate() {
-                rest[shift + index] = &rest[shift + index] - &(&factor * coefficient);
-            }
-            result[shift] = factor;
-        }
-        rest.iter().all(Polynomial::is_zero).then(|| Polynomial::from_coefficients(letter, &result))
-    }
-
-    /// The greatest common divisor, primitive; nought only for two noughts.
-    pub fn greatest_common_divisor(&self, other: &Polynomial) -> Polynomial {
-        if self.is_zero() {
-            return other.primitive();
-        }
-        if other.is_zero() {
-            return self.primitive();
-        }
-        if self.as_constant().is_some() || other.as_constant().is_some() {
-            return Polynomial::one();
-        }
-        if self.terms.len() == 1 || other.terms.len() == 1 {
-            return Polynomial { terms: vec![(shared_monomial([self, other]), Fraction::ONE)] };
-        }
-        if coprime(self, other) {
-            return Polynomial::one();
-        }
-        let last = self.letters().last().copied().max(other.letters().last().copied());
-        let letter = last.expect("a polynomial that is no constant has a letter");
-        let (content_a, mut a) = self.split_content(letter);
-        let (content_b, mut b) = other.split_content(letter);
-        let content = content_a.greatest_common_divisor(&content_b);
-        if a.degree(letter) < b.degree(letter) {
-            (a, b) = (b, a);
-        }
-        // Euclid's algorithm; taking out the content after each step keeps the coefficients small.
-        while !b.is_zero() {
-            if b.degree(letter) == 0 {
-                return content;
-            }
-            let rest = a.pseudo_remainder(&b, letter);
-            (a, b) = (b, rest.split_content(letter).1);
-        }
-        (&content * &a).primitive()
-    }
-
-    /// The greatest common divisor of the coefficients in a letter, and the polynomial without it.
-    fn split_content(&self, letter: Letter) -> (Polynomial, Polynomial) {
-        let content = self.coefficients(letter).iter().fold(Polynomial::zero(), |shared, coefficient| {
-            if shared.is_one() { shared } else { shared.greatest_common_divisor(coefficient) }
-        });
-        if self.is_zero() {
-            return (Polynomial::one(), Polynomial::zero());
-        }
-        let rest = self.divided_by(&content).expect("a content divides its polynomial");
-        (content, rest.primitive())
-    }
-
-    /// The remainder of a multiple of `self` that can be divided without fractions.
-    fn pseudo_remainder(&self, divisor: &Polynomial, letter: Letter) -> Polynomial {
-        let below = divisor.coefficients(letter);
-        let lead = below.last().expect("a divisor has a leading coefficient");
-        let mut rest = self.coefficients(letter);
-        while rest.len() >= below.len() {
-            let top = rest.pop().expect("the loop condition keeps at least one coefficient");
-            let shift = rest.len() + 1 - below.len();
-            for coefficient in &mut rest {
-                *coefficient = &*coefficient * lead;
-            }
-            for (index, coefficient) in below[..below.len() - 1].iter().enumerate() {
-                rest[shift + index] = &rest[shift + index] - &(&top * coefficient);
-            }
-            while rest.last().is_some_and(Polynomial::is_zero) {
-                rest.pop();
-            }
-        }
-        Polynomial::from_coefficients(letter, &rest)
-    }
-
-    /// Pairwise coprime factors without repeated factors, each with its power, and the number that
-    /// is left over: `self = number * product of factor^power`.
-    pub fn square_free(&self) -> (Fraction, Vec<(Polynomial, u32)>) {
-        let mut factors = Vec::new();
-        let mut rest = self.clone();
-        let shared = shared_monomial([self]);
-        for (letter, power) in &shared {
-            factors.push((Polynomial::letter(*letter), *power));
-        }
-        if !shared.is_empty() {
-            rest = rest
-                .divided_by(&Polynomial { terms: vec![(shared, Fraction::ONE)] })
-                .expect("a shared monomial divides");
-        }
-        while let Some(letter) = rest.letters().last().copied() {
-            // What does not contain the letter is a content, and is split in a later turn.
-            let (content, part) = rest.split_content(letter);
-            let scale =
-                rest.divided_by(&(&content * &part)).and_then(|unit| unit.as_constant()).unwrap_or(Fraction::ONE);
-            split_powers(part, letter, &mut factors);
-            rest = content.scaled(&scale);
-        }
-        (rest.as_constant().expect("no letter is left"), factors)
-    }
-}
-
-/// Yun's algorithm on a polynomial that is primitive in the letter.
-fn split_powers(part: Polynomial, letter: Letter, factors: &mut Vec<(Polynomial, u32)>) {
-    let exact = |a: &Polynomial, b: &Polynomial| a.divided_by(b).expect("a common divisor divides");
-    let slope = part.derivative(letter);
-    let repeated = part.greatest_common_divisor(&slope);
-    let mut simple = exact(&part, &repeated);
-    let mut change = &exact(&slope, &repeated) - &simple.derivative(letter);
-    let mut power = 1;
-    while simple.as_constant().is_none() {
-        let factor = simple.greatest_common_divisor(&change);
-        simple = exact(&simple, &factor);
-        change = &exact(&change, &factor) - &simple.derivative(letter);
-        if factor.as_constant().is_none() {
-            factors.push((factor, power));
-        }
-        power += 1;
-    }
-    // `simple` has become one: input and factors are primitive, and so is each product of them.
 }
 
 /// The order of monomials: the first letter of the alphabet in which they differ decides. It is kept by
@@ -355,7 +212,8 @@ pub(crate) fn product(a: &Monomial, b: &Monomial) -> Monomial {
     result
 }
 
-fn quotient(a: &Monomial, b: &Monomial) -> Option<Monomial> {
+/// The quotient of two monomials, if the second divides the first.
+pub(crate) fn quotient(a: &Monomial, b: &Monomial) -> Option<Monomial> {
     let mut result = a.clone();
     for (letter, power) in b {
         let position = result.iter().position(|(other, _)| other == letter)?;
@@ -444,54 +302,5 @@ impl Sub for &Polynomial {
     type Output = Polynomial;
     fn sub(self, other: &Polynomial) -> Polynomial {
         self + &-other
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::Range;
-    use super::*;
-
-    fn letter(name: &str) -> Polynomial {
-        Polynomial::letter(Letter::new(name, Range::Positive).unwrap())
-    }
-
-    fn number(value: i64) -> Polynomial {
-        Polynomial::constant(value.into())
-    }
-
-    #[test]
-    fn a_shared_factor_is_found_whatever_else_is_there() {
-        let (a, b, c) = (letter("a"), letter("b"), letter("c"));
-        let shared = &(&a * &b) + &number(3);
-        let left = &(&shared * &(&a - &c)) * &(&b + &number(1));
-        let right = &(&shared * &(&a + &c)) * &(&c - &number(2));
-        assert_eq!(left.greatest_common_divisor(&right), shared);
-        assert_eq!((&a + &b).greatest_common_divisor(&(&a - &b)), Polynomial::one());
-        assert_eq!((&a * &b).greatest_common_divisor(&(&(&a * &a) + &(&a * &c))), a);
-    }
-
-    #[test]
-    fn division_is_exact_or_refused() {
-        let (a, b) = (letter("a"), letter("b"));
-        let sum = &a + &b;
-        let square = &sum * &sum;
-        assert_eq!(square.divided_by(&sum), Some(sum.clone()));
-        assert_eq!(square.divided_by(&(&a - &b)), None);
-        assert_eq!(square.divided_by(&Polynomial::zero()), None);
-    }
-
-    #[test]
-    fn repeated_factors_are_told_apart() {
-        let (a, b) = (letter("a"), letter("b"));
-        let polynomial = (&(&(&a + &b).power(2) * &(&a - &number(1))) * &a.power(3)).scaled(&Fraction::new(-5, 2));
-        let (number, factors) = polynomial.square_free();
-        let mut back = Polynomial::constant(number);
-        for (factor, power) in &factors {
-            back = &back * &factor.power(*power);
-        }
-        assert_eq!(back, polynomial);
-        assert!(factors.contains(&(&a + &b, 2)), "{factors:?}");
-        assert!(factors.contains(&(a, 3)), "{factors:?}");
     }
 }
