@@ -13,6 +13,8 @@ mod tree;
 mod turn;
 mod walk;
 mod written;
+#[cfg(test)]
+mod written_tests;
 
 pub use evaluate::{Meaning, Names, degrees, evaluate, holds, number};
 pub use fault::Fault;

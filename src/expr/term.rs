@@ -172,9 +172,14 @@ pub(super) struct Shared {
 }
 
 impl Shared {
+    /// Nothing is shared.
+    pub(super) fn nothing() -> Shared {
+        Shared { surd: 1, letters: BTreeMap::new(), circular: BTreeMap::new(), nested: Vec::new() }
+    }
+
     pub(super) fn of(terms: &[Term]) -> Shared {
         let Some((first, others)) = terms.split_first().filter(|(_, others)| !others.is_empty()) else {
-            return Shared { surd: 1, letters: BTreeMap::new(), circular: BTreeMap::new(), nested: Vec::new() };
+            return Shared::nothing();
         };
         let mut shared = Shared {
             surd: first.surd,

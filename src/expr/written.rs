@@ -20,9 +20,10 @@ pub fn written(value: &Value) -> Expr {
         return number_expr(number);
     }
     let (terms, below) = collect(value);
-    let shared = Shared::of(&terms);
+    // A sum of plain surds stays a sum: 4/3 + 11√2/9.
+    let constant_sum = terms.len() > 1 && terms.iter().all(|term| term.letters.is_empty() && term.circular.is_empty());
+    let shared = if constant_sum { Shared::nothing() } else { Shared::of(&terms) };
     let rest: Vec<Term> = terms.iter().map(|term| shared.taken_from(term)).collect();
-    let constant_sum = rest.len() > 1 && rest.iter().all(|term| term.letters.is_empty() && term.circular.is_empty());
     let (rest, scale) = if constant_sum { (rest, Fraction::ONE) } else { whole(rest) };
     let mut scale = scale;
     let bracket = if let [single] = rest.as_slice() {

@@ -1,0 +1,42 @@
+//! How carom writes exact values.
+
+use super::{print, written};
+use crate::number::{Direction, Fraction, Letter, Range, Value};
+
+fn root(n: i64) -> Value {
+    Value::from(n).square_root().unwrap()
+}
+
+fn letter(name: &str, range: Range) -> Value {
+    Value::letter(Letter::new(name, range).unwrap())
+}
+
+#[test]
+fn values_are_written_as_a_teacher_writes_them() {
+    let (u, e, m) = (letter("u", Range::Positive), letter("e", Range::Unit), letter("m", Range::Positive));
+    let theta = Direction::acute(Letter::new("theta", Range::Acute).unwrap());
+    let one = Value::ONE;
+    let half = Value::fraction(1, 2);
+    let ten = Direction::degrees(&Fraction::from(10)).unwrap();
+    let quotient = |a: &Value, b: &Value| a.divided_by(b).unwrap();
+    let table: Vec<(Value, &str)> = vec![
+        (Value::fraction(-5, 2), "-5/2"),
+        (&root(3) * &Value::fraction(16, 9), "16*sqrt(3)/9"),
+        (&Value::fraction(4, 3) + &(&root(2) * &Value::fraction(11, 9)), "4/3 + 11*sqrt(2)/9"),
+        (&(&root(2) * &Value::fraction(8, 9)) - &Value::fraction(2, 3), "8*sqrt(2)/9 - 2/3"),
+        (&root(5) * &(&Value::from(-3) - &root(2)), "-3*sqrt(5) - sqrt(10)"),
+        (&(&u * &(&root(2) + &root(6))) * &Value::fraction(1, 4), "sqrt(2)*u*(1 + sqrt(3))/4"),
+        (&(&one - &e) * &half, "(1 - e)/2"),
+        (&(&(&Value::from(2) * &e) - &one) * &Value::fraction(1, 3), "(2*e - 1)/3"),
+        (&(&(&u * &theta.cos) * &(&one - &e)) * &half, "u*(1 - e)*cos(theta)/2"),
+        (quotient(&(&Value::from(2) * &theta.tangent().unwrap()), &(&one - &e)), "2*tan(theta)/(1 - e)"),
+        (quotient(&(&one + &e), &(&e - &Value::from(3))), "-(1 + e)/(3 - e)"),
+        (&(&m * &(&u * &u)) * &Value::fraction(9, 2), "9*m*u^2/2"),
+        (&Value::from(6) * &ten.sin, "6*sin(10*deg)"),
+        (quotient(&ten.sin, &ten.cos), "tan(10*deg)"),
+        ((&Value::ONE + &root(2)).square_root().unwrap(), "sqrt(1 + sqrt(2))"),
+    ];
+    for (value, expected) in table {
+        assert_eq!(print::plain(&written(&value)), expected);
+    }
+}
