@@ -5,3 +5,4 @@ mod impacts;
 mod laws;
 mod scenes;
 mod seed;
+mod slips;

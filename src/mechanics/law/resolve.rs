@@ -90,7 +90,11 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
     let mut components = evaluate(rule, known)?;
     let (Datum::Number(n), Datum::Number(t)) = (components[0].clone(), components[1].clone()) else { return None };
     match slip {
-        "sincos-swap" => components.swap(0, 1),
+        // Sine and cosine change places; the arrows still point the right way.
+        "sincos-swap" => {
+            let size_of = |size: &N, sign: &N| sign.over(&sign.size()).map_or(size.size(), |sign| size.size() * sign);
+            components = vec![Datum::Number(size_of(&t, &n)), Datum::Number(size_of(&n, &t))];
+        }
         "not-resolved" => {
             let speed = known.number(rule.needs[0])?;
             components[0] = Datum::Number(n.clone() * speed.over(&n.size())?);
