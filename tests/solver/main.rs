@@ -2,6 +2,8 @@
 
 mod agreement;
 mod impacts;
+mod judge;
 mod laws;
 mod scenes;
 mod seed;
+mod variants;
