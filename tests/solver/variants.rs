@@ -272,10 +272,10 @@ fn walk(styles: &[(&Question, &Style)], next: &AtomicU64, counts: &Mutex<BTreeMa
         while portion < passed + examined.div_ceil(PORTION) {
             let from = (portion - passed) * PORTION;
             for place in from..examined.min(from + PORTION) {
-                if let Ok(variant) = examine(question, style, place * SHARE) {
-                    if let Err(complaint) = check(&variant.solution, &asked, &mut tally) {
-                        panic!("{complaint}: {}:{} {:?}", question.id, style.name, variant.parameters);
-                    }
+                if let Ok(variant) = examine(question, style, place * SHARE)
+                    && let Err(complaint) = check(&variant.solution, &asked, &mut tally)
+                {
+                    panic!("{complaint}: {}:{} {:?}", question.id, style.name, variant.parameters);
                 }
             }
             portion = mine();
