@@ -1,15 +1,16 @@
-//! The same derivation in exact, certified and float numbers, and a judge of its own on exact numbers.
+//! The same derivation in exact, certified and float numbers, and random scenes before a judge.
 
+use std::fmt::Display;
 use std::thread;
 
-use carom::mechanics::{Datum, Known, Quantity, pose};
+use carom::mechanics::{Datum, Derivation, Known, Quantity, pose};
 use carom::method::{Impact, METHODS};
 use carom::number::{Fraction, Interval, Number, Value};
-use dashu_int::UBig;
 use dashu_ratio::RBig;
 use rand::RngExt;
 use rand::rngs::ChaCha8Rng;
 
+use super::judge::{Outcome, approach, judge, to_judge};
 use super::scenes::{AFTER, Forward, Kind, generator, random, read};
 
 /// What is known, in another kind of number; `None` where one has no such form.
@@ -30,19 +31,15 @@ fn close(float: f64, exact: f64) -> bool {
     (float - exact).abs() <= 1e-9 * exact.abs().max(1.0)
 }
 
-/// Compares the three evaluations of one scene's derivation; the number of quantities compared.
-fn compare(scene: &Forward, asked: &[Quantity]) -> usize {
-    let solution = scene.solve(asked).or_else(|_| scene.solve(&[])).expect("a random scene is feasible");
-    let given = pose(&read(&scene.json())).unwrap();
-    let mut exact = given.clone();
-    let (derivation, _) = carom::mechanics::Derivation::carry_out(&mut exact, asked);
-    drop(solution);
-    let mut certified = turned_into(&given, |value| value.enclose_constant(160)).unwrap();
-    let mut float = turned_into(&given, Value::to_f64).unwrap();
-    let at = |what: &str, quantity: &Quantity| format!("{what} {quantity}\n{}", scene.json());
+/// Compares the evaluations of one derivation in certified and float numbers with the exact one; the number of
+/// quantities compared.
+pub fn agree(given: &Known<Value>, derivation: &Derivation, exact: &Known<Value>, scene: &dyn Display) -> usize {
+    let mut certified = turned_into(given, |value| value.enclose_constant(160)).unwrap();
+    let mut float = turned_into(given, Value::to_f64).unwrap();
+    let at = |what: &str, quantity: &Quantity| format!("{what} {quantity}\n{scene}");
     // An interval that cannot tell nought from its neighbours may stop at a quotient that exists.
     let _ = derivation.evaluate(&mut certified);
-    derivation.evaluate(&mut float).unwrap_or_else(|end| panic!("{end:?} in floats\n{}", scene.json()));
+    derivation.evaluate(&mut float).unwrap_or_else(|end| panic!("{end:?} in floats\n{scene}"));
     let mut compared = 0;
     for (quantity, datum) in &exact.0 {
         match datum {
@@ -72,6 +69,13 @@ fn compare(scene: &Forward, asked: &[Quantity]) -> usize {
         }
     }
     compared
+}
+
+fn compare(scene: &Forward, asked: &[Quantity]) -> usize {
+    let given = pose(&read(&scene.json())).unwrap();
+    let mut exact = given.clone();
+    let (derivation, _) = Derivation::carry_out(&mut exact, asked);
+    agree(&given, &derivation, &exact, &scene.json())
 }
 
 #[test]
@@ -129,55 +133,13 @@ fn judged(numbers: &mut ChaCha8Rng) -> Judged {
     }
 }
 
-fn dot(a: &[RBig; 2], b: &[RBig; 2]) -> RBig {
-    &a[0] * &b[0] + &a[1] * &b[1]
-}
-
-fn cross(a: &[RBig; 2], b: &[RBig; 2]) -> RBig {
-    &a[0] * &b[1] - &a[1] * &b[0]
-}
-
-fn minus(a: &[RBig; 2], b: &[RBig; 2]) -> [RBig; 2] {
-    [&a[0] - &b[0], &a[1] - &b[1]]
-}
-
-/// The laws of an impact by the vector l along the line of centres, which need not be a unit vector.
-fn judge(case: &Judged, after: &[[RBig; 2]; 2]) -> Result<(), &'static str> {
-    let [m_a, m_b] = &case.masses;
-    let ([u_a, u_b], [v_a, v_b]) = (&case.before, after);
-    for axis in [0, 1] {
-        if m_a * &u_a[axis] + m_b * &u_b[axis] != m_a * &v_a[axis] + m_b * &v_b[axis] {
-            return Err("momentum");
-        }
-    }
-    let (approach, separation) = (dot(&minus(u_a, u_b), &case.line), dot(&minus(v_b, v_a), &case.line));
-    if separation != &case.e * &approach || approach <= RBig::ZERO {
-        return Err("restitution");
-    }
-    if cross(&minus(v_a, u_a), &case.line) != RBig::ZERO || cross(&minus(v_b, u_b), &case.line) != RBig::ZERO {
-        return Err("perpendicular components");
-    }
-    let energy = |a: &[RBig; 2], b: &[RBig; 2]| m_a * dot(a, a) + m_b * dot(b, b);
-    let lost = energy(u_a, u_b) - energy(v_a, v_b);
-    let square = dot(&case.line, &case.line);
-    if lost * (m_a + m_b) * square != m_a * m_b * (RBig::ONE - &case.e * &case.e) * &approach * &approach {
-        return Err("energy");
-    }
-    Ok(())
-}
-
-fn to_judge(value: &Value) -> Option<RBig> {
-    let number = value.as_fraction()?;
-    Some(RBig::from_parts(number.numerator(), UBig::try_from(number.denominator()).ok()?))
-}
-
 /// Solves and judges scenes; half of the random ones part instead of meeting, and are turned round.
 fn judge_many(seed: u64, count: usize) {
     let mut numbers = generator(seed);
     let mut done = 0;
     while done < count {
         let mut case = judged(&mut numbers);
-        let approach = dot(&minus(&case.before[0], &case.before[1]), &case.line);
+        let approach = approach(&case.before, &case.line);
         if approach == RBig::ZERO {
             assert!(case.scene.solve(&AFTER).is_err(), "no approach\n{}", case.scene.json());
             continue;
@@ -186,12 +148,24 @@ fn judge_many(seed: u64, count: usize) {
             case.scene = case.scene.turned_round();
             case.line = case.line.map(|component| -component);
         }
-        let solution = case.scene.solve(&AFTER).unwrap_or_else(|r| panic!("{r}\n{}", case.scene.json()));
+        let [a, b, c, d] = AFTER;
+        let asked = [a, b, c, d, Quantity::EnergyLost];
+        let solution = case.scene.solve(&asked).unwrap_or_else(|r| panic!("{r}\n{}", case.scene.json()));
         let values = AFTER.map(|quantity| solution.number(quantity).unwrap());
-        let [a_x, a_y, b_x, b_y] = values
-            .each_ref()
-            .map(|value| to_judge(value).unwrap_or_else(|| panic!("{value:?} is rational\n{}", case.scene.json())));
-        if let Err(law) = judge(&case, &[[a_x, a_y], [b_x, b_y]]) {
+        let rational = |quantity: Quantity| {
+            let value = solution.number(quantity).unwrap();
+            to_judge(&value).unwrap_or_else(|| panic!("{value:?} is rational\n{}", case.scene.json()))
+        };
+        let [a_x, a_y, b_x, b_y, lost] = asked.map(rational);
+        let outcome = Outcome {
+            masses: case.masses.clone(),
+            before: case.before.clone(),
+            after: [[a_x, a_y], [b_x, b_y]],
+            line: case.line.clone(),
+            e: case.e.clone(),
+            lost,
+        };
+        if let Err(law) = judge(&outcome) {
             panic!("{law}\n{}", case.scene.json());
         }
         methods_agree(&case, &values);

@@ -2,7 +2,9 @@
 
 mod agreement;
 mod impacts;
+mod judge;
 mod laws;
 mod scenes;
 mod seed;
 mod slips;
+mod variants;

@@ -110,7 +110,7 @@ fn case(id: &str) -> Case {
 
 /// The scene of a case.
 pub fn scene_of(id: &str) -> carom::mechanics::Scene {
-    crate::scenes::read(&case(id).scene)
+    read(&case(id).scene)
 }
 
 /// The scene as it runs forwards.
