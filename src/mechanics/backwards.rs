@@ -61,6 +61,9 @@ pub fn backwards(scene: &Scene) -> Result<Vec<Found>, Refusal> {
             Err(reason) => left_out.push(format!("{} is left out: {reason}", in_words(&scene.unknowns, &values))),
         }
     }
+    if let Some(quantity) = scene.maximise {
+        only_largest(&mut found, quantity);
+    }
     if found.is_empty() {
         let reasons = if left_out.is_empty() { "it has no real solution".to_string() } else { left_out.join("; ") };
         return Err(Refusal::impossible(format!("no collision satisfies the conditions: {reasons}")));
@@ -69,6 +72,32 @@ pub fn backwards(scene: &Scene) -> Result<Vec<Found>, Refusal> {
         one.remarks.extend(left_out.iter().cloned());
     }
     Ok(found)
+}
+
+/// Of several places where a quantity may be largest, those that no other surpasses.
+fn only_largest(found: &mut Vec<Found>, quantity: Quantity) {
+    let sizes: Vec<Option<Known<Value>>> = found
+        .iter()
+        .map(|one| {
+            let mut known = pose(&one.scene).ok()?;
+            Derivation::carry_out(&mut known, &[quantity]);
+            Some(known)
+        })
+        .collect();
+    let surpasses = |one: &Known<Value>, other: &Known<Value>| match (one.number(quantity), other.number(quantity)) {
+        (Some(a), Some(b)) => (&a - &b).sign() == Some(Ordering::Greater),
+        // Angles from 0 to 180 degrees, by their vectors.
+        _ => one
+            .direction(quantity)
+            .zip(other.direction(quantity))
+            .is_some_and(|((y, x), (v, u))| (&(&y * &u) - &(&x * &v)).sign() == Some(Ordering::Greater)),
+    };
+    let kept: Vec<bool> = sizes
+        .iter()
+        .map(|size| !size.iter().any(|one| sizes.iter().flatten().any(|other| surpasses(other, one))))
+        .collect();
+    let mut kept = kept.into_iter();
+    found.retain(|_| kept.next().unwrap_or(true));
 }
 
 /// `e`, `A.mass` and `B.mass` among the unknowns stand where the scene leaves a gap.
@@ -205,18 +234,20 @@ impl<'a> Posed<'a> {
             equations.push(residual(condition, self.scene, &self.known).map_err(fault)?);
         }
         if let Some(quantity) = self.scene.maximise {
-            equations.extend(self.stationary(quantity)?);
+            return self.extremes(quantity);
         }
         let open = |value: &Value| value.letters().iter().any(|letter| unknowns.contains(letter));
         equations.extend(self.broken_laws().into_iter().filter(open));
-        if let Some(nought) = equations.iter().position(|equation| !open(equation)) {
-            if !equations[nought].is_zero() {
-                return Err(Refusal::impossible("a condition cannot hold, whatever the unknowns are"));
-            }
-            equations.remove(nought);
+        let names: Vec<&str> = unknowns.iter().map(Letter::name).collect();
+        if equations.iter().any(|equation| !open(equation) && !equation.is_zero()) {
+            return Err(Refusal::impossible(format!("the condition cannot hold, whatever {} is", names.join(", "))));
+        }
+        let conditions = equations.len();
+        equations.retain(open);
+        if equations.is_empty() && conditions > 0 {
+            return Err(Refusal::underdetermined(format!("the condition holds whatever {} is", names.join(", "))));
         }
         if equations.len() < unknowns.len() {
-            let names: Vec<&str> = unknowns.iter().map(Letter::name).collect();
             return Err(Refusal::underdetermined(format!(
                 "{} condition{} cannot determine {} unknown{} ({})",
                 equations.len(),
@@ -226,14 +257,38 @@ impl<'a> Posed<'a> {
                 names.join(", ")
             )));
         }
-        solve_system(&equations, unknowns).map_err(|reason| match reason {
-            NoRoots::Always => Refusal::underdetermined("the conditions hold whatever the unknowns are"),
-            NoRoots::Never => Refusal::impossible("the conditions contradict each other"),
-            NoRoots::Degree(degree) => Refusal::beyond(format!(
-                "the conditions lead to an equation of degree {degree}; only linear and quadratic ones, in an unknown or its square, are solved"
-            )),
-            NoRoots::TooLong => Refusal::beyond("the conditions lead to formulas too long to be solved exactly"),
-        })
+        solve_system(&equations, unknowns).map_err(no_roots)
+    }
+
+    /// Where the rate of change is nought, and the ends of a range that has them.
+    fn extremes(&self, quantity: Quantity) -> Result<Vec<Vec<Value>>, Refusal> {
+        let slopes = self.stationary(quantity)?;
+        let unknown = self.scene.unknowns[0];
+        let mut candidates = match slopes.as_slice() {
+            [slope] if slope.is_zero() => {
+                let name = in_english(quantity).replace('*', "");
+                return Err(Refusal::underdetermined(format!("{name} is the same whatever {} is", unknown.name())));
+            }
+            [slope] if slope.letters().contains(&unknown) => match solve_system(&slopes, &[unknown]) {
+                Err(NoRoots::Never) => Vec::new(),
+                outcome => outcome.map_err(no_roots)?,
+            },
+            _ => Vec::new(),
+        };
+        if unknown.range() == Range::Unit {
+            for end in [Value::ZERO, Value::ONE] {
+                if !candidates.iter().any(|candidate| candidate[0].equals(&end)) {
+                    candidates.push(vec![end]);
+                }
+            }
+        } else if candidates.is_empty() {
+            let name = in_english(quantity).replace('*', "");
+            return Err(Refusal::impossible(format!(
+                "{name} has no largest value: its rate of change with {} is never nought",
+                unknown.name()
+            )));
+        }
+        Ok(candidates)
     }
 
     /// The rate of change of what is to be as large as possible. A square root is largest where its
@@ -280,6 +335,10 @@ impl<'a> Posed<'a> {
             match holds(&relation, &|name| name_of(name, &letters, &known)) {
                 Ok(Some(true)) => {}
                 Ok(_) if residual(&condition, &scene, &known).is_ok_and(|value| vanishes(&value)) => {}
+                Err(_) if residual(&condition, &scene, &known).is_ok_and(|value| vanishes(&value)) => {}
+                _ if self.scene.conditions.len() > 1 => {
+                    return Err(format!("it does not satisfy `{}`", print::plain(&relation)));
+                }
                 _ => return Err("it does not satisfy the condition itself, only its square".to_string()),
             }
         }
@@ -293,6 +352,10 @@ impl<'a> Posed<'a> {
 
     /// The slope must fall through nought there.
     fn is_maximum(&self, quantity: Quantity, values: &[Value]) -> Result<(), String> {
+        let is_end = |value: &Value| value.is_zero() || value.equals(&Value::ONE);
+        if self.scene.unknowns[0].range() == Range::Unit && values.first().is_some_and(is_end) {
+            return Ok(());
+        }
         let (Some(slope), [unknown], [value]) = (
             self.stationary(quantity).ok().and_then(|mut slopes| slopes.pop()),
             self.scene.unknowns.as_slice(),
@@ -324,6 +387,18 @@ impl<'a> Posed<'a> {
             lines.push(found_line(*letter, value));
         }
         lines
+    }
+}
+
+/// Why a system was not solved, in words.
+fn no_roots(reason: NoRoots) -> Refusal {
+    match reason {
+        NoRoots::Always => Refusal::underdetermined("the conditions hold whatever the unknowns are"),
+        NoRoots::Never => Refusal::impossible("the conditions contradict each other"),
+        NoRoots::Degree(degree) => Refusal::beyond(format!(
+            "the conditions lead to an equation of degree {degree}; only linear and quadratic ones, in an unknown or its square, are solved"
+        )),
+        NoRoots::TooLong => Refusal::beyond("the conditions lead to formulas too long to be solved exactly"),
     }
 }
 
@@ -413,7 +488,13 @@ fn residual(condition: &Condition, scene: &Scene, known: &Known<Value>) -> Resul
             None => name_of(name, &scene.letters, known),
         }
     };
-    let (left, right) = (evaluate(&condition.left, &names)?, evaluate(&condition.right, &names)?);
+    // Beside a number of degrees an angle's letter means its degrees: `90 - alpha`.
+    let in_degrees = |name: &str| match names(name) {
+        Some(Meaning::Angle(turn)) => Some(Meaning::Degrees(turn)),
+        other => other,
+    };
+    let side = |expr: &Expr| evaluate(expr, &names).or_else(|fault| evaluate(expr, &in_degrees).map_err(|_| fault));
+    let (left, right) = (side(&condition.left)?, side(&condition.right)?);
     let turn = |meaning: &Meaning| match meaning {
         Meaning::Degrees(turn) | Meaning::Angle(turn) => Some(turn.clone()),
         Meaning::Number(value) => value.as_fraction().map(|degrees| Turn::degrees(degrees.clone())),

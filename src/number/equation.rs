@@ -32,15 +32,20 @@ const MOST_TERMS: usize = 600;
 ///
 /// See [`NoRoots`].
 pub fn solve_system(equations: &[Value], unknowns: &[Letter]) -> Result<Vec<Vec<Value>>, NoRoots> {
-    let cleared: Result<Vec<Value>, NoRoots> = equations.iter().map(|equation| clear(equation, unknowns)).collect();
-    eliminate(&cleared?, unknowns)
+    eliminate(equations, unknowns)
 }
 
 fn eliminate(equations: &[Value], unknowns: &[Letter]) -> Result<Vec<Vec<Value>>, NoRoots> {
     match unknowns {
         [] => Ok(vec![Vec::new()]),
         [unknown] => {
-            let equation = equations
+            let cleared: Result<Vec<Value>, NoRoots> =
+                equations.iter().map(|equation| clear(equation, unknowns)).collect();
+            let cleared = cleared?;
+            if cleared.iter().any(|equation| equation.is_constant() && !equation.is_zero()) {
+                return Err(NoRoots::Never);
+            }
+            let equation = cleared
                 .iter()
                 .filter(|equation| equation.letters().contains(unknown))
                 .min_by_key(|equation| coefficients(equation, *unknown).len())
@@ -54,31 +59,23 @@ fn eliminate(equations: &[Value], unknowns: &[Letter]) -> Result<Vec<Vec<Value>>
 /// Two unknowns or more: one of them leaves, by substitution where it occurs linearly, else by the
 /// resultant of two equations.
 fn several(equations: &[Value], unknowns: &[Letter]) -> Result<Vec<Vec<Value>>, NoRoots> {
-    for (place, unknown) in unknowns.iter().enumerate() {
-        for (index, equation) in equations.iter().enumerate() {
-            let [constant, slope] = coefficients(equation, *unknown).try_into().unwrap_or([Value::ZERO, Value::ZERO]);
-            if slope.is_zero() {
-                continue;
+    let mut reason = None;
+    for place in 0..unknowns.len() {
+        for index in 0..equations.len() {
+            match by_substitution(equations, index, unknowns, place) {
+                Some(Err(NoRoots::Degree(_) | NoRoots::TooLong)) if reason.is_some() => {}
+                Some(Err(given_up @ (NoRoots::Degree(_) | NoRoots::TooLong))) => reason = Some(given_up),
+                Some(outcome) => return outcome,
+                None => {}
             }
-            let Some(root) = (-&constant).divided_by(&slope) else { continue };
-            let rest: Vec<Letter> = unknowns.iter().filter(|other| *other != unknown).copied().collect();
-            let others = equations.iter().enumerate().filter(|(other, _)| *other != index);
-            let substituted: Option<Vec<Value>> = others.map(|(_, other)| other.substitute(*unknown, &root)).collect();
-            let cleared: Result<Vec<Value>, NoRoots> =
-                substituted.ok_or(NoRoots::Never)?.iter().map(|equation| clear(equation, &rest)).collect();
-            let mut solutions = Vec::new();
-            for solution in eliminate(&cleared?, &rest)? {
-                if let Some(value) = put_in(&root, &rest, &solution) {
-                    let mut all = solution;
-                    all.insert(place, value);
-                    solutions.push(all);
-                }
-            }
-            return Ok(solutions);
         }
     }
+    if let Some(reason) = reason {
+        return Err(reason);
+    }
     let ([first, second, ..], [x, y]) = (equations, unknowns) else { return Err(NoRoots::Degree(2)) };
-    let resultant = resultant(&coefficients(first, *x), &coefficients(second, *x))?;
+    let (first, second) = (clear(first, unknowns)?, clear(second, unknowns)?);
+    let resultant = resultant(&coefficients(&first, *x), &coefficients(&second, *x))?;
     let mut solutions = Vec::new();
     for value in roots_of(&clear(&resultant, &[*y])?, *y)? {
         let Some(left) = first.substitute(*y, &value) else { continue };
@@ -87,6 +84,36 @@ fn several(equations: &[Value], unknowns: &[Letter]) -> Result<Vec<Vec<Value>>, 
         }
     }
     Ok(solutions)
+}
+
+/// The unknown at a place taken from one equation and put into the others. Roots that hold other
+/// unknowns stay as they are, so that a speed or a cosine is squared only where it must be. `None` if
+/// the unknown does not occur linearly.
+fn by_substitution(
+    equations: &[Value],
+    index: usize,
+    unknowns: &[Letter],
+    place: usize,
+) -> Option<Result<Vec<Vec<Value>>, NoRoots>> {
+    let unknown = unknowns[place];
+    let cleared = clear(&equations[index], &[unknown]).ok()?;
+    let [constant, slope] = coefficients(&cleared, unknown).try_into().ok()?;
+    let root = (-&constant).divided_by(&slope)?;
+    let rest: Vec<Letter> = unknowns.iter().filter(|other| **other != unknown).copied().collect();
+    let others = equations.iter().enumerate().filter(|(other, _)| *other != index);
+    let substituted: Option<Vec<Value>> = others.map(|(_, other)| other.substitute(unknown, &root)).collect();
+    let solve = || {
+        let mut solutions = Vec::new();
+        for solution in eliminate(&substituted.ok_or(NoRoots::Never)?, &rest)? {
+            if let Some(value) = put_in(&root, &rest, &solution) {
+                let mut all = solution;
+                all.insert(place, value);
+                solutions.push(all);
+            }
+        }
+        Ok(solutions)
+    };
+    Some(solve())
 }
 
 fn put_in(value: &Value, unknowns: &[Letter], solution: &[Value]) -> Option<Value> {
@@ -111,7 +138,8 @@ fn clear(equation: &Value, unknowns: &[Letter]) -> Result<Value, NoRoots> {
         let Some(root) = equation.roots().into_iter().rfind(holds_unknown) else { return Ok(equation) };
         let (without, with) = equation.split(&root);
         equation = if without.is_zero() {
-            numerator(&with)
+            // Nought where the root is, too.
+            numerator(&(&with * &root.square()))
         } else {
             numerator(&(&(&without * &without) - &(&(&with * &with) * &root.square())))
         };
@@ -189,9 +217,15 @@ fn roots_of_factor(mut coefficients: Vec<Value>) -> Result<Vec<Value>, NoRoots> 
         let first = coefficients.iter().position(|coefficient| !coefficient.is_zero()).unwrap_or(0);
         coefficients.drain(..first);
     }
-    // Rational roots leave one after the other.
+    coefficients = without_sum_of_squares(coefficients);
+    // Roots that are rational, or rational times a square root, leave one after the other.
     while coefficients.len() > 3 && !only_even(&coefficients) {
-        let Some(root) = rational_root(&coefficients) else { return Err(NoRoots::Degree(coefficients.len() - 1)) };
+        if let Some((shared, rest)) = repeated(&coefficients) {
+            roots.extend(roots_of_factor(shared)?);
+            coefficients = rest;
+            continue;
+        }
+        let Some(root) = simple_root(&coefficients) else { return Err(NoRoots::Degree(coefficients.len() - 1)) };
         coefficients = deflated(&coefficients, &root);
         roots.push(root);
     }
@@ -225,6 +259,85 @@ fn quadratic(a: &Value, b: &Value, c: &Value) -> Vec<Value> {
         Some(root) if root.is_zero() => at(&root).into_iter().collect(),
         Some(root) => [at(&root), at(&-&root)].into_iter().flatten().collect(),
     }
+}
+
+/// Divided by `1 + x²` as often as it goes: what cosines leave behind, and never nought.
+fn without_sum_of_squares(mut coefficients: Vec<Value>) -> Vec<Value> {
+    let square = [Value::ONE, Value::ZERO, Value::ONE];
+    while coefficients.len() > 3 {
+        let Some((quotient, rest)) = divided(&coefficients, &square) else { break };
+        if !rest.is_empty() {
+            break;
+        }
+        coefficients = quotient;
+    }
+    coefficients
+}
+
+/// Quotient and remainder of two polynomials; `None` if the coefficients grow too long.
+fn divided(dividend: &[Value], divisor: &[Value]) -> Option<(Vec<Value>, Vec<Value>)> {
+    let lead = divisor.last()?;
+    let mut rest = dividend.to_vec();
+    let mut quotient = Vec::new();
+    while rest.len() >= divisor.len() {
+        let factor = rest.pop()?.divided_by(lead)?;
+        let shift = rest.len() + 1 - divisor.len();
+        for (entry, part) in rest[shift..].iter_mut().zip(divisor) {
+            *entry = &*entry - &(&factor * part);
+            if entry.terms() > MOST_TERMS / 10 {
+                return None;
+            }
+        }
+        quotient.push(factor);
+    }
+    quotient.reverse();
+    while rest.last().is_some_and(Value::is_zero) {
+        rest.pop();
+    }
+    Some((quotient, rest))
+}
+
+/// The factor that a polynomial shares with its rate of change, and what is left without it: roots that occur more than
+/// once. Only of coefficients without letters; with letters and without surds the factors were found before.
+fn repeated(coefficients: &[Value]) -> Option<(Vec<Value>, Vec<Value>)> {
+    if !coefficients.iter().all(Value::is_constant) || coefficients.iter().all(|value| value.as_fraction().is_some()) {
+        return None;
+    }
+    let slope = coefficients.iter().zip(0_i64..).skip(1).map(|(value, power)| value * &Value::from(power));
+    let (mut first, mut second) = (coefficients.to_vec(), slope.collect::<Vec<_>>());
+    while !second.is_empty() {
+        let (_, rest) = divided(&first, &second)?;
+        (first, second) = (second, rest);
+    }
+    if first.len() < 2 {
+        return None;
+    }
+    let (rest, nothing) = divided(coefficients, &first)?;
+    nothing.is_empty().then_some((first, rest))
+}
+
+/// A rational root, or a rational multiple of one of the square roots among the coefficients.
+fn simple_root(coefficients: &[Value]) -> Option<Value> {
+    if let Some(root) = rational_root(coefficients) {
+        return Some(root);
+    }
+    let mut surds: Vec<Root> = coefficients.iter().flat_map(Value::roots).collect();
+    surds.retain(|root| matches!(root, Root::Prime(_)));
+    surds.sort();
+    surds.dedup();
+    let lead = coefficients.last()?;
+    surds.iter().find_map(|surd| {
+        let scale = surd.square().square_root()?;
+        let mut power = Value::ONE;
+        let mut scaled = Vec::new();
+        for coefficient in coefficients {
+            scaled.push((coefficient * &power).divided_by(lead)?);
+            power = &power * &scale;
+        }
+        let last = scaled.last()?.clone();
+        let monic: Option<Vec<Value>> = scaled.iter().map(|value| value.divided_by(&last)).collect();
+        Some(&rational_root(&monic?)? * &scale)
+    })
 }
 
 /// A root p/q of a polynomial with rational coefficients: p divides the first, q the last.
