@@ -59,13 +59,14 @@ fn carom_reads_the_scenes_that_it_shows() {
 }
 
 /// The pages that a person reads first.
-const PAGES: [&str; 6] = [
+const PAGES: [&str; 7] = [
     "README.md",
     "docs/architecture.md",
     "docs/design.md",
     "docs/exchange-formats.md",
     "docs/extending.md",
     "question_bank/README.md",
+    "templates/README.md",
 ];
 
 /// A command of carom as a page shows it, with its options: `sheet` with `--count` and `--seed`.
