@@ -4,6 +4,8 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
+use carom::bank::read_question;
+use carom::diagnostic::{Source, render_all};
 use carom::mechanics::SceneText;
 
 fn read(path: &str) -> String {
@@ -56,6 +58,16 @@ fn carom_reads_the_scenes_that_it_shows() {
         let read: Result<SceneText, _> = serde_json::from_str(scene);
         assert!(read.is_ok(), "{:?} in {scene}", read.err());
     }
+}
+
+#[test]
+fn carom_finds_no_fault_in_the_question_that_it_shows() {
+    let shown = blocks(&read("docs/extending.md"), "toml");
+    assert_eq!(shown.len(), 1);
+    let text = format!("{}\n", shown[0].join("\n"));
+    let question = read_question("rest/speed-of-b", &Source::new("docs/extending.md", text.as_str()));
+    let question = question.unwrap_or_else(|faults| panic!("{}", render_all(&faults, false)));
+    assert_eq!(question.marks(), 6);
 }
 
 /// The pages that a person reads first.
