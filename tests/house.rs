@@ -85,10 +85,12 @@ fn carom_documents_every_room_in_the_order_of_import() {
 #[test]
 fn carom_says_what_each_dependency_earns_its_place_with() {
     let manifest = fs::read_to_string(root().join("Cargo.toml")).unwrap();
-    let listed = manifest.lines().skip_while(|line| *line != "[dependencies]").skip(1);
-    let crates: Vec<&str> =
-        listed.take_while(|line| !line.is_empty()).filter_map(|line| line.split(" = ").next()).collect();
-    assert!(crates.len() > 5, "{crates:?}");
+    let under = |heading: &'static str| {
+        let listed = manifest.lines().skip_while(move |line| *line != heading).skip(1);
+        listed.take_while(|line| !line.is_empty()).filter_map(|line| line.split(" = ").next())
+    };
+    let crates: Vec<&str> = under("[dependencies]").chain(under("[dev-dependencies]")).collect();
+    assert!(crates.len() > 5 && crates.contains(&"divan"), "{crates:?}");
     let page = fs::read_to_string(root().join("docs/design.md")).unwrap();
     for name in crates {
         assert!(page.contains(&format!("\n| `{name}` | ")), "docs/design.md does not say why `{name}` is there");

@@ -1,8 +1,11 @@
-//! What the README shows is what holds: its two commands are those that `.ci/run` runs, and its scene is a scene.
+//! What the README and the pages in `docs/` show is what holds: commands, options, scenes, links.
 
 use std::fs;
 use std::path::Path;
+use std::process::Command;
 
+use carom::bank::read_question;
+use carom::diagnostic::{Source, render_all};
 use carom::mechanics::SceneText;
 
 fn read(path: &str) -> String {
@@ -55,6 +58,83 @@ fn carom_reads_the_scenes_that_it_shows() {
         let read: Result<SceneText, _> = serde_json::from_str(scene);
         assert!(read.is_ok(), "{:?} in {scene}", read.err());
     }
+}
+
+#[test]
+fn carom_finds_no_fault_in_the_question_that_it_shows() {
+    let shown = blocks(&read("docs/extending.md"), "toml");
+    assert_eq!(shown.len(), 1);
+    let text = format!("{}\n", shown[0].join("\n"));
+    let question = read_question("rest/speed-of-b", &Source::new("docs/extending.md", text.as_str()));
+    let question = question.unwrap_or_else(|faults| panic!("{}", render_all(&faults, false)));
+    assert_eq!(question.marks(), 6);
+}
+
+/// The pages that a person reads first.
+const PAGES: [&str; 7] = [
+    "README.md",
+    "docs/architecture.md",
+    "docs/design.md",
+    "docs/exchange-formats.md",
+    "docs/extending.md",
+    "question_bank/README.md",
+    "templates/README.md",
+];
+
+/// A command of carom as a page shows it, with its options: `sheet` with `--count` and `--seed`.
+fn command(words: &str) -> Option<(String, Vec<String>)> {
+    let words = words.strip_prefix("$ ").unwrap_or(words);
+    let rest = words.strip_prefix("carom ").or_else(|| words.strip_prefix("cargo run --release -- "))?;
+    let mut words = rest.split_whitespace();
+    let name = words.next().filter(|name| name.starts_with(|letter: char| letter.is_ascii_lowercase()))?;
+    let options = words.filter(|word| word.starts_with("--"));
+    Some((name.to_string(), options.map(|word| word.split('=').next().unwrap_or(word).to_string()).collect()))
+}
+
+#[test]
+fn carom_has_the_commands_and_options_that_its_pages_show() {
+    let mut shown = 0;
+    for page in PAGES {
+        let text = read(page);
+        let in_blocks = blocks(&text, "console").concat();
+        let in_words = text.split('`').skip(1).step_by(2).map(str::to_string);
+        for (name, options) in in_blocks.into_iter().chain(in_words).filter_map(|words| command(&words)) {
+            let help = Command::new(env!("CARGO_BIN_EXE_carom")).args([&name, "--help"]).output().unwrap();
+            let said = String::from_utf8_lossy(&help.stdout);
+            assert!(
+                help.status.success() && !said.is_empty(),
+                "{page} shows `carom {name}`, which carom does not know"
+            );
+            for option in options {
+                let known = said.split_whitespace().any(|word| word.trim_matches([',', '[', ']']) == option);
+                assert!(known, "{page} shows `carom {name} {option}`; its help does not:\n{said}");
+            }
+            shown += 1;
+        }
+    }
+    assert!(shown > 8, "only {shown} commands were found in the pages");
+}
+
+#[test]
+fn carom_has_the_files_that_its_pages_link_to() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    for page in PAGES {
+        let folder = root.join(page).parent().unwrap().to_path_buf();
+        for link in read(page).split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
+            let target = link.split('#').next().unwrap_or(link);
+            let outside = link.starts_with("https://") || target.is_empty();
+            assert!(outside || folder.join(target).exists(), "{page} links to `{link}`, which is not there");
+        }
+    }
+}
+
+#[test]
+fn a_command_is_seen_with_its_options() {
+    let sheet = ("sheet".to_string(), vec!["--count".to_string(), "--out".to_string()]);
+    assert_eq!(command("$ cargo run --release -- sheet --count 6 --out sheet"), Some(sheet.clone()));
+    assert_eq!(command("carom sheet --count=6 --out sheet"), Some(sheet));
+    assert_eq!(command("cargo test"), None);
+    assert_eq!(command("carom "), None);
 }
 
 #[test]

@@ -3,6 +3,7 @@
 //! `CAROM_ACCEPT=1 cargo test --test pages` writes the files anew; read them before you commit them.
 
 mod paper;
+#[cfg(feature = "external")]
 mod typeset;
 
 use std::fs;
