@@ -7,10 +7,12 @@
 use std::cmp::Ordering;
 
 use super::law::Known;
+use super::line::Line;
 use super::refusal::Refusal;
-use super::scene::{Condition, Contact, Given, Scene, Velocity, meaning};
+use super::scene::{Condition, Contact, Given, Scene, Velocity};
+use super::scene_reader::meaning;
 use super::validity::{check, laws};
-use super::working::{Line, Show};
+use super::working::Show;
 use super::{Datum, Derivation, Quantity, Sphere, pose};
 use crate::expr::{Expr, Fault, Meaning, Turn, evaluate, holds, print, written, written_angle};
 use crate::number::{Angle, Letter, NoRoots, Range, Root, Value, solve_system};

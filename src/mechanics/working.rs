@@ -6,55 +6,12 @@
 
 use std::cmp::Ordering;
 
+use super::formula::{difference, multiple, times};
 use super::law::Known;
 use super::scene::{Contact, Scene, Velocity};
 use super::{Axis, Moment, Quantity, Sphere};
-use crate::expr::{Expr, Function, Piece, Text, read_markup, written, written_angle};
+use crate::expr::{Expr, Function, written, written_angle};
 use crate::number::{Angle, Fraction, Value};
-
-/// One step of working: words and the equations that follow them.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Line {
-    /// The words; may be empty.
-    pub words: Text,
-    /// Equations on successive lines; a repeated left side stands for a chain.
-    pub equations: Vec<Expr>,
-    /// Does the last equation get a number by which later lines refer to it?
-    pub numbered: bool,
-}
-
-impl Line {
-    /// Words and equations.
-    pub fn plain(words: &str, equations: Vec<Expr>) -> Line {
-        Line::with(words, &[], equations)
-    }
-
-    /// Words and equations, the last of which gets a number.
-    pub fn numbered(words: &str, equations: Vec<Expr>) -> Line {
-        Line { numbered: true, ..Line::plain(words, equations) }
-    }
-
-    /// Words in the bank's own markup, in which names in braces stand for formulas.
-    pub fn with(words: &str, formulas: &[(&str, Expr)], equations: Vec<Expr>) -> Line {
-        let replace = |name: &str| formulas.iter().find(|(other, _)| *other == name).map(|(_, expr)| expr.clone());
-        let paragraphs = read_markup(words).unwrap_or_else(|_| vec![Text::words(words)]);
-        let mut pieces = Vec::new();
-        for text in paragraphs {
-            let replaced = text.map_formulas(&mut |expr: &Expr| Ok::<_, ()>(expr.substitute(&replace)));
-            pieces.extend(replaced.unwrap_or_default().0.into_iter().map(without_second_unit));
-        }
-        Line { words: Text(pieces), equations, numbered: false }
-    }
-}
-
-/// A letter such as v carries its unit already; a formula in letters does not get it twice.
-fn without_second_unit(piece: Piece) -> Piece {
-    let unit_vector = |name: &str| name == "i" || name == "j";
-    match piece {
-        Piece::Quantity(expr, _) if expr.names().iter().any(|name| !unit_vector(&name.text)) => Piece::Formula(expr),
-        other => other,
-    }
-}
 
 /// What a solution shows of each quantity.
 pub struct Show<'a> {
@@ -415,44 +372,4 @@ impl<'a> Show<'a> {
     pub fn angle_expr(angle: &Angle) -> Expr {
         written_angle(angle)
     }
-}
-
-/// A product without needless brackets: factors of factors are factors, and a minus stands in front.
-pub fn times(left: Expr, right: Expr) -> Expr {
-    match (left, right) {
-        (Expr::Negative(left), Expr::Negative(right)) => times_in_order(*left, *right),
-        (Expr::Number(left), Expr::Negative(right)) if left.sign().is_lt() => {
-            times_in_order(Expr::Number(-left), *right)
-        }
-        (Expr::Negative(left), right) => times_in_order(*left, right).negated(),
-        (left, Expr::Negative(right)) => times_in_order(left, *right).negated(),
-        (left, right) => times_in_order(left, right),
-    }
-}
-
-fn times_in_order(left: Expr, right: Expr) -> Expr {
-    let factors = |expr: Expr| match expr {
-        Expr::Product(factors) => factors,
-        other => vec![other],
-    };
-    let product = Expr::product(factors(left).into_iter().chain(factors(right)));
-    if product.is_zero() { Expr::integer(0) } else { product }
-}
-
-/// `left - right`, without a double minus.
-pub fn difference(left: Expr, right: Expr) -> Expr {
-    match right {
-        Expr::Number(number) if number.sign().is_lt() => Expr::sum([left, Expr::Number(-number)]),
-        Expr::Negative(inner) => Expr::sum([left, *inner]),
-        Expr::Sum(terms) => Expr::sum(std::iter::once(left).chain(terms.into_iter().map(Expr::negated))),
-        right => Expr::sum([left, right.negated()]),
-    }
-}
-
-/// A letter times a value.
-pub fn multiple(factor: &Value, letter: Expr) -> Expr {
-    if factor.as_fraction().is_some_and(|number| (-number.clone()).is_one()) {
-        return letter.negated();
-    }
-    times(written(factor), letter)
 }

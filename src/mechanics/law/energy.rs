@@ -6,7 +6,7 @@
 use super::{Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, silent, velocity, first_equation};
 use crate::expr::{Expr, written};
 use crate::mechanics::Moment;
-use crate::mechanics::working::times;
+use crate::mechanics::formula::times;
 use crate::number::{Fraction, Value};
 use crate::mechanics::Axis::{N, X, Y};
 use crate::mechanics::Moment::{After, Before};

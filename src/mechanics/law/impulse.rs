@@ -4,7 +4,7 @@
 
 use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, silent, velocity, first_equation};
 use crate::expr::{Expr, Function, written};
-use crate::mechanics::working::{difference, times};
+use crate::mechanics::formula::{difference, times};
 use crate::mechanics::Axis::{N, T, X, Y};
 use crate::mechanics::Moment::{After, Before};
 use crate::mechanics::{Quantity, Sphere};

@@ -6,7 +6,8 @@
 
 use std::collections::BTreeMap;
 
-use super::working::{Line, Show};
+use super::line::Line;
+use super::working::Show;
 use super::{Axis, Moment, Quantity, Sphere};
 use crate::expr::Expr;
 use crate::number::Number;

@@ -6,7 +6,7 @@
 
 use super::{ALONG, Datum, Known, Law, Line, MASSES, Outcome, Rule, Show, Slip, rule, first_equation};
 use crate::expr::{Expr, written};
-use crate::mechanics::working::multiple;
+use crate::mechanics::formula::multiple;
 use crate::mechanics::Quantity;
 use crate::number::Number;
 

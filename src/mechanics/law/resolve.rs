@@ -6,7 +6,7 @@
 use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, rule, silent, velocity, first_equation};
 use crate::expr::{Expr, Function, written};
 use crate::mechanics::Axis::{N, T, X, Y};
-use crate::mechanics::working::times;
+use crate::mechanics::formula::times;
 use crate::mechanics::{Moment, Quantity, Sphere};
 use crate::number::Number;
 

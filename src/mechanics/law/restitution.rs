@@ -5,7 +5,7 @@
 use super::{ALONG, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, first_equation};
 use crate::expr::Expr;
 use crate::mechanics::Quantity;
-use crate::mechanics::working::difference;
+use crate::mechanics::formula::difference;
 use crate::number::Number;
 
 pub const NAME: &str = "restitution";

@@ -4,7 +4,7 @@
 //! velocities give the ratio of the masses.
 
 use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, silent, velocity, first_equation};
-use crate::mechanics::working::times;
+use crate::mechanics::formula::times;
 use crate::expr::Expr;
 use crate::mechanics::Axis::{X, Y};
 use crate::mechanics::Moment::{After, Before};

@@ -1,0 +1,47 @@
+//! One line of working: words, and the equations that follow them.
+
+use crate::expr::{Expr, Piece, Text, read_markup};
+
+/// One step of working: words and the equations that follow them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Line {
+    /// The words; may be empty.
+    pub words: Text,
+    /// Equations on successive lines; a repeated left side stands for a chain.
+    pub equations: Vec<Expr>,
+    /// Does the last equation get a number by which later lines refer to it?
+    pub numbered: bool,
+}
+
+impl Line {
+    /// Words and equations.
+    pub fn plain(words: &str, equations: Vec<Expr>) -> Line {
+        Line::with(words, &[], equations)
+    }
+
+    /// Words and equations, the last of which gets a number.
+    pub fn numbered(words: &str, equations: Vec<Expr>) -> Line {
+        Line { numbered: true, ..Line::plain(words, equations) }
+    }
+
+    /// Words in the bank's own markup, in which names in braces stand for formulas.
+    pub fn with(words: &str, formulas: &[(&str, Expr)], equations: Vec<Expr>) -> Line {
+        let replace = |name: &str| formulas.iter().find(|(other, _)| *other == name).map(|(_, expr)| expr.clone());
+        let paragraphs = read_markup(words).unwrap_or_else(|_| vec![Text::words(words)]);
+        let mut pieces = Vec::new();
+        for text in paragraphs {
+            let replaced = text.map_formulas(&mut |expr: &Expr| Ok::<_, ()>(expr.substitute(&replace)));
+            pieces.extend(replaced.unwrap_or_default().0.into_iter().map(without_second_unit));
+        }
+        Line { words: Text(pieces), equations, numbered: false }
+    }
+}
+
+/// A letter such as v carries its unit already; a formula in letters does not get it twice.
+fn without_second_unit(piece: Piece) -> Piece {
+    let unit_vector = |name: &str| name == "i" || name == "j";
+    match piece {
+        Piece::Quantity(expr, _) if expr.names().iter().any(|name| !unit_vector(&name.text)) => Piece::Formula(expr),
+        other => other,
+    }
+}

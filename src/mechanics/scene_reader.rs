@@ -1,0 +1,344 @@
+//! Reads a scene: every expression evaluated, every fault kept with its field.
+
+use std::collections::BTreeMap;
+
+use super::Sphere;
+use super::scene::{Condition, Contact, Given, Scene, Velocity};
+use super::scene_text::{Pair, SceneText, Sense, VelocityText};
+use crate::expr::{Angles, Expr, Fault, Meaning, Relation, Span, Turn, degrees, number, read};
+use crate::number::{Angle, Letter, Range, Value};
+
+/// A fault in one expression of a scene.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SceneFault {
+    /// Which one: `before.A.speed`.
+    pub field: String,
+    /// What is wrong with it; the span counts within that expression.
+    pub fault: Fault,
+}
+
+/// Formulas in a scene may not be longer than this; their derived quantities grow with the square.
+const MOST_TERMS: usize = 40;
+
+impl Scene {
+    /// Reads every expression of a scene. Names stand for parameters, or for the scene's letters;
+    /// in the words of a bank question a bare trigonometric argument is in degrees.
+    ///
+    /// # Errors
+    ///
+    /// Every fault of the scene, each with the field it is in.
+    pub fn read<S: AsRef<str>>(
+        text: &SceneText<S>,
+        parameters: &BTreeMap<String, Expr>,
+        angles: Angles,
+    ) -> Result<Scene, Vec<SceneFault>> {
+        let mut reader = Reader { parameters, angles, letters: Vec::new(), faults: Vec::new() };
+        let scene = reader.scene(text);
+        if reader.faults.is_empty() { Ok(scene) } else { Err(reader.faults) }
+    }
+}
+
+struct Reader<'a> {
+    parameters: &'a BTreeMap<String, Expr>,
+    angles: Angles,
+    letters: Vec<Letter>,
+    faults: Vec<SceneFault>,
+}
+
+impl Reader<'_> {
+    fn scene<S: AsRef<str>>(&mut self, text: &SceneText<S>) -> Scene {
+        self.declare(text);
+        self.imply(text);
+        let masses = [(&text.masses.a, Sphere::A), (&text.masses.b, Sphere::B)]
+            .map(|(mass, sphere)| self.optional(mass.as_ref(), &format!("masses.{}", sphere.name())));
+        let before = self.velocities(&text.before, "before");
+        let after = self.velocities(&text.after, "after");
+        let restitution = self.optional(text.e.as_ref(), "e");
+        let contact = self.contact(text);
+        let unknowns = self.unknowns(text);
+        let conditions = self.conditions(text);
+        let maximise = text.maximise.as_ref().and_then(|name| {
+            let found = name.as_ref().parse().ok();
+            if found.is_none() {
+                self.whole_fault(
+                    "maximise",
+                    name.as_ref(),
+                    "unknown quantity",
+                    "a quantity such as `A.tan_deflection`",
+                );
+            }
+            found
+        });
+        let letters = self.letters.clone();
+        Scene { masses, before, after, contact, restitution, letters, unknowns, conditions, maximise }
+    }
+
+    fn fault(&mut self, field: &str, fault: Fault) {
+        self.faults.push(SceneFault { field: field.to_string(), fault });
+    }
+
+    /// A fault of a whole text.
+    fn whole_fault(&mut self, field: &str, text: &str, message: &str, expected: &str) {
+        let span = Span { start: 0, end: text.len() };
+        self.fault(field, Fault::new(format!("{message} `{text}`"), span, expected));
+    }
+
+    fn declare<S: AsRef<str>>(&mut self, text: &SceneText<S>) {
+        for (name, range) in &text.symbols {
+            let field = format!("symbols.{name}");
+            let Some((_, found)) = Range::DECLARED.into_iter().find(|(word, _)| *word == range.as_ref()) else {
+                self.whole_fault(&field, range.as_ref(), "unknown range", "`positive`, `unit`, `acute` or `real`");
+                continue;
+            };
+            match Letter::new(name, found) {
+                Some(letter) if !name.is_empty() => self.letters.push(letter),
+                _ => self.whole_fault(&field, name, "a letter's name is too long", &at_most()),
+            }
+        }
+    }
+
+    /// `e`, `A.mass` and `B.mass` need no declaration to be found: their meaning is their range.
+    fn imply<S: AsRef<str>>(&mut self, text: &SceneText<S>) {
+        for name in &text.unknowns {
+            let range = match name.as_ref() {
+                "e" => Range::Unit,
+                "A.mass" | "B.mass" => Range::Positive,
+                _ => continue,
+            };
+            if self.letters.iter().all(|letter| letter.name() != name.as_ref()) {
+                self.letters.extend(Letter::new(name.as_ref(), range));
+            }
+        }
+    }
+
+    fn expression(&mut self, text: &str, field: &str) -> Option<Expr> {
+        match read(text, self.angles) {
+            Ok(expr) => Some(expr.substitute(&|name| self.parameters.get(name).cloned())),
+            Err(fault) => {
+                self.fault(field, fault);
+                None
+            }
+        }
+    }
+
+    fn value(&mut self, text: &str, field: &str) -> Option<Given> {
+        let expr = self.expression(text, field)?;
+        let letters = &self.letters;
+        match number(&expr, &|name| meaning(letters, name)) {
+            Ok(value) if value.terms() > MOST_TERMS => {
+                self.whole_fault(field, text, "too long a formula", "a shorter one");
+                None
+            }
+            Ok(value) => {
+                let shown = if value.as_fraction().is_some() { crate::expr::written(&value) } else { expr };
+                Some(Given { value, shown })
+            }
+            Err(fault) => {
+                self.located(text, field, fault);
+                None
+            }
+        }
+    }
+
+    /// A fault of evaluation; without a place of its own it is that of the whole text.
+    fn located(&mut self, text: &str, field: &str, mut fault: Fault) {
+        if fault.span == Span::default() {
+            fault.span = Span { start: 0, end: text.len() };
+        }
+        if fault.message.starts_with("unknown name") && fault.help.is_none() {
+            let known: Vec<String> = self.letters.iter().map(|letter| format!("`{}`", letter.name())).collect();
+            fault.help = Some(if known.is_empty() {
+                "declare letters in `symbols`, each as `positive`, `unit`, `acute` or `real`".to_string()
+            } else {
+                format!("the letters declared in `symbols` are {}", known.join(", "))
+            });
+        }
+        self.fault(field, fault);
+    }
+
+    fn optional<S: AsRef<str>>(&mut self, text: Option<&S>, field: &str) -> Option<Given> {
+        self.value(text?.as_ref(), field)
+    }
+
+    fn velocities<S: AsRef<str>>(&mut self, pair: &Pair<VelocityText<S>>, moment: &str) -> [Option<Velocity>; 2] {
+        [(&pair.a, "A"), (&pair.b, "B")].map(|(velocity, sphere)| {
+            let field = format!("{moment}.{sphere}");
+            self.velocity(velocity.as_ref()?, &field)
+        })
+    }
+
+    fn velocity<S: AsRef<str>>(&mut self, text: &VelocityText<S>, field: &str) -> Option<Velocity> {
+        let polar = match text {
+            VelocityText::Components([x, y]) => {
+                let x = self.value(x.as_ref(), &format!("{field}[0]"));
+                let y = self.value(y.as_ref(), &format!("{field}[1]"));
+                return Some(Velocity::Components(x?, y?));
+            }
+            VelocityText::Polar(polar) => polar,
+        };
+        let speed = self.value(polar.speed.as_ref(), &format!("{field}.speed"));
+        if speed.as_ref().is_some_and(|speed| speed.value.sign().is_some_and(|sign| sign.is_lt())) {
+            self.whole_fault(
+                &format!("{field}.speed"),
+                polar.speed.as_ref(),
+                "a negative speed",
+                "a speed, not negative",
+            );
+        }
+        match (&polar.angle_deg, &polar.cos, &polar.sin) {
+            (Some(angle), None, None) => {
+                let field = format!("{field}.angle_deg");
+                let expr = self.expression(angle.as_ref(), &field)?;
+                let letters = &self.letters;
+                let turn = match degrees(&expr, &|name| meaning(letters, name)) {
+                    Ok(turn) => turn,
+                    Err(fault) => {
+                        self.located(angle.as_ref(), &field, fault);
+                        return None;
+                    }
+                };
+                let Some(direction) = turn.direction() else {
+                    self.whole_fault(&field, angle.as_ref(), "too finely given an angle", &at_most());
+                    return None;
+                };
+                let speed = speed?;
+                Some(Velocity::Polar { speed, cos: direction.cos, sin: direction.sin, angle: Some((turn, expr)) })
+            }
+            (None, Some(cos), Some(sin)) => {
+                let cos = self.value(cos.as_ref(), &format!("{field}.cos"));
+                let sin_given = self.value(sin.as_ref(), &format!("{field}.sin"));
+                let (speed, cos, sin_value) = (speed?, cos?.value, sin_given?.value);
+                if !(&(&cos * &cos) + &(&sin_value * &sin_value)).equals(&Value::ONE) {
+                    let message = "the squares of cosine and sine do not add up to 1 with";
+                    self.whole_fault(
+                        &format!("{field}.sin"),
+                        sin.as_ref(),
+                        message,
+                        "a sine that belongs to the cosine",
+                    );
+                    return None;
+                }
+                Some(Velocity::Polar { speed, cos, sin: sin_value, angle: None })
+            }
+            _ => {
+                let expected = "`angle_deg`, or both `cos` and `sin`";
+                self.whole_fault(field, polar.speed.as_ref(), "a speed without one direction", expected);
+                None
+            }
+        }
+    }
+
+    fn contact<S: AsRef<str>>(&mut self, text: &SceneText<S>) -> Option<Contact> {
+        let ways = [text.line_of_centres.is_some(), !text.positions.is_none(), text.impact_parameter.is_some()];
+        if ways.iter().filter(|way| **way).count() > 1 {
+            let message = "the line of centres is given in more than one way";
+            let expected = "one of `line_of_centres`, `positions`, `impact_parameter`";
+            self.fault("line_of_centres", Fault::new(message, Span::default(), expected));
+            return None;
+        }
+        if let Some([x, y]) = &text.line_of_centres {
+            let x = self.value(x.as_ref(), "line_of_centres[0]");
+            let y_given = self.value(y.as_ref(), "line_of_centres[1]");
+            let (x, y_value) = (x?.value, y_given?.value);
+            if x.is_zero() && y_value.is_zero() {
+                self.whole_fault("line_of_centres[1]", y.as_ref(), "the vector nought has no direction:", "a vector");
+                return None;
+            }
+            let sense = text.sense.filter(|sense| *sense == Sense::FromAToB);
+            return Some(Contact::Along(x, y_value, sense));
+        }
+        if text.positions.is_none() && text.impact_parameter.is_none() {
+            return None;
+        }
+        let a = self.optional(text.radii.a.as_ref(), "radii.A");
+        let b = self.optional(text.radii.b.as_ref(), "radii.B");
+        if text.radii.a.is_none() || text.radii.b.is_none() {
+            self.fault("radii", Fault::new("the radii are missing", Span::default(), "`radii` of both A and B"));
+        }
+        let (a, b) = (a?, b?);
+        for (radius, field) in [(&a, "radii.A"), (&b, "radii.B")] {
+            if radius.value.sign().is_some_and(|sign| sign.is_le()) {
+                self.fault(field, Fault::new("a radius is not positive", Span::default(), "a length above 0"));
+            }
+        }
+        let sum = &a.value + &b.value;
+        let shown = if a.shown == b.shown {
+            Expr::product([Expr::integer(2), a.shown.clone()])
+        } else {
+            Expr::sum([a.shown.clone(), b.shown.clone()])
+        };
+        if let Some(offset) = &text.impact_parameter {
+            let offset = self.value(offset.as_ref(), "impact_parameter")?;
+            return Some(Contact::Offset(offset, Given { value: sum, shown }));
+        }
+        let mut place = |position: Option<&[S; 2]>, sphere: &str| -> Option<[Value; 2]> {
+            let Some([x, y]) = position else {
+                let message = format!("the position of {sphere} is missing");
+                self.fault("positions", Fault::new(message, Span::default(), "`positions` of both A and B"));
+                return None;
+            };
+            let x = self.value(x.as_ref(), &format!("positions.{sphere}[0]"));
+            let y = self.value(y.as_ref(), &format!("positions.{sphere}[1]"));
+            Some([x?.value, y?.value])
+        };
+        let a = place(text.positions.a.as_ref(), "A");
+        let b = place(text.positions.b.as_ref(), "B");
+        let ([a_x, a_y], [b_x, b_y]) = (a?, b?);
+        Some(Contact::Apart(&b_x - &a_x, &b_y - &a_y, sum))
+    }
+
+    /// Letters to be found.
+    fn unknowns<S: AsRef<str>>(&mut self, text: &SceneText<S>) -> Vec<Letter> {
+        let mut unknowns = Vec::new();
+        for (index, name) in text.unknowns.iter().enumerate() {
+            let name = name.as_ref();
+            match self.letters.iter().find(|letter| letter.name() == name).copied() {
+                Some(letter) => unknowns.push(letter),
+                None => {
+                    let field = format!("unknowns[{index}]");
+                    self.whole_fault(
+                        &field,
+                        name,
+                        "unknown letter",
+                        "a letter of `symbols`, `e`, `A.mass` or `B.mass`",
+                    );
+                }
+            }
+        }
+        unknowns
+    }
+
+    fn conditions<S: AsRef<str>>(&mut self, text: &SceneText<S>) -> Vec<Condition> {
+        let mut conditions = Vec::new();
+        for (index, condition) in text.conditions.iter().enumerate() {
+            let field = format!("conditions[{index}]");
+            match self.expression(condition.as_ref(), &field) {
+                Some(Expr::Relation(left, Relation::Equal, right)) => {
+                    conditions.push(Condition { left: *left, right: *right });
+                }
+                Some(_) => self.whole_fault(
+                    &field,
+                    condition.as_ref(),
+                    "no equation in",
+                    "two quantities with `=` between them",
+                ),
+                None => {}
+            }
+        }
+        conditions
+    }
+}
+
+/// How long a name, of a letter or of an angle in degrees, may be.
+fn at_most() -> String {
+    format!("at most {} characters", Letter::LONGEST)
+}
+
+/// What a letter of the scene stands for in an expression.
+pub(crate) fn meaning(letters: &[Letter], name: &str) -> Option<Meaning> {
+    let letter = letters.iter().find(|letter| letter.name() == name)?;
+    Some(match letter.range() {
+        Range::Acute => Meaning::Angle(Turn::of(Angle::of(&Value::letter(*letter), &Value::ONE)?)),
+        _ => Meaning::Number(Value::letter(*letter)),
+    })
+}
