@@ -233,7 +233,8 @@ impl<'a> Posed<'a> {
         let unknowns = &self.scene.unknowns;
         let mut equations = Vec::new();
         for condition in &self.scene.conditions {
-            equations.push(residual(condition, self.scene, &self.known).map_err(fault)?);
+            let letters = |name: &str| meaning(&self.scene.letters, name);
+            equations.push(residual(condition, &letters, &self.known).map_err(fault)?.value);
         }
         if let Some(quantity) = self.scene.maximise {
             return self.extremes(quantity);
@@ -333,11 +334,25 @@ impl<'a> Posed<'a> {
             let put_back = |expr: &Expr| put_back(expr, unknowns, values);
             let condition = Condition { left: put_back(&condition.left), right: put_back(&condition.right) };
             let relation = Expr::equation(condition.left.clone(), condition.right.clone());
-            let letters = scene.letters.clone();
+            let letters = |name: &str| {
+                let place = unknowns.iter().position(|unknown| unknown.name() == name);
+                match place.filter(|place| unknowns[*place].range() == Range::Acute) {
+                    Some(place) => Some(Meaning::Angle(Turn::of(Angle::of(&values[place], &Value::ONE)?))),
+                    None => meaning(&scene.letters, name),
+                }
+            };
+            let near = || residual(&condition, &letters, &known).is_ok_and(|gap| vanishes(&gap.value));
+            let of_angles = || residual(&condition, &letters, &known).is_ok_and(|gap| gap.of_angles);
             match holds(&relation, &|name| name_of(name, &letters, &known)) {
                 Ok(Some(true)) => {}
-                Ok(_) if residual(&condition, &scene, &known).is_ok_and(|value| vanishes(&value)) => {}
-                Err(_) if residual(&condition, &scene, &known).is_ok_and(|value| vanishes(&value)) => {}
+                // The sine of the gap is nought half a turn away too.
+                Ok(Some(false)) if of_angles() => {
+                    return Err(format!(
+                        "it does not satisfy `{}`: the direction would be opposite",
+                        print::plain(&relation)
+                    ));
+                }
+                _ if near() => {}
                 _ if self.scene.conditions.len() > 1 => {
                     return Err(format!("it does not satisfy `{}`", print::plain(&relation)));
                 }
@@ -431,14 +446,11 @@ fn in_range(unknown: Letter, value: &Value, remarks: &mut Vec<String>) -> Result
     }
 }
 
-/// The unknowns of a condition's own formulas replaced.
+/// The unknowns of a condition's own formulas replaced, but for angles: these keep their names.
 fn put_back(expr: &Expr, unknowns: &[Letter], values: &[Value]) -> Expr {
     expr.substitute(&|name| {
         let place = unknowns.iter().position(|unknown| unknown.name() == name && name.parse::<Quantity>().is_err())?;
-        Some(match (unknowns[place].range(), Angle::of(&values[place], &Value::ONE)) {
-            (Range::Acute, Some(angle)) => written_angle(&angle),
-            _ => written(&values[place]),
-        })
+        (unknowns[place].range() != Range::Acute).then(|| written(&values[place]))
     })
 }
 
@@ -470,8 +482,8 @@ fn fault(fault: Fault) -> Refusal {
 }
 
 /// A name in a condition: a quantity, or a letter of the scene.
-fn name_of(name: &str, letters: &[Letter], known: &Known<Value>) -> Option<Meaning> {
-    if let Some(found) = meaning(letters, name) {
+fn name_of(name: &str, letters: &dyn Fn(&str) -> Option<Meaning>, known: &Known<Value>) -> Option<Meaning> {
+    if let Some(found) = letters(name) {
         return Some(found);
     }
     match known.0.get(&name.parse::<Quantity>().ok()?)? {
@@ -481,13 +493,23 @@ fn name_of(name: &str, letters: &[Letter], known: &Known<Value>) -> Option<Meani
     }
 }
 
-/// What a condition makes nought: the difference of its sides, or the sine of the difference of angles.
-fn residual(condition: &Condition, scene: &Scene, known: &Known<Value>) -> Result<Value, Fault> {
+/// What a condition makes nought.
+struct Gap {
+    /// The difference of its sides, or the sine of the difference of angles.
+    value: Value,
+    of_angles: bool,
+}
+
+fn residual(
+    condition: &Condition,
+    letters: &dyn Fn(&str) -> Option<Meaning>,
+    known: &Known<Value>,
+) -> Result<Gap, Fault> {
     let names = |name: &str| {
         let quantity = name.parse::<Quantity>().ok();
         match quantity.and_then(|quantity| known.direction(quantity)) {
             Some((y, x)) => Some(Meaning::Degrees(Turn::of(Angle::unscaled(&y, &x)))),
-            None => name_of(name, &scene.letters, known),
+            None => name_of(name, letters, known),
         }
     };
     // Beside a number of degrees an angle's letter means its degrees: `90 - alpha`.
@@ -504,11 +526,11 @@ fn residual(condition: &Condition, scene: &Scene, known: &Known<Value>) -> Resul
     };
     let unlike = || Fault::new("the two sides are not of one kind", Default::default(), "two numbers or two angles");
     match (&left, &right) {
-        (Meaning::Number(a), Meaning::Number(b)) => Ok(a - b),
+        (Meaning::Number(a), Meaning::Number(b)) => Ok(Gap { value: a - b, of_angles: false }),
         _ => {
             let (a, b) = turn(&left).zip(turn(&right)).ok_or_else(unlike)?;
             let gap = a.plus(&b.reversed()).ok_or_else(unlike)?;
-            gap.cross().ok_or_else(unlike)
+            Ok(Gap { value: gap.cross().ok_or_else(unlike)?, of_angles: true })
         }
     }
 }

@@ -74,7 +74,7 @@ fn several(equations: &[Value], unknowns: &[Letter]) -> Result<Vec<Vec<Value>>, 
         return Err(reason);
     }
     let ([first, second, ..], [x, y]) = (equations, unknowns) else { return Err(NoRoots::Degree(2)) };
-    let (first, second) = (clear(first, unknowns)?, clear(second, unknowns)?);
+    let (first, second) = without_shared(clear(first, unknowns)?, clear(second, unknowns)?);
     let resultant = resultant(&coefficients(&first, *x), &coefficients(&second, *x))?;
     let mut solutions = Vec::new();
     for value in roots_of(&clear(&resultant, &[*y])?, *y)? {
@@ -84,6 +84,17 @@ fn several(equations: &[Value], unknowns: &[Letter]) -> Result<Vec<Vec<Value>>, 
         }
     }
     Ok(solutions)
+}
+
+/// Two equations without the factor that both have, such as a sum of masses that squaring left in them.
+fn without_shared(first: Value, second: Value) -> (Value, Value) {
+    let (Some((p, _)), Some((q, _))) = (first.as_quotient(), second.as_quotient()) else { return (first, second) };
+    let shared = p.greatest_common_divisor(&q);
+    let rest = |all: &Polynomial| Some(Value::quotient(all.divided_by(&shared)?, Polynomial::one()));
+    match (rest(&p), rest(&q)) {
+        (Some(p), Some(q)) if !p.is_constant() && !q.is_constant() => (p, q),
+        _ => (first, second),
+    }
 }
 
 /// The unknown at a place taken from one equation and put into the others. Roots that hold other
