@@ -79,7 +79,8 @@ fn carom_documents_the_fields_of_a_solution_and_a_key() {
     let (solution, key) = (schema("solution"), schema("key"));
     let mut named = fields(&solution);
     named.extend(fields(&solution["$defs"]["quantity"]));
-    for part in ["blank", "mark", "part", "question", "paper"] {
+    named.extend(fields(&key));
+    for part in ["blank", "mark", "part", "question"] {
         named.extend(fields(&key["$defs"][part]));
     }
     for name in named {
