@@ -1,7 +1,7 @@
 //! A question with numbers becomes what is printed of it: words, answers, working and mark scheme.
 
 use super::working::{self, result};
-use super::{PrintedAnswer, PrintedPart, PrintedQuestion, answer, scheme, wording};
+use super::{PrintedAnswer, PrintedPart, PrintedQuestion, answer, legible, scheme, wording};
 use crate::bank::{Answer, Question};
 use crate::expr::{Expr, Piece, Text};
 use crate::generate::Variant;
@@ -40,13 +40,13 @@ pub fn compose(question: &Question, variant: &Variant, number: usize) -> Printed
     for (place, part) in worked.iter().enumerate() {
         let shown = part.part.answers.iter().find_map(|answer| result(answer, variant));
         let asks = wording::paragraphs(&part.part.ask, variant, shown.as_ref());
-        parts.push(PrintedPart {
+        parts.push(legible::part(PrintedPart {
             label: part.part.label.clone(),
             ask: wording::joined(asks),
             answers: part.part.answers.iter().map(|answer| printed_answer(answer, variant, &with_units)).collect(),
             working: part.lines(variant, &mut last),
             scheme: scheme::rows(&worked[..=place], variant, &with_units),
-        });
+        }));
     }
     PrintedQuestion { number, id: question.id.clone(), mirrors: question.mirrors.clone(), stem, parts }
 }

@@ -8,6 +8,7 @@ mod choice;
 mod compose;
 mod dealer;
 mod key;
+mod legible;
 mod scheme;
 mod wording;
 mod working;
@@ -70,8 +71,8 @@ pub struct PrintedPart {
 pub struct PrintedAnswer {
     /// What it is, in words: `speed of A`.
     pub name: Text,
-    /// The exact form, simplest as a teacher writes it; none where the phrase says all, as `along the line of
-    /// centres` does.
+    /// The exact form, simplest as a teacher writes it, or the decimal where no line holds that; none where the phrase
+    /// says all, as `along the line of centres` does.
     pub exact: Option<Expr>,
     /// The certified decimal, if the answer is not already short and exact: `2.78`.
     pub rounded: Option<Expr>,

@@ -1,0 +1,114 @@
+//! Numbers that no line holds: a formula of many sines of general angles gives way to its decimal.
+
+use super::{PrintedPart, WorkingLine};
+use crate::expr::{Expr, Relation, number, print};
+use crate::number::Places;
+
+/// So many letters and digits fit on a line of a page.
+const LINE: usize = 100;
+
+/// With so many figures a value goes into the next line of the working.
+const CARRIED: Places = Places::SignificantFigures(5);
+
+/// A part with nothing in it that is too long to be read.
+pub fn part(mut part: PrintedPart) -> PrintedPart {
+    part.working = part.working.into_iter().map(line).collect();
+    for row in &mut part.scheme {
+        let Some(equation) = row.equation.take() else { continue };
+        let legible = formula(&equation);
+        // The note of a mark for a value has its decimal already.
+        let told = matches!(legible, Expr::Decimal(_)) && !row.earned.is_empty();
+        row.equation = (!told || legible == equation).then_some(legible);
+    }
+    for answer in &mut part.answers {
+        let long = answer.exact.as_ref().is_some_and(|exact| formula(exact) != *exact);
+        if long && answer.rounded.is_some() {
+            answer.exact = answer.rounded.take();
+        }
+    }
+    part
+}
+
+/// A line of working; a carried value is left out where its rounded one follows.
+fn line(mut line: WorkingLine) -> WorkingLine {
+    let legible: Vec<Expr> = line.equations.iter().map(formula).collect();
+    let follows = |place: usize| matches!(legible.get(place + 1), Some(Expr::Relation(_, Relation::Approximately, _)));
+    let is_carried = |place: usize| {
+        legible[place] != line.equations[place]
+            && matches!(&legible[place], Expr::Relation(_, _, right) if matches!(**right, Expr::Decimal(_)))
+    };
+    line.equations = (0..legible.len())
+        .filter(|place| !(*place > 0 && is_carried(*place) && follows(*place)))
+        .map(|place| legible[place].clone())
+        .collect();
+    line
+}
+
+/// A formula in which every number that is too long for a line is a decimal; an equation is then an approximation.
+fn formula(expr: &Expr) -> Expr {
+    match expr {
+        Expr::Relation(left, Relation::Equal, right) => {
+            let (first, second) = (shortened(left), shortened(right));
+            let same = first == **left && second == **right;
+            let relation = if same { Relation::Equal } else { Relation::Approximately };
+            Expr::Relation(Box::new(first), relation, Box::new(second))
+        }
+        other => shortened(other),
+    }
+}
+
+fn shortened(expr: &Expr) -> Expr {
+    if print::unicode(expr).chars().count() <= LINE {
+        return expr.clone();
+    }
+    let decimal = number(expr, &|_| None).ok().and_then(|value| value.rounded(&CARRIED).ok());
+    match decimal {
+        Some(decimal) => Expr::Decimal(decimal.to_string()),
+        None => expr.map_children(&mut shortened),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::expr::{Angles, Text, read};
+
+    fn read_equation(text: &str) -> Expr {
+        let (left, right) = text.split_once(" = ").unwrap();
+        Expr::equation(read(left, Angles::Degrees).unwrap(), read(right, Angles::Degrees).unwrap())
+    }
+
+    /// 1 + 1 + … as a sum of so many squares of sine and cosine.
+    fn ones(count: usize) -> String {
+        vec!["(sin(37)^2 + cos(37)^2)"; count].join(" + ")
+    }
+
+    #[test]
+    fn carom_prints_a_decimal_where_no_line_holds_the_number() {
+        let short = read_equation("v = 3*cos(37) - 7*sin(65)");
+        assert_eq!(formula(&short), short);
+        let long = formula(&read_equation(&format!("v = {}", ones(9))));
+        assert_eq!(print::unicode(&long), "v ≈ 9.0000");
+        let with_letter = formula(&read_equation(&format!("L = m*({})/64", ones(9))));
+        assert_eq!(print::unicode(&with_letter), print::unicode(&formula(&with_letter)));
+        assert!(print::unicode(&with_letter).contains("9.0000"), "{}", print::unicode(&with_letter));
+        // What holds a letter in every part cannot be shortened.
+        let letters = read_equation(&format!("v = {}", vec!["cos(theta)*m"; 30].join(" + ")));
+        assert_eq!(formula(&letters), letters);
+    }
+
+    #[test]
+    fn carom_does_not_round_twice_in_a_row() {
+        let about = |digits: &str| {
+            Expr::Relation(
+                Box::new(Expr::name("v")),
+                Relation::Approximately,
+                Box::new(Expr::Decimal(digits.to_owned())),
+            )
+        };
+        let equations =
+            vec![read_equation("v = sqrt(80 + 1)"), read_equation(&format!("v = {}", ones(9))), about("9.00")];
+        let printed = line(WorkingLine { words: Text::default(), equations, label: None });
+        assert_eq!(printed.equations.iter().map(print::unicode).collect::<Vec<_>>(), ["v = √(80 + 1)", "v ≈ 9.00"]);
+    }
+}
