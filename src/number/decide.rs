@@ -173,6 +173,10 @@ fn constant_is_zero(value: &Value) -> bool {
     if value.as_fraction().is_some() || !value.letters().iter().any(Letter::is_constant) {
         return value.is_written_zero();
     }
+    // Nearly always a rough enclosure tells, and the product that follows is long.
+    if value.enclose_constant(128).is_some_and(|interval| !interval.contains_zero()) {
+        return false;
+    }
     // Times a power of each cosine, so that only sines and cosines are left of the tangents.
     let mut angles = value.letters();
     angles.retain(Letter::is_constant);
@@ -180,10 +184,6 @@ fn constant_is_zero(value: &Value) -> bool {
     let scaled = angles.iter().zip(&highest).fold(value.clone(), |product, (tangent, power)| {
         (0..*power).fold(product, |product, _| &product * &Value::cosine(*tangent))
     });
-    let rough = value.enclose_constant(128);
-    if rough.is_some_and(|interval| !interval.contains_zero()) {
-        return false;
-    }
     let needed = separation(&terms, &angles, &highest);
     let mut bits = 256;
     loop {
