@@ -10,9 +10,9 @@ use super::failure::Failure;
 use super::output::{listed, print, print_json, say, table};
 use super::scene_input;
 use crate::diagnostic::near;
-use crate::expr::print as written;
+use crate::expr::{print as written, written as plainest, written_angle};
 use crate::mechanics::{Axis, Datum, Known, Line, Moment, Quantity, Scene, Sphere, Velocity, pose};
-use crate::number::Value;
+use crate::number::{Angle, Letter, Range, Value};
 use crate::solve::{Answer, Solution, report, solve_all};
 
 const AFTER: &str = "Example, in a file `scene.json`:
@@ -139,9 +139,10 @@ fn on_terminal(solutions: &[Solution], asked: &[Quantity]) -> String {
         if solutions.len() > 1 {
             text.push_str(&format!("{}Solution {}\n\n", if index == 0 { "" } else { "\n" }, index + 1));
         }
-        // Equations of each are numbered from 1, as its own words have it.
-        text.push_str(&worked(solution.finding()));
-        text.push_str(&worked(&solution.lines()));
+        let lines = solution.lines();
+        // Once the unknown is found, the rest would repeat the same steps with its value.
+        let finding = solution.finding();
+        text.push_str(&worked(if finding.is_empty() { &lines } else { finding }));
         for remark in solution.remarks() {
             text.push_str(&format!("{remark}\n"));
         }
@@ -178,10 +179,12 @@ pub fn worked(lines: &[Line]) -> String {
 
 fn answers(solution: &Solution, asked: &[Quantity]) -> String {
     let mut rows = Vec::new();
-    for (letter, exact, rounded) in found(solution) {
-        rows.push(vec![format!("  {letter}"), exact, rounded]);
+    for (letter, exact) in found(solution) {
+        rows.push(vec![format!("  {letter}"), exact]);
     }
-    for quantity in asked {
+    let is_found =
+        |quantity: &Quantity| solution.found().iter().any(|(letter, _)| letter.name() == quantity.to_string());
+    for quantity in asked.iter().filter(|quantity| !is_found(quantity)) {
         let (Some(answer), Some(exact)) = (Answer::of(solution, *quantity), solution.exact(*quantity)) else {
             continue;
         };
@@ -201,18 +204,23 @@ fn answers(solution: &Solution, asked: &[Quantity]) -> String {
     table(&rows)
 }
 
-/// The letters that were found.
-fn found(solution: &Solution) -> Vec<(String, String, String)> {
+/// The letters that were found, each with its value as a teacher writes it.
+fn found(solution: &Solution) -> Vec<(String, String)> {
     let quantities = report(solution).quantities;
-    let names = solution.found().iter().map(|(letter, _)| letter.name().to_owned());
-    let text = |answer: &Json, field: &str| answer[field].as_str().unwrap_or_default().to_owned();
-    names
-        .filter_map(|name| {
-            let answer = quantities.get(&name)?;
-            let rounded = text(answer, "rounded");
-            Some((name, text(answer, "exact"), if rounded.is_empty() { rounded } else { format!("≈ {rounded}") }))
-        })
-        .collect()
+    let one = |(letter, value): &(Letter, Value)| {
+        let angle = Angle::of(value, &Value::ONE).filter(|_| letter.range() == Range::Acute);
+        let exact = written::unicode(&angle.as_ref().map_or_else(|| plainest(value), written_angle));
+        let degree = if angle.is_some() { "°" } else { "" };
+        let answer = quantities.get(letter.name()).map(|answer| json!(answer));
+        let rounded = answer.and_then(|answer| answer["rounded"].as_str().map(|text| format!("{text}{degree}")));
+        let whole = value.as_fraction().is_some_and(|value| value.is_integer()) && angle.is_none();
+        let exact = match rounded.filter(|rounded| !whole && *rounded != exact && !exact.ends_with('°')) {
+            Some(rounded) => format!("{exact} ≈ {rounded}"),
+            None => exact,
+        };
+        (letter.name().to_owned(), exact)
+    };
+    solution.found().iter().map(one).collect()
 }
 
 /// The same steps in floating point.

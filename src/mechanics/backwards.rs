@@ -392,7 +392,9 @@ impl<'a> Posed<'a> {
         let show = Show::new(self.scene, &self.known, &self.asked);
         let mut lines: Vec<Line> = self.derivation.steps.iter().flat_map(|step| step.lines(&show)).collect();
         for condition in &self.scene.conditions {
-            lines.push(condition_line(condition));
+            let mut line = condition_line(condition);
+            line.equations.extend(self.condition_in_unknowns(condition));
+            lines.push(line);
         }
         if let Some(quantity) = self.scene.maximise {
             lines.push(Line::plain(
@@ -404,6 +406,31 @@ impl<'a> Posed<'a> {
             lines.push(found_line(*letter, value));
         }
         lines
+    }
+}
+
+/// Longer equations would not help a reader.
+const MOST_SHOWN: usize = 8;
+
+impl Posed<'_> {
+    /// The condition with what was derived put in, where that is short: of angles their tangents.
+    fn condition_in_unknowns(&self, condition: &Condition) -> Option<Expr> {
+        let names = |name: &str| name_of(name, &|name| meaning(&self.scene.letters, name), &self.known);
+        let side = |expr: &Expr| match evaluate(expr, &names).ok()? {
+            Meaning::Number(value) => Some((value, false)),
+            Meaning::Degrees(turn) | Meaning::Angle(turn) => Some((turn.tangent()?, true)),
+            _ => None,
+        };
+        let (left, of_angle) = side(&condition.left)?;
+        let right = match side(&condition.right)? {
+            (value, false) if of_angle => Turn::degrees(value.as_fraction()?.clone()).tangent()?,
+            (_, true) if !of_angle => return None,
+            (value, _) => value,
+        };
+        let nested =
+            |value: &Value| value.roots().iter().filter(|root| matches!(root, Root::Nested { .. })).count() > 1;
+        let short = left.terms() <= MOST_SHOWN && right.terms() <= MOST_SHOWN && !nested(&left) && !nested(&right);
+        short.then(|| Expr::equation(written(&left), written(&right)))
     }
 }
 
@@ -537,16 +564,26 @@ fn residual(
 
 /// The condition as a teacher says it.
 fn condition_line(condition: &Condition) -> Line {
-    let quantity = match &condition.left {
+    let quantity_of = |expr: &Expr| match expr {
         Expr::Name(name) => name.text.parse::<Quantity>().ok(),
         _ => None,
     };
+    let (quantity, other) = (quantity_of(&condition.left), quantity_of(&condition.right));
     match quantity {
         Some(Quantity::DeflectionDot(sphere)) if condition.right.is_zero() => Line::with(
             "The path of {A} turns through a right angle, so the scalar product of its velocities before and after is nought.",
             &[("A", Expr::name(sphere.name()))],
             vec![],
         ),
+        Some(Quantity::Deflection(sphere)) if condition.right.names().is_empty() => Line::with(
+            "It is given that {A} is deflected through {r} degrees.",
+            &[("A", Expr::name(sphere.name())), ("r", condition.right.clone())],
+            vec![],
+        ),
+        Some(quantity) if other.is_some() => {
+            let other = other.map_or_else(String::new, in_english);
+            Line::plain(&format!("It is given that {} is equal to {other}.", in_english(quantity)), vec![])
+        }
         Some(quantity) => Line::with(
             &format!("It is given that {} is {{r}}.", in_english(quantity)),
             &[("r", in_symbols(&condition.right))],
