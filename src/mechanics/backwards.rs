@@ -6,14 +6,16 @@
 
 use std::cmp::Ordering;
 
+use super::conditions_in_words::{condition_line, found_line, in_english};
 use super::law::Known;
 use super::line::Line;
 use super::refusal::Refusal;
-use super::scene::{Condition, Contact, Given, Scene, Velocity};
+use super::scene::{Condition, Scene};
 use super::scene_reader::meaning;
+use super::unknowns::{mentions, substituted, with_letters};
 use super::validity::{check, laws};
 use super::working::Show;
-use super::{Datum, Derivation, Quantity, Sphere, pose};
+use super::{Datum, Derivation, Quantity, pose};
 use crate::expr::{Expr, Fault, Meaning, Turn, evaluate, holds, print, written, written_angle};
 use crate::number::{Angle, Letter, NoRoots, Range, Root, Value, solve_system};
 
@@ -100,90 +102,6 @@ fn only_largest(found: &mut Vec<Found>, quantity: Quantity) {
         .collect();
     let mut kept = kept.into_iter();
     found.retain(|_| kept.next().unwrap_or(true));
-}
-
-/// `e`, `A.mass` and `B.mass` among the unknowns stand where the scene leaves a gap.
-fn with_letters(scene: &Scene) -> Scene {
-    let mut scene = scene.clone();
-    for letter in scene.unknowns.clone() {
-        let given = Given {
-            value: Value::letter(letter),
-            shown: Expr::name(letter.name().replace(".mass", "").replace('A', "m_A").replace('B', "m_B")),
-        };
-        match letter.name() {
-            "e" if scene.restitution.is_none() => {
-                scene.restitution = Some(Given { value: given.value, shown: Expr::name("e") });
-            }
-            "A.mass" if scene.masses[0].is_none() => scene.masses[0] = Some(given),
-            "B.mass" if scene.masses[1].is_none() => scene.masses[1] = Some(given),
-            _ => {}
-        }
-        if !scene.letters.contains(&letter) {
-            scene.letters.push(letter);
-        }
-    }
-    scene
-}
-
-fn values_of(scene: &mut Scene) -> Vec<&mut Value> {
-    let mut values = Vec::new();
-    for given in scene.masses.iter_mut().flatten().chain(&mut scene.restitution) {
-        values.push(&mut given.value);
-    }
-    for velocity in scene.before.iter_mut().chain(&mut scene.after).flatten() {
-        match velocity {
-            Velocity::Components(x, y) => values.extend([&mut x.value, &mut y.value]),
-            Velocity::Polar { speed, cos, sin, .. } => values.extend([&mut speed.value, cos, sin]),
-        }
-    }
-    match &mut scene.contact {
-        Some(Contact::Along(x, y, _)) => values.extend([x, y]),
-        Some(Contact::Offset(offset, sum)) => values.extend([&mut offset.value, &mut sum.value]),
-        Some(Contact::Apart(x, y, sum)) => values.extend([x, y, sum]),
-        None => {}
-    }
-    values
-}
-
-fn mentions(scene: &Scene, letter: Letter) -> bool {
-    values_of(&mut scene.clone()).iter().any(|value| value.letters().contains(&letter))
-}
-
-/// The scene with unknowns replaced; `None` if a value does not exist there.
-fn substituted(scene: &Scene, unknowns: &[Letter], values: &[Value]) -> Option<Scene> {
-    let mut scene = scene.clone();
-    for value in values_of(&mut scene) {
-        for (unknown, replacement) in unknowns.iter().zip(values) {
-            *value = value.substitute(*unknown, replacement)?;
-        }
-    }
-    let shown = |given: &mut Given| {
-        let names = given.shown.names().into_iter().map(|name| name.text.clone()).collect::<Vec<_>>();
-        if unknowns.iter().any(|unknown| names.iter().any(|name| name == unknown.name() || name.starts_with("m_"))) {
-            given.shown = written(&given.value);
-        }
-    };
-    scene.masses.iter_mut().flatten().chain(&mut scene.restitution).for_each(shown);
-    for velocity in scene.before.iter_mut().chain(&mut scene.after).flatten() {
-        match velocity {
-            Velocity::Components(x, y) => [x, y].into_iter().for_each(shown),
-            Velocity::Polar { speed, cos, sin, angle } => {
-                shown(speed);
-                let unknown = |name: &str| unknowns.iter().any(|unknown| unknown.name() == name);
-                if angle.as_ref().is_some_and(|(_, expr)| expr.names().iter().any(|name| unknown(&name.text))) {
-                    *angle = Angle::of(sin, cos).map(|angle| (Turn::of(angle.clone()), written_angle(&angle)));
-                }
-            }
-        }
-    }
-    if let Some(Contact::Offset(offset, sum)) = &mut scene.contact {
-        [offset, sum].into_iter().for_each(shown);
-    }
-    scene.letters.retain(|letter| !unknowns.contains(letter));
-    scene.unknowns.clear();
-    scene.conditions.clear();
-    scene.maximise = None;
-    Some(scene)
 }
 
 /// `e = 1/2`, or for an angle `theta = 30°`.
@@ -560,99 +478,4 @@ fn residual(
             Ok(Gap { value: gap.cross().ok_or_else(unlike)?, of_angles: true })
         }
     }
-}
-
-/// The condition as a teacher says it.
-fn condition_line(condition: &Condition) -> Line {
-    let quantity_of = |expr: &Expr| match expr {
-        Expr::Name(name) => name.text.parse::<Quantity>().ok(),
-        _ => None,
-    };
-    let (quantity, other) = (quantity_of(&condition.left), quantity_of(&condition.right));
-    match quantity {
-        Some(Quantity::DeflectionDot(sphere)) if condition.right.is_zero() => Line::with(
-            "The path of {A} turns through a right angle, so the scalar product of its velocities before and after is nought.",
-            &[("A", Expr::name(sphere.name()))],
-            vec![],
-        ),
-        Some(Quantity::Deflection(sphere)) if condition.right.names().is_empty() => Line::with(
-            "It is given that {A} is deflected through {r} degrees.",
-            &[("A", Expr::name(sphere.name())), ("r", condition.right.clone())],
-            vec![],
-        ),
-        Some(quantity) if other.is_some() => {
-            let other = other.map_or_else(String::new, in_english);
-            Line::plain(&format!("It is given that {} is equal to {other}.", in_english(quantity)), vec![])
-        }
-        Some(quantity) => Line::with(
-            &format!("It is given that {} is {{r}}.", in_english(quantity)),
-            &[("r", in_symbols(&condition.right))],
-            vec![],
-        ),
-        None => Line::with(
-            "It is given that {l}.",
-            &[("l", Expr::equation(in_symbols(&condition.left), in_symbols(&condition.right)))],
-            vec![],
-        ),
-    }
-}
-
-/// Names of quantities as symbols, for a formula in a sentence.
-fn in_symbols(expr: &Expr) -> Expr {
-    expr.substitute(&|name| {
-        let quantity: Quantity = name.parse().ok()?;
-        Some(Expr::name(match quantity {
-            Quantity::Speed(Sphere::A, super::Moment::After) => "v_A",
-            Quantity::Speed(Sphere::B, super::Moment::After) => "v_B",
-            Quantity::Speed(Sphere::A, super::Moment::Before) => "u_A",
-            Quantity::Speed(Sphere::B, super::Moment::Before) => "u_B",
-            Quantity::Mass(Sphere::A) => "m_A",
-            Quantity::Mass(Sphere::B) => "m_B",
-            _ => return None,
-        }))
-    })
-}
-
-/// A quantity in words, as a sentence names it.
-fn in_english(quantity: Quantity) -> String {
-    use Quantity::*;
-    let when = |moment| if moment == super::Moment::Before { "before" } else { "after" };
-    match quantity {
-        Speed(s, m) => format!("the speed of *{}* {} the impact", s.name(), when(m)),
-        AngleToLine(s, m) => format!("the angle of *{}* to the line of centres {} the impact", s.name(), when(m)),
-        Deflection(s) | SignedDeflection(s) => {
-            format!("the angle in degrees through which *{}* is deflected", s.name())
-        }
-        TanDeflection(s) => format!("the tangent of the deflection of *{}*", s.name()),
-        EnergyLost => "the kinetic energy lost".to_string(),
-        FractionLost => "the fraction of the kinetic energy lost".to_string(),
-        ImpulseMagnitude => "the magnitude of the impulse".to_string(),
-        Velocity(s, m, super::Axis::N) => {
-            format!("the component of *{}* along the line of centres {} the impact", s.name(), when(m))
-        }
-        other => other.to_string().replace('_', " "),
-    }
-}
-
-/// `tan² θ = (2e - 1)/3` where the unknown is a root, then the unknown itself.
-fn found_line(letter: Letter, value: &Value) -> Line {
-    use crate::expr::Function;
-    let name = Expr::name(letter.name().replace("A.mass", "m_A").replace("B.mass", "m_B"));
-    let acute = letter.range() == Range::Acute;
-    let base = if acute { Expr::call(Function::Tan, name.clone()) } else { name.clone() };
-    let mut equations = Vec::new();
-    let square = value * value;
-    if value.as_fraction().is_none() && square.roots().is_empty() {
-        equations.push(Expr::equation(base.clone().to_the(2), written(&square)));
-    }
-    if acute && value.is_constant() {
-        equations.push(Expr::equation(base, written(value)));
-        if let Some(angle) = Angle::of(value, &Value::ONE) {
-            equations.push(Expr::equation(name.clone(), written_angle(&angle)));
-            equations.extend(Show::approximate_angle(&name, &angle));
-        }
-    } else if !acute || equations.is_empty() {
-        equations.push(Expr::equation(base, written(value)));
-    }
-    Line::plain("Solving for the unknown:", equations)
 }

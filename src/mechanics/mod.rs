@@ -1,6 +1,7 @@
 //! Mechanics of an oblique impact of two smooth spheres: scenes, laws, derivations, validity.
 
 mod backwards;
+mod conditions_in_words;
 mod derivation;
 mod formula;
 mod law;
@@ -11,6 +12,7 @@ mod refusal;
 mod scene;
 mod scene_reader;
 mod scene_text;
+mod unknowns;
 mod validity;
 mod working;
 

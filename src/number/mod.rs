@@ -14,6 +14,7 @@ mod inverse_trigonometry;
 mod letter;
 mod operations;
 mod polynomial;
+mod polynomial_roots;
 mod root;
 mod rounding;
 mod trigonometry;

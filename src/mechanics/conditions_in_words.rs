@@ -1,0 +1,103 @@
+//! The words in which a condition is stated and what was found from it is told.
+
+use super::Line;
+use super::scene::Condition;
+use super::working::Show;
+use super::{Axis, Moment, Quantity, Sphere};
+use crate::expr::{Expr, written, written_angle};
+use crate::number::{Angle, Letter, Range, Value};
+
+/// The condition as a teacher says it.
+pub(super) fn condition_line(condition: &Condition) -> Line {
+    let quantity_of = |expr: &Expr| match expr {
+        Expr::Name(name) => name.text.parse::<Quantity>().ok(),
+        _ => None,
+    };
+    let (quantity, other) = (quantity_of(&condition.left), quantity_of(&condition.right));
+    match quantity {
+        Some(Quantity::DeflectionDot(sphere)) if condition.right.is_zero() => Line::with(
+            "The path of {A} turns through a right angle, so the scalar product of its velocities before and after is nought.",
+            &[("A", Expr::name(sphere.name()))],
+            vec![],
+        ),
+        Some(Quantity::Deflection(sphere)) if condition.right.names().is_empty() => Line::with(
+            "It is given that {A} is deflected through {r} degrees.",
+            &[("A", Expr::name(sphere.name())), ("r", condition.right.clone())],
+            vec![],
+        ),
+        Some(quantity) if other.is_some() => {
+            let other = other.map_or_else(String::new, in_english);
+            Line::plain(&format!("It is given that {} is equal to {other}.", in_english(quantity)), vec![])
+        }
+        Some(quantity) => Line::with(
+            &format!("It is given that {} is {{r}}.", in_english(quantity)),
+            &[("r", in_symbols(&condition.right))],
+            vec![],
+        ),
+        None => Line::with(
+            "It is given that {l}.",
+            &[("l", Expr::equation(in_symbols(&condition.left), in_symbols(&condition.right)))],
+            vec![],
+        ),
+    }
+}
+
+/// Names of quantities as symbols, for a formula in a sentence.
+fn in_symbols(expr: &Expr) -> Expr {
+    expr.substitute(&|name| {
+        let quantity: Quantity = name.parse().ok()?;
+        Some(Expr::name(match quantity {
+            Quantity::Speed(Sphere::A, Moment::After) => "v_A",
+            Quantity::Speed(Sphere::B, Moment::After) => "v_B",
+            Quantity::Speed(Sphere::A, Moment::Before) => "u_A",
+            Quantity::Speed(Sphere::B, Moment::Before) => "u_B",
+            Quantity::Mass(Sphere::A) => "m_A",
+            Quantity::Mass(Sphere::B) => "m_B",
+            _ => return None,
+        }))
+    })
+}
+
+/// A quantity in words, as a sentence names it.
+pub(super) fn in_english(quantity: Quantity) -> String {
+    use Quantity::*;
+    let when = |moment| if moment == Moment::Before { "before" } else { "after" };
+    match quantity {
+        Speed(s, m) => format!("the speed of *{}* {} the impact", s.name(), when(m)),
+        AngleToLine(s, m) => format!("the angle of *{}* to the line of centres {} the impact", s.name(), when(m)),
+        Deflection(s) | SignedDeflection(s) => {
+            format!("the angle in degrees through which *{}* is deflected", s.name())
+        }
+        TanDeflection(s) => format!("the tangent of the deflection of *{}*", s.name()),
+        EnergyLost => "the kinetic energy lost".to_string(),
+        FractionLost => "the fraction of the kinetic energy lost".to_string(),
+        ImpulseMagnitude => "the magnitude of the impulse".to_string(),
+        Velocity(s, m, Axis::N) => {
+            format!("the component of *{}* along the line of centres {} the impact", s.name(), when(m))
+        }
+        other => other.to_string().replace('_', " "),
+    }
+}
+
+/// `tan² θ = (2e - 1)/3` where the unknown is a root, then the unknown itself.
+pub(super) fn found_line(letter: Letter, value: &Value) -> Line {
+    use crate::expr::Function;
+    let name = Expr::name(letter.name().replace("A.mass", "m_A").replace("B.mass", "m_B"));
+    let acute = letter.range() == Range::Acute;
+    let base = if acute { Expr::call(Function::Tan, name.clone()) } else { name.clone() };
+    let mut equations = Vec::new();
+    let square = value * value;
+    if value.as_fraction().is_none() && square.roots().is_empty() {
+        equations.push(Expr::equation(base.clone().to_the(2), written(&square)));
+    }
+    if acute && value.is_constant() {
+        equations.push(Expr::equation(base, written(value)));
+        if let Some(angle) = Angle::of(value, &Value::ONE) {
+            equations.push(Expr::equation(name.clone(), written_angle(&angle)));
+            equations.extend(Show::approximate_angle(&name, &angle));
+        }
+    } else if !acute || equations.is_empty() {
+        equations.push(Expr::equation(base, written(value)));
+    }
+    Line::plain("Solving for the unknown:", equations)
+}

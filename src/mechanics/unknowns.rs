@@ -1,0 +1,89 @@
+//! A scene with letters in the place of what is to be found, and with what was found in the place of letters.
+
+use super::scene::{Contact, Given, Scene, Velocity};
+use crate::expr::{Expr, Turn, written, written_angle};
+use crate::number::{Angle, Letter, Value};
+
+/// `e`, `A.mass` and `B.mass` among the unknowns stand where the scene leaves a gap.
+pub(super) fn with_letters(scene: &Scene) -> Scene {
+    let mut scene = scene.clone();
+    for letter in scene.unknowns.clone() {
+        let given = Given {
+            value: Value::letter(letter),
+            shown: Expr::name(letter.name().replace(".mass", "").replace('A', "m_A").replace('B', "m_B")),
+        };
+        match letter.name() {
+            "e" if scene.restitution.is_none() => {
+                scene.restitution = Some(Given { value: given.value, shown: Expr::name("e") });
+            }
+            "A.mass" if scene.masses[0].is_none() => scene.masses[0] = Some(given),
+            "B.mass" if scene.masses[1].is_none() => scene.masses[1] = Some(given),
+            _ => {}
+        }
+        if !scene.letters.contains(&letter) {
+            scene.letters.push(letter);
+        }
+    }
+    scene
+}
+
+fn values_of(scene: &mut Scene) -> Vec<&mut Value> {
+    let mut values = Vec::new();
+    for given in scene.masses.iter_mut().flatten().chain(&mut scene.restitution) {
+        values.push(&mut given.value);
+    }
+    for velocity in scene.before.iter_mut().chain(&mut scene.after).flatten() {
+        match velocity {
+            Velocity::Components(x, y) => values.extend([&mut x.value, &mut y.value]),
+            Velocity::Polar { speed, cos, sin, .. } => values.extend([&mut speed.value, cos, sin]),
+        }
+    }
+    match &mut scene.contact {
+        Some(Contact::Along(x, y, _)) => values.extend([x, y]),
+        Some(Contact::Offset(offset, sum)) => values.extend([&mut offset.value, &mut sum.value]),
+        Some(Contact::Apart(x, y, sum)) => values.extend([x, y, sum]),
+        None => {}
+    }
+    values
+}
+
+pub(super) fn mentions(scene: &Scene, letter: Letter) -> bool {
+    values_of(&mut scene.clone()).iter().any(|value| value.letters().contains(&letter))
+}
+
+/// The scene with unknowns replaced; `None` if a value does not exist there.
+pub(super) fn substituted(scene: &Scene, unknowns: &[Letter], values: &[Value]) -> Option<Scene> {
+    let mut scene = scene.clone();
+    for value in values_of(&mut scene) {
+        for (unknown, replacement) in unknowns.iter().zip(values) {
+            *value = value.substitute(*unknown, replacement)?;
+        }
+    }
+    let shown = |given: &mut Given| {
+        let names = given.shown.names().into_iter().map(|name| name.text.clone()).collect::<Vec<_>>();
+        if unknowns.iter().any(|unknown| names.iter().any(|name| name == unknown.name() || name.starts_with("m_"))) {
+            given.shown = written(&given.value);
+        }
+    };
+    scene.masses.iter_mut().flatten().chain(&mut scene.restitution).for_each(shown);
+    for velocity in scene.before.iter_mut().chain(&mut scene.after).flatten() {
+        match velocity {
+            Velocity::Components(x, y) => [x, y].into_iter().for_each(shown),
+            Velocity::Polar { speed, cos, sin, angle } => {
+                shown(speed);
+                let unknown = |name: &str| unknowns.iter().any(|unknown| unknown.name() == name);
+                if angle.as_ref().is_some_and(|(_, expr)| expr.names().iter().any(|name| unknown(&name.text))) {
+                    *angle = Angle::of(sin, cos).map(|angle| (Turn::of(angle.clone()), written_angle(&angle)));
+                }
+            }
+        }
+    }
+    if let Some(Contact::Offset(offset, sum)) = &mut scene.contact {
+        [offset, sum].into_iter().for_each(shown);
+    }
+    scene.letters.retain(|letter| !unknowns.contains(letter));
+    scene.unknowns.clear();
+    scene.conditions.clear();
+    scene.maximise = None;
+    Some(scene)
+}
