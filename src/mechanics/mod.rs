@@ -1,6 +1,7 @@
 //! Mechanics of an oblique impact of two smooth spheres: scenes, laws, derivations, validity.
 
 mod backwards;
+mod condition;
 mod conditions_in_words;
 mod derivation;
 mod formula;
