@@ -41,6 +41,11 @@ fn masses(known: &Known<Value>) -> Result<(), Refusal> {
             return Err(Refusal::impossible(format!("the mass of {name} would be {value}, which is not positive")));
         }
     }
+    if sign(known, Quantity::MassRatio).is_some_and(Ordering::is_le) {
+        return Err(Refusal::impossible(
+            "along the line of centres the velocities of A and B change the same way: no positive masses conserve momentum",
+        ));
+    }
     Ok(())
 }
 
@@ -159,6 +164,7 @@ pub fn laws(known: &mut Known<Value>) -> Vec<(String, Value)> {
 /// What the laws speak of.
 fn sides() -> Vec<Quantity> {
     let mut asked = vec![Quantity::Approach, Quantity::Separation, Quantity::Restitution, MASSES[0], MASSES[1]];
+    asked.push(Quantity::MassRatio);
     asked.extend(ALONG);
     for sphere in Sphere::BOTH {
         asked.extend([Moment::Before, Moment::After].map(|moment| Quantity::Velocity(sphere, moment, Axis::T)));

@@ -187,3 +187,23 @@ fn also(case: &Case, complaints: &mut Vec<String>) {
         }
     }
 }
+
+#[test]
+fn carom_knows_the_line_of_centres_and_the_ratio_of_masses_from_four_velocities() {
+    use carom::mechanics::Quantity;
+    use carom::number::Value;
+    let scene = |after_b: [&str; 2]| {
+        let json = serde_json::json!({"before": {"A": ["4", "2"], "B": ["-1", "-4"]},
+            "after": {"A": ["1", "2"], "B": after_b}});
+        read(&json)
+    };
+    let asked = [Quantity::MassRatio, Quantity::Restitution];
+    let solution = carom::solve::solve(&scene(["2", "-4"]), &asked).unwrap();
+    // B's change of 3 i answers A's change of -3 i; separation 1 over approach 5.
+    assert_eq!(solution.number(Quantity::MassRatio), Some(Value::ONE));
+    assert_eq!(solution.number(Quantity::Restitution), Some(Value::fraction(1, 5)));
+    for (after_b, reason) in [(["2", "-3"], "perpendicular"), (["-2", "-4"], "no positive masses")] {
+        let refusal = carom::solve::solve(&scene(after_b), &asked).unwrap_err();
+        assert!(refusal.reason.contains(reason), "{}", refusal.reason);
+    }
+}

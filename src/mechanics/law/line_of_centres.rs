@@ -1,10 +1,12 @@
 //! The impulse acts along the line of centres, so its direction is that line.
 //!
-//! `n = I_B/|I_B|`: what B receives points from A to B.
+//! `n = I_B/|I_B|`: what B receives points from A to B. A sphere's change of velocity has the direction of
+//! the impulse that it receives.
 
-use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, rule};
+use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, rule, velocity};
 use crate::expr::Expr;
 use crate::mechanics::Axis::{X, Y};
+use crate::mechanics::Moment::{After, Before};
 use crate::mechanics::{Quantity, Sphere};
 use crate::number::Number;
 
@@ -21,21 +23,33 @@ pub const SLIPS: &[Slip] = &[Slip {
 
 pub fn rules() -> Vec<Rule> {
     let line = [Quantity::Line(X), Quantity::Line(Y)];
-    [Sphere::A, Sphere::B]
-        .into_iter()
-        .map(|sphere| {
-            let impulse = [Quantity::Impulse(sphere, X), Quantity::Impulse(sphere, Y)];
-            // A form for each sphere; A's impulse is the one that an exam asks for.
-            rule(Law::LineOfCentres, sphere as u8, &impulse, &line, 1)
-        })
-        .collect()
+    let mut rules = Vec::new();
+    for sphere in [Sphere::A, Sphere::B] {
+        let impulse = [Quantity::Impulse(sphere, X), Quantity::Impulse(sphere, Y)];
+        // A form for each sphere; A's impulse is the one that an exam asks for.
+        rules.push(rule(Law::LineOfCentres, sphere as u8, &impulse, &line, 1));
+        // Without the mass the change of velocity has the same direction.
+        let at = |moment, axis| velocity(sphere, moment, axis);
+        let change = [at(Before, X), at(Before, Y), at(After, X), at(After, Y)];
+        rules.push(rule(Law::LineOfCentres, BY_CHANGE + sphere as u8, &change, &line, 6));
+    }
+    rules
 }
 
+/// From the change of a velocity: added to the number of the sphere.
+const BY_CHANGE: u8 = 2;
+
 pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
-    let [x, y] = known.numbers([rule.needs[0], rule.needs[1]])?;
+    let n = &rule.needs;
+    let [x, y] = if rule.form < BY_CHANGE {
+        known.numbers([n[0], n[1]])?
+    } else {
+        let [u_x, u_y, v_x, v_y] = known.numbers([n[0], n[1], n[2], n[3]])?;
+        [v_x - u_x, v_y - u_y]
+    };
     let size = (x.squared() + y.squared()).root()?;
     let (x, y) = (x.over(&size)?, y.over(&size)?);
-    let (x, y) = if rule.form == Sphere::A as u8 { (-x, -y) } else { (x, y) };
+    let (x, y) = if rule.form % BY_CHANGE == Sphere::A as u8 { (-x, -y) } else { (x, y) };
     Some(vec![Datum::Number(x), Datum::Number(y)])
 }
 

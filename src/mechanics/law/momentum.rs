@@ -26,12 +26,15 @@ pub const SLIPS: &[Slip] = &[
 
 /// The forms: an equation for two unknowns, or the one unknown, in the order a, b, x, y, m_A, m_B.
 const EQUATION: u8 = 0;
+/// The ratio of the masses, where neither is given.
+const MASS_RATIO: u8 = 7;
 
 pub fn rules() -> Vec<Rule> {
     let [a, b, x, y] = ALONG;
     let [m_a, m_b] = MASSES;
     let all = [a, b, x, y, m_a, m_b];
     let mut rules = vec![rule(Law::Momentum, EQUATION, &[m_a, m_b, a, b], &[Quantity::MomentumEquation], 1)];
+    rules.push(rule(Law::Momentum, MASS_RATIO, &ALONG, &[Quantity::MassRatio], 8));
     for (index, unknown) in all.into_iter().enumerate() {
         let needs: Vec<Quantity> = all.into_iter().filter(|quantity| *quantity != unknown).collect();
         rules.push(rule(Law::Momentum, index as u8 + 1, &needs, &[unknown], 2));
@@ -52,6 +55,10 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
         2 => number(at(y)? + (at(m_a)? * (at(x)? - at(a)?)).over(&at(m_b)?)?),
         3 => number(at(a)? + (at(m_b)? * (at(b)? - at(y)?)).over(&at(m_a)?)?),
         4 => number(at(b)? + (at(m_a)? * (at(a)? - at(x)?)).over(&at(m_b)?)?),
+        MASS_RATIO => {
+            let [a, b, x, y] = known.numbers(ALONG)?;
+            number((a - x).over(&(y - b))?)
+        }
         5 => number((at(m_b)? * (at(y)? - at(b)?)).over(&(at(a)? - at(x)?))?),
         _ => number((at(m_a)? * (at(a)? - at(x)?)).over(&(at(y)? - at(b)?))?),
     }
@@ -93,5 +100,9 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
         return vec![letters, Line::numbered(words, show.with_simplified(equation, Quantity::MomentumEquation))];
     }
     let unknown = rule.gives[0];
-    vec![Line::plain(words, vec![equation, Expr::equation(show.symbol(unknown), show.shown_value(unknown))])]
+    let symbol = match rule.form {
+        MASS_RATIO => show.symbol(MASSES[1]).over(show.symbol(MASSES[0])),
+        _ => show.symbol(unknown),
+    };
+    vec![Line::plain(words, vec![equation, Expr::equation(symbol, show.shown_value(unknown))])]
 }
