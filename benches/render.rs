@@ -19,13 +19,7 @@ fn paper() -> Paper {
         let variant = reference(question).unwrap_or_else(|_| panic!("{} has no reference numbers", question.id));
         compose(question, &variant, index + 1)
     });
-    Paper {
-        title: "Oblique impacts".to_owned(),
-        school: String::new(),
-        date: String::new(),
-        seed: None,
-        questions: printed.collect(),
-    }
+    Paper { title: "Oblique impacts".to_owned(), questions: printed.collect(), ..Paper::default() }
 }
 
 #[divan::bench]

@@ -3,6 +3,7 @@ pub mod answer;
 pub mod bank;
 pub mod cli;
 pub mod diagnostic;
+pub mod diagram;
 pub mod expr;
 pub mod generate;
 pub mod mechanics;

@@ -12,7 +12,7 @@ use super::{bank, read_templates, write};
 use crate::bank::{Contents, Heading, Question, StyleName};
 use crate::diagnostic::near;
 use crate::generate::{Variant, reference};
-use crate::paper::{Dealer, Key, Paper, choose_count, choose_marks, compose, key_question};
+use crate::paper::{Dealer, Edition, Key, Paper, choose_count, choose_marks, compose, key_question};
 use crate::render::{Formats, RenderedFile};
 
 const AFTER: &str = "Examples:
@@ -58,6 +58,15 @@ pub struct SheetArguments {
     /// The name of the school
     #[arg(long, value_name = "NAME", default_value = "")]
     school: String,
+    /// Letters half as large again
+    #[arg(long)]
+    large_print: bool,
+    /// Lines to write on below each part, by its marks
+    #[arg(long)]
+    answer_space: bool,
+    /// No diagrams in the questions: the students are to draw them
+    #[arg(long)]
+    no_diagrams: bool,
     /// Formats, with commas: folders of templates
     #[arg(long, value_name = "FORMATS", value_delimiter = ',', default_value = "latex,html")]
     format: Vec<String>,
@@ -87,19 +96,27 @@ pub fn run(arguments: &SheetArguments) -> Result<(), Failure> {
     let variants = if arguments.reference { references(in_order)? } else { dealt(in_order, seed, style)? };
 
     let seed = (!arguments.reference).then_some(seed);
-    let mut paper = Paper {
+    let mut printed = Vec::with_capacity(variants.len());
+    let mut keyed = Vec::with_capacity(variants.len());
+    for (index, (question, variant)) in variants.iter().enumerate() {
+        let composed = compose(question, variant, index + 1);
+        keyed.push(key_question(question, variant, &composed));
+        printed.push(composed);
+    }
+    let key = Key::new(contents.name.clone(), seed, keyed);
+    let paper = Paper {
         title: arguments.title.clone(),
         school: arguments.school.clone(),
         date: arguments.date.clone(),
+        code: key.code.clone(),
         seed,
-        questions: Vec::new(),
+        edition: Edition {
+            large_print: arguments.large_print,
+            answer_space: arguments.answer_space,
+            no_diagrams: arguments.no_diagrams,
+        },
+        questions: printed,
     };
-    let mut key = Key { carom: env!("CARGO_PKG_VERSION"), bank: contents.name.clone(), seed, questions: Vec::new() };
-    for (index, (question, variant)) in variants.iter().enumerate() {
-        let printed = compose(question, variant, index + 1);
-        key.questions.push(key_question(question, variant, &printed));
-        paper.questions.push(printed);
-    }
     let mut files = Vec::new();
     for format in &arguments.format {
         files.extend(formats.render(format.trim(), &paper)?);

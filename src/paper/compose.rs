@@ -48,7 +48,15 @@ pub fn compose(question: &Question, variant: &Variant, number: usize) -> Printed
             scheme: scheme::rows(&worked[..=place], variant, &with_units),
         }));
     }
-    PrintedQuestion { number, id: question.id.clone(), mirrors: question.mirrors.clone(), stem, parts }
+    PrintedQuestion {
+        number,
+        id: question.id.clone(),
+        mirrors: question.mirrors.clone(),
+        stem,
+        diagrams: Vec::new(),
+        solution_diagrams: Vec::new(),
+        parts,
+    }
 }
 
 fn printed_answer(answer: &Answer, variant: &Variant, with_units: &[String]) -> PrintedAnswer {

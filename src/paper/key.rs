@@ -6,6 +6,7 @@ use serde::Serialize;
 use serde_json::{Map, Value as Json, json};
 
 use super::answer::{self, Size};
+use super::code::code;
 use super::working::{self, WorkedPart};
 use super::{PrintedPart, PrintedQuestion, compose, scheme};
 use crate::bank::{Answer, EarnedFor, Find, Question};
@@ -21,10 +22,20 @@ pub struct Key {
     pub carom: &'static str,
     /// The bank the questions come from: `shipped`, or its folder.
     pub bank: String,
+    /// The code of the paper, which stands at the foot of its pages.
+    pub code: String,
     /// The seed of the paper; none for the reference numbers.
     pub seed: Option<u64>,
     /// The questions in the order of the sheet.
     pub questions: Vec<KeyQuestion>,
+}
+
+impl Key {
+    /// The key of a paper with these questions from a bank.
+    pub fn new(bank: String, seed: Option<u64>, questions: Vec<KeyQuestion>) -> Key {
+        let key = Key { carom: env!("CARGO_PKG_VERSION"), bank, code: String::new(), seed, questions };
+        Key { code: code(&key), ..key }
+    }
 }
 
 /// A question of a key.

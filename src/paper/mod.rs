@@ -5,6 +5,7 @@
 
 mod answer;
 mod choice;
+mod code;
 mod compose;
 mod dealer;
 mod key;
@@ -18,11 +19,12 @@ pub use compose::compose;
 pub use dealer::Dealer;
 pub use key::{Blank, Key, KeyMark, KeyPart, KeyQuestion, key_question};
 
+use crate::diagram::Diagram;
 use crate::expr::{Expr, Text};
 use crate::unit::Unit;
 
 /// A sheet of questions with its solutions.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Paper {
     /// The heading of the sheet.
     pub title: String,
@@ -30,10 +32,25 @@ pub struct Paper {
     pub school: String,
     /// Date as the teacher typed it, empty if none was given.
     pub date: String,
+    /// The few characters that all pages of the same paper share, as its [`Key`] has them.
+    pub code: String,
     /// The seed that makes the same paper again; `None` for the reference paper.
     pub seed: Option<u64>,
+    /// How it is set.
+    pub edition: Edition,
     /// The questions, in order.
     pub questions: Vec<PrintedQuestion>,
+}
+
+/// How a paper is set, where a teacher has a choice.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Edition {
+    /// Letters half as large again.
+    pub large_print: bool,
+    /// Lines to write on below each part, by its marks.
+    pub answer_space: bool,
+    /// Questions without their diagrams, which students then draw.
+    pub no_diagrams: bool,
 }
 
 /// One question of a paper.
@@ -47,6 +64,10 @@ pub struct PrintedQuestion {
     pub mirrors: Option<String>,
     /// The paragraphs before the first part.
     pub stem: Vec<Text>,
+    /// What is given, as pictures; none where a picture would give something away.
+    pub diagrams: Vec<Diagram>,
+    /// The pictures of its solution: before and after.
+    pub solution_diagrams: Vec<Diagram>,
     /// The parts; a question without parts has one whose label is empty.
     pub parts: Vec<PrintedPart>,
 }

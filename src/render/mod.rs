@@ -67,10 +67,8 @@ impl Formats {
     ///
     /// let paper = Paper {
     ///     title: "Oblique impact & restitution".into(),
-    ///     school: String::new(),
-    ///     date: String::new(),
     ///     seed: Some(7),
-    ///     questions: Vec::new(),
+    ///     ..Paper::default()
     /// };
     /// let files = Formats::shipped()?.render("latex", &paper)?;
     /// assert_eq!(files[0].name, "question-sheet.tex");

@@ -7,9 +7,10 @@ use super::RenderFault;
 use super::manifest::Marks;
 
 /// What a page has, and what each thing in its lists has, by the name that shipped templates give to the thing.
-pub(super) const NAMES: [(&str, &[&str]); 7] = [
-    ("", &["title", "school", "date", "seed", "marks", "questions"]),
-    ("question", &["number", "id", "mirrors", "stem", "parts", "marks"]),
+pub(super) const NAMES: [(&str, &[&str]); 8] = [
+    ("", &["title", "school", "date", "code", "seed", "marks", "large_print", "answer_space", "questions"]),
+    ("question", &["number", "id", "mirrors", "stem", "figure", "diagrams", "solution_diagrams", "parts", "marks"]),
+    ("diagram", &["title", "picture", "words"]),
     ("part", &["label", "ask", "answers", "working", "scheme", "marks"]),
     ("answer", &["name", "exact", "rounded", "phrase"]),
     ("line", &["words", "equations", "label"]),

@@ -5,6 +5,7 @@ use std::io::{self, Write};
 use serde::Deserialize;
 use tera::EscapeFn;
 
+use crate::diagram::{Diagram, svg, tikz};
 use crate::expr::{Expr, Relation, Text, print};
 
 /// The notation in which a format has its formulas.
@@ -35,6 +36,15 @@ impl Notation {
             Notation::Latex => print::latex(formula),
             Notation::Html => print::mathml_inline(formula),
             Notation::Unicode => print::unicode(formula),
+        }
+    }
+
+    /// A picture: drawn where the notation can draw, else in words.
+    pub(super) fn diagram(self, diagram: &Diagram) -> String {
+        match self {
+            Notation::Latex => tikz(&diagram.drawing),
+            Notation::Html => svg(diagram),
+            Notation::Unicode => print::words_unicode(&diagram.words),
         }
     }
 

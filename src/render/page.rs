@@ -7,6 +7,7 @@ use serde::Serialize;
 use tera::Value;
 
 use super::Notation;
+use crate::diagram::Diagram;
 use crate::expr::{Expr, Piece, Relation, Text};
 use crate::paper::{Paper, PrintedAnswer, PrintedPart, PrintedQuestion, SchemeRow, WorkingLine};
 use crate::unit::Unit;
@@ -17,8 +18,11 @@ pub(super) struct Page {
     title: String,
     school: String,
     date: String,
+    code: String,
     seed: String,
     marks: usize,
+    large_print: bool,
+    answer_space: bool,
     questions: Vec<Question>,
 }
 
@@ -28,8 +32,18 @@ struct Question {
     id: String,
     mirrors: String,
     stem: Vec<Value>,
+    figure: String,
+    diagrams: Vec<Picture>,
+    solution_diagrams: Vec<Picture>,
     parts: Vec<Part>,
     marks: usize,
+}
+
+#[derive(Serialize)]
+struct Picture {
+    title: String,
+    picture: Value,
+    words: String,
 }
 
 #[derive(Serialize)]
@@ -85,20 +99,49 @@ pub(super) fn page(paper: &Paper, notation: Notation) -> Page {
         title: paper.title.clone(),
         school: paper.school.clone(),
         date: paper.date.clone(),
+        code: paper.code.clone(),
         seed: paper.seed.map(|seed| seed.to_string()).unwrap_or_default(),
         marks: paper.marks(),
-        questions: paper.questions.iter().map(|question| question_on(question, notation)).collect(),
+        large_print: paper.edition.large_print,
+        answer_space: paper.edition.answer_space,
+        questions: questions_on(paper, notation),
     }
 }
 
-fn question_on(question: &PrintedQuestion, notation: Notation) -> Question {
+/// The questions; those with a diagram have the figures of the paper in order.
+fn questions_on(paper: &Paper, notation: Notation) -> Vec<Question> {
+    let mut figures = 0;
+    let number_of_figure = |question: &PrintedQuestion| {
+        if paper.edition.no_diagrams || question.diagrams.is_empty() {
+            return None;
+        }
+        figures += 1;
+        Some(figures)
+    };
+    let figures: Vec<Option<usize>> = paper.questions.iter().map(number_of_figure).collect();
+    paper.questions.iter().zip(figures).map(|(question, figure)| question_on(question, figure, notation)).collect()
+}
+
+fn question_on(question: &PrintedQuestion, figure: Option<usize>, notation: Notation) -> Question {
+    let drawn = |diagrams: &[Diagram]| diagrams.iter().map(|diagram| picture(diagram, notation)).collect();
     Question {
         number: question.number,
         id: question.id.clone(),
         mirrors: question.mirrors.clone().unwrap_or_default(),
         stem: question.stem.iter().map(|paragraph| words(paragraph, notation)).collect(),
+        figure: figure.map(|figure| figure.to_string()).unwrap_or_default(),
+        diagrams: figure.map(|_| drawn(&question.diagrams)).unwrap_or_default(),
+        solution_diagrams: drawn(&question.solution_diagrams),
         parts: question.parts.iter().map(|part| part_on(part, notation)).collect(),
         marks: question.marks(),
+    }
+}
+
+fn picture(diagram: &Diagram, notation: Notation) -> Picture {
+    Picture {
+        title: diagram.title.clone(),
+        picture: Value::safe_string(&notation.diagram(diagram)),
+        words: diagram.words.clone(),
     }
 }
 
@@ -219,15 +262,16 @@ mod tests {
                 depends: Vec::new(),
             }],
         };
-        let question =
-            PrintedQuestion { number: 1, id: "x/y".into(), mirrors: None, stem: Vec::new(), parts: vec![part] };
-        Paper {
-            title: String::new(),
-            school: String::new(),
-            date: String::new(),
-            seed: None,
-            questions: vec![question],
-        }
+        let question = PrintedQuestion {
+            number: 1,
+            id: "x/y".into(),
+            mirrors: None,
+            stem: Vec::new(),
+            diagrams: vec![Diagram::default()],
+            solution_diagrams: vec![Diagram::default()],
+            parts: vec![part],
+        };
+        Paper { questions: vec![question], ..Paper::default() }
     }
 
     fn chain<const N: usize>(equations: [Expr; N]) -> [[String; 3]; N] {
@@ -276,6 +320,8 @@ mod tests {
         found.insert(thing.to_owned(), fields.keys().cloned().collect());
         let things = [
             ("questions", "question"),
+            ("diagrams", "diagram"),
+            ("solution_diagrams", "diagram"),
             ("parts", "part"),
             ("answers", "answer"),
             ("working", "line"),

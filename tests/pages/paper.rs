@@ -9,8 +9,10 @@ pub fn paper() -> Paper {
         title: "Oblique impact of smooth spheres".into(),
         school: "Riverside Sixth Form".into(),
         date: "12 March 2027".into(),
+        code: "KV7-3QX".into(),
         seed: Some(20270312),
         questions: vec![at_rest(), components(), show_that()],
+        ..Paper::default()
     }
 }
 
@@ -32,6 +34,8 @@ fn at_rest() -> PrintedQuestion {
              {30 deg} with the line of centres. The coefficient of restitution between the spheres is {1/2}.",
         )
         .unwrap(),
+        diagrams: Vec::new(),
+        solution_diagrams: Vec::new(),
         parts: vec![PrintedPart {
             label: String::new(),
             ask: words("Find the speed and the direction of motion of *A*, and the speed of *B*, immediately after the collision."),
@@ -90,6 +94,8 @@ fn components() -> PrintedQuestion {
              then parallel to {i} and the coefficient of restitution is {1/2}.",
         )
         .unwrap(),
+        diagrams: Vec::new(),
+        solution_diagrams: Vec::new(),
         parts: vec![
             PrintedPart {
                 label: "a".into(),
@@ -148,6 +154,8 @@ fn show_that() -> PrintedQuestion {
              centres before the collision, and *beta* after it. The coefficient of restitution is {e}, where {e < 1/2}.",
         )
         .unwrap(),
+        diagrams: Vec::new(),
+        solution_diagrams: Vec::new(),
         parts: vec![PrintedPart {
             label: String::new(),
             ask: words("Show that {display: tan(beta) = 3*tan(alpha)/(1 - 2*e)}"),

@@ -42,7 +42,7 @@ fn whole_bank() -> Paper {
         school: "Riverside Sixth Form".into(),
         date: "12 March 2027".into(),
         seed: Some(7),
-        questions: Vec::new(),
+        ..Paper::default()
     };
     let mut add = |question, variant: &_| {
         let number = paper.questions.len() + 1;
