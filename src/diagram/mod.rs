@@ -3,14 +3,32 @@
 //! A [`Diagram`] is one picture with its title and its words for those who do not see it. Its [`Drawing`] is lines and
 //! labels at places that are settled; the printers [`tikz`] and [`svg`] only write them down, so that
 //! the picture is the same on paper and on screen.
+//!
+//! [`given`] draws what a question gives and nothing else, [`solution`] what its worked solution works with. Angles are
+//! drawn as they are; an angle that is a letter is drawn at about 40 degrees. Velocities are arrows of one length.
 
+mod canvas;
+mod contact;
 mod drawing;
+mod geometry;
+mod given;
+mod illustration;
+mod short;
+mod solution;
+mod spheres;
 mod svg;
 mod tikz;
+mod words;
 
 pub use drawing::{Drawing, Label, Point, Section, Stroke, Style};
+pub use geometry::Frame;
+pub use given::given;
+pub use solution::solution;
 pub use svg::svg;
 pub use tikz::tikz;
+
+use crate::expr::{Expr, Piece, Text};
+use crate::unit::Unit;
 
 /// One picture of a question or of its solution.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -21,4 +39,28 @@ pub struct Diagram {
     pub drawing: Drawing,
     /// What it shows, in words, for a reader who does not see it.
     pub words: String,
+}
+
+/// How the words of a question give its scene.
+#[derive(Clone, Copy, Debug)]
+pub struct Manner<'a> {
+    /// Are velocities vectors in **i** and **j**?
+    pub vectors: bool,
+    /// The letters that the words give with a unit, such as `m` in 'a mass of 3m kg'.
+    pub with_units: &'a [String],
+}
+
+impl Manner<'_> {
+    /// A value with its unit, where its letters have one.
+    fn quantity(self, value: &Expr, unit: Unit) -> Text {
+        let has_unit = value.names().iter().all(|name| {
+            matches!(name.text.as_str(), "i" | "j") || self.with_units.iter().any(|letter| *letter == name.text)
+        });
+        Text(vec![Piece::Quantity(value.clone(), if has_unit { unit } else { Unit::None })])
+    }
+}
+
+/// A formula by itself.
+fn formula(value: Expr) -> Text {
+    Text(vec![Piece::Formula(value)])
 }

@@ -114,7 +114,7 @@ fn contact(scene: &Scene, known: &mut Known<Value>) -> Result<(), Refusal> {
             line(known, unit(x), unit(y));
             Ok(())
         }
-        Some(Contact::Offset(offset, sum)) => sine(known, &offset.value, &sum.value),
+        Some(Contact::Offset { offset, sum, .. }) => sine(known, &offset.value, &sum.value),
         Some(Contact::Apart(x, y, sum)) => {
             let distance = (&(x * x) + &(y * y)).square_root().unwrap_or(Value::ZERO);
             match (&distance - sum).sign() {

@@ -37,8 +37,15 @@ pub enum Velocity {
 pub enum Contact {
     /// A vector along it, and whether it points from A to B.
     Along(Value, Value, Option<Sense>),
-    /// The offset of A's path relative to B over the sum of the radii.
-    Offset(Given, Given),
+    /// How far B's centre lies to the left of A's path relative to B, the radii, and their sum.
+    Offset {
+        /// The offset of the path.
+        offset: Given,
+        /// The radii of A and B.
+        radii: Box<[Given; 2]>,
+        /// The distance of the centres at the impact.
+        sum: Given,
+    },
     /// B's centre less A's, and the sum of the radii.
     Apart(Value, Value, Value),
 }

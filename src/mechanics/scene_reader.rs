@@ -269,7 +269,7 @@ impl Reader<'_> {
         };
         if let Some(offset) = &text.impact_parameter {
             let offset = self.value(offset.as_ref(), "impact_parameter")?;
-            return Some(Contact::Offset(offset, Given { value: sum, shown }));
+            return Some(Contact::Offset { offset, radii: Box::new([a, b]), sum: Given { value: sum, shown } });
         }
         let mut place = |position: Option<&[S; 2]>, sphere: &str| -> Option<[Value; 2]> {
             let Some([x, y]) = position else {

@@ -40,7 +40,7 @@ fn values_of(scene: &mut Scene) -> Vec<&mut Value> {
     }
     match &mut scene.contact {
         Some(Contact::Along(x, y, _)) => values.extend([x, y]),
-        Some(Contact::Offset(offset, sum)) => values.extend([&mut offset.value, &mut sum.value]),
+        Some(Contact::Offset { offset, sum, .. }) => values.extend([&mut offset.value, &mut sum.value]),
         Some(Contact::Apart(x, y, sum)) => values.extend([x, y, sum]),
         None => {}
     }
@@ -78,7 +78,7 @@ pub(super) fn substituted(scene: &Scene, unknowns: &[Letter], values: &[Value]) 
             }
         }
     }
-    if let Some(Contact::Offset(offset, sum)) = &mut scene.contact {
+    if let Some(Contact::Offset { offset, sum, .. }) = &mut scene.contact {
         [offset, sum].into_iter().for_each(shown);
     }
     scene.letters.retain(|letter| !unknowns.contains(letter));

@@ -45,6 +45,16 @@ impl<'a> Show<'a> {
         self.axis.is_some()
     }
 
+    /// The axis of i and j that the line of centres is parallel to.
+    pub fn axis(&self) -> Option<Axis> {
+        self.axis
+    }
+
+    /// Is the positive direction of the working from B to A?
+    pub fn is_against_n(&self) -> bool {
+        self.against_n
+    }
+
     /// The positive direction of the working, in words.
     pub fn positive(&self) -> &'static str {
         let in_i_j = self.scene.before.iter().flatten().any(|velocity| match velocity {
@@ -200,8 +210,8 @@ impl<'a> Show<'a> {
         if value.sign() == Some(Ordering::Less) { size.negated() } else { size }
     }
 
-    /// An unknown component after the impact is a letter; a known one is written.
-    fn after(&self, sphere: Sphere) -> Expr {
+    /// A component after the impact along the line of centres: an unknown one is a letter, a known one is written.
+    pub fn after(&self, sphere: Sphere) -> Expr {
         match self.scene.velocity(sphere, Moment::After) {
             Some(_) => self.along(sphere, Moment::After),
             None => self.symbol(Quantity::Velocity(sphere, Moment::After, Axis::N)),
@@ -320,7 +330,7 @@ impl<'a> Show<'a> {
     /// The offset over the sum of the radii, as given.
     pub fn contact_quotient(&self) -> Option<Expr> {
         match self.scene.contact.as_ref()? {
-            Contact::Offset(offset, sum) => {
+            Contact::Offset { offset, sum, .. } => {
                 let offset = match &offset.shown {
                     Expr::Negative(inner) => (**inner).clone(),
                     other => other.clone(),

@@ -3,6 +3,7 @@
 use super::working::{self, result};
 use super::{PrintedAnswer, PrintedPart, PrintedQuestion, answer, legible, scheme, wording};
 use crate::bank::{Answer, Question};
+use crate::diagram::{self, Manner};
 use crate::expr::{Expr, Piece, Text};
 use crate::generate::Variant;
 use crate::mechanics::Quantity;
@@ -35,6 +36,10 @@ pub fn compose(question: &Question, variant: &Variant, number: usize) -> Printed
     );
     let with_units = wording::letters_with_units(&stem);
     let worked = working::work(question, variant);
+    let manner = Manner { vectors: stem.iter().any(speaks_of_unit_vectors), with_units: &with_units };
+    // Letters that are found are letters until they are.
+    let finding = !variant.solution.finding().is_empty();
+    let worked_scene = if finding { &variant.scene } else { variant.solution.scene() };
     let mut last = 0;
     let mut parts = Vec::new();
     for (place, part) in worked.iter().enumerate() {
@@ -53,10 +58,19 @@ pub fn compose(question: &Question, variant: &Variant, number: usize) -> Printed
         id: question.id.clone(),
         mirrors: question.mirrors.clone(),
         stem,
-        diagrams: Vec::new(),
-        solution_diagrams: Vec::new(),
+        diagrams: diagram::given(&variant.scene, manner),
+        solution_diagrams: diagram::solution(worked_scene, manner),
         parts,
     }
+}
+
+/// Does a text give vectors in **i** and **j**?
+fn speaks_of_unit_vectors(text: &Text) -> bool {
+    text.formulas().into_iter().any(|formula| match formula {
+        Expr::Vector(..) => true,
+        Expr::Name(name) => matches!(name.text.as_str(), "i" | "j"),
+        _ => false,
+    })
 }
 
 fn printed_answer(answer: &Answer, variant: &Variant, with_units: &[String]) -> PrintedAnswer {

@@ -19,6 +19,24 @@ pub fn unicode(expr: &Expr) -> String {
 }
 
 pub(super) fn unicode_row(row: &Row) -> String {
+    on_one_line(row, TERMINAL)
+}
+
+/// How letters are set where a formula stands on one line.
+#[derive(Clone, Copy)]
+pub(super) struct Hand {
+    /// A letter, perhaps with a subscript.
+    pub letter: fn(&Letter) -> String,
+    /// A unit vector.
+    pub bold: fn(char) -> String,
+    /// A relation.
+    pub relation: fn(Relation) -> &'static str,
+}
+
+const TERMINAL: Hand = Hand { letter: written, bold: |letter| letter.to_string(), relation: relation_sign };
+
+/// A row in one line of characters.
+pub(super) fn on_one_line(row: &Row, hand: Hand) -> String {
     let mut out = String::new();
     for (place, item) in row.iter().enumerate() {
         let before = place.checked_sub(1).map(|place| &row[place]);
@@ -26,19 +44,19 @@ pub(super) fn unicode_row(row: &Row) -> String {
         match item {
             // `a/b c` on one line would read as `a/(b c)`.
             Item::Fraction(..) if before == Some(&Item::Beside) || binds(after) => {
-                out.push_str(&format!("({})", linear(item)));
+                out.push_str(&format!("({})", linear(item, hand)));
             }
             Item::Call(..) if before == Some(&Item::Beside) => {
                 out.push(' ');
-                out.push_str(&linear(item));
+                out.push_str(&linear(item, hand));
             }
             Item::Root(_) if after == Some(&Item::Beside) => {
-                out.push_str(&linear(item));
+                out.push_str(&linear(item, hand));
                 if matches!(row.get(place + 2), Some(Item::Letter(_) | Item::Bold(_) | Item::Power(..))) {
                     out.push(' ');
                 }
             }
-            _ => out.push_str(&linear(item)),
+            _ => out.push_str(&linear(item, hand)),
         }
     }
     out
@@ -49,11 +67,11 @@ fn binds(after: Option<&Item>) -> bool {
     matches!(after, Some(Item::Beside | Item::Gap | Item::Times | Item::Degree | Item::Unit(_)))
 }
 
-fn linear(item: &Item) -> String {
+fn linear(item: &Item, hand: Hand) -> String {
     match item {
         Item::Digits(digits) => digits.clone(),
-        Item::Letter(letter) => written(letter),
-        Item::Bold(letter) => letter.to_string(),
+        Item::Letter(letter) => (hand.letter)(letter),
+        Item::Bold(letter) => (hand.bold)(*letter),
         Item::Degree => "°".to_owned(),
         Item::Negation => "−".to_owned(),
         Item::Plus => " + ".to_owned(),
@@ -61,30 +79,30 @@ fn linear(item: &Item) -> String {
         Item::Times => " × ".to_owned(),
         Item::Beside => String::new(),
         Item::Gap => " ".to_owned(),
-        Item::Relation(relation) => format!(" {} ", relation_sign(*relation)),
+        Item::Relation(relation) => format!(" {} ", (hand.relation)(*relation)),
         Item::Fraction(top, bottom) => {
-            let top = if is_product(top) { unicode_row(top) } else { closed(top) };
-            format!("{top}/{}", closed(bottom))
+            let top = if is_product(top) { on_one_line(top, hand) } else { closed(top, hand) };
+            format!("{top}/{}", closed(bottom, hand))
         }
         // The bar of the root cannot be drawn, so `√x²` would be read in two ways.
         Item::Root(inner) if matches!(inner[..], [Item::Power(..)] | [_, Item::Degree]) => {
-            format!("√({})", unicode_row(inner))
+            format!("√({})", on_one_line(inner, hand))
         }
-        Item::Root(inner) => format!("√{}", closed(inner)),
+        Item::Root(inner) => format!("√{}", closed(inner, hand)),
         Item::Power(base, exponent) => {
-            let above = unicode_row(exponent);
+            let above = on_one_line(exponent, hand);
             match superscript(&above) {
-                Some(raised) => format!("{}{raised}", unicode_row(base)),
-                None => format!("{}^{}", unicode_row(base), closed(exponent)),
+                Some(raised) => format!("{}{raised}", on_one_line(base, hand)),
+                None => format!("{}^{}", on_one_line(base, hand), closed(exponent, hand)),
             }
         }
-        Item::Brackets(inner) => format!("({})", unicode_row(inner)),
-        Item::Bars(inner) => format!("|{}|", unicode_row(inner)),
+        Item::Brackets(inner) => format!("({})", on_one_line(inner, hand)),
+        Item::Bars(inner) => format!("|{}|", on_one_line(inner, hand)),
         Item::Call(function, power, argument) => {
             let raised = power.as_deref().and_then(superscript).unwrap_or_default();
             let argument = match &argument[..] {
-                [Item::Fraction(..)] => format!("({})", unicode_row(argument)),
-                _ => unicode_row(argument),
+                [Item::Fraction(..)] => format!("({})", on_one_line(argument, hand)),
+                _ => on_one_line(argument, hand),
             };
             let apart =
                 !argument.starts_with('(') && (raised.is_empty() || argument.starts_with(|c: char| c.is_ascii_digit()));
@@ -101,12 +119,12 @@ fn is_product(row: &Row) -> bool {
 }
 
 /// The row, in brackets unless it is one thing.
-fn closed(row: &Row) -> String {
+fn closed(row: &Row, hand: Hand) -> String {
     let single =
         matches!(row[..], [Item::Digits(_) | Item::Letter(_) | Item::Bold(_) | Item::Brackets(_) | Item::Bars(_)])
             || matches!(row[..], [Item::Root(_) | Item::Power(..)])
             || matches!(row[..], [_, Item::Degree]);
-    if single { unicode_row(row) } else { format!("({})", unicode_row(row)) }
+    if single { on_one_line(row, hand) } else { format!("({})", on_one_line(row, hand)) }
 }
 
 fn superscript(text: &str) -> Option<String> {
@@ -140,7 +158,7 @@ fn written(letter: &Letter) -> String {
     }
 }
 
-fn name(function: Function) -> &'static str {
+pub(super) fn name(function: Function) -> &'static str {
     match function {
         Function::Asin => "arcsin",
         Function::Acos => "arccos",
@@ -149,7 +167,7 @@ fn name(function: Function) -> &'static str {
     }
 }
 
-fn relation_sign(relation: Relation) -> &'static str {
+pub(super) fn relation_sign(relation: Relation) -> &'static str {
     match relation {
         Relation::Equal => "=",
         Relation::NotEqual => "≠",

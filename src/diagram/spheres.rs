@@ -1,0 +1,295 @@
+//! Two spheres that touch, with their velocities: the picture that most questions need.
+
+use super::canvas::{Canvas, Spot};
+use super::drawing::{Drawing, Point, Style};
+use super::formula;
+use super::geometry::Frame;
+use crate::expr::{Expr, Text};
+use crate::mechanics::Sphere;
+
+/// Radius of a sphere.
+const RADIUS: f64 = 2.1;
+/// Length of an arrow that stands at a rim, and of one that shows a component.
+const ARROW: f64 = 3.2;
+const COMPONENT: f64 = 2.2;
+/// How far the line of centres goes beyond the spheres.
+const BEYOND: f64 = 2.3;
+/// How far an arc runs outside its sphere.
+const ARC: f64 = 0.9;
+/// The corner that marks a right angle.
+const CORNER: f64 = 0.45;
+
+/// What a picture of two touching spheres shows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Spheres {
+    /// The unit vector from A to B.
+    pub line: Point,
+    /// Is the line of centres called by its name?
+    pub named: bool,
+    /// A, then B.
+    pub bodies: [Body; 2],
+    /// Are **i** and **j** drawn?
+    pub axes: bool,
+    /// The direction that the working takes as positive.
+    pub positive: Option<Point>,
+}
+
+/// One of the spheres.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Body {
+    /// Its mass, where it is known.
+    pub mass: Option<Text>,
+    /// Is it at rest?
+    pub at_rest: bool,
+    /// Its velocity, or the components of it.
+    pub motions: Vec<Motion>,
+}
+
+/// A velocity or a component of one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Motion {
+    /// Its direction, of length 1.
+    pub heading: Point,
+    /// What stands at the arrow.
+    pub label: Text,
+    /// The acute angle to the line of centres, where it is to be drawn.
+    pub angle: Option<Text>,
+    /// Is it a component, drawn beside the sphere?
+    pub component: bool,
+    /// Does it start from the sphere, where it can?
+    pub leaving: bool,
+}
+
+/// One sphere in its place.
+struct Placed<'a> {
+    sphere: Sphere,
+    body: &'a Body,
+    centre: Point,
+    /// From the other sphere to this one.
+    outward: Point,
+    /// The side of the line of centres on which nothing is in the way: up, or to the right.
+    above: Point,
+}
+
+impl Spheres {
+    /// The picture.
+    pub fn draw(&self) -> Drawing {
+        let mut canvas = Canvas::default();
+        let turned = self.line.turned();
+        let above = if turned.y > 1e-9 || (turned.y.abs() <= 1e-9 && turned.x > 0.0) { turned } else { -turned };
+        let placed = |sphere: Sphere| {
+            let outward = if sphere == Sphere::A { -self.line } else { self.line };
+            Placed { sphere, body: &self.bodies[sphere as usize], centre: outward * RADIUS, outward, above }
+        };
+        let both = Sphere::BOTH.map(placed);
+        let [far_a, far_b] = both.each_ref().map(|placed| placed.centre + placed.outward * (RADIUS + placed.beyond()));
+        canvas.line(Style::Centres, far_a, far_b);
+        for placed in &both {
+            canvas.circle(Style::Rim, placed.centre, RADIUS);
+            canvas.dot(placed.centre);
+        }
+        for placed in &both {
+            placed.body.motions.iter().for_each(|motion| placed.arrow(motion, &mut canvas));
+        }
+        let arcs = both.each_ref().map(|placed| placed.arcs(&mut canvas));
+        for placed in &both {
+            placed.name(&mut canvas);
+        }
+        for (placed, arcs) in both.iter().zip(arcs) {
+            placed.labels(&arcs, &mut canvas);
+        }
+        if self.named {
+            let ends = [(far_b, self.line), (far_a, -self.line)];
+            let beyond = ends.map(|(end, outward)| Spot::new(end, outward));
+            let beside = ends.iter().flat_map(|(end, outward)| {
+                let further = [0.0, 1.2, 2.4, 3.6].map(|step| *end + *outward * step);
+                let sides = [above, -above, above * 1.3, above * -1.3, above * 2.6, above * -2.6];
+                further.into_iter().flat_map(move |point| sides.map(|side| Spot::new(point + side - side.unit(), side)))
+            });
+            canvas.label(Text::words("line of centres"), beyond.into_iter().chain(beside));
+        }
+        if let Some(positive) = self.positive {
+            draw_positive(positive, &mut canvas);
+        }
+        if self.axes {
+            draw_axes(&mut canvas);
+        }
+        canvas.finish()
+    }
+}
+
+impl Placed<'_> {
+    /// How far the line of centres goes beyond this sphere: past an arrow that lies on it.
+    fn beyond(&self) -> f64 {
+        let along = |motion: &Motion| !motion.component && motion.heading.dot(self.outward).abs() > 0.995;
+        if self.body.motions.iter().any(along) { ARROW + 0.8 } else { BEYOND }
+    }
+
+    /// The side of the sphere on which the arrow of a velocity stands, and whether the arrow starts there.
+    ///
+    /// It is always the outer side, so that no arrow meets the other sphere.
+    fn side(&self, motion: &Motion) -> (Point, bool) {
+        let outwards = motion.heading.dot(self.outward);
+        let leaves = if outwards.abs() < 1e-9 { motion.leaving } else { outwards > 0.0 };
+        (if leaves { motion.heading } else { -motion.heading }, leaves)
+    }
+
+    /// The ends of the arrow of a motion.
+    fn ends(&self, motion: &Motion) -> (Point, Point) {
+        if motion.component {
+            let along = motion.heading.dot(self.outward).abs() > 0.5;
+            let middle = if along {
+                self.centre + self.above * (RADIUS + 0.7)
+            } else {
+                self.centre + self.outward * (RADIUS + 1.1) + self.above * (COMPONENT / 2.0 + 0.4)
+            };
+            let half = motion.heading * (COMPONENT / 2.0);
+            return (middle - half, middle + half);
+        }
+        let (side, leaves) = self.side(motion);
+        let (rim, tail) = (self.centre + side * RADIUS, self.centre + side * (RADIUS + ARROW));
+        if leaves { (rim, tail) } else { (tail, rim) }
+    }
+
+    fn arrow(&self, motion: &Motion, canvas: &mut Canvas) {
+        let (from, to) = self.ends(motion);
+        canvas.arrow(Style::Velocity, from, to);
+        if !motion.component && motion.heading.dot(self.outward).abs() < 0.995 {
+            let (side, _) = self.side(motion);
+            canvas.line(Style::Dashed, self.centre, self.centre + side * RADIUS);
+        }
+    }
+
+    /// The arc of each motion whose angle is given: its middle direction.
+    fn arcs(&self, canvas: &mut Canvas) -> Vec<Option<Point>> {
+        let arc = |motion: &Motion, canvas: &mut Canvas| {
+            motion.angle.as_ref()?;
+            let (side, _) = self.side(motion);
+            if side.dot(self.outward) < 1e-9 {
+                let (along, across) = (self.outward * CORNER, side * CORNER);
+                canvas.line(Style::Thin, self.centre + along, self.centre + along + across);
+                canvas.line(Style::Thin, self.centre + across, self.centre + along + across);
+                return None;
+            }
+            Some(canvas.arc(self.centre, RADIUS + ARC, self.outward, side))
+        };
+        self.body.motions.iter().map(|motion| arc(motion, canvas)).collect()
+    }
+
+    fn name(&self, canvas: &mut Canvas) {
+        canvas.label(formula(Expr::name(self.sphere.name())), inside(self.centre, RADIUS, -self.above, self.outward));
+    }
+
+    fn labels(&self, arcs: &[Option<Point>], canvas: &mut Canvas) {
+        for (motion, arc) in self.body.motions.iter().zip(arcs) {
+            canvas.label(motion.label.clone(), self.beside_arrow(motion));
+            if let (Some(angle), Some(middle)) = (&motion.angle, arc) {
+                canvas.label(angle.clone(), self.beside_arc(motion, *middle));
+            }
+        }
+        if let Some(mass) = &self.body.mass {
+            canvas.label(mass.clone(), self.around(-self.above));
+        }
+        if self.body.at_rest {
+            canvas.label(Text::words("at rest"), self.around(self.above));
+        }
+    }
+
+    /// Spots around the sphere, the first on one side of the line of centres.
+    fn around(&self, first: Point) -> Vec<Spot> {
+        let leaning = |side: Point| [0.0, 0.4, 0.8, 1.4].map(|share| (side + self.outward * share).unit());
+        let directions = leaning(first).into_iter().chain(leaning(-first));
+        let near = directions.map(|direction| Spot::new(self.centre + direction * RADIUS, direction));
+        let far = [1.2, 2.6]
+            .into_iter()
+            .flat_map(|step| [first, -first].map(|side| Spot::new(self.centre + side * (RADIUS + step), side)));
+        near.chain(far).collect()
+    }
+
+    fn beside_arrow(&self, motion: &Motion) -> Vec<Spot> {
+        let (from, to) = self.ends(motion);
+        let across = (to - from).unit().turned();
+        // Of the two sides of an arrow first the one that faces away from the line of centres, or from the sphere.
+        let away = if motion.component { (from + to) * 0.5 - self.centre } else { to + from - self.centre * 2.0 };
+        let first = if motion.component {
+            if across.dot(away) >= 0.0 { across } else { -across }
+        } else {
+            let off_line = away - self.outward * away.dot(self.outward);
+            let reference = if off_line.length() > 0.1 { off_line } else { self.above };
+            if across.dot(reference) >= 0.0 { across } else { -across }
+        };
+        let (side, _) = self.side(motion);
+        let tail = self.centre + side * (RADIUS + ARROW);
+        let along = [0.5, 0.7, 0.85, 0.3, 1.0].map(|share| from + (to - from) * share);
+        let mut spots = Vec::new();
+        if !motion.component && side.dot(self.outward) < 0.8 {
+            spots.push(Spot::new(tail, side));
+        }
+        for side in [first, -first] {
+            spots.extend(along.map(|point| Spot::new(point, side)));
+        }
+        if motion.component {
+            // Long labels side by side: pushed outwards, or one above the other.
+            let middle = (from + to) * 0.5;
+            let steps = [0.6, 1.2, 1.8, 2.6, 3.4, 4.4].map(|step| Spot::new(middle + self.outward * step, first));
+            spots.extend(steps);
+            for lift in [1.2, 2.4, 3.6] {
+                spots.extend(
+                    [0.0, 1.2, 2.4, 3.6].map(|step| Spot::new(middle + first * lift + self.outward * step, first)),
+                );
+            }
+        }
+        if !motion.component {
+            spots.extend([0.0, 0.8, 1.6].map(|step| Spot::new(tail + side * step, side)));
+        }
+        spots
+    }
+
+    fn beside_arc(&self, motion: &Motion, middle: Point) -> Vec<Spot> {
+        let (side, _) = self.side(motion);
+        let radius = RADIUS + ARC;
+        let within =
+            [0.0, 0.5, 1.0, 1.6, 2.2, 2.8].map(|step| Spot::new(self.centre + middle * (radius + step), middle));
+        // Beside a narrow angle: beyond the line of centres, or beyond the arrow.
+        let off_line = side - self.outward * side.dot(self.outward);
+        let off_arrow = self.outward - side * side.dot(self.outward);
+        let outside = [(self.outward, -off_line), (side, -off_arrow)].into_iter().flat_map(|(ray, away)| {
+            let near = [0.0, 0.7, -0.5, 1.4].map(|step| Spot::new(self.centre + ray * (radius + step), away));
+            let off =
+                [0.0, 1.2, 2.4].map(|step| Spot::new(self.centre + ray * (radius + step) + away.unit() * 1.2, away));
+            near.into_iter().chain(off)
+        });
+        within.into_iter().chain(outside).collect()
+    }
+}
+
+/// Spots within a sphere, clear of its centre, the first between two directions.
+pub fn inside(centre: Point, radius: f64, first: Point, second: Point) -> impl Iterator<Item = Spot> {
+    let leaning = [0.5, -0.5, 1.0, -1.0, 0.0, 2.0, -2.0];
+    let ways = [first, -first].into_iter().flat_map(move |side| leaning.map(|share| (side + second * share).unit()));
+    let near = ways.clone().map(move |way| Spot::over(centre + way * (radius * 0.5)));
+    let far = ways.map(move |way| Spot::over(centre + way * (radius * 0.58)));
+    near.chain(far)
+}
+
+/// The positive direction, outside of everything else.
+fn draw_positive(positive: Point, canvas: &mut Canvas) {
+    let Frame { low, high } = canvas.frame();
+    let middle = (low + high) * 0.5;
+    let upright = positive.y.abs() > positive.x.abs();
+    let at = if upright { Point::new(low.x - 0.9, middle.y) } else { Point::new(middle.x, high.y + 0.9) };
+    let half = positive * 1.1;
+    canvas.arrow(Style::Thin, at - half, at + half);
+    let aside = if upright { Point::new(-1.0, 0.0) } else { Point::new(0.0, 1.0) };
+    canvas.label(Text::words("positive"), [Spot::new(at + aside * 0.2, aside)]);
+}
+
+/// The unit vectors, outside of everything else.
+fn draw_axes(canvas: &mut Canvas) {
+    let Frame { low, .. } = canvas.frame();
+    let origin = Point::new(low.x - 3.6, low.y + 0.4);
+    for (unit, step) in [("i", Point::new(1.7, 0.0)), ("j", Point::new(0.0, 1.7))] {
+        canvas.arrow(Style::Thin, origin, origin + step);
+        canvas.label(formula(Expr::name(unit)), [Spot::new(origin + step, step)]);
+    }
+}

@@ -1,0 +1,182 @@
+//! Diagrams: whatever the scene, no label covers another one, nor a line; and only what is given is drawn.
+
+use std::collections::BTreeMap;
+
+use carom::diagram::{Diagram, Drawing, Frame, Manner, Point, Section, Stroke, given, solution, svg, tikz};
+use carom::expr::{Angles, print};
+use carom::mechanics::{Scene, SceneText};
+use serde_json::{Value as Json, json};
+
+fn scene(text: &Json) -> Scene {
+    let text: SceneText<String> = serde_json::from_value(text.clone()).unwrap();
+    Scene::read(&text, &BTreeMap::new(), Angles::Radians).unwrap_or_else(|faults| panic!("{text:?}: {faults:?}"))
+}
+
+fn drawn(text: &Json, vectors: bool) -> Vec<Diagram> {
+    let scene = scene(text);
+    let manner = Manner { vectors, with_units: &[] };
+    given(&scene, manner).into_iter().chain(solution(&scene, manner)).collect()
+}
+
+/// A stroke as short straight pieces.
+fn flat(stroke: &Stroke) -> Vec<(Point, Point)> {
+    let mut points = vec![stroke.from];
+    for piece in &stroke.pieces {
+        let from = *points.last().unwrap();
+        match *piece {
+            Section::Line(end) => points.push(end),
+            Section::Curve(one, other, end) => points.extend((1..=24).map(|step| {
+                let t = f64::from(step) / 24.0;
+                let s = 1.0 - t;
+                from * (s * s * s) + one * (3.0 * s * s * t) + other * (3.0 * s * t * t) + end * (t * t * t)
+            })),
+        }
+    }
+    points.windows(2).map(|pair| (pair[0], pair[1])).collect()
+}
+
+/// What is covered in a drawing, and what lies outside of it.
+fn faults(drawing: &Drawing) -> Vec<String> {
+    let mut faults = Vec::new();
+    let page = Frame { low: drawing.low, high: drawing.high };
+    let holds = |point: Point| page.with(point) == page;
+    let boxes: Vec<(String, Frame)> = drawing
+        .labels
+        .iter()
+        .map(|label| (print::text_unicode(&label.text), Frame::around(label.centre, label.size)))
+        .collect();
+    for (place, (name, frame)) in boxes.iter().enumerate() {
+        if !holds(frame.low) || !holds(frame.high) {
+            faults.push(format!("`{name}` lies outside"));
+        }
+        for (other, _) in boxes[..place].iter().filter(|(_, other)| frame.meets(*other)) {
+            faults.push(format!("`{name}` covers `{other}`"));
+        }
+        for stroke in &drawing.strokes {
+            if flat(stroke).iter().any(|(from, to)| frame.is_crossed(*from, *to)) {
+                faults.push(format!("`{name}` covers a line {:?}", stroke.style));
+            }
+        }
+    }
+    let outside = drawing.strokes.iter().flat_map(flat).any(|(from, to)| !holds(from) || !holds(to));
+    faults.extend(outside.then(|| "a line leaves the picture".to_owned()));
+    faults
+}
+
+/// Every scene of a family drawn and examined; how many there were.
+fn examine(scenes: impl IntoIterator<Item = (Json, bool)>) -> usize {
+    let (mut count, mut complaints) = (0, BTreeMap::<String, Vec<String>>::new());
+    for (text, vectors) in scenes {
+        let diagrams = drawn(&text, vectors);
+        assert!(!diagrams.is_empty(), "no picture of {text}");
+        for diagram in diagrams {
+            count += 1;
+            both_notations(&diagram);
+            for fault in faults(&diagram.drawing) {
+                complaints.entry(fault).or_default().push(format!("{} {text}", diagram.title));
+            }
+        }
+    }
+    let told = complaints.iter().map(|(fault, at)| format!("{fault}, {} of {count} times: {}", at.len(), at[0]));
+    assert!(complaints.is_empty(), "{}", told.collect::<Vec<_>>().join("\n"));
+    count
+}
+
+/// A picture has every stroke and every label in both notations.
+fn both_notations(diagram: &Diagram) {
+    let (html, latex) = (svg(diagram), tikz(&diagram.drawing));
+    let drawing = &diagram.drawing;
+    let commands = ["\\Rim ", "\\Centres ", "\\Velocity ", "\\Thin ", "\\Dashed ", "\\Filled "];
+    let count = |page: &str, sign: &str| page.matches(sign).count();
+    assert_eq!(count(&html, "<path "), drawing.strokes.len(), "{html}");
+    assert_eq!(commands.iter().map(|command| count(&latex, command)).sum::<usize>(), drawing.strokes.len(), "{latex}");
+    assert_eq!(count(&html, "<text "), drawing.labels.len(), "{html}");
+    assert_eq!(count(&latex, "\\Label at "), drawing.labels.len(), "{latex}");
+    for page in [&html, &latex] {
+        assert!(!page.contains("NaN") && !page.contains("inf"), "{page}");
+    }
+}
+
+fn impact(a: Json, b: Json, line: [&str; 2]) -> Json {
+    json!({ "masses": { "A": "3", "B": "12.5" }, "before": { "A": a, "B": b }, "line_of_centres": line, "sense": "A_to_B", "e": "1/2" })
+}
+
+fn polar(speed: &str, degrees: i32) -> Json {
+    json!({ "speed": speed, "angle_deg": degrees.to_string() })
+}
+
+#[test]
+fn nothing_is_covered_at_any_angle_on_either_side_with_b_at_rest() {
+    let angles = (-89..=89).map(|degrees| (impact(polar("2*sqrt(3)", degrees), json!(["0", "0"]), ["1", "0"]), false));
+    assert!(examine(angles) > 500);
+}
+
+#[test]
+fn nothing_is_covered_whichever_way_both_move() {
+    let mut scenes = Vec::new();
+    for a in (-90..=90).step_by(6) {
+        for b in (0..360).step_by(9) {
+            let (n_a, n_b) = (7.0 * f64::from(a).to_radians().cos(), 2.0 * f64::from(b).to_radians().cos());
+            if n_a - n_b > 0.01 {
+                scenes.push((impact(polar("7", a), polar("2", b), ["1", "0"]), false));
+            }
+        }
+    }
+    assert!(examine(scenes) > 2000);
+}
+
+#[test]
+fn nothing_is_covered_among_vectors_whatever_the_line_of_centres() {
+    let lines = [["1", "0"], ["-1", "0"], ["0", "1"], ["0", "-1"], ["3", "4"], ["-1", "2"], ["5", "-1"], ["-1", "-1"]];
+    let mut scenes = Vec::new();
+    for line in lines {
+        let n = line.map(|part| part.parse::<f64>().unwrap());
+        for (p, q, r, s) in
+            (0..6 * 6 * 6 * 6).step_by(5).map(|k| (k / 216 - 3, k / 36 % 6 - 2, k / 6 % 6 - 2, k % 6 - 3))
+        {
+            let approach = f64::from(p - r) * n[0] + f64::from(q - s) * n[1];
+            if approach > 0.0 {
+                let velocity = |x: i32, y: i32| json!([x.to_string(), y.to_string()]);
+                scenes.push((impact(velocity(p, q), velocity(r, s), line), true));
+                scenes.push((impact(velocity(p, q), velocity(r, s), line), false));
+            }
+        }
+    }
+    assert!(examine(scenes) > 3000);
+}
+
+#[test]
+fn nothing_is_covered_where_the_line_of_centres_is_found() {
+    let found = |b: [i32; 2], after: [i32; 2]| {
+        let text = |v: [i32; 2]| v.map(|part| part.to_string());
+        json!({ "masses": { "A": "m", "B": "3*m" }, "symbols": { "m": "positive" },
+                "before": { "A": ["2", "1"], "B": text(b) }, "after": { "A": text(after) } })
+    };
+    let mut scenes = Vec::new();
+    for (x, y) in (0..81).map(|k| (k / 9 - 4, k % 9 - 4)) {
+        for b in [[-1, 0], [-3, 2], [0, -2]] {
+            // The spheres approach along the impulse, so that the scene can be posed.
+            let approach = (2 - b[0]) * (2 - x) + (1 - b[1]) * (1 - y);
+            if approach > 0 {
+                scenes.push((found(b, [x, y]), true));
+            }
+        }
+    }
+    assert!(examine(scenes) > 150);
+}
+
+#[test]
+fn nothing_is_covered_in_the_triangle_of_the_centres() {
+    let mut scenes = Vec::new();
+    for offset in ["0", "r/10", "r/2", "8*r/5", "-24*r/13", "-r", "sqrt(3)*r", "19*r/10", "-199*r/100"] {
+        for velocity in [["u", "0"], ["0", "u"], ["-u", "0"], ["3*u", "4*u"], ["-u", "-2*u"], ["u", "-u"]] {
+            scenes.push((
+                json!({ "masses": { "A": "2*m", "B": "5*m" }, "before": { "A": velocity, "B": ["0", "0"] },
+                        "radii": { "A": "r", "B": "r" }, "impact_parameter": offset, "e": "1/3",
+                        "symbols": { "m": "positive", "r": "positive", "u": "positive" } }),
+                false,
+            ));
+        }
+    }
+    assert!(examine(scenes) > 180);
+}
