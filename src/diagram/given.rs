@@ -1,9 +1,9 @@
 //! The figure of a question: what is given, and nothing else.
 
-use super::illustration::direction;
+use super::illustration::{direction, measure};
 use super::spheres::{Body, Motion, Spheres};
 use super::words::in_words;
-use super::{Diagram, Manner, contact, formula};
+use super::{Diagram, Manner, Point, contact, formula};
 use crate::expr::{Expr, Text, written, written_angle};
 use crate::mechanics::{Axis, Contact, Known, Moment, Quantity, Scene, Sphere, Velocity, pose};
 use crate::number::{Angle, Value};
@@ -32,7 +32,7 @@ fn touching(scene: &Scene, known: &Known<Value>, manner: Manner) -> Option<Diagr
 }
 
 /// The unit vector from A to B, as it is drawn.
-pub fn line_of_centres(known: &Known<Value>) -> Option<super::Point> {
+pub fn line_of_centres(known: &Known<Value>) -> Option<Point> {
     direction(&known.number(Quantity::Line(Axis::X))?, &known.number(Quantity::Line(Axis::Y))?)
 }
 
@@ -54,7 +54,10 @@ fn moving(scene: &Scene, known: &Known<Value>, sphere: Sphere, manner: Manner) -
     let heading = direction(&x, &y)?;
     let motion = |heading, label, angle| Motion { heading, label, angle, component: false, leaving: false };
     let motions = if manner.vectors {
-        let vector = Expr::Vector(Box::new(written(&x)), Box::new(written(&y)));
+        let vector = match velocity {
+            Velocity::Components(x, y) => Expr::Vector(Box::new(x.shown.clone()), Box::new(y.shown.clone())),
+            Velocity::Polar { .. } => Expr::Vector(Box::new(written(&x)), Box::new(written(&y))),
+        };
         vec![motion(heading, manner.quantity(&vector, Unit::MetrePerSecond), None)]
     } else {
         let at = |axis| known.number(Quantity::Line(axis));
@@ -67,7 +70,7 @@ fn moving(scene: &Scene, known: &Known<Value>, sphere: Sphere, manner: Manner) -
                 let label = manner.quantity(&speed, Unit::MetrePerSecond);
                 vec![motion(heading, label, Some(formula(angle)).filter(|_| !across.is_zero()))]
             }
-            None => by_components(&along, &across, line_of_centres(known)?, manner)?,
+            None => by_components(velocity, [&along, &across], line_of_centres(known)?, manner)?,
         }
     };
     Some(Body { motions, ..Body::default() })
@@ -92,12 +95,21 @@ fn size(shown: &Expr, value: &Value) -> Expr {
 }
 
 /// The components along and across the line of centres, as arrows beside the sphere.
-fn by_components(along: &Value, across: &Value, line: super::Point, manner: Manner) -> Option<Vec<Motion>> {
-    let arrow = |component: &Value, axis: super::Point| {
-        let heading = if super::illustration::measure(component)? < 0.0 { -axis } else { axis };
-        let label = manner.quantity(&written(&component.absolute()), Unit::MetrePerSecond);
+fn by_components(velocity: &Velocity, along_across: [&Value; 2], line: Point, manner: Manner) -> Option<Vec<Motion>> {
+    // In the form in which it was given, where a component given is one of these.
+    let form = |component: &Value| match velocity {
+        Velocity::Components(x, y) => {
+            let given = [x, y].into_iter().find(|given| given.value.absolute() == component.absolute());
+            given.map_or_else(|| written(&component.absolute()), |given| size(&given.shown, &given.value))
+        }
+        Velocity::Polar { .. } => written(&component.absolute()),
+    };
+    let arrow = |component: &Value, axis: Point| {
+        let heading = if measure(component)? < 0.0 { -axis } else { axis };
+        let label = manner.quantity(&form(component), Unit::MetrePerSecond);
         Some(Motion { heading, label, angle: None, component: true, leaving: false })
     };
+    let [along, across] = along_across;
     Some(vec![arrow(along, line)?, arrow(across, line.turned())?])
 }
 

@@ -17,6 +17,15 @@ pub struct SceneFault {
     pub fault: Fault,
 }
 
+/// Is it a decimal number? What was given as one is shown as one, also in the working.
+fn is_decimal(expr: &Expr) -> bool {
+    match expr {
+        Expr::Decimal(_) => true,
+        Expr::Negative(inner) => is_decimal(inner),
+        _ => false,
+    }
+}
+
 /// Formulas in a scene may not be longer than this; their derived quantities grow with the square.
 const MOST_TERMS: usize = 40;
 
@@ -130,7 +139,8 @@ impl Reader<'_> {
                 None
             }
             Ok(value) => {
-                let shown = if value.as_fraction().is_some() { crate::expr::written(&value) } else { expr };
+                let worked_out = value.as_fraction().is_some() && !is_decimal(&expr);
+                let shown = if worked_out { crate::expr::written(&value) } else { expr };
                 Some(Given { value, shown })
             }
             Err(fault) => {
