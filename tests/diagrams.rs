@@ -98,7 +98,7 @@ fn both_notations(diagram: &Diagram) {
 }
 
 fn impact(a: Json, b: Json, line: [&str; 2]) -> Json {
-    json!({ "masses": { "A": "3", "B": "12.5" }, "before": { "A": a, "B": b }, "line_of_centres": line, "sense": "A_to_B", "e": "1/2" })
+    json!({ "masses": { "A": "3", "B": "12" }, "before": { "A": a, "B": b }, "line_of_centres": line, "sense": "A_to_B", "e": "1/2" })
 }
 
 fn polar(speed: &str, degrees: i32) -> Json {
@@ -179,4 +179,71 @@ fn nothing_is_covered_in_the_triangle_of_the_centres() {
         }
     }
     assert!(examine(scenes) > 180);
+}
+
+fn labels(diagram: &Diagram) -> Vec<String> {
+    let mut labels: Vec<String> = diagram.drawing.labels.iter().map(|label| print::text_unicode(&label.text)).collect();
+    labels.sort();
+    labels
+}
+
+#[test]
+fn a_question_shows_what_is_given_and_nothing_else() {
+    let plane = json!({ "masses": { "A": "2*m", "B": "m" }, "symbols": { "m": "positive", "u": "positive", "alpha": "acute", "e": "unit" },
+                        "before": { "A": ["u*cos(alpha)", "u*sin(alpha)"], "B": ["0", "0"] }, "line_of_centres": ["1", "0"], "e": "e" });
+    let offset = json!({ "masses": { "A": "1", "B": "2" }, "before": { "A": ["3", "0"], "B": ["0", "0"] }, "radii": { "A": "1/2", "B": "1/2" },
+                         "impact_parameter": "-3/5", "e": "1/3" });
+    let backwards = json!({ "masses": { "A": "1", "B": "2" }, "before": { "A": ["3", "1"], "B": ["0", "0"] }, "after": { "A": ["1", "-1"] } });
+    type Case<'a> = (Json, bool, &'a [&'a str]);
+    let cases: [Case; 6] = [
+        (
+            impact(polar("6", 30), json!(["0", "0"]), ["1", "0"]),
+            false,
+            &["12 kg", "3 kg", "30°", "6 m s⁻¹", "A", "B", "at rest", "line of centres"],
+        ),
+        (
+            impact(json!(["4", "-1"]), json!(["-3", "2"]), ["1", "0"]),
+            true,
+            &["(4i − j) m s⁻¹", "(−3i + 2j) m s⁻¹", "12 kg", "3 kg", "A", "B", "i", "j", "line of centres"],
+        ),
+        (
+            impact(json!(["4", "5"]), json!(["-2", "0"]), ["1", "0"]),
+            false,
+            &["12 kg", "2 m s⁻¹", "3 kg", "4 m s⁻¹", "5 m s⁻¹", "A", "B", "line of centres"],
+        ),
+        (plane, false, &["2m", "A", "B", "at rest", "line of centres", "m", "u", "α"]),
+        (offset, false, &["1 kg", "1/2", "2 kg", "3 m s⁻¹", "3/5", "A", "B", "at rest"]),
+        (backwards, true, &[]),
+    ];
+    for (text, vectors, expected) in cases {
+        let figures = given(&scene(&text), Manner { vectors, with_units: &[] });
+        let shown: Vec<String> = figures.iter().flat_map(labels).collect();
+        assert_eq!(shown, expected, "{text}");
+    }
+}
+
+#[test]
+fn the_words_of_a_figure_tell_all_that_is_written_in_it() {
+    let mut scenes = vec![(impact(json!(["4", "-1"]), json!(["-3", "2"]), ["0", "1"]), true)];
+    scenes.extend((0..=90).step_by(15).map(|b| (impact(polar("7", 25), polar("2", 180 - b), ["1", "0"]), false)));
+    scenes.push((impact(json!(["4", "5"]), json!(["-2", "0"]), ["1", "0"]), false));
+    for (text, vectors) in scenes {
+        for figure in given(&scene(&text), Manner { vectors, with_units: &[] }) {
+            for label in labels(&figure) {
+                assert!(figure.words.contains(&label), "{text}: `{label}` is not in: {}", figure.words);
+            }
+        }
+    }
+    let [figure] = &given(
+        &scene(&impact(polar("6", 30), json!(["0", "0"]), ["1", "0"])),
+        Manner { vectors: false, with_units: &[] },
+    )[..] else {
+        panic!("one figure")
+    };
+    assert_eq!(
+        figure.words,
+        "Two spheres seen from above as they touch. The line of centres runs to the right, from A to B. Immediately before the \
+         impact A, of mass 3 kg, moves with speed 6 m s⁻¹ to the right and up the page, at an angle of 30° to the line of \
+         centres. Immediately before the impact B, of mass 12 kg, is at rest."
+    );
 }

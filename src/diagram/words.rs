@@ -2,7 +2,7 @@
 
 use super::spheres::{Body, Motion, Spheres};
 use super::{Point, Text};
-use crate::expr::print;
+use crate::expr::{Expr, print};
 use crate::mechanics::{Moment, Sphere};
 
 /// Two touching spheres in words.
@@ -53,11 +53,18 @@ fn component(motion: &Motion) -> String {
 fn whole(motion: &Motion) -> String {
     let angle = |angle: &Text| format!(", at an angle of {} to the line of centres", print::text_unicode(angle));
     format!(
-        "with velocity {} {}{}",
+        "with {} {} {}{}",
+        if motion.angle.is_some() || !is_vector(&motion.label) { "speed" } else { "velocity" },
         print::text_unicode(&motion.label),
         towards(motion.heading),
         motion.angle.as_ref().map(angle).unwrap_or_default()
     )
+}
+
+/// A vector has its direction in it.
+fn is_vector(label: &Text) -> bool {
+    label.names().iter().any(|name| matches!(name.text.as_str(), "i" | "j"))
+        || label.formulas().iter().any(|formula| matches!(formula, Expr::Vector(..)))
 }
 
 /// A direction as one reads it off a page.
