@@ -170,7 +170,8 @@ fn sum(terms: &[Expr]) -> Row {
                 items.push(if place == 0 { Item::Negation } else { Item::Minus });
                 items.extend(operand(&size));
             }
-            None if place == 0 && matches!(term, Expr::Sum(_)) => items.extend(row(term)),
+            // `(4i - j) - (2i + 5j)`: a vector stays one thing, also where it stands first
+            None if place == 0 && matches!(term, Expr::Sum(_)) && !is_vector(term) => items.extend(row(term)),
             None => {
                 if place > 0 {
                     items.push(Item::Plus);
@@ -180,6 +181,16 @@ fn sum(terms: &[Expr]) -> Row {
         }
     }
     items
+}
+
+/// Is it a sum along i and j?
+fn is_vector(expr: &Expr) -> bool {
+    match expr {
+        Expr::Name(name) => matches!(name.text.as_str(), "i" | "j"),
+        Expr::Sum(parts) | Expr::Product(parts) => parts.iter().any(is_vector),
+        Expr::Negative(inner) => is_vector(inner),
+        _ => false,
+    }
 }
 
 fn product(factors: &[Expr]) -> Row {
@@ -213,8 +224,9 @@ fn is_times_shown(before: Option<&Item>, factor: &Expr, next: &Row) -> bool {
     match next.first() {
         Some(Item::Fraction(top, bottom)) => {
             let number = matches!((&top[..], &bottom[..]), ([Item::Digits(_)], [Item::Digits(_)]));
-            // A number straight before a fraction that begins with digits would look like a mixed number.
-            number || (matches!(before, Some(Item::Digits(_))) && begins_with_digit(top))
+            // A number straight before a fraction of numbers would look like a mixed number.
+            let mixed = begins_with_digit(top) || matches!(top[..], [Item::Root(_)]);
+            number || (matches!(before, Some(Item::Digits(_))) && mixed)
         }
         _ => begins_with_digit(next),
     }

@@ -57,6 +57,14 @@ fn carom_knows_that_a_formula_is_written_as_a_teacher_writes_it() {
     let rows: Vec<(Expr, &str, &str, &str)> = vec![
         (over(times([n(16), root(n(3))]), n(9)), "16*sqrt(3)/9", r"\frac{16\sqrt{3}}{9}", "16√3/9"),
         (sum([times([n(4), x("i")]), x("j")]), "4*i + j", r"4\mathbf{i}+\mathbf{j}", "4i + j"),
+        (
+            sum([vector(n(4), n(-1)), neg(vector(n(2), n(5)))]),
+            "[4, -1] - [2, 5]",
+            r"(4\mathbf{i}-\mathbf{j})-(2\mathbf{i}+5\mathbf{j})",
+            "(4i − j) − (2i + 5j)",
+        ),
+        (sum([sum([x("a"), x("b")]), neg(x("c"))]), "a + b - c", "a+b-c", "a + b − c"),
+        (times([n(5), over(root(n(2)), n(2))]), "5*(sqrt(2)/2)", r"5\times\frac{\sqrt{2}}{2}", "5 × √2/2"),
         (times([n(6), sin(deg(10))]), "6*sin(10*deg)", r"6\sin 10^\circ", "6 sin 10°"),
         (
             neg(over(times([x("v"), cos(x("theta")), sum([times([n(2), x("e")]), n(-1)])]), n(3))),
@@ -196,7 +204,7 @@ fn carom_knows_that_words_are_only_words() {
     let hostile = "\\ { } $ & # ^ _ ~ % < > \" | ` [a] \u{1b}[31m \u{202e}drow é – 漢 🎱";
     assert_eq!(
         words_latex(hostile),
-        r"\textbackslash{} \{ \} \$ \& \# \textasciicircum{} \_ \textasciitilde{} \% \textless{} \textgreater{} '' \textbar{} {}` {[}a{]} {[}31m drow é -- ? ?"
+        r"\textbackslash{} \{ \} $\$$ \& \# \textasciicircum{} \_ \textasciitilde{} \% \textless{} \textgreater{} '' \textbar{} {}` {[}a{]} {[}31m drow é -- ? ?"
     );
     assert_eq!(words_html("<b a='1'>\"&\u{0}\u{202e}"), "&lt;b a=&#39;1&#39;&gt;&quot;&amp;");
     assert_eq!(words_unicode("a\u{1b}[31m\u{7}\u{200f}\nb"), "a[31m b");

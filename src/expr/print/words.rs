@@ -60,7 +60,8 @@ fn latex_command(c: char) -> Option<&'static str> {
         '\\' => r"\textbackslash{}",
         '{' => r"\{",
         '}' => r"\}",
-        '$' => r"\$",
+        // In mathematics, for the text's own dollar is in a font of bitmaps.
+        '$' => r"$\$$",
         '&' => r"\&",
         '#' => r"\#",
         '_' => r"\_",
