@@ -2,7 +2,7 @@
 
 use super::latex::{latex, latex_row};
 use super::layout::quantity;
-use super::mathml::{mathml_block, mathml_inline, mathml_row};
+use super::mathml::{math, mathml_block, mathml_inline};
 use super::unicode::{unicode, unicode_row};
 use super::words::{words_html, words_latex, words_unicode};
 use crate::expr::{Piece, Text};
@@ -44,7 +44,7 @@ fn html_piece(piece: &Piece) -> String {
         Piece::Words(words) => words_html(words),
         Piece::Italic(pieces) => format!("<em>{}</em>", pieces.iter().map(html_piece).collect::<String>()),
         Piece::Formula(expr) => mathml_inline(expr),
-        Piece::Quantity(expr, unit) => format!("<math>{}</math>", mathml_row(&quantity(expr, *unit))),
+        Piece::Quantity(expr, unit) => math("", &quantity(expr, *unit)),
         Piece::Display(expr) => mathml_block(expr),
     }
 }
