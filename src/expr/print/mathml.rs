@@ -39,7 +39,7 @@ const SHORT: usize = 5;
 /// A longer row comes in pieces, each an `mrow`, and is said to be long: browsers break no formula by themselves, but a
 /// style sheet can let piece follow piece as words do. As on paper, a line begins with the sign.
 pub(super) fn math(attributes: &str, row: &[Item]) -> String {
-    let begins = |item: &Item| matches!(item, Item::Relation(_) | Item::Plus | Item::Minus);
+    let begins = |item: &Item| matches!(item, Item::Relation(_) | Item::Plus | Item::Minus | Item::Times);
     let starts: Vec<usize> = (1..row.len()).filter(|&place| begins(&row[place])).collect();
     if row.len() <= SHORT || starts.is_empty() {
         return format!("<math{attributes}>{}</math>", mathml_row(row));
