@@ -54,8 +54,14 @@ fn key(folder: &Path) -> Json {
     serde_json::from_str(&fs::read_to_string(folder.join("key.json")).unwrap()).unwrap()
 }
 
-const FILES: [&str; 5] =
-    ["question-sheet.tex", "mark-scheme.tex", "question-sheet.html", "mark-scheme.html", "key.json"];
+const FILES: [&str; 6] = [
+    "question-sheet.tex",
+    "mark-scheme.tex",
+    "question-sheet.html",
+    "worked-solutions.html",
+    "mark-scheme.html",
+    "key.json",
+];
 
 #[test]
 fn carom_knows_the_same_sheet_by_its_seed() {

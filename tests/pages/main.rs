@@ -2,6 +2,8 @@
 //!
 //! `CAROM_ACCEPT=1 cargo test --test pages` writes the files anew; read them before you commit them.
 
+#[cfg(feature = "external")]
+mod accessibility;
 mod paper;
 #[cfg(feature = "external")]
 mod typeset;

@@ -23,15 +23,43 @@ pub fn mathml(expr: &Expr) -> String {
 
 /// The formula within a line of words.
 pub fn mathml_inline(expr: &Expr) -> String {
-    format!("<math>{}</math>", mathml(expr))
+    math("", &layout(expr))
 }
 
 /// The formula on a line of its own.
 pub fn mathml_block(expr: &Expr) -> String {
-    format!(r#"<math display="block">{}</math>"#, mathml(expr))
+    math(r#" display="block""#, &layout(expr))
 }
 
-pub(super) fn mathml_row(row: &Row) -> String {
+/// A row of this many items or fewer stays on one line.
+const SHORT: usize = 5;
+
+/// The `math` element of a row.
+///
+/// A longer row comes in pieces, each an `mrow`, and is said to be long: browsers break no formula by themselves, but a
+/// style sheet can let piece follow piece as words do. As on paper, a line begins with the sign.
+pub(super) fn math(attributes: &str, row: &[Item]) -> String {
+    let begins = |item: &Item| matches!(item, Item::Relation(_) | Item::Plus | Item::Minus | Item::Times);
+    let starts: Vec<usize> = (1..row.len()).filter(|&place| begins(&row[place])).collect();
+    if row.len() <= SHORT || starts.is_empty() {
+        return format!("<math{attributes}>{}</math>", mathml_row(row));
+    }
+    let ends = starts.iter().copied().chain([row.len()]);
+    let pieces = [0].into_iter().chain(starts.iter().copied()).zip(ends);
+    let pieces: String = pieces.map(|(start, end)| format!("<mrow>{}</mrow>", piece(&row[start..end]))).collect();
+    format!(r#"<math{attributes} class="long">{pieces}</math>"#)
+}
+
+/// A piece of a longer row: a sign that comes first in its `mrow` is still one between two terms.
+fn piece(row: &[Item]) -> String {
+    match row {
+        [Item::Plus, rest @ ..] => format!(r#"<mo form="infix">+</mo>{}"#, mathml_row(rest)),
+        [Item::Minus, rest @ ..] => format!(r#"<mo form="infix">−</mo>{}"#, mathml_row(rest)),
+        _ => mathml_row(row),
+    }
+}
+
+pub(super) fn mathml_row(row: &[Item]) -> String {
     let mut out = String::new();
     for (place, item) in row.iter().enumerate() {
         let after_factor = place > 0 && row[place - 1] == Item::Beside;

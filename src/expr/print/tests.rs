@@ -226,6 +226,35 @@ fn carom_knows_how_a_line_of_words_is_printed() {
 }
 
 #[test]
+fn carom_knows_that_a_stop_follows_its_formula() {
+    let (a, b) = ("<math><mi>A</mi></math>", "<math><mi>B</mi></math>");
+    let text = |pieces: Vec<Piece>| text_html(&Text(pieces));
+    let formula = |name: &str| Piece::Formula(x(name));
+    let words = |words: &str| Piece::Words(words.into());
+    assert_eq!(
+        text(vec![formula("A"), words(", not "), formula("B"), words(").")]),
+        format!(r#"<span class="kept">{a},</span> not <span class="kept">{b}).</span>"#)
+    );
+    assert_eq!(text(vec![words(". "), formula("A"), words(" & so.")]), format!(". {a} &amp; so."));
+    assert_eq!(
+        text(vec![Piece::Italic(vec![formula("A"), words(".")]), words(".")]),
+        format!(r#"<em><span class="kept">{a}.</span></em>."#)
+    );
+}
+
+#[test]
+fn carom_knows_where_a_narrow_page_may_break_a_formula() {
+    let formula = Expr::equation(sum([times([n(3), x("v")]), times([n(2), x("w")])]), sum([x("u"), n(-1)]));
+    let expected = "<math class=\"long\"><mrow><mn>3</mn><mo>&#x2062;</mo><mi>v</mi></mrow>\
+                    <mrow><mo form=\"infix\">+</mo><mn>2</mn><mo>&#x2062;</mo><mi>w</mi></mrow>\
+                    <mrow><mo>=</mo><mi>u</mi></mrow><mrow><mo form=\"infix\">−</mo><mn>1</mn></mrow></math>";
+    assert_eq!(mathml_inline(&formula), expected);
+    assert_eq!(mathml_block(&formula), expected.replace("<math ", "<math display=\"block\" "));
+    let short = sum([times([n(3), x("v")]), x("w")]);
+    assert!(!mathml_inline(&short).contains("mrow"), "{}", mathml_inline(&short));
+}
+
+#[test]
 fn carom_knows_mathml_that_browsers_draw_themselves() {
     let times_sign = "<mo>&#x2062;</mo>";
     let space = r#"<mspace width="0.1667em"/>"#;

@@ -2,7 +2,7 @@
 
 use super::latex::{latex, latex_row};
 use super::layout::quantity;
-use super::mathml::{mathml_block, mathml_inline, mathml_row};
+use super::mathml::{math, mathml_block, mathml_inline};
 use super::unicode::{unicode, unicode_row};
 use super::words::{words_html, words_latex, words_unicode};
 use crate::expr::{Piece, Text};
@@ -36,15 +36,42 @@ fn latex_piece(piece: &Piece) -> String {
 
 /// The text in HTML.
 pub fn text_html(text: &Text) -> String {
-    text.0.iter().map(html_piece).collect()
+    html_pieces(&text.0)
+}
+
+/// The pieces; a formula and the stop or comma after it are kept on one line, where browsers would part them.
+fn html_pieces(pieces: &[Piece]) -> String {
+    let mut out = String::new();
+    let mut stop = "";
+    for (place, piece) in pieces.iter().enumerate() {
+        let printed = match piece {
+            Piece::Words(words) => words_html(words.strip_prefix(stop).unwrap_or(words)),
+            _ => html_piece(piece),
+        };
+        stop = match (piece, pieces.get(place + 1)) {
+            (Piece::Formula(_) | Piece::Quantity(..), Some(Piece::Words(words))) => stop_of(words),
+            _ => "",
+        };
+        match stop {
+            "" => out.push_str(&printed),
+            _ => out.push_str(&format!(r#"<span class="kept">{printed}{stop}</span>"#)),
+        }
+    }
+    out
+}
+
+/// The stop, comma or closing bracket that words begin with.
+fn stop_of(words: &str) -> &str {
+    let end = words.find(|letter| !".,;:?!)".contains(letter)).unwrap_or(words.len());
+    &words[..end]
 }
 
 fn html_piece(piece: &Piece) -> String {
     match piece {
         Piece::Words(words) => words_html(words),
-        Piece::Italic(pieces) => format!("<em>{}</em>", pieces.iter().map(html_piece).collect::<String>()),
+        Piece::Italic(pieces) => format!("<em>{}</em>", html_pieces(pieces)),
         Piece::Formula(expr) => mathml_inline(expr),
-        Piece::Quantity(expr, unit) => format!("<math>{}</math>", mathml_row(&quantity(expr, *unit))),
+        Piece::Quantity(expr, unit) => math("", &quantity(expr, *unit)),
         Piece::Display(expr) => mathml_block(expr),
     }
 }

@@ -1,0 +1,144 @@
+//! The pages as a browser shows them: axe-core finds no fault in them, in either scheme, on a desk or on a phone.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use carom::bank::Bank;
+use carom::diagnostic::render_all;
+use carom::generate::reference;
+use carom::paper::{Dealer, Edition, Paper, compose};
+use carom::render::{Formats, RenderedFile};
+
+/// How a page is looked at.
+#[derive(Clone, Copy, Debug)]
+struct Look {
+    width: u32,
+    dark: bool,
+}
+
+const DESK: Look = Look { width: 1200, dark: false };
+const DESK_AT_NIGHT: Look = Look { width: 1200, dark: true };
+const PHONE: Look = Look { width: 360, dark: false };
+const PHONE_AT_NIGHT: Look = Look { width: 360, dark: true };
+
+/// What runs within the page: axe-core, and then the report to the frame around it, a fault a line.
+const REPORT: &str = r#"addEventListener("load", async () => {
+    const found = await axe.run(document, { resultTypes: ["violations"] });
+    const lines = found.violations.map(({ id, help, nodes }) =>
+        `${id}: ${help}: ${nodes.length} of them, first ${nodes[0].html.slice(0, 200).replaceAll("\n", " ")}`);
+    const page = document.documentElement;
+    if (page.scrollWidth > innerWidth) lines.push(`too-wide: ${page.scrollWidth} of ${innerWidth} pixels`);
+    const dark = matchMedia("(prefers-color-scheme: dark)").matches;
+    parent.postMessage([`${innerWidth} ${dark}`, ...lines].join("\n"), "*");
+})"#;
+
+/// The program that looks for faults, where `.ci/run` has put it.
+fn axe() -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("target/axe/node_modules/axe-core/axe.min.js");
+    fs::read_to_string(&path).unwrap_or_else(|fault| {
+        panic!("{}: {fault}: `.ci/run` says how npm installs axe-core there", path.display())
+    })
+}
+
+/// The browser that `.ci/run` has made sure of.
+fn browser() -> &'static str {
+    let known = ["google-chrome", "chromium", "chromium-browser"];
+    let answers =
+        |name: &&str| Command::new(name).arg("--version").output().is_ok_and(|output| output.status.success());
+    known.into_iter().find(answers).expect("there is no Chromium here")
+}
+
+/// A folder of its own, empty.
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("accessibility").join(name);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+/// The faults of a page. It stands in a frame, since no window of a browser is as narrow as a phone.
+fn faults(folder: &Path, page: &str, look: Look) -> Vec<String> {
+    let scripts = format!("<script>{}</script><script>{REPORT}</script></body>", axe());
+    fs::write(folder.join("page.html"), page.replace("</body>", &scripts)).unwrap();
+    let frame = format!(
+        r#"<!DOCTYPE html><script>onmessage = ({{ data }}) => {{ document.documentElement.dataset.found = data }}</script>
+        <iframe src="page.html" width="{}" height="900" style="border: 0"></iframe>"#,
+        look.width
+    );
+    let path = folder.join("frame.html");
+    fs::write(&path, frame).unwrap();
+    let mut chromium = Command::new(browser());
+    chromium.args(["--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--hide-scrollbars"]);
+    chromium.args(["--window-size=1300,1000", "--virtual-time-budget=600000", "--dump-dom"]);
+    chromium.arg(format!("--blink-settings=preferredColorScheme={}", if look.dark { 0 } else { 1 }));
+    chromium.arg(format!("--user-data-dir={}", folder.join("profile").display()));
+    chromium.arg(format!("file://{}", path.display()));
+    let output = chromium.output().unwrap();
+    let dom = String::from_utf8_lossy(&output.stdout);
+    let said = dom.split("data-found=\"").nth(1).and_then(|rest| rest.split('"').next());
+    let said = said.unwrap_or_else(|| panic!("{look:?}: {}", String::from_utf8_lossy(&output.stderr)));
+    let mut lines = said.lines().map(str::to_owned);
+    assert_eq!(lines.next(), Some(format!("{} {}", look.width, look.dark)), "not looked at as was meant");
+    lines.collect()
+}
+
+/// The shipped pages of a paper; faults are told with the page and the look.
+fn faults_of_paper(name: &str, paper: &Paper, looks: &[Look]) -> Vec<String> {
+    let folder = folder(name);
+    let files: Vec<RenderedFile> = Formats::shipped().unwrap().render("html", paper).unwrap();
+    assert_eq!(files.len(), 3);
+    let each = files.iter().flat_map(|file| looks.iter().map(move |look| (file, *look)));
+    each.flat_map(|(file, look)| {
+        let placed = move |fault| format!("{} {look:?}: {fault}", file.name);
+        faults(&folder, &file.contents, look).into_iter().map(placed)
+    })
+    .collect()
+}
+
+/// Every shipped question with its own numbers, and then with fresh ones in each style that it offers.
+fn whole_bank() -> Paper {
+    let bank = Bank::shipped().unwrap_or_else(|faults| panic!("{}", render_all(&faults, false)));
+    let mut paper = Paper { title: "Every question".into(), code: "KV7-3QX".into(), seed: Some(7), ..Paper::default() };
+    for question in &bank.questions {
+        let own = reference(question).unwrap_or_else(|_| panic!("{}: reference", question.id));
+        paper.questions.push(compose(question, &own, paper.questions.len() + 1));
+        for style in &question.styles {
+            let variant = Dealer::new(7, Some(style.name)).next(question).expect("a variant");
+            paper.questions.push(compose(question, &variant, paper.questions.len() + 1));
+        }
+    }
+    paper
+}
+
+#[test]
+fn carom_knows_pages_of_the_whole_bank_that_axe_finds_no_fault_in() {
+    let found = faults_of_paper("bank", &whole_bank(), &[DESK, PHONE_AT_NIGHT]);
+    assert!(found.is_empty(), "{}", found.join("\n"));
+}
+
+#[test]
+fn carom_knows_editions_that_axe_finds_no_fault_in() {
+    let found = faults_of_paper("plain", &super::paper::paper(), &[DESK_AT_NIGHT, PHONE]);
+    assert!(found.is_empty(), "{}", found.join("\n"));
+    let edition = Edition { large_print: true, answer_space: true, ..Edition::default() };
+    let found = faults_of_paper("large", &Paper { edition, ..super::paper::paper() }, &[PHONE, PHONE_AT_NIGHT]);
+    assert!(found.is_empty(), "{}", found.join("\n"));
+}
+
+#[test]
+fn a_fault_of_a_page_is_seen() {
+    let sound = Formats::shipped().unwrap().render("html", &super::paper::paper()).unwrap().remove(0).contents;
+    let cases = [
+        ("", None),
+        (r#"<img src="sphere.png">"#, Some("image-alt: ")),
+        (r#"<p style="color: #888; background: #fff">Find the speed of the sphere.</p>"#, Some("color-contrast: ")),
+        (r#"<p style="width: 400px">Find the speed of the sphere.</p>"#, Some("too-wide: ")),
+    ];
+    for (planted, expected) in cases {
+        let page = sound.replace("</main>", &format!("{planted}</main>"));
+        let found = faults(&folder("planted"), &page, PHONE);
+        assert_eq!(found.len(), usize::from(expected.is_some()), "{planted}: {found:?}");
+        assert!(expected.is_none_or(|id| found[0].starts_with(id)), "{planted}: {found:?}");
+    }
+}
