@@ -60,10 +60,9 @@ fn a_cold_sheet_of_six(seed: u64) -> Vec<RenderedFile> {
     });
     let paper = Paper {
         title: "Oblique impacts".to_owned(),
-        school: String::new(),
-        date: String::new(),
         seed: Some(seed),
         questions: printed.collect(),
+        ..Paper::default()
     };
     let formats = Formats::shipped().expect("the shipped formats");
     ["latex", "html"].into_iter().flat_map(|format| formats.render(format, &paper).expect("pages")).collect()

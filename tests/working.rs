@@ -1,0 +1,72 @@
+//! Worked solutions as they are read: an equation has a number because a later line refers to it.
+
+use carom::bank::{Bank, Question};
+use carom::diagnostic::render_all;
+use carom::expr::print;
+use carom::generate::{Deal, Variant, reference};
+use carom::paper::{PrintedQuestion, compose};
+
+/// How many variants of each style are read.
+const READ: usize = 12;
+
+/// The numbers in brackets of a sentence: `Subtracting (2) from (1)`.
+fn mentioned(words: &str) -> Vec<u32> {
+    words.split('(').skip(1).filter_map(|rest| rest.split(')').next()?.parse().ok()).collect()
+}
+
+/// Equations with a number that nobody refers to, and references to no equation.
+fn faults(printed: &PrintedQuestion) -> Vec<String> {
+    let mut faults = Vec::new();
+    let mut waiting: Vec<u32> = Vec::new();
+    let mut known: Vec<u32> = Vec::new();
+    for line in printed.parts.iter().flat_map(|part| &part.working) {
+        for number in mentioned(&print::text_unicode(&line.words)) {
+            waiting.retain(|label| *label != number);
+            if !known.contains(&number) {
+                faults.push(format!("({number}) is referred to before it stands there"));
+            }
+        }
+        if let Some(label) = line.label {
+            if waiting.contains(&label) {
+                faults.push(format!("({label}) stands there again before anybody referred to it"));
+            }
+            waiting.push(label);
+            known.push(label);
+        }
+    }
+    faults.extend(waiting.iter().map(|label| format!("nobody refers to ({label})")));
+    faults
+}
+
+#[test]
+fn every_numbered_equation_is_referred_to_and_every_reference_has_its_equation() {
+    let bank = Bank::shipped().unwrap_or_else(|faults| panic!("{}", render_all(&faults, false)));
+    let (mut complaints, mut numbered) = (Vec::new(), 0);
+    let mut read = |question: &Question, variant: &Variant| {
+        let printed = compose(question, variant, 1);
+        numbered += printed.parts.iter().flat_map(|part| &part.working).filter(|line| line.label.is_some()).count();
+        let name = format!("{} {} {:?}", question.id, variant.style.name(), variant.index);
+        complaints.extend(faults(&printed).into_iter().map(|fault| format!("{name}: {fault}")));
+    };
+    for question in &bank.questions {
+        read(question, &reference(question).unwrap_or_else(|_| panic!("{}", question.id)));
+        for style in &question.styles {
+            Deal::new(question, style, 3).take(READ).for_each(|variant| read(question, &variant));
+        }
+    }
+    assert!(complaints.is_empty(), "{}", complaints.join("\n"));
+    assert!(numbered > 500, "only {numbered} equations have a number");
+}
+
+#[test]
+fn a_number_that_nobody_refers_to_is_noticed() {
+    let bank = Bank::shipped().unwrap_or_else(|faults| panic!("{}", render_all(&faults, false)));
+    let question = bank.find("rest/speeds-and-directions").unwrap();
+    let variant = reference(question).unwrap_or_else(|_| panic!("the reference"));
+    let mut printed = compose(question, &variant, 1);
+    assert!(faults(&printed).is_empty());
+    let working = &mut printed.parts[0].working;
+    let last = working.iter_mut().rev().find(|line| !line.equations.is_empty()).unwrap();
+    last.label = Some(9);
+    assert_eq!(faults(&printed), ["nobody refers to (9)"]);
+}
