@@ -46,12 +46,10 @@ fn set_to(page: &str, length: usize) -> String {
 /// Lines without an empty one between them.
 fn set_block(block: &[&str], length: usize) -> Vec<String> {
     let rows: Vec<Vec<Cell>> = block.iter().map(|line| cells(line)).collect();
-    let mut natural: Vec<usize> = Vec::new();
-    for (column, cell) in rows.iter().filter(|row| row.len() > 1).flat_map(|row| row.iter().enumerate()) {
-        natural.resize(natural.len().max(column + 1), 0);
-        natural[column] = natural[column].max(cell.width());
+    let mut widths = natural(&rows, length);
+    if widths.iter().sum::<usize>() > length {
+        widths = fitted(&natural(&rows, standing_out(length)), length);
     }
-    let widths = fitted(&natural, length);
     let mut out = Vec::new();
     for row in rows {
         match row.as_slice() {
@@ -106,6 +104,27 @@ fn cells(line: &str) -> Vec<Cell> {
     cells
 }
 
+/// How wide each column would be, leaving out texts pushed to the right that are wider than `most`.
+fn natural(rows: &[Vec<Cell>], most: usize) -> Vec<usize> {
+    let mut widths: Vec<usize> = Vec::new();
+    for row in rows.iter().filter(|row| row.len() > 1) {
+        widths.resize(widths.len().max(row.len()), 0);
+        for (place, (width, cell)) in widths.iter_mut().zip(row).enumerate() {
+            let last = place + 1 == row.len();
+            if !cell.pushed || last || cell.width() <= most {
+                *width = cell.width().max(*width);
+            }
+        }
+    }
+    widths
+}
+
+/// Of a line that is too short for all, a text pushed to the right may have this much; one that is wider, as the left
+/// side of a long equation, stands out of its column.
+fn standing_out(length: usize) -> usize {
+    length * 2 / 5
+}
+
 /// The widths of columns within the line: the widest give way, as much as they must.
 fn fitted(natural: &[usize], length: usize) -> Vec<usize> {
     let under = |cap: usize| natural.iter().map(move |width| *width.min(&cap));
@@ -113,10 +132,26 @@ fn fitted(natural: &[usize], length: usize) -> Vec<usize> {
     under(cap).collect()
 }
 
+/// The widths of the columns in one row: what stands out of its column takes its room from the others.
+fn in_row(cells: &[Cell], widths: &[usize], length: usize) -> Vec<usize> {
+    let own = |(place, cell): (usize, &Cell)| {
+        let stands_out = cell.pushed && place + 1 < cells.len() && cell.width() > widths[place];
+        if stands_out { cell.width() } else { 0 }
+    };
+    let standing_out: Vec<usize> = cells.iter().enumerate().map(own).collect();
+    let others: Vec<usize> =
+        widths.iter().zip(&standing_out).map(|(width, own)| if *own > 0 { 0 } else { *width }).collect();
+    let others = match standing_out.iter().sum() {
+        0 => others,
+        taken => fitted(&others, length.saturating_sub(taken)),
+    };
+    others.iter().zip(standing_out).map(|(other, own)| other + own).collect()
+}
+
 fn set_row(cells: &[Cell], widths: &[usize], length: usize) -> Vec<String> {
     let mut columns: Vec<(usize, usize, Vec<String>)> = Vec::new();
     let mut start = 0;
-    for (place, (cell, width)) in cells.iter().zip(widths).enumerate() {
+    for (place, (cell, width)) in cells.iter().zip(&in_row(cells, widths, length)).enumerate() {
         let at_margin = cell.pushed && place + 1 == cells.len();
         let width = if at_margin { length.saturating_sub(start) } else { *width };
         let (text, gap) = cell.text();
@@ -148,6 +183,8 @@ fn wrapped(text: &str, width: usize) -> Vec<String> {
         let indent = line.len() - body.len();
         let room = width.saturating_sub(indent);
         let mut set = String::new();
+        // A line does not end with the sign between two forms of an answer.
+        let body = body.replace("≈ ", "≈\u{a0}");
         for word in body.split(' ').filter(|word| !word.is_empty()).flat_map(|word| parted(word, room)) {
             if !set.is_empty() && wide(&set) + 1 + wide(word) > room {
                 out.push(" ".repeat(indent) + &set);
@@ -163,28 +200,29 @@ fn wrapped(text: &str, width: usize) -> Vec<String> {
     out
 }
 
-/// A word that is wider than the room, a formula, is parted before its signs: those outside brackets, and if that is
-/// not enough, those within.
+/// A word that is wider than the room is a formula: it is parted before its signs, those outside brackets first.
 fn parted(word: &str, room: usize) -> Vec<&str> {
-    if wide(word) <= room {
-        return vec![word];
+    let mut pieces = vec![word];
+    for brackets in 0..4 {
+        let fits = |piece: &&str| wide(piece) <= room;
+        if pieces.iter().all(fits) {
+            break;
+        }
+        let within = |piece| if fits(&piece) { vec![piece] } else { at_signs(piece, brackets) };
+        pieces = pieces.into_iter().flat_map(within).collect();
     }
-    let outside = at_signs(word, false);
-    outside
-        .into_iter()
-        .flat_map(|piece| if wide(piece) <= room { vec![piece] } else { at_signs(piece, true) })
-        .collect()
+    pieces
 }
 
-/// A formula parted before its signs.
-fn at_signs(formula: &str, within_brackets: bool) -> Vec<&str> {
+/// A formula parted before the signs that stand within so many brackets or fewer.
+fn at_signs(formula: &str, brackets: usize) -> Vec<&str> {
     let mut pieces = Vec::new();
     let (mut begin, mut depth) = (0, 0_usize);
     for (at, letter) in formula.char_indices() {
         match letter {
             '(' => depth += 1,
             ')' => depth = depth.saturating_sub(1),
-            TIE if depth == 0 || within_brackets => {
+            TIE if depth <= brackets => {
                 let after = &formula[at + TIE.len_utf8()..];
                 if after.starts_with(['+', '−', '=', '≠', '<', '≤', '>', '≥', '⇒', '≈']) {
                     pieces.push(&formula[begin..at]);
@@ -196,4 +234,70 @@ fn at_signs(formula: &str, within_brackets: bool) -> Vec<&str> {
     }
     pieces.push(&formula[begin..]);
     pieces
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn tied(text: &str) -> String {
+        text.replace('~', "\u{a0}")
+    }
+
+    #[test]
+    fn lines_are_wrapped_as_far_to_the_right_as_they_began() {
+        let cases = [
+            ("one two three", 9, "one two\nthree\n"),
+            ("  one two three", 9, "  one two\n  three\n"),
+            ("one~two three", 9, "one two\nthree\n"),
+            ("the mass is 2~kg", 15, "the mass is\n2 kg\n"),
+            ("a\n\n\n\nb   \n\n", 9, "a\n\nb\n"),
+            ("unbreakable", 4, "unbreakable\n"),
+            ("Show that¶    x~=~1¶", 20, "Show that\n    x = 1\n"),
+            ("──", 5, "─────\n"),
+            ("", 5, ""),
+        ];
+        for (page, length, expected) in cases {
+            assert_eq!(set(&tied(page), Some(length)), expected, "{page}");
+        }
+        assert_eq!(set(&tied("a long line, 2~kg¶end"), None), "a long line, 2 kg\nend");
+    }
+
+    #[test]
+    fn a_formula_is_parted_only_if_it_must_be_and_outside_its_brackets_first() {
+        let formula = tied("w~=~4(u~+~v)~+~2(u~−~v)");
+        assert_eq!(parted(&formula, 30), [formula.as_str()]);
+        assert_eq!(parted(&formula, 12), ["w", "=~4(u~+~v)", "+~2(u~−~v)"].map(tied));
+        assert_eq!(parted(&tied("(u~+~v)~+~(u~+~(v~+~w))"), 10), ["(u~+~v)", "+~(u", "+~(v~+~w))"].map(tied));
+        assert_eq!(set(&tied("so w~=~1 and v~=~2"), Some(8)), "so w = 1\nand\nv = 2\n");
+    }
+
+    #[test]
+    fn columns_are_as_wide_as_what_stands_in_them() {
+        let cases = [
+            // equations, aligned at the relation, with a number at the margin
+            ("¦¦2v~+~3w ¦= ¦6¦¦(1)\nSo\n¦¦v ¦= ¦3¦¦", 16, "2v + 3w = 6  (1)\nSo\n      v = 3\n"),
+            // a part with its marks on its last line
+            ("(a) ¦Find the speed. ¦¦(4)", 16, "(a) Find the\n    speed.   (4)\n"),
+            // the widest column gives way; an empty row keeps the columns
+            ("ab cd ef gh ¦M1 ¦x\n¦\nab ¦A1 ¦yy", 11, "ab cd M1 x\nef gh\n\nab    A1 yy\n"),
+            // an empty line ends them
+            ("long ¦x\n\na ¦y", 20, "long x\n\na y\n"),
+            ("a¦¦b", 5, "a   b\n"),
+            ("¦¦b", 5, "    b\n"),
+        ];
+        for (page, length, expected) in cases {
+            assert_eq!(set(&tied(page), Some(length)), expected, "{page}");
+        }
+    }
+
+    #[test]
+    fn no_length_and_no_text_is_too_much() {
+        for page in ["", "¦", "¦¦", "¦¦¦¦", "a¦¦¦b¦¦c d e", "¶¶ ¶", "(((~+~", "¦¶¦¦¶a", "─¦─"]
+        {
+            for length in [0, 1, 2, 7] {
+                set(&tied(page), Some(length));
+            }
+        }
+    }
 }
