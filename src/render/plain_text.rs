@@ -56,7 +56,7 @@ fn set_block(block: &[&str], length: usize) -> Vec<String> {
             [only] if !only.text.is_empty() && only.text.chars().all(|letter| letter == '─') => {
                 out.push("─".repeat(length));
             }
-            [only] => out.extend(set_row(&[only.clone()], &[length], length)),
+            [only] => out.extend(set_row(std::slice::from_ref(only), &[length], length)),
             cells => out.extend(set_row(cells, &widths, length)),
         }
     }
