@@ -32,16 +32,19 @@ impl Failure {
     /// Tells the person.
     pub fn print(&self) {
         let mut stderr = io::stderr().lock();
+        let colour = stderr.is_terminal() && std::env::var_os("NO_COLOR").is_none();
         // If even this cannot be written there is nobody to tell.
-        let _ = match self {
-            Failure::ReaderGone | Failure::Found => Ok(()),
-            Failure::Said(message, None) => writeln!(stderr, "error: {message}"),
-            Failure::Said(message, Some(help)) => writeln!(stderr, "error: {message}\nhelp: {help}"),
-            Failure::Faults(faults) => {
-                let colour = io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
-                write!(stderr, "{}", render_all(faults, colour))
-            }
-        };
+        let _ = write!(stderr, "{}", self.in_words(colour));
+    }
+
+    /// What the person is told, in whole lines.
+    pub fn in_words(&self, colour: bool) -> String {
+        match self {
+            Failure::ReaderGone | Failure::Found => String::new(),
+            Failure::Said(message, None) => format!("error: {message}\n"),
+            Failure::Said(message, Some(help)) => format!("error: {message}\nhelp: {help}\n"),
+            Failure::Faults(faults) => render_all(faults, colour),
+        }
     }
 }
 

@@ -10,6 +10,7 @@ mod failure;
 mod json_scene;
 mod list;
 mod output;
+mod preview;
 mod scene_input;
 mod sheet;
 mod solve;
@@ -46,6 +47,7 @@ enum Command {
     Solve(solve::SolveArguments),
     List(list::ListArguments),
     Explain(explain::ExplainArguments),
+    Preview(Box<preview::PreviewArguments>),
     Check(check::CheckArguments),
 }
 
@@ -66,6 +68,7 @@ pub fn run() -> ExitCode {
         Command::Solve(arguments) => solve::run(&arguments),
         Command::List(arguments) => list::run(&arguments),
         Command::Explain(arguments) => explain::run(&arguments),
+        Command::Preview(arguments) => preview::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
     };
     match outcome {

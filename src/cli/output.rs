@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 
+use console::Term;
 use serde::Serialize;
 
 use super::failure::Failure;
@@ -23,6 +24,16 @@ pub fn print_json(data: &impl Serialize) -> Result<(), Failure> {
 /// Says something to the person. Nobody listening is no failure.
 pub fn say(text: &str) {
     let _ = writeln!(io::stderr().lock(), "{text}");
+}
+
+/// The longest line that is read with ease, however wide the window.
+const LONGEST: usize = 100;
+
+/// How many characters a line may have: the width of the terminal; in a pipe what the variable `COLUMNS` says, or 80.
+pub fn line_length() -> usize {
+    let terminal = Term::stdout().size_checked().map(|(_, columns)| usize::from(columns));
+    let said = || std::env::var("COLUMNS").ok().and_then(|columns| columns.parse().ok());
+    terminal.or_else(said).unwrap_or(80).clamp(30, LONGEST)
 }
 
 /// `1 mark`, `2 marks`.

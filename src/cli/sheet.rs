@@ -8,7 +8,8 @@ use clap::Args;
 
 use super::failure::Failure;
 use super::output::{count, listed, print, say};
-use super::{bank, read_templates, write};
+use super::template_folder::own_templates;
+use super::{bank, write};
 use crate::bank::{Contents, Heading, Question, StyleName};
 use crate::diagnostic::near;
 use crate::generate::{Variant, reference};
@@ -138,17 +139,11 @@ pub fn run(arguments: &SheetArguments) -> Result<(), Failure> {
 }
 
 fn formats(arguments: &SheetArguments) -> Result<Formats, Failure> {
-    let own = match &arguments.templates {
-        Some(folder) => read_templates(folder).map_err(|error| {
-            Failure::said(format!("the templates in `{}` cannot be read: {error}", folder.display()))
-        })?,
-        None => Vec::new(),
-    };
-    Ok(Formats::with(own)?)
+    Ok(Formats::with(own_templates(arguments.templates.as_deref())?)?)
 }
 
 /// A seed short enough to be typed again.
-fn fresh_seed() -> u64 {
+pub fn fresh_seed() -> u64 {
     let now = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
     now.as_micros() as u64 % 1_000_000
 }

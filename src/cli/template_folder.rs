@@ -4,7 +4,15 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
+use super::failure::Failure;
 use crate::render::TemplateFile;
+
+/// The templates in the folder that the arguments name; none if they name none.
+pub fn own_templates(folder: Option<&Path>) -> Result<Vec<TemplateFile>, Failure> {
+    let Some(folder) = folder else { return Ok(Vec::new()) };
+    let unreadable = |error| format!("the templates in `{}` cannot be read: {error}", folder.display());
+    read_templates(folder).map_err(|error| Failure::said(unreadable(error)))
+}
 
 /// Every file below a folder, in the order of their paths; hidden ones are left alone.
 ///

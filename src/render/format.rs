@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use tera::{Context, ErrorKind, Tera};
 
 use super::manifest::Manifest;
-use super::{RenderFault, RenderedFile, names, page};
+use super::{Notation, RenderFault, RenderedFile, names, page, plain_text};
 use crate::paper::Paper;
 
 /// A format whose templates have been read and whose names have been checked.
@@ -30,8 +30,8 @@ impl Format {
         };
         let unfit = |message: String| RenderFault::Manifest { file: format!("{name}/format.toml"), message };
         let manifest = Manifest::read(&text).map_err(unfit)?;
-        if let Some(document) = manifest.documents.iter().find(|document| !files.contains_key(&document.template)) {
-            return Err(unfit(format!("there is no template `{}` in the folder", document.template)));
+        if let Some(template) = manifest.templates().find(|template| !files.contains_key(*template)) {
+            return Err(unfit(format!("there is no template `{template}` in the folder")));
         }
         let tera = compile(name, &manifest, &files, unfit)?;
         for (file, template) in &files {
@@ -49,18 +49,36 @@ impl Format {
 
     /// Every document of a paper.
     pub fn render(&self, paper: &Paper) -> Result<Vec<RenderedFile>, RenderFault> {
-        let page = page::page(paper, self.manifest.notation);
-        let context =
-            Context::from_serialize(&page).map_err(|fault| template_fault(&self.path("format.toml"), &fault))?;
+        let context = self.context(paper)?;
         self.manifest
             .documents
             .iter()
             .map(|document| {
-                let path = self.path(&document.template);
-                let contents = self.tera.render(&path, &context).map_err(|fault| template_fault(&path, &fault))?;
+                let contents = self.fill(&document.template, &context, self.manifest.line_length)?;
                 Ok(RenderedFile { name: document.file.clone(), contents })
             })
             .collect()
+    }
+
+    /// The page for a preview, its lines of this length if they have one at all; nothing if the format has no such page.
+    pub fn preview(&self, paper: &Paper, line_length: usize) -> Result<Option<String>, RenderFault> {
+        let Some(template) = &self.manifest.preview else { return Ok(None) };
+        let line_length = self.manifest.line_length.map(|_| line_length);
+        self.fill(template, &self.context(paper)?, line_length).map(Some)
+    }
+
+    fn context(&self, paper: &Paper) -> Result<Context, RenderFault> {
+        let page = page::page(paper, self.manifest.notation);
+        Context::from_serialize(&page).map_err(|fault| template_fault(&self.path("format.toml"), &fault))
+    }
+
+    fn fill(&self, template: &str, context: &Context, line_length: Option<usize>) -> Result<String, RenderFault> {
+        let path = self.path(template);
+        let filled = self.tera.render(&path, context).map_err(|fault| template_fault(&path, &fault))?;
+        Ok(match self.manifest.notation {
+            Notation::Unicode => plain_text::set(&filled, line_length),
+            Notation::Latex | Notation::Html => filled,
+        })
     }
 
     /// Refuses a document that uses a name by itself which no page has, also where no page would come to it.
@@ -69,8 +87,7 @@ impl Format {
     fn check_documents(&self) -> Result<(), RenderFault> {
         let variables =
             |path: &str| self.tera.get_template_variables(path).map_err(|fault| template_fault(path, &fault));
-        let documents: Vec<String> =
-            self.manifest.documents.iter().map(|document| self.path(&document.template)).collect();
+        let documents: Vec<String> = self.manifest.templates().map(|template| self.path(template)).collect();
         let mut of_included = BTreeSet::new();
         for path in self.tera.get_template_names().filter(|path| !documents.iter().any(|document| document == path)) {
             of_included.extend(variables(path)?);

@@ -18,6 +18,10 @@ pub(super) struct Manifest {
     /// What sets a template's own marks apart from its text; those of Tera if left out.
     #[serde(default)]
     pub delimiters: Marks,
+    /// The length to which lines of plain text are set; without it they are left as the templates have them.
+    pub line_length: Option<usize>,
+    /// The template of the one page that `carom preview` shows of a question.
+    pub preview: Option<String>,
     /// The files that a paper becomes.
     pub documents: Vec<Document>,
 }
@@ -61,6 +65,11 @@ impl From<Marks> for Delimiters {
 }
 
 impl Manifest {
+    /// The templates that are rendered by themselves.
+    pub fn templates(&self) -> impl Iterator<Item = &String> {
+        self.documents.iter().map(|document| &document.template).chain(&self.preview)
+    }
+
     /// Reads a manifest; the message says what is wrong with it.
     pub fn read(text: &str) -> Result<Manifest, String> {
         let manifest: Manifest = toml::from_str(text).map_err(|fault| fault.to_string().trim_end().to_owned())?;

@@ -24,6 +24,7 @@ mod manifest;
 mod names;
 mod notation;
 mod page;
+mod plain_text;
 mod shipped;
 
 use std::collections::BTreeMap;
@@ -59,7 +60,7 @@ pub struct Formats {
 }
 
 impl Formats {
-    /// The formats inside the binary: `html` and `latex`.
+    /// The formats inside the binary: `html`, `latex` and `text`.
     ///
     /// ```
     /// use carom::paper::Paper;
@@ -107,12 +108,19 @@ impl Formats {
 
     /// The files of a paper in one format, in the order in which its manifest lists them.
     pub fn render(&self, format: &str, paper: &Paper) -> Result<Vec<RenderedFile>, RenderFault> {
-        match self.formats.get(format) {
-            Some(found) => found.render(paper),
-            None => Err(RenderFault::UnknownFormat {
-                format: format.to_owned(),
-                available: self.formats.keys().cloned().collect(),
-            }),
-        }
+        self.named(format)?.render(paper)
+    }
+
+    /// The one page that a preview shows of a paper, plain text in lines of `line_length`; `None` if the format's
+    /// manifest names no template for it.
+    pub fn preview(&self, format: &str, paper: &Paper, line_length: usize) -> Result<Option<String>, RenderFault> {
+        self.named(format)?.preview(paper, line_length)
+    }
+
+    fn named(&self, format: &str) -> Result<&Format, RenderFault> {
+        self.formats.get(format).ok_or_else(|| RenderFault::UnknownFormat {
+            format: format.to_owned(),
+            available: self.formats.keys().cloned().collect(),
+        })
     }
 }

@@ -5,8 +5,9 @@ use std::io::{self, Write};
 use serde::Deserialize;
 use tera::EscapeFn;
 
+use super::plain_text::{BAR, BREAK, TIE};
 use crate::diagram::{Diagram, svg, tikz};
-use crate::expr::{Expr, Relation, Text, print};
+use crate::expr::{Expr, Piece, Relation, Text, print};
 
 /// The notation in which a format has its formulas.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
@@ -26,7 +27,7 @@ impl Notation {
         match self {
             Notation::Latex => print::text_latex(text),
             Notation::Html => print::text_html(text),
-            Notation::Unicode => print::text_unicode(text),
+            Notation::Unicode => text.0.iter().map(|piece| self.piece(piece)).collect(),
         }
     }
 
@@ -35,7 +36,17 @@ impl Notation {
         match self {
             Notation::Latex => print::latex(formula),
             Notation::Html => print::mathml_inline(formula),
-            Notation::Unicode => print::unicode(formula),
+            Notation::Unicode => tied(print::unicode(formula)),
+        }
+    }
+
+    /// A piece of plain text: lines end between its words and not within its formulas.
+    fn piece(self, piece: &Piece) -> String {
+        match piece {
+            Piece::Words(words) => plain(words),
+            Piece::Italic(pieces) => pieces.iter().map(|piece| self.piece(piece)).collect(),
+            Piece::Formula(_) | Piece::Quantity(..) => tied(print::text_unicode(&Text(vec![piece.clone()]))),
+            Piece::Display(formula) => format!("{BREAK}    {}{BREAK}", self.formula(formula)),
         }
     }
 
@@ -44,7 +55,7 @@ impl Notation {
         match self {
             Notation::Latex => tikz(&diagram.drawing),
             Notation::Html => svg(diagram),
-            Notation::Unicode => print::words_unicode(&diagram.words),
+            Notation::Unicode => plain(&diagram.words),
         }
     }
 
@@ -87,5 +98,14 @@ fn escape_html(words: &str, out: &mut dyn Write) -> io::Result<()> {
 }
 
 fn escape_unicode(words: &str, out: &mut dyn Write) -> io::Result<()> {
-    out.write_all(print::words_unicode(words).as_bytes())
+    out.write_all(plain(words).as_bytes())
+}
+
+/// Words for plain text; the signs that part its columns and lines are left to templates.
+fn plain(words: &str) -> String {
+    print::words_unicode(words).replace(BAR, "|").replace(BREAK, " ")
+}
+
+fn tied(formula: String) -> String {
+    formula.replace(' ', &TIE.to_string())
 }

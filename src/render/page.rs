@@ -292,7 +292,7 @@ mod tests {
         let repeated = [Expr::equation(v(), two()), relation(v(), Relation::Approximately, two())];
         assert_eq!(chain(repeated), [["v", "=", "2"], ["", "≈", "2"]]);
         let implied = relation(Expr::equation(two(), v()), Relation::Implies, Expr::equation(v(), two()));
-        assert_eq!(chain([implied]), [["2", "=", "v ⇒ v = 2"]]);
+        assert_eq!(chain([implied]), [["2", "=", "v\u{a0}⇒\u{a0}v\u{a0}=\u{a0}2"]]);
         assert_eq!(chain([two()]), [["", "", "2"]]);
         let apart = [Expr::equation(v(), two()), two(), Expr::equation(v(), two())];
         assert_eq!(chain(apart).map(|[left, _, _]| left), ["v", "", "v"]);

@@ -47,7 +47,9 @@ fn carom_knows_that_the_same_paper_is_the_same_pages() {
 #[test]
 fn carom_knows_what_is_told_only_to_teachers() {
     let formats = Formats::shipped().unwrap();
-    for (format, sheet) in [("latex", "question-sheet.tex"), ("html", "question-sheet.html")] {
+    for (format, sheet) in
+        [("latex", "question-sheet.tex"), ("html", "question-sheet.html"), ("text", "question-sheet.txt")]
+    {
         let files = formats.render(format, &paper::paper()).unwrap();
         for secret in ["3.65", "55.3", "4.68", "B1", "dM1", "rest/speeds-and-directions"] {
             // a comment of LaTeX is for the teacher, who has the source
@@ -126,7 +128,7 @@ fn carom_knows_that_a_format_is_one_folder() {
     assert!(
         file(&files, "answers.txt").starts_with("1 speed of A\n1 direction of A\n1 speed of B\n2a velocity of A\n")
     );
-    assert_eq!(formats.list().map(|(name, _)| name).collect::<Vec<_>>(), ["html", "latex", "plain"]);
+    assert_eq!(formats.list().map(|(name, _)| name).collect::<Vec<_>>(), ["html", "latex", "plain", "text"]);
 }
 
 #[test]
@@ -139,7 +141,7 @@ fn carom_knows_which_formats_and_names_there_are() {
     let cases: [Case; 10] = [
         (
             Formats::shipped().unwrap().render("docx", &paper::paper()),
-            &["unknown format `docx`: there are `html` and `latex`"],
+            &["unknown format `docx`: there are `html`, `latex` and `text`"],
         ),
         (rendered("{{ titel }}"), &["templates/html/question-sheet.html: unknown name `titel`", "`title`"]),
         (rendered("{% if titel %}never{% endif %}"), &["unknown name `titel`"]),
