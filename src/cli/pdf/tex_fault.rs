@@ -80,6 +80,9 @@ struct Meaning {
     help: Option<String>,
 }
 
+/// What TeX waits for.
+const END: &str = r"\end{document}";
+
 /// What TeX has said against a document.
 pub fn fault(said: &str, document: &Source, engine: &str, own: &OwnTemplates) -> Failure {
     let Some(error) = first_error(said) else {
@@ -94,6 +97,11 @@ pub fn fault(said: &str, document: &Source, engine: &str, own: &OwnTemplates) ->
             format!("`{engine}` is not fully installed: its format file is missing"),
             format!("install LaTeX for it; {}", package::install("amsmath.sty", OS).trim_start_matches("install it: ")),
         );
+    }
+    if error.line == 0 && !document.text.contains(END) {
+        let end = document.text.trim_end().len();
+        let fault = Diagnostic::new("the document has no end", document, end..end, format!("expected `{END}`"));
+        return Failure::Faults(vec![fault.with_help(format!("put `{END}` at the end of the template"))]);
     }
     let meaning = meaning(&error, said, engine);
     let (source, span) = place(&error, document, meaning.name.as_deref());
@@ -122,9 +130,11 @@ fn meaning(error: &TexError, said: &str, engine: &str) -> Meaning {
         return Meaning { message, name: Some(name), label: "no such environment".into(), help: None };
     }
     if let Some(file) = between(text, "File `", "' not found") {
-        if said.contains(&format!("Not reading from {file}")) {
+        // LaTeX tries the name with its ending last; that is the name it reports.
+        if said.contains(&format!("Not reading from {}", file.trim_end_matches(".tex"))) {
             let label = "a paper is printed without looking at other files".into();
             let help = Some("put the words into the template itself".into());
+            let file = file.trim_end_matches(".tex").to_owned();
             return Meaning { message: format!("`{file}` may not be read"), name: Some(file), label, help };
         }
         let name = file.trim_end_matches(".sty").to_owned();
@@ -146,9 +156,17 @@ fn meaning(error: &TexError, said: &str, engine: &str) -> Meaning {
         let help = Some("leave it out, or print with a browser, which has more letters: `CAROM_TEX=none`".into());
         return Meaning { message: format!("`{engine}` has no letter {letter}"), name, label: stopped(), help };
     }
+    if let Some((package, words)) = text.strip_prefix("Package ").and_then(|rest| rest.split_once(" Error: ")) {
+        let (message, name) = (format!("package `{package}`: {}", lower(words)), Some(package.to_owned()));
+        return Meaning { message, name, label: stopped(), help: None };
+    }
+    Meaning { message: lower(text), name: None, label: stopped(), help: None }
+}
+
+/// The words with a small first letter, as all our messages begin.
+fn lower(text: &str) -> String {
     let mut letters = text.chars();
-    let message = letters.next().map(|first| first.to_lowercase().chain(letters).collect()).unwrap_or_default();
-    Meaning { message, name: None, label: stopped(), help: None }
+    letters.next().map(|first| first.to_lowercase().chain(letters).collect()).unwrap_or_default()
 }
 
 /// The command that TeX does not know: where the error is inside another, the last that was met there.
@@ -225,4 +243,57 @@ fn line_start(text: &str, number: usize) -> usize {
 fn line_at(text: &str, place: usize) -> &str {
     let start = text[..place].rfind('\n').map_or(0, |at| at + 1);
     text[start..].lines().next().unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_is_known_by_what_its_template_prints_as_it_stands() {
+        for (template, line, expected) in [
+            (r"\section{<<title>>} % x", r"\section{Oblique & so on} % x", true),
+            (r"<% if marks %>\total{<<marks>>}<% endif %>", r"\total{20}", true),
+            (r"\section{<<title>>}", r"\heading{Oblique}", false),
+            ("<<paragraph>>", "any words at all", false),
+            ("}", "}", false),
+            (r"\a <<b", r"\a ", false),
+            (r"\alpha <<b", r"\alpha ", true),
+        ] {
+            assert_eq!(becomes(template, line), expected, "{template}");
+        }
+    }
+
+    #[test]
+    fn a_template_is_named_only_if_one_line_can_be_meant() {
+        let file = |path: &str, contents: &str| TemplateFile { path: path.into(), contents: contents.into() };
+        let own = OwnTemplates {
+            folder: "mine".into(),
+            files: vec![
+                file("latex/preamble.tex", "\\wrong\n\\twice\n"),
+                file("latex/question-sheet.tex", "\\twice\n"),
+                file("html/page.html", "\\elsewhere\n"),
+            ],
+        };
+        let path = Path::new("mine").join("latex/preamble.tex");
+        assert_eq!(own.origin(r"\wrong"), Some(format!("`{}`, line 1", path.display())));
+        assert_eq!(own.origin(r"\twice"), None);
+        assert_eq!(own.origin(r"\elsewhere"), None);
+    }
+
+    #[test]
+    fn no_words_of_tex_make_it_panic() {
+        let own = OwnTemplates::default();
+        for said in
+            ["", "! ", "!x", "a.tex:0: x\nl.0 y", "./sheet.tex:99: x\nl.99 é", "! Undefined control sequence.\nl.2 é"]
+        {
+            for text in ["", "é", "\\é\n\\begin\n"] {
+                match fault(said, &Source::new("sheet.tex", text), "pdflatex", &own) {
+                    Failure::Faults(faults) => assert_eq!(faults.len(), 1),
+                    Failure::Said(message, help) => assert!(message.contains("pdflatex") && help.is_some()),
+                    _ => panic!("another failure"),
+                }
+            }
+        }
+    }
 }

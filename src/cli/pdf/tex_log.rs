@@ -20,13 +20,20 @@ pub fn first_error(said: &str) -> Option<TexError> {
     let lines: Vec<&str> = said.lines().collect();
     let (at, mut error) = lines.iter().enumerate().find_map(|(at, line)| Some((at, heading(line)?)))?;
     let after = &lines[at + 1..];
-    // A package continues its words under its own name: `(babel)      language definition file not found.`
-    for more in after.iter().take_while(|line| line.starts_with('(')).filter_map(|line| line.split_once(')')) {
-        error.message = format!("{} {}", error.message, more.1.trim());
+    if error.message.contains("Error:") {
+        for more in after.iter().map_while(|line| continued(line)) {
+            error.message = format!("{} {more}", error.message);
+        }
     }
-    // An error that is followed by another, such as the emergency stop, has its lines before that.
-    let own = after.iter().take_while(|line| heading(line).is_none_or(|other| other.line == error.line));
-    for line in own {
+    // What follows belongs to it, up to an error elsewhere. LaTeX leaves the place of some to the stop behind them.
+    for line in after {
+        if let Some(next) = heading(line) {
+            if error.line == 0 {
+                (error.file, error.line) = (next.file, next.line);
+            } else if next.line != error.line {
+                break;
+            }
+        }
         if let Some((number, read)) = context(line) {
             error.read = read.to_owned();
             if error.line == 0 {
@@ -61,6 +68,15 @@ fn said(message: &str, file: &str, line: usize) -> Option<TexError> {
     is_error.then(|| TexError { message: message.to_owned(), file, line, ..TexError::default() })
 }
 
+/// The words of an error of LaTeX in its next line: behind blanks, or behind the name of a package as `(babel)    found.`
+fn continued(line: &str) -> Option<&str> {
+    let words = match line.strip_prefix('(') {
+        Some(line) => line.split_once(')')?.1,
+        None => line,
+    };
+    words.starts_with("  ").then(|| words.trim()).filter(|words| !words.is_empty())
+}
+
 /// `l.4 A \vv`: how far the line had been read.
 fn context(line: &str) -> Option<(usize, &str)> {
     let (number, read) = line.strip_prefix("l.")?.split_once(' ')?;
@@ -86,8 +102,20 @@ mod tests {
                 error("Undefined control sequence.", "bad.tex", 4, "A \\vv", Some("\\vv ->\\wrong ")),
             ),
             (
-                "! LaTeX Error: File `tikz.sty' not found.\n\nType X to quit\n\n! Emergency stop.\n<read *> \n\nl.3 \\begin\n",
-                error("LaTeX Error: File `tikz.sty' not found.", "", 3, "\\begin", None),
+                "! LaTeX Error: File `tikz.sty' not found.\n\nType X to quit\n\n./a.tex:3: Emergency stop.\n<read *> \n\n\
+                 l.3 \\begin\n",
+                error("LaTeX Error: File `tikz.sty' not found.", "a.tex", 3, "\\begin", None),
+            ),
+            (
+                "./a.tex:4: LaTeX Error: Unicode character Ω (U+2126)\n               not set up for use with LaTeX.\n\n\
+                 See the LaTeX manual.\n ...  \n\nl.4 a Ω\n         b\n",
+                error(
+                    "LaTeX Error: Unicode character Ω (U+2126) not set up for use with LaTeX.",
+                    "a.tex",
+                    4,
+                    "a Ω",
+                    None,
+                ),
             ),
             (
                 "C:/texmf/babel.sty:4357: Package babel Error: Unknown option `klingon'. Either\n\
