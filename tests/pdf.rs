@@ -261,7 +261,7 @@ fn what_is_no_pdf_is_not_written() {
         ("nothing", "pdflatex", "exit 0"),
         ("half", "pdflatex", "printf '%%PDF-1.5 and no end' > $pdf"),
         ("other", "pdflatex", "echo words > $pdf"),
-        ("link", "pdflatex", "/bin/ln -s \"$SECRET\" $pdf"),
+        ("link", "pdflatex", "/bin/ln -sf \"$SECRET\" $pdf"),
         ("page", "chromium", "exit 0"),
         ("half-page", "chromium", "printf '%%PDF-1.5 and no end' > \"$pdf\""),
     ];
@@ -418,7 +418,7 @@ mod real {
     fn pdflatex_is_understood() {
         let cases = [
             ("", r"Find \vectr{v}.", "unknown command `\\vectr`", "4:6", "`mine/latex/sheet.tex`, line 4"),
-            (r"\newcommand{\v}{\wrong}", r"Find \v.", "unknown command `\\wrong`", "2:", "line 2"),
+            (r"\newcommand{\vv}{\wrong}", r"Find \vv.", "unknown command `\\wrong`", "4:6", "line 4"),
             ("", r"\begin{foo}", "unknown environment `foo`", "4:8", "line 4"),
             (r"\usepackage{siunitxx}", "x", "the LaTeX package `siunitxx` is not installed", "2:13", "install it"),
             ("", "a x^2 b", "missing $ inserted", "4:4", "line 4"),

@@ -62,10 +62,10 @@ impl Press<'_> {
                 return Err(fault(&said, &source, &engine, self.own));
             }
             let after = fs::read(folder.join(format!("{stem}.aux"))).ok();
-            if after.is_some() && after == before {
+            if before.as_ref() == Some(&after) {
                 break;
             }
-            before = after;
+            before = Some(after);
         }
         let name = format!("{stem}.pdf");
         match finished(folder.join(&name)) {

@@ -163,10 +163,13 @@ fn meaning(error: &TexError, said: &str, engine: &str) -> Meaning {
     Meaning { message: lower(text), name: None, label: stopped(), help: None }
 }
 
-/// The words with a small first letter, as all our messages begin.
+/// The words with a small first letter, as all our messages begin; `TeX` and `I` stay as they are.
 fn lower(text: &str) -> String {
     let mut letters = text.chars();
-    letters.next().map(|first| first.to_lowercase().chain(letters).collect()).unwrap_or_default()
+    let Some(first) = letters.next() else { return String::new() };
+    let word = letters.as_str().split(' ').next().unwrap_or_default();
+    let is_a_word = !word.is_empty() && word.chars().all(char::is_lowercase);
+    if is_a_word { first.to_lowercase().chain(letters).collect() } else { text.to_owned() }
 }
 
 /// The command that TeX does not know: where the error is inside another, the last that was met there.
