@@ -110,7 +110,7 @@ fn stop_all(child: &mut Child) {
     } else {
         // The standard library signals one process; every shell signals a group.
         let mut killer = Command::new("/bin/sh");
-        killer.args(["-c", "kill -9 -- \"-$0\"", &group]);
+        killer.args(["-c", "kill -s KILL -- \"-$0\"", &group]);
         killer
     };
     let _ = killer.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).status();
