@@ -6,22 +6,28 @@ use std::time::{SystemTime, UNIX_EPOCH};
 
 use clap::Args;
 
+use super::bank;
 use super::failure::Failure;
+use super::formats::FormatsAsked;
 use super::output::{count, listed, print, say};
-use super::template_folder::own_templates;
-use super::{bank, write};
+use super::write::{OutputFile, write_all};
 use crate::bank::{Contents, Heading, Question, StyleName};
 use crate::diagnostic::near;
 use crate::generate::{Variant, reference};
 use crate::paper::{Dealer, Edition, Key, Paper, choose_count, choose_marks, compose, key_question};
-use crate::render::{Formats, RenderedFile};
 
 const AFTER: &str = "Examples:
   carom sheet                                   six questions from every topic
   carom sheet 5C-2 --count 30                   one question thirty times, no two with the same numbers
   carom sheet --topic 'i and j' --style friendly
   carom sheet --marks 40 --seed 2027            40 marks; the same seed gives the same sheet again
-  carom sheet --reference                       the exercises with their own numbers";
+  carom sheet --reference                       the exercises with their own numbers
+  carom sheet --format html,pdf                 pages for the screen, and pages to print
+
+PDF is made with what the machine has: pdflatex, lualatex or xelatex, else Chrome, Chromium or Edge without a window.
+  CAROM_TEX          the TeX engine to take, by name or path; `none` leaves it to the browser
+  CAROM_BROWSER      the browser to take, by name or path; `none` for no browser
+  CAROM_PDF_SECONDS  how long one run of either may take, in place of 120 seconds";
 
 /// Make a question sheet with its mark scheme
 ///
@@ -68,7 +74,7 @@ pub struct SheetArguments {
     /// No diagrams in the questions: the students are to draw them
     #[arg(long)]
     no_diagrams: bool,
-    /// Formats, with commas: folders of templates
+    /// Formats, with commas: latex, html, folders of templates of your own, and pdf
     #[arg(long, value_name = "FORMATS", value_delimiter = ',', default_value = "latex,html")]
     format: Vec<String>,
     /// The folder for the files
@@ -87,7 +93,7 @@ const USUAL_COUNT: usize = 6;
 
 /// Makes the sheet.
 pub fn run(arguments: &SheetArguments) -> Result<(), Failure> {
-    let formats = formats(arguments)?;
+    let formats = FormatsAsked::new(&arguments.format, arguments.templates.as_deref())?;
     let contents = bank::open(arguments.bank.as_deref())?;
     let style = arguments.style.as_ref().and_then(|name| StyleName::ALL.into_iter().find(|style| style.name() == name));
     let seed = arguments.seed.unwrap_or_else(fresh_seed);
@@ -97,12 +103,12 @@ pub fn run(arguments: &SheetArguments) -> Result<(), Failure> {
     let variants = if arguments.reference { references(in_order)? } else { dealt(in_order, seed, style)? };
 
     let seed = (!arguments.reference).then_some(seed);
-    let mut printed = Vec::with_capacity(variants.len());
+    let mut composed = Vec::with_capacity(variants.len());
     let mut keyed = Vec::with_capacity(variants.len());
     for (index, (question, variant)) in variants.iter().enumerate() {
-        let composed = compose(question, variant, index + 1);
-        keyed.push(key_question(question, variant, &composed));
-        printed.push(composed);
+        let printed = compose(question, variant, index + 1);
+        keyed.push(key_question(question, variant, &printed));
+        composed.push(printed);
     }
     let key = Key::new(contents.name.clone(), seed, keyed);
     let paper = Paper {
@@ -116,15 +122,12 @@ pub fn run(arguments: &SheetArguments) -> Result<(), Failure> {
             answer_space: arguments.answer_space,
             no_diagrams: arguments.no_diagrams,
         },
-        questions: printed,
+        questions: composed,
     };
-    let mut files = Vec::new();
-    for format in &arguments.format {
-        files.extend(formats.render(format.trim(), &paper)?);
-    }
     let json = serde_json::to_string_pretty(&key).map_err(|error| Failure::said(error.to_string()))?;
-    files.push(RenderedFile { name: "key.json".to_owned(), contents: json + "\n" });
-    let paths = write::write_all(&arguments.out, &files)?;
+    let mut printed = formats.print(&paper, &arguments.out)?;
+    printed.files.push(OutputFile { name: "key.json".to_owned(), contents: (json + "\n").into_bytes() });
+    let paths = write_all(&arguments.out, &printed.files)?;
 
     let size = format!("{}, {}", count(paper.questions.len(), "question"), count(paper.marks(), "mark"));
     match seed {
@@ -134,12 +137,14 @@ pub fn run(arguments: &SheetArguments) -> Result<(), Failure> {
     if let Some(marks) = arguments.marks.filter(|marks| usize::from(*marks) != paper.marks()) {
         say(&format!("no choice of questions makes exactly {marks} marks"));
     }
+    if printed.missing.is_some() {
+        for old in paths.iter().map(|path| path.with_extension("pdf")).filter(|pdf| pdf.is_file()) {
+            say(&format!("`{}` is of an earlier sheet", old.display()));
+        }
+    }
     let paths: Vec<String> = paths.iter().map(|path| format!("{}\n", path.display())).collect();
-    print(&paths.concat())
-}
-
-fn formats(arguments: &SheetArguments) -> Result<Formats, Failure> {
-    Ok(Formats::with(own_templates(arguments.templates.as_deref())?)?)
+    print(&paths.concat())?;
+    printed.missing.map_or(Ok(()), Err)
 }
 
 /// A seed short enough to be typed again.

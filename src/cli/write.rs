@@ -6,10 +6,25 @@ use std::path::{Path, PathBuf};
 use super::failure::Failure;
 use crate::render::RenderedFile;
 
+/// A file ready to be written: text or PDF, to the disk it is bytes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct OutputFile {
+    /// Its name, without a folder: `mark-scheme.pdf`.
+    pub name: String,
+    /// What stands in it.
+    pub contents: Vec<u8>,
+}
+
+impl From<RenderedFile> for OutputFile {
+    fn from(file: RenderedFile) -> OutputFile {
+        OutputFile { name: file.name, contents: file.contents.into_bytes() }
+    }
+}
+
 /// Writes files into a folder, which is made if need be, and returns their paths.
 ///
 /// Until every file has been written whole, none of those that stood there before is touched.
-pub fn write_all(folder: &Path, files: &[RenderedFile]) -> Result<Vec<PathBuf>, Failure> {
+pub fn write_all(folder: &Path, files: &[OutputFile]) -> Result<Vec<PathBuf>, Failure> {
     fs::create_dir_all(folder)
         .map_err(|error| Failure::said(format!("the folder `{}` cannot be made: {error}", folder.display())))?;
     let mut waiting: Vec<(PathBuf, PathBuf)> = Vec::new();
@@ -24,12 +39,18 @@ pub fn write_all(folder: &Path, files: &[RenderedFile]) -> Result<Vec<PathBuf>, 
     Ok(waiting.into_iter().map(|(_, path)| path).collect())
 }
 
-fn place(folder: &Path, files: &[RenderedFile], waiting: &mut Vec<(PathBuf, PathBuf)>) -> Result<(), Failure> {
+fn place(folder: &Path, files: &[OutputFile], waiting: &mut Vec<(PathBuf, PathBuf)>) -> Result<(), Failure> {
     let cannot = |path: &Path, error| Failure::said(format!("`{}` cannot be written: {error}", path.display()));
-    for file in files {
+    for (index, file) in files.iter().enumerate() {
         let path = folder.join(&file.name);
         if path.is_dir() {
             return Err(Failure::said(format!("`{}` cannot be written: it is a folder", path.display())));
+        }
+        if files[..index].iter().any(|earlier| earlier.name == file.name) {
+            return Err(Failure::with_help(
+                format!("two of the formats write `{}`", file.name),
+                "ask for one of them, or give the file another name in one `format.toml`",
+            ));
         }
         let temporary = folder.join(format!(".{}.{}", file.name, std::process::id()));
         waiting.push((temporary.clone(), path.clone()));

@@ -53,9 +53,10 @@ pub struct Manner<'a> {
 impl Manner<'_> {
     /// A value with its unit, where its letters have one.
     fn quantity(self, value: &Expr, unit: Unit) -> Text {
-        let has_unit = value.names().iter().all(|name| {
-            matches!(name.text.as_str(), "i" | "j") || self.with_units.iter().any(|letter| *letter == name.text)
-        });
+        let has_unit = value
+            .names()
+            .iter()
+            .all(|name| matches!(name.text.as_str(), "i" | "j") || self.with_units.contains(&name.text));
         Text(vec![Piece::Quantity(value.clone(), if has_unit { unit } else { Unit::None })])
     }
 }

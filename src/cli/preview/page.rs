@@ -9,9 +9,8 @@ use std::thread;
 use std::time::Duration;
 
 use crate::cli::failure::Failure;
-use crate::cli::write::write_all;
+use crate::cli::write::{OutputFile, write_all};
 use crate::expr::print::words_html;
-use crate::render::RenderedFile;
 
 /// A file that a browser shows.
 pub struct Page {
@@ -41,7 +40,7 @@ impl Page {
     pub fn write(&self, html: &str) -> Result<(), Failure> {
         let name = self.path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let folder = self.path.parent().unwrap_or(Path::new("."));
-        write_all(folder, &[RenderedFile { name, contents: html.to_owned() }]).map(drop)
+        write_all(folder, &[OutputFile { name, contents: html.as_bytes().to_vec() }]).map(drop)
     }
 
     /// Has it shown, without waiting for the browser to end.
