@@ -204,7 +204,7 @@ fn carom_knows_that_words_are_only_words() {
     let hostile = "\\ { } $ & # ^ _ ~ % < > \" | ` [a] \u{1b}[31m \u{202e}drow é – 漢 🎱";
     assert_eq!(
         words_latex(hostile),
-        r"\textbackslash{} \{ \} $\$$ \& \# \textasciicircum{} \_ \textasciitilde{} \% \textless{} \textgreater{} '' \textbar{} {}` {[}a{]} {[}31m drow é -- ? ?"
+        r"\textbackslash{} \{ \} $\$$ \& \# \textasciicircum{} \_ \textasciitilde{} \% \textless{} \textgreater{} '' \textbar{} {}\textquoteleft{} {[}a{]} {[}31m drow é -- ? ?"
     );
     assert_eq!(words_html("<b a='1'>\"&\u{0}\u{202e}"), "&lt;b a=&#39;1&#39;&gt;&quot;&amp;");
     assert_eq!(words_unicode("a\u{1b}[31m\u{7}\u{200f}\nb"), "a[31m b");

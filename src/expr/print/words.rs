@@ -73,8 +73,8 @@ fn latex_command(c: char) -> Option<&'static str> {
         '|' => r"\textbar{}",
         '"' | '”' | '»' | '„' => "''",
         '“' | '«' => "``",
-        // By itself, for `?` before it would make an inverted question mark.
-        '`' | '‘' => "{}`",
+        // By itself and by name, for `?` before it would make an inverted question mark.
+        '`' | '‘' => r"{}\textquoteleft{}",
         '’' | '′' => "'",
         // In braces, for after a line break or an item it would open an option.
         '[' => "{[}",
