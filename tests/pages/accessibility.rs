@@ -36,9 +36,8 @@ const REPORT: &str = r#"addEventListener("load", async () => {
 /// The program that looks for faults, where `.ci/run` has put it.
 fn axe() -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("target/axe/node_modules/axe-core/axe.min.js");
-    fs::read_to_string(&path).unwrap_or_else(|fault| {
-        panic!("{}: {fault}: `.ci/run` says how npm installs axe-core there", path.display())
-    })
+    fs::read_to_string(&path)
+        .unwrap_or_else(|fault| panic!("{}: {fault}: `.ci/run` says how npm installs axe-core there", path.display()))
 }
 
 /// The browser that `.ci/run` has made sure of.
