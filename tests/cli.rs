@@ -54,8 +54,9 @@ fn key(folder: &Path) -> Json {
     serde_json::from_str(&fs::read_to_string(folder.join("key.json")).unwrap()).unwrap()
 }
 
-const FILES: [&str; 6] = [
+const FILES: [&str; 7] = [
     "question-sheet.tex",
+    "worked-solutions.tex",
     "mark-scheme.tex",
     "question-sheet.html",
     "worked-solutions.html",
