@@ -92,7 +92,8 @@ fn fault(output: &Output) -> String {
 
 #[test]
 fn carom_takes_the_best_that_a_machine_has_and_says_what() {
-    let cases: [(&[&str], &[(&'static str, &str)], &str); 10] = [
+    type Case<'a> = (&'a [&'a str], &'a [(&'static str, &'a str)], &'a str);
+    let cases: [Case; 10] = [
         (&["xelatex", "lualatex", "pdflatex", "chromium"], &[], "pdflatex"),
         (&["xelatex", "lualatex", "chromium"], &[], "lualatex"),
         (&["xelatex", "chromium"], &[], "xelatex"),
