@@ -86,7 +86,7 @@ fn carom_knows_the_same_sheet_by_its_seed() {
 fn a_sheet_says_what_it_wrote_and_the_seed_that_the_clock_gave() {
     let folder = folder("fresh");
     let first = sheet(&folder.join("a"), &["--format", "html"]);
-    assert_eq!(stdout(&first).lines().count(), 3);
+    assert_eq!(stdout(&first).lines().count(), 4);
     for path in stdout(&first).lines() {
         assert!(Path::new(path).is_file(), "{path}");
     }
