@@ -2,7 +2,7 @@
 
 use carom::bank::{Bank, Question};
 use carom::diagnostic::render_all;
-use carom::expr::print;
+use carom::expr::{Expr, print};
 use carom::generate::{Deal, Variant, reference};
 use carom::paper::{PrintedQuestion, compose};
 
@@ -38,6 +38,19 @@ fn faults(printed: &PrintedQuestion) -> Vec<String> {
     faults
 }
 
+/// Equations that say nothing: both sides read the same.
+fn idle(printed: &PrintedQuestion) -> Vec<String> {
+    let lines = printed.parts.iter().flat_map(|part| &part.working);
+    let in_words = lines.clone().flat_map(|line| line.words.formulas());
+    let schemes = printed.parts.iter().flat_map(|part| &part.scheme).filter_map(|row| row.equation.as_ref());
+    let equations = lines.flat_map(|line| &line.equations).chain(in_words).chain(schemes);
+    let both = |equation: &&Expr| match equation {
+        Expr::Relation(left, _, right) => print::plain(left) == print::plain(right),
+        _ => false,
+    };
+    equations.filter(both).map(|equation| format!("`{}` says nothing", print::unicode(equation))).collect()
+}
+
 #[test]
 fn every_numbered_equation_is_referred_to_and_every_reference_has_its_equation() {
     let bank = Bank::shipped().unwrap_or_else(|faults| panic!("{}", render_all(&faults, false)));
@@ -46,7 +59,7 @@ fn every_numbered_equation_is_referred_to_and_every_reference_has_its_equation()
         let printed = compose(question, variant, 1);
         numbered += printed.parts.iter().flat_map(|part| &part.working).filter(|line| line.label.is_some()).count();
         let name = format!("{} {} {:?}", question.id, variant.style.name(), variant.index);
-        complaints.extend(faults(&printed).into_iter().map(|fault| format!("{name}: {fault}")));
+        complaints.extend(faults(&printed).into_iter().chain(idle(&printed)).map(|fault| format!("{name}: {fault}")));
     };
     for question in &bank.questions {
         read(question, &reference(question).unwrap_or_else(|_| panic!("{}", question.id)));

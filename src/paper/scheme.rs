@@ -181,8 +181,8 @@ fn known_with(quantity: Quantity, here: &WorkedPart, scene: Option<&Scene>) -> O
 fn usual_words(mark: &Mark, here: &WorkedPart) -> Text {
     match &mark.earned_for {
         _ if mark.code == Code::A1Shown => Text::words("the printed result, with no errors seen"),
-        EarnedFor::Law(law, _) if mark.code.is_accuracy() => Text::words(law.accuracy()),
-        EarnedFor::Law(law, _) => Text::words(law.method().0),
+        EarnedFor::Law(law, _) if mark.code.is_accuracy() => marked_up(law.accuracy()),
+        EarnedFor::Law(law, _) => marked_up(law.method().0),
         EarnedFor::Condition => Text::words("uses what is given of the motion after the impact"),
         EarnedFor::Unknown(_) => Text::words("correct value"),
         EarnedFor::Quantity(quantity) => {
@@ -194,7 +194,7 @@ fn usual_words(mark: &Mark, here: &WorkedPart) -> Text {
 
 fn usual_note(mark: &Mark) -> Text {
     match &mark.earned_for {
-        EarnedFor::Law(law, _) if !mark.code.is_accuracy() => Text::words(law.method().1),
+        EarnedFor::Law(law, _) if !mark.code.is_accuracy() => marked_up(law.method().1),
         _ => Text::default(),
     }
 }
@@ -237,5 +237,10 @@ fn in_words(quantity: Quantity) -> Text {
         Quantity::Restitution => "coefficient of restitution".to_owned(),
         other => other.to_string(),
     };
-    read_markup(&words).ok().and_then(|mut paragraphs| paragraphs.pop()).unwrap_or_default()
+    marked_up(&words)
+}
+
+/// Words in the markup of the bank.
+fn marked_up(words: &str) -> Text {
+    read_markup(words).ok().and_then(|mut paragraphs| paragraphs.pop()).unwrap_or_default()
 }

@@ -126,7 +126,7 @@ macro_rules! laws {
                 match self { $(Law::$law => $file::SLIPS,)* }
             }
 
-            /// What the method mark is for, and what the marker condones.
+            /// What the method mark is for, and what the marker condones, in the markup of the bank.
             pub fn method(self) -> (&'static str, &'static str) {
                 match self { $(Law::$law => $file::METHOD,)* }
             }

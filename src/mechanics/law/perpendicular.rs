@@ -3,11 +3,12 @@
 //! `t·v = t·u` for each sphere by itself.
 
 use super::{Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, velocity};
+use crate::expr::print::plain;
 use crate::expr::{Expr, written};
 use crate::mechanics::Axis::T;
 use crate::mechanics::Moment::{After, Before};
 use crate::mechanics::{Quantity, Sphere};
-use crate::number::Number;
+use crate::number::{Number, Value};
 
 pub const NAME: &str = "perpendicular";
 
@@ -55,8 +56,14 @@ pub fn earning(rule: &Rule, show: &Show) -> Option<Expr> {
     let Quantity::Velocity(sphere, moment, _) = rule.gives[0] else { return None };
     let known = if moment == After { Before } else { After };
     let value = show.worked(rule.needs[0]);
-    let (shown, exact) = (show.across(sphere, known), written(&value));
-    if value.is_zero() { None } else { Some(if shown == exact { exact } else { Expr::equation(shown, exact) }) }
+    if value.is_zero() { None } else { Some(component(show.across(sphere, known), &value)) }
+}
+
+/// The component as a student first writes it, and its value where that is another form.
+fn component(shown: Expr, value: &Value) -> Expr {
+    let exact = written(value);
+    // `(2v) sin α` is no other form than `2v sin α`.
+    if plain(&shown) == plain(&exact) { exact } else { Expr::equation(shown, exact) }
 }
 
 pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
@@ -68,8 +75,7 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
         let words = "{A} has no velocity perpendicular to the line of centres, and none is given to it: it moves along the line of centres.";
         return vec![Line::with(words, &[("A", name)], vec![])];
     }
-    let (shown, exact) = (show.across(sphere, known), written(&value));
-    let component = if shown == exact { exact } else { Expr::equation(shown, exact) };
+    let component = component(show.across(sphere, known), &value);
     if sphere == Sphere::B && !show.worked(velocity(Sphere::A, moment, T)).is_zero() {
         // A's line has just said why.
         let words = "In the same way that of {A} does not change: it is {p m/s}.";

@@ -13,7 +13,7 @@ pub const NAME: &str = "restitution";
 pub const ACCURACY: &str = "correct equation, unsimplified";
 
 pub const METHOD: (&str, &str) =
-    ("Newton's law of restitution along the line of centres", "e on the correct side; condone sign errors");
+    ("Newton's law of restitution along the line of centres", "*e* on the correct side; condone sign errors");
 
 pub const SLIPS: &[Slip] = &[
     Slip {
