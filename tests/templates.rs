@@ -55,7 +55,7 @@ const CASES: [(&str, Folder); 30] = [
             ("html/part.html", "<p>{{ p.ask }}</p>\n<p>{{ p.mark }}</p>\n"),
         ],
     ),
-    ("unknown-name-in-a-shipped-file", &[("html/style.css", "{{ colour }}")]),
+    ("unknown-name-in-place-of-a-shipped-file", &[("latex/preamble.tex", "\\documentclass{article}\n<<paper>>")]),
     ("name-of-a-list", &[("html/question-sheet.html", "{{ questions.number }}")]),
     ("name-of-a-word", &[("html/question-sheet.html", "{{ title.text }}")]),
     ("two-names-for-a-list", &[("html/question-sheet.html", "{% for i, question in questions %}{{ i }}{% endfor %}")]),
@@ -64,7 +64,14 @@ const CASES: [(&str, Folder); 30] = [
     ("unknown-filter", &[("html/question-sheet.html", "{{ title | uper }}\n{{ title | shout }}")]),
     ("unknown-test", &[("html/question-sheet.html", "{% if title is defind %}{% endif %}")]),
     ("unknown-function", &[("html/question-sheet.html", "{{ rang(end=3) }}")]),
-    ("unknown-template", &[("html/question-sheet.html", "{% include 'heads.html' %}")]),
+    (
+        "unknown-template",
+        &[
+            ("terminal/format.toml", MANIFEST),
+            ("terminal/sheet.txt", "{% include 'heads.txt' %}"),
+            ("terminal/head.txt", "{{ title }}"),
+        ],
+    ),
     ("unknown-component", &[("html/question-sheet.html", "{{ <row/> }}")]),
     ("unknown-tag", &[("html/question-sheet.html", "{% fro question in questions %}{% endfor %}")]),
     (
