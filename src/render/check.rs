@@ -188,7 +188,8 @@ impl<'t> Walk<'_, 't> {
                 open.push(Open::LoopElse);
             }
             "endfor" => {
-                if open.pop() == Some(Open::Loop) {
+                let closed = open.pop();
+                if closed == Some(Open::Loop) {
                     scope.leave_loop();
                 }
             }
