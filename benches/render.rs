@@ -6,6 +6,7 @@ use carom::generate::reference;
 use carom::paper::{Paper, compose};
 use carom::render::Formats;
 use divan::Bencher;
+use divan::counter::ItemsCount;
 
 fn main() {
     divan::main();
@@ -27,10 +28,13 @@ fn formats_loaded() -> Formats {
     Formats::shipped().expect("the shipped formats")
 }
 
+/// All documents of a paper in one format. The items of a second are questions: a hundred microseconds a question are
+/// ten thousand.
 #[divan::bench(args = ["latex", "html"])]
 fn a_paper_of_six(bencher: Bencher, format: &str) {
     let formats = Formats::shipped().expect("the shipped formats");
     let paper = paper();
     assert_eq!(paper.questions.len(), 6);
-    bencher.bench(|| formats.render(format, &paper).expect("pages"));
+    let questions = ItemsCount::new(paper.questions.len());
+    bencher.counter(questions).bench(|| formats.render(format, &paper).expect("pages"));
 }

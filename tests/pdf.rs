@@ -320,7 +320,7 @@ fn a_setting_that_means_nothing_is_told() {
 fn pdf_is_among_the_formats_and_is_no_folder_of_templates() {
     let machine = Machine::new("names");
     let output = machine.sheet(&["--format", "docx"]);
-    assert!(said(&output).contains("unknown format `docx`: there are `html`, `latex`"), "{}", said(&output));
+    assert!(said(&output).contains("unknown format `docx`\nhelp: there are `html`, `latex`"), "{}", said(&output));
     assert!(said(&output).contains("`pdf`"), "{}", said(&output));
     assert!(machine.files().is_empty());
     fs::create_dir_all(machine.folder.join("mine/pdf")).unwrap();

@@ -32,9 +32,8 @@ impl Failure {
     /// Tells the person.
     pub fn print(&self) {
         let mut stderr = io::stderr().lock();
-        let colour = stderr.is_terminal() && std::env::var_os("NO_COLOR").is_none();
         // If even this cannot be written there is nobody to tell.
-        let _ = write!(stderr, "{}", self.in_words(colour));
+        let _ = write!(stderr, "{}", self.in_words(is_coloured()));
     }
 
     /// What the person is told, in whole lines.
@@ -48,6 +47,16 @@ impl Failure {
     }
 }
 
+/// Tells of what was hardly meant, but stops nothing.
+pub fn warn(warnings: &[Diagnostic]) {
+    // If this cannot be written there is nobody to tell.
+    let _ = write!(io::stderr().lock(), "{}", render_all(warnings, is_coloured()));
+}
+
+fn is_coloured() -> bool {
+    io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none()
+}
+
 impl From<Vec<Diagnostic>> for Failure {
     fn from(faults: Vec<Diagnostic>) -> Failure {
         Failure::Faults(faults)
@@ -56,7 +65,11 @@ impl From<Vec<Diagnostic>> for Failure {
 
 impl From<RenderFault> for Failure {
     fn from(fault: RenderFault) -> Failure {
-        Failure::said(fault.to_string())
+        let help = fault.help();
+        match fault {
+            RenderFault::Templates(faults) => Failure::Faults(faults),
+            RenderFault::UnknownFormat { .. } => Failure::Said(fault.to_string(), help),
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::failure::Failure;
+use super::failure::{Failure, warn};
 use super::output::say;
 use super::pdf::{self, Engine, OwnTemplates};
 use super::template_folder::own_templates;
@@ -38,6 +38,7 @@ impl FormatsAsked {
             None => OwnTemplates::default(),
         };
         let formats = Formats::with(own.files.iter().cloned())?;
+        warn(formats.warnings());
         let there_are: Vec<&str> = formats.list().map(|(name, _)| name).collect();
         if there_are.contains(&PDF) {
             return Err(Failure::with_help(

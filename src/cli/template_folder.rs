@@ -36,7 +36,8 @@ fn collect(folder: &Path, prefix: &str, files: &mut Vec<TemplateFile>) -> io::Re
             collect(&path, &format!("{prefix}{name}/"), files)?;
         } else {
             let contents = fs::read_to_string(&path).map_err(|fault| named(fault, &path))?;
-            files.push(TemplateFile { path: format!("{prefix}{name}"), contents });
+            let place = path.display().to_string();
+            files.push(TemplateFile { path: format!("{prefix}{name}"), place, contents });
         }
     }
     Ok(())

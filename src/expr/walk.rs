@@ -19,6 +19,18 @@ impl Expr {
         }
     }
 
+    /// Is it so of every child?
+    pub(crate) fn all_children(&self, is_so: &mut dyn FnMut(&Expr) -> bool) -> bool {
+        match self {
+            Expr::Number(_) | Expr::Decimal(_) | Expr::Name(_) | Expr::Pi => true,
+            Expr::Degrees(inner) | Expr::Negative(inner) | Expr::Call(_, inner) => is_so(inner),
+            Expr::Sum(parts) | Expr::Product(parts) => parts.iter().all(is_so),
+            Expr::Quotient(a, b) | Expr::Power(a, b) | Expr::Vector(a, b) | Expr::Relation(a, _, b) => {
+                is_so(a) && is_so(b)
+            }
+        }
+    }
+
     /// The parts of which the node is made, in the order in which they are written.
     pub fn children(&self) -> Vec<&Expr> {
         match self {

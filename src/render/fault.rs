@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use crate::diagnostic::{Diagnostic, near, render_all};
+
 /// Why no files were rendered.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum RenderFault {
@@ -12,65 +14,47 @@ pub enum RenderFault {
         /// What there is.
         available: Vec<String>,
     },
-    /// A folder of templates has no `format.toml`.
-    NoManifest {
-        /// Name of the folder.
-        format: String,
-    },
-    /// A `format.toml` does not say what a manifest must say.
-    Manifest {
-        /// Path of the manifest: `latex/format.toml`.
-        file: String,
-        /// What is wrong, with line and caret where there are any.
-        message: String,
-    },
-    /// A template cannot be read, or asks for a name that its page has not.
-    Template {
-        /// Path of the template: `latex/mark-scheme.tex`.
-        file: String,
-        /// What the template engine says, with line and caret where there are any.
-        message: String,
-    },
-    /// A template uses a name that there is not.
-    UnknownName {
-        /// Path of the template.
-        file: String,
-        /// What it is looked for in: a `page`, a `question`, a `part`, …
-        of: String,
-        /// The name that it uses.
-        name: String,
-        /// The names that there are.
-        available: Vec<String>,
-    },
+    /// Faults of templates and manifests, each in its file.
+    Templates(Vec<Diagnostic>),
+}
+
+impl RenderFault {
+    /// One thing to try, where the faults do not say it themselves.
+    pub fn help(&self) -> Option<String> {
+        let RenderFault::UnknownFormat { format, available } = self else { return None };
+        let names = || available.iter().map(String::as_str);
+        Some(match near(format, names()) {
+            Some(name) => format!("did you mean `{name}`?"),
+            None => format!("there are {}", listed(&names().collect::<Vec<_>>())),
+        })
+    }
 }
 
 impl fmt::Display for RenderFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            RenderFault::UnknownFormat { format, available } => {
-                write!(f, "unknown format `{format}`: there are {}", listed(available))
-            }
-            RenderFault::NoManifest { format } => {
-                write!(f, "templates/{format}: a format needs a `format.toml`; copy one of the shipped formats")
-            }
-            RenderFault::Manifest { file, message } | RenderFault::Template { file, message } => {
-                write!(f, "templates/{file}: {message}")
-            }
-            RenderFault::UnknownName { file, of, name, available } => {
-                write!(f, "templates/{file}: unknown name `{name}`: {} {of} has {}", article(of), listed(available))
-            }
+            RenderFault::UnknownFormat { format, .. } => write!(f, "unknown format `{format}`"),
+            RenderFault::Templates(faults) => f.write_str(render_all(faults, false).trim_end()),
         }
     }
 }
 
 impl std::error::Error for RenderFault {}
 
-fn article(noun: &str) -> &'static str {
-    if noun.starts_with(['a', 'e']) { "an" } else { "a" }
+impl From<Vec<Diagnostic>> for RenderFault {
+    fn from(faults: Vec<Diagnostic>) -> RenderFault {
+        RenderFault::Templates(faults)
+    }
+}
+
+/// A noun with its article.
+pub(super) fn a(noun: &str) -> String {
+    let article = if noun.starts_with(['a', 'e']) { "an" } else { "a" };
+    format!("{article} {noun}")
 }
 
 /// `` `a`, `b` and `c` ``
-fn listed(names: &[String]) -> String {
+pub(super) fn listed(names: &[&str]) -> String {
     let quoted: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
     match quoted.split_last() {
         None => "none".to_owned(),

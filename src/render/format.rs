@@ -2,10 +2,14 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use tera::{Context, ErrorKind, Tera};
+use tera::{Context, Tera};
 
+use super::check::{Checked, check};
+use super::engine::Templates;
 use super::manifest::Manifest;
-use super::{Notation, RenderFault, RenderedFile, names, page, plain_text};
+use super::page::{self, Wanted};
+use super::{Notation, RenderFault, RenderedFile, plain_text};
+use crate::diagnostic::{Diagnostic, Source, near};
 use crate::paper::Paper;
 
 /// A format whose templates have been read and whose names have been checked.
@@ -13,7 +17,10 @@ use crate::paper::Paper;
 pub(super) struct Format {
     name: String,
     manifest: Manifest,
+    files: BTreeMap<String, Source>,
     tera: Tera,
+    reached: BTreeSet<String>,
+    wanted: Wanted,
 }
 
 impl std::fmt::Debug for Format {
@@ -23,23 +30,18 @@ impl std::fmt::Debug for Format {
 }
 
 impl Format {
-    /// The format in the folder `name`, from the files in it.
-    pub fn load(name: &str, mut files: BTreeMap<String, String>) -> Result<Format, RenderFault> {
-        let Some(text) = files.remove("format.toml") else {
-            return Err(RenderFault::NoManifest { format: name.to_owned() });
-        };
-        let unfit = |message: String| RenderFault::Manifest { file: format!("{name}/format.toml"), message };
-        let manifest = Manifest::read(&text).map_err(unfit)?;
-        if let Some(template) = manifest.templates().find(|template| !files.contains_key(*template)) {
-            return Err(unfit(format!("there is no template `{template}` in the folder")));
+    /// The format in the folder `name`, from its manifest and its other files.
+    pub fn load(name: &str, manifest: &Source, files: BTreeMap<String, Source>) -> Result<Format, Vec<Diagnostic>> {
+        let manifest = Manifest::read(manifest, &files)?;
+        let templates = Templates { folder: name, files: &files, marks: &manifest.delimiters };
+        let tera = compile(&templates, &manifest)?;
+        let documents: Vec<&str> = manifest.templates().map(|template| template.get_ref().as_str()).collect();
+        let Checked { faults, used, reached } = check(&files, name, &documents, &manifest.delimiters);
+        if !faults.is_empty() {
+            return Err(faults);
         }
-        let tera = compile(name, &manifest, &files, unfit)?;
-        for (file, template) in &files {
-            names::check(&format!("{name}/{file}"), template, &manifest.delimiters)?;
-        }
-        let format = Format { name: name.to_owned(), manifest, tera };
-        format.check_documents()?;
-        Ok(format)
+        let wanted = Wanted::new(used.as_ref());
+        Ok(Format { name: name.to_owned(), manifest, files, tera, reached, wanted })
     }
 
     /// The sentence that its manifest says about it.
@@ -47,15 +49,25 @@ impl Format {
         &self.manifest.about
     }
 
+    /// The files that no document comes to.
+    pub fn unused(&self) -> impl Iterator<Item = &str> {
+        self.files.keys().map(String::as_str).filter(|file| !self.reached.contains(*file))
+    }
+
+    /// The file that was probably meant by one that no document comes to.
+    pub fn near_file(&self, file: &str) -> Option<&str> {
+        near(file, self.reached.iter().map(String::as_str))
+    }
+
     /// Every document of a paper.
     pub fn render(&self, paper: &Paper) -> Result<Vec<RenderedFile>, RenderFault> {
-        let context = self.context(paper)?;
+        let context = self.context(paper);
         self.manifest
             .documents
             .iter()
             .map(|document| {
-                let contents = self.fill(&document.template, &context, self.manifest.line_length)?;
-                Ok(RenderedFile { name: document.file.clone(), contents })
+                let contents = self.fill(document.template.get_ref(), &context, self.manifest.line_length)?;
+                Ok(RenderedFile { name: document.file.get_ref().clone(), contents })
             })
             .collect()
     }
@@ -64,79 +76,50 @@ impl Format {
     pub fn preview(&self, paper: &Paper, line_length: usize) -> Result<Option<String>, RenderFault> {
         let Some(template) = &self.manifest.preview else { return Ok(None) };
         let line_length = self.manifest.line_length.map(|_| line_length);
-        self.fill(template, &self.context(paper)?, line_length).map(Some)
+        self.fill(template.get_ref(), &self.context(paper), line_length).map(Some)
     }
 
-    fn context(&self, paper: &Paper) -> Result<Context, RenderFault> {
-        let page = page::page(paper, self.manifest.notation);
-        Context::from_serialize(&page).map_err(|fault| template_fault(&self.path("format.toml"), &fault))
+    fn context(&self, paper: &Paper) -> Context {
+        page::page(paper, self.manifest.notation, &self.wanted)
     }
 
     fn fill(&self, template: &str, context: &Context, line_length: Option<usize>) -> Result<String, RenderFault> {
-        let path = self.path(template);
-        let filled = self.tera.render(&path, context).map_err(|fault| template_fault(&path, &fault))?;
+        let path = format!("{}/{template}", self.name);
+        let filled = self.tera.render(&path, context).map_err(|error| {
+            let templates = Templates { folder: &self.name, files: &self.files, marks: &self.manifest.delimiters };
+            RenderFault::Templates(templates.faults(&error, &path))
+        })?;
         Ok(match self.manifest.notation {
             Notation::Unicode => plain_text::set(&filled, line_length),
             Notation::Latex | Notation::Html => filled,
         })
     }
-
-    /// Refuses a document that uses a name by itself which no page has, also where no page would come to it.
-    ///
-    /// Included templates are left to rendering: they may stand in a loop and use the names of the loop.
-    fn check_documents(&self) -> Result<(), RenderFault> {
-        let variables =
-            |path: &str| self.tera.get_template_variables(path).map_err(|fault| template_fault(path, &fault));
-        let documents: Vec<String> = self.manifest.templates().map(|template| self.path(template)).collect();
-        let mut of_included = BTreeSet::new();
-        for path in self.tera.get_template_names().filter(|path| !documents.iter().any(|document| document == path)) {
-            of_included.extend(variables(path)?);
-        }
-        for document in &documents {
-            let mut unknown = variables(document)?;
-            unknown.retain(|name| !names::is_of_page(name) && !of_included.contains(name));
-            if let Some(name) = unknown.into_iter().min() {
-                return Err(names::unknown(document, "", name));
-            }
-        }
-        Ok(())
-    }
-
-    fn path(&self, file: &str) -> String {
-        format!("{}/{file}", self.name)
-    }
 }
 
 /// Reads the templates of a folder; all plain words that they print are escaped for the notation.
-fn compile(
-    name: &str,
-    manifest: &Manifest,
-    files: &BTreeMap<String, String>,
-    unfit: impl Fn(String) -> RenderFault,
-) -> Result<Tera, RenderFault> {
+fn compile(templates: &Templates, manifest: &Manifest) -> Result<Tera, Vec<Diagnostic>> {
+    let named = |file: &str| format!("{}/{file}", templates.folder);
     let mut tera = Tera::new();
-    tera.set_delimiters(manifest.delimiters.clone().into()).map_err(|fault| unfit(message(&fault)))?;
+    let unfit = |error: tera::Error| templates.faults(&error, "format.toml");
+    tera.set_delimiters(manifest.delimiters.clone().into()).map_err(unfit)?;
     // every name ends with nothing, so that no template escapes the escaping
     tera.autoescape_on([""]);
     tera.set_escape_fn(manifest.notation.escape());
     // an include names its neighbour as it is called in the folder
-    tera.set_fallback_prefixes([format!("{name}/")]).map_err(|fault| unfit(message(&fault)))?;
-    tera.add_raw_templates(files.iter().map(|(file, text)| (format!("{name}/{file}"), text.as_str())))
-        .map_err(|fault| template_fault(name, &fault))?;
-    Ok(tera)
-}
-
-/// The fault of a template: where the engine knows of one that was included, it is that one.
-fn template_fault(path: &str, fault: &tera::Error) -> RenderFault {
-    let file = match fault.kind() {
-        ErrorKind::SyntaxError(report) | ErrorKind::RenderingError(report) => report.filename(),
-        _ => path,
-    };
-    RenderFault::Template { file: file.to_owned(), message: message(fault) }
-}
-
-/// What the engine says, without the word `error` that our own report begins with.
-fn message(fault: &tera::Error) -> String {
-    let text = fault.to_string();
-    text.strip_prefix("error: ").unwrap_or(&text).trim_end().to_owned()
+    tera.set_fallback_prefixes([named("")]).map_err(unfit)?;
+    let texts = templates.files.iter().map(|(file, source)| (named(file), &*source.text));
+    match tera.add_raw_templates(texts) {
+        Ok(()) => Ok(tera),
+        Err(error) => {
+            // the engine stops at the first template that it cannot read; there may be more
+            let alone = templates.files.iter().filter_map(|(file, source)| {
+                let mut tera = Tera::new();
+                tera.set_delimiters(manifest.delimiters.clone().into()).ok()?;
+                let error = tera.add_raw_template(&named(file), &source.text).err()?;
+                matches!(error.kind(), tera::ErrorKind::SyntaxError(_)).then(|| templates.faults(&error, &named(file)))
+            });
+            let unread: Vec<Diagnostic> = alone.flatten().collect();
+            Err(if unread.is_empty() { templates.faults(&error, "format.toml") } else { unread })
+        }
+    }
 }

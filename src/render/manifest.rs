@@ -1,11 +1,15 @@
 //! The manifest of a format: `format.toml` in its folder.
 
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 
 use serde::Deserialize;
 use tera::Delimiters;
+use toml::Spanned;
 
 use super::Notation;
+use super::fault::listed;
+use crate::diagnostic::{Diagnostic, Source, near};
 
 /// What a `format.toml` says.
 #[derive(Clone, Debug, Deserialize)]
@@ -21,7 +25,7 @@ pub(super) struct Manifest {
     /// The length to which lines of plain text are set; without it they are left as the templates have them.
     pub line_length: Option<usize>,
     /// The template of the one page that `carom preview` shows of a question.
-    pub preview: Option<String>,
+    pub preview: Option<Spanned<String>>,
     /// The files that a paper becomes.
     pub documents: Vec<Document>,
 }
@@ -31,9 +35,9 @@ pub(super) struct Manifest {
 #[serde(deny_unknown_fields)]
 pub(super) struct Document {
     /// Its name.
-    pub file: String,
+    pub file: Spanned<String>,
     /// The template that makes it.
-    pub template: String,
+    pub template: Spanned<String>,
 }
 
 /// The opening and closing marks of a template, two characters each.
@@ -66,22 +70,76 @@ impl From<Marks> for Delimiters {
 
 impl Manifest {
     /// The templates that are rendered by themselves.
-    pub fn templates(&self) -> impl Iterator<Item = &String> {
+    pub fn templates(&self) -> impl Iterator<Item = &Spanned<String>> {
         self.documents.iter().map(|document| &document.template).chain(&self.preview)
     }
 
-    /// Reads a manifest; the message says what is wrong with it.
-    pub fn read(text: &str) -> Result<Manifest, String> {
-        let manifest: Manifest = toml::from_str(text).map_err(|fault| fault.to_string().trim_end().to_owned())?;
-        for (index, document) in manifest.documents.iter().enumerate() {
-            let file = &document.file;
-            if file.is_empty() || file.starts_with('.') || file.contains(['/', '\\', ':']) {
-                return Err(format!("`{file}` is not the name of a file without a folder"));
+    /// Reads a manifest and holds it to the files of its folder.
+    pub fn read(source: &Source, files: &BTreeMap<String, Source>) -> Result<Manifest, Vec<Diagnostic>> {
+        let manifest: Manifest = toml::from_str(&source.text).map_err(|fault| vec![unread(source, &fault)])?;
+        let faults: Vec<Diagnostic> = [manifest.marks_fault(source)]
+            .into_iter()
+            .flatten()
+            .chain(manifest.document_faults(source, files))
+            .collect();
+        if faults.is_empty() { Ok(manifest) } else { Err(faults) }
+    }
+
+    /// Marks that cannot be told from one another, or that are too long.
+    fn marks_fault(&self, source: &Source) -> Option<Diagnostic> {
+        let Marks { variable, block, comment } = &self.delimiters;
+        let unfit = [variable, block, comment].into_iter().flatten().find(|mark| mark.len() != 2);
+        let message = match unfit {
+            Some(mark) => format!("the mark `{mark}` has not two characters"),
+            None if variable[0] == block[0] || block[0] == comment[0] || variable[0] == comment[0] => {
+                "two kinds of code have the same opening mark".to_owned()
             }
-            if manifest.documents[..index].iter().any(|earlier| earlier.file == *file) {
-                return Err(format!("two documents are called `{file}`"));
+            None => return None,
+        };
+        let start = source.text.find("[delimiters]").or(source.text.find("delimiters")).unwrap_or(0);
+        let label = "the shipped formats have `{{`, `{%`, `{#` or `<<`, `<%`, `<#`";
+        Some(Diagnostic::new(message, source, start..start + "[delimiters]".len(), label))
+    }
+
+    fn document_faults(&self, source: &Source, files: &BTreeMap<String, Source>) -> Vec<Diagnostic> {
+        let names: Vec<&str> = files.keys().map(String::as_str).collect();
+        let mut faults = Vec::new();
+        for (index, Document { file, .. }) in self.documents.iter().enumerate() {
+            let name = file.get_ref();
+            let mut at_file = |message: String, label: &str| {
+                faults.push(Diagnostic::new(message, source, file.span(), label));
+            };
+            if name.is_empty() || name.starts_with('.') || name.contains(['/', '\\', ':']) {
+                at_file(
+                    format!("`{name}` is not the name of a file"),
+                    "a name without a folder, as `question-sheet.tex`",
+                );
+            }
+            if self.documents[..index].iter().any(|earlier| earlier.file.get_ref() == name) {
+                at_file(format!("two documents are called `{name}`"), "one would be written over the other");
             }
         }
-        Ok(manifest)
+        for template in self.templates().filter(|template| !files.contains_key(template.get_ref())) {
+            let message = format!("there is no template `{}`", template.get_ref());
+            let label = format!("the folder has {}", listed(&names));
+            let fault = Diagnostic::new(message, source, template.span(), label);
+            faults.push(fault.with_near(near(template.get_ref(), names.iter().copied())));
+        }
+        faults
     }
+}
+
+/// What is no manifest at all. The reader of TOML names what it found and then what it knows, between backticks.
+fn unread(source: &Source, fault: &toml::de::Error) -> Diagnostic {
+    let message =
+        fault.message().replace("unknown field", "unknown key").replace("unknown variant", "unknown notation");
+    let message = message.replace("missing field", "missing key");
+    let (found, expected) = message.split_once(", ").unwrap_or((message.as_str(), ""));
+    let between = |text: &str| text.split('`').skip(1).step_by(2).map(str::to_owned).collect::<Vec<_>>();
+    let (name, known) = (between(found), between(expected));
+    let label = if expected.is_empty() { "see `templates/README.md`" } else { expected };
+    let near = name.first().and_then(|name| near(name, known.iter().map(String::as_str)));
+    let found = found.lines().next().unwrap_or_default();
+    Diagnostic::new(found, source, fault.span().unwrap_or(0..0), label.lines().next().unwrap_or_default())
+        .with_near(near)
 }

@@ -14,17 +14,23 @@
 //! A file of a teacher's own folder takes the place of the shipped one of the same path; the others stay.
 //!
 //! Everything is rendered in memory. A name that a template asks for and that no page has, even where the
-//! page would not have come to it, is a fault, and then there are no files at all.
+//! page would not have come to it, is a fault shown in the teacher's file, and then there are no files at all.
 //! Templates hold words and layout: every formula arrives printed in the notation of the format, so they do no
 //! arithmetic. The names they may use are listed in `templates/README.md`. The room never touches the disk.
 
+mod check;
+mod code;
+mod engine;
+mod expression;
 mod fault;
 mod format;
+mod lookup;
 mod manifest;
 mod names;
 mod notation;
 mod page;
 mod plain_text;
+mod scope;
 mod shipped;
 
 use std::collections::BTreeMap;
@@ -32,6 +38,7 @@ use std::collections::BTreeMap;
 pub use fault::RenderFault;
 pub use notation::Notation;
 
+use crate::diagnostic::{Diagnostic, Severity, Source, near};
 use crate::paper::Paper;
 use format::Format;
 
@@ -49,6 +56,8 @@ pub struct RenderedFile {
 pub struct TemplateFile {
     /// Path from the folder of formats, with `/` between its parts: `latex/mark-scheme.tex`.
     pub path: String,
+    /// The path by which its owner knows it, for faults: `my-templates/latex/mark-scheme.tex`.
+    pub place: String,
     /// What stands in it.
     pub contents: String,
 }
@@ -57,6 +66,7 @@ pub struct TemplateFile {
 #[derive(Clone, Debug)]
 pub struct Formats {
     formats: BTreeMap<String, Format>,
+    warnings: Vec<Diagnostic>,
 }
 
 impl Formats {
@@ -82,23 +92,69 @@ impl Formats {
 
     /// The shipped formats with a teacher's files in place of those of the same path, and with new ones.
     ///
-    /// Files outside a format's folder, and any called `README.md`, are left alone.
+    /// Any file called `README.md` is left alone. Of files that nothing uses [`Formats::warnings`] tells.
     pub fn with(own: impl IntoIterator<Item = TemplateFile>) -> Result<Formats, RenderFault> {
-        let mut folders: BTreeMap<String, BTreeMap<String, String>> = BTreeMap::new();
-        let shipped = shipped::FILES.iter().map(|(path, contents)| (path.to_string(), contents.to_string()));
-        for (path, contents) in shipped.chain(own.into_iter().map(|file| (file.path, file.contents))) {
-            match path.split_once('/') {
-                Some((folder, file)) if !path.ends_with("/README.md") => {
-                    folders.entry(folder.to_owned()).or_default().insert(file.to_owned(), contents);
-                }
-                _ => {}
+        let mut folders: BTreeMap<String, BTreeMap<String, Source>> = BTreeMap::new();
+        for (path, contents) in shipped::FILES {
+            if let Some((folder, file)) = path.split_once('/') {
+                let source = Source::new(format!("shipped {path}"), *contents);
+                folders.entry(folder.to_owned()).or_default().insert(file.to_owned(), source);
             }
         }
-        let formats = folders
-            .into_iter()
-            .map(|(name, files)| Ok((name.clone(), Format::load(&name, files)?)))
-            .collect::<Result<_, RenderFault>>()?;
-        Ok(Formats { formats })
+        let mut owned = Vec::new();
+        for TemplateFile { path, place, contents } in own {
+            if path == "README.md" || path.ends_with("/README.md") {
+                continue;
+            }
+            owned.push((path.clone(), place.clone()));
+            if let Some((folder, file)) = path.split_once('/') {
+                folders.entry(folder.to_owned()).or_default().insert(file.to_owned(), Source::new(place, contents));
+            }
+        }
+        let mut formats = BTreeMap::new();
+        let mut faults = Vec::new();
+        for (name, mut files) in folders {
+            let loaded = match files.remove("format.toml") {
+                Some(manifest) => Format::load(&name, &manifest, files),
+                None => Err(files.values().next().map(|file| no_format(&name, file)).into_iter().collect()),
+            };
+            match loaded {
+                Ok(format) => drop(formats.insert(name, format)),
+                Err(found) => faults.extend(found),
+            }
+        }
+        if !faults.is_empty() {
+            return Err(RenderFault::Templates(faults));
+        }
+        let mut formats = Formats { formats, warnings: Vec::new() };
+        formats.warnings = owned.iter().filter_map(|(path, place)| formats.unused(path, place)).collect();
+        Ok(formats)
+    }
+
+    /// Files of a teacher's own that nothing uses: a name misspelt, most likely.
+    pub fn warnings(&self) -> &[Diagnostic] {
+        &self.warnings
+    }
+
+    /// The warning about an own file, if nothing uses it.
+    fn unused(&self, path: &str, place: &str) -> Option<Diagnostic> {
+        let warning = |message: String, help: String| {
+            let fault = Diagnostic::new(message, &Source::new(place, ""), 0..0, "").with_help(help);
+            Some(Diagnostic { severity: Severity::Warning, ..fault })
+        };
+        let Some((folder, file)) = path.split_once('/') else {
+            let folder = self.formats.iter().find(|(_, format)| format.near_file(path).is_some());
+            let folder = folder.map_or("latex", |(name, _)| name);
+            let message = format!("nothing uses `{path}`: it is in the folder of no format");
+            return warning(message, format!("put it into a folder named after its format: `{folder}/{path}`"));
+        };
+        let format = self.formats.get(folder)?;
+        format.unused().find(|unused| *unused == file)?;
+        let help = match format.near_file(file) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => "a file is used if a document of `format.toml` names it or a template includes it".to_owned(),
+        };
+        warning(format!("nothing uses `{path}`"), help)
     }
 
     /// The formats by name, with the sentence that each says about itself.
@@ -123,4 +179,15 @@ impl Formats {
             available: self.formats.keys().cloned().collect(),
         })
     }
+}
+
+/// A folder that is no format, shown at one of its files.
+fn no_format(folder: &str, file: &Source) -> Diagnostic {
+    let shipped = shipped::FILES.iter().filter_map(|(path, _)| Some(path.split_once('/')?.0));
+    let help = match near(folder, shipped) {
+        Some(name) => format!("did you mean the folder `{name}`?"),
+        None => "for a new format copy the `format.toml` of a shipped one".to_owned(),
+    };
+    let message = format!("`{folder}` is no format: there is no `format.toml` in the folder");
+    Diagnostic::new(message, &Source::new(file.file.clone(), ""), 0..0, "").with_help(help)
 }

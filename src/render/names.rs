@@ -1,77 +1,101 @@
-//! The names that templates may use, and the refusal of any other.
-//!
-//! Rendering refuses a name that it comes to; but in `if question.mirors` an unknown name is only false, and
-//! a branch that this paper does not take may be taken by the next. So templates are also read for names.
+//! The names that templates may use: one table, to which the page, the check and `templates/README.md` are held.
 
-use super::RenderFault;
-use super::manifest::Marks;
+/// What a name stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Kind {
+    /// Words, a formula, a number: printed, with no names of its own.
+    Plain,
+    /// A list of such.
+    Plains,
+    /// A thing with names of its own.
+    Thing(&'static str),
+    /// A list of things.
+    Things(&'static str),
+    /// What only printing will tell.
+    Anything,
+}
 
-/// What a page has, and what each thing in its lists has, by the name that shipped templates give to the thing.
-pub(super) const NAMES: [(&str, &[&str]); 8] = [
-    ("", &["title", "school", "date", "code", "seed", "marks", "large_print", "answer_space", "questions"]),
-    ("question", &["number", "id", "mirrors", "stem", "figure", "diagrams", "solution_diagrams", "parts", "marks"]),
-    ("diagram", &["title", "picture", "words"]),
-    ("part", &["label", "ask", "answers", "working", "scheme", "marks"]),
-    ("answer", &["name", "exact", "rounded", "phrase"]),
-    ("line", &["words", "equations", "label"]),
-    ("equation", &["whole", "left", "relation", "right"]),
-    ("mark", &["id", "code", "earned", "equation", "note", "depends"]),
+impl Kind {
+    /// What a list is a list of.
+    pub fn element(self) -> Kind {
+        match self {
+            Kind::Things(thing) => Kind::Thing(thing),
+            Kind::Plain | Kind::Plains => Kind::Plain,
+            Kind::Thing(_) | Kind::Anything => Kind::Anything,
+        }
+    }
+
+    /// The list of what this is.
+    pub fn listed(self) -> Kind {
+        match self {
+            Kind::Thing(thing) => Kind::Things(thing),
+            Kind::Plain => Kind::Plains,
+            Kind::Plains | Kind::Things(_) | Kind::Anything => Kind::Anything,
+        }
+    }
+}
+
+/// What a page has, under no name, and what each thing has.
+pub(super) const NAMES: [(&str, &[(&str, Kind)]); 8] = [
+    (
+        "",
+        &[
+            ("title", Kind::Plain),
+            ("school", Kind::Plain),
+            ("date", Kind::Plain),
+            ("code", Kind::Plain),
+            ("seed", Kind::Plain),
+            ("marks", Kind::Plain),
+            ("large_print", Kind::Plain),
+            ("answer_space", Kind::Plain),
+            ("questions", Kind::Things("question")),
+        ],
+    ),
+    (
+        "question",
+        &[
+            ("number", Kind::Plain),
+            ("id", Kind::Plain),
+            ("mirrors", Kind::Plain),
+            ("stem", Kind::Plains),
+            ("figure", Kind::Plain),
+            ("diagrams", Kind::Things("diagram")),
+            ("solution_diagrams", Kind::Things("diagram")),
+            ("parts", Kind::Things("part")),
+            ("marks", Kind::Plain),
+        ],
+    ),
+    ("diagram", &[("title", Kind::Plain), ("picture", Kind::Plain), ("words", Kind::Plain)]),
+    (
+        "part",
+        &[
+            ("label", Kind::Plain),
+            ("ask", Kind::Plain),
+            ("answers", Kind::Things("answer")),
+            ("working", Kind::Things("line")),
+            ("scheme", Kind::Things("mark")),
+            ("marks", Kind::Plain),
+        ],
+    ),
+    ("answer", &[("name", Kind::Plain), ("exact", Kind::Plain), ("rounded", Kind::Plain), ("phrase", Kind::Plain)]),
+    ("line", &[("words", Kind::Plain), ("equations", Kind::Things("equation")), ("label", Kind::Plain)]),
+    ("equation", &[("whole", Kind::Plain), ("left", Kind::Plain), ("relation", Kind::Plain), ("right", Kind::Plain)]),
+    (
+        "mark",
+        &[
+            ("id", Kind::Plain),
+            ("code", Kind::Plain),
+            ("earned", Kind::Plain),
+            ("equation", Kind::Plain),
+            ("note", Kind::Plain),
+            ("depends", Kind::Plains),
+        ],
+    ),
 ];
 
-/// Is it a name that stands by itself, as `title` does?
-pub(super) fn is_of_page(name: &str) -> bool {
-    NAMES[0].1.contains(&name)
-}
-
-/// The fault of a template that uses a name which `thing` has not; nothing by name is the page itself.
-pub(super) fn unknown(file: &str, thing: &str, name: &str) -> RenderFault {
-    let available = NAMES.iter().find(|(known, _)| *known == thing).map_or(&[][..], |(_, names)| names);
-    RenderFault::UnknownName {
-        file: file.to_owned(),
-        of: if thing.is_empty() { "page".to_owned() } else { thing.to_owned() },
-        name: name.to_owned(),
-        available: available.iter().map(|name| (*name).to_owned()).collect(),
-    }
-}
-
-/// The first `question.nummer` of a template: a thing that we know, with a name that it has not.
-pub(super) fn check(file: &str, template: &str, marks: &Marks) -> Result<(), RenderFault> {
-    for code in codes(template, marks) {
-        for path in paths(code) {
-            let mut names = path.split('.');
-            let (Some(thing), Some(name)) = (names.next(), names.next()) else { continue };
-            match NAMES.iter().find(|(known, _)| !known.is_empty() && *known == thing) {
-                Some((_, known)) if !known.contains(&name) => return Err(unknown(file, thing, name)),
-                _ => {}
-            }
-        }
-    }
-    Ok(())
-}
-
-/// What stands between the marks of variables and of blocks.
-fn codes<'a>(template: &'a str, marks: &'a Marks) -> impl Iterator<Item = &'a str> {
-    let mut rest = template;
-    std::iter::from_fn(move || {
-        loop {
-            let [open, close] = [&marks.variable, &marks.block, &marks.comment]
-                .into_iter()
-                .filter(|[open, _]| rest.contains(open.as_str()))
-                .min_by_key(|[open, _]| rest.find(open.as_str()))?;
-            let (_, after) = rest.split_once(open.as_str())?;
-            let (code, after) = after.split_once(close.as_str())?;
-            rest = after;
-            if *open != marks.comment[0] {
-                return Some(code);
-            }
-        }
-    })
-}
-
-/// Dotted names of a piece of code, leaving out what stands in quotes.
-fn paths(code: &str) -> impl Iterator<Item = &str> {
-    let outside_quotes = code.split(['"', '\'', '`']).step_by(2);
-    outside_quotes.flat_map(|part| part.split(|letter: char| !(letter.is_alphanumeric() || "._".contains(letter))))
+/// The names of a thing; of the page, if it is called nothing.
+pub(super) fn names_of(thing: &str) -> &'static [(&'static str, Kind)] {
+    NAMES.iter().find(|(known, _)| *known == thing).map_or(&[], |(_, names)| names)
 }
 
 #[cfg(test)]
@@ -79,40 +103,47 @@ mod tests {
     use super::*;
 
     #[test]
-    fn carom_knows_a_misspelt_name_wherever_it_stands() {
-        let cases = [
-            ("{{ question.number }} part.nonsense", None),
-            ("{% if question.mirors %}x{% endif %}", Some("mirors")),
-            ("{%- for mark in part.scheme -%}{{mark.kode}}{% endfor %}", Some("kode")),
-            ("{# question.mirors #}{% include 'part.tex' %}", None),
-            ("{{ loop.first }}{{ q.anything }}{{ part.ask | trim }}", None),
-            ("{% if not(part.askk) %}", Some("askk")),
-            ("{{ unfinished part.askk", None),
-        ];
-        for (template, expected) in cases {
-            let found = match check("t", template, &Marks::default()) {
-                Err(RenderFault::UnknownName { name, .. }) => Some(name),
-                _ => None,
-            };
-            assert_eq!(found.as_deref(), expected, "{template}");
+    fn carom_knows_that_every_list_is_of_things_in_the_table() {
+        for (thing, names) in NAMES {
+            for (name, kind) in names {
+                if let Kind::Things(of) = kind {
+                    assert!(!names_of(of).is_empty(), "{thing}.{name} is a list of {of}");
+                }
+            }
+        }
+    }
+
+    /// What the second column of the table in the page says of a name.
+    fn kind_in_words(kind: Kind) -> String {
+        match kind {
+            Kind::Things(thing) => format!("list of `{thing}`"),
+            Kind::Plains => "list of".to_owned(),
+            _ => String::new(),
         }
     }
 
     #[test]
     fn carom_knows_that_the_readme_of_templates_lists_every_name() {
         let readme = include_str!("../../templates/README.md");
-        let mut listed: Vec<&str> = readme
-            .lines()
-            .filter_map(|line| line.strip_prefix("| `")?.split(" | ").next())
-            .flat_map(|cell| cell.split(", ").map(|name| name.trim_matches('`')))
-            .collect();
-        let mut names: Vec<String> = NAMES
+        let rows = readme.lines().filter(|line| line.starts_with("| `"));
+        let mut listed: Vec<(String, &str)> = Vec::new();
+        for row in rows {
+            let cells: Vec<&str> = row.trim_start_matches("| ").split(" | ").collect();
+            listed.extend(cells[0].split(", ").map(|name| (name.trim_matches('`').to_owned(), cells[1])));
+        }
+        let path = |thing: &str, name: &str| format!("{thing}.{name}").trim_start_matches('.').to_owned();
+        let mut names: Vec<(String, Kind)> = NAMES
             .iter()
-            .flat_map(|(thing, names)| names.iter().map(move |name| format!("{thing}.{name}")))
-            .map(|path| path.trim_start_matches('.').to_owned())
+            .flat_map(|(thing, names)| names.iter().map(move |(name, kind)| (path(thing, name), *kind)))
             .collect();
-        listed.sort_unstable();
-        names.sort_unstable();
-        assert_eq!(listed, names);
+        listed.sort();
+        names.sort();
+        let paths = |pairs: &[(String, &str)]| pairs.iter().map(|(path, _)| path.clone()).collect::<Vec<_>>();
+        assert_eq!(paths(&listed), names.iter().map(|(path, _)| path.clone()).collect::<Vec<_>>());
+        for ((path, said), (_, kind)) in listed.iter().zip(names) {
+            let lists = said.starts_with("list of");
+            assert_eq!(lists, kind_in_words(kind).starts_with("list of"), "{path}: {said}");
+            assert!(said.starts_with(&kind_in_words(kind)), "{path}: {said}");
+        }
     }
 }

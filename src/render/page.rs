@@ -1,229 +1,239 @@
 //! The page: what a template sees of a paper, every formula printed in the notation of the format.
 //!
-//! The fields are the names that templates may use; tests hold [`NAMES`](super::names::NAMES) and `templates/README.md` to them.
-//! Fields of type [`Value`] are printed already and are not escaped again; `String`s are escaped.
+//! The names are those of [`NAMES`](super::names::NAMES); a test holds the page to them. Only what some template of the
+//! format asks for is printed at all. Formulas and texts are safe, that is, not escaped again; plain words are escaped.
 
-use serde::Serialize;
-use tera::Value;
+use std::borrow::Cow;
+use std::collections::BTreeSet;
+
+use tera::{Context, Map, Value};
 
 use super::Notation;
+use super::names::NAMES;
 use crate::diagram::Diagram;
 use crate::expr::{Expr, Piece, Relation, Text};
 use crate::paper::{Paper, PrintedAnswer, PrintedPart, PrintedQuestion, SchemeRow, WorkingLine};
 use crate::unit::Unit;
 
-/// A paper. Words that were not given are empty; so is the seed of the reference paper.
-#[derive(Serialize)]
-pub(super) struct Page {
-    title: String,
-    school: String,
-    date: String,
-    code: String,
-    seed: String,
-    marks: usize,
-    large_print: bool,
-    answer_space: bool,
-    questions: Vec<Question>,
+/// The names for which the templates of a format ask.
+#[derive(Clone, Debug)]
+pub(super) struct Wanted {
+    /// In the order of the table.
+    things: Vec<(&'static str, Vec<&'static str>)>,
 }
 
-#[derive(Serialize)]
-struct Question {
-    number: usize,
-    id: String,
-    mirrors: String,
-    stem: Vec<Value>,
-    figure: String,
-    diagrams: Vec<Picture>,
-    solution_diagrams: Vec<Picture>,
-    parts: Vec<Part>,
-    marks: usize,
-}
+impl Wanted {
+    /// All names, or those of the set, each with its thing.
+    pub fn new(used: Option<&BTreeSet<(&'static str, &'static str)>>) -> Wanted {
+        let is_used = |thing, name| used.is_none_or(|used| used.contains(&(thing, name)));
+        let of_thing = |thing, names: &[(&'static str, _)]| {
+            names.iter().map(|(name, _)| *name).filter(|name| is_used(thing, name)).collect()
+        };
+        Wanted { things: NAMES.iter().map(|(thing, names)| (*thing, of_thing(thing, names))).collect() }
+    }
 
-#[derive(Serialize)]
-struct Picture {
-    title: String,
-    picture: Value,
-    words: String,
-}
-
-#[derive(Serialize)]
-struct Part {
-    label: String,
-    ask: Value,
-    answers: Vec<Answer>,
-    working: Vec<Line>,
-    scheme: Vec<Mark>,
-    marks: usize,
-}
-
-/// The unit stands with the last of the two forms, as it is written by hand: `4√39/9 ≈ 2.78 m s⁻¹`.
-#[derive(Serialize)]
-struct Answer {
-    name: Value,
-    exact: Value,
-    rounded: Value,
-    phrase: Value,
-}
-
-#[derive(Serialize)]
-struct Line {
-    words: Value,
-    equations: Vec<Equation>,
-    label: String,
-}
-
-/// An equation whole, and in three pieces for columns; what is no equation stands in `right` alone.
-///
-/// In a chain a left side that is the same as the one above it is left out of the pieces.
-#[derive(Serialize)]
-struct Equation {
-    whole: Value,
-    left: Value,
-    relation: Value,
-    right: Value,
-}
-
-#[derive(Serialize)]
-struct Mark {
-    id: String,
-    code: String,
-    earned: Value,
-    equation: Value,
-    note: Value,
-    depends: Vec<String>,
-}
-
-/// The page of a paper.
-pub(super) fn page(paper: &Paper, notation: Notation) -> Page {
-    Page {
-        title: paper.title.clone(),
-        school: paper.school.clone(),
-        date: paper.date.clone(),
-        code: paper.code.clone(),
-        seed: paper.seed.map(|seed| seed.to_string()).unwrap_or_default(),
-        marks: paper.marks(),
-        large_print: paper.edition.large_print,
-        answer_space: paper.edition.answer_space,
-        questions: questions_on(paper, notation),
+    fn of(&self, thing: &str) -> &[&'static str] {
+        self.things.iter().find(|(known, _)| *known == thing).map_or(&[], |(_, names)| names)
     }
 }
 
-/// The questions; those with a diagram have the figures of the paper in order.
-fn questions_on(paper: &Paper, notation: Notation) -> Vec<Question> {
-    let mut figures = 0;
-    let number_of_figure = |question: &PrintedQuestion| {
-        if paper.edition.no_diagrams || question.diagrams.is_empty() {
-            return None;
+/// The page of a paper. Words that were not given are empty; so is the seed of the reference paper.
+pub(super) fn page(paper: &Paper, notation: Notation, wanted: &Wanted) -> Context {
+    let printer = Printer { notation, wanted };
+    let page = printer
+        .thing("")
+        .with("title", || plain(&paper.title))
+        .with("school", || plain(&paper.school))
+        .with("date", || plain(&paper.date))
+        .with("code", || plain(&paper.code))
+        .with("seed", || paper.seed.map_or_else(|| plain(""), |seed| seed.to_string().into()))
+        .with("marks", || paper.marks().into())
+        .with("large_print", || paper.edition.large_print.into())
+        .with("answer_space", || paper.edition.answer_space.into())
+        .with("questions", || printer.questions(paper));
+    let mut context = Context::new();
+    for (name, value) in page.names {
+        context.insert_value(name, value);
+    }
+    context
+}
+
+/// A thing whose names are being filled in.
+struct Thing<'p> {
+    wanted: &'p [&'static str],
+    names: Vec<(&'static str, Value)>,
+}
+
+impl Thing<'_> {
+    /// The thing with a name more, if anybody asks for it.
+    fn with(mut self, name: &'static str, value: impl FnOnce() -> Value) -> Self {
+        if self.wanted.contains(&name) {
+            self.names.push((name, value()));
         }
-        figures += 1;
-        Some(figures)
-    };
-    let figures: Vec<Option<usize>> = paper.questions.iter().map(number_of_figure).collect();
-    paper.questions.iter().zip(figures).map(|(question, figure)| question_on(question, figure, notation)).collect()
-}
+        self
+    }
 
-fn question_on(question: &PrintedQuestion, figure: Option<usize>, notation: Notation) -> Question {
-    let drawn = |diagrams: &[Diagram]| diagrams.iter().map(|diagram| picture(diagram, notation)).collect();
-    Question {
-        number: question.number,
-        id: question.id.clone(),
-        mirrors: question.mirrors.clone().unwrap_or_default(),
-        stem: question.stem.iter().map(|paragraph| words(paragraph, notation)).collect(),
-        figure: figure.map(|figure| figure.to_string()).unwrap_or_default(),
-        diagrams: figure.map(|_| drawn(&question.diagrams)).unwrap_or_default(),
-        solution_diagrams: drawn(&question.solution_diagrams),
-        parts: question.parts.iter().map(|part| part_on(part, notation)).collect(),
-        marks: question.marks(),
+    fn value(self) -> Value {
+        let mut map = Map::with_capacity(self.names.len());
+        map.extend(self.names.into_iter().map(|(name, value)| (name.into(), value)));
+        map.into()
     }
 }
 
-fn picture(diagram: &Diagram, notation: Notation) -> Picture {
-    Picture {
-        title: diagram.title.clone(),
-        picture: Value::safe_string(&notation.diagram(diagram)),
-        words: diagram.words.clone(),
-    }
+/// How a page is printed.
+#[derive(Clone, Copy)]
+struct Printer<'p> {
+    notation: Notation,
+    wanted: &'p Wanted,
 }
 
-fn part_on(part: &PrintedPart, notation: Notation) -> Part {
-    Part {
-        label: part.label.clone(),
-        ask: words(&part.ask, notation),
-        answers: part.answers.iter().map(|answer| answer_on(answer, notation)).collect(),
-        working: part.working.iter().map(|line| line_on(line, notation)).collect(),
-        scheme: part.scheme.iter().map(|row| mark_on(row, notation)).collect(),
-        marks: part.marks(),
+impl<'p> Printer<'p> {
+    fn thing(self, name: &str) -> Thing<'p> {
+        let wanted = self.wanted.of(name);
+        Thing { wanted, names: Vec::with_capacity(wanted.len()) }
     }
-}
 
-fn answer_on(answer: &PrintedAnswer, notation: Notation) -> Answer {
-    let quantity = |value: &Expr| words(&Text(vec![Piece::Quantity(value.clone(), answer.unit)]), notation);
-    let formula = |value: &Expr| words(&Text(vec![Piece::Formula(value.clone())]), notation);
-    let (exact, rounded) = match (&answer.exact, &answer.rounded) {
-        (None, _) => (nothing(), nothing()),
-        (Some(exact), Some(rounded)) => (formula(exact), quantity(rounded)),
-        // 60° is an angle without our help
-        (Some(exact @ Expr::Degrees(_)), None) if answer.unit == Unit::Degree => (formula(exact), nothing()),
-        (Some(exact), None) => (quantity(exact), nothing()),
-    };
-    Answer { name: words(&answer.name, notation), exact, rounded, phrase: words(&answer.phrase, notation) }
-}
-
-fn line_on(line: &WorkingLine, notation: Notation) -> Line {
-    let mut above = None;
-    let mut equations = Vec::with_capacity(line.equations.len());
-    for equation in &line.equations {
-        let sides = sides(equation);
-        let left = sides.as_ref().map(|(left, _, _)| (*left).clone());
-        equations.push(match sides {
-            Some((left, relation, right)) => Equation {
-                whole: formula(equation, notation),
-                left: if above.as_ref() == Some(left) { nothing() } else { formula(left, notation) },
-                relation: Value::safe_string(notation.relation(relation)),
-                right: formula(&right, notation),
-            },
-            None => {
-                let whole = formula(equation, notation);
-                Equation { whole: whole.clone(), left: nothing(), relation: nothing(), right: whole }
-            }
-        });
-        above = left;
+    /// The questions; those with a diagram have the figures of the paper in order.
+    fn questions(self, paper: &Paper) -> Value {
+        let mut figures = 0;
+        let mut on_page = Vec::with_capacity(paper.questions.len());
+        for question in &paper.questions {
+            let has_figure = !paper.edition.no_diagrams && !question.diagrams.is_empty();
+            figures += usize::from(has_figure);
+            on_page.push(self.question(question, has_figure.then_some(figures)));
+        }
+        on_page.into()
     }
-    Line {
-        words: words(&line.words, notation),
-        equations,
-        label: line.label.map(|label| label.to_string()).unwrap_or_default(),
-    }
-}
 
-fn mark_on(row: &SchemeRow, notation: Notation) -> Mark {
-    Mark {
-        id: row.id.clone(),
-        code: row.code.clone(),
-        earned: words(&row.earned, notation),
-        equation: row.equation.as_ref().map_or_else(nothing, |equation| formula(equation, notation)),
-        note: words(&row.note, notation),
-        depends: row.depends.clone(),
+    fn question(self, question: &PrintedQuestion, figure: Option<usize>) -> Value {
+        self.thing("question")
+            .with("number", || question.number.into())
+            .with("id", || plain(&question.id))
+            .with("mirrors", || plain(question.mirrors.as_deref().unwrap_or_default()))
+            .with("stem", || list(&question.stem, |paragraph| self.text(paragraph)))
+            .with("figure", || figure.map_or_else(|| plain(""), |figure| figure.to_string().into()))
+            .with("diagrams", || {
+                let diagrams = if figure.is_some() { &question.diagrams[..] } else { &[] };
+                list(diagrams, |diagram| self.diagram(diagram))
+            })
+            .with("solution_diagrams", || list(&question.solution_diagrams, |diagram| self.diagram(diagram)))
+            .with("parts", || list(&question.parts, |part| self.part(part)))
+            .with("marks", || question.marks().into())
+            .value()
+    }
+
+    fn diagram(self, diagram: &Diagram) -> Value {
+        self.thing("diagram")
+            .with("title", || plain(&diagram.title))
+            .with("picture", || Value::safe_string(&self.notation.diagram(diagram)))
+            .with("words", || plain(&diagram.words))
+            .value()
+    }
+
+    fn part(self, part: &PrintedPart) -> Value {
+        self.thing("part")
+            .with("label", || plain(&part.label))
+            .with("ask", || self.text(&part.ask))
+            .with("answers", || list(&part.answers, |answer| self.answer(answer)))
+            .with("working", || list(&part.working, |line| self.line(line)))
+            .with("scheme", || list(&part.scheme, |row| self.mark(row)))
+            .with("marks", || part.marks().into())
+            .value()
+    }
+
+    /// The unit stands with the last of the two forms, as it is written by hand: `4√39/9 ≈ 2.78 m s⁻¹`.
+    fn answer(self, answer: &PrintedAnswer) -> Value {
+        let quantity = |value: &Expr| self.text(&Text(vec![Piece::Quantity(value.clone(), answer.unit)]));
+        let formula = |value: &Expr| self.text(&Text(vec![Piece::Formula(value.clone())]));
+        self.thing("answer")
+            .with("name", || self.text(&answer.name))
+            .with("exact", || match (&answer.exact, &answer.rounded) {
+                (None, _) => nothing(),
+                (Some(exact), Some(_)) => formula(exact),
+                // 60° is an angle without our help
+                (Some(exact @ Expr::Degrees(_)), None) if answer.unit == Unit::Degree => formula(exact),
+                (Some(exact), None) => quantity(exact),
+            })
+            .with("rounded", || match (&answer.exact, &answer.rounded) {
+                (Some(_), Some(rounded)) => quantity(rounded),
+                _ => nothing(),
+            })
+            .with("phrase", || self.text(&answer.phrase))
+            .value()
+    }
+
+    fn line(self, line: &WorkingLine) -> Value {
+        self.thing("line")
+            .with("words", || self.text(&line.words))
+            .with("equations", || self.equations(&line.equations))
+            .with("label", || line.label.map_or_else(|| plain(""), |label| label.to_string().into()))
+            .value()
+    }
+
+    /// Equations whole, and in three pieces for columns; what is no equation stands in `right` alone.
+    ///
+    /// A left side that is the same as the one above it is left out of the pieces.
+    fn equations(self, equations: &[Expr]) -> Value {
+        let mut above = None;
+        let mut on_page = Vec::with_capacity(equations.len());
+        for equation in equations {
+            let sides = sides(equation);
+            let left = sides.as_ref().map(|(left, ..)| *left);
+            let thing = self.thing("equation").with("whole", || self.formula(equation));
+            let thing = match &sides {
+                Some((left, relation, right)) => thing
+                    .with("left", || if above == Some(*left) { nothing() } else { self.formula(left) })
+                    .with("relation", || Value::safe_string(self.notation.relation(*relation)))
+                    .with("right", || self.formula(right)),
+                None => thing.with("left", nothing).with("relation", nothing).with("right", || self.formula(equation)),
+            };
+            on_page.push(thing.value());
+            above = left;
+        }
+        on_page.into()
+    }
+
+    fn mark(self, row: &SchemeRow) -> Value {
+        self.thing("mark")
+            .with("id", || plain(&row.id))
+            .with("code", || plain(&row.code))
+            .with("earned", || self.text(&row.earned))
+            .with("equation", || row.equation.as_ref().map_or_else(nothing, |equation| self.formula(equation)))
+            .with("note", || self.text(&row.note))
+            .with("depends", || list(&row.depends, |id| plain(id)))
+            .value()
+    }
+
+    fn text(self, text: &Text) -> Value {
+        Value::safe_string(&self.notation.text(text))
+    }
+
+    fn formula(self, formula: &Expr) -> Value {
+        Value::safe_string(&self.notation.formula(formula))
     }
 }
 
 /// What stands left of the first relation of an equation, that relation, and all the rest.
 ///
 /// `(a = b) ⇒ (c = d)` is read as `a` | `=` | `b ⇒ c = d`, so that it aligns with the equations around it.
-fn sides(equation: &Expr) -> Option<(&Expr, Relation, Expr)> {
+fn sides(equation: &Expr) -> Option<(&Expr, Relation, Cow<'_, Expr>)> {
     let Expr::Relation(left, relation, right) = equation else { return None };
     match sides(left) {
-        Some((first, inner, rest)) => Some((first, inner, Expr::Relation(Box::new(rest), *relation, right.clone()))),
-        None => Some((left, *relation, (**right).clone())),
+        Some((first, inner, rest)) => {
+            let rest = Expr::Relation(Box::new(rest.into_owned()), *relation, right.clone());
+            Some((first, inner, Cow::Owned(rest)))
+        }
+        None => Some((left, *relation, Cow::Borrowed(right))),
     }
 }
 
-fn words(text: &Text, notation: Notation) -> Value {
-    Value::safe_string(&notation.text(text))
+/// Words that the template is to escape.
+fn plain(words: &str) -> Value {
+    Value::from(words)
 }
 
-fn formula(value: &Expr, notation: Notation) -> Value {
-    Value::safe_string(&notation.formula(value))
+fn list<T>(items: &[T], on_page: impl Fn(&T) -> Value) -> Value {
+    items.iter().map(on_page).collect::<Vec<Value>>().into()
 }
 
 fn nothing() -> Value {
@@ -232,9 +242,9 @@ fn nothing() -> Value {
 
 #[cfg(test)]
 mod tests {
-    use std::collections::{BTreeMap, BTreeSet};
+    use std::collections::BTreeMap;
 
-    use super::super::names::NAMES;
+    use super::super::names::{Kind, names_of};
     use super::*;
 
     fn paper() -> Paper {
@@ -274,14 +284,18 @@ mod tests {
         Paper { questions: vec![question], ..Paper::default() }
     }
 
+    /// Names of things on a page, as text.
+    fn printed<const N: usize>(thing: &serde_json::Value, names: [&str; N]) -> [String; N] {
+        names.map(|name| thing[name].as_str().unwrap_or_default().to_owned())
+    }
+
+    fn as_json(on_page: impl FnOnce(Printer<'_>) -> Value, notation: Notation) -> serde_json::Value {
+        serde_json::to_value(on_page(Printer { notation, wanted: &Wanted::new(None) })).unwrap()
+    }
+
     fn chain<const N: usize>(equations: [Expr; N]) -> [[String; 3]; N] {
-        let working = WorkingLine { words: Text::default(), equations: equations.to_vec(), label: None };
-        let line = line_on(&working, Notation::Unicode);
-        let printed = |value: &Value| value.as_str().unwrap_or_default().to_owned();
-        std::array::from_fn(|i| {
-            let Equation { left, relation, right, .. } = &line.equations[i];
-            [left, relation, right].map(printed)
-        })
+        let equations = as_json(|printer| printer.equations(&equations), Notation::Unicode);
+        std::array::from_fn(|i| printed(&equations[i], ["left", "relation", "right"]))
     }
 
     #[test]
@@ -304,8 +318,7 @@ mod tests {
             let rounded = rounded.map(|digits| Expr::Decimal(digits.into()));
             let exact = Some(exact);
             let answer = PrintedAnswer { name: Text::default(), exact, rounded, unit, phrase: Text::default() };
-            let on_page = answer_on(&answer, Notation::Latex);
-            [on_page.exact, on_page.rounded].map(|value| value.as_str().unwrap_or_default().to_owned())
+            printed(&as_json(|printer| printer.answer(&answer), Notation::Latex), ["exact", "rounded"])
         };
         let speed = |rounded| answer(Expr::integer(2), rounded, Unit::MetrePerSecond);
         assert_eq!(speed(None), [r"$2\,\mathrm{m\,s^{-1}}$", ""]);
@@ -314,35 +327,42 @@ mod tests {
         assert_eq!(answer(Expr::integer(60), None, Unit::Degree), [r"$60^\circ$", ""]);
     }
 
-    /// The fields of a page and, for its lists, of the first thing in them.
+    /// The names of a thing on a page and, through its lists, of the first of each thing below it.
     fn gather(thing: &str, value: &serde_json::Value, found: &mut BTreeMap<String, BTreeSet<String>>) {
-        let Some(fields) = value.as_object() else { return };
-        found.insert(thing.to_owned(), fields.keys().cloned().collect());
-        let things = [
-            ("questions", "question"),
-            ("diagrams", "diagram"),
-            ("solution_diagrams", "diagram"),
-            ("parts", "part"),
-            ("answers", "answer"),
-            ("working", "line"),
-            ("equations", "equation"),
-            ("scheme", "mark"),
-        ];
-        for (list, thing) in things {
-            if let Some(first) = fields.get(list).and_then(|list| list.get(0)) {
-                gather(thing, first, found);
+        let Some(names) = value.as_object() else { return };
+        found.insert(thing.to_owned(), names.keys().cloned().collect());
+        for (name, kind) in names_of(thing) {
+            if let (Kind::Things(of), Some(first)) = (kind, value[name].get(0)) {
+                gather(of, first, found);
             }
         }
     }
 
+    fn names_on_page(wanted: &Wanted) -> BTreeMap<String, BTreeSet<String>> {
+        let context = page(&paper(), Notation::Unicode, wanted);
+        let values = names_of("").iter().filter_map(|(name, _)| Some((*name, context.get(name)?)));
+        let page: serde_json::Map<_, _> =
+            values.map(|(name, value)| (name.to_owned(), serde_json::to_value(value).unwrap())).collect();
+        let mut found = BTreeMap::new();
+        gather("", &page.into(), &mut found);
+        found
+    }
+
     #[test]
     fn carom_knows_the_names_of_a_page() {
-        let mut found = BTreeMap::new();
-        gather("", &serde_json::to_value(page(&paper(), Notation::Unicode)).unwrap(), &mut found);
         let listed: BTreeMap<String, BTreeSet<String>> = NAMES
             .iter()
-            .map(|(thing, names)| (thing.to_string(), names.iter().map(|name| name.to_string()).collect()))
+            .map(|(thing, names)| (thing.to_string(), names.iter().map(|(name, _)| name.to_string()).collect()))
             .collect();
-        assert_eq!(found, listed);
+        assert_eq!(names_on_page(&Wanted::new(None)), listed);
+    }
+
+    #[test]
+    fn carom_prints_only_what_somebody_asks_for() {
+        let used = BTreeSet::from([("", "title"), ("", "questions"), ("question", "marks"), ("part", "ask")]);
+        let expected = [("", &["questions", "title"][..]), ("question", &["marks"])];
+        let expected =
+            expected.map(|(thing, names)| (thing.into(), names.iter().map(|name| name.to_string()).collect()));
+        assert_eq!(names_on_page(&Wanted::new(Some(&used))), BTreeMap::from(expected));
     }
 }

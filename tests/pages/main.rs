@@ -12,14 +12,14 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use carom::paper::Paper;
-use carom::render::{Formats, RenderFault, RenderedFile, TemplateFile};
+use carom::render::{Formats, RenderedFile, TemplateFile};
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/pages")
 }
 
 fn own(path: &str, contents: &str) -> TemplateFile {
-    TemplateFile { path: path.into(), contents: contents.into() }
+    TemplateFile { path: path.into(), place: format!("mine/{path}"), contents: contents.into() }
 }
 
 fn file<'a>(files: &'a [RenderedFile], name: &str) -> &'a str {
@@ -129,52 +129,6 @@ fn carom_knows_that_a_format_is_one_folder() {
         file(&files, "answers.txt").starts_with("1 speed of A\n1 direction of A\n1 speed of B\n2a velocity of A\n")
     );
     assert_eq!(formats.list().map(|(name, _)| name).collect::<Vec<_>>(), ["html", "latex", "plain", "text"]);
-}
-
-#[test]
-fn carom_knows_which_formats_and_names_there_are() {
-    let with = |path: &str, contents: &str| Formats::with([own(path, contents)]);
-    let rendered = |contents: &str| {
-        with("html/question-sheet.html", contents).and_then(|formats| formats.render("html", &paper::paper()))
-    };
-    type Case<'a> = (Result<Vec<RenderedFile>, RenderFault>, &'a [&'a str]);
-    let cases: [Case; 10] = [
-        (
-            Formats::shipped().unwrap().render("docx", &paper::paper()),
-            &["unknown format `docx`: there are `html`, `latex` and `text`"],
-        ),
-        (rendered("{{ titel }}"), &["templates/html/question-sheet.html: unknown name `titel`", "`title`"]),
-        (rendered("{% if titel %}never{% endif %}"), &["unknown name `titel`"]),
-        (
-            rendered("{% for question in questions %}{{ question.nummer }}{% endfor %}"),
-            &["templates/html/question-sheet.html: unknown name `nummer`: a question has `number`"],
-        ),
-        (
-            rendered("{% for q in questions %}{{ q.nummer }}{% endfor %}"),
-            &["templates/html/question-sheet.html: ", "nummer", "html/question-sheet.html:1:"],
-        ),
-        (rendered("{% for question in questions %}"), &["templates/html"]),
-        (rendered("{{ title | shout }}"), &["shout"]),
-        (
-            with("latex/format.toml", "about = 'x'\nnotatoin = 'latex'").map(|_| Vec::new()),
-            &["templates/latex/format.toml: ", "unknown field `notatoin`"],
-        ),
-        (with("new/sheet.txt", "{{ title }}").map(|_| Vec::new()), &["templates/new: a format needs a `format.toml`"]),
-        (
-            with(
-                "new/format.toml",
-                "about = 'x'\nnotation = 'html'\ndocuments = [{ file = '../x.html', template = 'x.html' }]",
-            )
-            .map(|_| Vec::new()),
-            &["`../x.html` is not the name of a file"],
-        ),
-    ];
-    for (outcome, promised) in cases {
-        let message = outcome.expect_err("a fault").to_string();
-        for words in promised {
-            assert!(message.contains(words), "{message}\nlacks {words}");
-        }
-    }
 }
 
 #[test]

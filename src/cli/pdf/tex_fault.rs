@@ -269,7 +269,11 @@ mod tests {
 
     #[test]
     fn a_template_is_named_only_if_one_line_can_be_meant() {
-        let file = |path: &str, contents: &str| TemplateFile { path: path.into(), contents: contents.into() };
+        let file = |path: &str, contents: &str| TemplateFile {
+            path: path.into(),
+            place: path.into(),
+            contents: contents.into(),
+        };
         let own = OwnTemplates {
             folder: "mine".into(),
             files: vec![

@@ -17,32 +17,42 @@ use crate::expr::{Expr, Function, Relation};
 /// assert_eq!(print::latex(&component), r"2v\cos\alpha");
 /// ```
 pub fn latex(expr: &Expr) -> String {
-    latex_row(&layout(expr))
+    let mut out = String::new();
+    write_latex(&layout(expr), &mut out);
+    out
 }
 
-pub(super) fn latex_row(row: &Row) -> String {
-    let mut out = String::new();
+pub(super) fn write_latex(row: &Row, out: &mut String) {
     for item in row {
-        write_item(item, &mut out);
+        write_item(item, out);
     }
-    out
 }
 
 /// Adds a piece, with a space if it would otherwise run into a command's name.
 fn push(out: &mut String, piece: &str) {
-    let command = out.trim_end_matches(|c: char| c.is_ascii_alphabetic());
-    let in_command = command.len() < out.len() && command.ends_with('\\');
-    if in_command && piece.starts_with(|c: char| c.is_ascii_alphanumeric()) {
+    if piece.starts_with(|c: char| c.is_ascii_alphanumeric()) && ends_in_command(out) {
         out.push(' ');
     }
     out.push_str(piece);
 }
 
+fn ends_in_command(text: &str) -> bool {
+    let command = text.trim_end_matches(|c: char| c.is_ascii_alphabetic());
+    command.len() < text.len() && command.ends_with('\\')
+}
+
+/// Adds a row between what opens it and what closes it.
+fn enclose(open: &str, row: &Row, close: &str, out: &mut String) {
+    out.push_str(open);
+    write_latex(row, out);
+    out.push_str(close);
+}
+
 fn write_item(item: &Item, out: &mut String) {
     match item {
         Item::Digits(digits) => push(out, digits),
-        Item::Letter(letter) => push(out, &written(letter)),
-        Item::Bold(letter) => out.push_str(&format!(r"\mathbf{{{letter}}}")),
+        Item::Letter(letter) => write_letter(letter, out),
+        Item::Bold(letter) => write_bold(*letter, out),
         Item::Degree => out.push_str(r"^\circ"),
         Item::Negation | Item::Minus => out.push('-'),
         Item::Plus => out.push('+'),
@@ -50,53 +60,59 @@ fn write_item(item: &Item, out: &mut String) {
         Item::Beside => {}
         Item::Gap => out.push_str(r"\,"),
         Item::Relation(relation) => out.push_str(relation_sign(*relation)),
-        Item::Fraction(top, bottom) => out.push_str(&format!(r"\frac{{{}}}{{{}}}", latex_row(top), latex_row(bottom))),
-        Item::Root(inner) => out.push_str(&format!(r"\sqrt{{{}}}", latex_row(inner))),
+        Item::Fraction(top, bottom) => {
+            enclose(r"\frac{", top, "}", out);
+            enclose("{", bottom, "}", out);
+        }
+        Item::Root(inner) => enclose(r"\sqrt{", inner, "}", out),
         Item::Power(base, exponent) => {
-            push(out, &latex_row(base));
-            out.push_str(&format!("^{{{}}}", latex_row(exponent)));
+            write_latex(base, out);
+            enclose("^{", exponent, "}", out);
         }
-        Item::Brackets(inner) if is_tall(inner) => {
-            out.push_str(&format!(r"\left({}\right)", latex_row(inner)));
-        }
-        Item::Brackets(inner) => out.push_str(&format!("({})", latex_row(inner))),
+        Item::Brackets(inner) if is_tall(inner) => enclose(r"\left(", inner, r"\right)", out),
+        Item::Brackets(inner) => enclose("(", inner, ")", out),
         // A minus after a bare `|` would be set as if something stood before it.
         Item::Bars(inner) if is_tall(inner) || inner.first() == Some(&Item::Negation) => {
-            out.push_str(&format!(r"\left|{}\right|", latex_row(inner)));
+            enclose(r"\left|", inner, r"\right|", out);
         }
-        Item::Bars(inner) => out.push_str(&format!("|{}|", latex_row(inner))),
+        Item::Bars(inner) => enclose("|", inner, "|", out),
         Item::Call(function, power, argument) => {
             push(out, command(*function));
-            let argument = latex_row(argument);
-            match power {
-                Some(digits) if digits.len() == 1 => out.push_str(&format!("^{digits}")),
-                Some(digits) => out.push_str(&format!("^{{{digits}}}")),
+            match power.as_deref() {
+                Some(digits) if digits.len() == 1 => out.extend(["^", digits]),
+                Some(digits) => out.extend(["^{", digits, "}"]),
                 None => {}
             }
-            if argument.starts_with(|c: char| c.is_ascii_alphanumeric()) {
-                out.push(' ');
+            let begin = out.len();
+            write_latex(argument, out);
+            if out[begin..].starts_with(|c: char| c.is_ascii_alphanumeric()) {
+                out.insert(begin, ' ');
             }
-            out.push_str(&argument);
         }
         Item::Unit(unit) => out.push_str(&unit_latex(*unit)),
     }
 }
 
-fn written(letter: &Letter) -> String {
-    let mut out = match &letter.base {
-        Symbol::Italic(text) => text.clone(),
-        Symbol::Vector(letter) => format!(r"\mathbf{{{letter}}}"),
-        Symbol::Greek(name, _) => format!(r"\{name}"),
-        Symbol::Upright(text) => format!(r"\mathrm{{{}}}", safe(text)),
-    };
+fn write_bold(letter: char, out: &mut String) {
+    out.push_str(r"\mathbf{");
+    out.push(letter);
+    out.push('}');
+}
+
+fn write_letter(letter: &Letter, out: &mut String) {
+    match &letter.base {
+        Symbol::Italic(text) => push(out, text),
+        Symbol::Vector(letter) => write_bold(*letter, out),
+        Symbol::Greek(name, _) => out.extend([r"\", name]),
+        Symbol::Upright(text) => out.extend([r"\mathrm{", &safe(text), "}"]),
+    }
     match &letter.subscript {
-        Some(Symbol::Greek(name, _)) => out.push_str(&format!(r"_{{\{name}}}")),
-        Some(Symbol::Vector(letter)) => out.push_str(&format!("_{letter}")),
-        Some(Symbol::Italic(text) | Symbol::Upright(text)) if text.len() == 1 => out.push_str(&format!("_{text}")),
-        Some(Symbol::Italic(text) | Symbol::Upright(text)) => out.push_str(&format!("_{{{text}}}")),
+        Some(Symbol::Greek(name, _)) => out.extend([r"_{\", name, "}"]),
+        Some(Symbol::Vector(letter)) => out.extend(['_', *letter]),
+        Some(Symbol::Italic(text) | Symbol::Upright(text)) if text.len() == 1 => out.extend(["_", text]),
+        Some(Symbol::Italic(text) | Symbol::Upright(text)) => out.extend(["_{", text, "}"]),
         None => {}
     }
-    out
 }
 
 /// A name that is no letter: quantities come through, anything else becomes question marks.

@@ -3,8 +3,10 @@
 //! A layout is a row of items. It says where signs, brackets and multiplication signs stand, and
 //! which brackets a function does without; the printers only say how each item is written.
 
+use std::borrow::Cow;
+
 use super::letter::{Letter, letter};
-use super::shape::{behind_minus, is_digits, is_whole_power, tidied};
+use super::shape::{begins_with_minus, behind_minus, is_digits, is_whole_power, tidied};
 use crate::expr::{Expr, Function, Relation};
 use crate::unit::Unit;
 
@@ -54,12 +56,12 @@ pub(super) enum Item {
 
 /// The layout of a formula.
 pub(super) fn layout(expr: &Expr) -> Row {
-    row(&by_components(&tidied(expr)))
+    row(&by_components(tidied(expr)))
 }
 
 /// The layout of a value with its unit: `(4i - j) m s^-1`, `30°`.
 pub(super) fn quantity(expr: &Expr, unit: Unit) -> Row {
-    measured(&by_components(&tidied(expr)), unit)
+    measured(&by_components(tidied(expr)), unit)
 }
 
 fn measured(expr: &Expr, unit: Unit) -> Row {
@@ -77,8 +79,8 @@ fn measured(expr: &Expr, unit: Unit) -> Row {
         (_, Unit::Degree) => row(&Expr::degrees(expr.clone())),
         _ => {
             let size = behind_minus(expr);
-            let loose = is_loose(size.as_ref().unwrap_or(expr));
-            let mut items = if loose { bracketed(expr) } else { row(expr) };
+            let loose = is_loose(size.as_deref().unwrap_or(expr));
+            let mut items = if loose { vec![bracketed(expr)] } else { row(expr) };
             items.push(Item::Unit(unit));
             items
         }
@@ -96,91 +98,106 @@ pub(super) fn is_tall(row: &[Item]) -> bool {
 }
 
 /// The tree with vectors written as sums along i and j; only the zero vector is left.
-fn by_components(expr: &Expr) -> Expr {
-    let expr = expr.map_children(&mut |child| by_components(child));
+fn by_components(expr: Cow<'_, Expr>) -> Cow<'_, Expr> {
+    if has_vector(&expr) { Cow::Owned(along_components(&expr)) } else { expr }
+}
+
+fn has_vector(expr: &Expr) -> bool {
+    matches!(expr, Expr::Vector(..)) || !expr.all_children(&mut |child| !has_vector(child))
+}
+
+fn along_components(expr: &Expr) -> Expr {
+    let expr = expr.map_children(&mut |child| along_components(child));
     let Expr::Vector(x, y) = &expr else { return expr };
     let along = |component: &Expr, unit: &str| Expr::Product(vec![component.clone(), Expr::name(unit)]);
     match (x.is_zero(), y.is_zero()) {
         (true, true) => expr,
-        (false, true) => tidied(&along(x, "i")),
-        (true, false) => tidied(&along(y, "j")),
-        (false, false) => tidied(&Expr::Sum(vec![along(x, "i"), along(y, "j")])),
+        (false, true) => tidied(&along(x, "i")).into_owned(),
+        (true, false) => tidied(&along(y, "j")).into_owned(),
+        (false, false) => tidied(&Expr::Sum(vec![along(x, "i"), along(y, "j")])).into_owned(),
     }
 }
 
 fn row(expr: &Expr) -> Row {
+    let mut items = Row::new();
+    lay(expr, &mut items);
+    items
+}
+
+/// Adds the items of a tidied expression without vectors.
+fn lay(expr: &Expr, items: &mut Row) {
     if let Some(size) = behind_minus(expr) {
-        let mut items = vec![Item::Negation];
-        items.extend(operand(&size));
-        return items;
+        items.push(Item::Negation);
+        operand(&size, items);
+        return;
     }
     match expr {
         Expr::Number(value) if !value.is_integer() => {
             let digits = |part: String| vec![Item::Digits(part)];
-            vec![Item::Fraction(digits(value.numerator().to_string()), digits(value.denominator().to_string()))]
+            items.push(Item::Fraction(digits(value.numerator().to_string()), digits(value.denominator().to_string())));
         }
-        Expr::Number(value) => vec![Item::Digits(value.to_string())],
-        Expr::Decimal(text) => vec![Item::Digits(text.clone())],
-        Expr::Name(name) if name.text == "i" => vec![Item::Bold('i')],
-        Expr::Name(name) if name.text == "j" => vec![Item::Bold('j')],
-        Expr::Name(name) => vec![Item::Letter(letter(&name.text))],
-        Expr::Pi => vec![Item::Letter(letter("pi"))],
+        Expr::Number(value) => items.push(Item::Digits(value.to_string())),
+        Expr::Decimal(text) => items.push(Item::Digits(text.clone())),
+        Expr::Name(name) if name.text == "i" => items.push(Item::Bold('i')),
+        Expr::Name(name) if name.text == "j" => items.push(Item::Bold('j')),
+        Expr::Name(name) => items.push(Item::Letter(letter(&name.text))),
+        Expr::Pi => items.push(Item::Letter(letter("pi"))),
         Expr::Degrees(inner) => {
-            let mut items = if is_digits(inner) || is_letter(inner) { row(inner) } else { bracketed(inner) };
+            if is_digits(inner) || is_letter(inner) {
+                lay(inner, items);
+            } else {
+                items.push(bracketed(inner));
+            }
             items.push(Item::Degree);
-            items
         }
-        Expr::Negative(inner) => operand(inner),
-        Expr::Sum(terms) => sum(terms),
-        Expr::Product(factors) => product(factors),
-        Expr::Quotient(numerator, denominator) => vec![Item::Fraction(row(numerator), row(denominator))],
-        Expr::Power(base, exponent) => power(base, exponent),
-        Expr::Call(Function::Sqrt, argument) => vec![Item::Root(row(argument))],
-        Expr::Call(Function::Abs, argument) => vec![Item::Bars(row(argument))],
-        Expr::Call(function, argument) => vec![Item::Call(*function, None, argument_row(argument))],
-        Expr::Vector(..) => vec![Item::Bold('0')],
+        Expr::Negative(inner) => operand(inner, items),
+        Expr::Sum(terms) => sum(terms, items),
+        Expr::Product(factors) => product(factors, items),
+        Expr::Quotient(numerator, denominator) => items.push(Item::Fraction(row(numerator), row(denominator))),
+        Expr::Power(base, exponent) => items.push(power(base, exponent)),
+        Expr::Call(Function::Sqrt, argument) => items.push(Item::Root(row(argument))),
+        Expr::Call(Function::Abs, argument) => items.push(Item::Bars(row(argument))),
+        Expr::Call(function, argument) => items.push(Item::Call(*function, None, argument_row(argument))),
+        Expr::Vector(..) => items.push(Item::Bold('0')),
         Expr::Relation(left, relation, right) => {
-            let mut items = row(left);
+            lay(left, items);
             items.push(Item::Relation(*relation));
-            items.extend(row(right));
-            items
+            lay(right, items);
         }
     }
 }
 
-fn bracketed(expr: &Expr) -> Row {
-    vec![Item::Brackets(row(expr))]
+fn bracketed(expr: &Expr) -> Item {
+    Item::Brackets(row(expr))
 }
 
 /// Would a sign or factor before or after it bind to a part of it only?
 fn is_loose(expr: &Expr) -> bool {
-    matches!(expr, Expr::Sum(_) | Expr::Relation(..)) || behind_minus(expr).is_some()
+    matches!(expr, Expr::Sum(_) | Expr::Relation(..)) || begins_with_minus(expr)
 }
 
-/// A term or factor, in brackets if it is loose.
-fn operand(expr: &Expr) -> Row {
-    if is_loose(expr) { bracketed(expr) } else { row(expr) }
+/// Adds a term or factor, in brackets if it is loose.
+fn operand(expr: &Expr, items: &mut Row) {
+    if is_loose(expr) { items.push(bracketed(expr)) } else { lay(expr, items) }
 }
 
-fn sum(terms: &[Expr]) -> Row {
-    let mut items = Row::new();
+fn sum(terms: &[Expr], items: &mut Row) {
     for (place, term) in terms.iter().enumerate() {
         match behind_minus(term) {
             Some(size) => {
                 items.push(if place == 0 { Item::Negation } else { Item::Minus });
-                items.extend(operand(&size));
+                operand(&size, items);
             }
             // `(4i - j) - (2i + 5j)`: a vector stays one thing, also where it stands first
-            None if place == 0 && matches!(term, Expr::Sum(_)) && !is_vector(term) => items.extend(row(term)),
+            None if place == 0 && matches!(term, Expr::Sum(_)) && !is_vector(term) => lay(term, items),
             None => {
                 if place > 0 {
                     items.push(Item::Plus);
                 }
-                items.extend(operand(term));
+                operand(term, items);
             }
         }
     }
-    items
 }
 
 /// Is it a sum along i and j?
@@ -193,33 +210,36 @@ fn is_vector(expr: &Expr) -> bool {
     }
 }
 
-fn product(factors: &[Expr]) -> Row {
-    let mut items = Row::new();
+fn product(factors: &[Expr], items: &mut Row) {
     for (place, factor) in factors.iter().enumerate() {
-        let next = operand(factor);
-        if place > 0 {
-            let shows = is_times_shown(items.last(), factor, &next);
-            let sign = match (shows, next.first(), open_argument(&mut items)) {
-                (true, ..) => Item::Times,
-                (_, Some(Item::Bold(_)), Some(_)) => Item::Gap,
-                (_, Some(Item::Call(..)), _) | (.., None) => Item::Beside,
-                // `cos(alpha) v` must not be taken for the cosine of `alpha v`.
-                (.., Some(argument)) => {
-                    *argument = vec![Item::Brackets(std::mem::take(argument))];
-                    Item::Beside
-                }
-            };
-            items.push(sign);
+        if place == 0 {
+            operand(factor, items);
+            continue;
         }
-        items.extend(next);
+        // the sign is chosen when both its sides stand
+        let sign = items.len();
+        items.push(Item::Beside);
+        operand(factor, items);
+        let (before, after) = items.split_at_mut(sign);
+        let Some((sign, next)) = after.split_first_mut() else { continue };
+        let shows = is_times_shown(before.last(), factor, next);
+        *sign = match (shows, next.first(), open_argument(before)) {
+            (true, ..) => Item::Times,
+            (_, Some(Item::Bold(_)), Some(_)) => Item::Gap,
+            (_, Some(Item::Call(..)), _) | (.., None) => Item::Beside,
+            // `cos(alpha) v` must not be taken for the cosine of `alpha v`.
+            (.., Some(argument)) => {
+                *argument = vec![Item::Brackets(std::mem::take(argument))];
+                Item::Beside
+            }
+        };
     }
-    items
 }
 
 /// Does a multiplication sign show before the factor? It does before digits and negative numbers.
-fn is_times_shown(before: Option<&Item>, factor: &Expr, next: &Row) -> bool {
+fn is_times_shown(before: Option<&Item>, factor: &Expr, next: &[Item]) -> bool {
     if let Some(size) = behind_minus(factor) {
-        return matches!(size, Expr::Number(_) | Expr::Decimal(_));
+        return matches!(*size, Expr::Number(_) | Expr::Decimal(_));
     }
     match next.first() {
         Some(Item::Fraction(top, bottom)) => {
@@ -232,7 +252,7 @@ fn is_times_shown(before: Option<&Item>, factor: &Expr, next: &Row) -> bool {
     }
 }
 
-fn begins_with_digit(row: &Row) -> bool {
+fn begins_with_digit(row: &[Item]) -> bool {
     match row.first() {
         Some(Item::Digits(_)) => true,
         Some(Item::Fraction(inner, _) | Item::Power(inner, _)) => begins_with_digit(inner),
@@ -241,34 +261,34 @@ fn begins_with_digit(row: &Row) -> bool {
 }
 
 /// The argument without brackets of the function with which the row ends.
-fn open_argument(items: &mut Row) -> Option<&mut Row> {
+fn open_argument(items: &mut [Item]) -> Option<&mut Row> {
     match items.last_mut() {
         Some(Item::Call(_, _, argument)) if !matches!(argument[..], [Item::Brackets(_)]) => Some(argument),
         _ => None,
     }
 }
 
-fn power(base: &Expr, exponent: &Expr) -> Row {
+fn power(base: &Expr, exponent: &Expr) -> Item {
     if let Expr::Call(function @ (Function::Sin | Function::Cos | Function::Tan), argument) = base
         && is_whole_power(exponent)
         && let Expr::Number(value) = exponent
     {
-        return vec![Item::Call(*function, Some(value.to_string()), argument_row(argument))];
+        return Item::Call(*function, Some(value.to_string()), argument_row(argument));
     }
     let alone = is_digits(base) || matches!(base, Expr::Name(_) | Expr::Pi | Expr::Call(Function::Abs, _));
-    let below = if alone { row(base) } else { bracketed(base) };
-    vec![Item::Power(below, row(exponent))]
+    let below = if alone { row(base) } else { vec![bracketed(base)] };
+    Item::Power(below, row(exponent))
 }
 
 /// The argument of a function: a letter, a number or so many degrees stand without brackets.
 fn argument_row(argument: &Expr) -> Row {
-    let number = matches!(argument, Expr::Number(_)) && behind_minus(argument).is_none();
+    let number = matches!(argument, Expr::Number(_)) && !begins_with_minus(argument);
     let alone = match argument {
         Expr::Degrees(inner) => is_digits(inner) || is_letter(inner),
         Expr::Quotient(top, bottom) => is_digits(top) && is_digits(bottom),
         other => number || is_digits(other) || is_letter(other),
     };
-    if alone { row(argument) } else { bracketed(argument) }
+    if alone { row(argument) } else { vec![bracketed(argument)] }
 }
 
 fn is_letter(expr: &Expr) -> bool {

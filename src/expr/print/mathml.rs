@@ -18,137 +18,192 @@ const APPLY: &str = "<mo>&#x2061;</mo>";
 /// assert_eq!(print::mathml(&half), "<mfrac><mn>1</mn><mn>2</mn></mfrac>");
 /// ```
 pub fn mathml(expr: &Expr) -> String {
-    mathml_row(&layout(expr))
+    let mut out = String::new();
+    write_mathml(&layout(expr), &mut out);
+    out
 }
 
 /// The formula within a line of words.
 pub fn mathml_inline(expr: &Expr) -> String {
-    math("", &layout(expr))
+    let mut out = String::new();
+    write_math("", &layout(expr), &mut out);
+    out
 }
 
 /// The formula on a line of its own.
 pub fn mathml_block(expr: &Expr) -> String {
-    math(r#" display="block""#, &layout(expr))
+    let mut out = String::new();
+    write_math(r#" display="block""#, &layout(expr), &mut out);
+    out
 }
 
 /// A row of this many items or fewer stays on one line.
 const SHORT: usize = 5;
 
-/// The `math` element of a row.
+/// Adds the `math` element of a row.
 ///
 /// A longer row comes in pieces, each an `mrow`, and is said to be long: browsers break no formula by themselves, but a
 /// style sheet can let piece follow piece as words do. As on paper, a line begins with the sign.
-pub(super) fn math(attributes: &str, row: &[Item]) -> String {
+pub(super) fn write_math(attributes: &str, row: &[Item], out: &mut String) {
     let begins = |item: &Item| matches!(item, Item::Relation(_) | Item::Plus | Item::Minus | Item::Times);
-    let starts: Vec<usize> = (1..row.len()).filter(|&place| begins(&row[place])).collect();
-    if row.len() <= SHORT || starts.is_empty() {
-        return format!("<math{attributes}>{}</math>", mathml_row(row));
+    out.extend(["<math", attributes]);
+    if row.len() <= SHORT || !row[1..].iter().any(begins) {
+        enclose(">", row, "</math>", out);
+        return;
     }
-    let ends = starts.iter().copied().chain([row.len()]);
-    let pieces = [0].into_iter().chain(starts.iter().copied()).zip(ends);
-    let pieces: String = pieces.map(|(start, end)| format!("<mrow>{}</mrow>", piece(&row[start..end]))).collect();
-    format!(r#"<math{attributes} class="long">{pieces}</math>"#)
+    out.push_str(r#" class="long">"#);
+    let mut rest = row;
+    while !rest.is_empty() {
+        let end = (1..rest.len()).find(|place| begins(&rest[*place])).unwrap_or(rest.len());
+        let (piece, after) = rest.split_at(end);
+        write_piece(piece, out);
+        rest = after;
+    }
+    out.push_str("</math>");
 }
 
-/// A piece of a longer row: a sign that comes first in its `mrow` is still one between two terms.
-fn piece(row: &[Item]) -> String {
-    match row {
-        [Item::Plus, rest @ ..] => format!(r#"<mo form="infix">+</mo>{}"#, mathml_row(rest)),
-        [Item::Minus, rest @ ..] => format!(r#"<mo form="infix">−</mo>{}"#, mathml_row(rest)),
-        _ => mathml_row(row),
-    }
+/// Adds a piece of a longer row: a sign that comes first in its `mrow` is still one between two terms.
+fn write_piece(row: &[Item], out: &mut String) {
+    let (sign, rest) = match row {
+        [Item::Plus, rest @ ..] => (r#"<mo form="infix">+</mo>"#, rest),
+        [Item::Minus, rest @ ..] => (r#"<mo form="infix">−</mo>"#, rest),
+        _ => ("", row),
+    };
+    out.extend(["<mrow>", sign]);
+    enclose("", rest, "</mrow>", out);
 }
 
-pub(super) fn mathml_row(row: &[Item]) -> String {
-    let mut out = String::new();
+fn write_mathml(row: &[Item], out: &mut String) {
     for (place, item) in row.iter().enumerate() {
         let after_factor = place > 0 && row[place - 1] == Item::Beside;
         if after_factor && matches!(item, Item::Call(..)) {
             out.push_str(THIN_SPACE);
         }
-        out.push_str(&element(item));
+        write_item(item, out);
     }
-    out
 }
 
-/// A row as the one child that a fraction, root or power takes.
-fn one(row: &Row) -> String {
+/// Adds a row between the tags of an element.
+fn enclose(open: &str, row: &[Item], close: &str, out: &mut String) {
+    out.push_str(open);
+    write_mathml(row, out);
+    out.push_str(close);
+}
+
+/// Adds a row as the one child that a fraction, root or power takes.
+fn one(row: &Row, out: &mut String) {
     match &row[..] {
-        [Item::Unit(_)] => format!("<mrow>{}</mrow>", mathml_row(row)),
-        [item] => element(item),
-        _ => format!("<mrow>{}</mrow>", mathml_row(row)),
+        [Item::Unit(_)] => enclose("<mrow>", row, "</mrow>", out),
+        [item] => write_item(item, out),
+        _ => enclose("<mrow>", row, "</mrow>", out),
     }
 }
 
-fn element(item: &Item) -> String {
+fn write_item(item: &Item, out: &mut String) {
     match item {
-        Item::Digits(digits) => format!("<mn>{}</mn>", words_html(digits)),
+        Item::Digits(digits) => out.extend(["<mn>", &words_html(digits), "</mn>"]),
         Item::Letter(letter) => match &letter.subscript {
-            Some(below) => format!("<msub>{}{}</msub>", symbol(&letter.base), symbol(below)),
-            None => symbol(&letter.base),
+            Some(below) => {
+                out.push_str("<msub>");
+                symbol(&letter.base, out);
+                symbol(below, out);
+                out.push_str("</msub>");
+            }
+            None => symbol(&letter.base, out),
         },
         // MathML Core knows no bold type; these are the bold letters of Unicode.
-        Item::Bold('i') => bold('𝐢'),
-        Item::Bold('j') => bold('𝐣'),
-        Item::Bold(_) => bold('𝟎'),
-        Item::Degree => r#"<mi mathvariant="normal">°</mi>"#.to_owned(),
-        Item::Negation => r#"<mo form="prefix">−</mo>"#.to_owned(),
-        Item::Plus => "<mo>+</mo>".to_owned(),
-        Item::Minus => "<mo>−</mo>".to_owned(),
-        Item::Times => "<mo>×</mo>".to_owned(),
-        Item::Beside => INVISIBLE_TIMES.to_owned(),
-        Item::Gap => format!("{INVISIBLE_TIMES}{THIN_SPACE}"),
-        Item::Relation(relation) => format!("<mo>{}</mo>", relation_sign(*relation)),
-        Item::Fraction(top, bottom) => format!("<mfrac>{}{}</mfrac>", one(top), one(bottom)),
-        Item::Root(inner) => format!("<msqrt>{}</msqrt>", mathml_row(inner)),
-        Item::Power(base, exponent) => match &base[..] {
-            [Item::Letter(Letter { base, subscript: Some(below) })] => {
-                format!("<msubsup>{}{}{}</msubsup>", symbol(base), symbol(below), one(exponent))
-            }
-            _ => format!("<msup>{}{}</msup>", one(base), one(exponent)),
-        },
-        Item::Brackets(inner) => fenced("(", inner, ")"),
-        Item::Bars(inner) => fenced("|", inner, "|"),
-        Item::Call(function, power, argument) => {
-            let name = format!("<mi>{}</mi>", name(*function));
-            let name = match power {
-                Some(digits) => format!("<msup>{name}<mn>{digits}</mn></msup>"),
-                None => name,
-            };
-            let space = if matches!(argument[..], [Item::Brackets(_)]) { "" } else { THIN_SPACE };
-            format!("<mrow>{name}{APPLY}{space}{}</mrow>", one(argument))
+        Item::Bold('i') => bold('𝐢', out),
+        Item::Bold('j') => bold('𝐣', out),
+        Item::Bold(_) => bold('𝟎', out),
+        Item::Degree => out.push_str(r#"<mi mathvariant="normal">°</mi>"#),
+        Item::Negation => out.push_str(r#"<mo form="prefix">−</mo>"#),
+        Item::Plus => out.push_str("<mo>+</mo>"),
+        Item::Minus => out.push_str("<mo>−</mo>"),
+        Item::Times => out.push_str("<mo>×</mo>"),
+        Item::Beside => out.push_str(INVISIBLE_TIMES),
+        Item::Gap => out.extend([INVISIBLE_TIMES, THIN_SPACE]),
+        Item::Relation(relation) => out.extend(["<mo>", relation_sign(*relation), "</mo>"]),
+        Item::Fraction(top, bottom) => {
+            out.push_str("<mfrac>");
+            one(top, out);
+            one(bottom, out);
+            out.push_str("</mfrac>");
         }
-        Item::Unit(unit) => unit_mathml(*unit),
+        Item::Root(inner) => enclose("<msqrt>", inner, "</msqrt>", out),
+        Item::Power(base, exponent) => write_power(base, exponent, out),
+        Item::Brackets(inner) => fenced("(", inner, ")", out),
+        Item::Bars(inner) => fenced("|", inner, "|", out),
+        Item::Call(function, power, argument) => {
+            out.push_str("<mrow>");
+            match power {
+                Some(digits) => out.extend(["<msup><mi>", name(*function), "</mi><mn>", digits, "</mn></msup>"]),
+                None => out.extend(["<mi>", name(*function), "</mi>"]),
+            }
+            out.push_str(APPLY);
+            if !matches!(argument[..], [Item::Brackets(_)]) {
+                out.push_str(THIN_SPACE);
+            }
+            one(argument, out);
+            out.push_str("</mrow>");
+        }
+        Item::Unit(unit) => out.push_str(&unit_mathml(*unit)),
     }
 }
 
-fn bold(letter: char) -> String {
-    format!(r#"<mi class="vector">{letter}</mi>"#)
+fn write_power(base: &Row, exponent: &Row, out: &mut String) {
+    match &base[..] {
+        [Item::Letter(Letter { base, subscript: Some(below) })] => {
+            out.push_str("<msubsup>");
+            symbol(base, out);
+            symbol(below, out);
+            one(exponent, out);
+            out.push_str("</msubsup>");
+        }
+        _ => {
+            out.push_str("<msup>");
+            one(base, out);
+            one(exponent, out);
+            out.push_str("</msup>");
+        }
+    }
 }
 
-fn fenced(open: &str, inner: &Row, close: &str) -> String {
-    let stretchy = is_tall(inner);
-    format!(
-        r#"<mrow><mo form="prefix" stretchy="{stretchy}">{open}</mo>{}<mo form="postfix" stretchy="{stretchy}">{close}</mo></mrow>"#,
-        mathml_row(inner)
-    )
+fn bold(letter: char, out: &mut String) {
+    out.push_str(r#"<mi class="vector">"#);
+    out.push(letter);
+    out.push_str("</mi>");
 }
 
-fn symbol(symbol: &Symbol) -> String {
+fn fenced(open: &str, inner: &Row, close: &str, out: &mut String) {
+    let stretchy = if is_tall(inner) { "true" } else { "false" };
+    out.extend([r#"<mrow><mo form="prefix" stretchy=""#, stretchy, r#"">"#, open, "</mo>"]);
+    write_mathml(inner, out);
+    out.extend([r#"<mo form="postfix" stretchy=""#, stretchy, r#"">"#, close, "</mo></mrow>"]);
+}
+
+fn symbol(symbol: &Symbol, out: &mut String) {
+    let italic = |letter: char, out: &mut String| {
+        out.push_str("<mi>");
+        out.push(letter);
+        out.push_str("</mi>");
+    };
     match symbol {
-        Symbol::Vector(letter) => bold(bold_letter(*letter)),
-        Symbol::Italic(text) if text.chars().all(|c| c.is_ascii_digit()) => format!("<mn>{text}</mn>"),
+        Symbol::Vector(letter) => bold(bold_letter(*letter), out),
+        Symbol::Italic(text) if text.chars().all(|c| c.is_ascii_digit()) => out.extend(["<mn>", text, "</mn>"]),
         Symbol::Italic(text) if text.len() > 1 => {
             // Each letter by itself, for a longer `mi` would stand upright.
-            let letters: String = text.chars().map(|c| format!("<mi>{c}</mi>")).collect();
-            format!("<mrow>{letters}</mrow>")
+            out.push_str("<mrow>");
+            text.chars().for_each(|letter| italic(letter, out));
+            out.push_str("</mrow>");
         }
-        Symbol::Italic(text) => format!("<mi>{text}</mi>"),
+        Symbol::Italic(text) => out.extend(["<mi>", text, "</mi>"]),
         Symbol::Greek(name, character) if name.starts_with(|c: char| c.is_ascii_uppercase()) => {
-            format!(r#"<mi mathvariant="normal">{character}</mi>"#)
+            out.push_str(r#"<mi mathvariant="normal">"#);
+            out.push(*character);
+            out.push_str("</mi>");
         }
-        Symbol::Greek(_, character) => format!("<mi>{character}</mi>"),
-        Symbol::Upright(text) => format!(r#"<mi mathvariant="normal">{}</mi>"#, words_html(text)),
+        Symbol::Greek(_, character) => italic(*character, out),
+        Symbol::Upright(text) => out.extend([r#"<mi mathvariant="normal">"#, &words_html(text), "</mi>"]),
     }
 }
 

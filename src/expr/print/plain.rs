@@ -1,7 +1,7 @@
 //! The ASCII form in which expressions are exchanged with other programs: `16*sqrt(3)/9`.
 
 use super::letter::VECTOR;
-use super::shape::{behind_minus, tidied};
+use super::shape::{begins_with_minus, behind_minus, tidied};
 use crate::expr::{Expr, Relation};
 
 /// The exchange form, in radians, with every product and power explicit.
@@ -27,7 +27,7 @@ enum Hold {
 }
 
 fn hold(expr: &Expr) -> Hold {
-    if behind_minus(expr).is_some() {
+    if begins_with_minus(expr) {
         return Hold::Sum;
     }
     match expr {

@@ -1,8 +1,8 @@
 //! Words with formulas in them, printed for LaTeX, HTML and a terminal.
 
-use super::latex::{latex, latex_row};
-use super::layout::quantity;
-use super::mathml::{math, mathml_block, mathml_inline};
+use super::latex::write_latex;
+use super::layout::{Row, layout, quantity};
+use super::mathml::{mathml_block, write_math};
 use super::unicode::{unicode, unicode_row};
 use super::words::{words_html, words_latex, words_unicode};
 use crate::expr::{Piece, Text};
@@ -19,45 +19,55 @@ use crate::expr::{Piece, Text};
 /// assert_eq!(print::text_latex(&text), r"mass $2\,\mathrm{kg}$");
 /// ```
 pub fn text_latex(text: &Text) -> String {
-    text.0.iter().map(latex_piece).collect()
+    let mut out = String::new();
+    text.0.iter().for_each(|piece| write_latex_piece(piece, &mut out));
+    out
 }
 
-fn latex_piece(piece: &Piece) -> String {
+fn write_latex_piece(piece: &Piece, out: &mut String) {
+    let enclose = |open: &str, row: Row, close: &str, out: &mut String| {
+        out.push_str(open);
+        write_latex(&row, out);
+        out.push_str(close);
+    };
     match piece {
-        Piece::Words(words) => words_latex(words),
+        Piece::Words(words) => out.push_str(&words_latex(words)),
         Piece::Italic(pieces) => {
-            format!(r"\textit{{{}}}", pieces.iter().map(latex_piece).collect::<String>())
+            out.push_str(r"\textit{");
+            pieces.iter().for_each(|piece| write_latex_piece(piece, out));
+            out.push('}');
         }
-        Piece::Formula(expr) => format!("${}$", latex(expr)),
-        Piece::Quantity(expr, unit) => format!("${}$", latex_row(&quantity(expr, *unit))),
-        Piece::Display(expr) => format!(r"\[{}\]", latex(expr)),
+        Piece::Formula(expr) => enclose("$", layout(expr), "$", out),
+        Piece::Quantity(expr, unit) => enclose("$", quantity(expr, *unit), "$", out),
+        Piece::Display(expr) => enclose(r"\[", layout(expr), r"\]", out),
     }
 }
 
 /// The text in HTML.
 pub fn text_html(text: &Text) -> String {
-    html_pieces(&text.0)
+    let mut out = String::new();
+    write_html_pieces(&text.0, &mut out);
+    out
 }
 
-/// The pieces; a formula and the stop or comma after it are kept on one line, where browsers would part them.
-fn html_pieces(pieces: &[Piece]) -> String {
-    let mut out = String::new();
+/// Adds the pieces; a formula and the stop or comma after it are kept on one line, where browsers would part them.
+fn write_html_pieces(pieces: &[Piece], out: &mut String) {
     let mut stop = "";
     for (place, piece) in pieces.iter().enumerate() {
-        let printed = match piece {
-            Piece::Words(words) => words_html(words.strip_prefix(stop).unwrap_or(words)),
-            _ => html_piece(piece),
-        };
+        let before = std::mem::take(&mut stop);
         stop = match (piece, pieces.get(place + 1)) {
             (Piece::Formula(_) | Piece::Quantity(..), Some(Piece::Words(words))) => stop_of(words),
             _ => "",
         };
-        match stop {
-            "" => out.push_str(&printed),
-            _ => out.push_str(&format!(r#"<span class="kept">{printed}{stop}</span>"#)),
+        out.push_str(if stop.is_empty() { "" } else { r#"<span class="kept">"# });
+        match piece {
+            Piece::Words(words) => out.push_str(&words_html(words.strip_prefix(before).unwrap_or(words))),
+            _ => write_html_piece(piece, out),
+        }
+        if !stop.is_empty() {
+            out.extend([stop, "</span>"]);
         }
     }
-    out
 }
 
 /// The stop, comma or closing bracket that words begin with.
@@ -66,13 +76,17 @@ fn stop_of(words: &str) -> &str {
     &words[..end]
 }
 
-fn html_piece(piece: &Piece) -> String {
+fn write_html_piece(piece: &Piece, out: &mut String) {
     match piece {
-        Piece::Words(words) => words_html(words),
-        Piece::Italic(pieces) => format!("<em>{}</em>", html_pieces(pieces)),
-        Piece::Formula(expr) => mathml_inline(expr),
-        Piece::Quantity(expr, unit) => math("", &quantity(expr, *unit)),
-        Piece::Display(expr) => mathml_block(expr),
+        Piece::Words(words) => out.push_str(&words_html(words)),
+        Piece::Italic(pieces) => {
+            out.push_str("<em>");
+            write_html_pieces(pieces, out);
+            out.push_str("</em>");
+        }
+        Piece::Formula(expr) => write_math("", &layout(expr), out),
+        Piece::Quantity(expr, unit) => write_math("", &quantity(expr, *unit), out),
+        Piece::Display(expr) => out.push_str(&mathml_block(expr)),
     }
 }
 

@@ -11,6 +11,10 @@
 pub fn words_latex(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
+        if matches!(c, 'a'..='z' | 'A'..='Z' | '0'..='9' | ' ' | ',' | '.') {
+            out.push(c); // most of what is written
+            continue;
+        }
         match latex_command(c) {
             Some(command) => out.push_str(command),
             None if c.is_whitespace() => out.push(' '),
@@ -44,7 +48,12 @@ pub fn words_unicode(text: &str) -> String {
 }
 
 fn visible(text: &str) -> impl Iterator<Item = char> {
-    text.chars().map(|c| if c.is_whitespace() && c != '\u{a0}' { ' ' } else { c }).filter(|c| !is_hidden(*c))
+    let shown = |c: char| match c {
+        ' '..='~' | '\u{a0}' => Some(c),
+        _ if c.is_whitespace() => Some(' '),
+        _ => (!is_hidden(c)).then_some(c),
+    };
+    text.chars().filter_map(shown)
 }
 
 /// Control characters, and those that turn the direction of writing, join, or show nothing at all.
