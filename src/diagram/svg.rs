@@ -1,8 +1,6 @@
 //! Drawings as SVG.
 
-use std::fmt::Write;
-
-use super::short::Short;
+use super::source::Source;
 use super::{Diagram, Drawing, Point, Section, Style};
 use crate::expr::print;
 
@@ -13,60 +11,49 @@ const SCALE: f64 = 10.0;
 /// colour and the letters of the page around it; each style of stroke is a class of its name.
 pub fn svg(diagram: &Diagram) -> String {
     let Drawing { strokes, labels, low, high } = &diagram.drawing;
-    let [width, height] = [high.x - low.x, high.y - low.y];
-    let mut out = format!(
-        r#"<svg class="diagram" role="img" aria-label="{}" width="{}em" height="{}em" viewBox="0 0 {} {}" font-size="10" fill="none" stroke="none">"#,
-        print::words_html(&diagram.words).replace('"', "&quot;"),
-        Short(width),
-        Short(height),
-        Short(width * SCALE),
-        Short(height * SCALE),
-    );
-    let at = |point: Point| Place(Point::new((point.x - low.x) * SCALE, (high.y - point.y) * SCALE));
+    let size = *high - *low;
+    let mut out = Source::for_marks(strokes.len() + labels.len());
+    out.put(r#"<svg class="diagram" role="img" aria-label=""#);
+    out.put(&print::words_html(&diagram.words).replace('"', "&quot;"));
+    out.put(r#"" width=""#).length(size.x).put(r#"em" height=""#).length(size.y);
+    out.put(r#"em" viewBox="0 0 "#).point(size * SCALE, ' ').put(r#"" font-size="10" fill="none" stroke="none">"#);
+    let place = |point: Point| Point::new((point.x - low.x) * SCALE, (high.y - point.y) * SCALE);
     for stroke in strokes {
-        let (class, look) = look(stroke.style);
-        // Writing to a string cannot fail.
-        let _ = write!(out, r#"<path class="{class}" {look} d="M{}"#, at(stroke.from));
+        out.put(look(stroke.style)).put(r#" d="M"#).point(place(stroke.from), ' ');
         for piece in &stroke.pieces {
-            let _ = match *piece {
-                Section::Line(end) => write!(out, "L{}", at(end)),
-                Section::Curve(one, other, end) => write!(out, "C{} {} {}", at(one), at(other), at(end)),
+            match *piece {
+                Section::Line(end) => out.put("L").point(place(end), ' '),
+                Section::Curve(one, other, end) => out
+                    .put("C")
+                    .point(place(one), ' ')
+                    .put(" ")
+                    .point(place(other), ' ')
+                    .put(" ")
+                    .point(place(end), ' '),
             };
         }
-        out.push_str(if stroke.style == Style::Filled { "Z\"/>" } else { "\"/>" });
+        out.put(if stroke.style == Style::Filled { "Z\"/>" } else { "\"/>" });
     }
     for label in labels {
         // The middle of a line of letters lies about a third of an em above the line they stand on.
-        let foot = Place(at(label.centre).0 + Point::new(0.0, 0.33 * SCALE));
-        let _ = write!(
-            out,
-            r#"<text x="{}" y="{}" text-anchor="middle" fill="currentColor">{}</text>"#,
-            Short(foot.0.x),
-            Short(foot.0.y),
-            print::text_svg(&label.text)
-        );
+        let foot = place(label.centre) + Point::new(0.0, 0.33 * SCALE);
+        out.put(r#"<text x=""#).length(foot.x).put(r#"" y=""#).length(foot.y);
+        out.put(r#"" text-anchor="middle" fill="currentColor">"#).put(&print::text_svg(&label.text)).put("</text>");
     }
-    out.push_str("</svg>");
-    out
+    out.put("</svg>");
+    out.finish()
 }
 
-/// The class of a style and how it looks without a style sheet.
-fn look(style: Style) -> (&'static str, &'static str) {
+/// The beginning of a path: the class of its style, and how it looks without a style sheet.
+fn look(style: Style) -> &'static str {
     match style {
-        Style::Rim => ("rim", r#"stroke="currentColor" stroke-width="0.7""#),
-        Style::Centres => ("centres", r#"stroke="currentColor" stroke-width="0.5" stroke-dasharray="6 2 1 2""#),
-        Style::Velocity => ("velocity", r#"stroke="currentColor" stroke-width="1.1""#),
-        Style::Thin => ("thin", r#"stroke="currentColor" stroke-width="0.5""#),
-        Style::Dashed => ("dashed", r#"stroke="currentColor" stroke-width="0.5" stroke-dasharray="2 2""#),
-        Style::Filled => ("filled", r#"fill="currentColor""#),
-    }
-}
-
-/// A point as a path has it.
-struct Place(Point);
-
-impl std::fmt::Display for Place {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{} {}", Short(self.0.x), Short(self.0.y))
+        Style::Rim => r#"<path class="rim" stroke="currentColor" stroke-width="0.7""#,
+        Style::Centres => {
+            r#"<path class="centres" stroke="currentColor" stroke-width="0.5" stroke-dasharray="6 2 1 2""#
+        }
+        Style::Velocity => r#"<path class="velocity" stroke="currentColor" stroke-width="1.1""#,
+        Style::Thin => r#"<path class="thin" stroke="currentColor" stroke-width="0.5""#,
+        Style::Dashed => r#"<path class="dashed" stroke="currentColor" stroke-width="0.5" stroke-dasharray="2 2""#,
+        Style::Filled => r#"<path class="filled" fill="currentColor""#,
     }
 }

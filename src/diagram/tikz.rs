@@ -1,8 +1,6 @@
 //! Drawings as TikZ.
 
-use std::fmt::Write;
-
-use super::short::Short;
+use super::source::Source;
 use super::{Drawing, Point, Section, Style};
 use crate::expr::print;
 
@@ -10,44 +8,40 @@ use crate::expr::print;
 /// format's preamble, which reads a path as TikZ's own commands do; `\Label` puts the middle of its words at a point.
 pub fn tikz(drawing: &Drawing) -> String {
     let Drawing { strokes, labels, low, high } = drawing;
-    let size = *high - *low;
-    let mut out = format!("\\begin{{tikzpicture}}[diagram={{{},{}}}]\n", Short(size.x), Short(size.y));
-    let at = |point: Point| Place(point - *low);
+    let mut out = Source::for_marks(strokes.len() + labels.len());
+    out.put("\\begin{tikzpicture}[diagram={").point(*high - *low, ',').put("}]\n");
+    let at = |out: &mut Source, before: &str, point: Point| {
+        out.put(before).put("(").point(point - *low, ',').put(")");
+    };
     for stroke in strokes {
-        // Writing to a string cannot fail.
-        let _ = write!(out, "\\{} {}", command(stroke.style), at(stroke.from));
+        at(&mut out, command(stroke.style), stroke.from);
         for piece in &stroke.pieces {
-            let _ = match *piece {
-                Section::Line(end) => write!(out, " -- {}", at(end)),
+            match *piece {
+                Section::Line(end) => at(&mut out, " -- ", end),
                 Section::Curve(one, other, end) => {
-                    write!(out, " .. controls {} and {} .. {}", at(one), at(other), at(end))
+                    at(&mut out, " .. controls ", one);
+                    at(&mut out, " and ", other);
+                    at(&mut out, " .. ", end);
                 }
-            };
+            }
         }
-        out.push_str(if stroke.style == Style::Filled { " -- cycle;\n" } else { ";\n" });
+        out.put(if stroke.style == Style::Filled { " -- cycle;\n" } else { ";\n" });
     }
     for label in labels {
-        let _ = writeln!(out, "\\Label at {} {{{}}};", at(label.centre), print::text_latex(&label.text));
+        at(&mut out, "\\Label at ", label.centre);
+        out.put(" {").put(&print::text_latex(&label.text)).put("};\n");
     }
-    out.push_str("\\end{tikzpicture}");
-    out
+    out.put("\\end{tikzpicture}");
+    out.finish()
 }
 
 fn command(style: Style) -> &'static str {
     match style {
-        Style::Rim => "Rim",
-        Style::Centres => "Centres",
-        Style::Velocity => "Velocity",
-        Style::Thin => "Thin",
-        Style::Dashed => "Dashed",
-        Style::Filled => "Filled",
-    }
-}
-
-struct Place(Point);
-
-impl std::fmt::Display for Place {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "({},{})", Short(self.0.x), Short(self.0.y))
+        Style::Rim => "\\Rim ",
+        Style::Centres => "\\Centres ",
+        Style::Velocity => "\\Velocity ",
+        Style::Thin => "\\Thin ",
+        Style::Dashed => "\\Dashed ",
+        Style::Filled => "\\Filled ",
     }
 }
