@@ -5,8 +5,6 @@
 #[cfg(feature = "external")]
 mod accessibility;
 mod paper;
-#[cfg(feature = "external")]
-mod typeset;
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,0 +1,68 @@
+//! What is really on paper and on screen: pages set by TeX engines and by a browser, then measured.
+//!
+//! Each file holds one promise and shows that its check can fail. `.ci/run` installs what they need; alone they run by
+//! `cargo test --features external --test typeset`, and `-- --show-output` says how much was set.
+
+#[path = "../pages/paper.rs"]
+mod by_hand;
+
+mod clear;
+mod diagrams;
+mod engine;
+mod engines;
+mod ink;
+mod papers;
+mod variants;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use carom::paper::Paper;
+use carom::render::{Formats, RenderedFile};
+
+/// A folder of its own, empty.
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("typeset").join(name);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+/// All documents of a paper, whichever the format has.
+fn rendered(format: &str, paper: &Paper) -> Vec<RenderedFile> {
+    let documents = Formats::shipped().unwrap().render(format, paper).unwrap();
+    assert!(documents.len() > 1, "{format} has no more than {} document", documents.len());
+    documents
+}
+
+/// What a program printed and how it ended.
+fn run(command: &mut Command) -> Output {
+    match command.output() {
+        Ok(output) => output,
+        Err(error) => panic!("{:?} cannot be run, and `.ci/run` installs it: {error}", command.get_program()),
+    }
+}
+
+/// What a program printed; it has to succeed.
+fn said(command: &mut Command) -> String {
+    let output = run(command);
+    assert!(output.status.success(), "{command:?}:\n{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8_lossy(&output.stdout).into_owned()
+}
+
+/// The sum of what workers on both processors make of each item, in the order of the items.
+fn on_both<Item: Sync, Made: Send>(items: &[Item], work: impl Fn(&Item) -> Made + Sync) -> Vec<Made> {
+    let next = std::sync::atomic::AtomicUsize::new(0);
+    let mut made: Vec<(usize, Made)> = std::thread::scope(|scope| {
+        let worker = || {
+            let places = std::iter::from_fn(|| Some(next.fetch_add(1, std::sync::atomic::Ordering::Relaxed)));
+            places.map_while(|place| Some((place, work(items.get(place)?)))).collect::<Vec<_>>()
+        };
+        let workers = [scope.spawn(worker), scope.spawn(worker)];
+        let joined = workers.map(|worker| worker.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)));
+        joined.into_iter().flatten().collect()
+    });
+    made.sort_by_key(|(place, _)| *place);
+    made.into_iter().map(|(_, made)| made).collect()
+}
