@@ -8,6 +8,7 @@ use std::process::Command;
 use carom::paper::Paper;
 
 use super::engine::{PDFLATEX, Sheet, set_fully};
+use super::margins::fonts;
 use super::papers::{editions, reference_set, strained};
 use super::{folder, on_both, rendered, run, said};
 
@@ -25,8 +26,9 @@ fn carom_knows_latex_for_three_engines() {
     }
     let complaints = on_both(&work, |(engine, edition, document)| {
         let folder = folder(&format!("engines/{engine}/{edition}/{}", document.name));
-        let complaints = set_fully(engine, &folder, document).complaints();
-        complaints.into_iter().map(|said| format!("{engine}, {edition}: {said}")).collect::<Vec<_>>()
+        let sheet = set_fully(engine, &folder, document);
+        let complaints = sheet.complaints().into_iter().chain(fonts(&sheet.pdf));
+        complaints.map(|said| format!("{engine}, {edition}: {said}")).collect::<Vec<_>>()
     });
     println!("{} documents set", work.len());
     assert!(complaints.iter().all(Vec::is_empty), "\n{}", complaints.concat().join("\n"));

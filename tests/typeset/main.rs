@@ -6,13 +6,18 @@
 #[path = "../pages/paper.rs"]
 mod by_hand;
 
+mod breaks;
+mod browser;
 mod clear;
 mod diagrams;
 mod engine;
 mod engines;
 mod ink;
+mod margins;
 mod papers;
+mod screen;
 mod variants;
+mod words;
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,0 +1,130 @@
+//! Pages break where a reader would break them: a stem stays with its diagram and its first part, and no page has only
+//! a line or two of a question.
+//!
+//! The paper is marked with words of its own before it is set, so that no template has to say what is where: `Q7` is
+//! where question 7 begins, `S7` is the end of its stem, `F7` in its figure, `P7` in its first part, `W7` in the pictures
+//! of its solution.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use carom::diagram::Diagram;
+use carom::expr::{Piece, Text};
+use carom::paper::{Paper, PrintedQuestion};
+use carom::render::RenderedFile;
+
+use super::engine::{PDFLATEX, set_fully};
+use super::papers::{editions, whole_bank};
+use super::words::{Word, lines, words};
+use super::{folder, on_both, rendered};
+
+/// The fewest lines of a question on a page, unless it has no more.
+const FEWEST: usize = 3;
+
+fn marked(mut paper: Paper) -> Paper {
+    for question in &mut paper.questions {
+        mark(question);
+    }
+    paper
+}
+
+fn mark(question: &mut PrintedQuestion) {
+    let word = |letter: char, number: usize| format!(" {letter}{number} ");
+    let number = question.number;
+    let begins = |text: &mut Text, letter: char| text.0.insert(0, Piece::Words(word(letter, number)));
+    question.id = format!("Q{number}");
+    begins(&mut question.stem[0], 'Q');
+    let last = question.stem.last_mut().expect("a stem has words");
+    last.0.push(Piece::Words(word('S', number)));
+    let first = &mut question.parts[0];
+    begins(&mut first.ask, 'P');
+    begins(&mut first.working[0].words, 'Q');
+    begins(&mut first.scheme[0].earned, 'Q');
+    let labelled = |diagrams: &mut [Diagram], letter: char| {
+        for label in diagrams.iter_mut().filter_map(|diagram| diagram.drawing.labels.first_mut()) {
+            label.text = Text::words(word(letter, number));
+        }
+    };
+    labelled(&mut question.diagrams, 'F');
+    labelled(&mut question.solution_diagrams, 'W');
+}
+
+/// Where marks stand: pages from 0, and how far down.
+fn places<'w>(pages: &'w [Vec<Word>]) -> BTreeMap<&'w str, Vec<(usize, f64)>> {
+    let mut places: BTreeMap<&str, Vec<(usize, f64)>> = BTreeMap::new();
+    for (page, words) in pages.iter().enumerate() {
+        for word in words {
+            places.entry(&word.text).or_default().push((page, word.area.low.y));
+        }
+    }
+    places.values_mut().for_each(|places| places.sort_by(|a, b| a.partial_cmp(b).expect("a place")));
+    places
+}
+
+/// What is torn apart in a document of so many marked questions.
+fn torn(pdf: &Path, questions: usize, answer_space: bool) -> Vec<String> {
+    let pages = words(pdf);
+    let places = places(&pages);
+    let first = |letter: char, number: usize| places.get(format!("{letter}{number}").as_str()).map(|places| places[0]);
+    let mut found = Vec::new();
+    for number in 1..=questions {
+        let Some(begin) = first('Q', number) else {
+            found.push(format!("question {number} is not there"));
+            continue;
+        };
+        for (letter, what) in [('S', "stem"), ('F', "figure"), ('P', "first part"), ('W', "diagrams")] {
+            let marks = places.get(format!("{letter}{number}").as_str()).into_iter().flatten();
+            for (page, _) in marks.filter(|(page, _)| *page != begin.0) {
+                let (from, to) = (begin.0 + 1, page + 1);
+                found.push(format!("question {number} begins on page {from} and has its {what} on page {to}"));
+            }
+        }
+        // a part with lines to write on fills a page by itself
+        if answer_space {
+            continue;
+        }
+        let end = first('Q', number + 1).unwrap_or((pages.len() - 1, f64::INFINITY));
+        for page in (begin.0..=end.0).filter(|_| begin.0 != end.0) {
+            let from = if page == begin.0 { begin.1 - 1.0 } else { 0.0 };
+            let to = if page == end.0 { end.1 - 1.0 } else { f64::INFINITY };
+            let foot = pages[page].iter().map(|word| word.area.high.y).fold(0.0, f64::max) - 2.0;
+            let between = |word: &&Word| word.area.low.y >= from && word.area.low.y < to && word.area.high.y < foot;
+            let count = lines(&pages[page].iter().filter(between).collect::<Vec<_>>());
+            if (1..FEWEST).contains(&count) {
+                found.push(format!("page {} has {count} lines of question {number}", page + 1));
+            }
+        }
+    }
+    found
+}
+
+fn set_and_torn(name: &str, document: &RenderedFile, questions: usize, answer_space: bool) -> Vec<String> {
+    let sheet = set_fully(PDFLATEX, &folder(name), document);
+    torn(&sheet.pdf, questions, answer_space).into_iter().map(|fault| format!("{name}: {fault}")).collect()
+}
+
+#[test]
+fn carom_knows_where_pages_break() {
+    let paper = marked(whole_bank());
+    let mut work = Vec::new();
+    for (edition, how) in editions() {
+        for document in rendered("latex", &Paper { edition: how, ..paper.clone() }) {
+            work.push((format!("breaks/{edition}/{}", document.name), document, how.answer_space));
+        }
+    }
+    let count = paper.questions.len();
+    let found = on_both(&work, |(name, document, space)| set_and_torn(name, document, count, *space)).concat();
+    assert!(found.is_empty(), "\n{}", found.join("\n"));
+}
+
+#[test]
+fn what_is_torn_apart_is_seen() {
+    let paper = marked(super::papers::reference_set());
+    let document = rendered("latex", &paper).remove(0);
+    for (mark, promised) in [("S3 ", "question 3 begins on page"), ("Q9 ", "has 1 lines of question 9")] {
+        // the first is in the comment that names the question
+        let contents = document.contents.replace(mark, &format!("{mark}\\par\\newpage "));
+        let found = set_and_torn("breaks/planted", &RenderedFile { contents, ..document.clone() }, 17, false);
+        assert!(found.iter().any(|fault| fault.contains(promised)), "{mark} lacks {promised}: {found:?}");
+    }
+}
