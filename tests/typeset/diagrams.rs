@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use carom::diagram::{Diagram, Drawing, Label, Point, Section, Stroke, Style, tikz};
 use carom::expr::Text;
-use carom::paper::{Edition, Paper};
+use carom::paper::{Edition, Paper, PrintedQuestion};
 use carom::render::RenderedFile;
 
 use super::clear::faults;
@@ -20,11 +20,11 @@ const AROUND: f64 = 40.0;
 /// In one inch there are so many points of TeX, and 72 of a PDF.
 pub const TEX_POINTS: f64 = 72.27;
 
-/// All diagrams of a paper, each with what it is called.
-pub fn diagrams(paper: &Paper) -> Vec<(String, Diagram)> {
+/// Diagrams of a paper's questions, each with what it is called.
+pub fn diagrams(paper: &Paper, of: impl Fn(&PrintedQuestion) -> &[Diagram]) -> Vec<(String, Diagram)> {
     let each = paper.questions.iter().flat_map(|question| {
-        let all = question.diagrams.iter().chain(&question.solution_diagrams);
-        all.map(|diagram| (format!("{} ({}) {}", question.id, question.number, diagram.title), diagram.clone()))
+        let named = |diagram: &Diagram| format!("{} ({}) {}", question.id, question.number, diagram.title);
+        of(question).iter().map(move |diagram| (named(diagram), diagram.clone()))
     });
     each.collect()
 }
@@ -82,7 +82,10 @@ pub fn on_paper(name: &str, edition: Edition, drawings: &[&Drawing]) -> Vec<(usi
 
 #[test]
 fn carom_knows_diagrams_that_are_clear_on_paper() {
-    let diagrams = diagrams(&whole_bank());
+    let bank = whole_bank();
+    let mut diagrams = diagrams(&bank, |question| &question.diagrams);
+    diagrams.extend(self::diagrams(&bank, |question| &question.solution_diagrams));
+    assert!(!diagrams.is_empty());
     let drawings: Vec<&Drawing> = diagrams.iter().map(|(_, diagram)| &diagram.drawing).collect();
     for (edition, large_print) in [("plain", false), ("large", true)] {
         let how = Edition { large_print, ..Edition::default() };

@@ -85,7 +85,9 @@ pub fn along([from, first, second, to]: [Point; 4]) -> impl Iterator<Item = Poin
 /// The ink of a page of a PDF, in points from its corner at the left and the top, y downwards.
 pub fn ink(pdf: &Path, page: usize) -> Ink {
     let page = page.to_string();
-    read(&said(Command::new("pdftocairo").args(["-svg", "-f", &page, "-l", &page]).arg(pdf).arg("-")))
+    read(&said(
+        Command::new("pdftocairo").args(["-svg", "-noshrink", "-nocenter", "-f", &page, "-l", &page]).arg(pdf).arg("-"),
+    ))
 }
 
 /// An SVG as poppler writes them: letters are named outlines, used at places; lines are paths.

@@ -6,7 +6,7 @@ use carom::render::RenderedFile;
 
 use super::browser::{Picture, Seen, printed, seen};
 use super::clear::faults;
-use super::diagrams::{planted, sphere};
+use super::diagrams::{diagrams, planted, sphere};
 use super::ink::{Area, Ink};
 use super::papers::{strained, whole_bank};
 use super::words::{Word, words};
@@ -35,9 +35,9 @@ fn unclear<'d>(drawings: impl IntoIterator<Item = &'d Drawing>, seen: &Seen) -> 
 }
 
 /// The diagrams that a document shows, in its order: those of the questions or those of the solutions.
-fn shown(paper: &Paper, count: usize) -> Vec<&Diagram> {
-    let questions: Vec<&Diagram> = paper.questions.iter().flat_map(|question| &question.diagrams).collect();
-    let solutions: Vec<&Diagram> = paper.questions.iter().flat_map(|question| &question.solution_diagrams).collect();
+fn shown(paper: &Paper, count: usize) -> Vec<(String, Diagram)> {
+    let questions = diagrams(paper, |question| &question.diagrams);
+    let solutions = diagrams(paper, |question| &question.solution_diagrams);
     let fitting = [Vec::new(), questions, solutions].into_iter().find(|diagrams| diagrams.len() == count);
     fitting.unwrap_or_else(|| panic!("{count} diagrams are neither those of the questions nor of the solutions"))
 }
@@ -52,12 +52,12 @@ fn on_screen(paper: &Paper, page: &RenderedFile, all: &[Seen]) -> Vec<String> {
         }
         seen.faults.iter().cloned().for_each(&mut say);
         let diagrams = shown(paper, seen.diagrams.len());
-        let drawings = diagrams.iter().map(|diagram| &diagram.drawing);
-        for ((diagram, picture), faults) in diagrams.iter().zip(&seen.diagrams).zip(unclear(drawings, seen)) {
+        let drawings = diagrams.iter().map(|(_, diagram)| &diagram.drawing);
+        for (((name, _), picture), faults) in diagrams.iter().zip(&seen.diagrams).zip(unclear(drawings, seen)) {
             if picture.width > f64::from(seen.window) {
-                say(format!("a diagram is {} pixels wide", picture.width));
+                say(format!("{name}: is {} pixels wide", picture.width));
             }
-            faults.into_iter().for_each(|fault| say(format!("{} “{}”: {fault}", diagram.title, diagram.words)));
+            faults.into_iter().for_each(|fault| say(format!("{name}: {fault}")));
         }
     }
     found
