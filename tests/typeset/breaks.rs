@@ -3,7 +3,7 @@
 //!
 //! The paper is marked with words of its own before it is set, so that no template has to say what is where: `Q7` is
 //! where question 7 begins, `S7` is the end of its stem, `F7` in its figure, `P7` in its first part, `W7` in the pictures
-//! of its solution.
+//! of its solution, `E7` where it ends.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -40,6 +40,11 @@ fn mark(question: &mut PrintedQuestion) {
     begins(&mut first.ask, 'P');
     begins(&mut first.working[0].words, 'Q');
     begins(&mut first.scheme[0].earned, 'Q');
+    let ends = |text: &mut Text| text.0.push(Piece::Words(word('E', number)));
+    let last = question.parts.last_mut().expect("a question asks");
+    ends(&mut last.ask);
+    last.working.last_mut().map(|line| ends(&mut line.words));
+    last.scheme.last_mut().map(|row| ends(&mut row.earned));
     let labelled = |diagrams: &mut [Diagram], letter: char| {
         for label in diagrams.iter_mut().filter_map(|diagram| diagram.drawing.labels.first_mut()) {
             label.text = Text::words(word(letter, number));
@@ -66,6 +71,7 @@ fn torn(pdf: &Path, questions: usize, answer_space: bool) -> Vec<String> {
     let pages = words(pdf);
     let places = places(&pages);
     let first = |letter: char, number: usize| places.get(format!("{letter}{number}").as_str()).map(|places| places[0]);
+    let last = |letter: char, number: usize| places.get(format!("{letter}{number}").as_str())?.last().copied();
     let mut found = Vec::new();
     for number in 1..=questions {
         let Some(begin) = first('Q', number) else {
@@ -83,14 +89,18 @@ fn torn(pdf: &Path, questions: usize, answer_space: bool) -> Vec<String> {
         if answer_space {
             continue;
         }
-        let end = first('Q', number + 1).unwrap_or((pages.len() - 1, f64::INFINITY));
+        let Some(end) = last('E', number) else {
+            found.push(format!("question {number} has no end"));
+            continue;
+        };
         for page in (begin.0..=end.0).filter(|_| begin.0 != end.0) {
             let from = if page == begin.0 { begin.1 - 1.0 } else { 0.0 };
-            let to = if page == end.0 { end.1 - 1.0 } else { f64::INFINITY };
-            let foot = pages[page].iter().map(|word| word.area.high.y).fold(0.0, f64::max) - 2.0;
-            let between = |word: &&Word| word.area.low.y >= from && word.area.low.y < to && word.area.high.y < foot;
-            let count = lines(&pages[page].iter().filter(between).collect::<Vec<_>>());
-            if (1..FEWEST).contains(&count) {
+            let foot = pages[page].iter().map(|word| word.area.low.y).fold(0.0, f64::max) - 20.0;
+            let to = if page == end.0 { end.1 + 1.0 } else { foot };
+            let between = |word: &&Word| word.area.low.y >= from && word.area.low.y < to;
+            // the line that tells the marks comes after the end
+            let count = lines(&pages[page].iter().filter(between).collect::<Vec<_>>()) + usize::from(page == end.0);
+            if count < FEWEST {
                 found.push(format!("page {} has {count} lines of question {number}", page + 1));
             }
         }
@@ -119,12 +129,29 @@ fn carom_knows_where_pages_break() {
 
 #[test]
 fn what_is_torn_apart_is_seen() {
-    let paper = marked(super::papers::reference_set());
-    let document = rendered("latex", &paper).remove(0);
-    for (mark, promised) in [("S3 ", "question 3 begins on page"), ("Q9 ", "has 1 lines of question 9")] {
-        // the first is in the comment that names the question
-        let contents = document.contents.replace(mark, &format!("{mark}\\par\\newpage "));
-        let found = set_and_torn("breaks/planted", &RenderedFile { contents, ..document.clone() }, 17, false);
-        assert!(found.iter().any(|fault| fault.contains(promised)), "{mark} lacks {promised}: {found:?}");
+    let lines = |count: usize| r"a line\\".repeat(count);
+    let (three, many) = (lines(3), lines(5));
+    let set = |body: &str| {
+        let contents = format!("\\documentclass{{article}}\\begin{{document}}\\noindent {body}\\end{{document}}");
+        let document = RenderedFile { name: "torn.tex".into(), contents };
+        set_and_torn("breaks/planted", &document, 2, false)
+    };
+    let second = format!(r"Q2 S2 F2 P2 W2\\{three}E2\\total");
+    assert_eq!(set(&format!(r"Q1 S1 F1 P1 W1\\{many}\newpage\noindent {three}E1\\total\\{second}")), [""; 0]);
+    for (body, promised) in [
+        (
+            format!(r"Q1 {three}\newpage S1 P1 {three}E1\\total\\{second}"),
+            "question 1 begins on page 1 and has its stem on page 2",
+        ),
+        (format!(r"Q1 S1 {three}\newpage F1 P1 {three}E1\\total\\{second}"), "has its figure on page 2"),
+        (format!(r"Q1 S1 {three}\newpage P1 {three}E1\\total\\{second}"), "has its first part on page 2"),
+        (format!(r"Q1 {three}\newpage W1 {three}E1\\total\\{second}"), "has its diagrams on page 2"),
+        (format!(r"Q1 S1 P1\newpage\noindent {many}E1\\total\\{second}"), "page 1 has 1 lines of question 1"),
+        (format!(r"Q1 S1 P1 {many}\newpage\noindent E1\\total\\{second}"), "page 2 has 2 lines of question 1"),
+        (format!(r"Q1 S1 P1 {many}"), "question 1 has no end"),
+        (format!(r"Q1 S1 P1 {many} E1"), "question 2 is not there"),
+    ] {
+        let found = set(&body);
+        assert!(found.iter().any(|fault| fault.contains(promised)), "{body} lacks {promised}: {found:?}");
     }
 }

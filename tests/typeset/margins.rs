@@ -11,45 +11,54 @@ use super::diagrams::TEX_POINTS;
 use super::engine::{PDFLATEX, set_fully};
 use super::ink::{Area, ink};
 use super::papers::{editions, reference_set, strained, whole_bank};
-use super::words::{Word, words};
+use super::words::words;
 use super::{folder, on_both, rendered, said};
 
 /// By how many points something may stand out: half of a full stop.
 const FORGIVEN: f64 = 1.0;
 
-/// Makes LaTeX write down where it sets words: the place of the body, and how far below it the foot stands.
+/// How near to the edge of a sheet a printer prints, in millimetres.
+const EDGE: f64 = 8.0;
+
+/// Makes LaTeX write down where it sets words.
 fn telling(document: &RenderedFile) -> RenderedFile {
     let tell = "\\AtBeginDocument{\\typeout{margins \\the\\dimexpr1in+\\oddsidemargin\\relax\\space\
                 \\the\\dimexpr1in+\\topmargin+\\headheight+\\headsep\\relax\\space\
-                \\the\\textwidth\\space\\the\\textheight\\space\\the\\footskip}}\n\\begin{document}";
+                \\the\\textwidth\\space\\the\\textheight\\space\\the\\paperheight}}\n\\begin{document}";
     let contents = document.contents.replacen("\\begin{document}", tell, 1);
     RenderedFile { name: document.name.clone(), contents }
 }
 
-/// The body of each page, and the body with the foot below it, in points of a PDF.
-fn margins(log: &str) -> [Area; 2] {
+/// The body of each page, and the room below it for the foot, in points of a PDF.
+fn places(log: &str) -> [Area; 2] {
     let told = log.lines().find_map(|line| line.strip_prefix("margins ")).expect("LaTeX tells its margins");
-    let lengths: Vec<f64> = told.split(' ').map(|length| length.trim_end_matches("pt").parse().unwrap()).collect();
-    let [left, top, width, height, foot] = lengths.try_into().expect("five lengths");
-    let corner = |x: f64, y: f64| Point { x: x * 72.0 / TEX_POINTS, y: y * 72.0 / TEX_POINTS };
-    // letters hang a little below the last line
-    let below = |more: f64| Area { low: corner(left, top), high: corner(left + width, top + height + more) };
-    [below(0.0).grown(FORGIVEN), below(foot + 4.0).grown(FORGIVEN)]
+    let points = |length: &str| length.trim_end_matches("pt").parse::<f64>().unwrap() * 72.0 / TEX_POINTS;
+    let lengths: Vec<f64> = told.split(' ').map(points).collect();
+    let [left, top, width, height, sheet] = lengths.try_into().expect("five lengths");
+    // the last line of a page hangs a little below it, and the foot keeps clear of that
+    const HANGS: f64 = 4.0;
+    let at = |x: f64, y: f64| Point { x, y };
+    let body = Area { low: at(left, top), high: at(left + width, top + height + HANGS) };
+    let foot = Area { low: at(left, body.high.y), high: at(left + width, sheet - EDGE / 25.4 * 72.0) };
+    [body, foot].map(|place| place.grown(FORGIVEN))
 }
 
-/// The words that stand outside a place, and the lines.
-fn outside(place: Area, body: Area, pdf: &Path) -> Vec<String> {
+/// What stands neither in the body nor in the foot; of each page the first of each kind.
+fn outside(places: [Area; 2], pdf: &Path) -> Vec<String> {
+    let [body, _] = places;
     let mut found = Vec::new();
     for (page, words) in (1..).zip(words(pdf)) {
         // a word's box is as high as its font says, and the fonts of roots and brackets say anything: see its letters
-        let out = |word: &&Word| word.area.low.x < place.low.x || word.area.high.x > place.high.x;
-        found.extend(words.iter().filter(out).map(|word| format!("page {page}: `{}` at {:?}", word.text, word.area)));
+        let word = words.iter().find(|word| word.area.low.x < body.low.x || word.area.high.x > body.high.x);
         let ink = ink(pdf, page);
-        let wide = body.grown(FORGIVEN);
-        let out = |at: &&Point| !place.holds(**at) || at.x < wide.low.x || at.x > wide.high.x;
-        found.extend(ink.lines.iter().flatten().find(out).map(|at| format!("page {page}: a line at {at:?}")));
-        let out = |letter: &&Area| !place.covers(**letter);
-        found.extend(ink.letters.iter().filter(out).map(|at| format!("page {page}: a letter at {at:?}")));
+        let letter = ink.letters.iter().find(|letter| !places.iter().any(|place| place.covers(**letter)));
+        let line = ink.lines.iter().flatten().find(|at| !places.iter().any(|place| place.holds(**at)));
+        let said = [
+            word.map(|word| format!("`{}` at {:?}", word.text, word.area)),
+            letter.map(|at| format!("a letter at {at:?}")),
+            line.map(|at| format!("a line at {at:?}")),
+        ];
+        found.extend(said.into_iter().flatten().map(|what| format!("page {page}: {what}")));
     }
     found
 }
@@ -75,8 +84,7 @@ fn poor_fonts(told: &str) -> Vec<String> {
 /// Everything that is wrong with a document's pages.
 fn faults(name: &str, document: &RenderedFile) -> Vec<String> {
     let sheet = set_fully(PDFLATEX, &folder(name), &telling(document));
-    let [body, page] = margins(&sheet.log);
-    let found = outside(page, body, &sheet.pdf).into_iter().chain(fonts(&sheet.pdf));
+    let found = outside(places(&sheet.log), &sheet.pdf).into_iter().chain(fonts(&sheet.pdf));
     found.map(|fault| format!("{name}: {fault}")).collect()
 }
 
