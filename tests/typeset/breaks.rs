@@ -3,7 +3,7 @@
 //!
 //! The paper is marked with words of its own before it is set, so that no template has to say what is where: `Q7` is
 //! where question 7 begins, `S7` is the end of its stem, `F7` in its figure, `P7` in its first part, `W7` in the pictures
-//! of its solution, `E7` where it ends.
+//! of its solution, `E7` where it ends, `V7` the last words of its solution.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -40,11 +40,11 @@ fn mark(question: &mut PrintedQuestion) {
     begins(&mut first.ask, 'P');
     begins(&mut first.working[0].words, 'Q');
     begins(&mut first.scheme[0].earned, 'Q');
-    let ends = |text: &mut Text| text.0.push(Piece::Words(word('E', number)));
+    let ends = |text: &mut Text, letter: char| text.0.push(Piece::Words(word(letter, number)));
     let last = question.parts.last_mut().expect("a question asks");
-    ends(&mut last.ask);
-    last.working.last_mut().map(|line| ends(&mut line.words));
-    last.scheme.last_mut().map(|row| ends(&mut row.earned));
+    ends(&mut last.ask, 'E');
+    ends(&mut last.working.last_mut().expect("a part has a solution").words, 'V');
+    ends(&mut last.scheme.last_mut().expect("a part has marks").earned, 'E');
     let labelled = |diagrams: &mut [Diagram], letter: char| {
         for label in diagrams.iter_mut().filter_map(|diagram| diagram.drawing.labels.first_mut()) {
             label.text = Text::words(word(letter, number));
@@ -59,37 +59,44 @@ fn places<'w>(pages: &'w [Vec<Word>]) -> BTreeMap<&'w str, Vec<(usize, f64)>> {
     let mut places: BTreeMap<&str, Vec<(usize, f64)>> = BTreeMap::new();
     for (page, words) in pages.iter().enumerate() {
         for word in words {
-            places.entry(&word.text).or_default().push((page, word.area.low.y));
+            places.entry(word.text.trim_end_matches([',', '.'])).or_default().push((page, word.area.low.y));
         }
     }
     places.values_mut().for_each(|places| places.sort_by(|a, b| a.partial_cmp(b).expect("a place")));
     places
 }
 
-/// What is torn apart in a document of so many marked questions.
-fn torn(pdf: &Path, questions: usize, answer_space: bool) -> Vec<String> {
+/// What is torn apart in a document of a marked paper.
+fn torn(pdf: &Path, paper: &Paper) -> Vec<String> {
     let pages = words(pdf);
     let places = places(&pages);
     let first = |letter: char, number: usize| places.get(format!("{letter}{number}").as_str()).map(|places| places[0]);
     let last = |letter: char, number: usize| places.get(format!("{letter}{number}").as_str())?.last().copied();
     let mut found = Vec::new();
-    for number in 1..=questions {
+    for number in 1..=paper.questions.len() {
         let Some(begin) = first('Q', number) else {
             found.push(format!("question {number} is not there"));
             continue;
         };
         for (letter, what) in [('S', "stem"), ('F', "figure"), ('P', "first part"), ('W', "diagrams")] {
             let marks = places.get(format!("{letter}{number}").as_str()).into_iter().flatten();
-            for (page, _) in marks.filter(|(page, _)| *page != begin.0) {
+            // a sheet of large print may be full of a stem and its figure
+            let may_part = letter == 'P' && paper.edition.large_print;
+            for (page, _) in marks.filter(|(page, _)| *page != begin.0 && !may_part) {
                 let (from, to) = (begin.0 + 1, page + 1);
                 found.push(format!("question {number} begins on page {from} and has its {what} on page {to}"));
             }
         }
         // a part with lines to write on fills a page by itself
-        if answer_space {
+        if paper.edition.answer_space {
             continue;
         }
-        let Some(end) = last('E', number) else {
+        // what tells the marks comes after the end, or the equations after the last words
+        let equations = || {
+            let line = paper.questions.get(number - 1)?.parts.last()?.working.last()?;
+            Some((last('V', number)?, line.equations.len()))
+        };
+        let Some((end, after)) = last('E', number).map(|at| (at, 1)).or_else(equations) else {
             found.push(format!("question {number} has no end"));
             continue;
         };
@@ -98,8 +105,8 @@ fn torn(pdf: &Path, questions: usize, answer_space: bool) -> Vec<String> {
             let foot = pages[page].iter().map(|word| word.area.low.y).fold(0.0, f64::max) - 20.0;
             let to = if page == end.0 { end.1 + 1.0 } else { foot };
             let between = |word: &&Word| word.area.low.y >= from && word.area.low.y < to;
-            // the line that tells the marks comes after the end
-            let count = lines(&pages[page].iter().filter(between).collect::<Vec<_>>()) + usize::from(page == end.0);
+            let count = lines(&pages[page].iter().filter(between).collect::<Vec<_>>());
+            let count = count + if page == end.0 { after } else { 0 };
             if count < FEWEST {
                 found.push(format!("page {} has {count} lines of question {number}", page + 1));
             }
@@ -108,22 +115,25 @@ fn torn(pdf: &Path, questions: usize, answer_space: bool) -> Vec<String> {
     found
 }
 
-fn set_and_torn(name: &str, document: &RenderedFile, questions: usize, answer_space: bool) -> Vec<String> {
+fn set_and_torn(name: &str, document: &RenderedFile, paper: &Paper) -> Vec<String> {
     let sheet = set_fully(PDFLATEX, &folder(name), document);
-    torn(&sheet.pdf, questions, answer_space).into_iter().map(|fault| format!("{name}: {fault}")).collect()
+    torn(&sheet.pdf, paper).into_iter().map(|fault| format!("{name}: {fault}")).collect()
 }
 
 #[test]
 fn carom_knows_where_pages_break() {
-    let paper = marked(whole_bank());
+    let bank = marked(whole_bank());
     let mut work = Vec::new();
     for (edition, how) in editions() {
-        for document in rendered("latex", &Paper { edition: how, ..paper.clone() }) {
-            work.push((format!("breaks/{edition}/{}", document.name), document, how.answer_space));
-        }
+        let paper = Paper { edition: how, ..bank.clone() };
+        let documents = rendered("latex", &paper);
+        work.extend(
+            documents
+                .into_iter()
+                .map(|document| (format!("breaks/{edition}/{}", document.name), document, paper.clone())),
+        );
     }
-    let count = paper.questions.len();
-    let found = on_both(&work, |(name, document, space)| set_and_torn(name, document, count, *space)).concat();
+    let found = on_both(&work, |(name, document, paper)| set_and_torn(name, document, paper)).concat();
     assert!(found.is_empty(), "\n{}", found.join("\n"));
 }
 
@@ -131,10 +141,11 @@ fn carom_knows_where_pages_break() {
 fn what_is_torn_apart_is_seen() {
     let lines = |count: usize| r"a line\\".repeat(count);
     let (three, many) = (lines(3), lines(5));
+    let two = Paper { questions: super::by_hand::paper().questions[..2].to_vec(), ..Paper::default() };
     let set = |body: &str| {
         let contents = format!("\\documentclass{{article}}\\begin{{document}}\\noindent {body}\\end{{document}}");
         let document = RenderedFile { name: "torn.tex".into(), contents };
-        set_and_torn("breaks/planted", &document, 2, false)
+        set_and_torn("breaks/planted", &document, &two)
     };
     let second = format!(r"Q2 S2 F2 P2 W2\\{three}E2\\total");
     assert_eq!(set(&format!(r"Q1 S1 F1 P1 W1\\{many}\newpage\noindent {three}E1\\total\\{second}")), [""; 0]);
