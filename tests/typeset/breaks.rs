@@ -55,7 +55,7 @@ fn mark(question: &mut PrintedQuestion) {
 }
 
 /// Where marks stand: pages from 0, and how far down.
-fn places<'w>(pages: &'w [Vec<Word>]) -> BTreeMap<&'w str, Vec<(usize, f64)>> {
+fn places(pages: &[Vec<Word>]) -> BTreeMap<&str, Vec<(usize, f64)>> {
     let mut places: BTreeMap<&str, Vec<(usize, f64)>> = BTreeMap::new();
     for (page, words) in pages.iter().enumerate() {
         for word in words {

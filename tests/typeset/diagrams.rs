@@ -35,7 +35,7 @@ fn pages(name: &str, edition: Edition, drawings: &[&Drawing]) -> (PathBuf, f64) 
     let document = rendered("latex", &Paper { edition, ..empty() }).remove(0);
     let (mut contents, _) = document.contents.split_once(r"\begin{document}").map(|(a, b)| (a.to_owned(), b)).unwrap();
     contents += "\\begin{document}\n\\typeout{one em is \\the\\dimexpr1em\\relax}\n";
-    write!(contents, "\\pdfhorigin={AROUND}pt \\pdfvorigin={AROUND}pt\n").unwrap();
+    writeln!(contents, "\\pdfhorigin={AROUND}pt \\pdfvorigin={AROUND}pt").unwrap();
     for drawing in drawings {
         let wide = 2.0 * AROUND;
         write!(
