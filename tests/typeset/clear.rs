@@ -60,6 +60,14 @@ pub fn faults(drawing: &Drawing, ink: &Ink) -> Vec<String> {
     faults
 }
 
+/// The ink of a drawing whose labels fill the boxes that are kept free for them, without a page.
+pub fn as_meant(drawing: &Drawing) -> Ink {
+    let lines = drawing.strokes.iter().map(points).collect();
+    // two boxes may stand as near to each other as labels may
+    let letters = drawing.labels.iter().map(|label| kept_free(label).grown(-0.01)).collect();
+    Ink { lines, letters }
+}
+
 /// The labels and the box that the letters of each really fill.
 fn written<'d>(drawing: &'d Drawing, letters: &[Area], faults: &mut Vec<String>) -> Vec<(&'d Label, Area)> {
     let mut boxes: Vec<Option<Area>> = vec![None; drawing.labels.len()];
@@ -104,7 +112,10 @@ fn points(stroke: &Stroke) -> Vec<Point> {
     for piece in &stroke.pieces {
         let from = points[points.len() - 1];
         match *piece {
-            Section::Line(to) => points.push(to),
+            Section::Line(to) => {
+                let third = |at: f64| Point { x: from.x + at * (to.x - from.x), y: from.y + at * (to.y - from.y) };
+                points.extend(along([from, third(1.0 / 3.0), third(2.0 / 3.0), to]));
+            }
             Section::Curve(first, second, to) => points.extend(along([from, first, second, to])),
         }
     }

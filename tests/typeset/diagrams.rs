@@ -8,7 +8,7 @@ use carom::expr::Text;
 use carom::paper::{Edition, Paper, PrintedQuestion};
 use carom::render::RenderedFile;
 
-use super::clear::faults;
+use super::clear::{as_meant, faults};
 use super::engine::{PDFLATEX, set};
 use super::ink::{Ink, ink};
 use super::papers::{empty, whole_bank};
@@ -153,7 +153,12 @@ pub fn planted() -> Vec<(Drawing, &'static str)> {
 #[test]
 fn what_is_not_clear_on_paper_is_seen() {
     assert_eq!(on_paper("diagrams-right", Edition::default(), &[&sphere()]), []);
+    assert_eq!(faults(&sphere(), &as_meant(&sphere())), [""; 0]);
     let planted = planted();
+    for (drawing, promised) in planted.iter().filter(|(_, promised)| *promised != "more than") {
+        let found = faults(drawing, &as_meant(drawing));
+        assert!(found.iter().any(|fault| fault.contains(promised)), "lacks `{promised}`: {found:?}");
+    }
     let drawings: Vec<&Drawing> = planted.iter().map(|(drawing, _)| drawing).collect();
     let found = on_paper("diagrams-planted", Edition::default(), &drawings);
     for (place, (_, promised)) in planted.iter().enumerate() {

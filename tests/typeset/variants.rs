@@ -2,6 +2,7 @@
 
 use carom::bank::Question;
 
+use super::clear::{as_meant, faults as faults_of};
 use super::engine::{complaints, placed};
 use super::papers::{Batch, bank, batch};
 use super::{folder, on_both};
@@ -17,8 +18,20 @@ fn faults(question: &Question) -> (Batch, Vec<String>) {
     let named = |(place, complaint): (Option<usize>, String)| {
         format!("{}: {complaint}", place.map_or(&question.id, |place| &batch.names[place]))
     };
-    let faults = found.into_iter().map(named).collect();
+    let faults = found.into_iter().map(named).chain(crowded(&batch).into_iter().take(3)).collect();
     (batch, faults)
+}
+
+/// Diagrams in which labels have no room of their own.
+fn crowded(batch: &Batch) -> Vec<String> {
+    let mut found = Vec::new();
+    for (name, question) in batch.names.iter().zip(&batch.paper.questions) {
+        for diagram in question.diagrams.iter().chain(&question.solution_diagrams) {
+            let faults = faults_of(&diagram.drawing, &as_meant(&diagram.drawing));
+            found.extend(faults.first().map(|fault| format!("{name}: {} {fault}", diagram.title)));
+        }
+    }
+    found
 }
 
 #[test]
