@@ -14,7 +14,7 @@ pub fn svg(diagram: &Diagram) -> String {
     let size = *high - *low;
     let mut out = Source::for_marks(strokes.len() + labels.len());
     out.put(r#"<svg class="diagram" role="img" aria-label=""#);
-    out.put(&print::words_html(&diagram.words).replace('"', "&quot;"));
+    out.put(&print::words_html(&diagram.words));
     out.put(r#"" width=""#).length(size.x).put(r#"em" height=""#).length(size.y);
     out.put(r#"em" viewBox="0 0 "#).point(size * SCALE, ' ').put(r#"" font-size="10" fill="none" stroke="none">"#);
     let place = |point: Point| Point::new((point.x - low.x) * SCALE, (high.y - point.y) * SCALE);

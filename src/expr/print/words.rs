@@ -10,11 +10,8 @@
 /// ```
 pub fn words_latex(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        if matches!(c, 'a'..='z' | 'A'..='Z' | '0'..='9' | ' ' | ',' | '.') {
-            out.push(c); // most of what is written
-            continue;
-        }
+    let mut rest = text;
+    while let Some(c) = past_plain(&mut rest, &mut out) {
         match latex_command(c) {
             Some(command) => out.push_str(command),
             None if c.is_whitespace() => out.push(' '),
@@ -29,31 +26,45 @@ pub fn words_latex(text: &str) -> String {
 /// Words for HTML, in text and in attribute values.
 pub fn words_html(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
-    for c in visible(text) {
+    let mut rest = text;
+    while let Some(c) = past_plain(&mut rest, &mut out) {
         match c {
             '&' => out.push_str("&amp;"),
             '<' => out.push_str("&lt;"),
             '>' => out.push_str("&gt;"),
             '"' => out.push_str("&quot;"),
             '\'' => out.push_str("&#39;"),
-            c => out.push(c),
+            c => out.extend(shown(c)),
         }
     }
     out
 }
 
-/// Words for a terminal, without the characters that could command it.
-pub fn words_unicode(text: &str) -> String {
-    visible(text).collect()
+/// Takes over the letters, digits, blanks, commas and full stops that come next, most of what is written, and then
+/// takes off one other character.
+fn past_plain(rest: &mut &str, out: &mut String) -> Option<char> {
+    let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || matches!(byte, b' ' | b',' | b'.');
+    let length = rest.bytes().position(|byte| !is_plain(byte)).unwrap_or(rest.len());
+    let (plain, other) = rest.split_at(length);
+    out.push_str(plain);
+    let mut characters = other.chars();
+    let next = characters.next();
+    *rest = characters.as_str();
+    next
 }
 
-fn visible(text: &str) -> impl Iterator<Item = char> {
-    let shown = |c: char| match c {
+/// Words for a terminal, without the characters that could command it.
+pub fn words_unicode(text: &str) -> String {
+    text.chars().filter_map(shown).collect()
+}
+
+/// A character as it may be shown, if it may.
+fn shown(c: char) -> Option<char> {
+    match c {
         ' '..='~' | '\u{a0}' => Some(c),
         _ if c.is_whitespace() => Some(' '),
         _ => (!is_hidden(c)).then_some(c),
-    };
-    text.chars().filter_map(shown)
+    }
 }
 
 /// Control characters, and those that turn the direction of writing, join, or show nothing at all.
