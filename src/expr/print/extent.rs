@@ -10,16 +10,16 @@ use super::unit::unit_unicode;
 use crate::expr::{Piece, Text};
 
 /// Height of a line without anything tall in it.
-const LINE: f64 = 1.0;
+const LINE: f64 = 1.1;
 /// Height of a line with a fraction in it.
-const TALL: f64 = 1.45;
+const TALL: f64 = 1.5;
 
 /// Width and height of a text on one line, in ems of its letters.
 ///
 /// ```
 /// use carom::expr::{Text, print};
 /// let (width, height) = print::extent(&Text::words("line of centres"));
-/// assert!(6.0 < width && width < 8.0 && height == 1.0);
+/// assert!(6.0 < width && width < 8.0 && height == 1.1);
 /// ```
 pub fn extent(text: &Text) -> (f64, f64) {
     let pieces = text.0.iter().map(|piece| match piece {
