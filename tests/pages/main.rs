@@ -4,6 +4,7 @@
 
 #[cfg(feature = "external")]
 mod accessibility;
+mod families;
 mod paper;
 
 use std::fs;
