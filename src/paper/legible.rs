@@ -1,11 +1,14 @@
 //! Numbers that no line holds: a formula of many sines of general angles gives way to its decimal.
 
 use super::{PrintedPart, WorkingLine};
-use crate::expr::{Expr, Relation, number, print};
+use crate::expr::{Expr, Function, Relation, number, print};
 use crate::number::Places;
 
 /// So many letters and digits fit on a line of a page.
 const LINE: usize = 100;
+
+/// So many fit into a column: a line is broken at signs, a fraction or a root is not.
+const PIECE: usize = 44;
 
 /// With so many figures a value goes into the next line of the working.
 const CARRIED: Places = Places::SignificantFigures(5);
@@ -58,14 +61,29 @@ fn formula(expr: &Expr) -> Expr {
 }
 
 fn shortened(expr: &Expr) -> Expr {
-    if print::unicode(expr).chars().count() <= LINE {
+    if matches!(expr, Expr::Quotient(..) | Expr::Call(Function::Sqrt, _)) {
+        return piece(expr);
+    }
+    let pieces = expr.map_children(&mut shortened);
+    if length(&pieces) <= LINE { pieces } else { decimal(expr).unwrap_or(pieces) }
+}
+
+/// The same within a fraction or a root.
+fn piece(expr: &Expr) -> Expr {
+    if length(expr) <= PIECE {
         return expr.clone();
     }
-    let decimal = number(expr, &|_| None).ok().and_then(|value| value.rounded(&CARRIED).ok());
-    match decimal {
-        Some(decimal) => Expr::Decimal(decimal.to_string()),
-        None => expr.map_children(&mut shortened),
-    }
+    decimal(expr).unwrap_or_else(|| expr.map_children(&mut piece))
+}
+
+fn length(expr: &Expr) -> usize {
+    print::unicode(expr).chars().count()
+}
+
+/// The decimal of what is a number.
+fn decimal(expr: &Expr) -> Option<Expr> {
+    let value = number(expr, &|_| None).ok()?.rounded(&CARRIED).ok()?;
+    Some(Expr::Decimal(value.to_string()))
 }
 
 #[cfg(test)]
@@ -92,6 +110,10 @@ mod tests {
         let with_letter = formula(&read_equation(&format!("L = m*({})/64", ones(9))));
         assert_eq!(print::unicode(&with_letter), print::unicode(&formula(&with_letter)));
         assert!(print::unicode(&with_letter).contains("9.0000"), "{}", print::unicode(&with_letter));
+        let in_a_fraction = formula(&read_equation(&format!("v = 2 + (1 + {})/4", ones(2))));
+        assert_eq!(print::unicode(&in_a_fraction), "v ≈ 2 + 0.75000");
+        let broken_at_signs = read_equation(&format!("v = 2*(1 + {})", ones(2)));
+        assert_eq!(formula(&broken_at_signs), broken_at_signs);
         // What holds a letter in every part cannot be shortened.
         let letters = read_equation(&format!("v = {}", vec!["cos(theta)*m"; 30].join(" + ")));
         assert_eq!(formula(&letters), letters);
