@@ -67,6 +67,23 @@ fn item_extent(item: &Item) -> (f64, f64) {
     }
 }
 
+/// Width of a part of a formula on a page, where the parts of a fraction stand on one another.
+pub(super) fn width_on_page(row: &[Item]) -> f64 {
+    let width = |item: &Item| match item {
+        Item::Fraction(top, bottom) => width_on_page(top).max(width_on_page(bottom)) + 0.3,
+        Item::Root(inner) => width_on_page(inner) + 0.9,
+        Item::Power(base, exponent) => width_on_page(base) + 0.75 * width_on_page(exponent),
+        Item::Brackets(inner) => width_on_page(inner) + 0.85,
+        Item::Bars(inner) => width_on_page(inner) + 0.7,
+        Item::Call(function, power, argument) => {
+            let raised = power.as_ref().map_or(0.0, |power| 0.75 * words_width(power));
+            words_width(name(*function)) + raised + 0.2 + width_on_page(argument)
+        }
+        item => item_extent(item).0,
+    };
+    row.iter().map(width).sum()
+}
+
 fn letter_width(letter: &Letter) -> f64 {
     let width = |symbol: &Symbol| match symbol {
         Symbol::Italic(text) | Symbol::Upright(text) => words_width(text),
