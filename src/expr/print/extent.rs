@@ -5,7 +5,7 @@
 
 use super::layout::{Item, Row, layout, quantity};
 use super::letter::{Letter, Symbol};
-use super::unicode::name;
+use super::unicode::{is_bracketed_on_one_line, name};
 use super::unit::unit_unicode;
 use crate::expr::{Piece, Text};
 
@@ -33,7 +33,9 @@ pub fn extent(text: &Text) -> (f64, f64) {
 
 fn row_extent(row: &Row) -> (f64, f64) {
     let items = row.iter().map(item_extent);
-    items.fold((0.0, LINE), |(width, height), (more, taller)| (width + more, taller.max(height)))
+    let (width, height) = items.fold((0.0, LINE), |(width, height), (more, taller)| (width + more, taller.max(height)));
+    let bracketed = (0..row.len()).filter(|place| is_bracketed_on_one_line(row, *place)).count();
+    (width + 0.8 * bracketed as f64, height)
 }
 
 fn item_extent(item: &Item) -> (f64, f64) {
