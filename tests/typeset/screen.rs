@@ -113,8 +113,9 @@ fn carom_knows_diagrams_that_are_clear_in_the_letters_that_a_page_falls_back_to(
     assert!(pages.len() > 1);
     let found = on_both(&pages, |page| {
         let page = in_fallback(page);
-        let all = seen(&folder(&format!("screen/fallback/{}", page.name)), &page);
-        on_screen(&paper, &page, &all)
+        // no phone has these letters
+        let on_desk = seen(&folder(&format!("screen/fallback/{}", page.name)), &page).remove(0);
+        on_screen(&paper, &page, &[on_desk])
     });
     assert!(found.iter().all(Vec::is_empty), "\n{}", found.concat().join("\n"));
 }

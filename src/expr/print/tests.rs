@@ -300,7 +300,7 @@ fn carom_knows_mathml_that_browsers_draw_themselves() {
 #[test]
 fn carom_knows_that_a_formula_on_one_line_has_room_for_its_brackets() {
     let vector = |n, d| Expr::product([f(n, d), x("i")]);
-    for formula in [vector(5, 2), sum([vector(-5, 2), vector(1, 2)]), Expr::product([n(2), f(1, 2)])] {
+    for formula in [vector(5, 2), sum([vector(-5, 2), vector(1, 2)])] {
         let [drawn, written] = [Piece::Formula(formula.clone()), Piece::Words(unicode(&formula))]
             .map(|piece| extent(&Text(vec![piece])).0);
         assert!(drawn >= written, "{}: {drawn} of {written}", unicode(&formula));
