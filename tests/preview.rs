@@ -128,6 +128,26 @@ fn templates_of_ones_own_change_the_preview() {
     assert_eq!(stdout(&output), "11 in all\n", "{}", stderr(&output));
 }
 
+#[test]
+fn a_template_that_nothing_uses_is_told_of() {
+    let (folder, path) = bank("unused");
+    let templates = folder.join("templates").display().to_string();
+    fs::create_dir_all(folder.join("templates/text")).unwrap();
+    fs::write(folder.join("templates/text/previw.txt"), "mine").unwrap();
+    let arguments = [&path, "--templates", &templates, "--reference"];
+    let expected = ["warning: nothing uses `text/previw.txt`", "did you mean `preview.txt`?"];
+    let output = preview(&arguments);
+    assert!(output.status.success() && stdout(&output).contains("Worked solution"), "{}", stderr(&output));
+    let watching = Watching::start(&arguments);
+    for said in [stderr(&output), watching.showing()] {
+        assert!(expected.iter().all(|words| said.contains(words)), "{said}");
+    }
+    fs::rename(folder.join("templates/text/previw.txt"), folder.join("templates/text/preview.txt")).unwrap();
+    let mended = watching.showing();
+    assert!(mended.contains("mine") && !mended.contains("warning: "), "{mended}");
+    watching.end();
+}
+
 #[cfg(unix)]
 #[test]
 fn a_browser_is_given_the_page() {

@@ -9,10 +9,11 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::failure::Failure;
+use super::failure::{Failure, warn};
 use super::output::{line_length, listed, print, say};
 use super::sheet::fresh_seed;
 use crate::bank::{Question, StyleName, read_question};
+use crate::diagnostic::render_all;
 use crate::generate::{Variant, reference};
 use crate::paper::{Dealer, Key, Paper, compose, key_question};
 use crate::render::Formats;
@@ -70,6 +71,7 @@ pub fn run(arguments: &PreviewArguments) -> Result<(), Failure> {
         return keep_showing(arguments, &subject, &numbers);
     }
     let preview = Preview::new(&subject, &subject.read()?, &numbers)?;
+    warn(preview.formats.warnings());
     if arguments.open {
         let page = Page::new(arguments.out.as_deref())?;
         page.write(&preview.html()?)?;
@@ -100,8 +102,8 @@ fn keep_showing(arguments: &PreviewArguments, subject: &Subject, numbers: &Numbe
             Err(words) => Err(Failure::Said(words.trim_start_matches("error: ").trim_end().to_owned(), None)),
         };
         let shown = preview.and_then(|preview| match &page {
-            None => Ok((preview.text()?, String::new(), preview.note)),
-            Some(_) => Ok((String::new(), preview.html()?, preview.note)),
+            None => Ok((preview.text()?, String::new(), preview.notes(colour))),
+            Some(_) => Ok((String::new(), preview.html()?, preview.notes(colour))),
         });
         let (mut text, html, note) = match shown {
             Ok(shown) => shown,
@@ -161,6 +163,11 @@ impl Preview {
             }
         };
         Ok(Preview { formats, paper, note })
+    }
+
+    /// What there is to say besides, files of one's own that nothing uses among it.
+    fn notes(&self, colour: bool) -> String {
+        render_all(self.formats.warnings(), colour) + &self.note
     }
 
     fn text(&self) -> Result<String, Failure> {

@@ -35,8 +35,8 @@ pub fn svg(diagram: &Diagram) -> String {
         out.put(if stroke.style == Style::Filled { "Z\"/>" } else { "\"/>" });
     }
     for label in labels {
-        // The middle of a line of letters lies about a third of an em above the line they stand on.
-        let foot = place(label.centre) + Point::new(0.0, 0.33 * SCALE);
+        // The middle between the feet of brackets and the tops of raised digits, above the line that letters stand on.
+        let foot = place(label.centre) + Point::new(0.0, 0.3 * SCALE);
         out.put(r#"<text x=""#).length(foot.x).put(r#"" y=""#).length(foot.y);
         out.put(r#"" text-anchor="middle" fill="currentColor">"#).put(&print::text_svg(&label.text)).put("</text>");
     }

@@ -112,7 +112,11 @@ fn whole_bank() -> Paper {
 
 #[test]
 fn carom_knows_pages_of_the_whole_bank_that_axe_finds_no_fault_in() {
-    let found = faults_of_paper("bank", &whole_bank(), &[DESK, PHONE_AT_NIGHT]);
+    let paper = whole_bank();
+    let found = faults_of_paper("bank", &paper, &[DESK, PHONE_AT_NIGHT]);
+    assert!(found.is_empty(), "{}", found.join("\n"));
+    let edition = Edition { large_print: true, ..Edition::default() };
+    let found = faults_of_paper("bank-large", &Paper { edition, ..paper }, &[PHONE]);
     assert!(found.is_empty(), "{}", found.join("\n"));
 }
 

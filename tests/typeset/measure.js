@@ -31,7 +31,7 @@ function measured(sheet, width) {
     window: root.clientWidth,
     formulas: formulas.length,
     fractions: sheet.querySelectorAll('mfrac').length,
-    faults: formulas.flatMap(math => wrong(math, width < 500).map(fault => `${place(math)}: ${fault}`)),
+    faults: formulas.flatMap(math => wrong(math).map(fault => `${place(math)}: ${fault}`)),
     diagrams: [...sheet.querySelectorAll('svg')].map(ink),
     margins: margins(sheet),
   };
@@ -43,8 +43,8 @@ function place(element) {
   return `“${around.textContent.trim().replace(/\s+/g, ' ').slice(0, 60)}”`;
 }
 
-// What is wrong with a formula. On a phone a long one may be scrolled to.
-function wrong(math, phone) {
+// What is wrong with a formula.
+function wrong(math) {
   const faults = [];
   const whole = box(math);
   if (whole.width < 1 || whole.height < 1) faults.push(`fills ${whole.width} by ${whole.height} pixels`);
@@ -69,8 +69,7 @@ function wrong(math, phone) {
     const style = getComputedStyle(around);
     const [across, down] = [style.overflowX, style.overflowY].map(overflow => overflow !== 'visible');
     const [outer, slack] = [box(around), 1.5];
-    const scrolls = phone && ['auto', 'scroll'].includes(style.overflowX);
-    if (across && !scrolls && (whole.left < outer.left - slack || whole.right > outer.right + slack)) faults.push('is cut off at a side');
+    if (across && (whole.left < outer.left - slack || whole.right > outer.right + slack)) faults.push('is cut off at a side');
     if (down && (whole.top < outer.top - slack || whole.bottom > outer.bottom + slack)) faults.push('is cut off above or below');
   }
   return faults;

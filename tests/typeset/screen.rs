@@ -105,6 +105,27 @@ fn carom_knows_pages_that_a_browser_shows_as_they_are_meant() {
     assert!(found.iter().all(Vec::is_empty), "\n{}", found.concat().join("\n"));
 }
 
+#[test]
+fn carom_knows_diagrams_that_are_clear_in_the_letters_that_a_page_falls_back_to() {
+    let paper = whole_bank();
+    let mut pages = rendered("html", &paper);
+    pages.retain(|page| page.contents.contains("<svg"));
+    assert!(pages.len() > 1);
+    let found = on_both(&pages, |page| {
+        let page = in_fallback(page);
+        // no phone has these letters
+        let on_desk = seen(&folder(&format!("screen/fallback/{}", page.name)), &page).remove(0);
+        on_screen(&paper, &page, &[on_desk])
+    });
+    assert!(found.iter().all(Vec::is_empty), "\n{}", found.concat().join("\n"));
+}
+
+/// A page whose diagrams have the widest letters that a machine without the fonts of `style.css` is likely to give them.
+fn in_fallback(page: &RenderedFile) -> RenderedFile {
+    let style = "<style>svg text { font-family: \"DejaVu Serif\" }</style>\n</head>";
+    RenderedFile { name: page.name.clone(), contents: page.contents.replacen("</head>", style, 1) }
+}
+
 /// A page of our own, with what is to be found in it.
 fn page(body: &str) -> RenderedFile {
     let style = "@page { size: A4; margin: 18mm 18mm 20mm } .narrow { width: 20px; overflow: hidden }";

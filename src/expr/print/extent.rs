@@ -5,7 +5,7 @@
 
 use super::layout::{Item, Row, layout, quantity};
 use super::letter::{Letter, Symbol};
-use super::unicode::name;
+use super::unicode::{is_bracketed_on_one_line, name};
 use super::unit::unit_unicode;
 use crate::expr::{Piece, Text};
 
@@ -33,7 +33,9 @@ pub fn extent(text: &Text) -> (f64, f64) {
 
 fn row_extent(row: &Row) -> (f64, f64) {
     let items = row.iter().map(item_extent);
-    items.fold((0.0, LINE), |(width, height), (more, taller)| (width + more, taller.max(height)))
+    let (width, height) = items.fold((0.0, LINE), |(width, height), (more, taller)| (width + more, taller.max(height)));
+    let bracketed = (0..row.len()).filter(|place| is_bracketed_on_one_line(row, *place)).count();
+    (width + 0.8 * bracketed as f64, height)
 }
 
 fn item_extent(item: &Item) -> (f64, f64) {
@@ -65,6 +67,23 @@ fn item_extent(item: &Item) -> (f64, f64) {
         }
         Item::Unit(unit) => (words_width(unit_unicode(*unit)), LINE),
     }
+}
+
+/// Width of a part of a formula on a page, where the parts of a fraction stand on one another.
+pub(super) fn width_on_page(row: &[Item]) -> f64 {
+    let width = |item: &Item| match item {
+        Item::Fraction(top, bottom) => width_on_page(top).max(width_on_page(bottom)) + 0.3,
+        Item::Root(inner) => width_on_page(inner) + 0.9,
+        Item::Power(base, exponent) => width_on_page(base) + 0.75 * width_on_page(exponent),
+        Item::Brackets(inner) => width_on_page(inner) + 0.85,
+        Item::Bars(inner) => width_on_page(inner) + 0.7,
+        Item::Call(function, power, argument) => {
+            let raised = power.as_ref().map_or(0.0, |power| 0.75 * words_width(power));
+            words_width(name(*function)) + raised + 0.2 + width_on_page(argument)
+        }
+        item => item_extent(item).0,
+    };
+    row.iter().map(width).sum()
 }
 
 fn letter_width(letter: &Letter) -> f64 {

@@ -1,5 +1,8 @@
 //! Formulas in presentation MathML, within the MathML Core that browsers draw themselves.
 
+use std::fmt::Write;
+
+use super::extent::width_on_page;
 use super::layout::{Item, Row, is_tall, layout};
 use super::letter::{Letter, Symbol};
 use super::unit::unit_mathml;
@@ -26,40 +29,63 @@ pub fn mathml(expr: &Expr) -> String {
 /// The formula within a line of words.
 pub fn mathml_inline(expr: &Expr) -> String {
     let mut out = String::new();
-    write_math("", &layout(expr), &mut out);
+    write_math(&layout(expr), &mut out);
     out
 }
 
-/// The formula on a line of its own.
+/// The formula on a line of its own. The line may end before any sign: there are no words around to follow it.
 pub fn mathml_block(expr: &Expr) -> String {
     let mut out = String::new();
-    write_math(r#" display="block""#, &layout(expr), &mut out);
+    write_pieces(r#" display="block""#, &pieces(&layout(expr)), &mut out);
     out
 }
 
-/// A row of this many items or fewer stays on one line.
+/// A row of this many items or fewer stays on one line among words.
 const SHORT: usize = 5;
 
-/// Adds the `math` element of a row.
-///
-/// A longer row comes in pieces, each an `mrow`, and is said to be long: browsers break no formula by themselves, but a
-/// style sheet can let piece follow piece as words do. As on paper, a line begins with the sign.
-pub(super) fn write_math(attributes: &str, row: &[Item], out: &mut String) {
+/// Adds the `math` element of a row among words.
+pub(super) fn write_math(row: &[Item], out: &mut String) {
+    write_pieces("", &if row.len() <= SHORT { vec![row] } else { pieces(row) }, out);
+}
+
+/// The pieces of a row, each of which stays on one line. As on paper, a line begins with the sign.
+fn pieces(mut row: &[Item]) -> Vec<&[Item]> {
     let begins = |item: &Item| matches!(item, Item::Relation(_) | Item::Plus | Item::Minus | Item::Times);
+    let mut pieces = Vec::new();
+    while let Some(end) = (1..row.len()).find(|place| begins(&row[*place])) {
+        let (piece, after) = row.split_at(end);
+        pieces.push(piece);
+        row = after;
+    }
+    pieces.push(row);
+    pieces
+}
+
+/// A piece of this width or less, in ems of its letters, fits any page. One in large print on a phone has little more.
+const NARROW: f64 = 7.0;
+
+/// Adds the `math` element of the pieces.
+///
+/// Browsers break no formula by themselves. Of several pieces each is an `mrow`, and the formula is said to be long, so
+/// that a style sheet can let piece follow piece as words do. If a piece may be too wide even then, the formula says how
+/// wide, for letters that are small enough.
+fn write_pieces(attributes: &str, pieces: &[&[Item]], out: &mut String) {
     out.extend(["<math", attributes]);
-    if row.len() <= SHORT || !row[1..].iter().any(begins) {
-        enclose(">", row, "</math>", out);
-        return;
+    if pieces.len() > 1 {
+        out.push_str(r#" class="long""#);
     }
-    out.push_str(r#" class="long">"#);
-    let mut rest = row;
-    while !rest.is_empty() {
-        let end = (1..rest.len()).find(|place| begins(&rest[*place])).unwrap_or(rest.len());
-        let (piece, after) = rest.split_at(end);
-        write_piece(piece, out);
-        rest = after;
+    let width = pieces.iter().map(|piece| width_on_page(piece)).fold(0.0, f64::max);
+    if width > NARROW {
+        let _ = write!(out, r#" style="--ems: {width:.1}""#);
     }
-    out.push_str("</math>");
+    match pieces {
+        [row] => enclose(">", row, "</math>", out),
+        _ => {
+            out.push('>');
+            pieces.iter().for_each(|piece| write_piece(piece, out));
+            out.push_str("</math>");
+        }
+    }
 }
 
 /// Adds a piece of a longer row: a sign that comes first in its `mrow` is still one between two terms.

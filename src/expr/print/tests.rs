@@ -221,7 +221,8 @@ fn carom_knows_how_a_line_of_words_is_printed() {
     assert_eq!(text_latex(&text), r"\textit{A \& $B$}\[e=\frac{1}{2}\]");
     assert_eq!(
         text_html(&text),
-        "<em>A &amp; <math><mi>B</mi></math></em><math display=\"block\"><mi>e</mi><mo>=</mo><mfrac><mn>1</mn><mn>2</mn></mfrac></math>"
+        "<em>A &amp; <math><mi>B</mi></math></em><math display=\"block\" class=\"long\">\
+         <mrow><mi>e</mi></mrow><mrow><mo>=</mo><mfrac><mn>1</mn><mn>2</mn></mfrac></mrow></math>"
     );
 }
 
@@ -252,6 +253,26 @@ fn carom_knows_where_a_narrow_page_may_break_a_formula() {
     assert_eq!(mathml_block(&formula), expected.replace("<math ", "<math display=\"block\" "));
     let short = sum([times([n(3), x("v")]), x("w")]);
     assert!(!mathml_inline(&short).contains("mrow"), "{}", mathml_inline(&short));
+    // by itself even a short formula may go on on the next line
+    let pieces = "<mrow><mn>3</mn><mo>&#x2062;</mo><mi>v</mi></mrow><mrow><mo form=\"infix\">+</mo><mi>w</mi></mrow>";
+    assert_eq!(mathml_block(&short), format!("<math display=\"block\" class=\"long\">{pieces}</math>"));
+}
+
+#[test]
+fn carom_knows_how_wide_a_piece_is_that_cannot_break() {
+    let sum_of = |count: i64| Expr::sum((1..=count).map(|number| times([n(number), x("v")])));
+    let root = |inner: Expr| Expr::call(Function::Sqrt, inner);
+    for (formula, expected) in [
+        (sum_of(9), None),
+        (root(sum_of(2)), None),
+        (root(sum_of(4)), Some(10.1)),
+        // a fraction is as wide as the wider of its parts
+        (sum_of(4).over(sum_of(3)), Some(9.5)),
+    ] {
+        let printed = mathml_inline(&formula);
+        let said = printed.split("style=\"--ems: ").nth(1).and_then(|rest| rest.split('"').next());
+        assert_eq!(said.map(|width| width.parse().unwrap()), expected, "{printed}");
+    }
 }
 
 #[test]
@@ -273,5 +294,15 @@ fn carom_knows_mathml_that_browsers_draw_themselves() {
     ];
     for (tree, expected) in rows {
         assert_eq!(mathml(&tree), expected);
+    }
+}
+
+#[test]
+fn carom_knows_that_a_formula_on_one_line_has_room_for_its_brackets() {
+    let vector = |n, d| Expr::product([f(n, d), x("i")]);
+    for formula in [vector(5, 2), sum([vector(-5, 2), vector(1, 2)])] {
+        let [drawn, written] = [Piece::Formula(formula.clone()), Piece::Words(unicode(&formula))]
+            .map(|piece| extent(&Text(vec![piece])).0);
+        assert!(drawn >= written, "{}: {drawn} of {written}", unicode(&formula));
     }
 }

@@ -84,8 +84,8 @@ fn write_html_piece(piece: &Piece, out: &mut String) {
             write_html_pieces(pieces, out);
             out.push_str("</em>");
         }
-        Piece::Formula(expr) => write_math("", &layout(expr), out),
-        Piece::Quantity(expr, unit) => write_math("", &quantity(expr, *unit), out),
+        Piece::Formula(expr) => write_math(&layout(expr), out),
+        Piece::Quantity(expr, unit) => write_math(&quantity(expr, *unit), out),
         Piece::Display(expr) => out.push_str(&mathml_block(expr)),
     }
 }

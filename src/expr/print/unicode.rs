@@ -42,10 +42,7 @@ pub(super) fn on_one_line(row: &Row, hand: Hand) -> String {
         let before = place.checked_sub(1).map(|place| &row[place]);
         let after = row.get(place + 1);
         match item {
-            // `a/b c` on one line would read as `a/(b c)`.
-            Item::Fraction(..) if before == Some(&Item::Beside) || binds(after) => {
-                out.push_str(&format!("({})", linear(item, hand)));
-            }
+            _ if is_bracketed_on_one_line(row, place) => out.push_str(&format!("({})", linear(item, hand))),
             Item::Call(..) if before == Some(&Item::Beside) => {
                 out.push(' ');
                 out.push_str(&linear(item, hand));
@@ -62,9 +59,11 @@ pub(super) fn on_one_line(row: &Row, hand: Hand) -> String {
     out
 }
 
-/// Does the sign after an item tie it to what follows?
-fn binds(after: Option<&Item>) -> bool {
-    matches!(after, Some(Item::Beside | Item::Gap | Item::Times | Item::Degree | Item::Unit(_)))
+/// Does a fraction at a place of a row need brackets on one line? `a/b c` would read as `a/(b c)`.
+pub(super) fn is_bracketed_on_one_line(row: &[Item], place: usize) -> bool {
+    let binds = |after: &Item| matches!(after, Item::Beside | Item::Gap | Item::Times | Item::Degree | Item::Unit(_));
+    matches!(row[place], Item::Fraction(..))
+        && (row[..place].last() == Some(&Item::Beside) || row.get(place + 1).is_some_and(binds))
 }
 
 fn linear(item: &Item, hand: Hand) -> String {
