@@ -7,8 +7,11 @@ use crate::number::Places;
 /// So many letters and digits fit on a line of a page.
 const LINE: usize = 100;
 
-/// So many fit into a column: a line is broken at signs, a fraction or a root is not.
-const PIECE: usize = 44;
+/// So many of them in one fraction or root: a line is broken at signs, and these are not.
+const PIECE: usize = 52;
+
+/// The same in the narrower column of a mark scheme.
+const COLUMN: usize = 44;
 
 /// With so many figures a value goes into the next line of the working.
 const CARRIED: Places = Places::SignificantFigures(5);
@@ -18,13 +21,13 @@ pub fn part(mut part: PrintedPart) -> PrintedPart {
     part.working = part.working.into_iter().map(line).collect();
     for row in &mut part.scheme {
         let Some(equation) = row.equation.take() else { continue };
-        let legible = formula(&equation);
+        let legible = formula(&equation, COLUMN);
         // The note of a mark for a value has its decimal already.
         let told = matches!(legible, Expr::Decimal(_)) && !row.earned.is_empty();
         row.equation = (!told || legible == equation).then_some(legible);
     }
     for answer in &mut part.answers {
-        let long = answer.exact.as_ref().is_some_and(|exact| formula(exact) != *exact);
+        let long = answer.exact.as_ref().is_some_and(|exact| formula(exact, COLUMN) != *exact);
         if long && answer.rounded.is_some() {
             answer.exact = answer.rounded.take();
         }
@@ -34,7 +37,7 @@ pub fn part(mut part: PrintedPart) -> PrintedPart {
 
 /// A line of working; a carried value is left out where its rounded one follows.
 fn line(mut line: WorkingLine) -> WorkingLine {
-    let legible: Vec<Expr> = line.equations.iter().map(formula).collect();
+    let legible: Vec<Expr> = line.equations.iter().map(|equation| formula(equation, PIECE)).collect();
     let follows = |place: usize| matches!(legible.get(place + 1), Some(Expr::Relation(_, Relation::Approximately, _)));
     let is_carried = |place: usize| {
         legible[place] != line.equations[place]
@@ -47,33 +50,33 @@ fn line(mut line: WorkingLine) -> WorkingLine {
     line
 }
 
-/// A formula in which every number that is too long for a line is a decimal; an equation is then an approximation.
-fn formula(expr: &Expr) -> Expr {
+/// A formula in which every number that is too long for its place is a decimal; an equation is then an approximation.
+fn formula(expr: &Expr, most: usize) -> Expr {
     match expr {
         Expr::Relation(left, Relation::Equal, right) => {
-            let (first, second) = (shortened(left), shortened(right));
+            let (first, second) = (shortened(left, most), shortened(right, most));
             let same = first == **left && second == **right;
             let relation = if same { Relation::Equal } else { Relation::Approximately };
             Expr::Relation(Box::new(first), relation, Box::new(second))
         }
-        other => shortened(other),
+        other => shortened(other, most),
     }
 }
 
-fn shortened(expr: &Expr) -> Expr {
+fn shortened(expr: &Expr, most: usize) -> Expr {
     if matches!(expr, Expr::Quotient(..) | Expr::Call(Function::Sqrt, _)) {
-        return piece(expr);
+        return piece(expr, most);
     }
-    let pieces = expr.map_children(&mut shortened);
+    let pieces = expr.map_children(&mut |child| shortened(child, most));
     if length(&pieces) <= LINE { pieces } else { decimal(expr).unwrap_or(pieces) }
 }
 
 /// The same within a fraction or a root.
-fn piece(expr: &Expr) -> Expr {
-    if length(expr) <= PIECE {
+fn piece(expr: &Expr, most: usize) -> Expr {
+    if length(expr) <= most {
         return expr.clone();
     }
-    decimal(expr).unwrap_or_else(|| expr.map_children(&mut piece))
+    decimal(expr).unwrap_or_else(|| expr.map_children(&mut |child| piece(child, most)))
 }
 
 fn length(expr: &Expr) -> usize {
@@ -104,19 +107,19 @@ mod tests {
     #[test]
     fn carom_prints_a_decimal_where_no_line_holds_the_number() {
         let short = read_equation("v = 3*cos(37) - 7*sin(65)");
-        assert_eq!(formula(&short), short);
-        let long = formula(&read_equation(&format!("v = {}", ones(9))));
+        assert_eq!(formula(&short, PIECE), short);
+        let long = formula(&read_equation(&format!("v = {}", ones(9))), PIECE);
         assert_eq!(print::unicode(&long), "v ≈ 9.0000");
-        let with_letter = formula(&read_equation(&format!("L = m*({})/64", ones(9))));
-        assert_eq!(print::unicode(&with_letter), print::unicode(&formula(&with_letter)));
+        let with_letter = formula(&read_equation(&format!("L = m*({})/64", ones(9))), PIECE);
+        assert_eq!(print::unicode(&with_letter), print::unicode(&formula(&with_letter, PIECE)));
         assert!(print::unicode(&with_letter).contains("9.0000"), "{}", print::unicode(&with_letter));
-        let in_a_fraction = formula(&read_equation(&format!("v = 2 + (1 + {})/4", ones(2))));
-        assert_eq!(print::unicode(&in_a_fraction), "v ≈ 2 + 0.75000");
+        let in_a_fraction = formula(&read_equation(&format!("v = 2 + (1 + {})/4", ones(3))), PIECE);
+        assert_eq!(print::unicode(&in_a_fraction), "v ≈ 2 + 1.0000");
         let broken_at_signs = read_equation(&format!("v = 2*(1 + {})", ones(2)));
-        assert_eq!(formula(&broken_at_signs), broken_at_signs);
+        assert_eq!(formula(&broken_at_signs, PIECE), broken_at_signs);
         // What holds a letter in every part cannot be shortened.
         let letters = read_equation(&format!("v = {}", vec!["cos(theta)*m"; 30].join(" + ")));
-        assert_eq!(formula(&letters), letters);
+        assert_eq!(formula(&letters, PIECE), letters);
     }
 
     #[test]
