@@ -6,6 +6,7 @@ pub mod diagnostic;
 pub mod diagram;
 pub mod expr;
 pub mod generate;
+pub mod mark;
 pub mod mechanics;
 pub mod method;
 pub mod number;
