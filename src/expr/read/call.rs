@@ -92,7 +92,7 @@ impl Parser<'_> {
 }
 
 /// The argument of a function with the numbers that stand bare in it taken as degrees.
-fn in_degrees(argument: Expr) -> Expr {
+pub(crate) fn in_degrees(argument: Expr) -> Expr {
     match argument {
         Expr::Sum(terms) if !terms.iter().all(is_numeric) => Expr::Sum(terms.into_iter().map(in_degrees).collect()),
         Expr::Negative(inner) if !is_numeric(&inner) => Expr::Negative(Box::new(in_degrees(*inner))),

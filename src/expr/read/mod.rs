@@ -7,6 +7,7 @@ mod lexer;
 mod markup;
 mod parser;
 
+pub(crate) use call::in_degrees as bare_in_degrees;
 pub use markup::{Markup, read_markup};
 pub use parser::{Angles, read, read_as_written};
 

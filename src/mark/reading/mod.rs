@@ -1,8 +1,107 @@
 //! Reading what a student typed on one line.
+//!
+//! Characters become a small alphabet, LaTeX goes the same way, signs become tokens and words become phrases; what is
+//! left is formulas, read by a grammar that is a student's and not a programmer's. Where notation is open to doubt, the
+//! likely reading comes first and the other follows; a report says which was used.
 
+mod characters;
+mod choices;
+mod commands;
+mod digits;
+mod functions;
+mod grammar;
+mod latex;
+mod lexicon;
+mod names;
+mod operands;
+mod phrases;
+mod products;
 mod said;
+mod statements;
+#[cfg(test)]
+mod tests;
+mod tokens;
+mod units;
+mod values;
+mod vectors;
 
 pub use said::{Form, Label, Notation, Reading, ReferenceLine, Said, SaidUnit, Statement, Unreadable, Vocabulary};
 
+use choices::{Choices, Flip};
+
 /// The longest answer that is read, in bytes; a longer one goes to a person.
 pub const LONGEST: usize = 2000;
+
+/// The most readings of one answer.
+pub const MOST_READINGS: usize = 8;
+
+/// The most ways in which one answer is tried.
+const MOST_TRIALS: usize = 24;
+
+/// Every reading that a person might see in an answer, the likeliest first: at least one, at most [`MOST_READINGS`].
+///
+/// ```
+/// use carom::mark::reading::{Vocabulary, read_answer};
+/// use carom::number::{Letter, Range};
+/// let letters = ["u", "v"].map(|name| Letter::new(name, Range::Positive).unwrap());
+/// let question = Vocabulary { letters: letters.into(), vectors: false };
+/// let readings = read_answer("u/2v", &question).unwrap();
+/// let printed: Vec<&str> = readings.iter().map(|reading| reading.printed.as_str()).collect();
+/// assert_eq!(printed, ["u/(2v)", "(u/2)v"]);
+/// assert_eq!(readings[0].decided, ["u/2v read as u/(2v)"]);
+/// ```
+///
+/// # Errors
+///
+/// The first thing that makes no sense in the likeliest reading, if no reading makes sense.
+pub fn read_answer(text: &str, vocabulary: &Vocabulary) -> Result<Vec<Reading>, Unreadable> {
+    counted(text, vocabulary).0
+}
+
+/// The readings, and how many steps it took to find them.
+fn counted(text: &str, vocabulary: &Vocabulary) -> (Result<Vec<Reading>, Unreadable>, usize) {
+    if text.len() > LONGEST {
+        return (Err(Unreadable::TooLong), 0);
+    }
+    let glyphs = match characters::glyphs(text).and_then(|glyphs| latex::without_latex(&glyphs)) {
+        Ok(glyphs) if glyphs.iter().all(|glyph| glyph.sign.is_whitespace()) => return (Err(Unreadable::Blank), 0),
+        Ok(glyphs) => glyphs,
+        Err(reason) => return (Err(reason), 0),
+    };
+    let read = |flips: &[Flip]| {
+        let mut choices = Choices::flipping(flips);
+        let statements = tokens::tokens(&glyphs, &vocabulary.letters, &mut choices)
+            .and_then(|tokens| phrases::with_phrases(&tokens, vocabulary))
+            .and_then(|tokens| statements::statements(&tokens, text, vocabulary, &mut choices));
+        (statements, choices)
+    };
+    let (first, choices) = read(&[]);
+    let mut steps = choices.steps();
+    let mut reason = None;
+    let mut readings: Vec<Reading> = Vec::new();
+    let mut keep = |statements: Result<Vec<Statement>, Unreadable>, choices: &Choices| match statements {
+        Ok(statements) if readings.iter().all(|reading| reading.statements != statements) => {
+            let printed = statements::shown(&statements);
+            readings.push(Reading { statements, printed, decided: choices.decided().to_vec() });
+        }
+        Ok(_) => {}
+        Err(fault) => reason = reason.take().or(Some(fault)),
+    };
+    keep(first, &choices);
+    for flips in choices.further().iter().take(MOST_TRIALS) {
+        // An answer that is long and laborious is read as is likely.
+        if steps > choices::MOST_STEPS {
+            break;
+        }
+        let (statements, tried) = read(flips);
+        steps += tried.steps();
+        keep(statements, &tried);
+    }
+    readings.truncate(MOST_READINGS);
+    let found = match (readings.is_empty(), reason) {
+        (true, Some(reason)) => Err(reason),
+        (true, None) => Err(Unreadable::Blank),
+        _ => Ok(readings),
+    };
+    (found, steps)
+}

@@ -1,0 +1,198 @@
+//! Characters: what any keyboard, word processor or phone makes of a formula, in one small alphabet.
+//!
+//! Letters, digits and `+ - * / ^ = ( ) …` stay as they are, `−` becomes `-`, `²` becomes `^` and a group, `½` a group
+//! of its own. Groups stand between `⟦` and `⟧`, which nobody types. A recurring digit has a combining dot after it.
+
+use super::Unreadable;
+
+/// A sign of the small alphabet, and where it came from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Glyph {
+    /// The sign.
+    pub sign: char,
+    /// First byte of what was typed.
+    pub place: usize,
+    /// One past its last byte.
+    pub end: usize,
+}
+
+/// What opens a group that was not typed as brackets.
+pub(super) const OPEN: char = '⟦';
+/// What closes it.
+pub(super) const CLOSE: char = '⟧';
+/// The dot over a recurring digit; it follows the digit.
+pub(super) const RECURS: char = '\u{307}';
+
+/// The text in the small alphabet.
+pub(super) fn glyphs(text: &str) -> Result<Vec<Glyph>, Unreadable> {
+    let mut out = Vec::with_capacity(text.len());
+    let characters: Vec<(usize, char)> = text.char_indices().collect();
+    let mut at = 0;
+    while let Some((place, character)) = characters.get(at).copied() {
+        let end = place + character.len_utf8();
+        let mut put = |sign: char| out.push(Glyph { sign, place, end });
+        if superscript(character).is_some() {
+            let raised: String = characters[at..].iter().map_while(|(_, c)| superscript(*c)).collect();
+            let length = raised.chars().count();
+            let (last, signs) = (characters[at + length - 1], raised.chars());
+            let end = last.0 + last.1.len_utf8();
+            let mut put = |sign: char| out.push(Glyph { sign, place, end });
+            // One raised nought or circle is how degrees are often typed.
+            if raised == "0" {
+                put('°');
+            } else {
+                put('^');
+                put(OPEN);
+                signs.for_each(&mut put);
+                put(CLOSE);
+            }
+            at += length;
+            continue;
+        }
+        if let Some(digit) = subscript(character) {
+            let again = at > 0 && subscript(characters[at - 1].1).is_some();
+            if !again {
+                put('_');
+            }
+            put(digit);
+        } else if let Some((above, below)) = vulgar(character) {
+            put(OPEN);
+            [above, '/', below].into_iter().for_each(&mut put);
+            put(CLOSE);
+        } else {
+            let before = out.last().map(|glyph: &Glyph| glyph.sign);
+            match plain(character, before) {
+                Some("") => {}
+                Some(signs) => signs.chars().for_each(|sign| out.push(Glyph { sign, place, end })),
+                None => out.push(Glyph { sign: lettered(character).ok_or_else(|| unknown(character, place))?, place, end }),
+            }
+        }
+        at += 1;
+    }
+    Ok(out)
+}
+
+fn unknown(character: char, place: usize) -> Unreadable {
+    let shown: String =
+        if character.is_alphanumeric() { character.into() } else { character.escape_unicode().collect() };
+    Unreadable::Sign(place, format!("the character `{shown}` has no meaning here"))
+}
+
+/// What a character stands for; nothing for what is invisible.
+fn plain(character: char, before: Option<char>) -> Option<&'static str> {
+    Some(match character {
+        '\n' | '\r' | '\u{85}' | '\u{2028}' | '\u{2029}' => "\n",
+        '−' | '‐' | '‑' | '‒' | '–' | '—' | '―' | '﹣' | '－' | '➖' => "-",
+        '➕' | '＋' => "+",
+        '×' | '✕' | '✖' | '⋅' | '∙' | '•' | '∗' | '⨯' => "*",
+        '÷' | '∕' | '⁄' | '➗' => "/",
+        '√' => "√",
+        '∛' => "∛",
+        '°' | 'º' | '˚' | '∘' => "°",
+        '≈' | '≃' | '≅' | '≒' => "≈",
+        '⩽' | '≦' => "≤",
+        '⩾' | '≧' => "≥",
+        '⇒' | '⟹' | '→' | '⟶' | '∴' => "⇒",
+        '∵' => " because ",
+        '⊥' => " perpendicular ",
+        '∥' => " parallel to ",
+        '∠' => " angle ",
+        '’' | '‘' | '′' | '´' | 'ʹ' | '`' => "'",
+        '“' | '”' | '″' => "\"",
+        '…' | '⋯' => "…",
+        '∞' => return None,
+        '⟨' => "(",
+        '⟩' => ")",
+        'ı' | 'î' => "i",
+        'ȷ' | 'ĵ' => "j",
+        'ℓ' => "l",
+        'ℎ' => "h",
+        'ϑ' => "θ",
+        'ϕ' => "φ",
+        'ϵ' => "ε",
+        'µ' => "μ",
+        '∆' => "Δ",
+        // A dot over a digit recurs; a hat, arrow, tilde or bar below marks a letter as a vector.
+        '\u{307}' if before.is_some_and(|sign| sign.is_ascii_digit()) => "\u{307}",
+        '\u{302}' | '\u{20d7}' | '\u{332}' | '\u{331}' | '\u{330}' | '\u{20d1}'
+            if before.is_some_and(|sign| sign.is_ascii_alphabetic()) =>
+        {
+            ""
+        }
+        '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2060}'..='\u{2069}' | '\u{feff}' | '\u{ad}' => "",
+        '\u{fe00}'..='\u{fe0f}' | '\u{180e}' | '\u{61c}' => "",
+        c if c.is_whitespace() => " ",
+        _ => return None,
+    })
+}
+
+/// A letter, digit or sign of the small alphabet, also in bold, italic or full width.
+fn lettered(character: char) -> Option<char> {
+    let shifted = |base: u32, first: char| char::from_u32(base + first as u32);
+    let code = character as u32;
+    match character {
+        '⟦' | '⟧' => None,
+        ' '..='~' => Some(character),
+        'α'..='ω' | 'Γ' | 'Δ' | 'Θ' | 'Λ' | 'Ξ' | 'Π' | 'Σ' | 'Φ' | 'Ψ' | 'Ω' => Some(character),
+        '≠' | '≤' | '≥' | '±' | '∓' | '·' => Some(character),
+        '\u{ff01}'..='\u{ff5e}' => char::from_u32(code - 0xff01 + 0x21),
+        '\u{1d400}'..='\u{1d6a3}' => {
+            let letter = (code - 0x1d400) % 52;
+            if letter < 26 { shifted(letter, 'A') } else { shifted(letter - 26, 'a') }
+        }
+        '\u{1d6a4}' => Some('i'),
+        '\u{1d6a5}' => Some('j'),
+        '\u{1d6a8}'..='\u{1d7cb}' => match (code - 0x1d6a8) % 58 {
+            letter @ 26..=50 => shifted(letter - 26, 'α'),
+            _ => None,
+        },
+        '\u{1d7ce}'..='\u{1d7ff}' => shifted((code - 0x1d7ce) % 10, '0'),
+        _ => None,
+    }
+}
+
+fn superscript(character: char) -> Option<char> {
+    Some(match character {
+        '⁰' | 'ᵒ' => '0',
+        '¹' => '1',
+        '²' => '2',
+        '³' => '3',
+        '⁴'..='⁹' => char::from_digit(character as u32 - '⁴' as u32 + 4, 10)?,
+        '⁻' => '-',
+        '⁺' => '+',
+        '⁽' => '(',
+        '⁾' => ')',
+        'ⁿ' => 'n',
+        _ => return None,
+    })
+}
+
+fn subscript(character: char) -> Option<char> {
+    match character {
+        '₀'..='₉' => char::from_digit(character as u32 - '₀' as u32, 10),
+        _ => None,
+    }
+}
+
+fn vulgar(character: char) -> Option<(char, char)> {
+    Some(match character {
+        '½' => ('1', '2'),
+        '⅓' => ('1', '3'),
+        '⅔' => ('2', '3'),
+        '¼' => ('1', '4'),
+        '¾' => ('3', '4'),
+        '⅕' => ('1', '5'),
+        '⅖' => ('2', '5'),
+        '⅗' => ('3', '5'),
+        '⅘' => ('4', '5'),
+        '⅙' => ('1', '6'),
+        '⅚' => ('5', '6'),
+        '⅐' => ('1', '7'),
+        '⅛' => ('1', '8'),
+        '⅜' => ('3', '8'),
+        '⅝' => ('5', '8'),
+        '⅞' => ('7', '8'),
+        '⅑' => ('1', '9'),
+        _ => return None,
+    })
+}

@@ -1,0 +1,356 @@
+//! LaTeX commands into the small alphabet: `\frac{\sqrt{61}}{6}v` becomes `⟦⟦√⟦61⟧⟧/⟦6⟧⟧v`.
+
+use super::Unreadable;
+use super::characters::{CLOSE, Glyph, OPEN, RECURS};
+use super::commands::simple;
+
+/// Deeper nesting than any answer has.
+const DEEPEST: usize = 40;
+
+/// The glyphs without commands, dollars and braces.
+pub(super) fn without_latex(glyphs: &[Glyph]) -> Result<Vec<Glyph>, Unreadable> {
+    if !glyphs.iter().any(|glyph| matches!(glyph.sign, '\\' | '{' | '}' | '$')) {
+        return Ok(glyphs.to_vec());
+    }
+    let mut rewriter = Rewriter { glyphs, at: 0, out: Vec::new(), depth: 0, columns: 0 };
+    while rewriter.at < glyphs.len() {
+        rewriter.one()?;
+    }
+    Ok(rewriter.out)
+}
+
+struct Rewriter<'a> {
+    glyphs: &'a [Glyph],
+    at: usize,
+    out: Vec<Glyph>,
+    depth: usize,
+    /// How many column vectors stand open.
+    columns: usize,
+}
+
+impl Rewriter<'_> {
+    fn sign(&self) -> Option<char> {
+        self.glyphs.get(self.at).map(|glyph| glyph.sign)
+    }
+
+    /// The place of what is being read.
+    fn here(&self) -> Glyph {
+        let last = self.glyphs.last().copied().unwrap_or(Glyph { sign: ' ', place: 0, end: 0 });
+        self.glyphs.get(self.at).copied().unwrap_or(Glyph { place: last.end, ..last })
+    }
+
+    fn fault(&self, place: usize, message: impl Into<String>) -> Unreadable {
+        Unreadable::Sign(place, message.into())
+    }
+
+    fn put(&mut self, sign: char, from: Glyph) {
+        self.out.push(Glyph { sign, ..from });
+    }
+
+    fn put_all(&mut self, signs: &str, from: Glyph) {
+        signs.chars().for_each(|sign| self.put(sign, from));
+    }
+
+    /// One sign, command or group.
+    fn one(&mut self) -> Result<(), Unreadable> {
+        let from = self.here();
+        match from.sign {
+            '\\' => self.command(),
+            '$' => {
+                self.at += 1;
+                Ok(())
+            }
+            '{' => self.group(),
+            '}' => Err(self.fault(from.place, "`}` closes nothing")),
+            '^' if self.raises_degrees() => {
+                self.put('°', from);
+                Ok(())
+            }
+            '&' if self.columns > 0 => {
+                self.at += 1;
+                self.put(';', from);
+                Ok(())
+            }
+            '_' => self.subscript(),
+            sign => {
+                self.at += 1;
+                self.put(sign, from);
+                Ok(())
+            }
+        }
+    }
+
+    /// `^\circ` and `^{\circ}`, which it passes over.
+    fn raises_degrees(&mut self) -> bool {
+        let rest: String = self.glyphs[self.at..].iter().take(12).map(|glyph| glyph.sign).collect();
+        let bare: String = rest.chars().filter(|sign| *sign != ' ').collect();
+        let Some(inside) = ["^\\circ", "^{\\circ}", "^\\degree", "^{\\degree}", "^{°}", "^{o}"]
+            .into_iter()
+            .find(|spelling| bare.starts_with(spelling))
+        else {
+            return false;
+        };
+        let mut left = inside.chars().count();
+        while left > 0 {
+            left -= usize::from(self.sign() != Some(' '));
+            self.at += 1;
+        }
+        true
+    }
+
+    /// `{…}` as a group.
+    fn group(&mut self) -> Result<(), Unreadable> {
+        let from = self.here();
+        self.put(OPEN, from);
+        self.inside()?;
+        self.put(CLOSE, from);
+        Ok(())
+    }
+
+    /// What stands in braces, without them.
+    fn inside(&mut self) -> Result<(), Unreadable> {
+        let opened = self.here();
+        self.depth += 1;
+        if self.depth > DEEPEST {
+            return Err(self.fault(opened.place, "the answer is nested too deeply"));
+        }
+        self.at += 1;
+        while self.sign() != Some('}') {
+            if self.sign().is_none() {
+                return Err(self.fault(opened.place, "`{` is never closed"));
+            }
+            self.one()?;
+        }
+        self.at += 1;
+        self.depth -= 1;
+        Ok(())
+    }
+
+    fn blanks(&mut self) {
+        while self.sign() == Some(' ') {
+            self.at += 1;
+        }
+    }
+
+    /// What an argument holds: braces, or the next sign or command.
+    fn argument(&mut self, command: &str) -> Result<Vec<Glyph>, Unreadable> {
+        self.blanks();
+        let start = self.out.len();
+        match self.sign() {
+            Some('{') => self.inside()?,
+            None | Some('}') => {
+                return Err(self.fault(self.here().place, format!("`\\{command}` lacks an argument")));
+            }
+            Some(_) => {
+                self.depth += 1;
+                if self.depth > DEEPEST {
+                    return Err(self.fault(self.here().place, "the answer is nested too deeply"));
+                }
+                self.one()?;
+                self.depth -= 1;
+            }
+        }
+        Ok(self.out.split_off(start))
+    }
+
+    /// `_A`, `_{A}`, `_\mathrm{A}`: the letters and digits of a subscript.
+    fn subscript(&mut self) -> Result<(), Unreadable> {
+        let from = self.here();
+        self.at += 1;
+        self.put('_', from);
+        if matches!(self.sign(), Some('{' | '\\')) {
+            let below = self.argument("_")?;
+            self.out.extend(below.into_iter().filter(|glyph| glyph.sign.is_alphanumeric()));
+            self.put(' ', from);
+        }
+        Ok(())
+    }
+
+    fn command(&mut self) -> Result<(), Unreadable> {
+        let from = self.here();
+        self.at += 1;
+        let letters: String =
+            self.glyphs[self.at..].iter().map(|glyph| glyph.sign).take_while(char::is_ascii_alphabetic).collect();
+        if letters.is_empty() {
+            let Some(sign) = self.sign() else { return Err(self.fault(from.place, "`\\` without a command")) };
+            self.at += 1;
+            match sign {
+                '\\' if self.columns > 0 => self.put(';', from),
+                '\\' => self.put('\n', from),
+                '(' | ')' | '[' | ']' => {}
+                ',' | ';' | ':' | ' ' | '!' | '>' => self.put(' ', from),
+                '{' => self.put('(', from),
+                '}' => self.put(')', from),
+                '%' | '_' => self.put(sign, from),
+                '&' => self.put_all(" and ", from),
+                '|' => self.put('|', from),
+                _ => return Err(self.fault(from.place, format!("unknown command `\\{sign}`"))),
+            }
+            return Ok(());
+        }
+        self.at += letters.len();
+        if let Some(signs) = simple(&letters) {
+            self.put_all(signs, from);
+            return Ok(());
+        }
+        match letters.as_str() {
+            "frac" | "dfrac" | "tfrac" | "cfrac" => self.fraction(&letters, from),
+            "sqrt" => self.root(from),
+            "text" | "mathrm" | "textrm" | "textbf" | "textit" | "mbox" | "operatorname" | "rm" | "textnormal" => {
+                let inside = self.argument(&letters)?;
+                self.put(' ', from);
+                self.out.extend(inside);
+                self.put(' ', from);
+                Ok(())
+            }
+            "mathbf" | "boldsymbol" | "bm" | "vec" | "hat" | "underline" | "mathit" | "mathsf" | "overrightarrow"
+            | "utilde" | "pmb" | "symbf" | "mathbfit" | "bf" | "ensuremath" | "displaylines" => {
+                let inside = self.argument(&letters)?;
+                self.out.extend(inside);
+                Ok(())
+            }
+            "left" | "right" => {
+                if self.sign() == Some('.') {
+                    self.at += 1;
+                }
+                Ok(())
+            }
+            "binom" | "dbinom" | "tbinom" => {
+                let (above, below) = (self.argument(&letters)?, self.argument(&letters)?);
+                self.put('(', from);
+                self.out.extend(above);
+                self.put(';', from);
+                self.out.extend(below);
+                self.put(')', from);
+                Ok(())
+            }
+            "dot" | "overline" | "bar" => self.recurring(&letters, from),
+            "begin" => self.environment(from),
+            "end" => Err(self.fault(from.place, "`\\end` without its `\\begin`")),
+            _ => Err(self.fault(from.place, format!("unknown command `\\{letters}`"))),
+        }
+    }
+
+    fn fraction(&mut self, command: &str, from: Glyph) -> Result<(), Unreadable> {
+        let (above, below) = (self.argument(command)?, self.argument(command)?);
+        self.put(OPEN, from);
+        for (place, part) in [above, below].into_iter().enumerate() {
+            if place == 1 {
+                self.put('/', from);
+            }
+            // A fraction of digits alone may be part of a mixed number, as `½` may.
+            let digits = !part.is_empty() && part.iter().all(|glyph| glyph.sign.is_ascii_digit());
+            if !digits {
+                self.put(OPEN, from);
+            }
+            self.out.extend(part);
+            if !digits {
+                self.put(CLOSE, from);
+            }
+        }
+        self.put(CLOSE, from);
+        Ok(())
+    }
+
+    fn root(&mut self, from: Glyph) -> Result<(), Unreadable> {
+        let mut sign = '√';
+        if self.sign() == Some('[') {
+            let index: String =
+                self.glyphs[self.at + 1..].iter().map(|glyph| glyph.sign).take_while(|sign| *sign != ']').collect();
+            sign = match index.trim() {
+                "" | "2" => '√',
+                "3" => '∛',
+                _ => return Err(self.fault(from.place, "only square and cube roots are read")),
+            };
+            self.at += index.chars().count() + 2;
+        }
+        let inside = self.argument("sqrt")?;
+        self.put(sign, from);
+        self.put(OPEN, from);
+        self.out.extend(inside);
+        self.put(CLOSE, from);
+        Ok(())
+    }
+
+    /// `\dot{3}` and `\overline{36}`: digits that recur.
+    fn recurring(&mut self, command: &str, from: Glyph) -> Result<(), Unreadable> {
+        let digits = self.argument(command)?;
+        if digits.is_empty() || digits.iter().any(|glyph| !glyph.sign.is_ascii_digit()) {
+            return Err(self.fault(from.place, format!("`\\{command}` over something that is no digit")));
+        }
+        let last = digits.len() - 1;
+        for (place, digit) in digits.into_iter().enumerate() {
+            self.out.push(digit);
+            if place == 0 || place == last {
+                self.put(RECURS, digit);
+            }
+        }
+        Ok(())
+    }
+
+    /// A column vector, or lines below one another.
+    fn environment(&mut self, from: Glyph) -> Result<(), Unreadable> {
+        let name = self.words_in_braces(from)?;
+        let column = matches!(
+            name.trim_end_matches('*'),
+            "pmatrix" | "bmatrix" | "matrix" | "array" | "smallmatrix" | "Bmatrix" | "psmallmatrix"
+        );
+        let lines = matches!(
+            name.trim_end_matches('*'),
+            "align" | "aligned" | "equation" | "gather" | "gathered" | "split" | "math" | "displaymath"
+        );
+        if !column && !lines {
+            return Err(self.fault(from.place, format!("unknown environment `{name}`")));
+        }
+        if name == "array" && self.sign() == Some('{') {
+            self.words_in_braces(from)?;
+        }
+        self.depth += 1;
+        if self.depth > DEEPEST {
+            return Err(self.fault(from.place, "the answer is nested too deeply"));
+        }
+        self.columns += usize::from(column);
+        if column {
+            self.put(OPEN, from);
+        }
+        let start = self.out.len();
+        loop {
+            let rest: String = self.glyphs[self.at..].iter().take(5).map(|glyph| glyph.sign).collect();
+            if rest.starts_with("\\end{") {
+                self.at += 4;
+                break;
+            }
+            match self.sign() {
+                None => return Err(self.fault(from.place, format!("`\\begin{{{name}}}` is never ended"))),
+                Some('&') if !column => self.at += 1,
+                Some(_) => self.one()?,
+            }
+        }
+        if self.words_in_braces(from)? != name {
+            return Err(self.fault(from.place, format!("`\\begin{{{name}}}` is ended by another name")));
+        }
+        if column {
+            // `4\\1\\` has no third row.
+            while self.out.len() > start && matches!(self.out.last().map(|last| last.sign), Some(';' | ' ' | '\n')) {
+                self.out.pop();
+            }
+            self.put(CLOSE, from);
+        }
+        self.columns -= usize::from(column);
+        self.depth -= 1;
+        Ok(())
+    }
+
+    /// The text of `{name}`, which it passes over.
+    fn words_in_braces(&mut self, from: Glyph) -> Result<String, Unreadable> {
+        let rest = &self.glyphs[self.at.min(self.glyphs.len())..];
+        let closed = rest.iter().position(|glyph| glyph.sign == '}');
+        match (rest.first().map(|glyph| glyph.sign), closed) {
+            (Some('{'), Some(length)) => {
+                self.at += length + 1;
+                Ok(rest[1..length].iter().map(|glyph| glyph.sign).collect())
+            }
+            _ => Err(self.fault(from.place, "the name of an environment is missing")),
+        }
+    }
+}

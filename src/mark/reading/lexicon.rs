@@ -1,0 +1,320 @@
+//! The words that students write around their values, by what they do to them.
+
+use super::tokens::{Placed, Token};
+
+/// What a word does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Sort {
+    /// Joins statements.
+    Joiner,
+    /// Begins a reason.
+    Because,
+    /// Joins rivals.
+    Or,
+    /// Names a quantity.
+    Noun,
+    /// Stands for an equals sign.
+    Is,
+    /// Says that a gradient follows.
+    Gradient,
+    /// May turn the meaning round.
+    Negation,
+    /// Does nothing.
+    Plain,
+}
+
+/// At rest, in words.
+pub(super) const REST: [&str; 27] = [
+    "at rest",
+    "is at rest",
+    "remains at rest",
+    "stays at rest",
+    "is brought to rest",
+    "brought to rest",
+    "comes to rest",
+    "came to rest",
+    "come to rest",
+    "to rest",
+    "stationary",
+    "is stationary",
+    "does not move",
+    "doesn't move",
+    "doesnt move",
+    "not moving",
+    "is not moving",
+    "isn't moving",
+    "no velocity",
+    "no speed",
+    "has no velocity",
+    "zero velocity",
+    "stops",
+    "stopped",
+    "is stopped",
+    "stays still",
+    "is still",
+];
+
+/// Words before the line to which something is perpendicular.
+pub(super) const ACROSS: [&str; 12] = [
+    "perpendicular",
+    "perpendicular direction",
+    "perpendicularly",
+    "perp",
+    "normal to",
+    "at right angles",
+    "at a right angle",
+    "right angles",
+    "at right angle",
+    "in direction perpendicular",
+    "in the direction perpendicular",
+    "moving perpendicular",
+];
+
+/// Words before the line along which something moves.
+pub(super) const ALONG: [&str; 15] = [
+    "along",
+    "parallel to",
+    "parallel with",
+    "parallel",
+    "in direction of",
+    "in direction",
+    "in a direction parallel to",
+    "in direction parallel to",
+    "in line with",
+    "in direction of vector",
+    "in direction along",
+    "parallel to vector",
+    "direction of",
+    "direction is parallel to",
+    "on",
+];
+
+/// Words before the line from which an angle is measured.
+pub(super) const ANGLE: [&str; 16] = [
+    "to",
+    "with",
+    "from",
+    "against",
+    "above",
+    "below",
+    "off",
+    "measured from",
+    "relative to",
+    "made with",
+    "with respect to",
+    "wrt",
+    "away from",
+    "anticlockwise from",
+    "clockwise from",
+    "measured to",
+];
+
+/// The line of centres, without its article.
+pub(super) const CENTRES: [&str; 22] = [
+    "line of centres",
+    "line of centers",
+    "line of centre",
+    "line of center",
+    "lines of centres",
+    "lines of centers",
+    "loc",
+    "line joining centres",
+    "line joining centers",
+    "line connecting centres",
+    "line through centres",
+    "line between centres",
+    "line of their centres",
+    "line of joining centres",
+    "centre line",
+    "line of impact",
+    "common normal",
+    "normal",
+    "ab",
+    "line ab",
+    "direction ab",
+    "direction of ab",
+];
+
+/// The common tangent.
+pub(super) const TANGENT: [&str; 9] = [
+    "common tangent",
+    "tangent",
+    "common tangent plane",
+    "tangent plane",
+    "tangential direction",
+    "plane of contact",
+    "tangent at contact",
+    "tangent at point of contact",
+    "common tangent at point of contact",
+];
+
+/// The line of centres from B to A.
+pub(super) const B_TO_A: [&str; 4] = ["ba", "line ba", "direction ba", "direction of ba"];
+
+/// The direction in which a sphere moved before.
+pub(super) const ORIGINAL: [&str; 14] = [
+    "original direction",
+    "initial direction",
+    "original direction of motion",
+    "initial direction of motion",
+    "original direction of travel",
+    "original direction of movement",
+    "original line of motion",
+    "original path",
+    "initial path",
+    "original velocity",
+    "initial velocity",
+    "original motion",
+    "previous direction",
+    "direction of motion before",
+];
+
+/// What may follow the name of a line and adds nothing.
+pub(super) const AFTER_A_LINE: [&str; 8] = [
+    "of spheres",
+    "of two spheres",
+    "of A and B",
+    "of a and b",
+    "of balls",
+    "of collision",
+    "direction",
+    "of impact",
+];
+
+/// Runs of words that say nothing about the value.
+pub(super) const REMARKS: [&str; 20] = [
+    "as required",
+    "as expected",
+    "as given",
+    "as shown",
+    "as before",
+    "as needed",
+    "as a decimal",
+    "as a fraction",
+    "to the right",
+    "to the left",
+    "to right",
+    "to left",
+    "in opposite direction",
+    "in same direction",
+    "from its path",
+    "to each other",
+    "in total",
+    "in magnitude",
+    "in ratio",
+    "to 3sf",
+];
+
+/// Single words, by what they do.
+const SINGLE: [(Sort, &str); 8] = [
+    (
+        Sort::Joiner,
+        "and so hence therefore thus then giving gives give at with in makes making make moves moving move moved \
+         which hence also while whereas travels travelling going leaving leaves having has to from by through",
+    ),
+    (Sort::Because, "because since as due where if when"),
+    (Sort::Or, "or alternatively"),
+    (
+        Sort::Noun,
+        "speed speeds velocity velocities vel angle angles direction directions dir deflection deflected impulse ke \
+         kinetic energy loss lost change gain fraction percentage magnitude mag component components momentum ratio \
+         mass coefficient restitution turned bearing answer ans tangent",
+    ),
+    (Sort::Is, "is are was be becomes being equal"),
+    (Sort::Gradient, "gradient slope"),
+    (
+        Sort::Negation,
+        "not never no isn't isnt aren't doesn't doesnt don't dont cannot can't cant won't wasn't neither nor unless \
+         except minimum maximum least most than under over less more half twice double triple treble quarter third \
+         hundred hundreds thousand thousands million dozen ten twenty squared cubed power unsure guess maybe \
+         negative opposite reverse reversed backwards one two three four five six seven eight nine zero \
+         nought point divided multiplied",
+    ),
+    (
+        Sort::Plain,
+        "of the a an its their both approx approximately about roughly around circa say exactly only just after \
+         before finally initially final initial new total sphere spheres ball balls disc discs body particle particles \
+         along parallel perp perpendicular right left up down upwards downwards north south east west rightwards \
+         leftwards horizontally vertically acute obtuse clockwise anticlockwise counterclockwise away towards it they \
+         i.e ie eg sf dp s.f d.p rounded decimal places significant figures correct collision impact afterwards \
+         that this these for on off each other line centres centers vector unit magnitude required shown qed \
+         respectively simplified exact value surd form answer ans path motion travel axis oe awrt cao sense \
+         immediately original",
+    ),
+];
+
+/// What a single word does; it is in small letters.
+pub(super) fn sort(word: &str) -> Option<Sort> {
+    SINGLE.iter().find(|(_, words)| words.split_whitespace().any(|known| known == word)).map(|(sort, _)| *sort)
+}
+
+/// Is it the name of a sphere or particle?
+pub(super) fn is_sphere(word: &str) -> bool {
+    matches!(word, "A" | "B" | "P" | "Q" | "C")
+}
+
+/// Is it a word of a language rather than a formula gone wrong: long, with vowels and consonants, in one case?
+pub(super) fn is_only_a_word(word: &str) -> bool {
+    let rest = word.get(1..).unwrap_or_default();
+    let vowels = word.chars().filter(|letter| "aeiouyAEIOUY".contains(*letter)).count();
+    word.len() >= 4
+        && vowels * 5 >= word.len()
+        && vowels < word.len()
+        && rest.chars().all(|letter| letter.is_ascii_lowercase())
+        && !["sin", "cos", "tan", "sqr", "root", "log", "arc", "inv"].iter().any(|start| word.starts_with(start))
+}
+
+/// Words that stand for signs, and the signs.
+const SIGNS: [(&str, &[char]); 16] = [
+    ("times", &['*']),
+    ("multiplied by", &['*']),
+    ("over", &['/']),
+    ("divided by", &['/']),
+    ("plus", &['+']),
+    ("minus", &['-']),
+    ("equals", &['=']),
+    ("is equal to", &['=']),
+    ("squared", &['^', '2']),
+    ("cubed", &['^', '3']),
+    ("per cent", &['%']),
+    ("percent", &['%']),
+    ("root of", &['√']),
+    ("square root of", &['√']),
+    ("square root", &['√']),
+    ("sqrt of", &['√']),
+];
+
+/// The tokens with words for signs as those signs; `square root` is one root.
+pub(super) fn with_signs(tokens: &[Placed]) -> Vec<Placed> {
+    let word = |at: usize| match tokens.get(at).map(|placed| &placed.token) {
+        Some(Token::Word(word)) => Some(word.to_ascii_lowercase()),
+        _ => None,
+    };
+    let mut out: Vec<Placed> = Vec::with_capacity(tokens.len());
+    let mut at = 0;
+    while let Some(placed) = tokens.get(at) {
+        let standing = SIGNS
+            .iter()
+            .filter(|(words, _)| words.split(' ').enumerate().all(|(ahead, wanted)| word(at + ahead).is_some_and(|word| word == wanted)))
+            .max_by_key(|(words, _)| words.len());
+        let Some((words, signs)) = standing else {
+            out.push(placed.clone());
+            at += 1;
+            continue;
+        };
+        let count = words.split(' ').count();
+        let end = tokens[at + count - 1].end;
+        for (place, sign) in signs.iter().enumerate() {
+            let token = match sign {
+                '√' => Token::Root { cube: false },
+                digit if digit.is_ascii_digit() => {
+                    Token::Number(crate::expr::Expr::integer(i64::from(*digit as u32 - '0' as u32)))
+                }
+                sign => Token::Sign(*sign),
+            };
+            out.push(Placed { token, start: placed.start, end, spaced: placed.spaced && place == 0 });
+        }
+        at += count;
+    }
+    out
+}

@@ -1,0 +1,129 @@
+//! Words into letters of the question and functions: `usin` is u and sine, `mu` is m and u where the question has both.
+
+use super::Vocabulary;
+use super::choices::{Choices, Doubt};
+use super::tokens::Token;
+use crate::expr::Function;
+
+/// Functions by every name that students use; longer names first.
+const FUNCTIONS: [(&str, Function); 13] = [
+    ("arcsin", Function::Asin),
+    ("arccos", Function::Acos),
+    ("arctan", Function::Atan),
+    ("invtan", Function::Atan),
+    ("invsin", Function::Asin),
+    ("invcos", Function::Acos),
+    ("asin", Function::Asin),
+    ("acos", Function::Acos),
+    ("atan", Function::Atan),
+    ("abs", Function::Abs),
+    ("sin", Function::Sin),
+    ("cos", Function::Cos),
+    ("tan", Function::Tan),
+];
+
+/// Names of the root sign.
+const ROOTS: [&str; 2] = ["sqrt", "root"];
+
+/// Capitals that name spheres, unit vectors or units, and are no slips for small letters.
+const CAPITALS_OF_THEIR_OWN: &str = "ABCIJNOPQS";
+
+/// A piece of a word and how many bytes it takes.
+type Piece = (Token, usize);
+
+/// The tokens of a word, if it is made of letters of the question and functions alone.
+pub(super) fn split(word: &str, place: usize, vocabulary: &Vocabulary, choices: &mut Choices) -> Option<Vec<Token>> {
+    if let Some(whole) = letter(word, vocabulary) {
+        let apart = (word.len() > 1).then(|| pieces(word, vocabulary, false)).flatten();
+        if let Some(apart) = apart.filter(|_| !word.contains('_')) {
+            if choices.otherwise(Doubt::Names, place) {
+                return Some(apart);
+            }
+        }
+        return Some(vec![whole]);
+    }
+    let found = pieces(word, vocabulary, true)?;
+    for (token, typed) in found.iter().zip(word.chars()) {
+        if let Token::Letter(name) = token
+            && found.len() == word.len()
+            && *name != typed.to_string()
+        {
+            choices.note(format!("{typed} read as {name}"));
+        }
+    }
+    Some(found)
+}
+
+/// Is it made of letters of the question and functions alone?
+pub(super) fn is_made_of_letters(word: &str, vocabulary: &Vocabulary) -> bool {
+    letter(word, vocabulary).is_some() || pieces(word, vocabulary, true).is_some()
+}
+
+/// The word taken apart from its end, the longest name first at every place.
+fn pieces(word: &str, vocabulary: &Vocabulary, long: bool) -> Option<Vec<Token>> {
+    if !word.is_ascii() {
+        return None;
+    }
+    let mut from: Vec<Option<Piece>> = vec![None; word.len() + 1];
+    let reached = |from: &[Option<Piece>], at: usize| at == word.len() || from[at].is_some();
+    for at in (0..word.len()).rev() {
+        from[at] = candidates(&word[at..], vocabulary)
+            .into_iter()
+            .filter(|(_, length)| long || *length < word.len())
+            .find(|(_, length)| reached(&from, at + length));
+    }
+    let mut out = Vec::new();
+    let mut at = 0;
+    while at < word.len() {
+        let (token, length) = from[at].clone()?;
+        out.push(token);
+        at += length;
+    }
+    Some(out)
+}
+
+/// What the rest of a word can begin with, the longest first.
+fn candidates(rest: &str, vocabulary: &Vocabulary) -> Vec<Piece> {
+    let begins = |name: &str| rest.get(..name.len()).is_some_and(|start| start.eq_ignore_ascii_case(name));
+    let mut found: Vec<Piece> = Vec::new();
+    for (name, function) in FUNCTIONS {
+        if begins(name) {
+            found.push((Token::Function(function), name.len()));
+        }
+    }
+    for name in ROOTS {
+        if begins(name) {
+            found.push((Token::Root { cube: false }, name.len()));
+        }
+    }
+    if begins("cbrt") {
+        found.push((Token::Root { cube: true }, 4));
+    }
+    if begins("pi") {
+        found.push((Token::Pi, 2));
+    }
+    for length in (1..=rest.len().min(24)).rev() {
+        if let Some(token) = rest.get(..length).and_then(|name| letter(name, vocabulary)) {
+            found.push((token, length));
+        }
+    }
+    found.sort_by_key(|(_, length)| std::cmp::Reverse(*length));
+    found
+}
+
+/// A letter of the question by its name, a unit vector, or a capital typed for a small letter.
+pub(super) fn letter(name: &str, vocabulary: &Vocabulary) -> Option<Token> {
+    let same = |letter: &&crate::number::Letter| {
+        letter.name() == name || (name.len() > 1 && letter.name().replace('_', "") == name.replace('_', ""))
+    };
+    if let Some(letter) = vocabulary.letters.iter().find(same) {
+        return Some(Token::Letter(letter.name().to_owned()));
+    }
+    if vocabulary.vectors && matches!(name, "i" | "j") {
+        return name.chars().next().map(Token::Along);
+    }
+    let small = name.to_ascii_lowercase();
+    let capital = name.len() == 1 && name != small && !CAPITALS_OF_THEIR_OWN.contains(name);
+    let condoned = vocabulary.letters.iter().any(|letter| letter.name() == small);
+    (capital && condoned).then_some(Token::Letter(small))
+}

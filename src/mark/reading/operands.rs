@@ -1,0 +1,226 @@
+//! Operands: numbers and mixed numbers, letters, roots, sizes, brackets and columns.
+
+use super::characters::{CLOSE, OPEN};
+use super::choices::Doubt;
+use super::grammar::{Parsed, Parser};
+use super::names;
+use super::tokens::{Placed, Token};
+use crate::expr::{Expr, Function};
+use crate::number::Fraction;
+
+impl Parser<'_> {
+    /// The letters and functions of a word in place of it. `false` if it is not made of them.
+    pub(super) fn take_apart(&mut self, at: usize) -> bool {
+        let Placed { token, start, end, spaced } = self.tokens[at].clone();
+        let pieces = match &token {
+            Token::Word(word) => match names::split(word, start, self.vocabulary, self.choices) {
+                Some(pieces) => pieces,
+                None if self.any_name => vec![Token::Letter(word.clone())],
+                None => return false,
+            },
+            Token::Greek(name) => match names::letter(name, self.vocabulary) {
+                Some(letter) => vec![letter],
+                None if self.any_name => vec![Token::Letter((*name).to_owned())],
+                None => match names::split(name, start, self.vocabulary, self.choices) {
+                    Some(pieces) if *name == "mu" => pieces,
+                    _ => return false,
+                },
+            },
+            _ => return true,
+        };
+        let count = pieces.len();
+        let whole = token_length(&token) == end - start;
+        let mut from = start;
+        let placed: Vec<Placed> = pieces
+            .into_iter()
+            .enumerate()
+            .map(|(place, token)| {
+                let first = if whole { from } else { start };
+                let last = if whole && place + 1 < count { first + piece_length(&token) } else { end };
+                from = last.min(end);
+                Placed { token, start: first.min(end), end: last.min(end), spaced: spaced && place == 0 }
+            })
+            .collect();
+        self.tokens.splice(at..=at, placed);
+        self.end += count - 1;
+        true
+    }
+
+    pub(super) fn operand(&mut self) -> Parsed {
+        self.choices.step(self.place())?;
+        if matches!(self.token(0), Some(Token::Word(_) | Token::Greek(_))) && !self.take_apart(self.at) {
+            return self.unexpected();
+        }
+        let value = match self.token(0) {
+            Some(Token::Number(value)) => {
+                let value = value.clone();
+                return self.number(value);
+            }
+            Some(Token::Letter(name)) => Expr::name(name.clone()),
+            Some(Token::Along(letter)) => Expr::name(letter.to_string()),
+            Some(Token::Pi) => Expr::Pi,
+            Some(Token::Sign('°')) => Expr::degrees(Expr::integer(1)),
+            Some(Token::Root { cube }) => {
+                let cube = *cube;
+                self.at += 1;
+                return self.nested(|parser| parser.root(cube));
+            }
+            Some(Token::Function(function)) => {
+                let function = *function;
+                self.at += 1;
+                return self.nested(|parser| parser.call(function));
+            }
+            Some(Token::Sign('|')) => {
+                self.at += 1;
+                return self.nested(Self::bars);
+            }
+            Some(Token::Sign(open @ ('(' | '[' | '{' | OPEN))) => {
+                let open = *open;
+                self.at += 1;
+                return self.nested(|parser| parser.brackets(open));
+            }
+            _ => return self.unexpected(),
+        };
+        self.at += 1;
+        Ok(value)
+    }
+
+    /// A number, or a mixed number: `2 3/4`, `2½`.
+    fn number(&mut self, value: Expr) -> Parsed {
+        let start = self.at;
+        self.at += 1;
+        let Expr::Number(whole) = &value else { return Ok(value) };
+        let digits = |ahead: usize| match self.token(ahead) {
+            Some(Token::Number(Expr::Number(part))) => Some(part.clone()),
+            _ => None,
+        };
+        let group = self.sign(0) == Some(OPEN);
+        let ahead = usize::from(group);
+        let stroke = self.sign(ahead + 1) == Some('/') && (group || !self.spaced(1) && !self.spaced(2));
+        let (above, below) = (digits(ahead), digits(ahead + 2));
+        let closed = !group || self.sign(4) == Some(CLOSE);
+        let blank = group || self.spaced(0);
+        let (Some(above), Some(below), true) = (above, below, stroke && closed && blank) else { return Ok(value) };
+        if !group && (matches!(self.sign(3), Some('^' | '.')) || above >= below) {
+            return Ok(value);
+        }
+        let Some(part) = below.reciprocal().map(|share| &above * &share) else { return Ok(value) };
+        // In brackets two numbers may be the components of a column.
+        let place = self.place();
+        if !group && matches!(self.open.last(), Some('(' | '[')) && self.vocabulary.vectors {
+            if self.choices.otherwise(Doubt::Column, place) {
+                return Ok(value);
+            }
+        }
+        let mixed = Expr::Number(whole + &part);
+        self.at += if group { 5 } else { 3 };
+        let typed = self.typed(start);
+        self.choices.note(format!("{typed} read as {}", crate::expr::print::unicode(&mixed)));
+        Ok(mixed)
+    }
+
+    /// What stands under a root: brackets, digits alone, or letters.
+    fn root(&mut self, cube: bool) -> Parsed {
+        let start = self.at;
+        let place = self.place();
+        let bare = !matches!(self.sign(0), Some('(' | '[' | '{' | OPEN | '|'));
+        let mut under = match self.token(0) {
+            Some(Token::Number(value)) => {
+                let value = value.clone();
+                self.at += 1;
+                value
+            }
+            _ => self.operand()?,
+        };
+        if bare && matches!(under, Expr::Name(_)) {
+            under = self.raised(under, start)?;
+            let letters = |parser: &Self| {
+                !parser.spaced(0) && matches!(parser.token(0), Some(Token::Letter(_)) | Some(Token::Word(_)))
+            };
+            if letters(self) && self.choices.otherwise(Doubt::Root, place) {
+                let mut factors = vec![under];
+                while letters(self) && self.continues() {
+                    factors.push(self.factor()?);
+                }
+                under = Expr::Product(factors);
+                let typed = self.typed(start.saturating_sub(1));
+                let read = Expr::call(Function::Sqrt, under.clone());
+                self.choices.note(format!("{typed} read as {}", crate::expr::print::unicode(&read)));
+            }
+        }
+        Ok(match cube {
+            true => Expr::Power(Box::new(under), Box::new(Expr::Number(Fraction::new(1, 3)))),
+            false => Expr::call(Function::Sqrt, under),
+        })
+    }
+
+    fn bars(&mut self) -> Parsed {
+        self.open.push('|');
+        let inner = self.sum()?;
+        self.open.pop();
+        if !self.eat('|') {
+            return self.fault("`|` is never closed");
+        }
+        Ok(Expr::call(Function::Abs, inner))
+    }
+
+    /// Brackets around a formula, or around the two components of a vector.
+    pub(super) fn brackets(&mut self, open: char) -> Parsed {
+        self.open.push(open);
+        let first = self.sum()?;
+        let second = match self.sign(0) {
+            Some(sign @ (',' | ';')) => {
+                self.at += 1;
+                self.coordinates |= sign == ',';
+                self.column |= sign == ';';
+                Some(self.sum()?)
+            }
+            Some('-') => Some(self.column_component()?),
+            None if matches!(self.token(0), Some(Token::Number(_))) && self.spaced(0) => Some(self.column_component()?),
+            _ => None,
+        };
+        self.open.pop();
+        if second.is_some() && matches!(self.sign(0), Some(',' | ';')) {
+            return self.fault("a third component");
+        }
+        let (close, shown) = match open {
+            '(' => (')', "(".to_owned()),
+            '[' => (']', "[".to_owned()),
+            '{' => ('}', "{".to_owned()),
+            _ => (CLOSE, "a group".to_owned()),
+        };
+        if !self.eat(close) {
+            return match self.token(0) {
+                None => self.fault(format!("`{shown}` is never closed")),
+                Some(_) => self.unexpected(),
+            };
+        }
+        Ok(match second {
+            Some(second) => Expr::Vector(Box::new(first), Box::new(second)),
+            None => first,
+        })
+    }
+
+    fn column_component(&mut self) -> Parsed {
+        self.column = true;
+        self.sum()
+    }
+}
+
+/// How many bytes a token's name takes, as typed in full.
+fn token_length(token: &Token) -> usize {
+    match token {
+        Token::Word(word) => word.len(),
+        _ => 0,
+    }
+}
+
+fn piece_length(token: &Token) -> usize {
+    match token {
+        Token::Letter(name) => name.replace('_', "").len(),
+        Token::Function(function) => function.name().len(),
+        Token::Root { .. } => 4,
+        Token::Pi => 2,
+        _ => 1,
+    }
+}

@@ -1,0 +1,270 @@
+//! Products: what is written side by side, what stands below a stroke, and where a unit begins.
+
+use super::characters::OPEN;
+use super::choices::Doubt;
+use super::digits::times_power_of_ten;
+use super::grammar::{Parsed, Parser};
+use super::names;
+use super::tokens::{Placed, Token};
+use crate::expr::{Expr, print};
+
+/// What stands before a factor.
+#[derive(Clone, Copy, PartialEq)]
+enum Sign {
+    Times,
+    Over,
+    Beside,
+}
+
+/// A factor and the tokens between which it stands.
+struct Factor {
+    sign: Sign,
+    value: Expr,
+    start: usize,
+    end: usize,
+    spaced: bool,
+    bracket: bool,
+}
+
+impl Parser<'_> {
+    /// Factors with their signs.
+    pub(super) fn product(&mut self) -> Parsed {
+        let mut factors = vec![self.one_factor(Sign::Times)?];
+        loop {
+            self.choices.step(self.place())?;
+            let next = match self.sign(0) {
+                Some('*') if self.degrees_follow() => {
+                    self.at += 2;
+                    if let Some(last) = factors.last_mut() {
+                        last.value = Expr::degrees(last.value.clone());
+                        last.end = self.at;
+                    }
+                    continue;
+                }
+                Some('*') => Sign::Times,
+                Some('/') => Sign::Over,
+                _ if self.times_in_words() => Sign::Times,
+                _ if self.continues() => Sign::Beside,
+                _ => break,
+            };
+            if next != Sign::Beside {
+                self.at += 1;
+            }
+            factors.push(self.one_factor(next)?);
+        }
+        self.folded(factors)
+    }
+
+    fn one_factor(&mut self, sign: Sign) -> Result<Factor, super::Unreadable> {
+        let start = self.at;
+        let spaced = self.spaced(0);
+        let bracket = matches!(self.sign(0), Some('(' | '[' | '{' | OPEN));
+        let value = if sign == Sign::Beside { self.nested(Self::factor)? } else { self.signed_factor()? };
+        Ok(Factor { sign, value, start, end: self.at, spaced, bracket })
+    }
+
+    /// `10*deg`
+    fn degrees_follow(&self) -> bool {
+        self.sign(1) == Some('°') && self.sign(2) != Some('^')
+    }
+
+    /// `2 x 3`: an x between numbers, where the question has none.
+    fn times_in_words(&self) -> bool {
+        let x = matches!(self.token(0), Some(Token::Word(word)) if word.eq_ignore_ascii_case("x"));
+        let number = matches!(self.token(1), Some(Token::Number(_) | Token::Root { .. } | Token::Sign('(' | OPEN)));
+        let root = matches!(self.token(1), Some(Token::Word(word)) if word.starts_with("sqrt") || word.starts_with("root"));
+        x && (number || root) && names::letter("x", self.vocabulary).is_none() && self.at > 0
+    }
+
+    /// Does a factor follow that is written side by side with the one before?
+    pub(super) fn continues(&mut self) -> bool {
+        match self.token(0) {
+            Some(Token::Word(_) | Token::Greek(_)) => self.word_continues(),
+            Some(Token::Letter(_) | Token::Along(_) | Token::Function(_) | Token::Root { .. } | Token::Pi) => true,
+            Some(Token::Sign('(' | '[' | '{')) => !(self.outside() && self.unit_here().is_some()),
+            Some(Token::Sign(OPEN)) => true,
+            Some(Token::Sign('|')) => !self.in_bars(),
+            // The digit of a vulgar fraction stands in a group; any other number needs a sign.
+            _ => false,
+        }
+    }
+
+    /// A word side by side is letters of the question, or a unit, or both one after the other: `9mJ`.
+    fn word_continues(&mut self) -> bool {
+        let Some(Token::Word(word)) = self.token(0).cloned() else { return true };
+        let letters = names::is_made_of_letters(&word, self.vocabulary);
+        let unit = if self.outside() { self.unit_here() } else { None };
+        match (&unit, letters) {
+            (None, true) => true,
+            (Some((_, next)), true) => {
+                // A unit of several symbols is hardly a product; a symbol alone is a letter.
+                let several = word.len() > 1 || *next > self.at + 1;
+                let place = self.place();
+                !several || self.choices.otherwise(Doubt::Unit, place)
+            }
+            (Some(_), false) => {
+                let place = self.place();
+                let split = self.letters_before_a_unit(&word);
+                // `ms^-1` is a unit through and through, `mJ` is m and a joule where the question has an m.
+                match split.filter(|_| !matches!(word.as_str(), "ms" | "mps")) {
+                    Some(length) if !self.choices.otherwise(Doubt::Unit, place) => {
+                        self.part_word(length);
+                        true
+                    }
+                    _ => false,
+                }
+            }
+            (None, false) => match self.outside().then(|| self.letters_before_a_unit(&word)).flatten() {
+                Some(length) => {
+                    self.part_word(length);
+                    true
+                }
+                None => self.any_name,
+            },
+        }
+    }
+
+    /// How many letters of the question stand at the beginning of a word whose rest is a unit.
+    fn letters_before_a_unit(&mut self, word: &str) -> Option<usize> {
+        let placed = self.tokens[self.at].clone();
+        let at = self.at;
+        let mut found = None;
+        for length in 1..word.len().min(24) {
+            let (Some(front), Some(back)) = (word.get(..length), word.get(length..)) else { continue };
+            if !names::is_made_of_letters(front, self.vocabulary) {
+                continue;
+            }
+            let start = (placed.start + length).min(placed.end);
+            self.tokens[at] = Placed { token: Token::Word(back.to_owned()), start, end: placed.end, spaced: false };
+            if self.unit_here().is_some() {
+                found = Some(length);
+                break;
+            }
+        }
+        self.tokens[at] = placed;
+        found
+    }
+
+    /// Parts the next word in two.
+    fn part_word(&mut self, length: usize) {
+        let Placed { token, start, end, spaced } = self.tokens[self.at].clone();
+        let Token::Word(word) = token else { return };
+        let between = (start + length).min(end);
+        let (front, back) = word.split_at(length);
+        let front = Placed { token: Token::Word(front.to_owned()), start, end: between, spaced };
+        let back = Placed { token: Token::Word(back.to_owned()), start: between, end, spaced: false };
+        self.tokens.splice(self.at..=self.at, [front, back]);
+        self.end += 1;
+    }
+
+    /// The factors multiplied and divided, each stroke with as much below it as is likely, or otherwise.
+    fn folded(&mut self, factors: Vec<Factor>) -> Parsed {
+        let first = factors[0].start;
+        let mut factors = factors.into_iter().peekable();
+        let mut value: Option<Expr> = None;
+        // Is the product that has been collected one of this walk, to which a factor can be added?
+        let mut open = false;
+        while let Some(factor) = factors.next() {
+            if factor.sign != Sign::Over {
+                let below = value.take();
+                (value, open) = match below {
+                    None => (Some(factor.value), false),
+                    Some(left) => (Some(multiplied(left, factor.value, open)), true),
+                };
+                continue;
+            }
+            let above = value.take().unwrap_or_else(|| Expr::integer(1));
+            let mut beside = Vec::new();
+            while factors.peek().is_some_and(|next| next.sign == Sign::Beside) {
+                beside.extend(factors.next());
+            }
+            if beside.is_empty() {
+                value = Some(over(above, factor.value));
+                open = false;
+                continue;
+            }
+            let below = self.all_below(&above, &factor, &beside);
+            let end = beside.last().map_or(factor.end, |last| last.end);
+            let rest = beside.into_iter().map(|factor| factor.value);
+            let result = match below {
+                true => over(above, rest.fold(factor.value, |left, right| times(left, right))),
+                false => rest.fold(over(above, factor.value), |left, right| times(left, right)),
+            };
+            let typed = self.tokens.get(first).zip(self.tokens.get(end - 1));
+            let typed = typed.and_then(|(first, last)| self.text.get(first.start..last.end)).unwrap_or_default().trim();
+            self.choices.note(format!("{typed} read as {}", print::unicode(&result)));
+            value = Some(result);
+            open = false;
+        }
+        Ok(value.unwrap_or_else(|| Expr::integer(1)))
+    }
+
+    /// Does everything side by side after a stroke stand below it? In `u/2v` it does, in `1/2 v` it does not.
+    fn all_below(&mut self, above: &Expr, below: &Factor, beside: &[Factor]) -> bool {
+        // Nothing can be divided by a vector.
+        if beside.iter().any(|factor| has_vector(&factor.value)) {
+            return false;
+        }
+        let number = |expr: &Expr| matches!(expr, Expr::Number(_) | Expr::Decimal(_));
+        let coefficient = (number(above) && number(&below.value))
+            || below.bracket
+            || beside[0].bracket
+            || (beside[0].spaced && !below.spaced);
+        let place = self.tokens.get(below.start).map_or(0, |placed| placed.start);
+        coefficient == self.choices.otherwise(Doubt::Stroke, place)
+    }
+}
+
+/// A factor at the end of a product, or a power of ten taken into the number before it.
+fn multiplied(left: Expr, right: Expr, open: bool) -> Expr {
+    if let Expr::Power(base, exponent) = &right
+        && **base == Expr::integer(10)
+        && let Some(power) = whole(exponent)
+        && let Some(number) = times_power_of_ten(&left, power)
+    {
+        return number;
+    }
+    match left {
+        Expr::Product(mut factors) if open => {
+            factors.push(right);
+            Expr::Product(factors)
+        }
+        other => times(other, right),
+    }
+}
+
+fn whole(exponent: &Expr) -> Option<i32> {
+    match exponent {
+        Expr::Number(value) => match value.as_small()? {
+            (power, 1) => i32::try_from(power).ok(),
+            _ => None,
+        },
+        Expr::Negative(inner) => whole(inner).map(|power| -power),
+        _ => None,
+    }
+}
+
+fn times(left: Expr, right: Expr) -> Expr {
+    match left {
+        Expr::Product(mut factors) => {
+            factors.push(right);
+            Expr::Product(factors)
+        }
+        other => Expr::Product(vec![other, right]),
+    }
+}
+
+/// A quotient; two whole numbers make a fraction as they were written.
+fn over(above: Expr, below: Expr) -> Expr {
+    Expr::Quotient(Box::new(above), Box::new(below))
+}
+
+/// Is there a vector in it?
+fn has_vector(expr: &Expr) -> bool {
+    match expr {
+        Expr::Vector(..) => true,
+        Expr::Name(name) => matches!(name.text.as_str(), "i" | "j"),
+        Expr::Call(..) => false,
+        other => other.children().into_iter().any(has_vector),
+    }
+}

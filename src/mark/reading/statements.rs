@@ -1,0 +1,354 @@
+//! Statements: what stands between separators, what each is called, and chains of equals signs.
+
+use super::choices::Choices;
+use super::grammar::Parser;
+use super::phrases::Phrase;
+use super::tokens::{Placed, Token};
+use super::values::{Values, formula, printed};
+use super::vectors::{Shape, shape};
+use super::{Form, Label, Said, Statement, Unreadable, Vocabulary};
+use crate::expr::{Expr, Function, Relation};
+
+/// Every statement of an answer.
+pub(super) fn statements(
+    tokens: &[Placed],
+    text: &str,
+    vocabulary: &Vocabulary,
+    choices: &mut Choices,
+) -> Result<Vec<Statement>, Unreadable> {
+    let mut reader = Statements { text, vocabulary, choices, found: Vec::new(), remarks: Vec::new() };
+    for segment in segments(tokens) {
+        reader.segment(segment)?;
+    }
+    let Statements { mut found, remarks, .. } = reader;
+    match found.last_mut().and_then(|last| last.said.last_mut()) {
+        Some(last) => last.remarks.extend(remarks),
+        None => {
+            let place = tokens.first().map_or(0, |first| first.start);
+            return Err(Unreadable::Sign(place, "no value, formula or direction is in it".to_owned()));
+        }
+    }
+    Ok(found)
+}
+
+/// The stretches between newlines, semicolons, commas and arrows that stand outside brackets.
+fn segments(tokens: &[Placed]) -> Vec<&[Placed]> {
+    let mut depth = 0_usize;
+    let parts = tokens.split(|placed| {
+        match placed.token {
+            Token::Sign('(' | '[' | '{' | '⟦') => depth += 1,
+            Token::Sign(')' | ']' | '}' | '⟧') => depth = depth.saturating_sub(1),
+            Token::Sign('\n' | '¦' | '⇒') => return true,
+            Token::Sign(';' | ',') => return depth == 0,
+            _ => {}
+        }
+        false
+    });
+    parts.filter(|part| !part.is_empty()).collect()
+}
+
+struct Statements<'a> {
+    text: &'a str,
+    vocabulary: &'a Vocabulary,
+    choices: &'a mut Choices,
+    found: Vec<Statement>,
+    /// Words before the first value.
+    remarks: Vec<String>,
+}
+
+/// What the left side of an equals sign is.
+enum Left {
+    /// It names what follows.
+    Label(Label),
+    /// A number, which begins a chain of values.
+    Number,
+    /// A formula in letters: the statement is an equation.
+    Formula,
+}
+
+impl Statements<'_> {
+    fn segment(&mut self, tokens: &[Placed]) -> Result<(), Unreadable> {
+        let reason = tokens.iter().position(|placed| placed.token == Token::Phrase(Phrase::Because));
+        let (tokens, reason) = tokens.split_at(reason.unwrap_or(tokens.len()));
+        // `v = 0 so A stops`: what follows is a statement of its own, if anything stands before.
+        let mut start = 0;
+        for at in 1..tokens.len() {
+            let conclusion = |placed: &Placed| {
+                placed.token == Token::Phrase(Phrase::Joiner)
+                    && matches!(self.slice(std::slice::from_ref(placed)), "so" | "hence" | "therefore" | "thus" | "then" | "and" | "&")
+            };
+            if at > start && conclusion(&tokens[at]) && outside(&tokens[start..at]) {
+                self.chain(&tokens[start..at])?;
+                start = at + 1;
+            }
+        }
+        if start < tokens.len() {
+            self.chain(&tokens[start..])?;
+        }
+        if !reason.is_empty() {
+            let words = self.slice(reason).to_lowercase();
+            self.remark(words);
+        }
+        Ok(())
+    }
+
+    fn slice(&self, tokens: &[Placed]) -> &str {
+        match (tokens.first(), tokens.last()) {
+            (Some(first), Some(last)) => self.text.get(first.start..last.end).unwrap_or_default().trim(),
+            _ => "",
+        }
+    }
+
+    fn remark(&mut self, words: String) {
+        match self.found.last_mut().and_then(|last| last.said.last_mut()) {
+            Some(last) => last.remarks.push(words),
+            None => self.remarks.push(words),
+        }
+    }
+
+    /// Sides with relations between them.
+    fn chain(&mut self, tokens: &[Placed]) -> Result<(), Unreadable> {
+        let mut sides: Vec<&[Placed]> = Vec::new();
+        let mut relations: Vec<(char, usize)> = Vec::new();
+        let (mut depth, mut start) = (0_usize, 0);
+        for (at, placed) in tokens.iter().enumerate() {
+            match placed.token {
+                Token::Sign('(' | '[' | '{' | '⟦') => depth += 1,
+                Token::Sign(')' | ']' | '}' | '⟧') => depth = depth.saturating_sub(1),
+                Token::Sign(sign @ ('=' | '≈' | '<' | '>' | '≤' | '≥' | '≠')) if depth == 0 => {
+                    // `≈ 3.08` by itself is only a value.
+                    if sign == '≈' && at == start {
+                        start = if sides.is_empty() { at + 1 } else { start };
+                        continue;
+                    }
+                    sides.push(&tokens[start..at]);
+                    relations.push((sign, placed.start));
+                    start = at + 1;
+                }
+                _ => {}
+            }
+        }
+        sides.push(&tokens[start..]);
+        for (side, relation) in sides.iter().zip(relations.iter().chain(relations.last())) {
+            if side.is_empty() {
+                return Err(Unreadable::Sign(relation.1, format!("nothing on one side of `{}`", relation.0)));
+            }
+        }
+        let equal = relations.iter().all(|(sign, _)| matches!(sign, '=' | '≈'));
+        match (sides.len(), equal) {
+            (1, _) => self.alone(sides[0]),
+            (_, false) => self.inequality(&sides, &relations),
+            _ => self.equality(&sides),
+        }
+    }
+
+    /// A side without relations: `A: 3.08`, `2 : 3`, `1.04 ms^-1 at right angles to LOC`.
+    fn alone(&mut self, tokens: &[Placed]) -> Result<(), Unreadable> {
+        let colon = tokens.iter().position(|placed| placed.is(':'));
+        if let Some(at) = colon {
+            let (left, right) = (&tokens[..at], &tokens[at + 1..]);
+            if right.is_empty() {
+                self.remark(self.slice(left).to_lowercase());
+                return Ok(());
+            }
+            let name = matches!(left, [Placed { token: Token::Word(_) | Token::Greek(_), .. }]) && !tokens[at].spaced;
+            let words = left.iter().any(|placed| matches!(placed.token, Token::Phrase(_)));
+            if !left.is_empty() && (name || words) {
+                let label = Label { typed: self.slice(left).to_owned(), expr: self.named(left) };
+                return self.labelled(Some(label), &[right]);
+            }
+            return self.ratio(left, right);
+        }
+        let mut values = Values { text: self.text, vocabulary: self.vocabulary, choices: self.choices };
+        let stretch = values.stretch(tokens)?;
+        stretch.remarks.into_iter().for_each(|words| self.remark(words));
+        for (label, said) in stretch.values {
+            let label = label.map(|typed| Label { typed, expr: None });
+            self.found.push(Statement { label, said: vec![said] });
+        }
+        Ok(())
+    }
+
+    fn ratio(&mut self, left: &[Placed], right: &[Placed]) -> Result<(), Unreadable> {
+        let (left, right) = (self.scalar(left)?, self.scalar(right)?);
+        let said = Said { form: Form::Ratio(left, right), unit: None, reference: None, remarks: Vec::new() };
+        self.found.push(Statement { label: None, said: vec![said] });
+        Ok(())
+    }
+
+    /// A formula that fills its tokens and is no vector.
+    fn scalar(&mut self, tokens: &[Placed]) -> Result<Expr, Unreadable> {
+        let place = tokens.first().map_or(self.text.len(), |first| first.start);
+        let read = formula(tokens, 0, self.text, self.vocabulary, self.choices)?;
+        match read.form {
+            Form::Value(value) if read.next == read.tokens.len() => Ok(value),
+            _ => Err(Unreadable::Sign(place, "a number or formula is expected here".to_owned())),
+        }
+    }
+
+    /// The expression of a label, where it is one.
+    fn named(&mut self, tokens: &[Placed]) -> Option<Expr> {
+        let before = self.choices.decided().len();
+        let mut parser = Parser::new(tokens.to_vec(), self.text, self.vocabulary, self.choices);
+        parser.any_name = true;
+        let expr = parser.sum().ok().filter(|_| parser.at == parser.end);
+        self.choices.forget(before);
+        expr.and_then(|expr| match shape(&expr) {
+            Ok(Shape::Scalar(value)) => Some(value),
+            _ => None,
+        })
+    }
+
+    fn equality(&mut self, sides: &[&[Placed]]) -> Result<(), Unreadable> {
+        match self.left(sides[0])? {
+            Left::Label(label) => self.labelled(Some(label), &sides[1..]),
+            Left::Number => self.labelled(None, sides),
+            Left::Formula => {
+                let values: Vec<Expr> = sides.iter().map(|side| self.side(side)).collect::<Result<_, _>>()?;
+                let said = values.windows(2).map(|pair| Said {
+                    form: Form::Equation(Expr::equation(pair[0].clone(), pair[1].clone())),
+                    unit: None,
+                    reference: None,
+                    remarks: Vec::new(),
+                });
+                self.found.push(Statement { label: None, said: said.collect() });
+                Ok(())
+            }
+        }
+    }
+
+    fn left(&mut self, tokens: &[Placed]) -> Result<Left, Unreadable> {
+        let typed = self.slice(tokens).to_owned();
+        let words = tokens.iter().any(|placed| matches!(placed.token, Token::Phrase(_) | Token::Sign(':')));
+        let expr = self.named(tokens);
+        if words {
+            return Ok(Left::Label(Label { typed, expr: None }));
+        }
+        let Some(expr) = expr else {
+            let name = tokens.iter().any(|placed| matches!(placed.token, Token::Word(_) | Token::Greek(_)));
+            let numbers = tokens.iter().any(|placed| matches!(placed.token, Token::Number(_)));
+            // A vector or something that is not read as a formula.
+            let before = self.choices.decided().len();
+            let read = formula(tokens, 0, self.text, self.vocabulary, self.choices);
+            self.choices.forget(before);
+            return match read {
+                Ok(_) => Ok(Left::Number),
+                Err(_) if name && !numbers => Ok(Left::Label(Label { typed, expr: None })),
+                Err(reason) => Err(reason),
+            };
+        };
+        let known = |name: &str| self.vocabulary.letters.iter().any(|letter| letter.name() == name);
+        let strange = expr.names().iter().any(|name| !known(&name.text));
+        let letters = !expr.names().is_empty();
+        Ok(match (is_a_name(&expr), strange, letters) {
+            (true, ..) | (_, true, _) => Left::Label(Label { typed, expr: Some(expr) }),
+            (false, false, true) => Left::Formula,
+            (false, false, false) => Left::Number,
+        })
+    }
+
+    /// Values that are said to be one another's equals.
+    fn labelled(&mut self, label: Option<Label>, sides: &[&[Placed]]) -> Result<(), Unreadable> {
+        let mut label = label;
+        let mut said = Vec::new();
+        let mut more = Vec::new();
+        let mut inner = None;
+        for (place, side) in sides.iter().enumerate() {
+            let last = place + 1 == sides.len();
+            // `v_A : v_B = 2 : 3`
+            if let Some(colon) = side.iter().position(|placed| placed.is(':')) {
+                let (left, right) = (self.scalar(&side[..colon])?, self.scalar(&side[colon + 1..])?);
+                said.push(Said { form: Form::Ratio(left, right), unit: None, reference: None, remarks: Vec::new() });
+                continue;
+            }
+            let mut values = Values { text: self.text, vocabulary: self.vocabulary, choices: self.choices };
+            let stretch = values.stretch(side)?;
+            let mut found = stretch.values.into_iter();
+            let Some((named, mut first)) = found.next() else {
+                let start = side.first().map_or(0, |first| first.start);
+                return Err(Unreadable::Sign(start, "a value is expected here".to_owned()));
+            };
+            inner = inner.or(named);
+            first.remarks.extend(stretch.remarks);
+            said.push(first);
+            for (named, value) in found {
+                if !last {
+                    let start = side.first().map_or(0, |first| first.start);
+                    return Err(Unreadable::Sign(start, "two values between two equals signs".to_owned()));
+                }
+                more.push(Statement { label: named.map(|typed| Label { typed, expr: None }), said: vec![value] });
+            }
+        }
+        if let (Some(label), Some(named)) = (&mut label, inner) {
+            label.typed = format!("{}: {named}", label.typed);
+        }
+        self.found.push(Statement { label, said });
+        self.found.extend(more);
+        Ok(())
+    }
+
+    /// One side of an equation, whose names must be known.
+    fn side(&mut self, tokens: &[Placed]) -> Result<Expr, Unreadable> {
+        let place = tokens[0].start;
+        let read = formula(tokens, 0, self.text, self.vocabulary, self.choices)?;
+        let rest = &read.tokens[read.next..];
+        let words = rest.iter().all(|placed| matches!(placed.token, Token::Phrase(Phrase::Remark) | Token::Sign('.')));
+        match read.form {
+            Form::Value(value) if words => Ok(value),
+            Form::Vector(x, y, _) if words => Ok(Expr::Vector(Box::new(x), Box::new(y))),
+            _ => Err(Unreadable::Sign(place, "one side of the equation is no formula".to_owned())),
+        }
+    }
+
+    fn inequality(&mut self, sides: &[&[Placed]], relations: &[(char, usize)]) -> Result<(), Unreadable> {
+        let values: Vec<Expr> = sides.iter().map(|side| self.side(side)).collect::<Result<_, _>>()?;
+        let said = values.windows(2).zip(relations).map(|(pair, (sign, _))| {
+            let relation = match sign {
+                '<' => Relation::Less,
+                '>' => Relation::Greater,
+                '≤' => Relation::LessOrEqual,
+                '≥' => Relation::GreaterOrEqual,
+                '≠' => Relation::NotEqual,
+                _ => Relation::Equal,
+            };
+            let form = Form::Equation(Expr::Relation(Box::new(pair[0].clone()), relation, Box::new(pair[1].clone())));
+            Said { form, unit: None, reference: None, remarks: Vec::new() }
+        });
+        self.found.push(Statement { label: None, said: said.collect() });
+        Ok(())
+    }
+}
+
+/// Are all brackets closed?
+fn outside(tokens: &[Placed]) -> bool {
+    let count = |signs: [char; 4]| {
+        tokens.iter().filter(|placed| matches!(placed.token, Token::Sign(sign) if signs.contains(&sign))).count()
+    };
+    count(['(', '[', '{', '⟦']) <= count([')', ']', '}', '⟧'])
+}
+
+/// A name, its size, or a sine, cosine or tangent of one: what an answer calls its value by.
+fn is_a_name(expr: &Expr) -> bool {
+    match expr {
+        Expr::Name(_) => true,
+        Expr::Power(base, _) => matches!(&**base, Expr::Call(function, _) if *function != Function::Sqrt) && is_a_name(base),
+        Expr::Call(Function::Sin | Function::Cos | Function::Tan, argument) => {
+            !argument.names().is_empty() && argument.names().len() <= 2
+        }
+        Expr::Call(Function::Abs, _) => true,
+        _ => false,
+    }
+}
+
+/// The statements as a terminal shows them.
+pub(super) fn shown(statements: &[Statement]) -> String {
+    let each = |statement: &Statement| {
+        let said: Vec<String> = statement.said.iter().map(printed).collect();
+        let said = said.join(" = ");
+        match &statement.label {
+            Some(label) => format!("{} = {said}", label.typed),
+            None => said,
+        }
+    };
+    statements.iter().map(each).collect::<Vec<_>>().join(", ")
+}

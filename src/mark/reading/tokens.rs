@@ -1,0 +1,262 @@
+//! The small alphabet into tokens: numbers, words and signs, with the places where they stand.
+
+use super::Unreadable;
+use super::characters::{CLOSE, Glyph, OPEN};
+use super::choices::Choices;
+use super::digits::{self, number};
+use super::phrases::Phrase;
+use crate::expr::{Expr, Function};
+use crate::number::Letter;
+
+/// One token.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Token {
+    /// A number without sign.
+    Number(Expr),
+    /// Letters that have not been told apart yet.
+    Word(String),
+    /// A Greek letter, by its name.
+    Greek(&'static str),
+    /// A letter of the question, or in a label anything.
+    Letter(String),
+    /// `i` or `j` as a unit vector.
+    Along(char),
+    /// A function by its name.
+    Function(Function),
+    /// The sign or word of a square root, or of a cube root.
+    Root { cube: bool },
+    /// Half a turn.
+    Pi,
+    /// Words that have been understood.
+    Phrase(Phrase),
+    /// Any other sign.
+    Sign(char),
+}
+
+/// A token and where it stands.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Placed {
+    pub token: Token,
+    /// First byte in the text as typed.
+    pub start: usize,
+    /// One past the last byte.
+    pub end: usize,
+    /// Does a blank stand before it?
+    pub spaced: bool,
+}
+
+impl Placed {
+    /// Is it this sign?
+    pub(super) fn is(&self, sign: char) -> bool {
+        self.token == Token::Sign(sign)
+    }
+}
+
+/// Greek letters by name, small and capital.
+const GREEK: [(char, &str); 34] = [
+    ('α', "alpha"),
+    ('β', "beta"),
+    ('γ', "gamma"),
+    ('δ', "delta"),
+    ('ε', "epsilon"),
+    ('ζ', "zeta"),
+    ('η', "eta"),
+    ('θ', "theta"),
+    ('ι', "iota"),
+    ('κ', "kappa"),
+    ('λ', "lambda"),
+    ('μ', "mu"),
+    ('ν', "nu"),
+    ('ξ', "xi"),
+    ('ο', "omicron"),
+    ('ρ', "rho"),
+    ('σ', "sigma"),
+    ('ς', "sigma"),
+    ('τ', "tau"),
+    ('υ', "upsilon"),
+    ('φ', "phi"),
+    ('χ', "chi"),
+    ('ψ', "psi"),
+    ('ω', "omega"),
+    ('Γ', "Gamma"),
+    ('Δ', "Delta"),
+    ('Θ', "Theta"),
+    ('Λ', "Lambda"),
+    ('Ξ', "Xi"),
+    ('Π', "Pi"),
+    ('Σ', "Sigma"),
+    ('Φ', "Phi"),
+    ('Ψ', "Psi"),
+    ('Ω', "Omega"),
+];
+
+/// Is it the name of a Greek letter, in any case?
+pub(super) fn is_greek(word: &str) -> bool {
+    GREEK.iter().any(|(_, name)| name.eq_ignore_ascii_case(word))
+}
+
+/// Abbreviations that are written with full stops.
+const DOTTED: [&str; 8] = ["l.o.c", "i.e", "e.g", "w.r.t", "k.e", "c.o.r", "c.l.m", "n.e.l"];
+
+/// Every token of the glyphs.
+pub(super) fn tokens(glyphs: &[Glyph], letters: &[Letter], choices: &mut Choices) -> Result<Vec<Placed>, Unreadable> {
+    let glyphs = digits::repaired(glyphs, letters, choices);
+    let mut lexer = Lexer { glyphs: &glyphs, letters, at: 0, depth: 0, out: Vec::new() };
+    while lexer.at < glyphs.len() {
+        choices.step(glyphs[lexer.at].place)?;
+        lexer.one(choices)?;
+    }
+    Ok(lexer.out)
+}
+
+struct Lexer<'a> {
+    glyphs: &'a [Glyph],
+    letters: &'a [Letter],
+    at: usize,
+    /// How many brackets stand open: in `(4,1)` the comma is none of a number's.
+    depth: usize,
+    out: Vec<Placed>,
+}
+
+impl Lexer<'_> {
+    fn sign(&self, ahead: usize) -> Option<char> {
+        self.glyphs.get(self.at + ahead).map(|glyph| glyph.sign)
+    }
+
+    fn put(&mut self, token: Token, length: usize) {
+        let (first, last) = (self.glyphs[self.at], self.glyphs[self.at + length - 1]);
+        let spaced = self.at > 0 && matches!(self.glyphs[self.at - 1].sign, ' ' | '\n');
+        self.out.push(Placed { token, start: first.place, end: last.end, spaced });
+        self.at += length;
+    }
+
+    fn one(&mut self, choices: &mut Choices) -> Result<(), Unreadable> {
+        let Some(sign) = self.sign(0) else { return Ok(()) };
+        let place = self.glyphs[self.at].place;
+        if sign == ' ' {
+            self.at += 1;
+            return Ok(());
+        }
+        let point_first = matches!(sign, '.' | '·') && self.sign(1).is_some_and(|next| next.is_ascii_digit());
+        if sign.is_ascii_digit() || (point_first && !self.follows_letter()) {
+            let (value, length) = number(self.glyphs, self.at, self.depth, self.letters, choices)?;
+            self.put(Token::Number(value), length);
+            return Ok(());
+        }
+        if sign.is_ascii_alphabetic() {
+            self.word();
+            return Ok(());
+        }
+        if sign == 'π' {
+            self.put(Token::Pi, 1);
+            return Ok(());
+        }
+        if let Some((_, name)) = GREEK.iter().find(|(letter, _)| *letter == sign) {
+            self.greek(name);
+            return Ok(());
+        }
+        let pair: String = [Some(sign), self.sign(1)].into_iter().flatten().collect();
+        let (token, length) = match pair.as_str() {
+            "**" => ('^', 2),
+            "==" | ":=" => ('=', 2),
+            "!=" => ('≠', 2),
+            "<=" | "=<" => ('≤', 2),
+            "=>" | "->" => ('⇒', 2),
+            ">=" => ('≥', 2),
+            "//" => ('¦', 2),
+            ".." if self.sign(2) == Some('.') => ('…', 3),
+            ".." => return Err(Unreadable::Sign(place, "two points, one after the other".to_owned())),
+            _ => (sign, 1),
+        };
+        match token {
+            '(' | '[' | '{' | OPEN => self.depth += 1,
+            ')' | ']' | '}' | CLOSE => self.depth = self.depth.saturating_sub(1),
+            '√' | '∛' => {
+                self.put(Token::Root { cube: token == '∛' }, 1);
+                return Ok(());
+            }
+            '.' if self.sign(1) == Some(' ') && self.stands_in_a_number() => {
+                return Err(Unreadable::Sign(place, "a blank inside a number".to_owned()));
+            }
+            '~' => {
+                self.put(Token::Sign('≈'), 1);
+                return Ok(());
+            }
+            '+' | '-' | '*' | '/' | '^' | '|' | ',' | ';' | ':' | '=' | '<' | '>' | '%' | '°' | '\'' | '.' | '\n' | '?'
+            | '!' | '≠' | '≤' | '≥' | '≈' | '⇒' | '¦' | '…' | '"' => {}
+            '·' => {
+                self.put(Token::Sign('*'), 1);
+                return Ok(());
+            }
+            '±' | '∓' => return Err(Unreadable::Sign(place, format!("`{token}` says two things at once"))),
+            _ => return Err(Unreadable::Sign(place, format!("`{token}` has no meaning here"))),
+        }
+        self.put(Token::Sign(token), length);
+        Ok(())
+    }
+
+    /// Does a letter stand straight before it?
+    fn follows_letter(&self) -> bool {
+        self.at > 0 && self.glyphs[self.at - 1].sign.is_alphabetic()
+    }
+
+    /// `2. 78`: a point after a digit, a blank, a digit.
+    fn stands_in_a_number(&self) -> bool {
+        let digit = |glyph: Option<&Glyph>| glyph.is_some_and(|glyph| glyph.sign.is_ascii_digit());
+        self.at > 0 && digit(self.glyphs.get(self.at - 1)) && digit(self.glyphs.get(self.at + 2))
+    }
+
+    /// Letters, and a subscript if there is one.
+    fn word(&mut self) {
+        let rest = || self.glyphs[self.at..].iter().map(|glyph| glyph.sign);
+        let start: String = rest().take(6).collect::<String>().to_ascii_lowercase();
+        if let Some(dotted) = DOTTED.iter().find(|dotted| start.starts_with(**dotted)) {
+            let whole = dotted.len() + usize::from(start[dotted.len()..].starts_with('.'));
+            self.put(Token::Word(dotted.replace('.', "")), whole);
+            return;
+        }
+        let mut word: String = rest().take_while(char::is_ascii_alphabetic).collect();
+        // The apostrophe of `doesn't`.
+        if self.sign(word.len()) == Some('\'') && self.sign(word.len() + 1) == Some('t') {
+            word.push_str("'t");
+        }
+        let mut length = word.len();
+        let digits: String = rest().skip(length).take_while(char::is_ascii_digit).collect();
+        if self.sign(length) == Some('_') {
+            let below: String = rest().skip(length + 1).take_while(|sign| sign.is_alphanumeric()).collect();
+            length += 1 + below.chars().count();
+            word = format!("{word}_{below}");
+        } else if !digits.is_empty() && self.is_letter(&format!("{word}{digits}")) {
+            length += digits.len();
+            word.push_str(&digits);
+        }
+        let mut whole = length;
+        // `perp.` and `approx.` end in a stop that ends no sentence.
+        if self.sign(length) == Some('.') && ABBREVIATED.contains(&word.to_ascii_lowercase().as_str()) {
+            whole += 1;
+        }
+        match word.to_ascii_lowercase().as_str() {
+            "deg" | "degs" | "degree" | "degrees" => self.put(Token::Sign('°'), whole),
+            _ => self.put(Token::Word(word), whole),
+        }
+    }
+
+    /// A Greek letter, with its subscript.
+    fn greek(&mut self, name: &'static str) {
+        if self.sign(1) != Some('_') {
+            self.put(Token::Greek(name), 1);
+            return;
+        }
+        let below: String =
+            self.glyphs[self.at + 2..].iter().map(|glyph| glyph.sign).take_while(|sign| sign.is_alphanumeric()).collect();
+        let length = 2 + below.chars().count();
+        self.put(Token::Word(format!("{name}_{below}")), length);
+    }
+
+    fn is_letter(&self, name: &str) -> bool {
+        self.letters.iter().any(|letter| letter.name().replace('_', "") == name)
+    }
+}
+
+/// Words that are cut short by a full stop.
+const ABBREVIATED: [&str; 10] = ["perp", "approx", "deg", "ans", "vel", "dir", "cor", "ke", "mag", "loc"];

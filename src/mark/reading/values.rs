@@ -1,0 +1,344 @@
+//! Values: a formula with its unit and the words around it.
+
+use super::choices::Choices;
+use super::grammar::Parser;
+use super::phrases::Phrase;
+use super::tokens::{Placed, Token};
+use super::vectors::{Shape, shape, size};
+use super::{Form, Notation, ReferenceLine, Said, SaidUnit, Unreadable, Vocabulary};
+use crate::expr::{Expr, print};
+
+/// What stands in a stretch of tokens without separators and equals signs.
+#[derive(Default)]
+pub(super) struct Stretch {
+    /// The values, each with what it is called if words before it say so.
+    pub values: Vec<(Option<String>, Said)>,
+    /// Words that belong to no value.
+    pub remarks: Vec<String>,
+}
+
+/// Reads a stretch of tokens.
+pub(super) struct Values<'a> {
+    pub text: &'a str,
+    pub vocabulary: &'a Vocabulary,
+    pub choices: &'a mut Choices,
+}
+
+impl Values<'_> {
+    /// Every value of a stretch, in order.
+    pub(super) fn stretch(&mut self, tokens: &[Placed]) -> Result<Stretch, Unreadable> {
+        let mut found = Stretch::default();
+        let mut lead: Vec<usize> = Vec::new();
+        let mut tokens = tokens.to_vec();
+        let mut at = 0;
+        while at < tokens.len() {
+            self.choices.step(tokens[at].start)?;
+            match tokens[at].token.clone() {
+                Token::Phrase(Phrase::Because) => {
+                    let reason = self.slice(&tokens, at, tokens.len()).to_lowercase();
+                    self.remark(&mut found, reason);
+                    lead.clear();
+                    at = tokens.len();
+                }
+                Token::Phrase(phrase) => {
+                    at = self.word(&tokens, at, phrase, &mut lead, &mut found)?;
+                }
+                Token::Sign('.' | '!' | '?' | '"' | '\'') => at += 1,
+                Token::Sign('≈') if found.values.is_empty() || !lead.is_empty() => at += 1,
+                Token::Sign(':') if !lead.is_empty() => at += 1,
+                _ => {
+                    if let (Some((_, last)), true) = (found.values.last(), lead.is_empty()) {
+                        let after_words = last.reference.is_some() || !last.remarks.is_empty();
+                        if !after_words {
+                            return Err(Unreadable::Sign(tokens[at].start, "a second value without a word or sign between".to_owned()));
+                        }
+                    }
+                    at = self.value(&mut tokens, at, &mut lead, &mut found)?;
+                }
+            }
+        }
+        if !lead.is_empty() {
+            let phrases: Vec<Phrase> = lead.iter().filter_map(|at| phrase_at(&tokens, *at)).collect();
+            let words = self.slice(&tokens, lead[0], lead[lead.len() - 1] + 1).to_owned();
+            if phrases.contains(&Phrase::Or) {
+                return Err(Unreadable::Sign(tokens[lead[0]].start, "a rival answer is missing".to_owned()));
+            }
+            self.remark(&mut found, words.to_lowercase());
+        }
+        Ok(found)
+    }
+
+    fn slice(&self, tokens: &[Placed], from: usize, to: usize) -> &str {
+        let (start, end) = (tokens[from].start, tokens[to - 1].end);
+        self.text.get(start..end).unwrap_or_default().trim()
+    }
+
+    fn remark(&mut self, found: &mut Stretch, words: String) {
+        match found.values.last_mut() {
+            Some((_, last)) => last.remarks.push(words),
+            None => found.remarks.push(words),
+        }
+    }
+
+    /// Words: what they say of the value before, or keep for the value after.
+    fn word(
+        &mut self,
+        tokens: &[Placed],
+        at: usize,
+        phrase: Phrase,
+        lead: &mut Vec<usize>,
+        found: &mut Stretch,
+    ) -> Result<usize, Unreadable> {
+        let said_in_words = |form: Form, reference| Said { form, unit: None, reference, remarks: Vec::new() };
+        match phrase {
+            Phrase::Line(line) => {
+                match found.values.last_mut() {
+                    Some((_, last)) if last.reference.is_none() && lead_says_nothing(tokens, lead) => {
+                        last.reference = Some(line);
+                        let words = lead.drain(..).map(|at| tokens[at].clone()).collect::<Vec<_>>();
+                        let words = words.iter().filter_map(|word| self.text.get(word.start..word.end));
+                        last.remarks.extend(words.map(str::to_lowercase));
+                    }
+                    Some(_) => {
+                        let place = tokens[at].start;
+                        return Err(Unreadable::Sign(place, "a second direction for the same value".to_owned()));
+                    }
+                    None => {
+                        if !is_direction(line) && !tokens[at + 1..].iter().any(|placed| matches!(placed.token, Token::Number(_))) {
+                            return Err(Unreadable::Sign(tokens[at].start, "an angle is missing".to_owned()));
+                        }
+                        let label = self.label(tokens, lead);
+                        lead.clear();
+                        found.values.push((label, said_in_words(Form::Direction, Some(line))));
+                    }
+                }
+                Ok(at + 1)
+            }
+            Phrase::Rest => {
+                if found.values.is_empty() {
+                    let label = self.label(tokens, lead);
+                    lead.clear();
+                    found.values.push((label, said_in_words(Form::AtRest, None)));
+                } else {
+                    let words = self.slice(tokens, at, at + 1).to_lowercase();
+                    self.remark(found, words);
+                }
+                Ok(at + 1)
+            }
+            _ => {
+                lead.push(at);
+                Ok(at + 1)
+            }
+        }
+    }
+
+    /// What words before a value call it: those that name a quantity or a sphere.
+    fn label(&self, tokens: &[Placed], lead: &[usize]) -> Option<String> {
+        let names = |at: &&usize| matches!(phrase_at(tokens, **at), Some(Phrase::Noun | Phrase::Sphere));
+        let first = lead.iter().find(names)?;
+        let last = lead.iter().rev().find(names)?;
+        Some(self.slice(tokens, *first, *last + 1).to_owned())
+    }
+
+    /// A formula, its unit, and what is said before it.
+    fn value(
+        &mut self,
+        tokens: &mut Vec<Placed>,
+        at: usize,
+        lead: &mut Vec<usize>,
+        found: &mut Stretch,
+    ) -> Result<usize, Unreadable> {
+        let label = self.label(tokens, lead);
+        let phrases: Vec<Phrase> = lead.iter().filter_map(|at| phrase_at(tokens, *at)).collect();
+        let words = lead.first().map(|first| self.slice(tokens, *first, lead[lead.len() - 1] + 1).to_lowercase());
+        let toward = phrases.last() == Some(&Phrase::Toward);
+        lead.clear();
+        let parsed = formula(tokens, at, self.text, self.vocabulary, self.choices)?;
+        let place = tokens[at].start;
+        *tokens = parsed.tokens;
+        let mut said = Said { form: parsed.form, unit: parsed.unit, reference: None, remarks: Vec::new() };
+        if phrases.contains(&Phrase::Gradient) {
+            said.form = match said.form {
+                Form::Value(value) => Form::Gradient(value),
+                _ => return Err(Unreadable::Sign(place, "a gradient is a number".to_owned())),
+            };
+        }
+        // `2 m/s parallel to i`
+        if toward && let Some((_, last)) = found.values.last_mut() {
+            match (&last.form, &said.form) {
+                (Form::Value(magnitude), Form::Vector(x, y, _)) => last.form = along(magnitude, x, y),
+                _ => return Err(Unreadable::Sign(place, "a direction that is no vector".to_owned())),
+            }
+            return Ok(parsed.next);
+        }
+        if phrases.contains(&Phrase::Or) || toward {
+            said.remarks.extend(words);
+        } else if let Some(words) = words.filter(|_| label.is_none() && !phrases.contains(&Phrase::Gradient)) {
+            let joins = phrases.iter().all(|phrase| matches!(phrase, Phrase::Joiner | Phrase::Is));
+            if !joins {
+                said.remarks.push(words);
+            }
+        }
+        found.values.push((label, said));
+        Ok(parsed.next)
+    }
+}
+
+/// Does the line give a direction, rather than the place from which an angle is measured?
+fn is_direction(line: ReferenceLine) -> bool {
+    matches!(line, ReferenceLine::AlongLineOfCentres | ReferenceLine::AlongCommonTangent)
+}
+
+fn phrase_at(tokens: &[Placed], at: usize) -> Option<Phrase> {
+    match tokens.get(at)?.token {
+        Token::Phrase(phrase) => Some(phrase),
+        _ => None,
+    }
+}
+
+/// Do the words between a value and its line leave the line to the value?
+fn lead_says_nothing(tokens: &[Placed], lead: &[usize]) -> bool {
+    !lead.iter().any(|at| matches!(phrase_at(tokens, *at), Some(Phrase::Or | Phrase::Because)))
+}
+
+/// So much in the direction of a vector.
+fn along(magnitude: &Expr, x: &Expr, y: &Expr) -> Form {
+    let unit = |part: &Expr| part.is_zero() || part.is_one() || *part == Expr::integer(1).negated();
+    let axis = (x.is_zero() || y.is_zero()) && unit(x) && unit(y);
+    let component = |part: &Expr| {
+        if part.is_zero() {
+            return Expr::integer(0);
+        }
+        let share = if axis { part.clone() } else { part.clone().over(size(x, y)) };
+        match share == Expr::integer(1).negated() {
+            true => magnitude.clone().negated(),
+            false => Expr::product([magnitude.clone(), share]),
+        }
+    };
+    Form::Vector(component(x), component(y), Notation::Words)
+}
+
+/// A formula that has been read.
+pub(super) struct Formula {
+    /// What it is.
+    pub form: Form,
+    /// Its unit.
+    pub unit: Option<SaidUnit>,
+    /// The tokens, with words taken apart.
+    pub tokens: Vec<Placed>,
+    /// The token after it.
+    pub next: usize,
+}
+
+/// The formula that begins at a token, with its unit.
+pub(super) fn formula(
+    tokens: &[Placed],
+    at: usize,
+    text: &str,
+    vocabulary: &Vocabulary,
+    choices: &mut Choices,
+) -> Result<Formula, Unreadable> {
+    let place = tokens.get(at).map_or(text.len(), |placed| placed.start);
+    let mut parser = Parser::new(tokens.to_vec(), text, vocabulary, choices);
+    parser.at = at;
+    let expr = parser.sum()?;
+    let mut unit = None;
+    let mut percent = false;
+    let recurs = matches!(parser.token(0), Some(Token::Word(word)) if matches!(word.as_str(), "recurring" | "rec"));
+    if recurs {
+        return parser.fault("say which digits recur, as in 0.333...");
+    }
+    if parser.eat('%') {
+        percent = true;
+    } else if let Some((found, next)) = parser.unit_here() {
+        unit = Some(found);
+        parser.at = next;
+    }
+    parser.eat('…');
+    if let Some(Token::Word(_) | Token::Greek(_) | Token::Number(_)) = parser.token(0) {
+        return parser.unexpected();
+    }
+    if let Some(sign @ (')' | ']' | '}' | '⟧' | '^' | '%' | '°' | '…' | '|')) = parser.sign(0) {
+        return parser.fault(format!("`{}` where nothing can follow", if sign == '⟧' { '}' } else { sign }));
+    }
+    let next = parser.at;
+    let (coordinates, column) = (parser.coordinates, parser.column);
+    let end = next.checked_sub(1).and_then(|last| parser.tokens.get(last)).map_or(place, |last| last.end);
+    let tokens = parser.tokens;
+    let form = match shape(&expr).map_err(|message| Unreadable::Sign(place, message.to_owned()))? {
+        Shape::Mixed => Form::Mixed(expr),
+        Shape::Vector(x, y) if column => Form::Vector(x, y, Notation::Column),
+        Shape::Vector(x, y) if coordinates => Form::Vector(x, y, Notation::Coordinates),
+        Shape::Vector(x, y) => Form::Vector(x, y, Notation::UnitVectors),
+        Shape::Scalar(value) if percent => Form::Percentage(value),
+        Shape::Scalar(value) => match without_degrees(&value) {
+            Some(bare) if unit.is_none() => {
+                let sign = text.get(..end).and_then(|text| text.char_indices().next_back()).map_or(0, |(at, _)| at);
+                let typed = text.get(sign..end).unwrap_or_default().to_owned();
+                unit = Some(SaidUnit { typed, dimension: [0, 0, 0, 1], scale: Expr::integer(1), degrees: true });
+                Form::Value(bare)
+            }
+            _ => Form::Value(value),
+        },
+    };
+    if percent && !matches!(form, Form::Percentage(_)) {
+        return Err(Unreadable::Sign(place, "a vector in per cent".to_owned()));
+    }
+    Ok(Formula { form, unit, tokens, next })
+}
+
+/// The number of degrees, if degrees are what the last sign of a formula says.
+fn without_degrees(expr: &Expr) -> Option<Expr> {
+    match expr {
+        Expr::Degrees(inner) => Some((**inner).clone()),
+        Expr::Negative(inner) => without_degrees(inner).map(|inner| Expr::Negative(Box::new(inner))),
+        Expr::Quotient(above, below) => {
+            Some(Expr::Quotient(above.clone(), Box::new(without_degrees(below).filter(|below| !below.is_one())?)))
+        }
+        Expr::Product(factors) => {
+            let (last, rest) = factors.split_last()?;
+            let last = without_degrees(last)?;
+            Some(Expr::Product(rest.iter().cloned().chain([last]).collect()))
+        }
+        Expr::Sum(terms) => {
+            terms.iter().map(without_degrees).collect::<Option<Vec<Expr>>>().map(Expr::Sum)
+        }
+        _ => None,
+    }
+}
+
+/// A value as a terminal shows it.
+pub(super) fn printed(said: &Said) -> String {
+    let mut out = match &said.form {
+        Form::Value(value) | Form::Mixed(value) | Form::Equation(value) => print::unicode(value),
+        Form::Percentage(value) => format!("{}%", print::unicode(value)),
+        Form::Vector(x, y, Notation::Coordinates) => format!("({}, {})", print::unicode(x), print::unicode(y)),
+        Form::Vector(x, y, _) => print::unicode(&Expr::Vector(Box::new(x.clone()), Box::new(y.clone()))),
+        Form::Ratio(a, b) => format!("{} : {}", print::unicode(a), print::unicode(b)),
+        Form::Gradient(value) => format!("gradient {}", print::unicode(value)),
+        Form::AtRest => "at rest".to_owned(),
+        Form::Direction => String::new(),
+    };
+    if let Some(unit) = &said.unit {
+        match unit.degrees {
+            true => out.push('°'),
+            false => out.extend([" ", &unit.typed]),
+        }
+    }
+    if let Some(line) = said.reference {
+        if !out.is_empty() {
+            out.push(' ');
+        }
+        out.push_str(match line {
+            ReferenceLine::LineOfCentres => "to the line of centres",
+            ReferenceLine::FromBToA => "from the direction BA",
+            ReferenceLine::CommonTangent => "to the common tangent",
+            ReferenceLine::I => "to i",
+            ReferenceLine::J => "to j",
+            ReferenceLine::OriginalDirection => "to the original direction",
+            ReferenceLine::AlongLineOfCentres => "along the line of centres",
+            ReferenceLine::AlongCommonTangent => "perpendicular to the line of centres",
+        });
+    }
+    out
+}
