@@ -150,7 +150,7 @@ impl Digits<'_> {
         let place = self.place();
         let digit_after = self.sign(1).is_ascii_digit() || (self.sign(1) == '(' && self.sign(0) == '.');
         let raised = self.sign(0) == '·' && digit_after;
-        let point = self.sign(0) == '.' && digit_after || raised && !choices.otherwise(Doubt::RaisedPoint, place);
+        let point = self.sign(0) == '.' && digit_after || raised && !(self.run(1) == 1 && choices.otherwise(Doubt::RaisedPoint, place));
         let comma = self.sign(0) == ',' && self.sign(1).is_ascii_digit() && self.comma_is_decimal(depth, choices);
         if !point && !comma {
             return Ok(());
@@ -190,7 +190,8 @@ impl Digits<'_> {
         if depth > 0 || list || points || after == '/' {
             return false;
         }
-        count == 3 || !choices.otherwise(Doubt::Comma, self.place())
+        // `3,1` might be two values; nobody would take `3,08` for them.
+        count != 1 || after.is_alphabetic() || self.whole == "0" || !choices.otherwise(Doubt::Comma, self.place())
     }
 
     /// The number as it stands.

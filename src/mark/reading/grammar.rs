@@ -2,7 +2,7 @@
 
 use super::characters::{CLOSE, OPEN};
 use super::choices::{Choices, Doubt};
-use super::tokens::{Placed, Token};
+use super::tokens::{Placed, Token, excerpt};
 use super::units;
 use super::{SaidUnit, Unreadable, Vocabulary};
 use crate::expr::{Expr, Function};
@@ -223,7 +223,7 @@ impl<'a> Parser<'a> {
     pub(super) fn typed(&self, start: usize) -> &'a str {
         let last = self.at.saturating_sub(1).max(start);
         match (self.tokens.get(start), self.tokens.get(last)) {
-            (Some(first), Some(last)) => self.text.get(first.start..last.end.max(first.start)).unwrap_or_default().trim(),
+            (Some(first), Some(last)) => excerpt(self.text, first.start, last.end.max(first.start)),
             _ => "",
         }
     }
@@ -238,7 +238,7 @@ impl<'a> Parser<'a> {
         let fraction = matches!(base, Expr::Number(_)) && self.at == start + 1 && self.sign(0) == Some('/') && !self.spaced(0);
         if fraction && let Some(Token::Number(below)) = self.token(1).cloned() {
             // Nobody writes a first power, so `13^1/2` is a root.
-            if base.is_one() != self.choices.otherwise(Doubt::Exponent, place) {
+            if base.is_one() || self.choices.otherwise(Doubt::Exponent, place) {
                 self.at += 2;
                 return Ok(Expr::Quotient(Box::new(base), Box::new(below)));
             }
@@ -287,6 +287,7 @@ fn power(base: Expr, exponent: Expr) -> Result<Expr, String> {
         Expr::Number(value) if value.abs() > Fraction::from(if ten { 20 } else { HIGHEST_EXPONENT }) => {
             Err("the exponent is too high".to_owned())
         }
+        Expr::Power(..) | Expr::Product(_) if size.names().is_empty() => Err("the exponent is too high".to_owned()),
         _ => Ok(Expr::Power(Box::new(base), Box::new(exponent))),
     }
 }

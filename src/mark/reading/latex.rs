@@ -47,6 +47,11 @@ impl Rewriter<'_> {
         self.out.push(Glyph { sign, ..from });
     }
 
+    /// The last glyph that was passed.
+    fn just_read(&self) -> Glyph {
+        self.glyphs[self.at.clamp(1, self.glyphs.len()) - 1]
+    }
+
     fn put_all(&mut self, signs: &str, from: Glyph) {
         signs.chars().for_each(|sign| self.put(sign, from));
     }
@@ -103,7 +108,7 @@ impl Rewriter<'_> {
         let from = self.here();
         self.put(OPEN, from);
         self.inside()?;
-        self.put(CLOSE, from);
+        self.put(CLOSE, self.just_read());
         Ok(())
     }
 
@@ -189,6 +194,7 @@ impl Rewriter<'_> {
             return Ok(());
         }
         self.at += letters.len();
+        let from = Glyph { end: self.glyphs[self.at - 1].end, ..from };
         if let Some(signs) = simple(&letters) {
             self.put_all(signs, from);
             return Ok(());
@@ -245,10 +251,10 @@ impl Rewriter<'_> {
             }
             self.out.extend(part);
             if !digits {
-                self.put(CLOSE, from);
+                self.put(CLOSE, self.just_read());
             }
         }
-        self.put(CLOSE, from);
+        self.put(CLOSE, self.just_read());
         Ok(())
     }
 
@@ -264,11 +270,18 @@ impl Rewriter<'_> {
             };
             self.at += index.chars().count() + 2;
         }
-        let inside = self.argument("sqrt")?;
+        self.blanks();
+        // `\\sqrt13` is meant to be the root of thirteen.
+        let digits = self.glyphs[self.at..].iter().take_while(|glyph| glyph.sign.is_ascii_digit()).count();
+        let inside = match digits {
+            0 => self.argument("sqrt")?,
+            _ => self.glyphs[self.at..self.at + digits].to_vec(),
+        };
+        self.at += digits;
         self.put(sign, from);
         self.put(OPEN, from);
         self.out.extend(inside);
-        self.put(CLOSE, from);
+        self.put(CLOSE, self.just_read());
         Ok(())
     }
 
@@ -334,7 +347,7 @@ impl Rewriter<'_> {
             while self.out.len() > start && matches!(self.out.last().map(|last| last.sign), Some(';' | ' ' | '\n')) {
                 self.out.pop();
             }
-            self.put(CLOSE, from);
+            self.put(CLOSE, self.just_read());
         }
         self.columns -= usize::from(column);
         self.depth -= 1;

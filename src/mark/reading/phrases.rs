@@ -55,11 +55,15 @@ enum Relation {
 /// The tokens with words that are no formula understood, and those for signs (`times`, `over`) put as signs.
 pub(super) fn with_phrases(tokens: &[Placed], vocabulary: &Vocabulary) -> Result<Vec<Placed>, Unreadable> {
     let tokens = lexicon::with_signs(tokens);
-    let mut walk = Walk { tokens: &tokens, vocabulary };
+    let walk = Walk { tokens: &tokens, vocabulary };
     let mut out: Vec<Placed> = Vec::with_capacity(tokens.len());
     let mut at = 0;
     while at < tokens.len() {
-        match walk.phrase(at)? {
+        let found = match walk.accuracy(at) {
+            Some(next) => Some((Phrase::Remark, next)),
+            None => walk.phrase(at)?,
+        };
+        match found {
             Some((phrase, next)) => {
                 let (first, last) = (&tokens[at], &tokens[next - 1]);
                 let token = Token::Phrase(phrase);
@@ -119,8 +123,30 @@ impl Walk<'_> {
         }
     }
 
+    /// `(3 s.f.)`, `to 2 dp`: how far a value is rounded; the token after it.
+    fn accuracy(&self, at: usize) -> Option<usize> {
+        let open = self.tokens[at].is('(');
+        let start = at + usize::from(open);
+        let words = ["correct to", "rounded to", "to"];
+        let number = self.any(start, &words).unwrap_or(start);
+        let led = open || number > start;
+        let small = |expr: &Expr| matches!(expr, Expr::Number(value) if value.as_small().is_some_and(|(n, d)| n < 10 && d == 1));
+        let counts = match &self.tokens.get(number)?.token {
+            Token::Number(value) => small(value),
+            Token::Word(word) => matches!(word.as_str(), "one" | "two" | "three" | "four"),
+            _ => false,
+        };
+        let kinds = ["sf", "dp", "sig figs", "sig fig", "significant figures", "significant figure", "decimal places", "decimal place"];
+        let end = self.any(number + 1, &kinds).filter(|_| counts && (led || at > 0))?;
+        let end = end + usize::from(self.tokens.get(end).is_some_and(|token| token.is('.')));
+        match open {
+            true => self.tokens.get(end).is_some_and(|token| token.is(')')).then_some(end + 1),
+            false => Some(end),
+        }
+    }
+
     /// The phrase that begins at a token.
-    fn phrase(&mut self, at: usize) -> Result<Option<(Phrase, usize)>, Unreadable> {
+    fn phrase(&self, at: usize) -> Result<Option<(Phrase, usize)>, Unreadable> {
         let Some(word) = self.word(at) else { return Ok(None) };
         let placed = &self.tokens[at];
         let touches = at > 0 && !placed.spaced && matches!(self.tokens[at - 1].token, Token::Number(_));

@@ -5,7 +5,7 @@ use super::choices::Doubt;
 use super::digits::times_power_of_ten;
 use super::grammar::{Parsed, Parser};
 use super::names;
-use super::tokens::{Placed, Token};
+use super::tokens::{Placed, Token, excerpt};
 use crate::expr::{Expr, print};
 
 /// What stands before a factor.
@@ -81,12 +81,20 @@ impl Parser<'_> {
         match self.token(0) {
             Some(Token::Word(_) | Token::Greek(_)) => self.word_continues(),
             Some(Token::Letter(_) | Token::Along(_) | Token::Function(_) | Token::Root { .. } | Token::Pi) => true,
-            Some(Token::Sign('(' | '[' | '{')) => !(self.outside() && self.unit_here().is_some()),
+            Some(Token::Sign('(' | '[' | '{')) => {
+                !(self.outside() && (self.unit_here().is_some() || self.repeats_the_value()))
+            }
             Some(Token::Sign(OPEN)) => true,
             Some(Token::Sign('|')) => !self.in_bars(),
             // The digit of a vulgar fraction stands in a group; any other number needs a sign.
             _ => false,
         }
+    }
+
+    /// `25/7 (3.57)`: a blank, and in brackets at the end a decimal, which says the same again.
+    fn repeats_the_value(&self) -> bool {
+        let decimal = matches!(self.token(1), Some(Token::Number(Expr::Decimal(_))));
+        self.spaced(0) && decimal && self.sign(2) == Some(')') && self.token(3).is_none()
     }
 
     /// A word side by side is letters of the question, or a unit, or both one after the other: `9mJ`.
@@ -191,7 +199,7 @@ impl Parser<'_> {
                 false => rest.fold(over(above, factor.value), |left, right| times(left, right)),
             };
             let typed = self.tokens.get(first).zip(self.tokens.get(end - 1));
-            let typed = typed.and_then(|(first, last)| self.text.get(first.start..last.end)).unwrap_or_default().trim();
+            let typed = typed.map_or("", |(first, last)| excerpt(self.text, first.start, last.end));
             self.choices.note(format!("{typed} read as {}", print::unicode(&result)));
             value = Some(result);
             open = false;

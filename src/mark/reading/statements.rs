@@ -3,7 +3,7 @@
 use super::choices::Choices;
 use super::grammar::Parser;
 use super::phrases::Phrase;
-use super::tokens::{Placed, Token};
+use super::tokens::{Placed, Token, excerpt};
 use super::values::{Values, formula, printed};
 use super::vectors::{Shape, shape};
 use super::{Form, Label, Said, Statement, Unreadable, Vocabulary};
@@ -17,7 +17,7 @@ pub(super) fn statements(
     choices: &mut Choices,
 ) -> Result<Vec<Statement>, Unreadable> {
     let mut reader = Statements { text, vocabulary, choices, found: Vec::new(), remarks: Vec::new() };
-    for segment in segments(tokens) {
+    for segment in segments(without_part_label(tokens, vocabulary)) {
         reader.segment(segment)?;
     }
     let Statements { mut found, remarks, .. } = reader;
@@ -29,6 +29,20 @@ pub(super) fn statements(
         }
     }
     Ok(found)
+}
+
+/// The tokens without `(a)` or `a)` before them.
+fn without_part_label<'a>(tokens: &'a [Placed], vocabulary: &Vocabulary) -> &'a [Placed] {
+    let part = |placed: &Placed| match &placed.token {
+        Token::Word(word) => word.len() == 1 && !vocabulary.letters.iter().any(|letter| letter.name() == word),
+        Token::Phrase(Phrase::Remark) => placed.end == placed.start + 1,
+        _ => false,
+    };
+    match tokens {
+        [open, name, close, rest @ ..] if open.is('(') && part(name) && close.is(')') && !rest.is_empty() => rest,
+        [name, close, rest @ ..] if part(name) && close.is(')') && !rest.is_empty() => rest,
+        _ => tokens,
+    }
 }
 
 /// The stretches between newlines, semicolons, commas and arrows that stand outside brackets.
@@ -94,7 +108,7 @@ impl Statements<'_> {
 
     fn slice(&self, tokens: &[Placed]) -> &str {
         match (tokens.first(), tokens.last()) {
-            (Some(first), Some(last)) => self.text.get(first.start..last.end).unwrap_or_default().trim(),
+            (Some(first), Some(last)) => excerpt(self.text, first.start, last.end),
             _ => "",
         }
     }
@@ -116,9 +130,9 @@ impl Statements<'_> {
                 Token::Sign('(' | '[' | '{' | '⟦') => depth += 1,
                 Token::Sign(')' | ']' | '}' | '⟧') => depth = depth.saturating_sub(1),
                 Token::Sign(sign @ ('=' | '≈' | '<' | '>' | '≤' | '≥' | '≠')) if depth == 0 => {
-                    // `≈ 3.08` by itself is only a value.
-                    if sign == '≈' && at == start {
-                        start = if sides.is_empty() { at + 1 } else { start };
+                    // `≈ 3.08` and `= 3.08` by themselves are only values.
+                    if matches!(sign, '≈' | '=') && at == start && sides.is_empty() {
+                        start = at + 1;
                         continue;
                     }
                     sides.push(&tokens[start..at]);
@@ -152,7 +166,14 @@ impl Statements<'_> {
                 return Ok(());
             }
             let name = matches!(left, [Placed { token: Token::Word(_) | Token::Greek(_), .. }]) && !tokens[at].spaced;
-            let words = left.iter().any(|placed| matches!(placed.token, Token::Phrase(_)));
+            // `ratio 2:3`
+            let number = left.iter().position(|placed| matches!(placed.token, Token::Number(_)));
+            let count = left.iter().take_while(|placed| matches!(placed.token, Token::Phrase(_))).count();
+            if let Some(number) = number.filter(|number| *number == count && count > 0) {
+                let label = Label { typed: self.slice(&left[..number]).to_owned(), expr: None };
+                return self.labelled(Some(label), &[&tokens[number..]]);
+            }
+            let words = count > 0;
             if !left.is_empty() && (name || words) {
                 let label = Label { typed: self.slice(left).to_owned(), expr: self.named(left) };
                 return self.labelled(Some(label), &[right]);
@@ -250,6 +271,7 @@ impl Statements<'_> {
     /// Values that are said to be one another's equals.
     fn labelled(&mut self, label: Option<Label>, sides: &[&[Placed]]) -> Result<(), Unreadable> {
         let mut label = label;
+        let gradient = label.as_ref().is_some_and(|label| matches!(&*label.typed.to_lowercase(), "gradient" | "slope"));
         let mut said = Vec::new();
         let mut more = Vec::new();
         let mut inner = None;
@@ -269,6 +291,9 @@ impl Statements<'_> {
                 return Err(Unreadable::Sign(start, "a value is expected here".to_owned()));
             };
             inner = inner.or(named);
+            if gradient && let Form::Value(value) = &first.form {
+                first.form = Form::Gradient(value.clone());
+            }
             first.remarks.extend(stretch.remarks);
             said.push(first);
             for (named, value) in found {
@@ -344,7 +369,8 @@ fn is_a_name(expr: &Expr) -> bool {
 pub(super) fn shown(statements: &[Statement]) -> String {
     let each = |statement: &Statement| {
         let said: Vec<String> = statement.said.iter().map(printed).collect();
-        let said = said.join(" = ");
+        let equations = matches!(statement.said.first().map(|said| &said.form), Some(Form::Equation(_)));
+        let said = said.join(if equations { ", " } else { " = " });
         match &statement.label {
             Some(label) => format!("{} = {said}", label.typed),
             None => said,

@@ -96,7 +96,7 @@ pub(super) fn is_greek(word: &str) -> bool {
 }
 
 /// Abbreviations that are written with full stops.
-const DOTTED: [&str; 8] = ["l.o.c", "i.e", "e.g", "w.r.t", "k.e", "c.o.r", "c.l.m", "n.e.l"];
+const DOTTED: [&str; 10] = ["s.f", "d.p", "l.o.c", "i.e", "e.g", "w.r.t", "k.e", "c.o.r", "c.l.m", "n.e.l"];
 
 /// Every token of the glyphs.
 pub(super) fn tokens(glyphs: &[Glyph], letters: &[Letter], choices: &mut Choices) -> Result<Vec<Placed>, Unreadable> {
@@ -107,6 +107,16 @@ pub(super) fn tokens(glyphs: &[Glyph], letters: &[Letter], choices: &mut Choices
         lexer.one(choices)?;
     }
     Ok(lexer.out)
+}
+
+/// What was typed from one byte to another, a closing brace of LaTeX included.
+pub(super) fn excerpt(text: &str, start: usize, end: usize) -> &str {
+    let slice = text.get(start..end).unwrap_or_default();
+    let count = |brace: char| slice.chars().filter(|sign| *sign == brace).count();
+    let missing = count('{').saturating_sub(count('}'));
+    let rest = text.get(end..).unwrap_or_default();
+    let closing = rest.bytes().take(missing).take_while(|byte| *byte == b'}').count();
+    text.get(start..end + closing).unwrap_or_default().trim()
 }
 
 struct Lexer<'a> {
@@ -137,7 +147,9 @@ impl Lexer<'_> {
             self.at += 1;
             return Ok(());
         }
-        let point_first = matches!(sign, '.' | '·') && self.sign(1).is_some_and(|next| next.is_ascii_digit());
+        let after_digit = self.at > 0 && self.glyphs[self.at - 1].sign.is_ascii_digit();
+        let digit_next = self.sign(1).is_some_and(|next| next.is_ascii_digit());
+        let point_first = matches!(sign, '.' | '·') && digit_next && !after_digit;
         if sign.is_ascii_digit() || (point_first && !self.follows_letter()) {
             let (value, length) = number(self.glyphs, self.at, self.depth, self.letters, choices)?;
             self.put(Token::Number(value), length);
@@ -164,6 +176,8 @@ impl Lexer<'_> {
             "=>" | "->" => ('⇒', 2),
             ">=" => ('≥', 2),
             "//" => ('¦', 2),
+            // The circle of degrees, as a letter.
+            "^o" if !self.sign(2).is_some_and(char::is_alphanumeric) => ('°', 2),
             ".." if self.sign(2) == Some('.') => ('…', 3),
             ".." => return Err(Unreadable::Sign(place, "two points, one after the other".to_owned())),
             _ => (sign, 1),
@@ -177,6 +191,13 @@ impl Lexer<'_> {
             }
             '.' if self.sign(1) == Some(' ') && self.stands_in_a_number() => {
                 return Err(Unreadable::Sign(place, "a blank inside a number".to_owned()));
+            }
+            '!' if !matches!(self.out.last().map(|last| &last.token), Some(Token::Word(_))) => {
+                return Err(Unreadable::Sign(place, "`!` after a value".to_owned()));
+            }
+            '&' => {
+                self.put(Token::Word("and".to_owned()), 1);
+                return Ok(());
             }
             '~' => {
                 self.put(Token::Sign('≈'), 1);

@@ -2,7 +2,7 @@
 
 use super::SaidUnit;
 use super::characters::{CLOSE, OPEN};
-use super::tokens::{Placed, Token};
+use super::tokens::{Placed, Token, excerpt};
 use crate::expr::Expr;
 use crate::number::Fraction;
 
@@ -143,9 +143,19 @@ pub(super) fn unit(tokens: &[Placed], at: usize, text: &str) -> Option<(SaidUnit
     if !MEASURED.contains(&reader.dimension) || capital {
         return None;
     }
-    let typed = text.get(tokens[at].start..tokens[next - 1].end).unwrap_or_default().to_owned();
+    let typed = plain(excerpt(text, tokens[at].start, tokens[next - 1].end));
     let Units { dimension, scale, .. } = reader;
     Some((SaidUnit { typed, dimension, scale: Expr::Number(scale), degrees: false }, next))
+}
+
+/// A unit as typed, without what only LaTeX needs.
+fn plain(typed: &str) -> String {
+    let mut plain = typed.replace("\\,", " ").replace("\\ ", " ").replace("\\;", " ").replace("\\cdot", "·");
+    for command in ["\\mathrm", "\\text", "\\left", "\\right"] {
+        plain = plain.replace(command, "");
+    }
+    plain.retain(|sign| !matches!(sign, '{' | '}' | '$'));
+    plain.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 /// A walk over the tokens of a unit.
@@ -224,6 +234,8 @@ impl Units<'_> {
             Some(Placed { token: Token::Number(Expr::Number(value)), spaced, .. }) if raised || !spaced => value
                 .as_small()
                 .filter(|(power, below)| (1..=3).contains(power) && *below == 1)
+                // Nobody writes a first power, so a bare 1 is something else.
+                .filter(|(power, _)| raised || negative || *power > 1)
                 .and_then(|(power, _)| i8::try_from(power).ok()),
             _ => None,
         };

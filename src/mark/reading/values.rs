@@ -3,8 +3,8 @@
 use super::choices::Choices;
 use super::grammar::Parser;
 use super::phrases::Phrase;
-use super::tokens::{Placed, Token};
-use super::vectors::{Shape, shape, size};
+use super::tokens::{Placed, Token, excerpt};
+use super::vectors::{Shape, scaled, shape, size};
 use super::{Form, Notation, ReferenceLine, Said, SaidUnit, Unreadable, Vocabulary};
 use crate::expr::{Expr, print};
 
@@ -46,6 +46,12 @@ impl Values<'_> {
                 Token::Sign('.' | '!' | '?' | '"' | '\'') => at += 1,
                 Token::Sign('≈') if found.values.is_empty() || !lead.is_empty() => at += 1,
                 Token::Sign(':') if !lead.is_empty() => at += 1,
+                // `25/7 (3.57)`
+                Token::Sign('(') if !found.values.is_empty() && lead.is_empty() && at + 3 == tokens.len() => {
+                    let again = self.slice(&tokens, at, tokens.len()).to_owned();
+                    self.remark(&mut found, again);
+                    at = tokens.len();
+                }
                 _ => {
                     if let (Some((_, last)), true) = (found.values.last(), lead.is_empty()) {
                         let after_words = last.reference.is_some() || !last.remarks.is_empty();
@@ -69,8 +75,7 @@ impl Values<'_> {
     }
 
     fn slice(&self, tokens: &[Placed], from: usize, to: usize) -> &str {
-        let (start, end) = (tokens[from].start, tokens[to - 1].end);
-        self.text.get(start..end).unwrap_or_default().trim()
+        excerpt(self.text, tokens[from].start, tokens[to - 1].end)
     }
 
     fn remark(&mut self, found: &mut Stretch, words: String) {
@@ -209,11 +214,8 @@ fn along(magnitude: &Expr, x: &Expr, y: &Expr) -> Form {
         if part.is_zero() {
             return Expr::integer(0);
         }
-        let share = if axis { part.clone() } else { part.clone().over(size(x, y)) };
-        match share == Expr::integer(1).negated() {
-            true => magnitude.clone().negated(),
-            false => Expr::product([magnitude.clone(), share]),
-        }
+        let times = scaled(magnitude.clone(), part.clone());
+        if axis { times } else { times.over(size(x, y)) }
     };
     Form::Vector(component(x), component(y), Notation::Words)
 }

@@ -57,6 +57,9 @@ pub(super) fn shape(expr: &Expr) -> Result<Shape, &'static str> {
 
 /// The length of a vector.
 pub(super) fn size(x: &Expr, y: &Expr) -> Expr {
+    if let (Some(x), Some(y)) = (rational(x), rational(y)) {
+        return Expr::call(Function::Sqrt, Expr::Number(&(&x * &x) + &(&y * &y)));
+    }
     let squares = [x, y].map(|part| part.clone().to_the(2));
     Expr::call(Function::Sqrt, Expr::Sum(squares.into()))
 }
@@ -103,7 +106,7 @@ fn product(factors: &[Expr]) -> Result<Shape, &'static str> {
 }
 
 /// A factor times a component, as a student would write it: numbers multiplied out, `(1/√10)(−3)` as `−3/√10`.
-fn scaled(factor: Expr, component: Expr) -> Expr {
+pub(super) fn scaled(factor: Expr, component: Expr) -> Expr {
     if component.is_zero() || factor.is_one() {
         return component;
     }
@@ -117,6 +120,8 @@ fn scaled(factor: Expr, component: Expr) -> Expr {
         (factor, Expr::Negative(inner)) => scaled(factor, *inner).negated(),
         (Expr::Negative(inner), component) => scaled(*inner, component).negated(),
         (Expr::Quotient(above, below), component) => scaled(*above, component).over(*below),
+        // Numbers stand first.
+        (factor, component @ Expr::Number(_)) => Expr::product([component, factor]),
         (factor, component) => Expr::product([factor, component]),
     }
 }
