@@ -64,7 +64,9 @@ pub(super) fn glyphs(text: &str) -> Result<Vec<Glyph>, Unreadable> {
             match plain(character, before) {
                 Some("") => {}
                 Some(signs) => signs.chars().for_each(|sign| out.push(Glyph { sign, place, end })),
-                None => out.push(Glyph { sign: lettered(character).ok_or_else(|| unknown(character, place))?, place, end }),
+                None => {
+                    out.push(Glyph { sign: lettered(character).ok_or_else(|| unknown(character, place))?, place, end })
+                }
             }
         }
         at += 1;

@@ -41,7 +41,10 @@ pub(super) enum Flip {
 }
 
 /// The most steps that reading one answer one way may take.
-pub(super) const MOST_STEPS: usize = 40_000;
+pub(super) const MOST_STEPS: usize = 6_000;
+
+/// The most doubts and decisions of one reading that are kept.
+const MOST_DECISIONS: usize = 16;
 
 /// The decisions of one reading, and how much work it was.
 #[derive(Default)]
@@ -60,15 +63,24 @@ impl Choices {
 
     /// Is this doubt to be decided the other way?
     pub(super) fn otherwise(&mut self, doubt: Doubt, place: usize) -> bool {
-        if !self.met.contains(&(doubt, place)) && self.met.len() < 64 {
+        if self.met.len() < MOST_DECISIONS && !self.met.contains(&(doubt, place)) {
             self.met.push((doubt, place));
         }
+        self.is_flipped(doubt, place)
+    }
+
+    /// Would this doubt be decided the other way, if it arose?
+    pub(super) fn is_flipped(&self, doubt: Doubt, place: usize) -> bool {
         self.flips.contains(&Flip::Every(doubt)) || self.flips.contains(&Flip::At(doubt, place))
     }
 
     /// Says in plain words what was decided.
-    pub(super) fn note(&mut self, decision: String) {
-        if !self.decided.contains(&decision) && self.decided.len() < 64 {
+    pub(super) fn note(&mut self, decision: impl FnOnce() -> String) {
+        if self.decided.len() == MOST_DECISIONS {
+            return;
+        }
+        let decision = decision();
+        if !self.decided.contains(&decision) {
             self.decided.push(decision);
         }
     }

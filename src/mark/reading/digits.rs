@@ -26,11 +26,13 @@ pub(super) fn repaired(glyphs: &[Glyph], letters: &[Letter], choices: &mut Choic
             'O' if !known
                 && !before.is_alphabetic()
                 && before != '_'
-                && (before.is_ascii_digit() || (before == '.' && at > 1 && out[at - 2].sign.is_ascii_digit()) || number_after)
+                && (before.is_ascii_digit()
+                    || (before == '.' && at > 1 && out[at - 2].sign.is_ascii_digit())
+                    || number_after)
                 && (!sign(1).is_alphabetic() || sign(1) == 'O') =>
             {
                 out[at].sign = '0';
-                choices.note("letter O read as 0".to_owned());
+                choices.note(|| "letter O read as 0".to_owned());
             }
             letter @ ('I' | 'l')
                 if !known
@@ -40,7 +42,7 @@ pub(super) fn repaired(glyphs: &[Glyph], letters: &[Letter], choices: &mut Choic
                     && !matches!(before, '.' | ',') =>
             {
                 out[at].sign = '1';
-                choices.note(format!("letter {letter} read as 1"));
+                choices.note(|| format!("letter {letter} read as 1"));
             }
             _ => {}
         }
@@ -120,7 +122,7 @@ impl Digits<'_> {
                 let group = self.take(3);
                 self.whole.push_str(&group);
             }
-            choices.note(format!("{} read as {}", self.typed(), self.whole));
+            choices.note(|| format!("{} read as {}", self.typed(), self.whole));
         } else if leads && self.sign(0) == ',' && self.run(1) == 3 && self.sign(4) != '.' {
             let single = self.sign(4) != ',' || self.run(5) == 0;
             let place = self.place();
@@ -132,7 +134,7 @@ impl Digits<'_> {
                 let group = self.take(3);
                 self.whole.push_str(&group);
             }
-            choices.note(format!("{} read as {}", self.typed(), self.whole));
+            choices.note(|| format!("{} read as {}", self.typed(), self.whole));
         } else if leads && self.sign(0) == ',' && self.run(1) == 3 {
             // `1,234.5` has its point still to come.
             self.at += 1;
@@ -150,7 +152,8 @@ impl Digits<'_> {
         let place = self.place();
         let digit_after = self.sign(1).is_ascii_digit() || (self.sign(1) == '(' && self.sign(0) == '.');
         let raised = self.sign(0) == '·' && digit_after;
-        let point = self.sign(0) == '.' && digit_after || raised && !(self.run(1) == 1 && choices.otherwise(Doubt::RaisedPoint, place));
+        let point = self.sign(0) == '.' && digit_after
+            || raised && (self.whole.is_empty() || self.run(1) != 1 || !choices.otherwise(Doubt::RaisedPoint, place));
         let comma = self.sign(0) == ',' && self.sign(1).is_ascii_digit() && self.comma_is_decimal(depth, choices);
         if !point && !comma {
             return Ok(());
@@ -172,7 +175,7 @@ impl Digits<'_> {
         self.decimals = Some(decimals);
         if comma {
             let read = self.plain();
-            choices.note(format!("{} read as {}", self.typed(), crate::expr::print::unicode(&read)));
+            choices.note(|| format!("{} read as {}", self.typed(), crate::expr::print::unicode(&read)));
         }
         Ok(())
     }
@@ -183,7 +186,8 @@ impl Digits<'_> {
         let before = self.start.checked_sub(1).map_or(' ', |before| self.glyphs[before].sign);
         let after = self.sign(1 + count);
         let list = before == ',' || (after == ',' && self.sign(2 + count).is_ascii_digit());
-        let points = (1..self.glyphs.len().saturating_sub(1)).any(|at| {
+        let near = self.start.saturating_sub(60).max(1)..(self.at + 60).min(self.glyphs.len().saturating_sub(1));
+        let points = near.into_iter().any(|at| {
             let digit = |at: usize| self.glyphs[at].sign.is_ascii_digit();
             self.glyphs[at].sign == '.' && digit(at + 1) && digit(at - 1)
         });
@@ -225,7 +229,7 @@ impl Digits<'_> {
                 return Err(self.fault("too many recurring digits"));
             }
             let value = self.repeating(&decimals, &block);
-            choices.note(format!("{} read as {}", self.typed(), crate::expr::print::unicode(&value)));
+            choices.note(|| format!("{} read as {}", self.typed(), crate::expr::print::unicode(&value)));
             return Ok(Some(value));
         }
         let three = (0..3).all(|ahead| self.sign(ahead) == '.');
@@ -239,7 +243,7 @@ impl Digits<'_> {
             return Ok(None);
         }
         let value = self.repeating(before, block);
-        choices.note(format!("{} read as {}", self.typed(), crate::expr::print::unicode(&value)));
+        choices.note(|| format!("{} read as {}", self.typed(), crate::expr::print::unicode(&value)));
         Ok(Some(value))
     }
 
@@ -269,7 +273,7 @@ impl Digits<'_> {
         self.at += 1 + signed + count;
         let power = exponent.trim_start_matches('+').parse().unwrap_or(i32::MAX);
         let value = times_power_of_ten(&value, power).ok_or_else(|| self.fault("the power of ten is too high"))?;
-        choices.note(format!("{} read as {}", self.typed(), crate::expr::print::unicode(&value)));
+        choices.note(|| format!("{} read as {}", self.typed(), crate::expr::print::unicode(&value)));
         Ok(value)
     }
 }

@@ -50,7 +50,7 @@ impl Parser<'_> {
         };
         if squared.is_some() {
             let typed = self.typed(start);
-            self.choices.note(format!("{typed} read as {}", print::unicode(&value)));
+            self.choices.note(|| format!("{typed} read as {}", print::unicode(&value)));
         }
         Ok(value)
     }
@@ -67,7 +67,7 @@ impl Parser<'_> {
         let closely = self.sign(0) == Some('-') && one(self.token(1)) && !self.spaced(0) && !self.spaced(1);
         if closely && (self.sign(2) == Some('(') || self.sign(2) == Some(OPEN) || self.spaced(2)) {
             self.at += 2;
-            self.choices.note(format!("{}-1 read as {}", function.name(), arc(inverse)));
+            self.choices.note(|| format!("{}-1 read as {}", function.name(), arc(inverse)));
             return Ok((inverse, None));
         }
         if !self.eat('^') {
@@ -88,7 +88,9 @@ impl Parser<'_> {
             return Ok((inverse, None));
         }
         match &exponent {
-            Expr::Number(power) if power.as_small().is_some_and(|(power, one)| (1..=16).contains(&power) && one == 1) => {
+            Expr::Number(power)
+                if power.as_small().is_some_and(|(power, one)| (1..=16).contains(&power) && one == 1) =>
+            {
                 Ok((function, Some(exponent)))
             }
             _ => self.fault("such a power of a function is not read"),
@@ -102,24 +104,18 @@ impl Parser<'_> {
 
     /// `arctan 3√3/5`: all that follows up to a plus or minus sign, unless meant otherwise.
     fn whole_argument(&mut self, function: Function, start: usize) -> Parsed {
-        let place = self.place();
-        let from = self.at;
-        let (tokens, end, noted) = (self.tokens.clone(), self.end, self.choices.decided().len());
-        let first = self.signed_factor()?;
-        let more = matches!(self.sign(0), Some('/' | '*')) || self.continues();
-        if !more {
-            return Ok(first);
+        let (place, group) = (self.place(), self.sign(0) == Some(OPEN));
+        if self.choices.is_flipped(Doubt::Argument, place) {
+            return self.signed_factor();
         }
-        if !self.choices.otherwise(Doubt::Argument, place) {
-            (self.tokens, self.end, self.at) = (tokens, end, from);
-            self.choices.forget(noted);
-            let all = self.nested(Self::term)?;
+        let all = self.nested(Self::term)?;
+        if matches!(all, Expr::Product(_) | Expr::Quotient(..)) && !group {
+            self.choices.otherwise(Doubt::Argument, place);
             let typed = self.typed(start);
             let read = Expr::call(function, all.clone());
-            self.choices.note(format!("{typed} read as {}", print::unicode(&read)));
-            return Ok(all);
+            self.choices.note(|| format!("{typed} read as {}", print::unicode(&read)));
         }
-        Ok(first)
+        Ok(all)
     }
 
     /// `sin 2x`, `cos 30`, `sin αv`: a number and an angle, and below a stroke a number if meant otherwise.
@@ -177,7 +173,7 @@ impl Parser<'_> {
             if !pi {
                 let typed = self.text.get(self.tokens[start].start..self.end_of_stroke(below)).unwrap_or_default();
                 let read = if below { "with the quotient inside" } else { "with the quotient outside" };
-                self.choices.note(format!("{} read {read}", typed.trim()));
+                self.choices.note(|| format!("{} read {read}", typed.trim()));
             }
         }
         Ok(if minus { negative(argument) } else { argument })
@@ -192,12 +188,15 @@ impl Parser<'_> {
     /// Is the next word an angle of the question, that can be part of the argument?
     fn angle_follows(&mut self) -> bool {
         let at = self.at;
-        if matches!(self.token(0), Some(Token::Word(_) | Token::Greek(_))) && !(self.outside() && self.unit_here().is_some()) {
+        if matches!(self.token(0), Some(Token::Word(_) | Token::Greek(_)))
+            && !(self.outside() && self.unit_here().is_some())
+        {
             if !self.take_apart(at) {
                 return false;
             }
         }
-        matches!(self.token(0), Some(Token::Letter(name)) if self.is_angle(name)) || matches!(self.token(0), Some(Token::Pi))
+        matches!(self.token(0), Some(Token::Letter(name)) if self.is_angle(name))
+            || matches!(self.token(0), Some(Token::Pi))
     }
 
     /// May it be an angle? Masses, speeds and coefficients of restitution are none.

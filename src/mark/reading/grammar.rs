@@ -42,7 +42,12 @@ pub(super) type Parsed = Result<Expr, Unreadable>;
 
 impl<'a> Parser<'a> {
     /// A walk from the first token.
-    pub(super) fn new(tokens: Vec<Placed>, text: &'a str, vocabulary: &'a Vocabulary, choices: &'a mut Choices) -> Self {
+    pub(super) fn new(
+        tokens: Vec<Placed>,
+        text: &'a str,
+        vocabulary: &'a Vocabulary,
+        choices: &'a mut Choices,
+    ) -> Self {
         let end = tokens.len();
         Parser {
             tokens,
@@ -149,7 +154,8 @@ impl<'a> Parser<'a> {
         }
         let place = self.place();
         // One blank between two numbers is all that such brackets hold.
-        let opened = (0..self.at).rev().take_while(|at| !matches!(self.tokens[*at].token, Token::Sign('(' | '['))).count();
+        let opened =
+            (0..self.at).rev().take_while(|at| !matches!(self.tokens[*at].token, Token::Sign('(' | '['))).count();
         opened <= 4 && matches!(self.token(1), Some(Token::Number(_))) && self.choices.otherwise(Doubt::Column, place)
     }
 
@@ -188,7 +194,7 @@ impl<'a> Parser<'a> {
             let exponent = self.operand()?;
             let typed = self.typed(start);
             value = Expr::Power(Box::new(value), Box::new(exponent));
-            self.choices.note(format!("{typed} read as {}", crate::expr::print::unicode(&value)));
+            self.choices.note(|| format!("{typed} read as {}", crate::expr::print::unicode(&value)));
         }
         while self.sign(0) == Some('°') {
             self.at += 1;
@@ -235,7 +241,8 @@ impl<'a> Parser<'a> {
         }
         let (start, place) = (self.at, self.place());
         let base = self.operand()?;
-        let fraction = matches!(base, Expr::Number(_)) && self.at == start + 1 && self.sign(0) == Some('/') && !self.spaced(0);
+        let fraction =
+            matches!(base, Expr::Number(_)) && self.at == start + 1 && self.sign(0) == Some('/') && !self.spaced(0);
         if fraction && let Some(Token::Number(below)) = self.token(1).cloned() {
             // Nobody writes a first power, so `13^1/2` is a root.
             if base.is_one() || self.choices.otherwise(Doubt::Exponent, place) {
@@ -265,7 +272,9 @@ impl<'a> Parser<'a> {
         let (unit, next) = units::unit(&self.tokens[..self.end], self.at, self.text)?;
         let ends = match self.tokens.get(next).filter(|_| next < self.end).map(|placed| &placed.token) {
             None | Some(Token::Phrase(_)) => true,
-            Some(Token::Sign(sign)) => !matches!(*sign, '+' | '-' | '*' | '/' | '^' | '(' | '|' | OPEN | '°' | '%' | '\''),
+            Some(Token::Sign(sign)) => {
+                !matches!(*sign, '+' | '-' | '*' | '/' | '^' | '(' | '|' | OPEN | '°' | '%' | '\'')
+            }
             Some(_) => false,
         };
         ends.then_some((unit, next))

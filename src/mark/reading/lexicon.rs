@@ -1,5 +1,8 @@
 //! The words that students write around their values, by what they do to them.
 
+use std::collections::{HashMap, HashSet};
+use std::sync::LazyLock;
+
 use super::tokens::{Placed, Token};
 
 /// What a word does.
@@ -170,16 +173,8 @@ pub(super) const ORIGINAL: [&str; 14] = [
 ];
 
 /// What may follow the name of a line and adds nothing.
-pub(super) const AFTER_A_LINE: [&str; 8] = [
-    "of spheres",
-    "of two spheres",
-    "of A and B",
-    "of a and b",
-    "of balls",
-    "of collision",
-    "direction",
-    "of impact",
-];
+pub(super) const AFTER_A_LINE: [&str; 8] =
+    ["of spheres", "of two spheres", "of A and B", "of a and b", "of balls", "of collision", "direction", "of impact"];
 
 /// Runs of words that say nothing about the value.
 pub(super) const REMARKS: [&str; 20] = [
@@ -224,7 +219,7 @@ const SINGLE: [(Sort, &str); 8] = [
     (Sort::Gradient, "gradient slope"),
     (
         Sort::Negation,
-        "not never no isn't isnt aren't doesn't doesnt don't dont cannot can't cant won't wasn't neither nor unless \
+        "impossible wrong incorrect not never no isn't isnt aren't doesn't doesnt don't dont cannot can't cant won't wasn't neither nor unless \
          except minimum maximum least most than under over less more half twice double triple treble quarter third \
          hundred hundreds thousand thousands million dozen ten twenty squared cubed power unsure guess maybe \
          negative opposite reverse reversed backwards one two three four five six seven eight nine zero \
@@ -243,9 +238,28 @@ const SINGLE: [(Sort, &str); 8] = [
     ),
 ];
 
+/// Single words and what they do, for looking up.
+static SORTS: LazyLock<HashMap<&str, Sort>> = LazyLock::new(|| {
+    let words = SINGLE.iter().rev().flat_map(|(sort, words)| words.split_whitespace().map(|word| (word, *sort)));
+    words.collect()
+});
+
+/// Every word with which a phrase can begin.
+static STARTS: LazyLock<HashSet<&str>> = LazyLock::new(|| {
+    let lists: [&[&'static str]; 9] =
+        [&REST, &ACROSS, &ALONG, &ANGLE, &CENTRES, &TANGENT, &B_TO_A, &ORIGINAL, &REMARKS];
+    let first = lists.into_iter().flatten().filter_map(|words| words.split(' ').next());
+    first.chain(["at", "in", "perpendicular", "perp", "normal", "the", "its", "their", "a", "an", "this"]).collect()
+});
+
 /// What a single word does; it is in small letters.
 pub(super) fn sort(word: &str) -> Option<Sort> {
-    SINGLE.iter().find(|(_, words)| words.split_whitespace().any(|known| known == word)).map(|(sort, _)| *sort)
+    SORTS.get(word).copied()
+}
+
+/// Can a phrase begin with this word?
+pub(super) fn begins_a_phrase(word: &str) -> bool {
+    STARTS.contains(word)
 }
 
 /// Is it the name of a sphere or particle?
@@ -295,7 +309,9 @@ pub(super) fn with_signs(tokens: &[Placed]) -> Vec<Placed> {
     while let Some(placed) = tokens.get(at) {
         let standing = SIGNS
             .iter()
-            .filter(|(words, _)| words.split(' ').enumerate().all(|(ahead, wanted)| word(at + ahead).is_some_and(|word| word == wanted)))
+            .filter(|(words, _)| {
+                words.split(' ').enumerate().all(|(ahead, wanted)| word(at + ahead).is_some_and(|word| word == wanted))
+            })
             .max_by_key(|(words, _)| words.len());
         let Some((words, signs)) = standing else {
             out.push(placed.clone());

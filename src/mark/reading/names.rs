@@ -4,6 +4,7 @@ use super::Vocabulary;
 use super::choices::{Choices, Doubt};
 use super::tokens::Token;
 use crate::expr::Function;
+use crate::number::Letter;
 
 /// Functions by every name that students use; longer names first.
 const FUNCTIONS: [(&str, Function); 13] = [
@@ -48,7 +49,7 @@ pub(super) fn split(word: &str, place: usize, vocabulary: &Vocabulary, choices: 
             && found.len() == word.len()
             && *name != typed.to_string()
         {
-            choices.note(format!("{typed} read as {name}"));
+            choices.note(|| format!("{typed} read as {name}"));
         }
     }
     Some(found)
@@ -102,7 +103,8 @@ fn candidates(rest: &str, vocabulary: &Vocabulary) -> Vec<Piece> {
     if begins("pi") {
         found.push((Token::Pi, 2));
     }
-    for length in (1..=rest.len().min(24)).rev() {
+    let longest = vocabulary.letters.iter().map(|letter| letter.name().len()).max().unwrap_or(0).max(1);
+    for length in (1..=rest.len().min(longest)).rev() {
         if let Some(token) = rest.get(..length).and_then(|name| letter(name, vocabulary)) {
             found.push((token, length));
         }
@@ -113,8 +115,10 @@ fn candidates(rest: &str, vocabulary: &Vocabulary) -> Vec<Piece> {
 
 /// A letter of the question by its name, a unit vector, or a capital typed for a small letter.
 pub(super) fn letter(name: &str, vocabulary: &Vocabulary) -> Option<Token> {
-    let same = |letter: &&crate::number::Letter| {
-        letter.name() == name || (name.len() > 1 && letter.name().replace('_', "") == name.replace('_', ""))
+    // `vA` is `v_A`.
+    let same = |letter: &&Letter| {
+        let without = |text: &str| -> Vec<u8> { text.bytes().filter(|byte| *byte != b'_').collect() };
+        letter.name() == name || (name.len() > 1 && letter.name().len() > 1 && without(letter.name()) == without(name))
     };
     if let Some(letter) = vocabulary.letters.iter().find(same) {
         return Some(Token::Letter(letter.name().to_owned()));

@@ -115,7 +115,7 @@ impl Parser<'_> {
         let mixed = Expr::Number(whole + &part);
         self.at += if group { 5 } else { 3 };
         let typed = self.typed(start);
-        self.choices.note(format!("{typed} read as {}", crate::expr::print::unicode(&mixed)));
+        self.choices.note(|| format!("{typed} read as {}", crate::expr::print::unicode(&mixed)));
         Ok(mixed)
     }
 
@@ -145,7 +145,7 @@ impl Parser<'_> {
                 under = Expr::Product(factors);
                 let typed = self.typed(start.saturating_sub(1));
                 let read = Expr::call(Function::Sqrt, under.clone());
-                self.choices.note(format!("{typed} read as {}", crate::expr::print::unicode(&read)));
+                self.choices.note(|| format!("{typed} read as {}", crate::expr::print::unicode(&read)));
             }
         }
         Ok(match cube {

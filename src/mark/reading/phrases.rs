@@ -55,7 +55,11 @@ enum Relation {
 /// The tokens with words that are no formula understood, and those for signs (`times`, `over`) put as signs.
 pub(super) fn with_phrases(tokens: &[Placed], vocabulary: &Vocabulary) -> Result<Vec<Placed>, Unreadable> {
     let tokens = lexicon::with_signs(tokens);
-    let walk = Walk { tokens: &tokens, vocabulary };
+    let small = |placed: &Placed| match &placed.token {
+        Token::Word(word) => word.to_ascii_lowercase(),
+        _ => String::new(),
+    };
+    let walk = Walk { tokens: &tokens, words: tokens.iter().map(small).collect(), vocabulary };
     let mut out: Vec<Placed> = Vec::with_capacity(tokens.len());
     let mut at = 0;
     while at < tokens.len() {
@@ -81,16 +85,15 @@ pub(super) fn with_phrases(tokens: &[Placed], vocabulary: &Vocabulary) -> Result
 
 struct Walk<'a> {
     tokens: &'a [Placed],
+    /// The words in small letters; nothing for other tokens.
+    words: Vec<String>,
     vocabulary: &'a Vocabulary,
 }
 
 impl Walk<'_> {
     /// The word at a token, in small letters.
-    fn word(&self, at: usize) -> Option<String> {
-        match &self.tokens.get(at)?.token {
-            Token::Word(word) => Some(word.to_ascii_lowercase()),
-            _ => None,
-        }
+    fn word(&self, at: usize) -> Option<&str> {
+        self.words.get(at).map(String::as_str).filter(|word| !word.is_empty())
     }
 
     /// Do these words stand here? The token after them, stops and articles passed over.
@@ -114,11 +117,11 @@ impl Walk<'_> {
 
     /// Passes over `the`, `its` and the like.
     fn article(&self, at: usize) -> usize {
-        let article = |word: String| matches!(word.as_str(), "the" | "its" | "their" | "it's" | "this" | "his" | "an");
-        // `a` is an article unless the question has a letter of that name.
-        let a = |word: &str| word == "a" && matches!(&self.tokens[at].token, Token::Word(typed) if typed == "a");
+        // A small `a` is an article; a capital is a sphere.
+        let small_a = matches!(self.tokens.get(at).map(|placed| &placed.token), Some(Token::Word(word)) if word == "a");
         match self.word(at) {
-            Some(word) if a(&word) || article(word.clone()) => at + 1,
+            Some("the" | "its" | "their" | "it's" | "this" | "his" | "an") => at + 1,
+            Some("a") if small_a => at + 1,
             _ => at,
         }
     }
@@ -136,7 +139,16 @@ impl Walk<'_> {
             Token::Word(word) => matches!(word.as_str(), "one" | "two" | "three" | "four"),
             _ => false,
         };
-        let kinds = ["sf", "dp", "sig figs", "sig fig", "significant figures", "significant figure", "decimal places", "decimal place"];
+        let kinds = [
+            "sf",
+            "dp",
+            "sig figs",
+            "sig fig",
+            "significant figures",
+            "significant figure",
+            "decimal places",
+            "decimal place",
+        ];
         let end = self.any(number + 1, &kinds).filter(|_| counts && (led || at > 0))?;
         let end = end + usize::from(self.tokens.get(end).is_some_and(|token| token.is('.')));
         match open {
@@ -153,17 +165,19 @@ impl Walk<'_> {
         if touches && word.len() == 1 {
             return Ok(None);
         }
-        if let Some(next) = self.any(at, &lexicon::REST) {
-            return Ok(Some((Phrase::Rest, next)));
-        }
-        if let Some(found) = self.reference(at)? {
-            return Ok(Some(found));
-        }
-        if let Some(next) = self.any(at, &lexicon::REMARKS) {
-            return Ok(Some((Phrase::Remark, next)));
+        if lexicon::begins_a_phrase(word) {
+            if let Some(next) = self.any(at, &lexicon::REST) {
+                return Ok(Some((Phrase::Rest, next)));
+            }
+            if let Some(found) = self.reference(at)? {
+                return Ok(Some(found));
+            }
+            if let Some(next) = self.any(at, &lexicon::REMARKS) {
+                return Ok(Some((Phrase::Remark, next)));
+            }
         }
         let made_of_letters = names::is_made_of_letters(self.typed(at), self.vocabulary);
-        let sort = lexicon::sort(&word);
+        let sort = lexicon::sort(word);
         if let Some(Sort::Negation) = sort {
             return Err(Unreadable::Sign(placed.start, format!("`{word}` may turn the answer round")));
         }
@@ -187,7 +201,7 @@ impl Walk<'_> {
                     return Ok(None);
                 }
                 // A long word that is none of mathematics is only a word.
-                if touches || !alone || !lexicon::is_only_a_word(self.typed(at)) || is_greek(&word) {
+                if touches || !alone || !lexicon::is_only_a_word(self.typed(at)) || is_greek(word) {
                     return Ok(None);
                 }
                 Phrase::Remark
@@ -232,7 +246,10 @@ impl Walk<'_> {
                 && let Some(end) = self.unknown_line(next)
             {
                 let place = self.tokens[end].start;
-                return Err(Unreadable::Sign(place, "the line from which the angle is measured is not known".to_owned()));
+                return Err(Unreadable::Sign(
+                    place,
+                    "the line from which the angle is measured is not known".to_owned(),
+                ));
             }
             return Ok(None);
         }
@@ -271,12 +288,18 @@ impl Walk<'_> {
         let at = self.article(at);
         let across = self.any(at, &["perpendicular", "perp", "normal"]);
         if let Some(next) = across.and_then(|next| self.any(next, &["to", "of", "from"])) {
-            return match self.line(next)? {
+            let next = self.article(next);
+            return match self.plain_line(next)? {
                 (Line::Centres, end) => Some((Line::Tangent, end)),
                 (Line::Tangent, end) => Some((Line::Centres, end)),
                 _ => None,
             };
         }
+        self.plain_line(at)
+    }
+
+    /// A line by its own name.
+    fn plain_line(&self, at: usize) -> Option<(Line, usize)> {
         let known = [
             (Line::BToA, &lexicon::B_TO_A[..]),
             (Line::Centres, &lexicon::CENTRES),
@@ -323,12 +346,12 @@ impl Walk<'_> {
     fn unknown_line(&self, at: usize) -> Option<usize> {
         let noun = self.article(at);
         let word = self.word(noun)?;
-        let harmless = lexicon::sort(&word).is_some()
+        let harmless = lexicon::sort(word).is_some()
             || self.any(noun, &lexicon::REST).is_some()
             || self.any(noun, &lexicon::REMARKS).is_some()
             || is_unit_word(self.typed(noun))
             || lexicon::is_sphere(self.typed(noun))
             || names::is_made_of_letters(self.typed(noun), self.vocabulary);
-        (!harmless || matches!(word.as_str(), "horizontal" | "vertical")).then_some(noun)
+        (!harmless || matches!(word, "horizontal" | "vertical")).then_some(noun)
     }
 }

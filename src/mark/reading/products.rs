@@ -72,7 +72,8 @@ impl Parser<'_> {
     fn times_in_words(&self) -> bool {
         let x = matches!(self.token(0), Some(Token::Word(word)) if word.eq_ignore_ascii_case("x"));
         let number = matches!(self.token(1), Some(Token::Number(_) | Token::Root { .. } | Token::Sign('(' | OPEN)));
-        let root = matches!(self.token(1), Some(Token::Word(word)) if word.starts_with("sqrt") || word.starts_with("root"));
+        let root =
+            matches!(self.token(1), Some(Token::Word(word)) if word.starts_with("sqrt") || word.starts_with("root"));
         x && (number || root) && names::letter("x", self.vocabulary).is_none() && self.at > 0
     }
 
@@ -200,7 +201,7 @@ impl Parser<'_> {
             };
             let typed = self.tokens.get(first).zip(self.tokens.get(end - 1));
             let typed = typed.map_or("", |(first, last)| excerpt(self.text, first.start, last.end));
-            self.choices.note(format!("{typed} read as {}", print::unicode(&result)));
+            self.choices.note(|| format!("{typed} read as {}", print::unicode(&result)));
             value = Some(result);
             open = false;
         }

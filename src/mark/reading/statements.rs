@@ -89,7 +89,10 @@ impl Statements<'_> {
         for at in 1..tokens.len() {
             let conclusion = |placed: &Placed| {
                 placed.token == Token::Phrase(Phrase::Joiner)
-                    && matches!(self.slice(std::slice::from_ref(placed)), "so" | "hence" | "therefore" | "thus" | "then" | "and" | "&")
+                    && matches!(
+                        self.slice(std::slice::from_ref(placed)),
+                        "so" | "hence" | "therefore" | "thus" | "then" | "and" | "&"
+                    )
             };
             if at > start && conclusion(&tokens[at]) && outside(&tokens[start..at]) {
                 self.chain(&tokens[start..at])?;
@@ -356,7 +359,9 @@ fn outside(tokens: &[Placed]) -> bool {
 fn is_a_name(expr: &Expr) -> bool {
     match expr {
         Expr::Name(_) => true,
-        Expr::Power(base, _) => matches!(&**base, Expr::Call(function, _) if *function != Function::Sqrt) && is_a_name(base),
+        Expr::Power(base, _) => {
+            matches!(&**base, Expr::Call(function, _) if *function != Function::Sqrt) && is_a_name(base)
+        }
         Expr::Call(Function::Sin | Function::Cos | Function::Tan, argument) => {
             !argument.names().is_empty() && argument.names().len() <= 2
         }

@@ -98,6 +98,12 @@ pub(super) fn is_greek(word: &str) -> bool {
 /// Abbreviations that are written with full stops.
 const DOTTED: [&str; 10] = ["s.f", "d.p", "l.o.c", "i.e", "e.g", "w.r.t", "k.e", "c.o.r", "c.l.m", "n.e.l"];
 
+/// The most tokens that an answer may have.
+const MOST_TOKENS: usize = 400;
+
+/// The longest run of letters that is read as one word.
+const LONGEST_WORD: usize = 40;
+
 /// Every token of the glyphs.
 pub(super) fn tokens(glyphs: &[Glyph], letters: &[Letter], choices: &mut Choices) -> Result<Vec<Placed>, Unreadable> {
     let glyphs = digits::repaired(glyphs, letters, choices);
@@ -105,6 +111,9 @@ pub(super) fn tokens(glyphs: &[Glyph], letters: &[Letter], choices: &mut Choices
     while lexer.at < glyphs.len() {
         choices.step(glyphs[lexer.at].place)?;
         lexer.one(choices)?;
+        if lexer.out.len() > MOST_TOKENS {
+            return Err(Unreadable::Sign(glyphs[lexer.at - 1].place, "the answer is too long".to_owned()));
+        }
     }
     Ok(lexer.out)
 }
@@ -156,8 +165,7 @@ impl Lexer<'_> {
             return Ok(());
         }
         if sign.is_ascii_alphabetic() {
-            self.word();
-            return Ok(());
+            return self.word();
         }
         if sign == 'π' {
             self.put(Token::Pi, 1);
@@ -203,8 +211,8 @@ impl Lexer<'_> {
                 self.put(Token::Sign('≈'), 1);
                 return Ok(());
             }
-            '+' | '-' | '*' | '/' | '^' | '|' | ',' | ';' | ':' | '=' | '<' | '>' | '%' | '°' | '\'' | '.' | '\n' | '?'
-            | '!' | '≠' | '≤' | '≥' | '≈' | '⇒' | '¦' | '…' | '"' => {}
+            '+' | '-' | '*' | '/' | '^' | '|' | ',' | ';' | ':' | '=' | '<' | '>' | '%' | '°' | '\'' | '.' | '\n'
+            | '?' | '!' | '≠' | '≤' | '≥' | '≈' | '⇒' | '¦' | '…' | '"' => {}
             '·' => {
                 self.put(Token::Sign('*'), 1);
                 return Ok(());
@@ -228,15 +236,19 @@ impl Lexer<'_> {
     }
 
     /// Letters, and a subscript if there is one.
-    fn word(&mut self) {
+    fn word(&mut self) -> Result<(), Unreadable> {
         let rest = || self.glyphs[self.at..].iter().map(|glyph| glyph.sign);
         let start: String = rest().take(6).collect::<String>().to_ascii_lowercase();
         if let Some(dotted) = DOTTED.iter().find(|dotted| start.starts_with(**dotted)) {
             let whole = dotted.len() + usize::from(start[dotted.len()..].starts_with('.'));
             self.put(Token::Word(dotted.replace('.', "")), whole);
-            return;
+            return Ok(());
         }
         let mut word: String = rest().take_while(char::is_ascii_alphabetic).collect();
+        if word.len() > LONGEST_WORD {
+            let place = self.glyphs[self.at].place;
+            return Err(Unreadable::Sign(place, format!("a word of more than {LONGEST_WORD} letters")));
+        }
         // The apostrophe of `doesn't`.
         if self.sign(word.len()) == Some('\'') && self.sign(word.len() + 1) == Some('t') {
             word.push_str("'t");
@@ -245,6 +257,7 @@ impl Lexer<'_> {
         let digits: String = rest().skip(length).take_while(char::is_ascii_digit).collect();
         if self.sign(length) == Some('_') {
             let below: String = rest().skip(length + 1).take_while(|sign| sign.is_alphanumeric()).collect();
+            let below = self.subscript(&word, below);
             length += 1 + below.chars().count();
             word = format!("{word}_{below}");
         } else if !digits.is_empty() && self.is_letter(&format!("{word}{digits}")) {
@@ -260,6 +273,16 @@ impl Lexer<'_> {
             "deg" | "degs" | "degree" | "degrees" => self.put(Token::Sign('°'), whole),
             _ => self.put(Token::Word(word), whole),
         }
+        Ok(())
+    }
+
+    /// The subscript of a letter of the question, where more letters follow it: `v_Au`; else all of it.
+    fn subscript(&self, word: &str, below: String) -> String {
+        let known = self.letters.iter().filter_map(|letter| {
+            let (base, own) = letter.name().split_once('_')?;
+            (word.ends_with(base) && below.starts_with(own)).then(|| own.to_owned())
+        });
+        known.max_by_key(String::len).unwrap_or(below)
     }
 
     /// A Greek letter, with its subscript.
@@ -268,8 +291,11 @@ impl Lexer<'_> {
             self.put(Token::Greek(name), 1);
             return;
         }
-        let below: String =
-            self.glyphs[self.at + 2..].iter().map(|glyph| glyph.sign).take_while(|sign| sign.is_alphanumeric()).collect();
+        let below: String = self.glyphs[self.at + 2..]
+            .iter()
+            .map(|glyph| glyph.sign)
+            .take_while(|sign| sign.is_alphanumeric())
+            .collect();
         let length = 2 + below.chars().count();
         self.put(Token::Word(format!("{name}_{below}")), length);
     }

@@ -139,7 +139,8 @@ pub(super) fn unit(tokens: &[Placed], at: usize, text: &str) -> Option<(SaidUnit
     }
     let next = reader.at;
     // A capital is condoned in `MS-1`, but by itself it is no metre.
-    let capital = matches!(&tokens[at].token, Token::Word(word) if matches!(word.as_str(), "M" | "S")) && next == at + 1;
+    let capital =
+        matches!(&tokens[at].token, Token::Word(word) if matches!(word.as_str(), "M" | "S")) && next == at + 1;
     if !MEASURED.contains(&reader.dimension) || capital {
         return None;
     }
@@ -175,7 +176,8 @@ impl Units<'_> {
     }
 
     fn over(&mut self) -> bool {
-        let per = matches!(self.tokens.get(self.at).map(|token| &token.token), Some(Token::Word(word)) if word == "per");
+        let per =
+            matches!(self.tokens.get(self.at).map(|token| &token.token), Some(Token::Word(word)) if word == "per");
         let found = per || self.sign(0) == Some('/');
         self.at += usize::from(found);
         found

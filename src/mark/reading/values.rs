@@ -56,7 +56,10 @@ impl Values<'_> {
                     if let (Some((_, last)), true) = (found.values.last(), lead.is_empty()) {
                         let after_words = last.reference.is_some() || !last.remarks.is_empty();
                         if !after_words {
-                            return Err(Unreadable::Sign(tokens[at].start, "a second value without a word or sign between".to_owned()));
+                            return Err(Unreadable::Sign(
+                                tokens[at].start,
+                                "a second value without a word or sign between".to_owned(),
+                            ));
                         }
                     }
                     at = self.value(&mut tokens, at, &mut lead, &mut found)?;
@@ -109,7 +112,9 @@ impl Values<'_> {
                         return Err(Unreadable::Sign(place, "a second direction for the same value".to_owned()));
                     }
                     None => {
-                        if !is_direction(line) && !tokens[at + 1..].iter().any(|placed| matches!(placed.token, Token::Number(_))) {
+                        if !is_direction(line)
+                            && !tokens[at + 1..].iter().any(|placed| matches!(placed.token, Token::Number(_)))
+                        {
                             return Err(Unreadable::Sign(tokens[at].start, "an angle is missing".to_owned()));
                         }
                         let label = self.label(tokens, lead);
@@ -302,9 +307,7 @@ fn without_degrees(expr: &Expr) -> Option<Expr> {
             let last = without_degrees(last)?;
             Some(Expr::Product(rest.iter().cloned().chain([last]).collect()))
         }
-        Expr::Sum(terms) => {
-            terms.iter().map(without_degrees).collect::<Option<Vec<Expr>>>().map(Expr::Sum)
-        }
+        Expr::Sum(terms) => terms.iter().map(without_degrees).collect::<Option<Vec<Expr>>>().map(Expr::Sum),
         _ => None,
     }
 }

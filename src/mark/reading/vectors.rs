@@ -114,9 +114,7 @@ pub(super) fn scaled(factor: Expr, component: Expr) -> Expr {
         return Expr::Number(&a * &b);
     }
     match (factor, component) {
-        (factor, Expr::Number(number)) if number.sign().is_lt() => {
-            scaled(factor, Expr::Number(number.abs())).negated()
-        }
+        (factor, Expr::Number(number)) if number.sign().is_lt() => scaled(factor, Expr::Number(number.abs())).negated(),
         (factor, Expr::Negative(inner)) => scaled(factor, *inner).negated(),
         (Expr::Negative(inner), component) => scaled(*inner, component).negated(),
         (Expr::Quotient(above, below), component) => scaled(*above, component).over(*below),
