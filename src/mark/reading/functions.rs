@@ -188,12 +188,10 @@ impl Parser<'_> {
     /// Is the next word an angle of the question, that can be part of the argument?
     fn angle_follows(&mut self) -> bool {
         let at = self.at;
-        if matches!(self.token(0), Some(Token::Word(_) | Token::Greek(_)))
-            && !(self.outside() && self.unit_here().is_some())
-        {
-            if !self.take_apart(at) {
-                return false;
-            }
+        let word = matches!(self.token(0), Some(Token::Word(_) | Token::Greek(_)));
+        let unit = self.outside() && self.unit_here().is_some();
+        if word && !unit && !self.take_apart(at) {
+            return false;
         }
         matches!(self.token(0), Some(Token::Letter(name)) if self.is_angle(name))
             || matches!(self.token(0), Some(Token::Pi))

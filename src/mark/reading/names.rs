@@ -36,10 +36,10 @@ type Piece = (Token, usize);
 pub(super) fn split(word: &str, place: usize, vocabulary: &Vocabulary, choices: &mut Choices) -> Option<Vec<Token>> {
     if let Some(whole) = letter(word, vocabulary) {
         let apart = (word.len() > 1).then(|| pieces(word, vocabulary, false)).flatten();
-        if let Some(apart) = apart.filter(|_| !word.contains('_')) {
-            if choices.otherwise(Doubt::Names, place) {
-                return Some(apart);
-            }
+        if let Some(apart) = apart.filter(|_| !word.contains('_'))
+            && choices.otherwise(Doubt::Names, place)
+        {
+            return Some(apart);
         }
         return Some(vec![whole]);
     }

@@ -107,10 +107,9 @@ impl Parser<'_> {
         let Some(part) = below.reciprocal().map(|share| &above * &share) else { return Ok(value) };
         // In brackets two numbers may be the components of a column.
         let place = self.place();
-        if !group && matches!(self.open.last(), Some('(' | '[')) && self.vocabulary.vectors {
-            if self.choices.otherwise(Doubt::Column, place) {
-                return Ok(value);
-            }
+        let in_brackets = !group && matches!(self.open.last(), Some('(' | '[')) && self.vocabulary.vectors;
+        if in_brackets && self.choices.otherwise(Doubt::Column, place) {
+            return Ok(value);
         }
         let mixed = Expr::Number(whole + &part);
         self.at += if group { 5 } else { 3 };

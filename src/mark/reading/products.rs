@@ -196,8 +196,8 @@ impl Parser<'_> {
             let end = beside.last().map_or(factor.end, |last| last.end);
             let rest = beside.into_iter().map(|factor| factor.value);
             let result = match below {
-                true => over(above, rest.fold(factor.value, |left, right| times(left, right))),
-                false => rest.fold(over(above, factor.value), |left, right| times(left, right)),
+                true => over(above, rest.fold(factor.value, times)),
+                false => rest.fold(over(above, factor.value), times),
             };
             let typed = self.tokens.get(first).zip(self.tokens.get(end - 1));
             let typed = typed.map_or("", |(first, last)| excerpt(self.text, first.start, last.end));
