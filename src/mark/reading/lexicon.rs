@@ -3,7 +3,9 @@
 use std::collections::{HashMap, HashSet};
 use std::sync::LazyLock;
 
+use super::digits::recurring_value;
 use super::tokens::{Placed, Token};
+use crate::expr::Expr;
 
 /// What a word does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -93,7 +95,7 @@ pub(super) const ALONG: [&str; 15] = [
 ];
 
 /// Words before the line from which an angle is measured.
-pub(super) const ANGLE: [&str; 16] = [
+pub(super) const ANGLE: [&str; 14] = [
     "to",
     "with",
     "from",
@@ -107,8 +109,6 @@ pub(super) const ANGLE: [&str; 16] = [
     "with respect to",
     "wrt",
     "away from",
-    "anticlockwise from",
-    "clockwise from",
     "measured to",
 ];
 
@@ -313,6 +313,17 @@ pub(super) fn with_signs(tokens: &[Placed]) -> Vec<Placed> {
                 words.split(' ').enumerate().all(|(ahead, wanted)| word(at + ahead).is_some_and(|word| word == wanted))
             })
             .max_by_key(|(words, _)| words.len());
+        // `0.3 recurring`: the last digit recurs.
+        if let Token::Number(Expr::Decimal(digits)) = &placed.token
+            && let Some((whole, decimals)) = digits.split_once('.').filter(|(_, decimals)| !decimals.is_empty())
+            && word(at + 1).is_some_and(|word| matches!(word.as_str(), "recurring" | "recurs" | "rec"))
+        {
+            let (before, last) = decimals.split_at(decimals.len() - 1);
+            let token = Token::Number(recurring_value(whole, before, last));
+            out.push(Placed { token, end: tokens[at + 1].end, ..placed.clone() });
+            at += 2;
+            continue;
+        }
         let Some((words, signs)) = standing else {
             out.push(placed.clone());
             at += 1;
@@ -323,9 +334,7 @@ pub(super) fn with_signs(tokens: &[Placed]) -> Vec<Placed> {
         for (place, sign) in signs.iter().enumerate() {
             let token = match sign {
                 '√' => Token::Root { cube: false },
-                digit if digit.is_ascii_digit() => {
-                    Token::Number(crate::expr::Expr::integer(i64::from(*digit as u32 - '0' as u32)))
-                }
+                digit if digit.is_ascii_digit() => Token::Number(Expr::integer(i64::from(*digit as u32 - '0' as u32))),
                 sign => Token::Sign(*sign),
             };
             out.push(Placed { token, start: placed.start, end, spaced: placed.spaced && place == 0 });

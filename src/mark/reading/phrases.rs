@@ -80,7 +80,30 @@ pub(super) fn with_phrases(tokens: &[Placed], vocabulary: &Vocabulary) -> Result
             }
         }
     }
-    Ok(out)
+    Ok(with_asides_set_off(out))
+}
+
+/// Brackets around words are an aside, and part it from the rest as commas would: `0 m/s (at rest)`.
+fn with_asides_set_off(mut tokens: Vec<Placed>) -> Vec<Placed> {
+    let mut open: Vec<(usize, bool)> = Vec::new();
+    for at in 0..tokens.len() {
+        match tokens[at].token {
+            Token::Sign('(') => open.push((at, false)),
+            Token::Phrase(_) => {
+                if let Some(last) = open.last_mut() {
+                    last.1 = true;
+                }
+            }
+            Token::Sign(')') => {
+                if let Some((start, true)) = open.pop() {
+                    tokens[start].token = Token::Sign(',');
+                    tokens[at].token = Token::Sign(',');
+                }
+            }
+            _ => {}
+        }
+    }
+    tokens
 }
 
 struct Walk<'a> {

@@ -94,7 +94,11 @@ impl Statements<'_> {
                         "so" | "hence" | "therefore" | "thus" | "then" | "and" | "&"
                     )
             };
-            if at > start && conclusion(&tokens[at]) && outside(&tokens[start..at]) {
+            // `A and B have speeds …`: words alone before it are no statement.
+            let said = tokens[start..at]
+                .iter()
+                .any(|placed| !matches!(placed.token, Token::Phrase(phrase) if phrase != Phrase::Rest));
+            if at > start && said && conclusion(&tokens[at]) && outside(&tokens[start..at]) {
                 self.chain(&tokens[start..at])?;
                 start = at + 1;
             }

@@ -46,6 +46,15 @@ impl Values<'_> {
                 Token::Sign('.' | '!' | '?' | '"' | '\'') => at += 1,
                 Token::Sign('≈') if found.values.is_empty() || !lead.is_empty() => at += 1,
                 Token::Sign(':') if !lead.is_empty() => at += 1,
+                // `A - 2.78`: a dash, not a minus sign.
+                Token::Sign('-')
+                    if lead.last().is_some_and(|last| names_something(&tokens, *last))
+                        && tokens[at].spaced
+                        && tokens.get(at + 1).is_some_and(|next| next.spaced) =>
+                {
+                    self.choices.note(|| "- read as a dash".to_owned());
+                    at += 1;
+                }
                 // `25/7 (3.57)`
                 Token::Sign('(') if !found.values.is_empty() && lead.is_empty() && at + 3 == tokens.len() => {
                     let again = self.slice(&tokens, at, tokens.len()).to_owned();
@@ -144,7 +153,7 @@ impl Values<'_> {
 
     /// What words before a value call it: those that name a quantity or a sphere.
     fn label(&self, tokens: &[Placed], lead: &[usize]) -> Option<String> {
-        let names = |at: &&usize| matches!(phrase_at(tokens, **at), Some(Phrase::Noun | Phrase::Sphere));
+        let names = |at: &&usize| names_something(tokens, **at);
         let first = lead.iter().find(names)?;
         let last = lead.iter().rev().find(names)?;
         Some(self.slice(tokens, *first, *last + 1).to_owned())
@@ -206,6 +215,11 @@ fn phrase_at(tokens: &[Placed], at: usize) -> Option<Phrase> {
     }
 }
 
+/// Does a word name a quantity or a sphere?
+fn names_something(tokens: &[Placed], at: usize) -> bool {
+    matches!(phrase_at(tokens, at), Some(Phrase::Noun | Phrase::Sphere))
+}
+
 /// Do the words between a value and its line leave the line to the value?
 fn lead_says_nothing(tokens: &[Placed], lead: &[usize]) -> bool {
     !lead.iter().any(|at| matches!(phrase_at(tokens, *at), Some(Phrase::Or | Phrase::Because)))
@@ -251,10 +265,6 @@ pub(super) fn formula(
     let expr = parser.sum()?;
     let mut unit = None;
     let mut percent = false;
-    let recurs = matches!(parser.token(0), Some(Token::Word(word)) if matches!(word.as_str(), "recurring" | "rec"));
-    if recurs {
-        return parser.fault("say which digits recur, as in 0.333...");
-    }
     if parser.eat('%') {
         percent = true;
     } else if let Some((found, next)) = parser.unit_here() {
