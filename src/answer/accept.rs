@@ -1,4 +1,8 @@
 //! Rules of acceptance: `exact`, `awrt 3sf`, `3sf`, `2dp`, `nearest 1`; `or exact` is implied by each.
+//!
+//! `3sf or better` is `awrt 3sf`, and `nearest degree` is `nearest 1`. The examiners' words `oe` (or equivalent), `isw`
+//! (ignore subsequent working) and `cao` (correct answer only) may follow a rule or stand alone for `exact`: any form
+//! counts, what follows a right answer is ignored, and only the right answer is accepted under every rule.
 
 use std::fmt;
 use std::str::FromStr;
@@ -42,16 +46,34 @@ impl FromStr for Accept {
     type Err = UnreadableRule;
 
     fn from_str(text: &str) -> Result<Accept, UnreadableRule> {
-        let text = text.trim();
-        let text = text.strip_suffix("or exact").map_or(text, str::trim_end);
-        if text == "exact" {
+        let mut words = text.trim();
+        let mut better = false;
+        let mut said = false;
+        loop {
+            let shorter = IMPLIED.iter().find_map(|word| ends_in(words, word));
+            let Some(shorter) = shorter.or_else(|| ends_in(words, "or better").filter(|_| !better)) else { break };
+            better |= words.ends_with("better");
+            said = true;
+            words = shorter;
+        }
+        if (words == "exact" || (words.is_empty() && said)) && !better {
             return Ok(Accept::Exact);
         }
-        match text.strip_prefix("awrt ") {
+        match words.strip_prefix("awrt ") {
             Some(rest) => places(rest).map(Accept::RoundsTo),
-            None => places(text).map(Accept::Rounded),
+            None if better => places(words).map(Accept::RoundsTo),
+            None => places(words).map(Accept::Rounded),
         }
     }
+}
+
+/// Words that say what holds of every rule.
+const IMPLIED: [&str; 4] = ["or exact", "oe", "isw", "cao"];
+
+/// What stands before a last word, if that is the last.
+fn ends_in<'a>(text: &'a str, word: &str) -> Option<&'a str> {
+    let rest = text.strip_suffix(word)?;
+    (rest.is_empty() || rest.ends_with(char::is_whitespace)).then(|| rest.trim_end())
 }
 
 fn places(text: &str) -> Result<Places, UnreadableRule> {
@@ -63,6 +85,9 @@ fn places(text: &str) -> Result<Places, UnreadableRule> {
     }
     if let Some(digits) = text.strip_suffix("dp") {
         return count(digits).map(Places::DecimalPlaces);
+    }
+    if text == "nearest degree" {
+        return Places::nearest(&Fraction::ONE).ok_or(UnreadableRule);
     }
     let step = text.strip_prefix("nearest ").and_then(|step| step.trim().parse::<Fraction>().ok());
     step.and_then(|step| Places::nearest(&step)).ok_or(UnreadableRule)
@@ -85,12 +110,28 @@ mod tests {
     use super::*;
 
     #[test]
+    fn examiners_words_that_say_the_same_make_the_same_rule() {
+        for (words, rule) in [
+            ("3sf or better", "awrt 3sf"),
+            ("awrt 3sf oe isw", "awrt 3sf"),
+            ("2dp or exact", "2dp"),
+            ("nearest degree", "nearest 1"),
+            ("awrt nearest degree", "awrt nearest 1"),
+            ("cao", "exact"),
+            ("oe", "exact"),
+            ("exact isw", "exact"),
+        ] {
+            assert_eq!(words.parse::<Accept>().map(|rule| rule.to_string()), Ok(rule.to_string()), "{words}");
+        }
+    }
+
+    #[test]
     fn every_rule_is_read_and_written_in_the_same_words() {
         for text in ["exact", "awrt 3sf", "3sf", "2dp", "awrt 1dp", "nearest 1", "nearest 0.5", "awrt nearest 15"] {
             assert_eq!(text.parse::<Accept>().unwrap().to_string(), text);
         }
         for text in
-            ["", "awrt", "0sf", "3 s.f.", "nearest 0", "nearest -1", "nearest 1/3", "99999999999sf", "awrt exact"]
+            ["", "awrt", "or better", "exact or better", "3sfoe", "0sf", "3 s.f.", "nearest 0", "nearest -1", "nearest 1/3", "99999999999sf", "awrt exact"]
         {
             assert_eq!(text.parse::<Accept>(), Err(UnreadableRule), "{text}");
         }

@@ -11,6 +11,8 @@ pub enum Kind {
     Angle,
     /// A vector by its components.
     Vector,
+    /// A velocity by its magnitude and direction, where there is no i and j.
+    Velocity,
     /// A ratio such as 2 : 3.
     Ratio,
     /// A formula in letters.
@@ -25,7 +27,21 @@ pub enum Kind {
 
 impl Kind {
     /// Every kind, in the order in which messages list them.
-    pub const ALL: [Kind; 8] = [
+    pub const ALL: [Kind; 9] = [
+        Kind::Number,
+        Kind::Angle,
+        Kind::Vector,
+        Kind::Velocity,
+        Kind::Ratio,
+        Kind::Expression,
+        Kind::Equation,
+        Kind::Line,
+        Kind::Shown,
+    ];
+
+    /// Those that an answer of a question file can have: a question there asks for the size and the direction of a
+    /// velocity one by one.
+    pub const IN_BANK: [Kind; 8] = [
         Kind::Number,
         Kind::Angle,
         Kind::Vector,
@@ -42,6 +58,7 @@ impl Kind {
             Kind::Number => "number",
             Kind::Angle => "angle",
             Kind::Vector => "vector",
+            Kind::Velocity => "velocity",
             Kind::Ratio => "ratio",
             Kind::Expression => "expression",
             Kind::Equation => "equation",

@@ -83,6 +83,13 @@ impl Value {
         Some(if below.is_lt() { above.reverse() } else { above })
     }
 
+    /// The coefficient of each product of letters (and of roots that hold letters) above the denominator.
+    pub(crate) fn coefficients(&self) -> BTreeMap<(Vec<Root>, Monomial), Value> {
+        let mut groups = by_letters(&self.parts().0);
+        groups.retain(|_, coefficient| !coefficient.is_zero());
+        groups
+    }
+
     /// Is the value known to be equal to another?
     pub fn equals(&self, other: &Value) -> bool {
         self == other || (self - other).is_zero()

@@ -203,9 +203,9 @@ fn read_find(answer: &AnswerFile, unknowns: &[String], faults: &mut Faults) -> O
 
 fn read_kind(words: &Words, faults: &mut Faults) -> Option<Kind> {
     let text = words.get_ref().as_str();
-    let found = text.parse::<Kind>().ok();
+    let found = text.parse::<Kind>().ok().filter(|kind| Kind::IN_BANK.contains(kind));
     if found.is_none() {
-        let names = Kind::ALL.map(Kind::name);
+        let names = Kind::IN_BANK.map(Kind::name);
         let label = format!("expected {}", listed(&names));
         faults.unknown(words.span(), format!("unknown kind of answer `{text}`"), label, text, names);
     }

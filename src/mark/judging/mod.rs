@@ -1,14 +1,40 @@
 //! Judging what was read against a model answer.
+//!
+//! Equality is exact: refuted by certified intervals, proved by the normal form, never measured. Decimals are judged by
+//! the figures that were written. Every verdict says which reading it used, and why in a tag and a sentence.
+
+mod accuracy;
+mod angle;
+mod coefficients;
+mod enclosure;
+mod equation;
+mod exact;
+mod finding;
+mod line;
+mod model_text;
+mod note;
+mod number;
+mod ratio;
+mod shown;
+mod statements;
+mod units;
+mod vector;
+mod velocity;
 
 use crate::answer::{Accept, Kind};
 use crate::expr::Expr;
+use crate::mechanics::Quantity;
+use crate::unit::Unit;
 
-use super::reading::Vocabulary;
+use super::reading::{Reading, Statement, Unreadable, Vocabulary};
+use finding::Finding;
+pub use model_text::ModelOptions;
+pub use note::Note;
 
 /// What is right, and how near an answer must come.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Model {
-    /// The exact value.
+    /// The exact value; for an angle so many degrees, or an angle such as `atan(7)`.
     pub value: Expr,
     /// Its kind.
     pub kind: Kind,
@@ -16,6 +42,15 @@ pub struct Model {
     pub accept: Accept,
     /// The letters of the question.
     pub vocabulary: Vocabulary,
+    /// What is asked for, where that is known: from it come the unit, the sphere and the line of an angle.
+    pub quantity: Option<Quantity>,
+}
+
+impl Model {
+    /// The right unit, if it is known what is asked for.
+    fn unit(&self) -> Option<Unit> {
+        self.quantity.map(Quantity::unit)
+    }
 }
 
 /// How an answer fares.
@@ -33,6 +68,19 @@ pub enum Verdict {
     Blank,
 }
 
+impl Verdict {
+    /// As it stands in files: `correct`, `partial`, `wrong`, `unreadable`, `blank`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Verdict::Correct => "correct",
+            Verdict::Partial => "partial",
+            Verdict::Wrong => "wrong",
+            Verdict::Unreadable => "unreadable",
+            Verdict::Blank => "blank",
+        }
+    }
+}
+
 /// A verdict with its reasons.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Judgement {
@@ -40,8 +88,118 @@ pub struct Judgement {
     pub verdict: Verdict,
     /// The reading that was used, in the notation of a terminal.
     pub reading: Option<String>,
-    /// A fixed tag, free of the question's numbers: `under-accurate`, `truncated`, `unit-missing`.
+    /// A fixed tag, free of the question's numbers: `under-accurate`, `truncated`, `unit-wrong`.
     pub note: Option<&'static str>,
     /// What a teacher would say.
     pub feedback: String,
 }
+
+/// Judges an answer where one thing is asked.
+///
+/// Every reading is one that a person might see; the first of those that fare best is used, and named.
+pub fn judge(model: &Model, readings: &Result<Vec<Reading>, Unreadable>) -> Judgement {
+    let readings = match readings {
+        Ok(readings) => readings,
+        Err(unreadable) => return refused(unreadable),
+    };
+    let found = readings.iter().map(|reading| (one(model, reading), reading));
+    let best = found.reduce(|best, next| if best.0.or_better(next.0) == best.0 { best } else { next });
+    match best {
+        Some((finding, reading)) => report(finding, Some(reading)),
+        None => report(Finding::unreadable(Note::CannotBeRead), None),
+    }
+}
+
+/// Judges one answer in which several things are asked: labelled with their spheres, or in the order asked.
+///
+/// A thing that is not answered is blank.
+pub fn judge_together(models: &[Model], readings: &Result<Vec<Reading>, Unreadable>) -> Vec<Judgement> {
+    let readings = match readings {
+        Ok(readings) => readings,
+        Err(unreadable) => return models.iter().map(|_| refused(unreadable)).collect(),
+    };
+    let each = |reading: &Reading| -> Vec<Finding> {
+        let shares = shared_out(models, reading);
+        models.iter().zip(&shares).map(|(model, share)| share.as_ref().map_or(BLANK, |share| one(model, share))).collect()
+    };
+    let worth = |findings: &[Finding]| findings.iter().map(|finding| (finding.is_correct(), finding.is_credited())).fold(
+        (0, 0),
+        |(right, credited), (is_right, is_credited)| (right + u32::from(is_right), credited + u32::from(is_credited)),
+    );
+    let found = readings.iter().map(|reading| (each(reading), reading));
+    match found.reduce(|best, next| if worth(&next.0) > worth(&best.0) { next } else { best }) {
+        Some((findings, reading)) => findings.into_iter().map(|finding| report(finding, Some(reading))).collect(),
+        None => models.iter().map(|_| report(Finding::unreadable(Note::CannotBeRead), None)).collect(),
+    }
+}
+
+/// Nothing was said of it.
+const BLANK: Finding = Finding { verdict: Verdict::Blank, note: Some(Note::Blank), exact: false };
+
+/// What a reading says of each of the models.
+fn shared_out(models: &[Model], reading: &Reading) -> Vec<Option<Reading>> {
+    let named = reading.statements.iter().any(|statement| statements::named_sphere(statement).is_some());
+    let share = |statements: Vec<Statement>| {
+        (!statements.is_empty()).then(|| Reading { statements, ..reading.clone() })
+    };
+    if !named {
+        return (0..models.len()).map(|at| share(reading.statements.get(at).cloned().into_iter().collect())).collect();
+    }
+    // Within the statements of one sphere its quantities are in the order asked.
+    let mut next = [0, 0];
+    let mut sphere = None;
+    let placed: Vec<(Option<_>, &Statement)> = reading
+        .statements
+        .iter()
+        .map(|statement| {
+            sphere = statements::named_sphere(statement).or(sphere);
+            (sphere, statement)
+        })
+        .collect();
+    models
+        .iter()
+        .map(|model| {
+            let asked = model.quantity.and_then(statements::sphere)?;
+            let own = placed.iter().filter(|(named, _)| *named == Some(asked)).map(|(_, statement)| *statement);
+            let count = &mut next[usize::from(asked == crate::mechanics::Sphere::B)];
+            *count += 1;
+            share(own.clone().nth(*count - 1).cloned().into_iter().collect())
+        })
+        .collect()
+}
+
+/// Judges one reading.
+fn one(model: &Model, reading: &Reading) -> Finding {
+    match model.kind {
+        Kind::Velocity => velocity::judge(model, reading),
+        Kind::Equation => equation::judge(model, reading),
+        Kind::Shown => shown::judge(model, reading),
+        Kind::Number | Kind::Expression => {
+            statements::judge(model, reading, &|said, label| number::judge(model, said, label))
+        }
+        Kind::Angle => statements::judge(model, reading, &|said, label| angle::judge(model, said, label)),
+        Kind::Vector => statements::judge(model, reading, &|said, _| vector::judge(model, said)),
+        Kind::Ratio => statements::judge(model, reading, &|said, _| ratio::judge(model, said)),
+        Kind::Line => statements::judge(model, reading, &|said, label| line::judge(model, said, label)),
+    }
+}
+
+fn refused(unreadable: &Unreadable) -> Judgement {
+    match unreadable {
+        Unreadable::Blank => report(BLANK, None),
+        Unreadable::TooLong => report(Finding::unreadable(Note::TooLong), None),
+        Unreadable::Sign(..) => report(Finding::unreadable(Note::CannotBeRead), None),
+    }
+}
+
+fn report(finding: Finding, reading: Option<&Reading>) -> Judgement {
+    Judgement {
+        verdict: finding.verdict,
+        reading: reading.map(|reading| reading.printed.clone()),
+        note: finding.note.map(Note::tag),
+        feedback: finding.note.map_or(note::plain_sentence(finding.verdict), Note::sentence).to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,89 @@
+//! `carom compare --stream`: JSON lines in, one verdict line for each out, in order, whatever comes.
+
+use std::io::{self, BufRead, BufReader, BufWriter, Read, Write};
+
+use serde_json::{Map, Value as Json, json};
+
+use super::compare::{accept, as_json, declared, kind, quantity};
+use super::failure::Failure;
+use crate::mark::judging::{Model, ModelOptions, judge};
+use crate::mark::reading::read_answer;
+
+/// The longest line that is looked at, in bytes; of a longer one nothing is kept.
+const LONGEST: u64 = 1 << 16;
+
+/// Answers every line until the input ends.
+pub fn run(input: impl Read, output: impl Write) -> Result<(), Failure> {
+    let mut input = BufReader::new(input);
+    let mut output = BufWriter::new(output);
+    let mut line = Vec::new();
+    let mut number = 0_u64;
+    while read_line(&mut input, &mut line)? {
+        number += 1;
+        let verdict = verdict(&line).unwrap_or_else(|reason| {
+            let feedback = format!("line {number}: {reason}");
+            json!({"verdict": "unreadable", "reading": null, "note": "broken-line", "feedback": feedback})
+        });
+        writeln!(output, "{verdict}")?;
+        // Whoever waits for an answer before sending more gets it; a long file is written in large pieces.
+        if input.buffer().is_empty() {
+            output.flush()?;
+        }
+    }
+    output.flush()?;
+    Ok(())
+}
+
+/// Reads the next line without its end; one that is too long is read on and cut, so that it is seen to be.
+fn read_line(input: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<bool> {
+    line.clear();
+    if input.by_ref().take(LONGEST + 1).read_until(b'\n', line)? == 0 {
+        return Ok(false);
+    }
+    if line.ends_with(b"\n") {
+        line.pop();
+    } else if line.len() as u64 > LONGEST {
+        input.skip_until(b'\n')?;
+    }
+    Ok(true)
+}
+
+/// The verdict on one line, or what is wrong with it.
+fn verdict(line: &[u8]) -> Result<Json, String> {
+    if line.len() as u64 > LONGEST {
+        return Err(format!("longer than {LONGEST} bytes"));
+    }
+    let text = std::str::from_utf8(line).map_err(|_| "not in UTF-8".to_owned())?;
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let fields: Json = serde_json::from_str(text).map_err(|error| format!("not JSON: {error}"))?;
+    let fields = fields.as_object().ok_or("not a JSON object")?;
+    let wrong = |wrong: super::compare::Wrong| format!("{}; {}", wrong.message, wrong.help);
+    let model = required(fields, "model")?;
+    let answer = required(fields, "answer")?;
+    let mut letters = Vec::new();
+    if let Some(symbols) = fields.get("symbols").filter(|symbols| !symbols.is_null()) {
+        for (name, range) in symbols.as_object().ok_or("`symbols` is not an object")? {
+            let range = range.as_str().ok_or_else(|| format!("the range of `{name}` is not a string"))?;
+            letters.push(declared(name, range).map_err(wrong)?);
+        }
+    }
+    let options = ModelOptions {
+        kind: optional(fields, "kind")?.map(kind).transpose().map_err(wrong)?,
+        accept: optional(fields, "accept")?.map(accept).transpose().map_err(wrong)?,
+        letters,
+        quantity: optional(fields, "find")?.map(quantity).transpose().map_err(wrong)?,
+    };
+    let model = Model::read(model, &options).map_err(|fault| format!("model: {}", fault.message))?;
+    Ok(as_json(&judge(&model, &read_answer(answer, &model.vocabulary))))
+}
+
+fn required<'a>(fields: &'a Map<String, Json>, name: &str) -> Result<&'a str, String> {
+    optional(fields, name)?.ok_or_else(|| format!("`{name}` is missing"))
+}
+
+fn optional<'a>(fields: &'a Map<String, Json>, name: &str) -> Result<Option<&'a str>, String> {
+    match fields.get(name) {
+        None | Some(Json::Null) => Ok(None),
+        Some(value) => value.as_str().map(Some).ok_or_else(|| format!("`{name}` is not a string")),
+    }
+}

@@ -1,0 +1,264 @@
+//! Accuracy in examiners' words, tested on the figures that the student wrote against certified figures of the model.
+//!
+//! The rules, in the order in which they are tried. *n figures* is what the rule of acceptance asks for.
+//!
+//! 1. Exactly the model value is right, however few figures it has: `9` for 9, `1.92` for 48/25.
+//! 2. Over-accuracy is free: a decimal with at least n figures is right if it and the model round to the same n figures:
+//!    0.2325 for 10/43, since both round to 0.233. So is one whose figures are all right: 2.745 for 2.7446.
+//! 3. A decimal with fewer figures, but two at least, that is the model rounded to them is *under-accurate*.
+//! 4. A decimal with two figures at least that is the model cut off after them is *truncated*.
+//! 5. A decimal with at least three figures that differs from the model by less than one hundredth of it is a *near
+//!    miss*: what early rounding leads to.
+//! 6. Anything else is wrong; one significant figure is evidence of nothing.
+
+use crate::answer::Accept;
+use crate::expr::{Expr, Turn};
+use crate::number::{Decimal, Fraction, Interval, Places, Uncertain, Value, round, round_certified};
+
+use super::finding::Finding;
+use super::Note;
+
+/// The fewest significant figures that are worth anything without being exact.
+const FEWEST: u32 = 2;
+/// The fewest with which a decimal can be a near miss.
+const FEWEST_NEAR: u32 = 3;
+/// The figures to which a decimal is looked at where the exact value is wanted.
+const FIGURES_FOR_EXACT: u32 = 3;
+/// No rounding is tried beyond so many decimal places: the figures after them say nothing about a mark.
+const MOST_PLACES: i64 = 60;
+
+/// A decimal as it was written.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Written {
+    pub(super) value: Fraction,
+    /// Significant figures, noughts at the end included.
+    pub(super) figures: u32,
+    /// The place of the last figure: 2 for `2.78`, 0 for `46`, -2 for `1.2 × 10^3`.
+    pub(super) places: i64,
+    /// Noughts at the end of a whole number, which may or may not be figures: 2 in `1200`.
+    noughts: u32,
+    /// Was it worked out from what was written? Then its own last figures say nothing.
+    worked_out: bool,
+}
+
+impl Written {
+    /// The decimal that the expression is, if it is nothing more: `2.78`, `-46`, `1.2*10^3`.
+    pub(super) fn of(expr: &Expr) -> Option<Written> {
+        match expr {
+            Expr::Decimal(text) => Written::text(text),
+            Expr::Number(number) if number.is_integer() => Written::text(&number.to_string()),
+            Expr::Negative(inner) => Some(Written::of(inner)?.negated()),
+            Expr::Product(factors) => match factors.as_slice() {
+                [mantissa, Expr::Power(base, exponent)] if **base == Expr::integer(10) => {
+                    let mantissa = Written::of(mantissa)?;
+                    let power = match &**exponent {
+                        Expr::Number(power) => power.as_small(),
+                        Expr::Negative(power) => match &**power {
+                            Expr::Number(power) => power.as_small().map(|(power, below)| (-power, below)),
+                            _ => None,
+                        },
+                        _ => None,
+                    };
+                    let (power, 1) = power? else { return None };
+                    let by = Fraction::from(10).power(i32::try_from(power).ok().filter(|power| power.abs() <= 60)?)?;
+                    Some(Written { noughts: 0, ..mantissa }.times(&by, power))
+                }
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    fn text(text: &str) -> Option<Written> {
+        let value: Fraction = text.parse().ok()?;
+        let (whole, decimals) = text.split_once('.').unwrap_or((text, ""));
+        let digits: String = whole.chars().chain(decimals.chars()).filter(char::is_ascii_digit).collect();
+        let figures = digits.trim_start_matches('0').len() as u32;
+        let noughts = if text.contains('.') { 0 } else { (digits.len() - digits.trim_end_matches('0').len()) as u32 };
+        Some(Written { value, figures, places: decimals.len() as i64, noughts, worked_out: false })
+    }
+
+    /// The decimal with its sign changed.
+    pub(super) fn negated(&self) -> Written {
+        Written { value: -self.value.clone(), ..self.clone() }
+    }
+
+    /// So many times the decimal, where that moves its point by so many places to the right.
+    pub(super) fn times(&self, factor: &Fraction, places: i64) -> Written {
+        Written { value: &self.value * factor, places: self.places - places, ..self.clone() }
+    }
+
+    /// A value that was worked out with decimals: it is worth no more figures than the shortest of them.
+    pub(super) fn worked_out(value: Fraction, decimals: &Coarsest) -> Written {
+        Written { value, figures: decimals.figures, places: decimals.places, noughts: 0, worked_out: true }
+    }
+}
+
+/// The coarsest of the decimals in a formula.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Coarsest {
+    figures: u32,
+    places: i64,
+}
+
+impl Coarsest {
+    /// Of the decimals in an expression; `None` if it has none.
+    pub(super) fn of(expr: &Expr) -> Option<Coarsest> {
+        let own = match expr {
+            Expr::Decimal(text) => Written::text(text).map(|w| Coarsest { figures: w.figures, places: w.places }),
+            // An exponent is a count and no measurement.
+            Expr::Power(base, _) => return Coarsest::of(base),
+            _ => None,
+        };
+        expr.children().into_iter().filter_map(Coarsest::of).chain(own).reduce(|one, two| Coarsest {
+            figures: one.figures.min(two.figures),
+            places: one.places.max(two.places),
+        })
+    }
+
+    /// Are there as many figures as the places ask for?
+    pub(super) fn suffices(&self, places: &Places) -> bool {
+        suffices(self.figures, self.places, places)
+    }
+
+    /// Are they too few to be evidence of anything?
+    pub(super) fn is_worthless(&self) -> bool {
+        self.figures < FEWEST
+    }
+}
+
+fn suffices(figures: u32, places: i64, wanted: &Places) -> bool {
+    match wanted {
+        Places::SignificantFigures(count) => figures >= *count,
+        Places::DecimalPlaces(count) => places >= i64::from(*count),
+        Places::Nearest(_) => true,
+    }
+}
+
+/// An exact number that a decimal is held against.
+pub(super) enum Target {
+    Value(Value),
+    /// An angle as so many degrees.
+    Degrees(Turn),
+    /// An angle as so many radians.
+    Radians(Turn),
+}
+
+impl Target {
+    fn enclose(&self, bits: usize) -> Option<Interval> {
+        match self {
+            Target::Value(value) => value.enclose_constant(bits),
+            Target::Degrees(turn) => turn.enclose(bits),
+            Target::Radians(turn) => {
+                (turn.enclose(bits)? * Interval::pi(bits)).checked_div(&Interval::integer(180, bits))
+            }
+        }
+    }
+
+    pub(super) fn equals(&self, number: &Fraction) -> bool {
+        match self {
+            Target::Value(value) => value.equals(&Value::from(number.clone())),
+            Target::Degrees(turn) => turn.is_degrees(number),
+            // Neither pi times a fraction nor an inverse tangent of a root is a fraction, but for nought.
+            Target::Radians(turn) => number.is_zero() && turn.is_degrees(number),
+        }
+    }
+
+    pub(super) fn rounded(&self, places: &Places) -> Result<Decimal, Uncertain> {
+        match self {
+            Target::Value(value) => value.rounded(places),
+            _ => round_certified(|bits| self.enclose(bits), |tie| self.equals(tie), places),
+        }
+    }
+
+    /// Is the number within one hundredth of it?
+    fn is_near(&self, number: &Fraction) -> bool {
+        let bits = 96;
+        let Some(exact) = self.enclose(bits) else { return false };
+        let gap = (Interval::from_fraction(number, bits) - exact.clone()).abs();
+        (gap * Interval::integer(100, bits)).upper() < exact.abs().lower()
+    }
+}
+
+/// The places that the rule asks for; where the exact value is wanted, those to which a decimal is recognised.
+pub(super) fn places(accept: &Accept) -> Places {
+    accept.places().cloned().unwrap_or(Places::SignificantFigures(FIGURES_FOR_EXACT))
+}
+
+/// How a decimal fares by the rules above.
+pub(super) fn decimal(written: &Written, target: &Target, accept: &Accept) -> Finding {
+    if target.equals(&written.value) {
+        return Finding::EXACT;
+    }
+    let wanted = places(accept);
+    let Ok(model) = target.rounded(&wanted) else { return Finding::unreadable(Note::CannotBeCompared) };
+    let enough = suffices(written.figures, written.places, &wanted);
+    let last = last_place(written, target);
+    let coarse = Written { places: -i64::from(written.noughts), ..written.clone() };
+    let to_noughts = written.noughts > 0 && last_place(&coarse, target) == LastPlace::Rounded;
+    // 2.745 for 2.7446 is right to the figures that it has, though it would be rounded to 2.75 again.
+    if enough && (last == LastPlace::Rounded || round(&written.value, &wanted).to_fraction() == model.to_fraction()) {
+        let later = last == LastPlace::Neither && !to_noughts && !written.worked_out;
+        let right = Finding::correct(later.then_some(Note::LaterFigures));
+        return if *accept == Accept::Exact { right.at_most_partial(Note::ExactWanted) } else { right };
+    }
+    match last {
+        LastPlace::Rounded if written.figures >= FEWEST => Finding::partial(Note::UnderAccurate),
+        LastPlace::CutOff if written.figures >= FEWEST => Finding::partial(Note::Truncated),
+        LastPlace::Rounded | LastPlace::CutOff => Finding::wrong(Note::TooFewFigures),
+        LastPlace::Neither => {
+            if to_noughts {
+                // `1200` for 1234, to the nearest hundred.
+                let few = written.figures.saturating_sub(written.noughts) < FEWEST;
+                return if few { Finding::wrong(Note::TooFewFigures) } else { Finding::partial(Note::UnderAccurate) };
+            }
+            if written.figures >= FEWEST_NEAR && target.is_near(&written.value) {
+                return Finding::partial(Note::NearMiss);
+            }
+            Finding::WRONG
+        }
+    }
+}
+
+/// What the last figure that was written is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum LastPlace {
+    /// The model, rounded to that place.
+    Rounded,
+    /// The model, cut off after that place.
+    CutOff,
+    Neither,
+}
+
+fn last_place(written: &Written, target: &Target) -> LastPlace {
+    let Some(places) = decimal_places(written.places) else { return LastPlace::Neither };
+    let Ok(rounded) = target.rounded(&places) else { return LastPlace::Neither };
+    let rounded = rounded.to_fraction();
+    if rounded == written.value {
+        return LastPlace::Rounded;
+    }
+    // Rounded away from nought by one in the last place: cut off, it would have been one less in size.
+    let unit = match written.places {
+        0.. => Fraction::new(1, 10).power(written.places as i32),
+        _ => Fraction::from(10).power(-written.places as i32),
+    };
+    let size = rounded.abs() - unit.unwrap_or(Fraction::ZERO);
+    let same_sign = rounded.sign() == written.value.sign() || written.value.is_zero();
+    let was_rounded_up = target.rounded(&finer(written.places)).is_ok_and(|finer| finer.to_fraction().abs() < rounded.abs());
+    if size == written.value.abs() && same_sign && was_rounded_up { LastPlace::CutOff } else { LastPlace::Neither }
+}
+
+fn decimal_places(places: i64) -> Option<Places> {
+    if places.abs() > MOST_PLACES {
+        return None;
+    }
+    match u32::try_from(places) {
+        Ok(places) => Some(Places::DecimalPlaces(places)),
+        Err(_) => Places::nearest(&Fraction::from(10).power(-places as i32)?),
+    }
+}
+
+/// Eight places further on.
+fn finer(places: i64) -> Places {
+    Places::DecimalPlaces((places.clamp(0, MOST_PLACES) + 8) as u32)
+}

@@ -1,0 +1,174 @@
+//! Angles: with the line from which they are measured and the sense, in degrees or in radians.
+//!
+//! Conventions. The model is an angle to the line of centres in the sense from A to B, unless the quantity says
+//! otherwise. A bare number is degrees. The complement is right with the common tangent named and wrong without; the
+//! supplement is right with the sense from B to A named.
+
+use crate::expr::{Expr, Function, Meaning, Relation, Turn};
+use crate::mark::reading::{Form, Label, ReferenceLine, Said};
+use crate::mechanics::Quantity;
+use crate::number::{Fraction, Letter};
+
+use super::accuracy::{Coarsest, Target, Written, decimal, places};
+use super::exact;
+use super::finding::Finding;
+use super::{Model, Note, number};
+
+/// Judges one value against an angle.
+pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
+    let letters = &model.vocabulary.letters;
+    let Some(right) = turn(&model.value, letters) else { return Finding::unreadable(Note::CannotBeCompared) };
+    let expr = match &said.form {
+        Form::Value(expr) => expr,
+        Form::Equation(Expr::Relation(left, Relation::Equal, value)) => {
+            return match &**left {
+                Expr::Call(function, _) => ratio_of_angle(model, *function, value),
+                _ => Finding::WRONG,
+            };
+        }
+        Form::Direction => return direction(&right, said.reference),
+        _ => return Finding::WRONG,
+    };
+    if let Some(Expr::Call(function, _)) = label.and_then(|label| label.expr.as_ref()) {
+        return ratio_of_angle(model, *function, expr);
+    }
+    if exact::unknown_letter(expr, letters).is_some() {
+        let bare = matches!(expr, Expr::Name(_));
+        return if bare { Finding::unreadable(Note::UnknownLetter) } else { Finding::wrong(Note::UnknownLetter) };
+    }
+    let radians = match &said.unit {
+        None => false,
+        Some(unit) if unit.degrees => false,
+        Some(unit) if unit.dimension == [0, 0, 0, 1] => true,
+        Some(_) => return compare(model, expr, &right, false).spoilt_by(Note::UnitWrong),
+    };
+    match expected(&right, own_line(model), said.reference) {
+        Some(expected) => {
+            let finding = compare(model, expr, &expected, radians);
+            if finding.is_credited() { finding } else { explain(model, said, expr, &right, finding) }
+        }
+        None => compare(model, expr, &right, radians).at_most_partial(Note::ReferenceUnchecked),
+    }
+}
+
+/// The angle that an expression stands for; a plain number is degrees.
+pub(super) fn turn(expr: &Expr, letters: &[Letter]) -> Option<Turn> {
+    match exact::meaning(expr, letters)? {
+        Meaning::Angle(turn) | Meaning::Degrees(turn) => Some(turn),
+        Meaning::Number(value) => value.as_fraction().map(|degrees| Turn::degrees(degrees.clone())),
+        _ => None,
+    }
+}
+
+/// The line from which the model is measured.
+fn own_line(model: &Model) -> ReferenceLine {
+    match model.quantity {
+        Some(Quantity::AngleFromI(..)) => ReferenceLine::I,
+        Some(Quantity::Deflection(_) | Quantity::SignedDeflection(_)) => ReferenceLine::OriginalDirection,
+        _ => ReferenceLine::LineOfCentres,
+    }
+}
+
+/// The model's angle as measured from the line that was named; `None` if only a person can tell.
+fn expected(right: &Turn, own: ReferenceLine, named: Option<ReferenceLine>) -> Option<Turn> {
+    use ReferenceLine::{CommonTangent, FromBToA, I, J, LineOfCentres};
+    let Some(named) = named else { return Some(right.clone()) };
+    match (own, named) {
+        (own, named) if own == named => Some(right.clone()),
+        (LineOfCentres, CommonTangent) | (I, J) => from(90, right),
+        (LineOfCentres, FromBToA) => from(180, right),
+        _ => None,
+    }
+}
+
+/// So many degrees less the angle.
+fn from(degrees: i64, turn: &Turn) -> Option<Turn> {
+    Turn::degrees(Fraction::from(degrees)).plus(&turn.reversed())
+}
+
+/// An angle told by words alone.
+fn direction(right: &Turn, named: Option<ReferenceLine>) -> Finding {
+    let degrees = match named {
+        Some(ReferenceLine::AlongLineOfCentres) => 0,
+        Some(ReferenceLine::AlongCommonTangent) => 90,
+        _ => return Finding::unreadable(Note::CannotBeCompared),
+    };
+    if right.is_degrees(&Fraction::from(degrees)) { Finding::EXACT } else { Finding::WRONG }
+}
+
+/// The sine, cosine or tangent where the angle is asked: a step short.
+fn ratio_of_angle(model: &Model, function: Function, value: &Expr) -> Finding {
+    let angle = match exact::meaning(&model.value, &model.vocabulary.letters) {
+        Some(Meaning::Angle(_)) => model.value.clone(),
+        _ => Expr::degrees(model.value.clone()),
+    };
+    let of_angle = Model { value: Expr::call(function, angle), quantity: None, ..model.clone() };
+    let finding = number::value(&of_angle, value, &Written::of(value));
+    if finding.is_correct() { Finding::partial(Note::RatioOfAngle) } else { Finding::WRONG }
+}
+
+/// Compares what was written with an angle.
+fn compare(model: &Model, expr: &Expr, right: &Turn, radians: bool) -> Finding {
+    let letters = &model.vocabulary.letters;
+    let constant = right.enclose(64).is_some();
+    let number = match exact::meaning(expr, letters) {
+        Some(Meaning::Angle(turn) | Meaning::Degrees(turn)) => {
+            let gap = right.plus(&turn.reversed());
+            if gap.is_some_and(|gap| gap.is_degrees(&Fraction::ZERO)) {
+                return Finding::EXACT;
+            }
+            return Coarsest::of(expr).filter(|_| constant).map_or(Finding::WRONG, |decimals| {
+                rounded(&turn, &decimals, right, model)
+            });
+        }
+        Some(Meaning::Number(value)) => value,
+        _ => return Finding::WRONG,
+    };
+    if !constant {
+        return Finding::WRONG;
+    }
+    let target = if radians { Target::Radians(right.clone()) } else { Target::Degrees(right.clone()) };
+    let written = Written::of(expr).or_else(|| {
+        let value = number.as_fraction()?;
+        Some(Written::worked_out(value.clone(), &Coarsest::of(expr)?))
+    });
+    match written {
+        Some(written) => decimal(&written, &target, &model.accept),
+        None if number.as_fraction().is_some_and(|value| target.equals(value)) => Finding::EXACT,
+        None => Finding::WRONG,
+    }
+}
+
+/// An inverse tangent of a decimal, as `arctan 1.04`.
+fn rounded(found: &Turn, decimals: &Coarsest, right: &Turn, model: &Model) -> Finding {
+    let wanted = places(&model.accept);
+    let both = Target::Degrees(found.clone()).rounded(&wanted).ok().zip(Target::Degrees(right.clone()).rounded(&wanted).ok());
+    let agree = both.is_some_and(|(found, right)| found.to_fraction() == right.to_fraction());
+    match (agree, decimals.suffices(&wanted)) {
+        (true, true) if model.accept.places().is_none() => Finding::partial(Note::ExactWanted),
+        (true, true) => Finding::correct(None),
+        (true, false) if !decimals.is_worthless() => Finding::partial(Note::UnderAccurate),
+        _ => Finding::WRONG,
+    }
+}
+
+/// Why the number is not the one asked for, where that can be told.
+fn explain(model: &Model, said: &Said, expr: &Expr, right: &Turn, finding: Finding) -> Finding {
+    let is = |turn: Option<Turn>, radians: bool| turn.is_some_and(|turn| compare(model, expr, &turn, radians).is_correct());
+    if said.reference.is_some_and(|named| named != own_line(model)) {
+        return if is(Some(right.clone()), false) { Finding::wrong(Note::ReferenceWrong) } else { finding };
+    }
+    if said.unit.is_none() && is(Some(right.clone()), true) {
+        return Finding::partial(Note::RadiansUnstated);
+    }
+    if is(from(90, right), false) {
+        return Finding::wrong(Note::Complement);
+    }
+    if is(from(180, right), false) {
+        return Finding::wrong(Note::Supplement);
+    }
+    if is(Some(right.reversed()), false) {
+        return Finding::wrong(Note::Sign);
+    }
+    finding
+}

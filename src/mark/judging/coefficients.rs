@@ -1,0 +1,34 @@
+//! Formulas with decimals in them: `0.167v` for v/6. Each coefficient is judged as a decimal.
+
+use crate::answer::Accept;
+use crate::number::{Fraction, Places, Value};
+
+use super::Note;
+use super::accuracy::{Coarsest, Target, Written, decimal};
+use super::finding::Finding;
+
+/// So many figures of a coefficient are taken where it is no fraction: more than any answer has.
+const FIGURES: Places = Places::SignificantFigures(24);
+
+/// Compares the coefficients of each product of letters; the worst of them decides.
+pub(super) fn compare(model: &Value, student: &Value, decimals: &Coarsest, accept: &Accept) -> Finding {
+    if model.denominator() != student.denominator() {
+        return Finding::WRONG;
+    }
+    let (right, found) = (model.coefficients(), student.coefficients());
+    if right.len() != found.len() || !right.keys().eq(found.keys()) {
+        return Finding::WRONG;
+    }
+    let each = right.values().zip(found.values()).map(|(right, found)| {
+        if right.equals(found) {
+            return Finding::EXACT;
+        }
+        let Some(value) = fraction(found) else { return Finding::unreadable(Note::CannotBeCompared) };
+        decimal(&Written::worked_out(value, decimals), &Target::Value(right.clone()), accept)
+    });
+    each.reduce(Finding::and).unwrap_or(Finding::WRONG)
+}
+
+fn fraction(value: &Value) -> Option<Fraction> {
+    value.as_fraction().cloned().or_else(|| value.rounded(&FIGURES).ok().map(|decimal| decimal.to_fraction()))
+}

@@ -1,0 +1,118 @@
+//! Equations and inequalities: equal if they have the same solutions.
+//!
+//! Two equations have the same solutions if left minus right of one is a multiple of left minus right of the other, by a
+//! factor that is nought nowhere in the ranges of the letters: `2mv + 3mw = 4mu` is `2v + 3w = 4u`, since m is never
+//! nought. For an inequality the factor must not change its sign.
+
+use std::cmp::Ordering;
+
+use crate::expr::{Expr, Meaning, Relation};
+use crate::mark::reading::{Form, Reading, Statement};
+use crate::number::{Letter, Value};
+
+use super::exact::{self, Equality, same};
+use super::finding::Finding;
+use super::{Model, Note};
+
+/// Judges a whole reading against an equation: its last one decides.
+pub(super) fn judge(model: &Model, reading: &Reading) -> Finding {
+    let letters = &model.vocabulary.letters;
+    let Expr::Relation(left, _, right) = &model.value else { return Finding::unreadable(Note::CannotBeCompared) };
+    let Some(statement) = reading.statements.last() else { return Finding::unreadable(Note::CannotBeRead) };
+    let offered = equations(statement);
+    if offered.is_empty() {
+        let side = |form: &Form| match form {
+            Form::Value(expr) => [left, right].iter().any(|side| same(side, expr, letters) == Equality::Equal),
+            _ => false,
+        };
+        let half = statement.said.last().is_some_and(|said| side(&said.form));
+        return if half { Finding::partial(Note::NotAnEquation) } else { Finding::wrong(Note::NotAnEquation) };
+    }
+    let found = offered.iter().map(|equation| {
+        if exact::unknown_letter(equation, letters).is_some() {
+            return Finding::wrong(Note::UnknownLetter);
+        }
+        match same_solutions(&model.value, equation, letters) {
+            Equality::Equal => Finding::EXACT,
+            Equality::Different => Finding::WRONG,
+            Equality::Undecided => Finding::unreadable(Note::CannotBeCompared),
+        }
+    });
+    found.reduce(Finding::and).unwrap_or(Finding::WRONG)
+}
+
+/// Every equation of a statement: `a = b = c` makes two.
+pub(super) fn equations(statement: &Statement) -> Vec<Expr> {
+    let mut sides: Vec<Expr> = statement.label.iter().filter_map(|label| label.expr.clone()).collect();
+    let mut found = Vec::new();
+    for said in &statement.said {
+        match &said.form {
+            Form::Equation(equation) => found.push(equation.clone()),
+            Form::Value(expr) => sides.push(expr.clone()),
+            _ => {}
+        }
+    }
+    found.extend(sides.windows(2).map(|pair| Expr::equation(pair[0].clone(), pair[1].clone())));
+    found
+}
+
+/// Do two relations hold for the same values of their letters?
+pub(super) fn same_solutions(one: &Expr, two: &Expr, letters: &[Letter]) -> Equality {
+    let Some(((first, kind), (second, other))) = difference(one, letters).zip(difference(two, letters)) else {
+        return Equality::Undecided;
+    };
+    if kind != other {
+        return Equality::Different;
+    }
+    if first.is_zero() || second.is_zero() {
+        return if first.is_zero() == second.is_zero() { Equality::Equal } else { Equality::Different };
+    }
+    if first.is_laborious() || second.is_laborious() {
+        return Equality::Undecided;
+    }
+    let (first, second) = match kind {
+        Relation::Equal => (without_roots(first), without_roots(second)),
+        _ => (first, second),
+    };
+    let Some(factor) = second.divided_by(&first) else { return Equality::Undecided };
+    match (factor.sign(), kind) {
+        (Some(Ordering::Greater), _) | (Some(Ordering::Less), Relation::Equal | Relation::NotEqual) => Equality::Equal,
+        _ => Equality::Different,
+    }
+}
+
+/// The same solutions without roots of letters, where that needs no case distinction: `a = b√r` is `a² = b²r` if
+/// `a + b√r` is never nought. So `sin θ = 3/5` is seen to be `tan θ = 3/4`.
+fn without_roots(difference: Value) -> Value {
+    let mut plain = difference;
+    for root in plain.roots().into_iter().rev() {
+        if Value::root(root.clone()).is_constant() {
+            continue;
+        }
+        let (a, b) = plain.split(&root);
+        let conjugate = &a - &(&b * &Value::root(root));
+        if conjugate.sign().is_some_and(Ordering::is_ne) {
+            plain = &plain * &conjugate;
+        }
+    }
+    plain
+}
+
+/// Left minus right, turned so that the relation is `=`, `!=`, `>` or `>=`.
+fn difference(relation: &Expr, letters: &[Letter]) -> Option<(Value, Relation)> {
+    let Expr::Relation(left, relation, right) = relation else { return None };
+    let (left, right, relation) = match relation {
+        Relation::Less => (right, left, Relation::Greater),
+        Relation::LessOrEqual => (right, left, Relation::GreaterOrEqual),
+        other => (left, right, *other),
+    };
+    let difference = match (exact::meaning(left, letters)?, exact::meaning(right, letters)?) {
+        (Meaning::Number(left), Meaning::Number(right)) => &left - &right,
+        // Angles of less than a half turn are equal where the sine of their difference is nought.
+        (Meaning::Angle(left), Meaning::Angle(right)) if relation == Relation::Equal => {
+            left.plus(&right.reversed())?.cross()?
+        }
+        _ => return None,
+    };
+    Some((difference, relation))
+}

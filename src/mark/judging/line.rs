@@ -1,0 +1,79 @@
+//! The direction of a line: any vector along it, in either sense, or its gradient.
+
+use crate::expr::{Expr, Meaning};
+use crate::mark::reading::{Form, Label, Said};
+
+use super::accuracy::{Coarsest, Written};
+use super::exact::{self, Equality, same};
+use super::finding::Finding;
+use super::{Model, Note, number, vector};
+
+/// Judges one value against a line.
+pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
+    let Some((right_x, right_y)) = along(model) else { return Finding::unreadable(Note::CannotBeCompared) };
+    if let Form::Gradient(gradient) = &said.form {
+        return by_gradient(model, &right_x, &right_y, gradient);
+    }
+    if let Some((x, y, _)) = vector::said_components(model, said) {
+        return parallel(model, (&right_x, &right_y), (&x, &y));
+    }
+    let named = label.is_some_and(|label| {
+        let typed = label.typed.trim().to_lowercase();
+        typed == "m" || typed.contains("gradient") || typed.contains("slope") || typed == "dy/dx"
+    });
+    match &said.form {
+        Form::Value(gradient) if exact::unknown_letter(gradient, &model.vocabulary.letters).is_none() => {
+            let finding = by_gradient(model, &right_x, &right_y, gradient);
+            if named { finding } else { finding.at_most_partial(Note::GradientUnstated) }
+        }
+        Form::Mixed(_) => Finding::wrong(Note::NumberPlusVector),
+        Form::Ratio(..) | Form::Percentage(_) => Finding::WRONG,
+        _ => Finding::unreadable(Note::CannotBeCompared),
+    }
+}
+
+/// A vector along the model's line; a number is its gradient.
+fn along(model: &Model) -> Option<(Expr, Expr)> {
+    vector::components(model).or_else(|| match exact::meaning(&model.value, &model.vocabulary.letters)? {
+        Meaning::Number(_) => Some((Expr::integer(1), model.value.clone())),
+        _ => None,
+    })
+}
+
+fn by_gradient(model: &Model, x: &Expr, y: &Expr, gradient: &Expr) -> Finding {
+    if same(x, &Expr::integer(0), &model.vocabulary.letters) == Equality::Equal {
+        return Finding::WRONG;
+    }
+    let slope = Model { value: y.clone().over(x.clone()), quantity: None, ..model.clone() };
+    number::value(&slope, gradient, &Written::of(gradient))
+}
+
+/// Is the vector a multiple of the model's, and not nought?
+fn parallel(model: &Model, right: (&Expr, &Expr), found: (&Expr, &Expr)) -> Finding {
+    let letters = &model.vocabulary.letters;
+    let nothing = |expr: &Expr| same(expr, &Expr::integer(0), letters) == Equality::Equal;
+    for component in [found.0, found.1] {
+        if exact::unknown_letter(component, letters).is_some() {
+            return Finding::wrong(Note::UnknownLetter);
+        }
+    }
+    if nothing(found.0) && nothing(found.1) {
+        return Finding::WRONG;
+    }
+    let product = |one: &Expr, two: &Expr| Expr::Product(vec![one.clone(), two.clone()]);
+    match same(&product(right.1, found.0), &product(right.0, found.1), letters) {
+        Equality::Equal => return Finding::EXACT,
+        Equality::Undecided => return Finding::unreadable(Note::CannotBeCompared),
+        Equality::Different => {}
+    }
+    let decimals = [found.0, found.1].iter().any(|component| Coarsest::of(component).is_some());
+    if decimals && !nothing(found.0) {
+        return by_gradient(model, right.0, right.1, &found.1.clone().over(found.0.clone()));
+    }
+    if nothing(right.0) == nothing(right.1)
+        && same(&product(right.0, found.0), &product(right.1, found.1), letters) == Equality::Equal
+    {
+        return Finding::wrong(Note::ComponentsExchanged);
+    }
+    Finding::WRONG
+}

@@ -1,0 +1,242 @@
+//! Numbers and formulas in letters: exact equality first, then the decimals that the student wrote.
+
+use std::cmp::Ordering;
+
+use crate::answer::Kind;
+use crate::expr::{Expr, Function, Meaning};
+use crate::mark::reading::{Form, Label, Said};
+use crate::mechanics::Quantity;
+use crate::number::{Fraction, Places, Range};
+use crate::unit::Unit;
+
+use super::accuracy::{Coarsest, Target, Written, decimal};
+use super::coefficients;
+use super::exact::{self, Equality, same};
+use super::finding::Finding;
+use super::units::{self, UnitCheck};
+use super::{Model, Note, angle};
+
+/// Judges one value against a number or formula.
+pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
+    if let Some(finding) = through_its_tangent(model, said, label) {
+        return finding;
+    }
+    let nought = Expr::integer(0);
+    let (expr, percent) = match &said.form {
+        Form::Value(expr) => (expr, false),
+        Form::Percentage(expr) => (expr, true),
+        Form::AtRest => (&nought, false),
+        Form::Vector(x, y, _) => return magnitude_left(model, x, y),
+        Form::Ratio(above, below) => {
+            let quotient = above.clone().over(below.clone());
+            return value(model, &quotient, &Written::of(&quotient)).at_most_partial(Note::RatioForNumber);
+        }
+        Form::Mixed(_) => return Finding::wrong(Note::NumberPlusVector),
+        Form::Equation(_) | Form::Gradient(_) | Form::Direction => return Finding::WRONG,
+    };
+    let vector = Expr::names(expr).iter().any(|name| matches!(name.text.as_str(), "i" | "j"));
+    if let (true, Some(Meaning::Vector(x, y))) = (vector, exact::meaning(expr, &model.vocabulary.letters)) {
+        return magnitude_left(model, &crate::expr::written(&x), &crate::expr::written(&y));
+    }
+    let plain = if percent {
+        let hundredth = Fraction::new(1, 100);
+        let written = Written::of(expr).map(|written| written.times(&hundredth, -2));
+        signed(model, &expr.clone().over(Expr::integer(100)), &written, label)
+    } else {
+        signed(model, expr, &Written::of(expr), label)
+    };
+    match units::check(model, said.unit.as_ref()) {
+        UnitCheck::Fine if percent && model.unit().is_some_and(|unit| unit != Unit::None) => {
+            plain.spoilt_by(Note::UnitWrong)
+        }
+        UnitCheck::Fine => plain,
+        UnitCheck::Condoned(note) => plain.remarked(note),
+        UnitCheck::Spoilt(note) => plain.spoilt_by(note),
+        UnitCheck::Converted(scale) => {
+            let written = Written::of(expr).map(|written| {
+                // A power of ten moves the point; any other factor leaves no place that was written.
+                let moved = (-60..=60).find(|power| Fraction::from(10).power(*power).as_ref() == Some(&scale));
+                written.times(&scale, moved.map_or(0, i64::from))
+            });
+            let scaled = Expr::product([Expr::Number(scale), expr.clone()]);
+            let converted = signed(model, &scaled, &written, label).remarked(Note::UnitConverted);
+            converted.or_better(plain.at_most_partial(Note::UnitWrong))
+        }
+    }
+}
+
+/// The value as it is, or with its sign changed.
+fn signed(model: &Model, expr: &Expr, written: &Option<Written>, label: Option<&Label>) -> Finding {
+    let plain = value(model, expr, written);
+    if plain.is_credited() || plain.verdict == super::Verdict::Unreadable {
+        return plain;
+    }
+    let turned = value(model, &expr.clone().negated(), &written.as_ref().map(Written::negated));
+    if !turned.is_credited() {
+        return plain;
+    }
+    let positive = exact::value(&model.value, &model.vocabulary.letters).and_then(|value| value.sign());
+    if positive != Some(Ordering::Greater) || has_a_sense(model.quantity) {
+        return Finding::wrong(Note::Sign);
+    }
+    match label {
+        Some(label) if is_change(&label.typed) => Finding { note: Some(Note::ChangeNotLoss), ..turned },
+        _ => Finding::partial(Note::Sign),
+    }
+}
+
+/// Is the sign of the quantity part of the answer?
+fn has_a_sense(quantity: Option<Quantity>) -> bool {
+    matches!(
+        quantity,
+        Some(
+            Quantity::Velocity(..)
+                | Quantity::Impulse(..)
+                | Quantity::SphereMomentum(..)
+                | Quantity::TotalMomentum(_)
+                | Quantity::TOverN(..)
+                | Quantity::TanDeflection(_)
+        )
+    )
+}
+
+/// Does the label speak of a change, after minus before?
+fn is_change(label: &str) -> bool {
+    let label = label.trim().to_lowercase();
+    ['Δ', 'δ', '∆'].iter().any(|delta| label.starts_with(*delta))
+        || ["delta", "change", "\\delta"].iter().any(|word| label.starts_with(word))
+}
+
+/// The comparison itself.
+pub(super) fn value(model: &Model, expr: &Expr, written: &Option<Written>) -> Finding {
+    let letters = &model.vocabulary.letters;
+    if exact::unknown_letter(expr, letters).is_some() {
+        let bare = matches!(expr, Expr::Name(_));
+        return if bare { Finding::unreadable(Note::UnknownLetter) } else { Finding::wrong(Note::UnknownLetter) };
+    }
+    let equality = same(&model.value, expr, letters);
+    if equality == Equality::Equal {
+        return Finding::EXACT;
+    }
+    let Some(right) = exact::value(&model.value, letters) else {
+        if let (Some(written), Some(Meaning::Angle(turn))) = (written, exact::meaning(&model.value, letters)) {
+            // A number such as pi is that of an angle in radians.
+            return decimal(written, &Target::Radians(turn), &model.accept);
+        }
+        return if equality == Equality::Different {
+            Finding::WRONG
+        } else {
+            Finding::unreadable(Note::CannotBeCompared)
+        };
+    };
+    if let Some(written) = written
+        && right.is_constant()
+    {
+        return decimal(written, &Target::Value(right), &model.accept);
+    }
+    if let Some(decimals) = Coarsest::of(expr) {
+        if !worth_working_out(model, expr) {
+            return Finding::WRONG;
+        }
+        let Some(found) = exact::value(expr, letters) else { return Finding::unreadable(Note::CannotBeCompared) };
+        let by_coefficients = coefficients::compare(&right, &found, &decimals, &model.accept);
+        if by_coefficients.is_credited() {
+            return by_coefficients;
+        }
+    } else if equality == Equality::Undecided {
+        return Finding::unreadable(Note::CannotBeCompared);
+    }
+    if letter_missing(model, expr) {
+        return Finding::partial(Note::LetterMissing);
+    }
+    let reciprocal = Expr::integer(1).over(expr.clone());
+    if !expr.is_zero() && same(&model.value, &reciprocal, letters) == Equality::Equal {
+        return Finding::wrong(Note::Inverted);
+    }
+    Finding::WRONG
+}
+
+/// Is it, or a multiple of it by a letter, anywhere near? Spares long calculations with what cannot be right.
+fn worth_working_out(model: &Model, expr: &Expr) -> bool {
+    let letters = &model.vocabulary.letters;
+    let near = |expr: &Expr| {
+        let points = if letters.is_empty() { 1 } else { super::enclosure::POINTS };
+        (0..points).all(|point| {
+            let right = super::enclosure::enclose(&model.value, letters, point, 96);
+            let found = super::enclosure::enclose(expr, letters, point, 96);
+            right.zip(found).is_none_or(|(right, found)| {
+                let gap = (right.clone() - found).abs();
+                gap.lower() <= right.abs().upper()
+            })
+        })
+    };
+    near(expr) || missing_letters(model, expr).any(|product| near(&product))
+}
+
+/// The products of the expression with a letter that the model has and it has not.
+fn missing_letters<'a>(model: &'a Model, expr: &'a Expr) -> impl Iterator<Item = Expr> + 'a {
+    let has = |expr: &Expr, name: &str| expr.names().iter().any(|found| found.text.eq_ignore_ascii_case(name));
+    let letters = model.vocabulary.letters.iter().filter(|letter| letter.range() == Range::Positive);
+    letters
+        .filter(move |letter| has(&model.value, letter.name()) && !has(expr, letter.name()))
+        .map(|letter| Expr::product([expr.clone(), Expr::name(letter.name())]))
+}
+
+/// Is it right but for one letter of which the whole answer is a multiple?
+fn letter_missing(model: &Model, expr: &Expr) -> bool {
+    let letters = &model.vocabulary.letters;
+    if expr.is_zero() {
+        return false;
+    }
+    missing_letters(model, expr).any(|product| {
+        same(&model.value, &product, letters) == Equality::Equal
+            || Coarsest::of(&product).is_some_and(|decimals| {
+                let both = exact::value(&model.value, letters).zip(exact::value(&product, letters));
+                both.is_some_and(|(right, found)| {
+                    coefficients::compare(&right, &found, &decimals, &model.accept).is_correct()
+                })
+            })
+    })
+}
+
+/// A vector where its magnitude is asked: the last step is missing.
+fn magnitude_left(model: &Model, x: &Expr, y: &Expr) -> Finding {
+    let magnitude = super::vector::magnitude(x, y);
+    let finding = value(&Model { kind: Kind::Number, ..model.clone() }, &magnitude, &None);
+    if finding.is_correct() { Finding::partial(Note::VectorForScalar) } else { Finding::WRONG }
+}
+
+/// An angle where its tangent is asked, said to be one by its unit, its label or its form.
+fn through_its_tangent(model: &Model, said: &Said, label: Option<&Label>) -> Option<Finding> {
+    let tangent_asked = matches!(
+        model.quantity,
+        Some(Quantity::TanDeflection(_) | Quantity::TanToLine(..) | Quantity::TOverN(..))
+    );
+    if !(tangent_asked || model.quantity.is_none()) {
+        return None;
+    }
+    let Form::Value(expr) = &said.form else { return None };
+    let letters = &model.vocabulary.letters;
+    let is_angle = said.unit.as_ref().is_some_and(|unit| unit.degrees || unit.dimension == [0, 0, 0, 1])
+        || matches!(exact::meaning(expr, letters), Some(Meaning::Angle(_) | Meaning::Degrees(_)));
+    let names_angle = |label: &Label| matches!(&label.expr, Some(Expr::Name(name)) if is_angle_name(&name.text));
+    let labelled = tangent_asked && label.is_some_and(names_angle);
+    if !(is_angle || labelled || tangent_asked) || exact::value(&model.value, letters).is_none() {
+        return None;
+    }
+    let arc = Expr::call(Function::Atan, model.value.clone());
+    let rule = model.accept.places().cloned().unwrap_or(Places::SignificantFigures(3));
+    let accept = if model.accept.places().is_some() { crate::answer::Accept::RoundsTo(rule) } else { model.accept.clone() };
+    let angle_model = Model { value: arc, kind: Kind::Angle, accept, quantity: None, ..model.clone() };
+    let finding = angle::judge(&angle_model, said, None);
+    if is_angle || labelled {
+        return Some(finding.remarked(Note::AngleForTangent)).filter(|finding| is_angle || finding.is_credited());
+    }
+    // A bare number of degrees may be meant for the tangent: it is no more than partly right.
+    finding.is_correct().then(|| Finding::partial(Note::AngleForTangent))
+}
+
+/// Is it the name of an angle, by the custom of the subject?
+fn is_angle_name(name: &str) -> bool {
+    matches!(name, "theta" | "alpha" | "beta" | "phi" | "delta" | "gamma" | "θ" | "α" | "β" | "φ" | "δ" | "γ")
+}

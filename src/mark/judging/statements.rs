@@ -1,0 +1,114 @@
+//! Which of the values that a student states is the answer.
+//!
+//! * In a chain of equals signs a value that is exactly right wins and what follows is ignored; else the last decides,
+//!   unless an earlier right decimal was only rounded further.
+//! * Of several statements those labelled with the sphere that is asked count; else the last, if each has its own label.
+//! * Two that are not labelled are rivals: they score only if all of them do.
+
+use crate::mark::reading::{Label, Reading, Said, Statement};
+use crate::mechanics::{Quantity, Sphere};
+
+use super::finding::Finding;
+use super::{Model, Note, Verdict};
+
+/// How a kind judges one value.
+pub(super) type One<'a> = &'a dyn Fn(&Said, Option<&Label>) -> Finding;
+
+/// Judges a reading where one value is asked.
+pub(super) fn judge(model: &Model, reading: &Reading, one: One) -> Finding {
+    let statements: Vec<&Statement> = reading.statements.iter().filter(|s| !s.said.is_empty()).collect();
+    match statements.as_slice() {
+        [] => Finding::unreadable(Note::CannotBeRead),
+        [single] => chain(single, one),
+        several => choose(model, several, one),
+    }
+}
+
+/// One statement, perhaps a chain of equals signs.
+pub(super) fn chain(statement: &Statement, one: One) -> Finding {
+    let label = statement.label.as_ref();
+    let findings: Vec<Finding> = statement.said.iter().map(|said| one(said, label)).collect();
+    let Some(last) = findings.last().copied() else { return Finding::unreadable(Note::CannotBeRead) };
+    let spoilt_after = |at: usize| findings[at + 1..].iter().any(|finding| finding.verdict == Verdict::Wrong);
+    if let Some(at) = findings.iter().position(|finding| finding.exact) {
+        let right = findings[at];
+        return if spoilt_after(at) { right.remarked(Note::IgnoredAfter) } else { right };
+    }
+    if last.is_correct() {
+        return last;
+    }
+    let right = findings.iter().position(Finding::is_correct);
+    match right {
+        Some(at) if !spoilt_after(at) => findings[at],
+        _ => last,
+    }
+}
+
+fn choose(model: &Model, statements: &[&Statement], one: One) -> Finding {
+    let spheres: Vec<Option<Sphere>> = statements.iter().map(|statement| named_sphere(statement)).collect();
+    if let Some(asked) = model.quantity.and_then(sphere) {
+        let own: Vec<&Statement> =
+            statements.iter().zip(&spheres).filter(|(_, named)| **named == Some(asked)).map(|(s, _)| *s).collect();
+        match own.as_slice() {
+            [] if spheres.iter().all(Option::is_some) => return Finding::WRONG,
+            [] => {}
+            [single] => return chain(single, one),
+            several => return last_or_rivals(several, one),
+        }
+    }
+    let finding = last_or_rivals(statements, one);
+    // Of two labelled spheres only a person knows which was asked.
+    let both = spheres.contains(&Some(Sphere::A)) && spheres.contains(&Some(Sphere::B));
+    let any_right = statements.iter().any(|statement| chain(statement, one).is_credited());
+    match both {
+        true if any_right => Finding::partial(Note::SeveralAnswers),
+        true => Finding::WRONG,
+        false => finding,
+    }
+}
+
+fn last_or_rivals(statements: &[&Statement], one: One) -> Finding {
+    let findings: Vec<Finding> = statements.iter().map(|statement| chain(statement, one)).collect();
+    let typed = |statement: &&Statement| statement.label.as_ref().map(|label| label.typed.trim().to_lowercase());
+    let labels: Vec<Option<String>> = statements.iter().map(typed).collect();
+    let distinct = labels.iter().enumerate().all(|(at, label)| label.is_some() && !labels[..at].contains(label));
+    let last = findings[findings.len() - 1];
+    if distinct {
+        return last;
+    }
+    let right = findings.iter().copied().find(Finding::is_correct);
+    let spoilt = findings.iter().any(|finding| !finding.is_credited());
+    match right {
+        Some(_) if spoilt => Finding::wrong(Note::RivalAnswers),
+        Some(right) => right,
+        None if spoilt && findings.iter().any(Finding::is_credited) => Finding::wrong(Note::RivalAnswers),
+        None => last,
+    }
+}
+
+/// The sphere that a quantity is one of.
+pub(super) fn sphere(quantity: Quantity) -> Option<Sphere> {
+    let name = quantity.to_string();
+    match name.split('.').next() {
+        Some("A") => Some(Sphere::A),
+        Some("B") => Some(Sphere::B),
+        _ => None,
+    }
+}
+
+/// The sphere that a label names: `A`, `v_B`, `speed of A`.
+pub(super) fn named_sphere(statement: &Statement) -> Option<Sphere> {
+    let typed = statement.label.as_ref()?.typed.as_str();
+    let words = || typed.split(|letter: char| !letter.is_alphanumeric());
+    let names = |sphere: &str| words().any(|word| word == sphere || is_subscript(word, sphere));
+    match (names("A"), names("B")) {
+        (true, false) => Some(Sphere::A),
+        (false, true) => Some(Sphere::B),
+        _ => None,
+    }
+}
+
+/// `vA`, `vB`
+fn is_subscript(word: &str, sphere: &str) -> bool {
+    word.len() == 2 && word.ends_with(sphere) && word.starts_with(|letter: char| letter.is_ascii_lowercase())
+}

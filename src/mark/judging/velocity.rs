@@ -1,0 +1,99 @@
+//! Velocities by magnitude and direction, where a question has no **i** and **j**.
+//!
+//! Convention. The model is a vector whose first component lies along the line of centres and whose second is
+//! perpendicular to it: `[0, 6*sin(10*deg)]`. A model that is a number alone has no direction, and what a student says
+//! of one is left to a person.
+
+use crate::answer::Kind;
+use crate::expr::Expr;
+use crate::mark::reading::{Form, Reading, ReferenceLine, Said};
+
+use super::exact::{self, Equality, same};
+use super::finding::Finding;
+use super::{Model, Note, angle, number, vector};
+
+/// Judges a whole reading against a velocity.
+pub(super) fn judge(model: &Model, reading: &Reading) -> Finding {
+    let said: Vec<&Said> = reading.statements.iter().filter_map(|statement| statement.said.last()).collect();
+    let parts = vector::components(model);
+    if let (Some(_), Some(as_vector)) = (&parts, said.iter().find(|said| matches!(said.form, Form::Vector(..)))) {
+        return vector::judge(model, as_vector);
+    }
+    let right = match &parts {
+        Some((along, across)) => vector::magnitude(along, across),
+        None => model.value.clone(),
+    };
+    let is_rest = same(&right, &Expr::integer(0), &model.vocabulary.letters) == Equality::Equal;
+    let size_model = Model { value: right, kind: Kind::Number, ..model.clone() };
+    let sizes: Vec<&&Said> = said.iter().filter(|said| is_size(said, model)).collect();
+    let size = match sizes.as_slice() {
+        [] => return Finding::unreadable(Note::CannotBeRead),
+        [size] => number::judge(&size_model, size, None),
+        // A bare second number is the angle, as in `2.78, 46.1`.
+        [size, _] => number::judge(&size_model, size, None),
+        _ => return Finding::wrong(Note::RivalAnswers),
+    };
+    if !size.is_credited() || is_rest {
+        return size;
+    }
+    let Some((along, across)) = parts else {
+        let pointed = said.iter().any(|said| said.reference.is_some() || matches!(said.form, Form::Direction));
+        return size.at_most_partial(if pointed { Note::DirectionUnchecked } else { Note::DirectionMissing });
+    };
+    size.and(direction(model, &along, &across, &said, sizes.get(1).copied()))
+}
+
+/// Is it the size of a velocity rather than an angle or words?
+fn is_size(said: &Said, model: &Model) -> bool {
+    match &said.form {
+        Form::AtRest => true,
+        Form::Value(expr) => {
+            let angular = said.unit.as_ref().is_some_and(|unit| unit.degrees || unit.dimension == [0, 0, 0, 1]);
+            let measured = said.reference.is_some_and(|line| !is_along(line)) && said.unit.is_none();
+            let inverse = matches!(
+                exact::meaning(expr, &model.vocabulary.letters),
+                Some(crate::expr::Meaning::Angle(_) | crate::expr::Meaning::Degrees(_))
+            );
+            !(angular || measured || inverse)
+        }
+        _ => false,
+    }
+}
+
+/// Does it name a direction, rather than a line from which to measure?
+fn is_along(line: ReferenceLine) -> bool {
+    matches!(line, ReferenceLine::AlongLineOfCentres | ReferenceLine::AlongCommonTangent)
+}
+
+fn direction(model: &Model, along: &Expr, across: &Expr, said: &[&Said], bare: Option<&&Said>) -> Finding {
+    let nothing = |component: &Expr| {
+        same(component, &Expr::integer(0), &model.vocabulary.letters) == Equality::Equal
+    };
+    let named: Vec<ReferenceLine> = said.iter().filter_map(|said| said.reference).filter(|line| is_along(*line)).collect();
+    if let [line] = named.as_slice() {
+        let right = match line {
+            ReferenceLine::AlongLineOfCentres => nothing(across),
+            _ => nothing(along),
+        };
+        return if right { Finding::EXACT } else { Finding::wrong(Note::DirectionWrong) };
+    }
+    if !named.is_empty() {
+        return Finding::wrong(Note::RivalAnswers);
+    }
+    let angles: Vec<&Said> = said.iter().copied().filter(|said| !is_size(said, model)).collect();
+    let measured = match (angles.as_slice(), bare) {
+        ([], None) => return Finding::partial(Note::DirectionMissing),
+        ([], Some(bare)) => bare,
+        ([angle], None) => angle,
+        _ => return Finding::wrong(Note::RivalAnswers),
+    };
+    let size = |component: &Expr| Expr::call(crate::expr::Function::Abs, component.clone());
+    let value = if nothing(along) {
+        Expr::degrees(Expr::integer(90))
+    } else {
+        Expr::call(crate::expr::Function::Atan, size(across).over(size(along)))
+    };
+    let angle_model = Model { value, kind: Kind::Angle, quantity: None, ..model.clone() };
+    let finding = angle::judge(&angle_model, measured, None);
+    if finding.is_credited() { finding } else { Finding::wrong(finding.note.unwrap_or(Note::DirectionWrong)) }
+}
