@@ -5,8 +5,8 @@
 
 mod bank;
 mod check;
-//mod compare;
-//mod compare_stream;
+mod compare;
+mod compare_stream;
 mod explain;
 mod failure;
 mod formats;
@@ -53,7 +53,7 @@ enum Command {
     Explain(explain::ExplainArguments),
     Preview(Box<preview::PreviewArguments>),
     Check(check::CheckArguments),
-    //Compare(Box<compare::CompareArguments>),
+    Compare(Box<compare::CompareArguments>),
 }
 
 /// Runs the command that the arguments name and reports what went wrong.
@@ -75,7 +75,7 @@ pub fn run() -> ExitCode {
         Command::Explain(arguments) => explain::run(&arguments),
         Command::Preview(arguments) => preview::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
-        //Command::Compare(arguments) => compare::run(&arguments),
+        Command::Compare(arguments) => compare::run(&arguments),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

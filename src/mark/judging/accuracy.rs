@@ -74,7 +74,7 @@ impl Written {
         let (whole, decimals) = text.split_once('.').unwrap_or((text, ""));
         let digits: String = whole.chars().chain(decimals.chars()).filter(char::is_ascii_digit).collect();
         let figures = digits.trim_start_matches('0').len() as u32;
-        let noughts = if text.contains('.') { 0 } else { (digits.len() - digits.trim_end_matches('0').len()) as u32 };
+        let noughts = if text.contains('.') || figures == 0 { 0 } else { (digits.len() - digits.trim_end_matches('0').len()) as u32 };
         Some(Written { value, figures, places: decimals.len() as i64, noughts, worked_out: false })
     }
 
@@ -205,7 +205,8 @@ pub(super) fn decimal(written: &Written, target: &Target, accept: &Accept) -> Fi
     match last {
         LastPlace::Rounded if written.figures >= FEWEST => Finding::partial(Note::UnderAccurate),
         LastPlace::CutOff if written.figures >= FEWEST => Finding::partial(Note::Truncated),
-        LastPlace::Rounded | LastPlace::CutOff => Finding::wrong(Note::TooFewFigures),
+        LastPlace::Rounded | LastPlace::CutOff if written.figures > 0 => Finding::wrong(Note::TooFewFigures),
+        LastPlace::Rounded | LastPlace::CutOff => Finding::WRONG,
         LastPlace::Neither => {
             if to_noughts {
                 // `1200` for 1234, to the nearest hundred.

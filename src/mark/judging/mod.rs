@@ -202,4 +202,6 @@ fn report(finding: Finding, reading: Option<&Reading>) -> Judgement {
 }
 
 #[cfg(test)]
+mod kinds_tests;
+#[cfg(test)]
 mod tests;

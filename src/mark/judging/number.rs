@@ -134,14 +134,15 @@ pub(super) fn value(model: &Model, expr: &Expr, written: &Option<Written>) -> Fi
     {
         return decimal(written, &Target::Value(right), &model.accept);
     }
+    let mut finding = Finding::WRONG;
     if let Some(decimals) = Coarsest::of(expr) {
         if !worth_working_out(model, expr) {
             return Finding::WRONG;
         }
         let Some(found) = exact::value(expr, letters) else { return Finding::unreadable(Note::CannotBeCompared) };
-        let by_coefficients = coefficients::compare(&right, &found, &decimals, &model.accept);
-        if by_coefficients.is_credited() {
-            return by_coefficients;
+        finding = coefficients::compare(&right, &found, &decimals, &model.accept);
+        if finding.is_credited() {
+            return finding;
         }
     } else if equality == Equality::Undecided {
         return Finding::unreadable(Note::CannotBeCompared);
@@ -153,7 +154,7 @@ pub(super) fn value(model: &Model, expr: &Expr, written: &Option<Written>) -> Fi
     if !expr.is_zero() && same(&model.value, &reciprocal, letters) == Equality::Equal {
         return Finding::wrong(Note::Inverted);
     }
-    Finding::WRONG
+    finding
 }
 
 /// Is it, or a multiple of it by a letter, anywhere near? Spares long calculations with what cannot be right.

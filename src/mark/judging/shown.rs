@@ -17,10 +17,11 @@ pub(super) fn judge(model: &Model, reading: &Reading) -> Finding {
     let mut step = None;
     for statement in &reading.statements {
         for equation in equations(statement) {
-            if !holds_with(model, &equation) {
+            let [follows, identity] = truth(model, &equation);
+            if !follows && !identity {
                 return Finding::wrong(Note::WorkingUnjudged);
             }
-            if !is_printed(model, &equation) {
+            if follows && !is_printed(model, &equation) {
                 step = step.or(Some(Note::NotAsPrinted));
             }
         }
@@ -44,17 +45,14 @@ pub(super) fn judge(model: &Model, reading: &Reading) -> Finding {
     }
 }
 
-/// Does the equation say no more and no less than the printed one?
-fn holds_with(model: &Model, equation: &Expr) -> bool {
+/// Does the equation say no more and no less than the printed one? Is it true of itself, two ways of writing one side?
+fn truth(model: &Model, equation: &Expr) -> [bool; 2] {
     let letters = &model.vocabulary.letters;
-    if same_solutions(&model.value, equation, letters) == Equality::Equal {
-        return true;
-    }
-    // Two ways of writing one side of it, as in a chain of equals signs.
-    match equation {
+    let identity = match equation {
         Expr::Relation(left, _, right) => same(left, right, letters) == Equality::Equal,
         _ => false,
-    }
+    };
+    [same_solutions(&model.value, equation, letters) == Equality::Equal, identity]
 }
 
 /// Is it the printed equation, whichever side comes first?

@@ -2,29 +2,29 @@
 
 use super::*;
 use crate::expr::{Angles, Expr, read_as_written};
-use crate::mark::reading::{Form, Label, Notation, ReferenceLine, Said, SaidUnit};
+use crate::mark::reading::{Form, Label, Said};
 
-fn model(text: &str, kind: Option<Kind>, accept: &str) -> Model {
+pub(super) fn model(text: &str, kind: Option<Kind>, accept: &str) -> Model {
     let accept = (!accept.is_empty()).then(|| accept.parse().unwrap());
     let options = ModelOptions { kind, accept, ..ModelOptions::default() };
     Model::read(text, &options).unwrap_or_else(|fault| panic!("{text}: {fault:?}"))
 }
 
-fn expr(text: &str) -> Expr {
+pub(super) fn expr(text: &str) -> Expr {
     read_as_written(text, Angles::Degrees).unwrap_or_else(|fault| panic!("{text}: {fault:?}"))
 }
 
-fn said(form: Form) -> Said {
+pub(super) fn said(form: Form) -> Said {
     Said { form, unit: None, reference: None, remarks: Vec::new() }
 }
 
-fn reading(label: Option<&str>, said: Vec<Said>) -> Reading {
+pub(super) fn reading(label: Option<&str>, said: Vec<Said>) -> Reading {
     let label = label.map(|typed| Label { typed: typed.to_owned(), expr: read_as_written(typed, Angles::Degrees).ok() });
     Reading { statements: vec![Statement { label, said }], printed: "as written".to_owned(), decided: Vec::new() }
 }
 
 /// The verdict and note on one value.
-fn on(model: &Model, text: &str) -> String {
+pub(super) fn on(model: &Model, text: &str) -> String {
     let form = match expr(text) {
         relation @ Expr::Relation(..) => Form::Equation(relation),
         value => Form::Value(value),
@@ -32,7 +32,7 @@ fn on(model: &Model, text: &str) -> String {
     named(&judge(model, &Ok(vec![reading(None, vec![said(form)])])))
 }
 
-fn named(judgement: &Judgement) -> String {
+pub(super) fn named(judgement: &Judgement) -> String {
     match judgement.note {
         Some(note) => format!("{} {note}", judgement.verdict.name()),
         None => judgement.verdict.name().to_owned(),
