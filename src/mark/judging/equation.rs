@@ -2,13 +2,13 @@
 //!
 //! Two equations have the same solutions if left minus right of one is a multiple of left minus right of the other, by a
 //! factor that is nought nowhere in the ranges of the letters: `2mv + 3mw = 4mu` is `2v + 3w = 4u`, since m is never
-//! nought. For an inequality the factor must not change its sign.
+//! nought. What stands below a line is nought for neither. For an inequality the factor must be positive.
 
 use std::cmp::Ordering;
 
 use crate::expr::{Expr, Meaning, Relation};
 use crate::mark::reading::{Form, Reading, Statement};
-use crate::number::{Letter, Value};
+use crate::number::{Letter, Polynomial, Value};
 
 use super::exact::{self, Equality, same};
 use super::finding::Finding;
@@ -71,7 +71,7 @@ pub(super) fn same_solutions(one: &Expr, two: &Expr, letters: &[Letter]) -> Equa
         return Equality::Undecided;
     }
     let (first, second) = match kind {
-        Relation::Equal => (without_roots(first), without_roots(second)),
+        Relation::Equal => (without_roots(&numerator(&first)), without_roots(&numerator(&second))),
         _ => (first, second),
     };
     let Some(factor) = second.divided_by(&first) else { return Equality::Undecided };
@@ -81,10 +81,15 @@ pub(super) fn same_solutions(one: &Expr, two: &Expr, letters: &[Letter]) -> Equa
     }
 }
 
+/// What is nought where a quotient is: `e = (w - v)/(a - b)` is `w - v = e(a - b)`, whichever of a and b is larger.
+fn numerator(quotient: &Value) -> Value {
+    quotient * &Value::quotient(quotient.denominator(), Polynomial::one())
+}
+
 /// The same solutions without roots of letters, where that needs no case distinction: `a = b√r` is `a² = b²r` if
 /// `a + b√r` is never nought. So `sin θ = 3/5` is seen to be `tan θ = 3/4`.
-fn without_roots(difference: Value) -> Value {
-    let mut plain = difference;
+fn without_roots(difference: &Value) -> Value {
+    let mut plain = difference.clone();
     for root in plain.roots().into_iter().rev() {
         if Value::root(root.clone()).is_constant() {
             continue;

@@ -96,7 +96,8 @@ fn a_vector_is_right_in_both_components_or_not_at_all() {
         ("-4", "-1", UnitVectors, "wrong sign"),
         ("4", "-1", UnitVectors, "wrong"),
         ("4", "0", Words, "wrong"),
-        ("4", "1.01", UnitVectors, "partial near-miss"),
+        ("4", "1.009", UnitVectors, "partial near-miss"),
+        ("4", "1.01", UnitVectors, "wrong"),
         ("x", "1", UnitVectors, "unreadable unknown-letter"),
     ] {
         assert_eq!(earns(&four, None, vec![vector(x, y, notation)]), expected, "{x}, {y} {notation:?}");
@@ -250,6 +251,7 @@ fn a_tangent_may_be_told_by_its_angle() {
     assert_eq!(earns(&tangent, None, vec![value("atan(3*sqrt(3)/7)")]), "correct angle-for-tangent");
     assert_eq!(earns(&tangent, None, vec![value("36.58677555")]), "partial angle-for-tangent");
     assert_eq!(earns(&tangent, None, vec![angle("96.6")]), "wrong");
+    assert_eq!(earns(&tangent, None, vec![value("3*sqrt(3)")]), "unreadable broken-off");
     assert_eq!(earns(&tangent, Some("tan(theta)"), vec![value("9/(7*sqrt(3))")]), "correct");
     let speed = asked("1", None, "A.after.speed");
     assert_eq!(earns(&speed, None, vec![angle("45")]), "wrong");

@@ -111,6 +111,8 @@ notes! {
     CannotBeRead, "cannot-be-read", "This cannot be read: a person should look at it.";
     /// Longer than what is read.
     TooLong, "too-long", "Too long to be read as an answer: a person should look at it.";
+    /// The numerator of the answer, as if the line had ended there.
+    BrokenOff, "broken-off", "This is the top line of the answer: a person should see whether the rest is missing.";
     /// It can be read and not compared.
     CannotBeCompared, "cannot-be-compared", "This can be read but not compared: a person should look at it.";
 }

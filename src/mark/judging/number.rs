@@ -147,6 +147,9 @@ pub(super) fn value(model: &Model, expr: &Expr, written: &Option<Written>) -> Fi
     } else if equality == Equality::Undecided {
         return Finding::unreadable(Note::CannotBeCompared);
     }
+    if is_broken_off(model, &crate::expr::written(&right), expr) {
+        return Finding::unreadable(Note::BrokenOff);
+    }
     if letter_missing(model, expr) {
         return Finding::partial(Note::LetterMissing);
     }
@@ -155,6 +158,19 @@ pub(super) fn value(model: &Model, expr: &Expr, written: &Option<Written>) -> Fi
         return Finding::wrong(Note::Inverted);
     }
     finding
+}
+
+/// Is it all that stands above the line of the answer, roots and all? Nobody gets there by chance.
+fn is_broken_off(model: &Model, right: &Expr, expr: &Expr) -> bool {
+    match right {
+        Expr::Quotient(above, below) => {
+            let has_root = |expr: &Expr| expr.children().iter().any(|part| matches!(part, Expr::Call(Function::Sqrt, _)));
+            matches!(**below, Expr::Number(_))
+                && has_root(above)
+                && same(above, expr, &model.vocabulary.letters) == Equality::Equal
+        }
+        _ => false,
+    }
 }
 
 /// Is it, or a multiple of it by a letter, anywhere near? Spares long calculations with what cannot be right.

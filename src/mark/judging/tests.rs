@@ -323,6 +323,8 @@ const EQUATIONS: &[(&str, &str, bool)] = &[
     ("w-v=e*u*cos(alpha)", "w=v+e*u*cos(alpha)", true),
     ("w-v=e*u*cos(alpha)", "e=(w-v)/(u*cos(alpha))", true),
     ("w-v=e*u*cos(alpha)", "v-w=-e*u*cos(alpha)", true),
+    ("w-v=e*(u-x)", "e=(w-v)/(u-x)", true),
+    ("w-v=e*(u-x)", "e=(v-w)/(u-x)", false),
     ("w-v=e*u*cos(alpha)", "v-w=e*u*cos(alpha)", false),
     ("w-v=e*u*cos(alpha)", "w-v=u*cos(alpha)/e", false),
     ("w-v=e*u*cos(alpha)", "w-v=e*u*sin(alpha)", false),
@@ -350,7 +352,7 @@ const EQUATIONS: &[(&str, &str, bool)] = &[
 #[test]
 fn carom_knows_which_equations_have_the_same_solutions() {
     assert!(EQUATIONS.len() >= 36);
-    let letters = ["m", "u", "v", "w"].map(|name| crate::number::Letter::new(name, crate::number::Range::Positive).unwrap());
+    let letters = ["m", "u", "v", "w", "x"].map(|name| crate::number::Letter::new(name, crate::number::Range::Positive).unwrap());
     let mut faults = Vec::new();
     for (right, answer, equal) in EQUATIONS {
         let options = ModelOptions { letters: letters.to_vec(), ..ModelOptions::default() };
