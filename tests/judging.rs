@@ -156,9 +156,7 @@ fn model(row: &Row, name: &str) -> Model {
         ("Q14", "velocity_B") => Some(("[0, 0]", Kind::Vector)),
         ("Q4", "show_that") => Some(("tan(theta)^2 = (2*e-1)/3", Kind::Shown)),
         ("Q6", "show_that") if row.part == "a" => Some(("tan(beta) = 2*tan(alpha)/(1-e)", Kind::Shown)),
-        ("Q6", "show_that") => {
-            Some(("beta - alpha = atan((1+e)*tan(alpha)/(2*tan(alpha)^2+1-e))", Kind::Shown))
-        }
+        ("Q6", "show_that") => Some(("beta - alpha = atan((1+e)*tan(alpha)/(2*tan(alpha)^2+1-e))", Kind::Shown)),
         ("Q16", "show_that") => Some(("tan(theta) = (1+e)/(3-e)", Kind::Shown)),
         _ => None,
     };
@@ -227,4 +225,82 @@ fn scene(question: &str) -> Scene {
     }
     let text: SceneText = serde_json::from_value(scene).unwrap();
     Scene::read(&text, &BTreeMap::new(), Angles::Radians).unwrap_or_else(|faults| panic!("{question}: {faults:?}"))
+}
+
+/// Models of every shape that the bank's answers have.
+const MODELS: [&str; 14] = [
+    "4*sqrt(39)/9",
+    "10/43",
+    "48/25",
+    "7*sqrt(2)/9 + 77/54",
+    "3*cos(10*deg)",
+    "sqrt(2665)/16",
+    "u*sqrt(61)/6",
+    "9*m",
+    "u*cos(alpha)*(1-e)/2",
+    "m*u*cos(alpha)*(1+e)/2",
+    "(1+e)*tan(alpha)/(2*tan(alpha)^2 + 1 - e)",
+    "5/2*i + j/2",
+    "-19/16*i + 3*j",
+    "atan(3*sqrt(3)/5)",
+];
+
+fn inferred(text: &str) -> Model {
+    Model::read(text, &ModelOptions::default()).unwrap_or_else(|fault| panic!("{text}: {}", fault.message))
+}
+
+fn verdict(model: &Model, answer: &str) -> Judgement {
+    judge(model, &read_answer(answer, &model.vocabulary))
+}
+
+#[test]
+fn carom_accepts_whatever_it_prints_of_a_model_itself() {
+    for text in MODELS {
+        let model = inferred(text);
+        for printed in [print::plain(&model.value), print::unicode(&model.value), print::latex(&model.value)] {
+            let found = verdict(&model, &printed);
+            assert_eq!(found.verdict, Verdict::Correct, "{printed} for {text}: {found:?}");
+        }
+    }
+}
+
+#[test]
+fn one_unit_in_the_third_figure_is_never_accepted() {
+    use carom::number::{Fraction, Places};
+    for text in ["4*sqrt(39)/9", "16*sqrt(3)/9", "10/43", "48/25", "7*sqrt(2)/9 + 77/54", "3*cos(10*deg)", "25/7", "9"]
+    {
+        let model = inferred(text);
+        let value = carom::expr::number(&model.value, &|_| None).unwrap();
+        let rounded = value.rounded(&Places::SignificantFigures(3)).unwrap();
+        assert_eq!(verdict(&model, &rounded.to_string()).verdict, Verdict::Correct, "{rounded} for {text}");
+        let unit = Fraction::new(1, 10).power(rounded.places as i32).unwrap();
+        for shifted in [rounded.to_fraction() + unit.clone(), rounded.to_fraction() - unit] {
+            let shifted = carom::number::Decimal::exact(&shifted).unwrap().to_string();
+            assert_ne!(verdict(&model, &shifted).verdict, Verdict::Correct, "{shifted} for {text}");
+        }
+    }
+}
+
+#[test]
+fn notations_that_say_the_same_earn_the_same() {
+    for (model, notations) in [
+        ("16*sqrt(3)/9", &["16√3/9", "(16/9)√3", "16sqrt3/9", "\\frac{16\\sqrt{3}}{9}", "16 / (3√3)"][..]),
+        (
+            "5/2*i + j/2",
+            &["5/2i + 1/2j", "½(5i + j)", "2.5i + 0.5j", "j/2 + 5i/2", "\\frac52\\mathbf{i}+\\frac12\\mathbf{j}"],
+        ),
+        ("48/25", &["1.92", "1.920", "48/25", "1 23/25", "192 × 10^-2", "1,92"]),
+        ("v/6", &["v/6", "1/6 v", "\\frac{v}{6}", "⅙v"]),
+        ("6*sin(10*deg)", &["6sin10", "6 sin 10°", "6sin(10)", "6\\sin 10^\\circ"]),
+    ] {
+        let model = inferred(model);
+        for notation in notations {
+            assert_eq!(
+                verdict(&model, notation).verdict,
+                Verdict::Correct,
+                "{notation}: {:?}",
+                verdict(&model, notation)
+            );
+        }
+    }
 }

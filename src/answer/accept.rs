@@ -130,9 +130,20 @@ mod tests {
         for text in ["exact", "awrt 3sf", "3sf", "2dp", "awrt 1dp", "nearest 1", "nearest 0.5", "awrt nearest 15"] {
             assert_eq!(text.parse::<Accept>().unwrap().to_string(), text);
         }
-        for text in
-            ["", "awrt", "or better", "exact or better", "3sfoe", "0sf", "3 s.f.", "nearest 0", "nearest -1", "nearest 1/3", "99999999999sf", "awrt exact"]
-        {
+        for text in [
+            "",
+            "awrt",
+            "or better",
+            "exact or better",
+            "3sfoe",
+            "0sf",
+            "3 s.f.",
+            "nearest 0",
+            "nearest -1",
+            "nearest 1/3",
+            "99999999999sf",
+            "awrt exact",
+        ] {
             assert_eq!(text.parse::<Accept>(), Err(UnreadableRule), "{text}");
         }
     }

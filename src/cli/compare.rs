@@ -20,9 +20,9 @@ const AFTER: &str = "Examples:
   carom compare 'atan(7)' '81.9°'
   carom compare 'u*sqrt(cos(alpha)^2 + e^2*sin(alpha)^2)' 'u√(1-(1-e²)sin²α)' --symbols u=positive,e=unit,alpha=acute
 
-MODEL is plain ASCII with angles in radians, or in degrees with `deg`; ANSWER is what a student might type. An answer
-that begins with a minus sign follows `--`. With `--stream`, each line of stdin is a JSON object with `model` and
-`answer`, perhaps `kind`, `accept`, `symbols` and `find`, and earns one line of JSON.";
+MODEL is plain ASCII with angles in radians, or in degrees with `deg`; ANSWER is what a student might type. With
+`--stream`, each line of stdin is a JSON object with `model` and `answer`, perhaps `kind`, `accept`, `symbols` and
+`find`, and earns one line of JSON.";
 
 /// See how an answer would be marked, and why
 ///
@@ -32,10 +32,10 @@ that begins with a minus sign follows `--`. With `--stream`, each line of stdin 
 #[command(after_help = AFTER)]
 pub struct CompareArguments {
     /// The model answer, such as `6*sin(10*deg)`
-    #[arg(value_name = "MODEL", required_unless_present = "stream")]
+    #[arg(value_name = "MODEL", required_unless_present = "stream", allow_hyphen_values = true)]
     model: Option<String>,
     /// What the student wrote
-    #[arg(value_name = "ANSWER", required_unless_present = "stream")]
+    #[arg(value_name = "ANSWER", required_unless_present = "stream", allow_hyphen_values = true)]
     answer: Option<String>,
     /// The kind of answer; left out, it is inferred from the model
     #[arg(long, value_name = "KIND")]

@@ -15,8 +15,8 @@ use crate::answer::Accept;
 use crate::expr::{Expr, Turn};
 use crate::number::{Decimal, Fraction, Interval, Places, Uncertain, Value, round, round_certified};
 
-use super::finding::Finding;
 use super::Note;
+use super::finding::Finding;
 
 /// The fewest significant figures that are worth anything without being exact.
 const FEWEST: u32 = 2;
@@ -74,7 +74,11 @@ impl Written {
         let (whole, decimals) = text.split_once('.').unwrap_or((text, ""));
         let digits: String = whole.chars().chain(decimals.chars()).filter(char::is_ascii_digit).collect();
         let figures = digits.trim_start_matches('0').len() as u32;
-        let noughts = if text.contains('.') || figures == 0 { 0 } else { (digits.len() - digits.trim_end_matches('0').len()) as u32 };
+        let noughts = if text.contains('.') || figures == 0 {
+            0
+        } else {
+            (digits.len() - digits.trim_end_matches('0').len()) as u32
+        };
         Some(Written { value, figures, places: decimals.len() as i64, noughts, worked_out: false })
     }
 
@@ -110,10 +114,11 @@ impl Coarsest {
             Expr::Power(base, _) => return Coarsest::of(base),
             _ => None,
         };
-        expr.children().into_iter().filter_map(Coarsest::of).chain(own).reduce(|one, two| Coarsest {
-            figures: one.figures.min(two.figures),
-            places: one.places.max(two.places),
-        })
+        expr.children()
+            .into_iter()
+            .filter_map(Coarsest::of)
+            .chain(own)
+            .reduce(|one, two| Coarsest { figures: one.figures.min(two.figures), places: one.places.max(two.places) })
     }
 
     /// Are there as many figures as the places ask for?
@@ -245,7 +250,8 @@ fn last_place(written: &Written, target: &Target) -> LastPlace {
     };
     let size = rounded.abs() - unit.unwrap_or(Fraction::ZERO);
     let same_sign = rounded.sign() == written.value.sign() || written.value.is_zero();
-    let was_rounded_up = target.rounded(&finer(written.places)).is_ok_and(|finer| finer.to_fraction().abs() < rounded.abs());
+    let was_rounded_up =
+        target.rounded(&finer(written.places)).is_ok_and(|finer| finer.to_fraction().abs() < rounded.abs());
     if size == written.value.abs() && same_sign && was_rounded_up { LastPlace::CutOff } else { LastPlace::Neither }
 }
 

@@ -117,9 +117,9 @@ fn compare(model: &Model, expr: &Expr, right: &Turn, radians: bool) -> Finding {
             if gap.is_some_and(|gap| gap.is_degrees(&Fraction::ZERO)) {
                 return Finding::EXACT;
             }
-            return Coarsest::of(expr).filter(|_| constant).map_or(Finding::WRONG, |decimals| {
-                rounded(&turn, &decimals, right, model)
-            });
+            return Coarsest::of(expr)
+                .filter(|_| constant)
+                .map_or(Finding::WRONG, |decimals| rounded(&turn, &decimals, right, model));
         }
         Some(Meaning::Number(value)) => value,
         _ => return Finding::WRONG,
@@ -142,7 +142,8 @@ fn compare(model: &Model, expr: &Expr, right: &Turn, radians: bool) -> Finding {
 /// An inverse tangent of a decimal, as `arctan 1.04`.
 fn rounded(found: &Turn, decimals: &Coarsest, right: &Turn, model: &Model) -> Finding {
     let wanted = places(&model.accept);
-    let both = Target::Degrees(found.clone()).rounded(&wanted).ok().zip(Target::Degrees(right.clone()).rounded(&wanted).ok());
+    let both =
+        Target::Degrees(found.clone()).rounded(&wanted).ok().zip(Target::Degrees(right.clone()).rounded(&wanted).ok());
     let agree = both.is_some_and(|(found, right)| found.to_fraction() == right.to_fraction());
     match (agree, decimals.suffices(&wanted)) {
         (true, true) if model.accept.places().is_none() => Finding::partial(Note::ExactWanted),
@@ -154,7 +155,8 @@ fn rounded(found: &Turn, decimals: &Coarsest, right: &Turn, model: &Model) -> Fi
 
 /// Why the number is not the one asked for, where that can be told.
 fn explain(model: &Model, said: &Said, expr: &Expr, right: &Turn, finding: Finding) -> Finding {
-    let is = |turn: Option<Turn>, radians: bool| turn.is_some_and(|turn| compare(model, expr, &turn, radians).is_correct());
+    let is =
+        |turn: Option<Turn>, radians: bool| turn.is_some_and(|turn| compare(model, expr, &turn, radians).is_correct());
     if said.reference.is_some_and(|named| named != own_line(model)) {
         return if is(Some(right.clone()), false) { Finding::wrong(Note::ReferenceWrong) } else { finding };
     }

@@ -222,8 +222,7 @@ fn a_sign_is_lost_unless_it_is_said_to_be_a_change() {
     let component = asked("48/25", None, "A.after.n");
     assert_eq!(earns(&component, None, vec![value("-1.92")]), "wrong sign");
     let mass = asked("9*m", None, "ke.lost");
-    for (text, expected) in
-        [("9", "partial letter-missing"), ("-9*m", "partial sign"), ("9*v", "wrong unknown-letter")]
+    for (text, expected) in [("9", "partial letter-missing"), ("-9*m", "partial sign"), ("9*v", "wrong unknown-letter")]
     {
         assert_eq!(earns(&mass, None, vec![value(text)]), expected, "{text}");
     }
@@ -312,7 +311,8 @@ fn a_printed_result_is_never_earned_by_its_last_line() {
         },
         ..shown
     };
-    let steps = |label: &str, texts: &[&str]| earns(&shown, Some(label), texts.iter().map(|text| value(text)).collect());
+    let steps =
+        |label: &str, texts: &[&str]| earns(&shown, Some(label), texts.iter().map(|text| value(text)).collect());
     assert_eq!(steps("tan(beta)", &["2*tan(alpha)/(1-e)"]), "wrong restated");
     assert_eq!(steps("tan(beta)", &["2*tan(alpha)/(1-e)", "2*tan(alpha)/(1-e)"]), "wrong restated");
     let derived = "u*sin(alpha)/(1/2*u*cos(alpha)*(1-e))";

@@ -120,12 +120,20 @@ pub fn judge_together(models: &[Model], readings: &Result<Vec<Reading>, Unreadab
     };
     let each = |reading: &Reading| -> Vec<Finding> {
         let shares = shared_out(models, reading);
-        models.iter().zip(&shares).map(|(model, share)| share.as_ref().map_or(BLANK, |share| one(model, share))).collect()
+        models
+            .iter()
+            .zip(&shares)
+            .map(|(model, share)| share.as_ref().map_or(BLANK, |share| one(model, share)))
+            .collect()
     };
-    let worth = |findings: &[Finding]| findings.iter().map(|finding| (finding.is_correct(), finding.is_credited())).fold(
-        (0, 0),
-        |(right, credited), (is_right, is_credited)| (right + u32::from(is_right), credited + u32::from(is_credited)),
-    );
+    let worth = |findings: &[Finding]| {
+        findings.iter().map(|finding| (finding.is_correct(), finding.is_credited())).fold(
+            (0, 0),
+            |(right, credited), (is_right, is_credited)| {
+                (right + u32::from(is_right), credited + u32::from(is_credited))
+            },
+        )
+    };
     let found = readings.iter().map(|reading| (each(reading), reading));
     match found.reduce(|best, next| if worth(&next.0) > worth(&best.0) { next } else { best }) {
         Some((findings, reading)) => findings.into_iter().map(|finding| report(finding, Some(reading))).collect(),
@@ -139,9 +147,8 @@ const BLANK: Finding = Finding { verdict: Verdict::Blank, note: Some(Note::Blank
 /// What a reading says of each of the models.
 fn shared_out(models: &[Model], reading: &Reading) -> Vec<Option<Reading>> {
     let named = reading.statements.iter().any(|statement| statements::named_sphere(statement).is_some());
-    let share = |statements: Vec<Statement>| {
-        (!statements.is_empty()).then(|| Reading { statements, ..reading.clone() })
-    };
+    let share =
+        |statements: Vec<Statement>| (!statements.is_empty()).then(|| Reading { statements, ..reading.clone() });
     if !named {
         return (0..models.len()).map(|at| share(reading.statements.get(at).cloned().into_iter().collect())).collect();
     }

@@ -164,7 +164,8 @@ pub(super) fn value(model: &Model, expr: &Expr, written: &Option<Written>) -> Fi
 fn is_broken_off(model: &Model, right: &Expr, expr: &Expr) -> bool {
     match right {
         Expr::Quotient(above, below) => {
-            let has_root = |expr: &Expr| expr.children().iter().any(|part| matches!(part, Expr::Call(Function::Sqrt, _)));
+            let has_root =
+                |expr: &Expr| expr.children().iter().any(|part| matches!(part, Expr::Call(Function::Sqrt, _)));
             matches!(**below, Expr::Number(_))
                 && has_root(above)
                 && same(above, expr, &model.vocabulary.letters) == Equality::Equal
@@ -225,10 +226,8 @@ fn magnitude_left(model: &Model, x: &Expr, y: &Expr) -> Finding {
 
 /// An angle where its tangent is asked, said to be one by its unit, its label or its form.
 fn through_its_tangent(model: &Model, said: &Said, label: Option<&Label>) -> Option<Finding> {
-    let tangent_asked = matches!(
-        model.quantity,
-        Some(Quantity::TanDeflection(_) | Quantity::TanToLine(..) | Quantity::TOverN(..))
-    );
+    let tangent_asked =
+        matches!(model.quantity, Some(Quantity::TanDeflection(_) | Quantity::TanToLine(..) | Quantity::TOverN(..)));
     if !(tangent_asked || model.quantity.is_none()) {
         return None;
     }
@@ -243,7 +242,8 @@ fn through_its_tangent(model: &Model, said: &Said, label: Option<&Label>) -> Opt
     }
     let arc = Expr::call(Function::Atan, model.value.clone());
     let rule = model.accept.places().cloned().unwrap_or(Places::SignificantFigures(3));
-    let accept = if model.accept.places().is_some() { crate::answer::Accept::RoundsTo(rule) } else { model.accept.clone() };
+    let accept =
+        if model.accept.places().is_some() { crate::answer::Accept::RoundsTo(rule) } else { model.accept.clone() };
     let angle_model = Model { value: arc, kind: Kind::Angle, accept, quantity: None, ..model.clone() };
     let finding = angle::judge(&angle_model, said, None);
     if is_angle || labelled {

@@ -19,7 +19,8 @@ pub(super) fn said(form: Form) -> Said {
 }
 
 pub(super) fn reading(label: Option<&str>, said: Vec<Said>) -> Reading {
-    let label = label.map(|typed| Label { typed: typed.to_owned(), expr: read_as_written(typed, Angles::Degrees).ok() });
+    let label =
+        label.map(|typed| Label { typed: typed.to_owned(), expr: read_as_written(typed, Angles::Degrees).ok() });
     Reading { statements: vec![Statement { label, said }], printed: "as written".to_owned(), decided: Vec::new() }
 }
 
@@ -352,7 +353,8 @@ const EQUATIONS: &[(&str, &str, bool)] = &[
 #[test]
 fn carom_knows_which_equations_have_the_same_solutions() {
     assert!(EQUATIONS.len() >= 36);
-    let letters = ["m", "u", "v", "w", "x"].map(|name| crate::number::Letter::new(name, crate::number::Range::Positive).unwrap());
+    let letters =
+        ["m", "u", "v", "w", "x"].map(|name| crate::number::Letter::new(name, crate::number::Range::Positive).unwrap());
     let mut faults = Vec::new();
     for (right, answer, equal) in EQUATIONS {
         let options = ModelOptions { letters: letters.to_vec(), ..ModelOptions::default() };

@@ -66,10 +66,9 @@ fn is_along(line: ReferenceLine) -> bool {
 }
 
 fn direction(model: &Model, along: &Expr, across: &Expr, said: &[&Said], bare: Option<&&Said>) -> Finding {
-    let nothing = |component: &Expr| {
-        same(component, &Expr::integer(0), &model.vocabulary.letters) == Equality::Equal
-    };
-    let named: Vec<ReferenceLine> = said.iter().filter_map(|said| said.reference).filter(|line| is_along(*line)).collect();
+    let nothing = |component: &Expr| same(component, &Expr::integer(0), &model.vocabulary.letters) == Equality::Equal;
+    let named: Vec<ReferenceLine> =
+        said.iter().filter_map(|said| said.reference).filter(|line| is_along(*line)).collect();
     if let [line] = named.as_slice() {
         let right = match line {
             ReferenceLine::AlongLineOfCentres => nothing(across),
