@@ -14,11 +14,20 @@ use super::exact::{self, Equality, same};
 use super::finding::Finding;
 use super::{Model, Note};
 
-/// Judges a whole reading against an equation: its last one decides.
+/// Judges a whole reading against an equation: all that it states must be right.
 pub(super) fn judge(model: &Model, reading: &Reading) -> Finding {
+    let each = reading.statements.iter().map(|statement| judge_statement(model, statement));
+    let found: Vec<Finding> = each.collect();
+    match found.iter().position(Finding::is_credited) {
+        Some(_) if !found.iter().all(Finding::is_credited) => Finding::partial(Note::SeveralAnswers),
+        Some(at) => found[at],
+        None => found.last().copied().unwrap_or(Finding::unreadable(Note::CannotBeRead)),
+    }
+}
+
+fn judge_statement(model: &Model, statement: &Statement) -> Finding {
     let letters = &model.vocabulary.letters;
     let Expr::Relation(left, _, right) = &model.value else { return Finding::unreadable(Note::CannotBeCompared) };
-    let Some(statement) = reading.statements.last() else { return Finding::unreadable(Note::CannotBeRead) };
     let offered = equations(statement);
     if offered.is_empty() {
         let side = |form: &Form| match form {

@@ -264,12 +264,14 @@ fn a_chain_ignores_what_follows_and_rivals_score_nothing() {
     assert_eq!(chain(&["25/7", "3.75"]), "correct ignored-after");
     assert_eq!(chain(&["2 + 1.57", "3.57"]), "correct");
     assert_eq!(chain(&["3.57", "3.6"]), "correct");
-    assert_eq!(chain(&["3.57", "4.2"]), "wrong");
+    assert_eq!(chain(&["3.57", "4.2"]), "wrong rival-answers");
+    assert_eq!(chain(&["4.2", "3.57"]), "wrong rival-answers");
     assert_eq!(chain(&["5 - 1", "4"]), "wrong too-few-figures");
     let rivals = |rows: &[(Option<&str>, &str)]| {
         states(&speed, &rows.iter().map(|(label, text)| (*label, value(text))).collect::<Vec<_>>())
     };
     assert_eq!(rivals(&[(None, "25/7"), (None, "3.57")]), "correct");
+    assert_eq!(rivals(&[(None, "25/7"); 17]), "unreadable too-long");
     assert_eq!(rivals(&[(None, "25/7"), (None, "4")]), "wrong rival-answers");
     assert_eq!(rivals(&[(None, "4"), (None, "25/7")]), "wrong rival-answers");
     assert_eq!(rivals(&[(Some("x"), "5/2"), (Some("y"), "3"), (Some("speed"), "25/7")]), "correct");
@@ -280,6 +282,19 @@ fn a_chain_ignores_what_follows_and_rivals_score_nothing() {
     let labelled = |a: &str, b: &str| states(&nameless, &[(Some("A"), value(a)), (Some("B"), value(b))]);
     assert_eq!(labelled("25/7", "9"), "partial several-answers");
     assert_eq!(labelled("8", "9"), "wrong");
+}
+
+#[test]
+fn words_that_turn_the_meaning_are_for_a_person() {
+    let line = model("i - 3*j", Some(Kind::Line), "");
+    let speed = model("25/7", None, "");
+    let with = |said: Said, remark: &str| Said { remarks: vec![remark.to_owned()], ..said };
+    let along = || said(Form::Vector(expr("1"), expr("-3"), Notation::UnitVectors));
+    assert_eq!(earns(&line, None, vec![with(along(), "parallel to")]), "correct");
+    assert_eq!(earns(&line, None, vec![with(along(), "perpendicular to")]), "unreadable cannot-be-compared");
+    assert_eq!(earns(&speed, None, vec![with(value("25/7"), "as required")]), "correct");
+    assert_eq!(earns(&speed, None, vec![with(value("25/7"), "is wrong")]), "unreadable cannot-be-compared");
+    assert_eq!(earns(&speed, None, vec![with(value("3"), "is not it")]), "wrong too-few-figures");
 }
 
 #[test]

@@ -175,8 +175,38 @@ fn shared_out(models: &[Model], reading: &Reading) -> Vec<Option<Reading>> {
         .collect()
 }
 
+/// Words beside a value that take it back.
+const DENIALS: [&str; 8] = ["not", "isn't", "isnt", "never", "wrong", "incorrect", "false", "except"];
+/// Words that turn the direction beside them into another.
+const TURNS: [&str; 7] = ["perpendicular", "perp", "normal", "right angles", "opposite", "reverse", "reversed"];
+
+/// Do the words beside a value change what it says? Then only a person can tell what is meant.
+fn is_turned_by_words(model: &Model, reading: &Reading) -> bool {
+    let is_direction = matches!(model.kind, Kind::Vector | Kind::Velocity | Kind::Line | Kind::Angle);
+    let mut remarks = reading.statements.iter().flat_map(|statement| &statement.said).flat_map(|said| &said.remarks);
+    remarks.any(|remark| {
+        let mut words = remark.split(|letter: char| !letter.is_alphanumeric() && letter != '\'');
+        let turned = is_direction && TURNS.iter().any(|turn| remark.contains(turn));
+        turned || words.any(|word| DENIALS.contains(&word))
+    })
+}
+
+/// An answer that says more things than this is a list for a person to look through.
+const MOST_SAID: usize = 16;
+
 /// Judges one reading.
 fn one(model: &Model, reading: &Reading) -> Finding {
+    if reading.statements.iter().map(|statement| statement.said.len().max(1)).sum::<usize>() > MOST_SAID {
+        return Finding::unreadable(Note::TooLong);
+    }
+    let finding = by_kind(model, reading);
+    if finding.is_credited() && is_turned_by_words(model, reading) {
+        return Finding::unreadable(Note::CannotBeCompared);
+    }
+    finding
+}
+
+fn by_kind(model: &Model, reading: &Reading) -> Finding {
     match model.kind {
         Kind::Velocity => velocity::judge(model, reading),
         Kind::Equation => equation::judge(model, reading),

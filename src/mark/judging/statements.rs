@@ -1,13 +1,14 @@
 //! Which of the values that a student states is the answer.
 //!
 //! * In a chain of equals signs a value that is exactly right wins and what follows is ignored; else the last decides,
-//!   unless an earlier right decimal was only rounded further.
+//!   unless an earlier right decimal was only rounded further. Two bare numbers of which one is wrong are rivals.
 //! * Of several statements those labelled with the sphere that is asked count; else the last, if each has its own label.
 //! * Two that are not labelled are rivals: they score only if all of them do.
 
-use crate::mark::reading::{Label, Reading, Said, Statement};
+use crate::mark::reading::{Form, Label, Reading, Said, Statement};
 use crate::mechanics::{Quantity, Sphere};
 
+use super::accuracy::Written;
 use super::finding::Finding;
 use super::{Model, Note, Verdict};
 
@@ -30,6 +31,12 @@ pub(super) fn chain(statement: &Statement, one: One) -> Finding {
     let findings: Vec<Finding> = statement.said.iter().map(|said| one(said, label)).collect();
     let Some(last) = findings.last().copied() else { return Finding::unreadable(Note::CannotBeRead) };
     let spoilt_after = |at: usize| findings[at + 1..].iter().any(|finding| finding.verdict == Verdict::Wrong);
+    let is_bare = |at: usize| is_bare_number(&statement.said[at]);
+    // `2 = 3` and `3 = 4` are no working: two numbers that are said to be one are rivals.
+    let rivals = (0..findings.len()).any(|at| is_bare(at) && findings[at].verdict == Verdict::Wrong);
+    if rivals && findings.len() > 1 && findings.iter().enumerate().any(|(at, f)| is_bare(at) && f.is_correct()) {
+        return Finding::wrong(Note::RivalAnswers);
+    }
     if let Some(at) = findings.iter().position(|finding| finding.exact) {
         let right = findings[at];
         return if spoilt_after(at) { right.remarked(Note::IgnoredAfter) } else { right };
@@ -42,6 +49,11 @@ pub(super) fn chain(statement: &Statement, one: One) -> Finding {
         Some(at) if !spoilt_after(at) => findings[at],
         _ => last,
     }
+}
+
+/// Is it a number as it stands, with nothing left to work out?
+fn is_bare_number(said: &Said) -> bool {
+    matches!(&said.form, Form::Value(expr) if Written::of(expr).is_some())
 }
 
 fn choose(model: &Model, statements: &[&Statement], one: One) -> Finding {
