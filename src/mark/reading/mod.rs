@@ -38,6 +38,9 @@ pub const MOST_READINGS: usize = 8;
 /// The most ways in which one answer is tried.
 const MOST_TRIALS: usize = 24;
 
+/// After so many steps no further reading is tried.
+const PATIENCE: usize = 2_000;
+
 /// Every reading that a person might see in an answer, the likeliest first: at least one, at most [`MOST_READINGS`].
 ///
 /// ```
@@ -90,7 +93,7 @@ fn counted(text: &str, vocabulary: &Vocabulary) -> (Result<Vec<Reading>, Unreada
     keep(first, &choices);
     for flips in choices.further().iter().take(MOST_TRIALS) {
         // An answer that is long and laborious is read as is likely.
-        if steps > choices::MOST_STEPS {
+        if steps > PATIENCE {
             break;
         }
         let (statements, tried) = read(flips);

@@ -4,7 +4,7 @@ use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 
 use super::choices::MOST_STEPS;
-use super::{Form, LONGEST, MOST_READINGS, Unreadable, Vocabulary, counted, read_answer};
+use super::{Form, LONGEST, MOST_READINGS, PATIENCE, Unreadable, Vocabulary, counted, read_answer};
 use crate::expr::{Expr, Function, Meaning, Turn, evaluate, print};
 use crate::number::{Angle, Fraction, Letter, Range, Value};
 
@@ -110,7 +110,7 @@ fn carom_reads_the_vectors_that_it_prints() {
 fn within_bounds(text: &str) {
     for question in [vocabulary(), Vocabulary::default()] {
         let (readings, steps) = counted(text, &question);
-        assert!(steps <= 2 * MOST_STEPS, "{steps} steps: {text}");
+        assert!(steps <= PATIENCE + 2 * MOST_STEPS, "{steps} steps: {text}");
         match readings {
             Ok(readings) => {
                 assert!(!readings.is_empty() && readings.len() <= MOST_READINGS, "{text}");
