@@ -83,3 +83,20 @@ fn a_number_that_nobody_refers_to_is_noticed() {
     last.label = Some(9);
     assert_eq!(faults(&printed), ["nobody refers to (9)"]);
 }
+
+#[test]
+fn the_working_speaks_of_unit_vectors_only_where_its_question_does() {
+    let bank = Bank::shipped().unwrap_or_else(|faults| panic!("{}", render_all(&faults, false)));
+    let says_bold = |texts: Vec<&carom::expr::Text>| {
+        let names = texts.into_iter().flat_map(|text| text.formulas()).flat_map(Expr::names);
+        names.into_iter().any(|name| matches!(name.text.as_str(), "i" | "j"))
+    };
+    for question in &bank.questions {
+        let variant = reference(question).unwrap_or_else(|_| panic!("{}", question.id));
+        let printed = compose(question, &variant, 1);
+        let (vectors, id) = (printed.stem.iter().any(|text| says_bold(vec![text])), &question.id);
+        assert_eq!(vectors, id.starts_with("i-j/") || id.starts_with("backwards/"), "{id}");
+        let lines = printed.parts.iter().flat_map(|part| &part.working).map(|line| &line.words).collect();
+        assert!(vectors || !says_bold(lines), "{id} works with i or j");
+    }
+}

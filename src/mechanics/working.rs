@@ -22,6 +22,8 @@ pub struct Show<'a> {
     axis: Option<Axis>,
     /// Is the positive direction of the working against n?
     against_n: bool,
+    /// Do the words of the question have unit vectors, where that is known?
+    unit_vectors: Option<bool>,
 }
 
 impl<'a> Show<'a> {
@@ -37,7 +39,12 @@ impl<'a> Show<'a> {
             None
         };
         let against_n = axis.and_then(component).is_some_and(|value| value.sign() == Some(Ordering::Less));
-        Show { scene, known, asked, axis, against_n }
+        Show { scene, known, asked, axis, against_n, unit_vectors: None }
+    }
+
+    /// The same view for a question whose words have unit vectors or have none: the working speaks as they do.
+    pub fn in_words_of(self, unit_vectors: bool) -> Show<'a> {
+        Show { unit_vectors: Some(unit_vectors), ..self }
     }
 
     /// Is the line of centres parallel to i or j?
@@ -57,13 +64,16 @@ impl<'a> Show<'a> {
 
     /// The positive direction of the working, in words.
     pub fn positive(&self) -> &'static str {
-        let in_i_j = self.scene.before.iter().flatten().any(|velocity| match velocity {
-            Velocity::Components(x, y) => x.value.is_constant() && y.value.is_constant() && !y.value.is_zero(),
-            Velocity::Polar { .. } => false,
+        let in_i_j = self.unit_vectors.unwrap_or_else(|| {
+            self.scene.before.iter().flatten().any(|velocity| match velocity {
+                Velocity::Components(x, y) => x.value.is_constant() && y.value.is_constant() && !y.value.is_zero(),
+                Velocity::Polar { .. } => false,
+            })
         });
         match self.axis {
             Some(Axis::X) if in_i_j => "in the direction of {i}",
-            Some(_) if in_i_j || self.against_n => "in the direction of {j}",
+            Some(_) if in_i_j => "in the direction of {j}",
+            _ if self.against_n => "from *B* towards *A*",
             _ => "from *A* towards *B*",
         }
     }

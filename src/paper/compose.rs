@@ -35,8 +35,8 @@ pub fn compose(question: &Question, variant: &Variant, number: usize) -> Printed
         style.filter(|style| !style.note.is_empty()).map(|style| wording::sentence(&style.note, variant, None)),
     );
     let with_units = wording::letters_with_units(&stem);
-    let worked = working::work(question, variant);
-    let manner = Manner { vectors: stem.iter().any(speaks_of_unit_vectors), with_units: &with_units };
+    let manner = Manner { vectors: wording::has_unit_vectors(&stem), with_units: &with_units };
+    let worked = working::work(question, variant, manner.vectors);
     // Letters that are found are letters until they are.
     let finding = !variant.solution.finding().is_empty();
     let worked_scene = if finding { &variant.scene } else { variant.solution.scene() };
@@ -62,15 +62,6 @@ pub fn compose(question: &Question, variant: &Variant, number: usize) -> Printed
         solution_diagrams: diagram::solution(worked_scene, manner),
         parts,
     }
-}
-
-/// Does a text give vectors in **i** and **j**?
-fn speaks_of_unit_vectors(text: &Text) -> bool {
-    text.formulas().into_iter().any(|formula| match formula {
-        Expr::Vector(..) => true,
-        Expr::Name(name) => matches!(name.text.as_str(), "i" | "j"),
-        _ => false,
-    })
 }
 
 fn printed_answer(answer: &Answer, variant: &Variant, with_units: &[String]) -> PrintedAnswer {

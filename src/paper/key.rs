@@ -116,7 +116,8 @@ pub struct KeyMark {
 
 /// The key of a question as it was printed.
 pub fn key_question(question: &Question, variant: &Variant, printed: &PrintedQuestion) -> KeyQuestion {
-    let worked = working::work(question, variant);
+    let unit_vectors = super::wording::has_unit_vectors(&printed.stem);
+    let worked = working::work(question, variant, unit_vectors);
     let with_units = super::wording::letters_with_units(&printed.stem);
     let parts = worked.iter().zip(&printed.parts).map(|(part, printed)| key_part(part, printed, variant, &with_units));
     let plain = |expr: &Expr| Json::from(print::plain(expr));

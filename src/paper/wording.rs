@@ -86,3 +86,12 @@ fn collect(pieces: &[Piece], found: &mut Vec<String>) {
         }
     }
 }
+
+/// Do the words give vectors in **i** and **j**?
+pub fn has_unit_vectors(paragraphs: &[Text]) -> bool {
+    paragraphs.iter().flat_map(Text::formulas).any(|formula| match formula {
+        Expr::Vector(..) => true,
+        Expr::Name(name) => matches!(name.text.as_str(), "i" | "j"),
+        _ => false,
+    })
+}

@@ -49,8 +49,9 @@ pub struct WorkedPart<'q> {
     letters: Vec<(&'static str, String)>,
 }
 
-/// Every part of a question, worked. Nothing if the scene cannot be posed, which a variant's can.
-pub fn work<'q>(question: &'q Question, variant: &Variant) -> Vec<WorkedPart<'q>> {
+/// Every part of a question, worked in the manner of its words, which have unit vectors or have none. Nothing if the scene
+/// cannot be posed, which a variant's can.
+pub fn work<'q>(question: &'q Question, variant: &Variant, unit_vectors: bool) -> Vec<WorkedPart<'q>> {
     let scene = variant.solution.scene();
     let Ok(mut known) = pose(scene) else { return Vec::new() };
     let letters = letters(question);
@@ -61,7 +62,7 @@ pub fn work<'q>(question: &'q Question, variant: &Variant) -> Vec<WorkedPart<'q>
         let asked: Vec<Quantity> = part.answers.iter().flat_map(|answer| answer.find.quantities()).collect();
         let given = known.0.keys().copied().collect();
         let (derivation, _) = Derivation::carry_out(&mut known, &asked);
-        let show = Show::new(scene, &known, &asked);
+        let show = Show::new(scene, &known, &asked).in_words_of(unit_vectors);
         let steps = derivation.steps.into_iter().map(|rule| Step::new(rule, &show, &letters)).collect();
         let (finding, behind) = (std::mem::take(&mut finding), std::mem::take(&mut behind));
         let (known, letters) = (known.clone(), letters.clone());
