@@ -264,3 +264,53 @@ pub enum EarnedFor {
     /// The value of a letter that the scene names among its unknowns.
     Unknown(String),
 }
+
+/// What a mark is `for` that is earned by using a condition of the scene.
+const CONDITION: &str = "condition";
+
+impl EarnedFor {
+    /// A step by its name in bank files and keys: a law, perhaps with its sphere, a quantity, `condition`, or one of the
+    /// letters that are to be found. `None` if it is none of them.
+    ///
+    /// ```
+    /// use carom::bank::EarnedFor;
+    /// let step = EarnedFor::read("speed A", &[]).unwrap();
+    /// assert_eq!(step.to_string(), "speed A");
+    /// assert_eq!(EarnedFor::read("momentun", &[]), None);
+    /// ```
+    pub fn read(name: &str, unknowns: &[String]) -> Option<EarnedFor> {
+        let name = name.trim();
+        let (law, sphere) = match name.rsplit_once(' ') {
+            Some((law, "A")) => (law, Some(Sphere::A)),
+            Some((law, "B")) => (law, Some(Sphere::B)),
+            _ => (name, None),
+        };
+        if let Some(law) = Law::ALL.iter().find(|known| known.name() == law) {
+            return Some(EarnedFor::Law(*law, sphere));
+        }
+        if name == CONDITION {
+            return Some(EarnedFor::Condition);
+        }
+        if let Ok(quantity) = name.parse::<Quantity>() {
+            return Some(EarnedFor::Quantity(quantity));
+        }
+        unknowns.iter().any(|unknown| unknown == name).then(|| EarnedFor::Unknown(name.to_owned()))
+    }
+
+    /// The names of all steps that are neither quantities nor letters.
+    pub fn names() -> Vec<&'static str> {
+        Law::ALL.iter().map(|law| law.name()).chain([CONDITION]).collect()
+    }
+}
+
+impl fmt::Display for EarnedFor {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            EarnedFor::Law(law, Some(sphere)) => write!(f, "{} {}", law.name(), sphere.name()),
+            EarnedFor::Law(law, None) => f.write_str(law.name()),
+            EarnedFor::Condition => f.write_str(CONDITION),
+            EarnedFor::Quantity(quantity) => write!(f, "{quantity}"),
+            EarnedFor::Unknown(name) => f.write_str(name),
+        }
+    }
+}

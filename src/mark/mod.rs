@@ -4,5 +4,16 @@
 //! might see in it, the likeliest first, and never guesses in silence: what cannot be read is
 //! [`Unreadable`](reading::Unreadable) and goes to a person. [`judging`] compares the readings with the model answer.
 
+mod award;
 pub mod judging;
+mod key;
+mod marking;
+mod profile;
 pub mod reading;
+mod script;
+
+pub use award::{Award, Cause, Evidence, Examiner, MarkedAnswer, MarkedLine, MarkedPart, Place};
+pub use key::{AnswerKey, KeyFault, KeyedBlank, KeyedMark, KeyedPaper, KeyedPart, KeyedQuestion};
+pub use marking::mark;
+pub use profile::{Charge, Profile};
+pub use script::{PartScript, Script};

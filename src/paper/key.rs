@@ -2,14 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value as Json, json};
 
 use super::answer::{self, Size};
 use super::code::code;
 use super::working::{self, WorkedPart};
 use super::{PrintedPart, PrintedQuestion, compose, scheme};
-use crate::bank::{Answer, EarnedFor, Find, Question};
+use crate::bank::{Answer, Find, Question};
 use crate::expr::{Angles, Expr, print, read};
 use crate::generate::Variant;
 use crate::mechanics::{Pair, PolarText, Quantity, SceneText, VelocityText};
@@ -39,7 +39,7 @@ impl Key {
 }
 
 /// A question of a key.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct KeyQuestion {
     /// Its id in the bank.
     pub id: String,
@@ -49,7 +49,7 @@ pub struct KeyQuestion {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mirrors: Option<String>,
     /// The style of its numbers.
-    pub style: &'static str,
+    pub style: String,
     /// Its parameters by name, in the order of its file.
     pub parameters: Map<String, Json>,
     /// The collision, as `carom solve` takes it.
@@ -59,7 +59,7 @@ pub struct KeyQuestion {
 }
 
 /// A part of a key.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct KeyPart {
     /// `a`, `b`, … or empty.
     pub label: String,
@@ -72,18 +72,18 @@ pub struct KeyPart {
 }
 
 /// One answer of a key. Of a vector `exact`, `decimal` and `rounded` are lists, and so is `find`.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct Blank {
     /// What it is, in words.
     pub name: String,
     /// The quantity that is asked for, or the letter.
     pub find: Json,
     /// Its kind.
-    pub kind: &'static str,
+    pub kind: String,
     /// The rule of acceptance.
     pub accept: String,
     /// The line from which an angle is measured.
-    pub reference: Option<&'static str>,
+    pub reference: Option<String>,
     /// The exact form, as an expression.
     pub exact: Json,
     /// The same in LaTeX.
@@ -93,11 +93,11 @@ pub struct Blank {
     /// Rounded as the rule says; null where letters remain.
     pub rounded: Json,
     /// The unit, `m/s`; empty if there is none.
-    pub unit: &'static str,
+    pub unit: String,
 }
 
 /// One mark of a key.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct KeyMark {
     /// Its id within the part.
     pub id: String,
@@ -125,7 +125,7 @@ pub fn key_question(question: &Question, variant: &Variant, printed: &PrintedQue
         id: question.id.clone(),
         number: printed.number,
         mirrors: question.mirrors.clone(),
-        style: variant.style.name(),
+        style: variant.style.name().to_owned(),
         parameters: variant.parameters.iter().map(|(name, value)| (name.clone(), plain(value))).collect(),
         scene: scene(&question.scene, &variant.givens.shown),
         parts: parts.collect(),
@@ -137,22 +137,12 @@ fn key_part(part: &WorkedPart, printed: &PrintedPart, variant: &Variant, with_un
     let scheme = part.part.marks.iter().zip(&printed.scheme).map(|(mark, row)| KeyMark {
         id: row.id.clone(),
         code: row.code.clone(),
-        earned_for: earned_for(&mark.earned_for),
+        earned_for: mark.earned_for.to_string(),
         depends: row.depends.clone(),
         blanks: scheme::answers_of(mark, part).into_iter().map(|place| blanks[place].name.clone()).collect(),
         equation: row.equation.as_ref().map(print::plain),
     });
     KeyPart { label: printed.label.clone(), marks: printed.marks(), scheme: scheme.collect(), blanks }
-}
-
-fn earned_for(step: &EarnedFor) -> String {
-    match step {
-        EarnedFor::Law(law, Some(sphere)) => format!("{} {}", law.name(), sphere.name()),
-        EarnedFor::Law(law, None) => law.name().to_owned(),
-        EarnedFor::Condition => "condition".to_owned(),
-        EarnedFor::Quantity(quantity) => quantity.to_string(),
-        EarnedFor::Unknown(name) => name.clone(),
-    }
 }
 
 fn blank(answer: &Answer, variant: &Variant, with_units: &[String]) -> Blank {
@@ -170,14 +160,14 @@ fn blank(answer: &Answer, variant: &Variant, with_units: &[String]) -> Blank {
     Blank {
         name: print::text_unicode(&compose::name(answer, variant)),
         find,
-        kind: answer.kind.name(),
+        kind: answer.kind.name().to_owned(),
         accept: answer.accept.to_string(),
-        reference: reference(&answer.find),
+        reference: reference(&answer.find).map(str::to_owned),
         exact: one_or_list(&sizes, |size| print::plain(&size.exchange()).into()),
         latex: answer::exact(answer, variant).as_ref().map(print::latex).unwrap_or_default(),
         decimal: decimal(&Places::SignificantFigures(15)),
         rounded: decimal(answer.accept.places().unwrap_or(&usual)),
-        unit: unit.plain(),
+        unit: unit.plain().to_owned(),
     }
 }
 

@@ -40,6 +40,13 @@ pub fn answers_of(mark: &Mark, here: &WorkedPart) -> Vec<usize> {
         let asked = answer.find.quantities();
         match &mark.earned_for {
             EarnedFor::Quantity(quantity) if here.asked.contains(quantity) => asked.contains(quantity),
+            // A step on the way to every answer about its sphere, and to those about both.
+            EarnedFor::Quantity(quantity) => {
+                let about = |asked: &Quantity| {
+                    Sphere::BOTH.into_iter().all(|of| is_about(*asked, of) || !is_about(*quantity, of))
+                };
+                matches!(answer.find, Find::Unknown(_)) || asked.iter().any(about)
+            }
             EarnedFor::Unknown(name) => answer.find == Find::Unknown(name.clone()),
             EarnedFor::Condition => matches!(answer.find, Find::Unknown(_)),
             step => {

@@ -7,10 +7,7 @@ use super::super::question::{Code, EarnedFor, Mark};
 use super::names::NamesUsed;
 use super::styles::line;
 use crate::diagnostic::near;
-use crate::mechanics::{Law, Quantity, Sphere};
-
-/// What a mark is `for` that is earned by using a condition of the scene.
-const CONDITION: &str = "condition";
+use crate::mechanics::Quantity;
 
 /// The marks of a part.
 pub fn marks(written: &[MarkFile], unknowns: &[String], used: &mut NamesUsed, faults: &mut Faults) -> Vec<Mark> {
@@ -58,24 +55,10 @@ fn read_code(words: &Words, faults: &mut Faults) -> Option<Code> {
 
 fn read_earned_for(words: &Words, unknowns: &[String], faults: &mut Faults) -> Option<EarnedFor> {
     let text = words.get_ref().trim();
-    let (law, sphere) = match text.rsplit_once(' ') {
-        Some((law, "A")) => (law, Some(Sphere::A)),
-        Some((law, "B")) => (law, Some(Sphere::B)),
-        _ => (text, None),
-    };
-    if let Some(law) = Law::ALL.iter().find(|known| known.name() == law) {
-        return Some(EarnedFor::Law(*law, sphere));
+    if let Some(found) = EarnedFor::read(text, unknowns) {
+        return Some(found);
     }
-    if text == CONDITION {
-        return Some(EarnedFor::Condition);
-    }
-    if let Ok(quantity) = text.parse::<Quantity>() {
-        return Some(EarnedFor::Quantity(quantity));
-    }
-    if unknowns.iter().any(|unknown| unknown == text) {
-        return Some(EarnedFor::Unknown(text.to_owned()));
-    }
-    let laws: Vec<&str> = Law::ALL.iter().map(|law| law.name()).chain([CONDITION]).collect();
+    let laws = EarnedFor::names();
     let quantities: Vec<String> = Quantity::all().iter().map(Quantity::to_string).collect();
     let (label, candidates): (String, Vec<&str>) = if text.contains('.') {
         ("no quantity of the collision has this name".to_owned(), quantities.iter().map(String::as_str).collect())

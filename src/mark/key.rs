@@ -1,0 +1,383 @@
+//! A key read back: what a script is marked against.
+//!
+//! A key is enough to mark with, since the bank may have changed since the paper was printed. So its scene is posed
+//! again and its expressions are read again; nothing else is taken from anywhere.
+
+use std::collections::BTreeSet;
+
+use serde::Deserialize;
+
+use super::judging::{Model, ModelOptions};
+use crate::answer::{Accept, Kind};
+use crate::bank::{Code, EarnedFor, Find};
+use crate::expr::{Angles, Expr, read};
+use crate::mechanics::{Derivation, Known, Quantity, Scene, pose};
+use crate::number::{Letter, Value};
+use crate::paper::{Blank, KeyMark, KeyPart, KeyQuestion};
+
+/// A key, read and checked.
+#[derive(Clone, Debug)]
+pub struct AnswerKey {
+    /// The papers: one without a student's name, or one for each student of a class.
+    pub papers: Vec<KeyedPaper>,
+}
+
+/// A paper of a key.
+#[derive(Clone, Debug)]
+pub struct KeyedPaper {
+    /// For whom it was printed; nobody if all have the same.
+    pub student: Option<String>,
+    /// The code at the foot of its pages.
+    pub code: String,
+    /// Its questions in the order of the sheet.
+    pub questions: Vec<KeyedQuestion>,
+}
+
+/// A question to be marked.
+#[derive(Clone, Debug)]
+pub struct KeyedQuestion {
+    /// Its id in the bank.
+    pub id: String,
+    /// Its number on the sheet.
+    pub number: usize,
+    /// The collision as it was given, unknown letters left as letters.
+    pub scene: Scene,
+    /// What the scene gives.
+    pub given: Known<Value>,
+    /// The letters of the question.
+    pub letters: Vec<Letter>,
+    /// Its parts.
+    pub parts: Vec<KeyedPart>,
+}
+
+/// A part to be marked.
+#[derive(Clone, Debug)]
+pub struct KeyedPart {
+    /// `a`, `b`, … or empty.
+    pub label: String,
+    /// What is to be filled in.
+    pub blanks: Vec<KeyedBlank>,
+    /// The mark scheme, in the order in which the marks are earned.
+    pub scheme: Vec<KeyedMark>,
+    /// The steps from what is given, and from what earlier parts found, to what is asked.
+    pub derivation: Derivation,
+    /// What is known at its end, worked without a mistake.
+    pub known: Known<Value>,
+}
+
+/// One thing asked.
+#[derive(Clone, Debug)]
+pub struct KeyedBlank {
+    /// What it is called on the sheet that students fill in: `speed of A`.
+    pub name: String,
+    /// What is to be found.
+    pub find: Find,
+    /// What is right.
+    pub model: Model,
+}
+
+/// One mark of a scheme.
+#[derive(Clone, Debug)]
+pub struct KeyedMark {
+    /// Its id within the part: `M1a`.
+    pub id: String,
+    /// Its code.
+    pub code: Code,
+    /// The step that earns it.
+    pub earned_for: EarnedFor,
+    /// The marks of the part without which it is not given.
+    pub depends: Vec<usize>,
+    /// The blanks to which it belongs.
+    pub blanks: Vec<usize>,
+    /// The equation or value that earns it.
+    pub equation: Option<Expr>,
+}
+
+/// What is wrong with a key.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct KeyFault {
+    /// Where it stands: `questions[0].scene.e`; empty if the whole is no key.
+    pub path: String,
+    /// What is wrong.
+    pub message: String,
+    /// What was expected.
+    pub expected: String,
+    /// Line and column in the text, where that is all that is known.
+    pub place: Option<(usize, usize)>,
+}
+
+#[derive(Deserialize)]
+struct KeyText {
+    #[serde(default)]
+    code: String,
+    questions: Option<Vec<KeyQuestion>>,
+    papers: Option<Vec<PaperText>>,
+}
+
+#[derive(Deserialize)]
+struct PaperText {
+    student: String,
+    #[serde(default)]
+    code: String,
+    questions: Vec<KeyQuestion>,
+}
+
+impl AnswerKey {
+    /// Reads a key from its JSON.
+    ///
+    /// # Errors
+    ///
+    /// Every fault of the key, each with its place.
+    pub fn read(text: &str) -> Result<AnswerKey, Vec<KeyFault>> {
+        let text: KeyText = serde_json::from_str(text).map_err(|error| vec![KeyFault::unreadable(&error)])?;
+        let mut faults = Vec::new();
+        let mut read = |student, code, questions: &[KeyQuestion], path: &str| {
+            let each = questions.iter().enumerate();
+            let questions = each.filter_map(|(place, question)| {
+                let path = format!("{path}questions[{place}]");
+                KeyedQuestion::read(question).map_err(|fault| faults.push(fault.below(&path))).ok()
+            });
+            KeyedPaper { student, code, questions: questions.collect() }
+        };
+        let papers: Vec<KeyedPaper> = match (text.questions, text.papers) {
+            (Some(questions), None) => vec![read(None, text.code, &questions, "")],
+            (None, Some(papers)) => {
+                let each = papers.into_iter().enumerate();
+                let path = |place| format!("papers[{place}].");
+                each.map(|(place, paper)| read(Some(paper.student), paper.code, &paper.questions, &path(place)))
+                    .collect()
+            }
+            _ => {
+                let message = "a key has `questions`, or `papers` with questions";
+                return Err(vec![KeyFault::new(message, "the `key.json` that `carom sheet` writes")]);
+            }
+        };
+        if faults.is_empty() { Ok(AnswerKey { papers }) } else { Err(faults) }
+    }
+
+    /// The paper of a student: the student's own, or the one that all have.
+    pub fn paper(&self, student: &str) -> Option<&KeyedPaper> {
+        let own = |paper: &&KeyedPaper| paper.student.as_deref().is_none_or(|name| name == student);
+        self.papers.iter().find(own)
+    }
+}
+
+impl KeyFault {
+    fn new(message: impl Into<String>, expected: impl Into<String>) -> KeyFault {
+        KeyFault { path: String::new(), message: message.into(), expected: expected.into(), place: None }
+    }
+
+    fn unreadable(error: &serde_json::Error) -> KeyFault {
+        let said = error.to_string();
+        let said = said.split(" at line ").next().unwrap_or_default();
+        let place = (error.line() > 0).then(|| (error.line(), error.column()));
+        KeyFault {
+            place,
+            ..KeyFault::new(format!("this is no key: {said}"), "the `key.json` that `carom sheet` writes")
+        }
+    }
+
+    fn below(self, path: &str) -> KeyFault {
+        let path = if self.path.is_empty() { path.to_owned() } else { format!("{path}.{}", self.path) };
+        KeyFault { path, ..self }
+    }
+}
+
+impl KeyedQuestion {
+    /// Reads a question of a key.
+    ///
+    /// # Errors
+    ///
+    /// The first thing that cannot be read, or a collision that cannot happen.
+    pub fn read(question: &KeyQuestion) -> Result<KeyedQuestion, KeyFault> {
+        let scene = Scene::read(&question.scene, &Default::default(), Angles::Radians).map_err(|faults| {
+            let fault = faults.into_iter().next();
+            let (field, fault) = fault.map(|found| (found.field, found.fault)).unzip();
+            let message = fault.as_ref().map_or_else(String::new, |fault| fault.message.clone());
+            let expected = fault.map_or_else(String::new, |fault| fault.expected);
+            KeyFault { path: format!("scene.{}", field.unwrap_or_default()), ..KeyFault::new(message, expected) }
+        })?;
+        let refused = |refusal| KeyFault {
+            path: "scene".to_owned(),
+            ..KeyFault::new(format!("{refusal}"), "a collision that can happen")
+        };
+        let given = pose(&scene).map_err(refused)?;
+        let letters = scene.letters.clone();
+        let mut known = given.clone();
+        let mut parts = Vec::new();
+        for (place, part) in question.parts.iter().enumerate() {
+            let below = |fault: KeyFault| fault.below(&format!("parts[{place}]"));
+            parts.push(KeyedPart::read(part, &scene, &mut known).map_err(below)?);
+        }
+        Ok(KeyedQuestion { id: question.id.clone(), number: question.number, scene, given, letters, parts })
+    }
+}
+
+impl KeyedPart {
+    fn read(part: &KeyPart, scene: &Scene, known: &mut Known<Value>) -> Result<KeyedPart, KeyFault> {
+        let each = part.blanks.iter().enumerate();
+        let blanks = each.map(|(place, blank)| {
+            KeyedBlank::read(blank, scene).map_err(|fault| fault.below(&format!("blanks[{place}]")))
+        });
+        let blanks = blanks.collect::<Result<Vec<_>, _>>()?;
+        let each = part.scheme.iter().enumerate();
+        let scheme = each.map(|(place, mark)| {
+            KeyedMark::read(mark, part, scene).map_err(|fault| fault.below(&format!("scheme[{place}]")))
+        });
+        let scheme = scheme.collect::<Result<Vec<_>, _>>()?;
+        let mut asked: Vec<Quantity> = blanks.iter().flat_map(|blank| blank.find.quantities()).collect();
+        let marked = scheme.iter().filter_map(|mark| match mark.earned_for {
+            EarnedFor::Quantity(quantity) => Some(quantity),
+            _ => None,
+        });
+        asked.extend(marked.collect::<BTreeSet<_>>());
+        let (derivation, _) = Derivation::carry_out(known, &asked);
+        Ok(KeyedPart { label: part.label.clone(), blanks, scheme, derivation, known: known.clone() })
+    }
+
+    /// How many marks it has.
+    pub fn available(&self) -> usize {
+        self.scheme.len()
+    }
+}
+
+impl KeyedBlank {
+    fn read(blank: &Blank, scene: &Scene) -> Result<KeyedBlank, KeyFault> {
+        let at = |field: &str, message: String, expected: &str| KeyFault {
+            path: field.to_owned(),
+            ..KeyFault::new(message, expected)
+        };
+        let quantity = |value: &serde_json::Value| value.as_str().and_then(|name| name.parse::<Quantity>().ok());
+        let find = match &blank.find {
+            serde_json::Value::Array(both) => match both.as_slice() {
+                [x, y] => quantity(x).zip(quantity(y)).map(|(x, y)| Find::Vector(x, y)),
+                _ => None,
+            },
+            serde_json::Value::String(name) => match quantity(&blank.find) {
+                Some(quantity) => Some(Find::Quantity(quantity)),
+                None => scene.unknowns.iter().any(|letter| letter.name() == name).then(|| Find::Unknown(name.clone())),
+            },
+            _ => None,
+        };
+        let find = find.ok_or_else(|| {
+            at("find", format!("{} is nothing to find", blank.find), "a quantity, such as `A.after.speed`")
+        })?;
+        let kind: Kind = blank
+            .kind
+            .parse()
+            .map_err(|_| at("kind", format!("unknown kind of answer `{}`", blank.kind), "a kind such as `number`"))?;
+        let accept: Accept = blank.accept.parse().map_err(|_| {
+            at("accept", format!("unknown rule of acceptance `{}`", blank.accept), "a rule such as `awrt 3sf`")
+        })?;
+        let text = match &blank.exact {
+            serde_json::Value::String(text) => text.clone(),
+            serde_json::Value::Array(both) => {
+                match (both.first().and_then(|x| x.as_str()), both.get(1).and_then(|y| y.as_str())) {
+                    (Some(x), Some(y)) => format!("[{x}, {y}]"),
+                    _ => String::new(),
+                }
+            }
+            _ => String::new(),
+        };
+        let asked = match &find {
+            Find::Quantity(quantity) => Some(*quantity),
+            Find::Vector(x, _) => Some(*x),
+            Find::Unknown(_) => None,
+        };
+        let options =
+            ModelOptions { kind: Some(kind), accept: Some(accept), letters: scene.letters.clone(), quantity: asked };
+        let model = Model::read(&text, &options).map_err(|fault| at("exact", fault.message, &fault.expected))?;
+        Ok(KeyedBlank { name: blank.name.clone(), find, model })
+    }
+}
+
+impl KeyedMark {
+    fn read(mark: &KeyMark, part: &KeyPart, scene: &Scene) -> Result<KeyedMark, KeyFault> {
+        let at = |field: &str, message: String, expected: &str| KeyFault {
+            path: field.to_owned(),
+            ..KeyFault::new(message, expected)
+        };
+        let code = Code::ALL.into_iter().find(|code| code.name() == mark.code);
+        let code =
+            code.ok_or_else(|| at("code", format!("unknown mark code `{}`", mark.code), "a code such as `M1`"))?;
+        let unknowns: Vec<String> = scene.unknowns.iter().map(|letter| letter.name().to_owned()).collect();
+        let earned_for = EarnedFor::read(&mark.earned_for, &unknowns)
+            .ok_or_else(|| at("for", format!("unknown step `{}`", mark.earned_for), "a law or a quantity"))?;
+        let place = |id: &String| part.scheme.iter().position(|other| other.id == *id);
+        let depends = mark.depends.iter().map(|id| {
+            place(id).ok_or_else(|| at("depends", format!("no mark `{id}` in this part"), "the id of an earlier mark"))
+        });
+        let belongs = mark.blanks.iter().map(|name| {
+            let found = part.blanks.iter().position(|blank| blank.name == *name);
+            found.ok_or_else(|| at("blanks", format!("no blank `{name}` in this part"), "the name of a blank"))
+        });
+        let equation = match &mark.equation {
+            Some(text) => {
+                Some(read(text, Angles::Radians).map_err(|fault| at("equation", fault.message, &fault.expected))?)
+            }
+            None => None,
+        };
+        Ok(KeyedMark {
+            id: mark.id.clone(),
+            code,
+            earned_for,
+            depends: depends.collect::<Result<_, _>>()?,
+            blanks: belongs.collect::<Result<_, _>>()?,
+            equation,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bank::{read_question, shipped};
+    use crate::diagnostic::Source;
+    use crate::generate::reference;
+    use crate::paper::{Key, compose, key_question};
+
+    fn key_of(all: impl Iterator<Item = (&'static str, &'static str)>) -> String {
+        let questions = all.enumerate().map(|(place, (id, text))| {
+            let question = read_question(id, &Source::new(id, text)).unwrap();
+            let variant = reference(&question).unwrap();
+            key_question(&question, &variant, &compose(&question, &variant, place + 1))
+        });
+        serde_json::to_string(&Key::new("shipped".to_owned(), None, questions.collect())).unwrap()
+    }
+
+    #[test]
+    fn the_key_of_every_shipped_question_is_read_back_with_all_that_is_asked() {
+        let key = AnswerKey::read(&key_of(shipped())).unwrap();
+        let questions = &key.papers[0].questions;
+        assert_eq!(questions.len(), shipped().count());
+        for part in questions.iter().flat_map(|question| &question.parts) {
+            assert!(!part.blanks.is_empty() && !part.scheme.is_empty());
+            for quantity in part.blanks.iter().flat_map(|blank| blank.find.quantities()) {
+                assert!(part.known.0.contains_key(&quantity), "{quantity}");
+            }
+            assert!(part.scheme.iter().all(|mark| !mark.blanks.is_empty()), "{:?}", part.scheme);
+        }
+    }
+
+    #[test]
+    fn a_fault_of_a_key_says_where() {
+        let key = key_of(shipped().take(1));
+        let cases = [
+            ("\"code\":\"M1\"", "\"code\":\"M9\"", "questions[0].parts[0].scheme[0].code", "unknown mark code `M9`"),
+            ("\"A\":\"3*m\"", "\"A\":\"3*\"", "questions[0].scene.masses.A", "the expression ends too early"),
+            (
+                "\"kind\":\"number\"",
+                "\"kind\":\"numbre\"",
+                "questions[0].parts[0].blanks[0].kind",
+                "unknown kind of answer `numbre`",
+            ),
+        ];
+        for (from, to, path, message) in cases {
+            let fault = AnswerKey::read(&key.replacen(from, to, 1)).unwrap_err().remove(0);
+            assert_eq!((fault.path.as_str(), fault.message.as_str()), (path, message), "{fault:?}");
+        }
+        let fault = AnswerKey::read("{\"carom\": \"0.1.0\"}").unwrap_err().remove(0);
+        assert_eq!(fault.message, "a key has `questions`, or `papers` with questions");
+        assert_eq!(AnswerKey::read("student,question").unwrap_err()[0].place, Some((1, 1)));
+    }
+}

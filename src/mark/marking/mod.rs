@@ -1,0 +1,39 @@
+//! A script marked: answers judged, working looked through, every mark of the scheme given or withheld.
+//!
+//! In the order of an examiner. Each blank is judged. A right answer earns all marks that lead to it, but never those of
+//! a result that was to be shown. What is still open is looked for in the working. Then marks that depend on others
+//! fall with them, and what costs a mark only once in a question is charged once.
+
+mod answers;
+mod decide;
+
+use super::award::MarkedPart;
+use super::key::KeyedQuestion;
+use super::profile::Profile;
+use super::script::{PartScript, Script};
+
+/// Marks what a student handed in for a question: a [`MarkedPart`] for each part, in the order of the key.
+///
+/// What the script has under a label that the question does not have is not looked at.
+pub fn mark(question: &KeyedQuestion, script: &Script, profile: &Profile) -> Vec<MarkedPart> {
+    let mut charged = decide::Charged::default();
+    let mut marked = Vec::new();
+    for part in &question.parts {
+        let handed_in = together(script, &part.label);
+        let answers = answers::judged(part, &handed_in, profile);
+        let awards = decide::awards(part, &answers, profile, &mut charged);
+        let label = part.label.clone();
+        marked.push(MarkedPart { label, answers, lines: Vec::new(), awards, followed: Vec::new() });
+    }
+    marked
+}
+
+/// All that was handed in under a label.
+fn together(script: &Script, label: &str) -> PartScript {
+    let mut all = PartScript { label: label.to_owned(), ..PartScript::default() };
+    for part in script.parts.iter().filter(|part| part.label.trim().trim_matches(['(', ')']) == label) {
+        all.answers.extend(part.answers.iter().cloned());
+        all.working.extend(part.working.iter().cloned());
+    }
+    all
+}
