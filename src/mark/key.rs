@@ -3,15 +3,17 @@
 //! A key is enough to mark with, since the bank may have changed since the paper was printed. So its scene is posed
 //! again and its expressions are read again; nothing else is taken from anywhere.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::OnceLock;
 
 use serde::Deserialize;
 
 use super::judging::{Model, ModelOptions};
+use super::working::Prepared;
 use crate::answer::{Accept, Kind};
 use crate::bank::{Code, EarnedFor, Find};
 use crate::expr::{Angles, Expr, read};
-use crate::mechanics::{Derivation, Known, Quantity, Scene, pose};
+use crate::mechanics::{Derivation, Known, Quantity, Scene, SceneText, pose};
 use crate::number::{Letter, Value};
 use crate::paper::{Blank, KeyMark, KeyPart, KeyQuestion};
 
@@ -46,8 +48,13 @@ pub struct KeyedQuestion {
     pub given: Known<Value>,
     /// The letters of the question.
     pub letters: Vec<Letter>,
+    /// Those of them in which something is given; a student may use the others for what is to be found.
+    pub(super) given_letters: Vec<Letter>,
     /// Its parts.
     pub parts: Vec<KeyedPart>,
+    /// The decimals that stand in it: in working they are exact.
+    decimals: Vec<String>,
+    prepared: OnceLock<Prepared>,
 }
 
 /// A part to be marked.
@@ -209,15 +216,40 @@ impl KeyedQuestion {
             let below = |fault: KeyFault| fault.below(&format!("parts[{place}]"));
             parts.push(KeyedPart::read(part, &scene, &mut known).map_err(below)?);
         }
-        Ok(KeyedQuestion { id: question.id.clone(), number: question.number, scene, given, letters, parts })
+        let (id, number, decimals) = (question.id.clone(), question.number, decimals(question));
+        let given_letters = given_letters(question, &letters);
+        let prepared = OnceLock::new();
+        Ok(KeyedQuestion { id, number, scene, given, letters, given_letters, parts, decimals, prepared })
     }
+
+    /// What looking through working needs, made when it is first needed.
+    pub(super) fn prepared(&self) -> &Prepared {
+        self.prepared
+            .get_or_init(|| Prepared::new(&self.scene, &self.given_letters, &self.given, self.decimals.clone()))
+    }
+}
+
+/// The letters that stand in what is given, or are to be found from it.
+fn given_letters(question: &KeyQuestion, letters: &[Letter]) -> Vec<Letter> {
+    let given = SceneText { symbols: BTreeMap::new(), ..question.scene.clone() };
+    let text = serde_json::to_string(&given).unwrap_or_default();
+    let names: BTreeSet<&str> = text.split(|sign: char| !sign.is_ascii_alphanumeric() && sign != '_').collect();
+    letters.iter().filter(|letter| names.contains(letter.name())).copied().collect()
+}
+
+/// The decimals in the scene of a question.
+fn decimals(question: &KeyQuestion) -> Vec<String> {
+    let text = serde_json::to_string(&question.scene).unwrap_or_default();
+    let numbers = text.split(|sign: char| !sign.is_ascii_digit() && sign != '.');
+    numbers.filter(|number| number.contains('.')).map(str::to_owned).collect()
 }
 
 impl KeyedPart {
     fn read(part: &KeyPart, scene: &Scene, known: &mut Known<Value>) -> Result<KeyedPart, KeyFault> {
         let each = part.blanks.iter().enumerate();
         let blanks = each.map(|(place, blank)| {
-            KeyedBlank::read(blank, scene).map_err(|fault| fault.below(&format!("blanks[{place}]")))
+            KeyedBlank::read(blank, printed_result(blank, part), scene)
+                .map_err(|fault| fault.below(&format!("blanks[{place}]")))
         });
         let blanks = blanks.collect::<Result<Vec<_>, _>>()?;
         let each = part.scheme.iter().enumerate();
@@ -242,7 +274,7 @@ impl KeyedPart {
 }
 
 impl KeyedBlank {
-    fn read(blank: &Blank, scene: &Scene) -> Result<KeyedBlank, KeyFault> {
+    fn read(blank: &Blank, printed: Option<&String>, scene: &Scene) -> Result<KeyedBlank, KeyFault> {
         let at = |field: &str, message: String, expected: &str| KeyFault {
             path: field.to_owned(),
             ..KeyFault::new(message, expected)
@@ -270,6 +302,7 @@ impl KeyedBlank {
             at("accept", format!("unknown rule of acceptance `{}`", blank.accept), "a rule such as `awrt 3sf`")
         })?;
         let text = match &blank.exact {
+            _ if printed.is_some() => printed.cloned().unwrap_or_default(),
             serde_json::Value::String(text) => text.clone(),
             serde_json::Value::Array(both) => {
                 match (both.first().and_then(|x| x.as_str()), both.get(1).and_then(|y| y.as_str())) {
@@ -289,6 +322,14 @@ impl KeyedBlank {
         let model = Model::read(&text, &options).map_err(|fault| at("exact", fault.message, &fault.expected))?;
         Ok(KeyedBlank { name: blank.name.clone(), find, model })
     }
+}
+
+/// The equation that was to be shown, where that is what is asked: the mark for it has both sides.
+fn printed_result<'k>(blank: &Blank, part: &'k KeyPart) -> Option<&'k String> {
+    let is_shown = blank.kind == Kind::Shown.name();
+    let mut marks =
+        part.scheme.iter().filter(|mark| mark.code == Code::A1Shown.name() && mark.blanks.contains(&blank.name));
+    marks.find(|_| is_shown)?.equation.as_ref()
 }
 
 impl KeyedMark {

@@ -5,12 +5,16 @@ use crate::mark::award::MarkedAnswer;
 use crate::mark::judging::{Judgement, Model, Note, Verdict, judge, judge_together};
 use crate::mark::key::{KeyedBlank, KeyedPart};
 use crate::mark::profile::Profile;
-use crate::mark::reading::{Unreadable, read_answer};
+use crate::mark::reading::{Reading, Unreadable, read_answer};
 use crate::mark::script::PartScript;
 use crate::number::Places;
 
-/// A verdict for each blank, in the order of the key.
-pub(super) fn judged(part: &KeyedPart, script: &PartScript, profile: &Profile) -> Vec<MarkedAnswer> {
+/// A verdict for each blank, in the order of the key, and how each that was filled in by itself was read.
+pub(super) fn judged(
+    part: &KeyedPart,
+    script: &PartScript,
+    profile: &Profile,
+) -> (Vec<MarkedAnswer>, Vec<Option<Vec<Reading>>>) {
     let models: Vec<Model> = part.blanks.iter().map(|blank| in_profile(&blank.model, profile)).collect();
     let named = |blank: &KeyedBlank| {
         // The last word counts where a blank was filled in twice.
@@ -19,29 +23,35 @@ pub(super) fn judged(part: &KeyedPart, script: &PartScript, profile: &Profile) -
         own.map(|(_, answer)| answer.clone())
     };
     let unnamed = script.answers.iter().rev().find(|(name, _)| name.is_none()).map(|(_, answer)| answer.as_str());
+    let mut alone = None;
     let together: Vec<Option<Judgement>> = match unnamed {
         None => models.iter().map(|_| None).collect(),
         Some(answer) => {
             let readings = read_answer(answer, &together_vocabulary(&models));
             match models.as_slice() {
-                [model] => vec![Some(judge(model, &readings))],
+                [model] => {
+                    let judgement = judge(model, &readings);
+                    alone = readings.ok();
+                    vec![Some(judgement)]
+                }
                 several => judge_together(several, &readings).into_iter().map(Some).collect(),
             }
         }
     };
     let each = part.blanks.iter().zip(&models).zip(together);
     each.map(|((blank, model), together)| {
-        let (typed, judgement) = match (named(blank), together) {
+        let (typed, judgement, readings) = match (named(blank), together) {
             (Some(answer), _) => {
-                let judgement = judge(model, &read_answer(&answer, &model.vocabulary));
-                (Some(answer), judgement)
+                let readings = read_answer(&answer, &model.vocabulary);
+                (Some(answer), judge(model, &readings), readings.ok())
             }
-            (None, Some(judgement)) => (unnamed.map(str::to_owned), judgement),
-            (None, None) => (None, judge(model, &Err(Unreadable::Blank))),
+            (None, Some(judgement)) => (unnamed.map(str::to_owned), judgement, alone.take()),
+            (None, None) => (None, judge(model, &Err(Unreadable::Blank)), None),
         };
-        MarkedAnswer { name: blank.name.clone(), typed, judgement: profiled(judgement, profile), causes: Vec::new() }
+        let judgement = profiled(judgement, profile);
+        (MarkedAnswer { name: blank.name.clone(), typed, judgement, causes: Vec::new() }, readings)
     })
-    .collect()
+    .unzip()
 }
 
 /// Is it the name of this blank, however it is spaced?

@@ -3,9 +3,10 @@
 use super::answers::is_shown;
 use crate::bank::{Code, EarnedFor};
 use crate::mark::award::{Award, Evidence, Examiner, MarkedAnswer, Place};
-use crate::mark::judging::{Note, Verdict};
+use crate::mark::judging::{Judgement, Note, Verdict};
 use crate::mark::key::{KeyedMark, KeyedPart};
 use crate::mark::profile::{Charge, Profile};
+use crate::mechanics::Law;
 
 /// What has been charged in this question already.
 #[derive(Default)]
@@ -15,19 +16,98 @@ pub(super) struct Charged {
 }
 
 /// The awards of a part, in the order of the scheme.
+///
+/// What the working shows is `by_working`, and what is right for the student's own values is `followed`, a blank each.
 pub(super) fn awards(
     part: &KeyedPart,
     answers: &[MarkedAnswer],
+    by_working: Vec<Option<Award>>,
+    followed: &[Option<Judgement>],
     profile: &Profile,
     charged: &mut Charged,
 ) -> Vec<Award> {
     let worth: Vec<Worth> = answers.iter().map(|answer| Worth::of(answer, profile, charged)).collect();
     let mut awards: Vec<Award> = Vec::new();
-    for mark in &part.scheme {
-        awards.push(by_answers(mark, part, answers, &worth).unwrap_or_else(|| withheld(mark)));
+    for (mark, by_working) in part.scheme.iter().zip(by_working) {
+        let by_working = by_working.map(|award| in_profile(award, mark, profile));
+        let award = match (by_answers(mark, part, answers, &worth), by_working) {
+            // What the working shows is better evidence than what an answer implies.
+            (Some(implied), Some(shown)) if shown.given && implied.note == Some("implied") => shown,
+            (Some(award), _) => award,
+            (None, Some(shown)) if shown.given => shown,
+            (None, shown) => by_followed(mark, part, followed).or(shown).unwrap_or_else(|| withheld(mark)),
+        };
+        awards.push(award);
     }
     drop_dependent(&part.scheme, &mut awards);
+    for place in 0..awards.len() {
+        if part.scheme[place].code == Code::A1Shown {
+            awards[place] = shown(place, part, answers, &awards);
+        }
+    }
     awards
+}
+
+/// What a board condones that others do not.
+fn in_profile(award: Award, mark: &KeyedMark, profile: &Profile) -> Award {
+    let condones = match award.note {
+        Some("masses-omitted") => profile.masses_omitted,
+        Some("not-resolved") => profile.unresolved,
+        _ => false,
+    };
+    let is_momentum = matches!(mark.earned_for, EarnedFor::Law(Law::Momentum, _));
+    let given = award.given || condones && is_momentum && !mark.code.is_accuracy();
+    Award { given, ..award }
+}
+
+/// A mark for an answer that is right for what the student had found before.
+fn by_followed(mark: &KeyedMark, part: &KeyedPart, followed: &[Option<Judgement>]) -> Option<Award> {
+    let blank = mark.blanks.iter().copied().find(|place| followed[*place].is_some())?;
+    let judgement = followed[blank].as_ref()?;
+    let is_value =
+        matches!(&mark.earned_for, EarnedFor::Quantity(q) if part.blanks[blank].find.quantities().contains(q));
+    // The method that leads to it is implied; what stands before the student's own value is not.
+    let is_method = mark.code.is_method()
+        && part.scheme.iter().any(|other| {
+            other.code == Code::A1FollowThrough
+                && other.blanks.contains(&blank)
+                && other.depends.iter().any(|id| part.scheme[*id].id == mark.id)
+        });
+    let follows = (is_value && mark.code == Code::A1FollowThrough) || is_method;
+    follows.then(|| Award {
+        given: true,
+        note: Some("follow-through"),
+        evidence: Some(Evidence {
+            place: Place::Answer(blank),
+            reading: judgement.reading.clone().unwrap_or_default(),
+        }),
+        feedback: "right for the values that you had found before".to_owned(),
+        ..withheld(mark)
+    })
+}
+
+/// The mark for a printed result: every mark before it earned, and the result at the end.
+fn shown(place: usize, part: &KeyedPart, answers: &[MarkedAnswer], awards: &[Award]) -> Award {
+    let mark = &part.scheme[place];
+    let ends = answers.iter().position(|answer| answer.judgement.note == Some(Note::Restated.tag()));
+    let missing = awards[..place].iter().find(|award| !award.given);
+    match (ends, missing) {
+        (Some(blank), None) => Award {
+            given: true,
+            evidence: Some(Evidence {
+                place: Place::Answer(blank),
+                reading: answers[blank].judgement.reading.clone().unwrap_or_default(),
+            }),
+            ..withheld(mark)
+        },
+        (Some(_), Some(missing)) => {
+            let feedback = format!("the result is printed in the question: it earns nothing without {}", missing.id);
+            Award { note: Some("not-shown"), feedback, ..withheld(mark) }
+        }
+        (None, _) => {
+            Award { feedback: "the working must end with the result as it is printed".to_owned(), ..withheld(mark) }
+        }
+    }
 }
 
 /// What a final answer is worth.

@@ -1,29 +1,37 @@
 //! A script marked: answers judged, working looked through, every mark of the scheme given or withheld.
 //!
 //! In the order of an examiner. Each blank is judged. A right answer earns all marks that lead to it, but never those of
-//! a result that was to be shown. What is still open is looked for in the working. Then marks that depend on others
-//! fall with them, and what costs a mark only once in a question is charged once.
+//! a result that was to be shown. What is still open is looked for in the working, and an answer that follows from the
+//! student's own earlier values is followed through. Then marks that depend on others fall with them, and what costs a
+//! mark only once in a question is charged once.
 
 mod answers;
 mod decide;
+mod follow;
 
 use super::award::MarkedPart;
 use super::key::KeyedQuestion;
 use super::profile::Profile;
 use super::script::{PartScript, Script};
+use super::working::{Theirs, examine};
 
 /// Marks what a student handed in for a question: a [`MarkedPart`] for each part, in the order of the key.
 ///
 /// What the script has under a label that the question does not have is not looked at.
 pub fn mark(question: &KeyedQuestion, script: &Script, profile: &Profile) -> Vec<MarkedPart> {
     let mut charged = decide::Charged::default();
+    let mut theirs = Theirs::default();
     let mut marked = Vec::new();
     for part in &question.parts {
         let handed_in = together(script, &part.label);
-        let answers = answers::judged(part, &handed_in, profile);
-        let awards = decide::awards(part, &answers, profile, &mut charged);
-        let label = part.label.clone();
-        marked.push(MarkedPart { label, answers, lines: Vec::new(), awards, followed: Vec::new() });
+        let (answers, readings) = answers::judged(part, &handed_in, profile);
+        let examined = examine(question, part, &handed_in.working, &theirs);
+        let followed = follow::answers(question, part, &answers, &readings, &examined);
+        let awards = decide::awards(part, &answers, examined.awards, &followed, profile, &mut charged);
+        theirs = examined.theirs;
+        theirs.take_answers(question, part, &readings);
+        let (label, lines) = (part.label.clone(), examined.lines);
+        marked.push(MarkedPart { label, answers, lines, awards, followed: Vec::new() });
     }
     marked
 }

@@ -1,0 +1,157 @@
+//! A line of working as a student writes it: a few words, then an equation, a chain of equals signs, or values.
+
+use crate::expr::{Expr, Relation};
+use crate::mark::reading::{Form, Reading, Statement, Vocabulary, read_answer};
+use crate::number::{Letter, Range};
+
+/// A line of working, read.
+#[derive(Clone, Debug)]
+pub(super) struct Line {
+    /// Its number in the working, from 1.
+    pub(super) number: usize,
+    /// What was typed.
+    pub(super) typed: String,
+    /// What it may say, the likeliest first; nothing if it cannot be read.
+    pub(super) readings: Vec<ReadLine>,
+}
+
+/// One way to read a line.
+#[derive(Clone, Debug)]
+pub(super) struct ReadLine {
+    /// In the notation of a terminal.
+    pub(super) printed: String,
+    /// Every equation: `a = b = c` makes two.
+    pub(super) equations: Vec<(Expr, Expr)>,
+    /// Every value with what it is called.
+    pub(super) members: Vec<Member>,
+    /// What was read.
+    pub(super) statements: Vec<Statement>,
+}
+
+/// One side of an equals sign, or a value alone.
+#[derive(Clone, Debug)]
+pub(super) struct Member {
+    /// What the statement is called as it was typed, if it is called anything.
+    pub(super) label: Option<String>,
+    /// The letter before the first equals sign, if that is what stands there.
+    pub(super) letter: Option<String>,
+    /// The value.
+    pub(super) expr: Expr,
+}
+
+/// Letters that students give to what they look for. What the question has stands before these.
+const UNKNOWNS: [&str; 22] = [
+    "v", "w", "v_A", "v_B", "v_1", "v_2", "V", "W", "V_A", "V_B", "V_1", "V_2", "w_A", "w_B", "u_A", "u_B", "u_1",
+    "u_2", "I", "theta", "beta", "phi",
+];
+/// Letters that are also signs: only where a line cannot be read without them.
+const DOUBTFUL: [&str; 4] = ["x", "y", "p", "q"];
+/// Letters that stand for what is given as a number.
+const GIVEN: [&str; 5] = ["e", "m_A", "m_B", "m_1", "m_2"];
+
+/// More lines than this are for a person to read.
+pub(super) const MOST_LINES: usize = 60;
+
+/// Reads lines of working where the question has these letters, and perhaps vectors.
+pub(super) fn read(working: &[String], letters: &[Letter], vectors: bool) -> Vec<Line> {
+    let with = |names: &[&str]| {
+        let mut all = letters.to_vec();
+        for name in names {
+            if !letters.iter().any(|letter| letter.name() == *name) {
+                all.extend(Letter::new(name, Range::Real));
+            }
+        }
+        Vocabulary { letters: all, vectors }
+    };
+    let usual: Vec<&str> = UNKNOWNS.into_iter().chain(GIVEN).collect();
+    let all: Vec<&str> = usual.iter().copied().chain(DOUBTFUL).collect();
+    let vocabularies = [with(&usual), with(&all)];
+    let lines = working.iter().flat_map(|cell| cell.lines()).map(str::trim).filter(|line| !line.is_empty());
+    let read = |(place, typed): (usize, &str)| Line {
+        number: place + 1,
+        typed: typed.to_owned(),
+        readings: readings(typed, &vocabularies),
+    };
+    lines.take(MOST_LINES).enumerate().map(read).collect()
+}
+
+fn readings(typed: &str, vocabularies: &[Vocabulary]) -> Vec<ReadLine> {
+    let mut found: Vec<ReadLine> = Vec::new();
+    for vocabulary in vocabularies {
+        for text in candidates(typed) {
+            let Ok(readings) = read_answer(&text, vocabulary) else { continue };
+            for reading in readings {
+                let line = read_line(reading);
+                if found.iter().all(|other| other.statements != line.statements) {
+                    found.push(line);
+                }
+            }
+            // Words before a formula may be a name or a remark: what has an equation or a value is enough.
+            if found.iter().any(|line| !line.equations.is_empty()) {
+                return found;
+            }
+        }
+        if !found.is_empty() {
+            return found;
+        }
+    }
+    found
+}
+
+/// The line, and the line without the words before its formula: `CLM: …`, `by conservation of momentum …`.
+fn candidates(typed: &str) -> Vec<String> {
+    let typed = typed.trim_start_matches(['∴', '→', '⇒', '•', '-', '*']).trim_start_matches("=>").trim();
+    // `3 × −2` and `4·3` are written with signs that words do not have.
+    let mut all = vec![typed.to_owned()];
+    if let Some((before, after)) = typed.split_once(':')
+        && after.contains('=')
+        && !before.contains('=')
+    {
+        all.push(after.trim().to_owned());
+    }
+    let is_word = |word: &str| {
+        let letters = word.trim_matches(['(', ')', '.', ',', ':']);
+        letters.chars().count() >= 3 && letters.chars().all(char::is_alphabetic) && !FUNCTIONS.contains(&letters)
+    };
+    let words: Vec<&str> = typed.split_whitespace().collect();
+    let last = words.iter().take_while(|word| !word.contains('=')).enumerate().filter(|(_, word)| is_word(word)).last();
+    if let Some((last, _)) = last
+        && last + 1 < words.len()
+    {
+        all.push(words[last + 1..].join(" "));
+    }
+    all
+}
+
+const FUNCTIONS: [&str; 12] =
+    ["sin", "cos", "tan", "sqrt", "root", "arctan", "arcsin", "arccos", "atan", "theta", "alpha", "beta"];
+
+fn read_line(reading: Reading) -> ReadLine {
+    let mut equations = Vec::new();
+    let mut members = Vec::new();
+    for statement in &reading.statements {
+        let label = statement.label.as_ref();
+        let letter = label.and_then(|label| match &label.expr {
+            Some(Expr::Name(name)) => Some(name.text.clone()),
+            _ => None,
+        });
+        let typed = label.map(|label| label.typed.clone());
+        let mut sides: Vec<Expr> = label.and_then(|label| label.expr.clone()).into_iter().collect();
+        for said in &statement.said {
+            match &said.form {
+                Form::Value(expr) | Form::Percentage(expr) | Form::Gradient(expr) | Form::Mixed(expr) => {
+                    sides.push(expr.clone())
+                }
+                Form::Vector(x, y, _) => sides.push(Expr::Vector(Box::new(x.clone()), Box::new(y.clone()))),
+                Form::Equation(Expr::Relation(left, Relation::Equal, right)) => {
+                    sides.extend([(**left).clone(), (**right).clone()]);
+                }
+                Form::AtRest => sides.push(Expr::integer(0)),
+                Form::Equation(_) | Form::Ratio(..) | Form::Direction => {}
+            }
+        }
+        equations.extend(sides.windows(2).map(|pair| (pair[0].clone(), pair[1].clone())));
+        members.extend(sides.into_iter().map(|expr| Member { label: typed.clone(), letter: letter.clone(), expr }));
+    }
+    ReadLine { printed: reading.printed, equations, members, statements: reading.statements }
+}

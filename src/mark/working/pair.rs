@@ -1,0 +1,344 @@
+//! The two equations along the line of centres, as students write them: which law a line is, and how it departs from it.
+//!
+//! Momentum and restitution are both `p x + q y = r` in the components x, y after the impact. A line is such an equation
+//! if its numbers are in the proportion of the law's, so that a mass may be cancelled and the sides exchanged. A student
+//! may take either direction as positive for either unknown; the choice that makes the lines agree best is kept for all
+//! of them. A line that is not the law is compared with the law evaluated from inputs changed as students change them,
+//! one or several at once, and the least change counts.
+
+use std::sync::OnceLock;
+
+use super::linear::Linear;
+use super::points::sizes;
+use super::spread::Spread;
+use crate::mechanics::{Axis, Known, Law, Moment, Quantity, Sphere};
+
+/// A way in which a line departs from its law.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(super) enum Departure {
+    Sign,
+    SineForCosine,
+    Inaccurate,
+    Unresolved,
+    TermMissing,
+    MassesExchanged,
+    MassesOmitted,
+    RestitutionMissing,
+    RestitutionOnWrongSide,
+    Coalesced,
+}
+
+impl Departure {
+    /// What a method mark condones.
+    pub(super) fn is_condoned(self) -> bool {
+        matches!(self, Departure::Sign | Departure::SineForCosine | Departure::Inaccurate)
+    }
+
+    pub(super) fn tag(self) -> &'static str {
+        match self {
+            Departure::Sign => "sign-error",
+            Departure::SineForCosine => "sincos-swap",
+            Departure::Inaccurate => "inaccurate",
+            Departure::Unresolved => "not-resolved",
+            Departure::TermMissing => "term-missing",
+            Departure::MassesExchanged => "masses-swapped",
+            Departure::MassesOmitted => "masses-omitted",
+            Departure::RestitutionMissing => "e-taken-as-1",
+            Departure::RestitutionOnWrongSide => "e-wrong-side",
+            Departure::Coalesced => "coalesce",
+        }
+    }
+
+    /// What a teacher would say.
+    pub(super) fn sentence(self) -> &'static str {
+        match self {
+            Departure::Sign => "a sign is wrong: keep one positive direction for every term",
+            Departure::SineForCosine => {
+                "sine and cosine are exchanged: along the line of centres the component is u cos"
+            }
+            Departure::Inaccurate => "a number is not accurate enough",
+            Departure::Unresolved => "a speed is not resolved along the line of centres",
+            Departure::TermMissing => "a term is missing",
+            Departure::MassesExchanged => "the masses are exchanged",
+            Departure::MassesOmitted => "the masses are left out, and they do not cancel",
+            Departure::RestitutionMissing => "e is left out",
+            Departure::RestitutionOnWrongSide => "e is on the wrong side: it multiplies the speed of approach",
+            Departure::Coalesced => "the spheres separate after the impact; they do not move on together",
+        }
+    }
+
+    fn weight(self) -> u32 {
+        match self {
+            Departure::Inaccurate => 1,
+            Departure::Sign | Departure::SineForCosine => 2,
+            Departure::TermMissing => 5,
+            _ => 4,
+        }
+    }
+}
+
+/// Which letters of the student are the components after the impact, and which way each is positive.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Convention {
+    pub(super) letters: [String; 2],
+    /// +1 where the student's positive direction is from A to B.
+    pub(super) signs: [f64; 2],
+    /// Does the letter that comes first in the alphabet stand for B?
+    pub(super) is_unusual: bool,
+}
+
+/// A line that is one of the two equations.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Matched {
+    pub(super) law: Law,
+    /// How it departs from the law; nothing if it is right.
+    pub(super) departures: Vec<Departure>,
+}
+
+impl Matched {
+    pub(super) fn weight(&self) -> u32 {
+        self.departures.iter().map(|departure| departure.weight()).sum()
+    }
+
+    pub(super) fn is_method(&self) -> bool {
+        self.departures.iter().all(|departure| departure.is_condoned())
+    }
+}
+
+/// What the law is evaluated from, at one point.
+#[derive(Clone, Debug)]
+struct Inputs {
+    masses: [f64; 2],
+    /// Along the line of centres, before.
+    along: [f64; 2],
+    across: [f64; 2],
+    speed: [f64; 2],
+    e: f64,
+}
+
+/// The two laws at every point of the letters.
+#[derive(Clone, Debug)]
+pub(super) struct Laws {
+    inputs: Vec<Inputs>,
+}
+
+/// How the component of a sphere before the impact may stand in a line: its value from the inputs, and what is wrong with it.
+const TERMS: [(Term, f64, &[Departure]); 7] = [
+    (Term::Along, 1.0, &[]),
+    (Term::Along, -1.0, &[Departure::Sign]),
+    (Term::Across, 1.0, &[Departure::SineForCosine]),
+    (Term::Across, -1.0, &[Departure::SineForCosine, Departure::Sign]),
+    (Term::Speed, 1.0, &[Departure::Unresolved]),
+    (Term::Speed, -1.0, &[Departure::Unresolved, Departure::Sign]),
+    (Term::Nothing, 1.0, &[Departure::TermMissing]),
+];
+
+#[derive(Clone, Copy, PartialEq)]
+enum Term {
+    Along,
+    Across,
+    Speed,
+    Nothing,
+}
+
+/// How the terms after the impact may stand: factors of that of A and that of B.
+const AFTER: [([f64; 2], &[Departure]); 4] = [
+    ([1.0, 1.0], &[]),
+    ([1.0, -1.0], &[Departure::Sign]),
+    ([1.0, 0.0], &[Departure::TermMissing]),
+    ([0.0, 1.0], &[Departure::TermMissing]),
+];
+
+impl Laws {
+    /// The laws of a question from what is known at every point; `None` where its masses or velocities are not given.
+    pub(super) fn of(at_points: &[Known<f64>]) -> Option<Laws> {
+        let inputs = (0..at_points.len()).map(|point| {
+            let known = std::slice::from_ref(&at_points[point]);
+            let at = |quantity| sizes(known, quantity).map(|sizes| sizes[0]);
+            let both = |one: &dyn Fn(Sphere) -> Option<f64>| Some([one(Sphere::A)?, one(Sphere::B)?]);
+            let component = |sphere, axis| at(Quantity::Velocity(sphere, Moment::Before, axis));
+            let along = both(&|sphere| component(sphere, Axis::N))?;
+            let across = both(&|sphere| component(sphere, Axis::T))?;
+            Some(Inputs {
+                masses: both(&|sphere| at(Quantity::Mass(sphere)))?,
+                speed: [along[0].hypot(across[0]), along[1].hypot(across[1])],
+                along,
+                across,
+                e: at(Quantity::Restitution)?,
+            })
+        });
+        Some(Laws { inputs: inputs.collect::<Option<_>>()? })
+    }
+
+    /// What a line is, its unknowns in this convention; `None` if it is neither law, however changed.
+    ///
+    /// The line is its left minus its right side at every point.
+    pub(super) fn matched(&self, line: &[Linear], convention: &Convention) -> Option<Matched> {
+        let others = |line: &Linear| line.unknowns.iter().any(|(name, _)| !convention.letters.contains(name));
+        if line.iter().any(others) {
+            return None;
+        }
+        let is_line =
+            |change: &&Change| self.inputs.iter().zip(line).all(|(at, line)| change.is_line(at, line, convention));
+        let change = changes().iter().find(is_line)?;
+        Some(Matched { law: change.law, departures: change.departures.clone() })
+    }
+}
+
+/// Every way to change the laws, a few at once, the least change first.
+fn changes() -> &'static [Change] {
+    static CHANGES: OnceLock<Vec<Change>> = OnceLock::new();
+    CHANGES.get_or_init(|| {
+        let mut found = Vec::new();
+        for law in [Law::Momentum, Law::Restitution] {
+            for tolerance in [0.0, INACCURATE] {
+                changes_of(law, tolerance, &mut found);
+            }
+        }
+        found.sort_by_key(|change| change.departures.iter().map(|departure| departure.weight()).sum::<u32>());
+        found
+    })
+}
+
+fn changes_of(law: Law, tolerance: f64, found: &mut Vec<Change>) {
+    let nothing: &[Departure] = &[];
+    let masses: &[([usize; 2], &[Departure])] = match law {
+        Law::Momentum => {
+            &[([0, 1], &[]), ([1, 0], &[Departure::MassesExchanged]), ([2, 2], &[Departure::MassesOmitted])]
+        }
+        _ => &[([2, 2], &[])],
+    };
+    let factors: &[(Factor, &[Departure])] = match law {
+        Law::Momentum => &[(Factor::One, nothing)],
+        _ => &[
+            (Factor::E, nothing),
+            (Factor::OverE, &[Departure::RestitutionOnWrongSide]),
+            (Factor::One, &[Departure::RestitutionMissing]),
+            (Factor::Nought, &[Departure::Coalesced]),
+        ],
+    };
+    let inaccurate: &[Departure] = if tolerance > 0.0 { &[Departure::Inaccurate] } else { nothing };
+    for a in TERMS {
+        for b in TERMS {
+            for (masses, masses_wrong) in masses {
+                for (factor, factor_wrong) in factors {
+                    for after in AFTER {
+                        let wrong = [a.2, b.2, masses_wrong, factor_wrong, after.1, inaccurate];
+                        let mut departures: Vec<Departure> = wrong.concat();
+                        departures.sort();
+                        departures.dedup();
+                        // Three different mistakes in one line could make anything of it.
+                        if departures.len() <= 2 {
+                            let before = [(a.0, a.1), (b.0, b.1)];
+                            let (masses, factor, after) = (*masses, *factor, after.0);
+                            found.push(Change { law, before, masses, factor, after, tolerance, departures });
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// How far a number may be off and still be meant, in parts of itself.
+const INACCURATE: f64 = 0.02;
+
+#[derive(Clone, Copy, PartialEq)]
+enum Factor {
+    One,
+    E,
+    OverE,
+    Nought,
+}
+
+/// One way to change a law.
+struct Change {
+    law: Law,
+    before: [(Term, f64); 2],
+    masses: [usize; 2],
+    factor: Factor,
+    after: [f64; 2],
+    /// How far numbers may be off, in parts of themselves.
+    tolerance: f64,
+    departures: Vec<Departure>,
+}
+
+impl Change {
+    /// The component of a sphere before the impact as it stands in the changed law; `None` if that is no change here.
+    fn component(&self, at: &Inputs, place: usize) -> Option<f64> {
+        let (term, sign) = self.before[place];
+        let along = at.along[place];
+        let size = match term {
+            // A sphere at rest has no sign to mistake.
+            Term::Along => return (sign > 0.0 || along != 0.0).then_some(sign * along),
+            Term::Across => at.across[place].abs(),
+            Term::Speed => at.speed[place],
+            Term::Nothing => 0.0,
+        };
+        let changes = (size - along.abs()).abs() > 1e-9 * at.speed[place];
+        changes.then(|| sign * size.copysign(along))
+    }
+
+    /// Is the line this, up to a factor?
+    fn is_line(&self, at: &Inputs, line: &Linear, convention: &Convention) -> bool {
+        let (Some(a), Some(b)) = (self.component(at, 0), self.component(at, 1)) else { return false };
+        let mass = |place: usize| at.masses.get(self.masses[place]).copied().unwrap_or(1.0);
+        let (p, q, r) = match self.law {
+            Law::Momentum => (mass(0), mass(1), mass(0) * a + mass(1) * b),
+            _ => {
+                let factor = match self.factor {
+                    Factor::One => 1.0,
+                    Factor::E => at.e,
+                    Factor::OverE if at.e == 0.0 => return false,
+                    Factor::OverE => 1.0 / at.e,
+                    Factor::Nought => 0.0,
+                };
+                (-1.0, 1.0, factor * (a - b))
+            }
+        };
+        let (p, q) = (p * self.after[0] * convention.signs[0], q * self.after[1] * convention.signs[1]);
+        let [v, w] = [0, 1].map(|place| line.before(&convention.letters[place]));
+        // In proportion: (v, w, constant) is a multiple of (p, q, -r).
+        let scale = line.size.max(1e-300) * p.abs().max(q.abs()).max(r.abs());
+        let times = |one: Spread, number: f64| one * Spread::exactly(number);
+        let close = |one: Spread, other: Spread| {
+            let difference = one - other;
+            let slack = self.tolerance * one.middle().abs().max(other.middle().abs());
+            Spread { low: difference.low - slack, high: difference.high + slack }.may_be_nought(scale)
+        };
+        // Nobody rounds a mass.
+        let unknowns = (times(v, q) - times(w, p)).may_be_nought(scale);
+        let is_there = |number: Spread| !number.may_be_nought(line.size);
+        let both = is_there(v) == (p != 0.0) && is_there(w) == (q != 0.0);
+        let constants = close(times(line.constant, p), times(v, -r)) && close(times(line.constant, q), times(w, -r));
+        unknowns && both && constants
+    }
+}
+
+/// Every way to take the student's two unknowns: which is which, and the sign of each. The usual one first.
+pub(super) fn conventions(names: &[String]) -> Vec<Convention> {
+    let [one, other] = names else { return Vec::new() };
+    let mut orders = vec![[one.clone(), other.clone()], [other.clone(), one.clone()]];
+    if sphere(one) == Some(Sphere::B) || sphere(other) == Some(Sphere::A) {
+        orders.reverse();
+    }
+    if sphere(one).is_some() && sphere(other).is_some() && sphere(one) != sphere(other) {
+        orders.truncate(1);
+    }
+    let signs = [[1.0, 1.0], [-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]];
+    let usual = orders[0].clone();
+    let of = |letters: &[String; 2]| {
+        let is_unusual = *letters != usual;
+        signs.map(|signs| Convention { letters: letters.clone(), signs, is_unusual })
+    };
+    orders.iter().flat_map(of).collect()
+}
+
+/// The sphere that a letter names: `v_A`, `V_1`.
+pub(super) fn sphere(letter: &str) -> Option<Sphere> {
+    match letter.chars().last() {
+        Some('A' | '1') if letter.len() > 1 => Some(Sphere::A),
+        Some('B' | '2') if letter.len() > 1 => Some(Sphere::B),
+        _ => None,
+    }
+}

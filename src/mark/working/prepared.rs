@@ -1,0 +1,99 @@
+//! What looking through working needs of a question, made once for all its scripts.
+
+use super::pair::Laws;
+use super::points::Points;
+use crate::mechanics::{Axis, Derivation, Known, Moment, Quantity, Scene, Sphere};
+use crate::number::{Letter, Value};
+use crate::solve::solve;
+
+/// A question made ready for the working of its students.
+#[derive(Clone, Debug)]
+pub struct Prepared {
+    pub(super) points: Points,
+    /// Everything that a solution may touch on, at every point.
+    pub(super) known: Vec<Known<f64>>,
+    /// What is given, at every point.
+    pub(super) given: Vec<Known<f64>>,
+    pub(super) laws: Option<Laws>,
+    /// Names under which students write what is given as a number.
+    pub(super) names: Vec<(String, Vec<f64>)>,
+    /// The decimals of the question.
+    pub(super) decimals: Vec<String>,
+    /// Where letters were to be found: those letters with their values at every point where they have one.
+    pub(super) found: Vec<(Letter, Vec<Option<f64>>)>,
+    /// What is known there.
+    there: Vec<Option<Known<f64>>>,
+}
+
+impl Prepared {
+    /// Prepares a question with these letters, whose scene gives this.
+    pub fn new(scene: &Scene, letters: &[Letter], exact: &Known<Value>, decimals: Vec<String>) -> Prepared {
+        let points = Points::new(letters);
+        let given: Vec<Known<f64>> = (0..points.count).map(|point| points.known(exact, point)).collect();
+        let known = given.iter().map(complete).collect::<Vec<_>>();
+        let named = [
+            (Quantity::Restitution, &["e"][..]),
+            (Quantity::Mass(Sphere::A), &["m_A", "m_1"]),
+            (Quantity::Mass(Sphere::B), &["m_B", "m_2"]),
+        ];
+        let mut names = Vec::new();
+        for (quantity, letters) in named {
+            if let Some(sizes) = super::points::sizes(&known, quantity) {
+                names.extend(letters.iter().map(|letter| ((*letter).to_owned(), sizes.clone())));
+            }
+        }
+        let solved = if scene.unknowns.is_empty() { None } else { solve(scene, &[]).ok() };
+        let found = solved
+            .iter()
+            .flat_map(|solution| solution.found())
+            .map(|(letter, value)| (*letter, (0..points.count).map(|point| points.value(value, point)).collect()));
+        let found: Vec<(Letter, Vec<Option<f64>>)> = found.collect();
+        let there = (0..points.count).map(|point| {
+            let has_values = !found.is_empty() && found.iter().all(|(_, values)| values[point].is_some());
+            has_values.then(|| complete(&points.with(&found, point).known(exact, point)))
+        });
+        let there = there.collect();
+        let laws = Laws::of(&known);
+        Prepared { points, known, given, laws, names, decimals, found, there }
+    }
+}
+
+impl Prepared {
+    /// What is known at a point where the letters that were to be found are what was found.
+    pub(super) fn where_found(&self, point: usize) -> Option<&Known<f64>> {
+        self.there[point].as_ref()
+    }
+}
+
+/// All that follows from what is known.
+pub(super) fn complete(known: &Known<f64>) -> Known<f64> {
+    let mut all = known.clone();
+    Derivation::carry_out(&mut all, &wanted());
+    all
+}
+
+/// What a student may write down on the way to any answer.
+fn wanted() -> Vec<Quantity> {
+    let mut wanted = Vec::new();
+    for sphere in Sphere::BOTH {
+        for moment in [Moment::Before, Moment::After] {
+            wanted.extend([Axis::N, Axis::T, Axis::X, Axis::Y].map(|axis| Quantity::Velocity(sphere, moment, axis)));
+            wanted.push(Quantity::Speed(sphere, moment));
+            wanted.push(Quantity::KineticEnergy(sphere, moment));
+            wanted.push(Quantity::AngleToLine(sphere, moment));
+            wanted.push(Quantity::TOverN(sphere, moment));
+        }
+        wanted.push(Quantity::Mass(sphere));
+        wanted.push(Quantity::Deflection(sphere));
+        wanted.push(Quantity::TanDeflection(sphere));
+        wanted.push(Quantity::DeflectionDot(sphere));
+        wanted.push(Quantity::Impulse(sphere, Axis::N));
+        wanted.push(Quantity::SphereEnergyLost(sphere));
+    }
+    let both = [Quantity::TotalEnergy(Moment::Before), Quantity::TotalEnergy(Moment::After), Quantity::EnergyLost];
+    wanted.extend(both);
+    wanted.extend([Quantity::FractionLost, Quantity::ImpulseMagnitude, Quantity::Restitution]);
+    wanted.extend([Quantity::Line(Axis::X), Quantity::Line(Axis::Y), Quantity::ContactSine]);
+    wanted.extend([Quantity::MomentumEquation, Quantity::RestitutionEquation]);
+    wanted
+}

@@ -1,0 +1,132 @@
+//! Scripts and the marks they earn: `tests/data/scripts.toml` is the table.
+
+use carom::bank::{read_question, shipped};
+use carom::diagnostic::Source;
+use carom::generate::reference;
+use carom::mark::{AnswerKey, KeyedQuestion, MarkedPart, PartScript, Profile, Script, mark};
+use carom::paper::{Key, compose, key_question};
+use serde::Deserialize;
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Table {
+    script: Vec<Row>,
+}
+
+/// A script for one part of a question with its reference numbers.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Row {
+    /// What it is an example of.
+    name: String,
+    question: String,
+    #[serde(default)]
+    part: String,
+    /// Answers by the names of their blanks.
+    #[serde(default)]
+    answers: std::collections::BTreeMap<String, String>,
+    /// An answer to the whole part.
+    answer: Option<String>,
+    #[serde(default)]
+    working: String,
+    /// What was handed in under earlier parts.
+    #[serde(default)]
+    before: Vec<Earlier>,
+    #[serde(default)]
+    profile: Option<String>,
+    /// The codes it earns, in the order of the scheme.
+    codes: String,
+    /// Tags that must be among the notes of answers, causes and awards.
+    #[serde(default)]
+    notes: Vec<String>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Earlier {
+    part: String,
+    #[serde(default)]
+    answers: std::collections::BTreeMap<String, String>,
+    #[serde(default)]
+    working: String,
+}
+
+fn keyed(id: &str) -> KeyedQuestion {
+    let (id, text) = shipped().find(|(name, _)| *name == id).unwrap_or_else(|| panic!("no question {id}"));
+    let question = read_question(id, &Source::new(id, text)).unwrap();
+    let variant = reference(&question).unwrap();
+    let keyed = key_question(&question, &variant, &compose(&question, &variant, 1));
+    let key = serde_json::to_string(&Key::new("shipped".to_owned(), None, vec![keyed])).unwrap();
+    AnswerKey::read(&key).unwrap().papers.remove(0).questions.remove(0)
+}
+
+fn part_script(label: &str, answers: &std::collections::BTreeMap<String, String>, working: &str) -> PartScript {
+    PartScript {
+        label: label.to_owned(),
+        answers: answers.iter().map(|(blank, answer)| (Some(blank.clone()), answer.clone())).collect(),
+        working: working.lines().map(str::to_owned).collect(),
+    }
+}
+
+fn marked(row: &Row) -> MarkedPart {
+    let question = keyed(&row.question);
+    let mut parts: Vec<PartScript> =
+        row.before.iter().map(|earlier| part_script(&earlier.part, &earlier.answers, &earlier.working)).collect();
+    let mut own = part_script(&row.part, &row.answers, &row.working);
+    own.answers.extend(row.answer.iter().map(|answer| (None, answer.clone())));
+    parts.push(own);
+    let profile = row.profile.as_deref().map_or_else(Profile::default, |name| Profile::named(name).unwrap());
+    let script = Script { student: "Ann".into(), question: 1, parts };
+    let found = mark(&question, &script, &profile);
+    found.into_iter().find(|part| part.label == row.part).expect("the part is there")
+}
+
+/// Everything that was found, to see why a row fails.
+fn story(part: &MarkedPart) -> String {
+    let mut story = String::new();
+    for answer in &part.answers {
+        let judgement = &answer.judgement;
+        story +=
+            &format!("  {} = {:?}: {} {:?}\n", answer.name, answer.typed, judgement.verdict.name(), judgement.note);
+        for cause in &answer.causes {
+            story += &format!("    {}\n", cause.tag);
+        }
+    }
+    for line in &part.lines {
+        story += &format!("  | {} | {:?} | {}\n", line.typed, line.reading, line.role);
+    }
+    for award in &part.awards {
+        story +=
+            &format!("  {} {} {:?} {:?} {}\n", award.id, award.printed(), award.note, award.evidence, award.feedback);
+    }
+    story
+}
+
+#[test]
+fn every_script_of_the_table_earns_its_marks() {
+    let table: Table = toml::from_str(include_str!("data/scripts.toml")).unwrap();
+    let mut wrong = String::new();
+    for row in &table.script {
+        let part = marked(row);
+        let codes: Vec<String> = part.awards.iter().map(|award| award.printed()).collect();
+        let notes: Vec<&str> = part
+            .answers
+            .iter()
+            .flat_map(|answer| {
+                answer.judgement.note.into_iter().chain(answer.causes.iter().map(|cause| cause.tag.as_str()))
+            })
+            .chain(part.awards.iter().filter_map(|award| award.note))
+            .collect();
+        let missing: Vec<&String> = row.notes.iter().filter(|note| !notes.contains(&note.as_str())).collect();
+        if codes.join(" ") != row.codes || !missing.is_empty() {
+            wrong += &format!(
+                "{}\n  earns  {}\n  not    {}\n  missing {missing:?}\n{}\n",
+                row.name,
+                codes.join(" "),
+                row.codes,
+                story(&part)
+            );
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong}");
+}
