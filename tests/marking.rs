@@ -99,6 +99,10 @@ fn story(part: &MarkedPart) -> String {
         story +=
             &format!("  {} {} {:?} {:?} {}\n", award.id, award.printed(), award.note, award.evidence, award.feedback);
     }
+    for line in &part.followed {
+        let equations: Vec<String> = line.equations.iter().map(carom::expr::print::plain).collect();
+        story += &format!("  > {} {}\n", carom::expr::print::text_unicode(&line.words), equations.join(" ; "));
+    }
     story
 }
 
@@ -129,4 +133,29 @@ fn every_script_of_the_table_earns_its_marks() {
         }
     }
     assert!(wrong.is_empty(), "{wrong}");
+}
+
+#[test]
+fn the_rest_is_solved_again_from_the_values_that_the_student_found() {
+    let row = Row {
+        name: String::new(),
+        question: "rest/speeds-and-directions".into(),
+        part: String::new(),
+        answers: Default::default(),
+        answer: None,
+        working: "v = 2.69\nw = 3.08".into(),
+        before: Vec::new(),
+        profile: None,
+        codes: String::new(),
+        notes: Vec::new(),
+    };
+    let part = marked(&row);
+    let lines: Vec<String> =
+        part.followed.iter().flat_map(|line| line.equations.iter().map(carom::expr::print::plain)).collect();
+    // Only what is wrong is followed: w is right.
+    assert_eq!(lines[0], "v = 2.69");
+    assert!(lines.contains(&"s_A = sqrt(2.69^2 + 2^2)".to_owned()), "{lines:?}");
+    assert!(lines.contains(&"s_A ~ 3.35".to_owned()), "{lines:?}");
+    let right = marked(&Row { working: "v = 1.92".into(), ..row });
+    assert!(right.followed.is_empty());
 }

@@ -1,13 +1,17 @@
 //! Answers followed through: right for the values that the student found before.
 
+use std::collections::BTreeSet;
+
 use crate::bank::{Code, EarnedFor, Find};
-use crate::expr::Expr;
+use crate::expr::{Expr, Meaning, Text, evaluate};
 use crate::mark::award::MarkedAnswer;
 use crate::mark::judging::{Judgement, Model, Verdict, judge};
 use crate::mark::key::{KeyedPart, KeyedQuestion};
 use crate::mark::reading::Reading;
 use crate::mark::working::Examined;
-use crate::mechanics::Datum;
+use crate::mechanics::{Datum, Derivation, Line, Quantity, Show};
+use crate::number::{Fraction, Places, Value, round};
+use crate::paper::WorkingLine;
 
 /// For each blank the verdict against what follows from the student's own values, where the scheme follows through.
 pub(super) fn answers(
@@ -36,4 +40,71 @@ pub(super) fn answers(
         (judgement.verdict == Verdict::Correct).then_some(judgement)
     })
     .collect()
+}
+
+/// The solution of the rest of a part from the values that the student found, as it would be written on paper. Nothing if
+/// they are right, or if the rest does not need them.
+pub(super) fn solution(question: &KeyedQuestion, part: &KeyedPart, examined: &Examined) -> Vec<WorkingLine> {
+    let mut known = question.given.clone();
+    let mut own = Vec::new();
+    for (quantity, written) in examined.theirs.wrong(question) {
+        let Some(value) = exact(question, written) else { continue };
+        known.0.insert(quantity, Datum::Number(value));
+        own.push((quantity, written.clone()));
+    }
+    let mut reached: BTreeSet<Quantity> = own.iter().map(|(quantity, _)| *quantity).collect();
+    let asked: Vec<Quantity> = part.blanks.iter().flat_map(|blank| blank.find.quantities()).collect();
+    let asked: Vec<Quantity> = asked.into_iter().filter(|quantity| !reached.contains(quantity)).collect();
+    let (derivation, _) = Derivation::carry_out(&mut known, &asked);
+    let show = Show::new(&question.scene, &known, &asked);
+    let mut lines = Vec::new();
+    for step in &derivation.steps {
+        if step.needs.iter().any(|needed| reached.contains(needed)) {
+            reached.extend(&step.gives);
+            let plain = |line: Line| {
+                let words = line.words.map_formulas(&mut |expr| Ok::<_, ()>(in_decimals(expr))).unwrap_or(line.words);
+                WorkingLine { words, equations: line.equations.iter().map(in_decimals).collect(), label: None }
+            };
+            lines.extend(step.lines(&show).into_iter().map(plain));
+        }
+    }
+    if lines.is_empty() {
+        return lines;
+    }
+    let equations = own.into_iter().map(|(quantity, written)| Expr::equation(show.symbol(quantity), written));
+    let words = Text::words("Going on from your own values");
+    lines.insert(0, WorkingLine { words, equations: equations.collect(), label: None });
+    lines
+}
+
+/// The most decimal places that are written in place of a fraction.
+const MOST_PLACES: u32 = 5;
+
+/// `1.92` for the `48/25` that it became: a student goes on in the figures that were written down.
+fn in_decimals(expr: &Expr) -> Expr {
+    let number = match expr {
+        Expr::Number(number) => Some(number.clone()),
+        Expr::Quotient(above, below) => match (&**above, &**below) {
+            (Expr::Number(above), Expr::Number(below)) if !below.is_zero() => Some(above / below),
+            _ => None,
+        },
+        _ => None,
+    };
+    let short = number.filter(|number| number.as_small().is_some_and(|(_, below)| below >= 20)).and_then(|number| {
+        let decimal = round(&number, &Places::DecimalPlaces(MOST_PLACES)).to_string();
+        let is_exact = decimal.parse::<Fraction>().ok().as_ref() == Some(&number);
+        is_exact.then(|| Expr::Decimal(decimal.trim_end_matches('0').to_owned()))
+    });
+    short.unwrap_or_else(|| expr.map_children(&mut in_decimals))
+}
+
+fn exact(question: &KeyedQuestion, written: &Expr) -> Option<Value> {
+    let letter = |name: &str| {
+        let letter = question.letters.iter().find(|letter| letter.name() == name)?;
+        Some(Meaning::Number(Value::letter(*letter)))
+    };
+    match evaluate(written, &letter).ok()? {
+        Meaning::Number(value) => Some(value),
+        _ => None,
+    }
 }

@@ -25,13 +25,16 @@ pub fn mark(question: &KeyedQuestion, script: &Script, profile: &Profile) -> Vec
     for part in &question.parts {
         let handed_in = together(script, &part.label);
         let (answers, readings) = answers::judged(part, &handed_in, profile);
-        let examined = examine(question, part, &handed_in.working, &theirs);
+        let mut examined = examine(question, part, &handed_in.working, &theirs);
         let followed = follow::answers(question, part, &answers, &readings, &examined);
-        let awards = decide::awards(part, &answers, examined.awards, &followed, profile, &mut charged);
+        let by_working = std::mem::take(&mut examined.awards);
+        let awards = decide::awards(part, &answers, by_working, &followed, profile, &mut charged);
+        let all_right = awards.iter().all(|award| award.given);
+        let solution = if all_right { Vec::new() } else { follow::solution(question, part, &examined) };
         theirs = examined.theirs;
         theirs.take_answers(question, part, &readings);
         let (label, lines) = (part.label.clone(), examined.lines);
-        marked.push(MarkedPart { label, answers, lines, awards, followed: Vec::new() });
+        marked.push(MarkedPart { label, answers, lines, awards, followed: solution });
     }
     marked
 }

@@ -10,16 +10,27 @@ use super::points::sizes;
 use super::prepared::{Prepared, complete};
 use super::spread::Spread;
 use crate::bank::{Code, EarnedFor, Find};
+use crate::expr::Expr;
 use crate::mark::award::{Award, Evidence, Examiner, MarkedLine, Place};
 use crate::mark::key::{KeyedMark, KeyedPart, KeyedQuestion};
 use crate::mark::reading::{Form, Reading};
 use crate::mechanics::{Axis, Datum, Known, Law, Moment, Quantity, Sphere};
 
-/// A student's own values, by quantity, at every point.
+/// A student's own values, by quantity: at every point, and as they were written.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Theirs(pub(crate) BTreeMap<Quantity, Vec<f64>>);
+pub(crate) struct Theirs(pub(crate) BTreeMap<Quantity, (Vec<f64>, Expr)>);
 
 impl Theirs {
+    /// Those that are not right, as they were written.
+    pub(crate) fn wrong<'t>(&'t self, question: &'t KeyedQuestion) -> impl Iterator<Item = (Quantity, &'t Expr)> {
+        let right = |quantity: &Quantity| sizes(&question.prepared().known, *quantity).unwrap_or_default();
+        let near = |(own, right): (&f64, &f64)| (own - right).abs() <= 0.01 * right.abs();
+        self.0.iter().filter_map(move |(quantity, (values, written))| {
+            let is_right = values.iter().zip(&right(quantity)).all(near);
+            (!is_right).then_some((*quantity, written))
+        })
+    }
+
     /// Takes the answers that were read as numbers, for the parts that follow: right or not, the student goes on with
     /// them.
     pub(crate) fn take_answers(
@@ -35,12 +46,12 @@ impl Theirs {
             match (&blank.find, &said.form) {
                 (Find::Quantity(quantity), Form::Value(expr)) if !quantity.is_angle() => {
                     let numbers = value(expr, prepared, &prepared.names).and_then(|values| numbers(&values));
-                    self.0.extend(numbers.map(|numbers| (*quantity, numbers)));
+                    self.0.extend(numbers.map(|numbers| (*quantity, (numbers, expr.clone()))));
                 }
                 (Find::Vector(x, y), Form::Vector(along_i, along_j, _)) => {
                     for (quantity, expr) in [(x, along_i), (y, along_j)] {
                         let numbers = value(expr, prepared, &prepared.names).and_then(|values| numbers(&values));
-                        self.0.extend(numbers.map(|numbers| (*quantity, numbers)));
+                        self.0.extend(numbers.map(|numbers| (*quantity, (numbers, expr.clone()))));
                     }
                 }
                 _ => {}
@@ -123,8 +134,9 @@ pub(crate) fn examine(question: &KeyedQuestion, part: &KeyedPart, working: &[Str
     let names = Vec::new();
     let mut working = Working { question, prepared, part, lines, convention, theirs, followed, names };
     // Now that it is known what the student's letters stand for, formulas with them have values.
-    working.names = working
-        .names(&|quantity| working.theirs.0.get(&quantity).cloned().or_else(|| sizes(&prepared.known, quantity)));
+    working.names = working.names(&|quantity| {
+        working.theirs.0.get(&quantity).map(|(values, _)| values.clone()).or_else(|| sizes(&prepared.known, quantity))
+    });
     evaluate(&mut working.lines, prepared, &working.names);
     let awards = part.scheme.iter().map(|mark| working.award(mark)).collect();
     let lines = working.lines.iter().map(|studied| MarkedLine {
@@ -162,7 +174,7 @@ fn evaluate(lines: &mut [Studied], prepared: &Prepared, names: &[(String, Vec<f6
 }
 
 /// What a formula without unknowns comes to at every point.
-fn value(expr: &crate::expr::Expr, prepared: &Prepared, names: &[(String, Vec<f64>)]) -> Option<Vec<Value>> {
+fn value(expr: &Expr, prepared: &Prepared, names: &[(String, Vec<f64>)]) -> Option<Vec<Value>> {
     let at = |point| match super::linear::sum(expr, &Context { given: names, ..context(prepared, point) })? {
         Sum::Number(linear) if linear.is_number() => Some(Value::Number(linear.constant)),
         Sum::Vector(x, y) if x.is_number() && y.is_number() => Some(Value::Vector(x.constant, y.constant)),
@@ -172,13 +184,16 @@ fn value(expr: &crate::expr::Expr, prepared: &Prepared, names: &[(String, Vec<f6
 }
 
 /// Left minus right of an equation at every point.
-fn differences(equation: &(crate::expr::Expr, crate::expr::Expr), prepared: &Prepared) -> Option<Vec<Linear>> {
+fn differences(equation: &(Expr, Expr), prepared: &Prepared) -> Option<Vec<Linear>> {
     let at = |point| match difference(&equation.0, &equation.1, &context(prepared, point))? {
         Sum::Number(linear) => Some(linear),
         Sum::Vector(..) => None,
     };
     (0..prepared.points.count).map(at).collect()
 }
+
+/// The place of a line, which of its readings, and what it is.
+type Found = (usize, usize, Matched);
 
 /// Finds the lines that are momentum or restitution, and the student's choice of letters and directions that makes them
 /// agree best.
@@ -198,11 +213,11 @@ fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option<Convention
         }
     }
     let pairs = pairs(&offered, lines);
-    let matches = |convention: &Convention| -> Vec<(usize, usize, Matched)> {
+    let matches = |convention: &Convention| -> Vec<Found> {
         let each = offered.iter();
         each.filter_map(|(place, which, linear)| Some((*place, *which, laws.matched(linear, convention)?))).collect()
     };
-    let mut best: Option<(u32, Convention, Vec<(usize, usize, Matched)>)> = None;
+    let mut best: Option<(u32, Convention, Vec<Found>)> = None;
     for convention in pairs.iter().flat_map(|pair| conventions(pair)) {
         let found = matches(&convention);
         let weight = weight(&found) + u32::from(convention.is_unusual) + disagreement(lines, &convention, prepared);
@@ -244,7 +259,7 @@ fn disagreement(lines: &[Studied], convention: &Convention, prepared: &Prepared)
 }
 
 /// What the best line of each law is short of; a law without a line costs more than any line.
-fn weight(found: &[(usize, usize, Matched)]) -> u32 {
+fn weight(found: &[Found]) -> u32 {
     let least =
         |law| found.iter().filter(|(.., matched)| matched.law == law).map(|(.., matched)| matched.weight()).min();
     [Law::Momentum, Law::Restitution].into_iter().map(|law| least(law).unwrap_or(20)).sum()
@@ -262,8 +277,8 @@ fn role(matched: &Matched) -> String {
 }
 
 /// Is it `v = 3` or `3 = v`?
-fn is_value((left, right): &(crate::expr::Expr, crate::expr::Expr)) -> bool {
-    let is_letter = |expr: &crate::expr::Expr| matches!(expr, crate::expr::Expr::Name(_));
+fn is_value((left, right): &(Expr, Expr)) -> bool {
+    let is_letter = |expr: &Expr| matches!(expr, Expr::Name(_));
     (is_letter(left) && right.names().is_empty()) || (is_letter(right) && left.names().is_empty())
 }
 
@@ -302,7 +317,7 @@ fn own_values(
     convention: Option<&Convention>,
     part: &KeyedPart,
     prepared: &Prepared,
-) -> BTreeMap<Quantity, Vec<f64>> {
+) -> BTreeMap<Quantity, (Vec<f64>, Expr)> {
     let mut found = BTreeMap::new();
     for studied in lines {
         let Some(reading) = &studied.reading else { continue };
@@ -315,7 +330,9 @@ fn own_values(
                     let own = Quantity::Velocity(Sphere::BOTH[place], Moment::After, Axis::N);
                     // A letter may also be used for the speed that is found from it in the end.
                     if !is_asked_speed(part, Sphere::BOTH[place], &numbers, prepared) || !found.contains_key(&own) {
-                        found.insert(own, numbers.iter().map(|number| number * convention.signs[place]).collect());
+                        let sign = convention.signs[place];
+                        let written = if sign < 0.0 { member.expr.clone().negated() } else { member.expr.clone() };
+                        found.insert(own, (numbers.iter().map(|number| number * sign).collect(), written));
                     }
                 }
                 (None, ..) => {
@@ -327,16 +344,18 @@ fn own_values(
                     if let (Some(of), true) = (of, is_after)
                         && let (Some(x), Some(y)) = (vector(first), vector(second))
                     {
-                        found.insert(Quantity::Velocity(of, Moment::After, Axis::X), x);
-                        found.insert(Quantity::Velocity(of, Moment::After, Axis::Y), y);
+                        if let Expr::Vector(along_i, along_j) = &member.expr {
+                            found.insert(Quantity::Velocity(of, Moment::After, Axis::X), (x, (**along_i).clone()));
+                            found.insert(Quantity::Velocity(of, Moment::After, Axis::Y), (y, (**along_j).clone()));
+                        }
                     }
                 }
                 _ => {}
             }
         }
     }
-    found
-        .retain(|quantity, values| !prepared.given[0].0.contains_key(quantity) && values.iter().all(|v| v.is_finite()));
+    let is_own = |quantity: &Quantity| !prepared.given[0].0.contains_key(quantity);
+    found.retain(|quantity, (values, _)| is_own(quantity) && values.iter().all(|value| value.is_finite()));
     found
 }
 
@@ -380,7 +399,7 @@ fn unknown_sphere(prepared: &Prepared) -> Option<Sphere> {
 /// that is none.
 pub(super) fn follow(prepared: &Prepared, theirs: &Theirs) -> Vec<Known<f64>> {
     let mut at_points = prepared.given.clone();
-    for (quantity, values) in &theirs.0 {
+    for (quantity, (values, _)) in &theirs.0 {
         let right = sizes(&prepared.known, *quantity);
         let trivial = match quantity {
             Quantity::Restitution => values.iter().any(|value| !(0.0..=1.0).contains(value)),

@@ -221,7 +221,7 @@ impl Working<'_> {
         let mut all = Vec::new();
         let quantity = Quantity::Velocity(sphere, Moment::After, axis);
         all.extend(sizes(&self.prepared.known, quantity));
-        all.extend(self.theirs.0.get(&quantity).cloned());
+        all.extend(self.theirs.0.get(&quantity).map(|(values, _)| values.clone()));
         if axis == Axis::T {
             all.extend(sizes(&self.prepared.known, Quantity::Velocity(sphere, Moment::Before, Axis::N)));
         }

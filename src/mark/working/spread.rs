@@ -62,7 +62,7 @@ impl Spread {
     }
 
     pub(super) fn to_the(self, power: u32) -> Option<Spread> {
-        let base = if power % 2 == 0 { self.absolute() } else { self };
+        let base = if power.is_multiple_of(2) { self.absolute() } else { self };
         base.through(|number| number.powi(power as i32))
     }
 
