@@ -289,11 +289,10 @@ impl PartialOrd for Fraction {
 /// `3`, `-5/2`.
 impl fmt::Display for Fraction {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match &self.0 {
-            Repr::Small(n, 1) => write!(f, "{n}"),
-            Repr::Small(n, d) => write!(f, "{n}/{d}"),
-            Repr::Big(value) if value.is_int() => write!(f, "{}", value.numerator()),
-            Repr::Big(value) => write!(f, "{}/{}", value.numerator(), value.denominator()),
+        if self.is_integer() {
+            write!(f, "{}", self.numerator())
+        } else {
+            write!(f, "{}/{}", self.numerator(), self.denominator())
         }
     }
 }

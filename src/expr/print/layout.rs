@@ -8,6 +8,7 @@ use std::borrow::Cow;
 use super::letter::{Letter, letter};
 use super::shape::{Vectors, is_digits, is_whole_power, tidied};
 use crate::expr::{Expr, Function, Relation};
+use crate::number::Fraction;
 use crate::unit::Unit;
 
 /// Items from left to right.
@@ -54,6 +55,9 @@ pub(super) enum Item<'e> {
     Unit(Unit),
 }
 
+/// Most rows have no more items than this.
+const USUAL: usize = 8;
+
 /// A formula ready to be laid out.
 pub(super) struct Formula<'e>(Cow<'e, Expr>);
 
@@ -70,7 +74,7 @@ impl<'e> Formula<'e> {
 
     /// Its layout as a value with its unit: `(4i - j) m s^-1`, `30°`.
     pub fn quantity(&self, unit: Unit) -> Row<'_> {
-        let mut items = Row::new();
+        let mut items = Row::with_capacity(USUAL);
         measured(&self.0, unit, &mut items);
         items
     }
@@ -96,7 +100,11 @@ fn measured<'e>(expr: &'e Expr, unit: Unit, items: &mut Row<'e>) {
         (_, Unit::Degree) => degrees(expr, items),
         _ => {
             let size = if let Expr::Negative(size) = expr { size } else { expr };
-            if is_loose(size) { items.push(bracketed(expr)) } else { lay(expr, items) }
+            if is_loose(size) {
+                items.push(bracketed(expr))
+            } else {
+                lay(expr, items)
+            }
             items.push(Item::Unit(unit));
         }
     }
@@ -113,7 +121,7 @@ pub(super) fn is_tall(row: &[Item]) -> bool {
 }
 
 fn row(expr: &Expr) -> Row<'_> {
-    let mut items = Row::new();
+    let mut items = Row::with_capacity(USUAL);
     lay(expr, &mut items);
     items
 }
@@ -121,11 +129,7 @@ fn row(expr: &Expr) -> Row<'_> {
 /// Adds the items of a tidied expression.
 fn lay<'e>(expr: &'e Expr, items: &mut Row<'e>) {
     match expr {
-        Expr::Number(value) if !value.is_integer() => {
-            let digits = |part: String| vec![Item::Digits(part.into())];
-            items.push(Item::Fraction(digits(value.numerator().to_string()), digits(value.denominator().to_string())));
-        }
-        Expr::Number(value) => items.push(Item::Digits(value.to_string().into())),
+        Expr::Number(value) => items.push(number(value)),
         Expr::Decimal(text) => items.push(Item::Digits(text.into())),
         Expr::Name(name) if name.text == "i" => items.push(Item::Bold('i')),
         Expr::Name(name) if name.text == "j" => items.push(Item::Bold('j')),
@@ -156,9 +160,32 @@ fn bracketed(expr: &Expr) -> Item<'_> {
     Item::Brackets(row(expr))
 }
 
+fn number<'e>(value: &Fraction) -> Item<'e> {
+    let (above, below) = match value.as_small() {
+        Some((above, below)) => (digits(above), digits(below)),
+        None => (value.numerator().to_string().into(), value.denominator().to_string().into()),
+    };
+    if value.is_integer() {
+        Item::Digits(above)
+    } else {
+        Item::Fraction(vec![Item::Digits(above)], vec![Item::Digits(below)])
+    }
+}
+
+/// The digits of a number; most numbers have one, which need not be made.
+fn digits<'e>(number: i64) -> Cow<'e, str> {
+    const READY: [&str; 10] = ["0", "1", "2", "3", "4", "5", "6", "7", "8", "9"];
+    let ready = usize::try_from(number).ok().and_then(|number| READY.get(number));
+    ready.map_or_else(|| number.to_string().into(), |digit| (*digit).into())
+}
+
 /// Adds an angle of so many degrees.
 fn degrees<'e>(number: &'e Expr, items: &mut Row<'e>) {
-    if is_digits(number) || is_letter(number) { lay(number, items) } else { items.push(bracketed(number)) }
+    if is_digits(number) || is_letter(number) {
+        lay(number, items)
+    } else {
+        items.push(bracketed(number))
+    }
     items.push(Item::Degree);
 }
 

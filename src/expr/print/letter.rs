@@ -65,8 +65,13 @@ static GREEK: [(&str, char); 33] = [
 pub(super) const VECTOR: &str = "vector.";
 
 /// The Greek letter of a name.
-fn greek(name: &str) -> Option<(&'static str, char)> {
-    GREEK.iter().find(|(known, _)| *known == name).copied()
+fn greek(name: &str) -> Option<Symbol<'static>> {
+    // most names are a single letter, and none of those is in the list
+    if name.len() < 2 {
+        return None;
+    }
+    let (name, character) = GREEK.iter().find(|(known, _)| *known == name)?;
+    Some(Symbol::Greek(name, *character))
 }
 
 /// A name taken apart: `v_A`, `u1`, `alpha`, `KE`; `vector.v_A` is the vector of that name.
@@ -89,15 +94,14 @@ pub(super) fn letter(name: &str) -> Letter<'_> {
         None => name.split_at(name.trim_end_matches(|c: char| c.is_ascii_digit()).len()),
     };
     let base = match greek(base) {
-        Some((name, character)) => Symbol::Greek(name, character),
+        Some(symbol) => symbol,
         None if base.len() == 1 => Symbol::Italic(base.into()),
         None => Symbol::Upright(base.into()),
     };
-    let subscript = match greek(below) {
-        Some((name, character)) => Some(Symbol::Greek(name, character)),
-        None if below.is_empty() => None,
-        None if below.contains('_') => Some(Symbol::Italic(below.replace('_', ",").into())),
-        None => Some(Symbol::Italic(below.into())),
-    };
+    let subscript = (!below.is_empty()).then(|| match greek(below) {
+        Some(symbol) => symbol,
+        None if below.contains('_') => Symbol::Italic(below.replace('_', ",").into()),
+        None => Symbol::Italic(below.into()),
+    });
     Letter { base, subscript }
 }

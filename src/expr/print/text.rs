@@ -1,7 +1,7 @@
 //! Words with formulas in them, printed for LaTeX, HTML and a terminal.
 
-use super::latex::write_latex;
 use super::ROOM;
+use super::latex::write_latex;
 use super::layout::{Formula, Row};
 use super::mathml::{write_block, write_math};
 use super::unicode::{unicode, unicode_row};
@@ -73,8 +73,8 @@ fn write_html_pieces(pieces: &[Piece], out: &mut String) {
 
 /// The stop, comma or closing bracket that words begin with.
 fn stop_of(words: &str) -> &str {
-    let end = words.find(|letter| !".,;:?!)".contains(letter)).unwrap_or(words.len());
-    &words[..end]
+    let rest = words.trim_start_matches(['.', ',', ';', ':', '?', '!', ')']);
+    &words[..words.len() - rest.len()]
 }
 
 fn write_html_piece(piece: &Piece, out: &mut String) {

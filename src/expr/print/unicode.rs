@@ -92,7 +92,11 @@ fn write_item(item: &Item, hand: Hand, out: &mut String) {
         Item::Gap => out.push(' '),
         Item::Relation(relation) => out.extend([" ", (hand.relation)(*relation), " "]),
         Item::Fraction(top, bottom) => {
-            if is_product(top) { write_on_one_line(top, hand, out) } else { write_closed(top, hand, out) }
+            if is_product(top) {
+                write_on_one_line(top, hand, out)
+            } else {
+                write_closed(top, hand, out)
+            }
             out.push('/');
             write_closed(bottom, hand, out);
         }

@@ -48,11 +48,20 @@ pub(super) fn write_words_html(text: &str, out: &mut String) {
     }
 }
 
-/// Takes over the letters, digits, blanks, commas and full stops that come next, most of what is written, and then
-/// takes off one other character.
+/// Letters, digits, blanks, commas and full stops, by their bytes: most of what is written, and the same everywhere.
+static PLAIN: [bool; 256] = {
+    let mut plain = [false; 256];
+    let mut byte = 0;
+    while byte < 128 {
+        plain[byte] = matches!(byte as u8, b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b' ' | b',' | b'.');
+        byte += 1;
+    }
+    plain
+};
+
+/// Takes over the plain characters that come next, and then takes off one other.
 fn past_plain(rest: &mut &str, out: &mut String) -> Option<char> {
-    let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || matches!(byte, b' ' | b',' | b'.');
-    let length = rest.bytes().position(|byte| !is_plain(byte)).unwrap_or(rest.len());
+    let length = rest.bytes().position(|byte| !PLAIN[usize::from(byte)]).unwrap_or(rest.len());
     let (plain, other) = rest.split_at(length);
     out.push_str(plain);
     let mut characters = other.chars();
