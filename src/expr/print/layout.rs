@@ -93,9 +93,15 @@ fn measured<'e>(expr: &'e Expr, unit: Unit, items: &mut Row<'e>) {
         (Expr::Quotient(angle, by), Unit::Degree) if matches!(&**by, Expr::Degrees(one) if one.is_one()) => {
             lay(angle, items);
         }
-        (Expr::Negative(size), Unit::Degree) if !matches!(**size, Expr::Negative(_)) => {
+        (Expr::Negative(size), Unit::Degree) => {
             items.push(Item::Negation);
-            measured(size, unit, items);
+            let mut angle = Row::new();
+            measured(size, unit, &mut angle);
+            if matches!(**size, Expr::Negative(_)) {
+                items.push(Item::Brackets(angle));
+            } else {
+                items.append(&mut angle);
+            }
         }
         (_, Unit::Degree) => degrees(expr, items),
         _ => {
@@ -257,7 +263,7 @@ fn product<'e>(factors: &'e [Expr], items: &mut Row<'e>) {
 /// Does a multiplication sign show before the factor? It does before digits and negative numbers.
 fn is_times_shown(before: Option<&Item>, factor: &Expr, next: &[Item]) -> bool {
     if let Expr::Negative(size) = factor {
-        return matches!(**size, Expr::Number(_) | Expr::Decimal(_));
+        return matches!(**size, Expr::Number(_) | Expr::Decimal(_)) || is_times_shown(before, size, &[]);
     }
     match next.first() {
         Some(Item::Fraction(top, bottom)) => {

@@ -21,7 +21,14 @@ pub(super) enum Vectors {
 /// Only one minus is taken off: `4 - (-3)` in working is printed as it was composed. Most trees are tidy and are not
 /// copied.
 pub(super) fn tidied(expr: &Expr, vectors: Vectors) -> Cow<'_, Expr> {
-    if is_tidy(expr, vectors) { Cow::Borrowed(expr) } else { Cow::Owned(tidy(expr, vectors)) }
+    if is_tidy(expr, vectors) {
+        return Cow::Borrowed(expr);
+    }
+    let flat = flattened(expr);
+    Cow::Owned(match vectors {
+        Vectors::Pairs => signed(&flat),
+        Vectors::Sums => signed(&along_components(&flat)),
+    })
 }
 
 fn is_tidy(expr: &Expr, vectors: Vectors) -> bool {
@@ -41,34 +48,15 @@ fn is_tidy(expr: &Expr, vectors: Vectors) -> bool {
     by_itself && expr.all_children(&mut |child| is_tidy(child, vectors))
 }
 
-fn tidy(expr: &Expr, vectors: Vectors) -> Expr {
-    match expr.map_children(&mut |child| tidy(child, vectors)) {
-        Expr::Number(value) if value.sign() == Ordering::Less => negative(Expr::Number(-value)),
-        Expr::Decimal(text) if text.starts_with('-') => negative(Expr::Decimal(text[1..].to_owned())),
-        Expr::Degrees(inner) => fronted(*inner, Expr::degrees),
-        Expr::Quotient(numerator, denominator) => {
-            fronted(*numerator, |numerator| Expr::Quotient(Box::new(numerator), denominator))
-        }
+fn flattened(expr: &Expr) -> Expr {
+    match expr.map_children(&mut flattened) {
         Expr::Product(factors) => product(factors),
         Expr::Sum(mut terms) if terms.len() < 2 => terms.pop().unwrap_or_else(|| Expr::integer(0)),
-        Expr::Vector(x, y) if vectors == Vectors::Sums => along_components(*x, *y),
         other => other,
     }
 }
 
-fn negative(size: Expr) -> Expr {
-    Expr::Negative(Box::new(size))
-}
-
-/// What is made of a part that stands in front, its minus sign before the whole.
-fn fronted(first: Expr, whole: impl FnOnce(Expr) -> Expr) -> Expr {
-    match first {
-        Expr::Negative(size) => negative(fronted(*size, whole)),
-        first => whole(first),
-    }
-}
-
-/// The product of tidied factors.
+/// The product of flattened factors.
 fn product(factors: Vec<Expr>) -> Expr {
     let mut flat = Vec::with_capacity(factors.len());
     for factor in factors {
@@ -82,22 +70,57 @@ fn product(factors: Vec<Expr>) -> Expr {
     match flat.len() {
         0 => Expr::integer(1),
         1 => flat.remove(0),
-        _ if matches!(flat[0], Expr::Negative(_)) => fronted(flat.remove(0), |size| {
-            flat.insert(0, size);
-            product(flat)
-        }),
         _ => Expr::Product(flat),
     }
 }
 
-/// The vector of tidied components as a sum along i and j, without the one that is nought.
-fn along_components(x: Expr, y: Expr) -> Expr {
-    let along = |component: Expr, unit: &str| product(vec![component, Expr::name(unit)]);
-    match (x.is_zero(), y.is_zero()) {
-        (true, true) => Expr::Vector(Box::new(x), Box::new(y)),
-        (false, true) => along(x, "i"),
-        (true, false) => along(y, "j"),
-        (false, false) => Expr::Sum(vec![along(x, "i"), along(y, "j")]),
+/// The tree with vectors as sums along i and j, without a component that is nought.
+fn along_components(expr: &Expr) -> Expr {
+    let along = |component: Box<Expr>, unit: &str| product(vec![*component, Expr::name(unit)]);
+    match expr.map_children(&mut along_components) {
+        Expr::Vector(x, y) => match (x.is_zero(), y.is_zero()) {
+            (true, true) => Expr::Vector(x, y),
+            (false, true) => along(x, "i"),
+            (true, false) => along(y, "j"),
+            (false, false) => Expr::Sum(vec![along(x, "i"), along(y, "j")]),
+        },
+        other => other,
+    }
+}
+
+/// The tree with signs in front: -3 as the negative of 3, and so what begins with it.
+fn signed(expr: &Expr) -> Expr {
+    match expr.map_children(&mut signed) {
+        Expr::Number(value) if value.sign() == Ordering::Less => negative(Expr::Number(-value)),
+        Expr::Decimal(text) if text.starts_with('-') => negative(Expr::Decimal(text[1..].to_owned())),
+        Expr::Degrees(number) => fronted(*number, Expr::degrees),
+        Expr::Quotient(numerator, denominator) => {
+            fronted(*numerator, |numerator| Expr::Quotient(Box::new(numerator), denominator))
+        }
+        Expr::Product(factors) => signed_product(factors),
+        other => other,
+    }
+}
+
+/// The product of signed factors; behind a one that is dropped another sign may come to the front.
+fn signed_product(factors: Vec<Expr>) -> Expr {
+    match product(factors) {
+        Expr::Product(mut factors) if matches!(factors[0], Expr::Negative(_)) => {
+            fronted(factors.remove(0), |first| signed_product(std::iter::once(first).chain(factors).collect()))
+        }
+        other => other,
+    }
+}
+
+fn negative(size: Expr) -> Expr {
+    Expr::Negative(Box::new(size))
+}
+
+/// What is made of a part that stands in front, its minus sign before the whole.
+fn fronted(part: Expr, whole: impl FnOnce(Expr) -> Expr) -> Expr {
+    match part {
+        Expr::Negative(size) => negative(fronted(*size, whole)),
+        part => whole(part),
     }
 }
 
