@@ -28,13 +28,12 @@ impl Source {
 
     /// A length with no more than two places, and none that say nothing.
     pub fn length(&mut self, length: f64) -> &mut Source {
-        let hundredths = (length * 100.0).round() as i64;
-        if hundredths < 0 {
+        let hundredths = (length.abs() * 100.0 + 0.5) as u32;
+        if length < 0.0 && hundredths > 0 {
             self.text.push('-');
         }
-        let size = hundredths.unsigned_abs();
-        self.whole(size / 100);
-        let (tenth, hundredth) = (size / 10 % 10, size % 10);
+        self.whole(hundredths / 100);
+        let (tenth, hundredth) = (hundredths / 10 % 10, hundredths % 10);
         if (tenth, hundredth) != (0, 0) {
             self.text.push('.');
             self.digit(tenth);
@@ -46,20 +45,20 @@ impl Source {
     }
 
     /// Both coordinates of a point, with a sign between them.
-    pub fn point(&mut self, point: Point, between: char) -> &mut Source {
-        self.length(point.x);
-        self.text.push(between);
-        self.length(point.y)
+    pub fn point(&mut self, point: Point, between: &str) -> &mut Source {
+        self.length(point.x).put(between).length(point.y)
     }
 
-    fn whole(&mut self, number: u64) {
-        if number >= 10 {
-            self.whole(number / 10);
+    fn whole(&mut self, number: u32) {
+        for place in [10_000_000, 1_000_000, 100_000, 10_000, 1_000, 100, 10] {
+            if number >= place {
+                self.digit(number / place % 10);
+            }
         }
         self.digit(number % 10);
     }
 
-    fn digit(&mut self, digit: u64) {
+    fn digit(&mut self, digit: u32) {
         self.text.push(char::from(b'0' + digit as u8));
     }
 }
@@ -78,7 +77,9 @@ mod tests {
             (-0.254, "-0.25"),
             (12.049, "12.05"),
             (0.07, "0.07"),
+            (-0.625, "-0.63"),
             (1200.0, "1200"),
+            (12345678.5, "12345678.5"),
         ];
         for (length, written) in cases {
             let mut source = Source::default();

@@ -16,20 +16,20 @@ pub fn svg(diagram: &Diagram) -> String {
     out.put(r#"<svg class="diagram" role="img" aria-label=""#);
     out.put(&print::words_html(&diagram.words));
     out.put(r#"" width=""#).length(size.x).put(r#"em" height=""#).length(size.y);
-    out.put(r#"em" viewBox="0 0 "#).point(size * SCALE, ' ').put(r#"" font-size="10" fill="none" stroke="none">"#);
+    out.put(r#"em" viewBox="0 0 "#).point(size * SCALE, " ").put(r#"" font-size="10" fill="none" stroke="none">"#);
     let place = |point: Point| Point::new((point.x - low.x) * SCALE, (high.y - point.y) * SCALE);
     for stroke in strokes {
-        out.put(look(stroke.style)).put(r#" d="M"#).point(place(stroke.from), ' ');
+        out.put(look(stroke.style)).put(r#" d="M"#).point(place(stroke.from), " ");
         for piece in &stroke.pieces {
             match *piece {
-                Section::Line(end) => out.put("L").point(place(end), ' '),
+                Section::Line(end) => out.put("L").point(place(end), " "),
                 Section::Curve(one, other, end) => out
                     .put("C")
-                    .point(place(one), ' ')
+                    .point(place(one), " ")
                     .put(" ")
-                    .point(place(other), ' ')
+                    .point(place(other), " ")
                     .put(" ")
-                    .point(place(end), ' '),
+                    .point(place(end), " "),
             };
         }
         out.put(if stroke.style == Style::Filled { "Z\"/>" } else { "\"/>" });

@@ -9,9 +9,9 @@ use crate::expr::print;
 pub fn tikz(drawing: &Drawing) -> String {
     let Drawing { strokes, labels, low, high } = drawing;
     let mut out = Source::for_marks(strokes.len() + labels.len());
-    out.put("\\begin{tikzpicture}[diagram={").point(*high - *low, ',').put("}]\n");
+    out.put("\\begin{tikzpicture}[diagram={").point(*high - *low, ",").put("}]\n");
     let at = |out: &mut Source, before: &str, point: Point| {
-        out.put(before).put("(").point(point - *low, ',').put(")");
+        out.put(before).put("(").point(point - *low, ",").put(")");
     };
     for stroke in strokes {
         at(&mut out, command(stroke.style), stroke.from);

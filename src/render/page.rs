@@ -4,9 +4,9 @@
 //! format asks for is printed at all. Formulas and texts are safe, that is, not escaped again; plain words are escaped.
 
 use std::borrow::Cow;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
-use tera::{Context, Map, Value};
+use tera::{Context, Value};
 
 use super::Notation;
 use super::names::NAMES;
@@ -61,22 +61,20 @@ pub(super) fn page(paper: &Paper, notation: Notation, wanted: &Wanted) -> Contex
 /// A thing whose names are being filled in.
 struct Thing<'p> {
     wanted: &'p [&'static str],
-    names: Vec<(&'static str, Value)>,
+    names: BTreeMap<&'static str, Value>,
 }
 
 impl Thing<'_> {
     /// The thing with a name more, if anybody asks for it.
     fn with(mut self, name: &'static str, value: impl FnOnce() -> Value) -> Self {
         if self.wanted.contains(&name) {
-            self.names.push((name, value()));
+            self.names.insert(name, value());
         }
         self
     }
 
     fn value(self) -> Value {
-        let mut map = Map::with_capacity(self.names.len());
-        map.extend(self.names.into_iter().map(|(name, value)| (name.into(), value)));
-        map.into()
+        self.names.into()
     }
 }
 
@@ -89,8 +87,7 @@ struct Printer<'p> {
 
 impl<'p> Printer<'p> {
     fn thing(self, name: &str) -> Thing<'p> {
-        let wanted = self.wanted.of(name);
-        Thing { wanted, names: Vec::with_capacity(wanted.len()) }
+        Thing { wanted: self.wanted.of(name), names: BTreeMap::new() }
     }
 
     /// The questions; those with a diagram have the figures of the paper in order.

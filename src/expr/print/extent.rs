@@ -3,7 +3,7 @@
 //! The room is that of the wider of the fonts in which our pages are set, so that what is kept clear for a label stays
 //! clear of it on paper and on screen.
 
-use super::layout::{Item, Row, layout, quantity};
+use super::layout::{Formula, Item, Row};
 use super::letter::{Letter, Symbol};
 use super::unicode::{is_bracketed_on_one_line, name};
 use super::unit::unit_unicode;
@@ -25,8 +25,8 @@ pub fn extent(text: &Text) -> (f64, f64) {
     let pieces = text.0.iter().map(|piece| match piece {
         Piece::Words(words) => (words_width(words), LINE),
         Piece::Italic(inner) => extent(&Text(inner.clone())),
-        Piece::Formula(expr) | Piece::Display(expr) => row_extent(&layout(expr)),
-        Piece::Quantity(expr, unit) => row_extent(&quantity(expr, *unit)),
+        Piece::Formula(expr) | Piece::Display(expr) => row_extent(&Formula::of(expr).row()),
+        Piece::Quantity(expr, unit) => row_extent(&Formula::of(expr).quantity(*unit)),
     });
     pieces.fold((0.0, LINE), |(width, height), (more, taller)| (width + more, taller.max(height)))
 }

@@ -1,6 +1,6 @@
 //! Formulas as a careful teacher writes them in LaTeX; `amsmath` is not needed.
 
-use super::layout::{Item, Row, is_tall, layout};
+use super::layout::{Formula, Item, Row, is_tall};
 use super::letter::{Letter, Symbol};
 use super::unit::unit_latex;
 use crate::expr::{Expr, Function, Relation};
@@ -17,8 +17,8 @@ use crate::expr::{Expr, Function, Relation};
 /// assert_eq!(print::latex(&component), r"2v\cos\alpha");
 /// ```
 pub fn latex(expr: &Expr) -> String {
-    let mut out = String::new();
-    write_latex(&layout(expr), &mut out);
+    let mut out = String::with_capacity(super::ROOM);
+    write_latex(&Formula::of(expr).row(), &mut out);
     out
 }
 
@@ -89,7 +89,7 @@ fn write_item(item: &Item, out: &mut String) {
                 out.insert(begin, ' ');
             }
         }
-        Item::Unit(unit) => out.push_str(&unit_latex(*unit)),
+        Item::Unit(unit) => out.push_str(unit_latex(*unit)),
     }
 }
 
@@ -104,7 +104,11 @@ fn write_letter(letter: &Letter, out: &mut String) {
         Symbol::Italic(text) => push(out, text),
         Symbol::Vector(letter) => write_bold(*letter, out),
         Symbol::Greek(name, _) => out.extend([r"\", name]),
-        Symbol::Upright(text) => out.extend([r"\mathrm{", &safe(text), "}"]),
+        Symbol::Upright(text) => {
+            out.push_str(r"\mathrm{");
+            text.chars().for_each(|character| write_safe(character, out));
+            out.push('}');
+        }
     }
     match &letter.subscript {
         Some(Symbol::Greek(name, _)) => out.extend([r"_{\", name, "}"]),
@@ -115,16 +119,13 @@ fn write_letter(letter: &Letter, out: &mut String) {
     }
 }
 
-/// A name that is no letter: quantities come through, anything else becomes question marks.
-fn safe(text: &str) -> String {
-    text.chars()
-        .map(|c| match c {
-            '_' => r"\_".to_owned(),
-            '.' => ".".to_owned(),
-            c if c.is_ascii_alphanumeric() => c.to_string(),
-            _ => "?".to_owned(),
-        })
-        .collect()
+/// Adds a character of a name that is no letter: quantities come through, anything else becomes question marks.
+fn write_safe(character: char, out: &mut String) {
+    match character {
+        '_' => out.push_str(r"\_"),
+        c if c == '.' || c.is_ascii_alphanumeric() => out.push(c),
+        _ => out.push('?'),
+    }
 }
 
 fn command(function: Function) -> &'static str {

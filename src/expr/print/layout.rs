@@ -6,20 +6,21 @@
 use std::borrow::Cow;
 
 use super::letter::{Letter, letter};
-use super::shape::{begins_with_minus, behind_minus, is_digits, is_whole_power, tidied};
+use super::shape::{Vectors, is_digits, is_whole_power, tidied};
 use crate::expr::{Expr, Function, Relation};
+use crate::number::Fraction;
 use crate::unit::Unit;
 
 /// Items from left to right.
-pub(super) type Row = Vec<Item>;
+pub(super) type Row<'e> = Vec<Item<'e>>;
 
-/// A piece of a formula.
+/// A piece of a formula; its letters and most of its digits are those of the expression.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Item {
+pub(super) enum Item<'e> {
     /// Digits, without sign.
-    Digits(String),
+    Digits(Cow<'e, str>),
     /// A letter, perhaps with a subscript.
-    Letter(Letter),
+    Letter(Letter<'e>),
     /// A unit vector or the zero vector.
     Bold(char),
     /// The degree sign.
@@ -39,50 +40,78 @@ pub(super) enum Item {
     /// What stands between two sides.
     Relation(Relation),
     /// One row over another.
-    Fraction(Row, Row),
+    Fraction(Row<'e>, Row<'e>),
     /// Square root.
-    Root(Row),
+    Root(Row<'e>),
     /// Base and exponent.
-    Power(Row, Row),
+    Power(Row<'e>, Row<'e>),
     /// Round brackets.
-    Brackets(Row),
+    Brackets(Row<'e>),
     /// Size without sign.
-    Bars(Row),
+    Bars(Row<'e>),
     /// A function, its whole power if any, and its argument, with brackets if it needs them.
-    Call(Function, Option<String>, Row),
+    Call(Function, Option<String>, Row<'e>),
     /// A unit and the space before it.
     Unit(Unit),
 }
 
-/// The layout of a formula.
-pub(super) fn layout(expr: &Expr) -> Row {
-    row(&by_components(tidied(expr)))
+/// Most rows have no more items than this.
+const USUAL: usize = 8;
+
+/// A formula ready to be laid out.
+pub(super) struct Formula<'e>(Cow<'e, Expr>);
+
+impl<'e> Formula<'e> {
+    /// The formula of an expression.
+    pub fn of(expr: &'e Expr) -> Formula<'e> {
+        Formula(tidied(expr, Vectors::Sums))
+    }
+
+    /// Its layout.
+    pub fn row(&self) -> Row<'_> {
+        row(&self.0)
+    }
+
+    /// Its layout as a value with its unit: `(4i - j) m s^-1`, `30°`.
+    pub fn quantity(&self, unit: Unit) -> Row<'_> {
+        let mut items = Row::with_capacity(USUAL);
+        measured(&self.0, unit, &mut items);
+        items
+    }
 }
 
-/// The layout of a value with its unit: `(4i - j) m s^-1`, `30°`.
-pub(super) fn quantity(expr: &Expr, unit: Unit) -> Row {
-    measured(&by_components(tidied(expr)), unit)
-}
-
-fn measured(expr: &Expr, unit: Unit) -> Row {
+fn measured<'e>(expr: &'e Expr, unit: Unit, items: &mut Row<'e>) {
     match (expr, unit) {
         // In `u = 4 m s^-1` the unit belongs to the right side.
         (Expr::Relation(left, relation, right), _) => {
-            let mut items = row(left);
+            lay(left, items);
             items.push(Item::Relation(*relation));
-            items.extend(measured(right, unit));
-            items
+            measured(right, unit, items);
         }
-        (_, Unit::None) | (Expr::Degrees(_), Unit::Degree) => row(expr),
+        (_, Unit::None) | (Expr::Degrees(_), Unit::Degree) => lay(expr, items),
         // So many degrees as an angle has is that angle.
-        (Expr::Quotient(angle, one), Unit::Degree) if **one == Expr::degrees(Expr::integer(1)) => row(angle),
-        (_, Unit::Degree) => row(&Expr::degrees(expr.clone())),
+        (Expr::Quotient(angle, by), Unit::Degree) if matches!(&**by, Expr::Degrees(one) if one.is_one()) => {
+            lay(angle, items);
+        }
+        (Expr::Negative(size), Unit::Degree) => {
+            items.push(Item::Negation);
+            let mut angle = Row::new();
+            measured(size, unit, &mut angle);
+            if matches!(**size, Expr::Negative(_)) {
+                items.push(Item::Brackets(angle));
+            } else {
+                items.append(&mut angle);
+            }
+        }
+        (_, Unit::Degree) => degrees(expr, items),
         _ => {
-            let size = behind_minus(expr);
-            let loose = is_loose(size.as_deref().unwrap_or(expr));
-            let mut items = if loose { vec![bracketed(expr)] } else { row(expr) };
+            let size = if let Expr::Negative(size) = expr { size } else { expr };
+            if is_loose(size) {
+                items.push(bracketed(expr))
+            } else {
+                lay(expr, items)
+            }
             items.push(Item::Unit(unit));
-            items
         }
     }
 }
@@ -97,60 +126,26 @@ pub(super) fn is_tall(row: &[Item]) -> bool {
     })
 }
 
-/// The tree with vectors written as sums along i and j; only the zero vector is left.
-fn by_components(expr: Cow<'_, Expr>) -> Cow<'_, Expr> {
-    if has_vector(&expr) { Cow::Owned(along_components(&expr)) } else { expr }
-}
-
-fn has_vector(expr: &Expr) -> bool {
-    matches!(expr, Expr::Vector(..)) || !expr.all_children(&mut |child| !has_vector(child))
-}
-
-fn along_components(expr: &Expr) -> Expr {
-    let expr = expr.map_children(&mut |child| along_components(child));
-    let Expr::Vector(x, y) = &expr else { return expr };
-    let along = |component: &Expr, unit: &str| Expr::Product(vec![component.clone(), Expr::name(unit)]);
-    match (x.is_zero(), y.is_zero()) {
-        (true, true) => expr,
-        (false, true) => tidied(&along(x, "i")).into_owned(),
-        (true, false) => tidied(&along(y, "j")).into_owned(),
-        (false, false) => tidied(&Expr::Sum(vec![along(x, "i"), along(y, "j")])).into_owned(),
-    }
-}
-
-fn row(expr: &Expr) -> Row {
-    let mut items = Row::new();
+fn row(expr: &Expr) -> Row<'_> {
+    let mut items = Row::with_capacity(USUAL);
     lay(expr, &mut items);
     items
 }
 
-/// Adds the items of a tidied expression without vectors.
-fn lay(expr: &Expr, items: &mut Row) {
-    if let Some(size) = behind_minus(expr) {
-        items.push(Item::Negation);
-        operand(&size, items);
-        return;
-    }
+/// Adds the items of a tidied expression.
+fn lay<'e>(expr: &'e Expr, items: &mut Row<'e>) {
     match expr {
-        Expr::Number(value) if !value.is_integer() => {
-            let digits = |part: String| vec![Item::Digits(part)];
-            items.push(Item::Fraction(digits(value.numerator().to_string()), digits(value.denominator().to_string())));
-        }
-        Expr::Number(value) => items.push(Item::Digits(value.to_string())),
-        Expr::Decimal(text) => items.push(Item::Digits(text.clone())),
+        Expr::Number(value) => items.push(number(value)),
+        Expr::Decimal(text) => items.push(Item::Digits(text.into())),
         Expr::Name(name) if name.text == "i" => items.push(Item::Bold('i')),
         Expr::Name(name) if name.text == "j" => items.push(Item::Bold('j')),
         Expr::Name(name) => items.push(Item::Letter(letter(&name.text))),
         Expr::Pi => items.push(Item::Letter(letter("pi"))),
-        Expr::Degrees(inner) => {
-            if is_digits(inner) || is_letter(inner) {
-                lay(inner, items);
-            } else {
-                items.push(bracketed(inner));
-            }
-            items.push(Item::Degree);
+        Expr::Degrees(inner) => degrees(inner, items),
+        Expr::Negative(size) => {
+            items.push(Item::Negation);
+            operand(size, items);
         }
-        Expr::Negative(inner) => operand(inner, items),
         Expr::Sum(terms) => sum(terms, items),
         Expr::Product(factors) => product(factors, items),
         Expr::Quotient(numerator, denominator) => items.push(Item::Fraction(row(numerator), row(denominator))),
@@ -167,30 +162,59 @@ fn lay(expr: &Expr, items: &mut Row) {
     }
 }
 
-fn bracketed(expr: &Expr) -> Item {
+fn bracketed(expr: &Expr) -> Item<'_> {
     Item::Brackets(row(expr))
+}
+
+fn number<'e>(value: &Fraction) -> Item<'e> {
+    let (above, below) = match value.as_small() {
+        Some((above, below)) => (digits(above), digits(below)),
+        None => (value.numerator().to_string().into(), value.denominator().to_string().into()),
+    };
+    if value.is_integer() {
+        Item::Digits(above)
+    } else {
+        Item::Fraction(vec![Item::Digits(above)], vec![Item::Digits(below)])
+    }
+}
+
+/// The digits of a number; most numbers have one, which need not be made.
+fn digits<'e>(number: i64) -> Cow<'e, str> {
+    const READY: [&str; 10] = ["0", "1", "2", "3", "4", "5", "6", "7", "8", "9"];
+    let ready = usize::try_from(number).ok().and_then(|number| READY.get(number));
+    ready.map_or_else(|| number.to_string().into(), |digit| (*digit).into())
+}
+
+/// Adds an angle of so many degrees.
+fn degrees<'e>(number: &'e Expr, items: &mut Row<'e>) {
+    if is_digits(number) || is_letter(number) {
+        lay(number, items)
+    } else {
+        items.push(bracketed(number))
+    }
+    items.push(Item::Degree);
 }
 
 /// Would a sign or factor before or after it bind to a part of it only?
 fn is_loose(expr: &Expr) -> bool {
-    matches!(expr, Expr::Sum(_) | Expr::Relation(..)) || begins_with_minus(expr)
+    matches!(expr, Expr::Sum(_) | Expr::Relation(..) | Expr::Negative(_))
 }
 
 /// Adds a term or factor, in brackets if it is loose.
-fn operand(expr: &Expr, items: &mut Row) {
+fn operand<'e>(expr: &'e Expr, items: &mut Row<'e>) {
     if is_loose(expr) { items.push(bracketed(expr)) } else { lay(expr, items) }
 }
 
-fn sum(terms: &[Expr], items: &mut Row) {
+fn sum<'e>(terms: &'e [Expr], items: &mut Row<'e>) {
     for (place, term) in terms.iter().enumerate() {
-        match behind_minus(term) {
-            Some(size) => {
+        match term {
+            Expr::Negative(size) => {
                 items.push(if place == 0 { Item::Negation } else { Item::Minus });
-                operand(&size, items);
+                operand(size, items);
             }
             // `(4i - j) - (2i + 5j)`: a vector stays one thing, also where it stands first
-            None if place == 0 && matches!(term, Expr::Sum(_)) && !is_vector(term) => lay(term, items),
-            None => {
+            Expr::Sum(_) if place == 0 && !is_vector(term) => lay(term, items),
+            _ => {
                 if place > 0 {
                     items.push(Item::Plus);
                 }
@@ -210,7 +234,7 @@ fn is_vector(expr: &Expr) -> bool {
     }
 }
 
-fn product(factors: &[Expr], items: &mut Row) {
+fn product<'e>(factors: &'e [Expr], items: &mut Row<'e>) {
     for (place, factor) in factors.iter().enumerate() {
         if place == 0 {
             operand(factor, items);
@@ -238,8 +262,8 @@ fn product(factors: &[Expr], items: &mut Row) {
 
 /// Does a multiplication sign show before the factor? It does before digits and negative numbers.
 fn is_times_shown(before: Option<&Item>, factor: &Expr, next: &[Item]) -> bool {
-    if let Some(size) = behind_minus(factor) {
-        return matches!(*size, Expr::Number(_) | Expr::Decimal(_));
+    if let Expr::Negative(size) = factor {
+        return matches!(**size, Expr::Number(_) | Expr::Decimal(_)) || is_times_shown(before, size, &[]);
     }
     match next.first() {
         Some(Item::Fraction(top, bottom)) => {
@@ -261,14 +285,14 @@ fn begins_with_digit(row: &[Item]) -> bool {
 }
 
 /// The argument without brackets of the function with which the row ends.
-fn open_argument(items: &mut [Item]) -> Option<&mut Row> {
+fn open_argument<'i, 'e>(items: &'i mut [Item<'e>]) -> Option<&'i mut Row<'e>> {
     match items.last_mut() {
         Some(Item::Call(_, _, argument)) if !matches!(argument[..], [Item::Brackets(_)]) => Some(argument),
         _ => None,
     }
 }
 
-fn power(base: &Expr, exponent: &Expr) -> Item {
+fn power<'e>(base: &'e Expr, exponent: &'e Expr) -> Item<'e> {
     if let Expr::Call(function @ (Function::Sin | Function::Cos | Function::Tan), argument) = base
         && is_whole_power(exponent)
         && let Expr::Number(value) = exponent
@@ -281,12 +305,12 @@ fn power(base: &Expr, exponent: &Expr) -> Item {
 }
 
 /// The argument of a function: a letter, a number or so many degrees stand without brackets.
-fn argument_row(argument: &Expr) -> Row {
-    let number = matches!(argument, Expr::Number(_)) && !begins_with_minus(argument);
+fn argument_row(argument: &Expr) -> Row<'_> {
     let alone = match argument {
         Expr::Degrees(inner) => is_digits(inner) || is_letter(inner),
         Expr::Quotient(top, bottom) => is_digits(top) && is_digits(bottom),
-        other => number || is_digits(other) || is_letter(other),
+        Expr::Number(_) => true,
+        other => is_digits(other) || is_letter(other),
     };
     if alone { row(argument) } else { vec![bracketed(argument)] }
 }

@@ -1,29 +1,31 @@
 //! How a name is printed: Greek letters, subscripts, and words in upright type.
 
+use std::borrow::Cow;
+
 /// A name taken apart.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Letter {
+pub(super) struct Letter<'e> {
     /// What stands on the line.
-    pub base: Symbol,
+    pub base: Symbol<'e>,
     /// What stands below it.
-    pub subscript: Option<Symbol>,
+    pub subscript: Option<Symbol<'e>>,
 }
 
 /// One part of a [`Letter`].
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Symbol {
+pub(super) enum Symbol<'e> {
     /// Latin letters and digits, in italics.
-    Italic(String),
+    Italic(Cow<'e, str>),
     /// The letter of a vector, bold and upright.
     Vector(char),
     /// A Greek letter by its name, as LaTeX and the language know it, and as a character.
     Greek(&'static str, char),
     /// A word, or a text that is no name of the language; printers escape it.
-    Upright(String),
+    Upright(Cow<'e, str>),
 }
 
 /// Names of Greek letters; those that look like Latin ones are left out, as LaTeX does.
-const GREEK: [(&str, char); 33] = [
+static GREEK: [(&str, char); 33] = [
     ("alpha", 'α'),
     ("beta", 'β'),
     ("gamma", 'γ'),
@@ -63,12 +65,17 @@ const GREEK: [(&str, char); 33] = [
 pub(super) const VECTOR: &str = "vector.";
 
 /// The Greek letter of a name.
-pub(super) fn greek(name: &str) -> Option<(&'static str, char)> {
-    GREEK.into_iter().find(|(known, _)| *known == name)
+fn greek(name: &str) -> Option<Symbol<'static>> {
+    // most names are a single letter, and none of those is in the list
+    if name.len() < 2 {
+        return None;
+    }
+    let (name, character) = GREEK.iter().find(|(known, _)| *known == name)?;
+    Some(Symbol::Greek(name, *character))
 }
 
 /// A name taken apart: `v_A`, `u1`, `alpha`, `KE`; `vector.v_A` is the vector of that name.
-pub(super) fn letter(name: &str) -> Letter {
+pub(super) fn letter(name: &str) -> Letter<'_> {
     if let Some(vector) = name.strip_prefix(VECTOR) {
         let plain = letter(vector);
         let base = match plain.base {
@@ -77,25 +84,24 @@ pub(super) fn letter(name: &str) -> Letter {
         };
         return Letter { base, subscript: plain.subscript };
     }
-    let whole = || Letter { base: Symbol::Upright(name.to_owned()), subscript: None };
     let in_language = name.starts_with(|c: char| c.is_ascii_alphabetic())
-        && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+        && name.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_');
     if !in_language {
-        return whole();
+        return Letter { base: Symbol::Upright(name.into()), subscript: None };
     }
     let (base, below) = match name.split_once('_') {
         Some(parts) => parts,
         None => name.split_at(name.trim_end_matches(|c: char| c.is_ascii_digit()).len()),
     };
-    let symbol = match greek(base) {
-        Some((name, character)) => Symbol::Greek(name, character),
-        None if base.len() == 1 => Symbol::Italic(base.to_owned()),
-        None => Symbol::Upright(base.to_owned()),
+    let base = match greek(base) {
+        Some(symbol) => symbol,
+        None if base.len() == 1 => Symbol::Italic(base.into()),
+        None => Symbol::Upright(base.into()),
     };
-    let subscript = match greek(below) {
-        Some((name, character)) => Some(Symbol::Greek(name, character)),
-        None if below.is_empty() => None,
-        None => Some(Symbol::Italic(below.replace('_', ","))),
-    };
-    Letter { base: symbol, subscript }
+    let subscript = (!below.is_empty()).then(|| match greek(below) {
+        Some(symbol) => symbol,
+        None if below.contains('_') => Symbol::Italic(below.replace('_', ",").into()),
+        None => Symbol::Italic(below.into()),
+    });
+    Letter { base, subscript }
 }

@@ -3,10 +3,10 @@
 use std::fmt::Write;
 
 use super::extent::width_on_page;
-use super::layout::{Item, Row, is_tall, layout};
+use super::layout::{Formula, Item, Row, is_tall};
 use super::letter::{Letter, Symbol};
 use super::unit::unit_mathml;
-use super::words::words_html;
+use super::words::write_words_html;
 use crate::expr::{Expr, Function, Relation};
 
 const THIN_SPACE: &str = r#"<mspace width="0.1667em"/>"#;
@@ -21,22 +21,22 @@ const APPLY: &str = "<mo>&#x2061;</mo>";
 /// assert_eq!(print::mathml(&half), "<mfrac><mn>1</mn><mn>2</mn></mfrac>");
 /// ```
 pub fn mathml(expr: &Expr) -> String {
-    let mut out = String::new();
-    write_mathml(&layout(expr), &mut out);
+    let mut out = String::with_capacity(super::ROOM);
+    write_mathml(&Formula::of(expr).row(), &mut out);
     out
 }
 
 /// The formula within a line of words.
 pub fn mathml_inline(expr: &Expr) -> String {
-    let mut out = String::new();
-    write_math(&layout(expr), &mut out);
+    let mut out = String::with_capacity(super::ROOM);
+    write_math(&Formula::of(expr).row(), &mut out);
     out
 }
 
 /// The formula on a line of its own. The line may end before any sign: there are no words around to follow it.
 pub fn mathml_block(expr: &Expr) -> String {
-    let mut out = String::new();
-    write_pieces(r#" display="block""#, &pieces(&layout(expr)), &mut out);
+    let mut out = String::with_capacity(super::ROOM);
+    write_block(&Formula::of(expr).row(), &mut out);
     out
 }
 
@@ -45,47 +45,40 @@ const SHORT: usize = 5;
 
 /// Adds the `math` element of a row among words.
 pub(super) fn write_math(row: &[Item], out: &mut String) {
-    write_pieces("", &if row.len() <= SHORT { vec![row] } else { pieces(row) }, out);
+    let stays = row.len() <= SHORT;
+    write_pieces("", row.chunk_by(|_, next| stays || !begins_line(next)), out);
 }
 
-/// The pieces of a row, each of which stays on one line. As on paper, a line begins with the sign.
-fn pieces(mut row: &[Item]) -> Vec<&[Item]> {
-    let begins = |item: &Item| matches!(item, Item::Relation(_) | Item::Plus | Item::Minus | Item::Times);
-    let mut pieces = Vec::new();
-    while let Some(end) = (1..row.len()).find(|place| begins(&row[*place])) {
-        let (piece, after) = row.split_at(end);
-        pieces.push(piece);
-        row = after;
-    }
-    pieces.push(row);
-    pieces
+/// Adds the `math` element of a row on a line of its own.
+pub(super) fn write_block(row: &[Item], out: &mut String) {
+    write_pieces(r#" display="block""#, row.chunk_by(|_, next| !begins_line(next)), out);
+}
+
+/// May a line begin with it? As on paper, it begins with the sign.
+fn begins_line(item: &Item) -> bool {
+    matches!(item, Item::Relation(_) | Item::Plus | Item::Minus | Item::Times)
 }
 
 /// A piece of this width or less, in ems of its letters, fits any page. One in large print on a phone has little more.
 const NARROW: f64 = 7.0;
 
-/// Adds the `math` element of the pieces.
+/// Adds the `math` element of a row in pieces, each of which stays on one line.
 ///
 /// Browsers break no formula by themselves. Of several pieces each is an `mrow`, and the formula is said to be long, so
 /// that a style sheet can let piece follow piece as words do. If a piece may be too wide even then, the formula says how
 /// wide, for letters that are small enough.
-fn write_pieces(attributes: &str, pieces: &[&[Item]], out: &mut String) {
-    out.extend(["<math", attributes]);
-    if pieces.len() > 1 {
-        out.push_str(r#" class="long""#);
-    }
-    let width = pieces.iter().map(|piece| width_on_page(piece)).fold(0.0, f64::max);
+fn write_pieces<'r>(attributes: &str, pieces: impl Iterator<Item = &'r [Item<'r>]> + Clone, out: &mut String) {
+    let is_long = pieces.clone().nth(1).is_some();
+    out.extend(["<math", attributes, if is_long { r#" class="long""# } else { "" }]);
+    let width = pieces.clone().map(width_on_page).fold(0.0, f64::max);
     if width > NARROW {
         let _ = write!(out, r#" style="--ems: {width:.1}""#);
     }
-    match pieces {
-        [row] => enclose(">", row, "</math>", out),
-        _ => {
-            out.push('>');
-            pieces.iter().for_each(|piece| write_piece(piece, out));
-            out.push_str("</math>");
-        }
+    out.push('>');
+    for piece in pieces {
+        if is_long { write_piece(piece, out) } else { write_mathml(piece, out) }
     }
+    out.push_str("</math>");
 }
 
 /// Adds a piece of a longer row: a sign that comes first in its `mrow` is still one between two terms.
@@ -127,7 +120,11 @@ fn one(row: &Row, out: &mut String) {
 
 fn write_item(item: &Item, out: &mut String) {
     match item {
-        Item::Digits(digits) => out.extend(["<mn>", &words_html(digits), "</mn>"]),
+        Item::Digits(digits) => {
+            out.push_str("<mn>");
+            write_words_html(digits, out);
+            out.push_str("</mn>");
+        }
         Item::Letter(letter) => match &letter.subscript {
             Some(below) => {
                 out.push_str("<msub>");
@@ -172,7 +169,7 @@ fn write_item(item: &Item, out: &mut String) {
             one(argument, out);
             out.push_str("</mrow>");
         }
-        Item::Unit(unit) => out.push_str(&unit_mathml(*unit)),
+        Item::Unit(unit) => out.push_str(unit_mathml(*unit)),
     }
 }
 
@@ -229,7 +226,11 @@ fn symbol(symbol: &Symbol, out: &mut String) {
             out.push_str("</mi>");
         }
         Symbol::Greek(_, character) => italic(*character, out),
-        Symbol::Upright(text) => out.extend([r#"<mi mathvariant="normal">"#, &words_html(text), "</mi>"]),
+        Symbol::Upright(text) => {
+            out.push_str(r#"<mi mathvariant="normal">"#);
+            write_words_html(text, out);
+            out.push_str("</mi>");
+        }
     }
 }
 

@@ -27,5 +27,8 @@ pub use unicode::unicode;
 pub use unit::{unit_latex, unit_mathml, unit_unicode};
 pub use words::{words_html, words_latex, words_unicode};
 
+/// What most formulas and sentences take in bytes, so that few need more room while they are written.
+const ROOM: usize = 1000;
+
 #[cfg(test)]
 mod tests;

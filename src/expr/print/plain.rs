@@ -1,7 +1,7 @@
 //! The ASCII form in which expressions are exchanged with other programs: `16*sqrt(3)/9`.
 
 use super::letter::VECTOR;
-use super::shape::{begins_with_minus, behind_minus, tidied};
+use super::shape::{Vectors, tidied};
 use crate::expr::{Expr, Relation};
 
 /// The exchange form, in radians, with every product and power explicit.
@@ -13,7 +13,7 @@ use crate::expr::{Expr, Relation};
 /// assert_eq!(print::plain(&size), "16*sqrt(3)/9");
 /// ```
 pub fn plain(expr: &Expr) -> String {
-    bare(&tidied(expr))
+    bare(&tidied(expr, Vectors::Pairs))
 }
 
 /// How tightly the outermost sign of a text holds it together.
@@ -27,9 +27,6 @@ enum Hold {
 }
 
 fn hold(expr: &Expr) -> Hold {
-    if begins_with_minus(expr) {
-        return Hold::Sum;
-    }
     match expr {
         Expr::Relation(..) => Hold::Relation,
         Expr::Sum(_) | Expr::Negative(_) => Hold::Sum,
@@ -47,9 +44,6 @@ fn at(expr: &Expr, demanded: Hold) -> String {
 }
 
 fn bare(expr: &Expr) -> String {
-    if let Some(size) = behind_minus(expr) {
-        return format!("-{}", at(&size, Hold::Product));
-    }
     match expr {
         Expr::Number(value) => value.to_string(),
         Expr::Decimal(text) => text.clone(),
@@ -91,12 +85,12 @@ fn product(factors: &[Expr]) -> String {
 fn sum(terms: &[Expr]) -> String {
     let mut out = String::new();
     for (place, term) in terms.iter().enumerate() {
-        match behind_minus(term) {
-            Some(size) => {
+        match term {
+            Expr::Negative(size) => {
                 out.push_str(if place == 0 { "-" } else { " - " });
-                out.push_str(&at(&size, Hold::Product));
+                out.push_str(&at(size, Hold::Product));
             }
-            None => {
+            _ => {
                 out.push_str(if place == 0 { "" } else { " + " });
                 out.push_str(&at(term, if place == 0 { Hold::Sum } else { Hold::Product }));
             }

@@ -6,35 +6,57 @@ use std::cmp::Ordering;
 use crate::expr::Expr;
 use crate::number::Fraction;
 
-/// The tree without what is never printed: products inside products, a coefficient one in front,
-/// and sums and products of a single member.
-///
-/// Most trees have nothing of that and are not copied.
-pub(super) fn tidied(expr: &Expr) -> Cow<'_, Expr> {
-    if is_tidy(expr) { Cow::Borrowed(expr) } else { Cow::Owned(tidy(expr)) }
+/// How vectors are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Vectors {
+    /// By their two components.
+    Pairs,
+    /// As sums along i and j; only the zero vector is left.
+    Sums,
 }
 
-fn is_tidy(expr: &Expr) -> bool {
+/// The tree without what is never printed: products inside products, a coefficient one in front, and sums and products
+/// of a single member. What begins with a minus sign is an [`Expr::Negative`].
+///
+/// Only one minus is taken off: `4 - (-3)` in working is printed as it was composed. Most trees are tidy and are not
+/// copied.
+pub(super) fn tidied(expr: &Expr, vectors: Vectors) -> Cow<'_, Expr> {
+    if is_tidy(expr, vectors) {
+        return Cow::Borrowed(expr);
+    }
+    let flat = flattened(expr);
+    Cow::Owned(match vectors {
+        Vectors::Pairs => signed(&flat),
+        Vectors::Sums => signed(&along_components(&flat)),
+    })
+}
+
+fn is_tidy(expr: &Expr, vectors: Vectors) -> bool {
+    let is_negative = |part: &Expr| matches!(part, Expr::Negative(_));
     let by_itself = match expr {
+        Expr::Number(value) => value.sign() != Ordering::Less,
+        Expr::Decimal(text) => !text.starts_with('-'),
+        Expr::Degrees(inner) | Expr::Quotient(inner, _) => !is_negative(inner),
         Expr::Product(factors) => {
             let nested = factors.iter().any(|factor| matches!(factor, Expr::Product(_)));
-            factors.len() > 1 && !factors[0].is_one() && !nested
+            factors.len() > 1 && !factors[0].is_one() && !is_negative(&factors[0]) && !nested
         }
         Expr::Sum(terms) => terms.len() > 1,
+        Expr::Vector(x, y) => vectors == Vectors::Pairs || x.is_zero() && y.is_zero(),
         _ => true,
     };
-    by_itself && expr.all_children(&mut |child| is_tidy(child))
+    by_itself && expr.all_children(&mut |child| is_tidy(child, vectors))
 }
 
-fn tidy(expr: &Expr) -> Expr {
-    match expr.map_children(&mut |child| tidy(child)) {
+fn flattened(expr: &Expr) -> Expr {
+    match expr.map_children(&mut flattened) {
         Expr::Product(factors) => product(factors),
         Expr::Sum(mut terms) if terms.len() < 2 => terms.pop().unwrap_or_else(|| Expr::integer(0)),
         other => other,
     }
 }
 
-/// The product of tidied factors.
+/// The product of flattened factors.
 fn product(factors: Vec<Expr>) -> Expr {
     let mut flat = Vec::with_capacity(factors.len());
     for factor in factors {
@@ -52,47 +74,61 @@ fn product(factors: Vec<Expr>) -> Expr {
     }
 }
 
-/// Does a tidied expression begin with a minus sign?
-pub(super) fn begins_with_minus(expr: &Expr) -> bool {
-    match expr {
-        Expr::Number(value) => value.sign() == Ordering::Less,
-        Expr::Decimal(text) => text.starts_with('-'),
-        Expr::Negative(_) => true,
-        Expr::Degrees(inner) | Expr::Quotient(inner, _) => begins_with_minus(inner),
-        Expr::Product(factors) => factors.first().is_some_and(begins_with_minus),
-        _ => false,
+/// The tree with vectors as sums along i and j, without a component that is nought.
+fn along_components(expr: &Expr) -> Expr {
+    let along = |component: Box<Expr>, unit: &str| product(vec![*component, Expr::name(unit)]);
+    match expr.map_children(&mut along_components) {
+        Expr::Vector(x, y) => match (x.is_zero(), y.is_zero()) {
+            (true, true) => Expr::Vector(x, y),
+            (false, true) => along(x, "i"),
+            (true, false) => along(y, "j"),
+            (false, false) => Expr::Sum(vec![along(x, "i"), along(y, "j")]),
+        },
+        other => other,
     }
 }
 
-/// The size behind the minus sign with which a tidied expression begins; `None` if it begins without.
-///
-/// Only one minus is taken off: `4 - (-3)` in working is printed as it was composed.
-pub(super) fn behind_minus(expr: &Expr) -> Option<Cow<'_, Expr>> {
-    if !begins_with_minus(expr) {
-        return None;
-    }
-    Some(match expr {
-        Expr::Number(value) => Cow::Owned(Expr::Number(value.abs())),
-        Expr::Decimal(text) => Cow::Owned(Expr::Decimal(text.strip_prefix('-')?.to_owned())),
-        Expr::Negative(inner) => Cow::Borrowed(&**inner),
-        Expr::Degrees(inner) => Cow::Owned(Expr::degrees(behind_minus(inner)?.into_owned())),
-        Expr::Product(factors) => {
-            let first = behind_minus(factors.first()?)?.into_owned();
-            Cow::Owned(product(std::iter::once(first).chain(factors[1..].iter().cloned()).collect()))
-        }
+/// The tree with signs in front: -3 as the negative of 3, and so what begins with it.
+fn signed(expr: &Expr) -> Expr {
+    match expr.map_children(&mut signed) {
+        Expr::Number(value) if value.sign() == Ordering::Less => negative(Expr::Number(-value)),
+        Expr::Decimal(text) if text.starts_with('-') => negative(Expr::Decimal(text[1..].to_owned())),
+        Expr::Degrees(number) => fronted(*number, Expr::degrees),
         Expr::Quotient(numerator, denominator) => {
-            let size = behind_minus(numerator)?.into_owned();
-            Cow::Owned(Expr::Quotient(Box::new(size), denominator.clone()))
+            fronted(*numerator, |numerator| Expr::Quotient(Box::new(numerator), denominator))
         }
-        _ => return None,
-    })
+        Expr::Product(factors) => signed_product(factors),
+        other => other,
+    }
 }
 
-/// Is it a number without sign that is written with digits alone?
+/// The product of signed factors; behind a one that is dropped another sign may come to the front.
+fn signed_product(factors: Vec<Expr>) -> Expr {
+    match product(factors) {
+        Expr::Product(mut factors) if matches!(factors[0], Expr::Negative(_)) => {
+            fronted(factors.remove(0), |first| signed_product(std::iter::once(first).chain(factors).collect()))
+        }
+        other => other,
+    }
+}
+
+fn negative(size: Expr) -> Expr {
+    Expr::Negative(Box::new(size))
+}
+
+/// What is made of a part that stands in front, its minus sign before the whole.
+fn fronted(part: Expr, whole: impl FnOnce(Expr) -> Expr) -> Expr {
+    match part {
+        Expr::Negative(size) => negative(fronted(*size, whole)),
+        part => whole(part),
+    }
+}
+
+/// Is a tidied expression a number without sign that is written with digits alone?
 pub(super) fn is_digits(expr: &Expr) -> bool {
     match expr {
-        Expr::Number(value) => value.is_integer() && value.sign() != Ordering::Less,
-        Expr::Decimal(text) => !text.starts_with('-'),
+        Expr::Number(value) => value.is_integer(),
+        Expr::Decimal(_) => true,
         _ => false,
     }
 }

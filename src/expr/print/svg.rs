@@ -1,9 +1,10 @@
 //! Words with formulas in them, for the `text` elements of a picture: on one line, letters in italics.
 
-use super::layout::{Row, layout, quantity};
+use super::ROOM;
+use super::layout::Formula;
 use super::letter::{Letter, Symbol};
-use super::unicode::{Hand, on_one_line, relation_sign};
-use super::words::words_html;
+use super::unicode::{Hand, relation_sign, write_on_one_line};
+use super::words::write_words_html;
 use crate::expr::{Piece, Relation, Text};
 
 /// The text as the contents of a `text` element.
@@ -14,52 +15,53 @@ use crate::expr::{Piece, Relation, Text};
 /// assert_eq!(print::text_svg(&label), r#"2<tspan class="italic" font-style="italic">u</tspan>"#);
 /// ```
 pub fn text_svg(text: &Text) -> String {
-    text.0.iter().map(piece).collect()
+    let mut out = String::with_capacity(ROOM);
+    text.0.iter().for_each(|piece| write_piece(piece, &mut out));
+    out
 }
 
-fn piece(piece: &Piece) -> String {
+fn write_piece(piece: &Piece, out: &mut String) {
     match piece {
-        Piece::Words(words) => words_html(words),
-        Piece::Italic(inner) => span(ITALIC, &inner.iter().map(self::piece).collect::<String>()),
-        Piece::Formula(expr) | Piece::Display(expr) => row(&layout(expr)),
-        Piece::Quantity(expr, unit) => row(&quantity(expr, *unit)),
+        Piece::Words(words) => write_words_html(words, out),
+        Piece::Italic(inner) => span(ITALIC, out, |out| inner.iter().for_each(|piece| write_piece(piece, out))),
+        Piece::Formula(expr) | Piece::Display(expr) => write_on_one_line(&Formula::of(expr).row(), PICTURE, out),
+        Piece::Quantity(expr, unit) => write_on_one_line(&Formula::of(expr).quantity(*unit), PICTURE, out),
     }
 }
 
-fn row(row: &Row) -> String {
-    on_one_line(row, PICTURE)
-}
-
-const PICTURE: Hand = Hand { letter, bold: |letter| span(BOLD, &letter.to_string()), relation };
+const PICTURE: Hand =
+    Hand { letter: write_letter, bold: |letter, out| span(BOLD, out, |out| out.push(letter)), relation };
 
 /// The class for a style sheet, and the same by itself where there is none.
-const ITALIC: &str = r#"class="italic" font-style="italic""#;
-const BOLD: &str = r#"class="bold" font-weight="bold""#;
+const ITALIC: &str = r#"<tspan class="italic" font-style="italic">"#;
+const BOLD: &str = r#"<tspan class="bold" font-weight="bold">"#;
+/// The shift counts in ems of its own size, and holds until it is taken back.
+const LOWERED: &str = r#"<tspan dy="0.3em" font-size="70%">"#;
+const TAKEN_BACK: &str = r#"<tspan dy="-0.21em">&#8203;</tspan>"#;
 
-fn span(attributes: &str, contents: &str) -> String {
-    format!("<tspan {attributes}>{contents}</tspan>")
+/// Adds letters that are set in another way.
+fn span(tag: &str, out: &mut String, write: impl FnOnce(&mut String)) {
+    out.push_str(tag);
+    write(out);
+    out.push_str("</tspan>");
 }
 
-fn letter(letter: &Letter) -> String {
-    let base = symbol(&letter.base);
-    match &letter.subscript {
-        None => base,
-        // The shift counts in ems of its own size, and holds until it is taken back.
-        Some(below) => {
-            let lowered = symbol(below);
-            format!(r#"{base}<tspan dy="0.3em" font-size="70%">{lowered}</tspan><tspan dy="-0.21em">&#8203;</tspan>"#)
-        }
+fn write_letter(letter: &Letter, out: &mut String) {
+    write_symbol(&letter.base, out);
+    if let Some(below) = &letter.subscript {
+        span(LOWERED, out, |out| write_symbol(below, out));
+        out.push_str(TAKEN_BACK);
     }
 }
 
-fn symbol(symbol: &Symbol) -> String {
+fn write_symbol(symbol: &Symbol, out: &mut String) {
     match symbol {
-        Symbol::Greek(name, character) if name.starts_with(|c: char| c.is_ascii_uppercase()) => character.to_string(),
-        Symbol::Greek(_, character) => span(ITALIC, &character.to_string()),
-        Symbol::Vector(letter) => span(BOLD, &letter.to_string()),
-        Symbol::Italic(text) if text.chars().all(|c| c.is_ascii_digit()) => text.clone(),
-        Symbol::Italic(text) => span(ITALIC, &words_html(text)),
-        Symbol::Upright(text) => words_html(text),
+        Symbol::Greek(name, character) if name.starts_with(|c: char| c.is_ascii_uppercase()) => out.push(*character),
+        Symbol::Greek(_, character) => span(ITALIC, out, |out| out.push(*character)),
+        Symbol::Vector(letter) => span(BOLD, out, |out| out.push(*letter)),
+        Symbol::Italic(text) if text.chars().all(|c| c.is_ascii_digit()) => out.push_str(text),
+        Symbol::Italic(text) => span(ITALIC, out, |out| write_words_html(text, out)),
+        Symbol::Upright(text) => write_words_html(text, out),
     }
 }
 

@@ -1,10 +1,11 @@
 //! Words with formulas in them, printed for LaTeX, HTML and a terminal.
 
+use super::ROOM;
 use super::latex::write_latex;
-use super::layout::{Row, layout, quantity};
-use super::mathml::{mathml_block, write_math};
+use super::layout::{Formula, Row};
+use super::mathml::{write_block, write_math};
 use super::unicode::{unicode, unicode_row};
-use super::words::{words_html, words_latex, words_unicode};
+use super::words::{words_unicode, write_words_html, write_words_latex};
 use crate::expr::{Piece, Text};
 
 /// The text in LaTeX.
@@ -19,7 +20,7 @@ use crate::expr::{Piece, Text};
 /// assert_eq!(print::text_latex(&text), r"mass $2\,\mathrm{kg}$");
 /// ```
 pub fn text_latex(text: &Text) -> String {
-    let mut out = String::new();
+    let mut out = String::with_capacity(ROOM);
     text.0.iter().for_each(|piece| write_latex_piece(piece, &mut out));
     out
 }
@@ -31,21 +32,21 @@ fn write_latex_piece(piece: &Piece, out: &mut String) {
         out.push_str(close);
     };
     match piece {
-        Piece::Words(words) => out.push_str(&words_latex(words)),
+        Piece::Words(words) => write_words_latex(words, out),
         Piece::Italic(pieces) => {
             out.push_str(r"\textit{");
             pieces.iter().for_each(|piece| write_latex_piece(piece, out));
             out.push('}');
         }
-        Piece::Formula(expr) => enclose("$", layout(expr), "$", out),
-        Piece::Quantity(expr, unit) => enclose("$", quantity(expr, *unit), "$", out),
-        Piece::Display(expr) => enclose(r"\[", layout(expr), r"\]", out),
+        Piece::Formula(expr) => enclose("$", Formula::of(expr).row(), "$", out),
+        Piece::Quantity(expr, unit) => enclose("$", Formula::of(expr).quantity(*unit), "$", out),
+        Piece::Display(expr) => enclose(r"\[", Formula::of(expr).row(), r"\]", out),
     }
 }
 
 /// The text in HTML.
 pub fn text_html(text: &Text) -> String {
-    let mut out = String::new();
+    let mut out = String::with_capacity(ROOM);
     write_html_pieces(&text.0, &mut out);
     out
 }
@@ -61,7 +62,7 @@ fn write_html_pieces(pieces: &[Piece], out: &mut String) {
         };
         out.push_str(if stop.is_empty() { "" } else { r#"<span class="kept">"# });
         match piece {
-            Piece::Words(words) => out.push_str(&words_html(words.strip_prefix(before).unwrap_or(words))),
+            Piece::Words(words) => write_words_html(words.strip_prefix(before).unwrap_or(words), out),
             _ => write_html_piece(piece, out),
         }
         if !stop.is_empty() {
@@ -72,21 +73,21 @@ fn write_html_pieces(pieces: &[Piece], out: &mut String) {
 
 /// The stop, comma or closing bracket that words begin with.
 fn stop_of(words: &str) -> &str {
-    let end = words.find(|letter| !".,;:?!)".contains(letter)).unwrap_or(words.len());
-    &words[..end]
+    let rest = words.trim_start_matches(['.', ',', ';', ':', '?', '!', ')']);
+    &words[..words.len() - rest.len()]
 }
 
 fn write_html_piece(piece: &Piece, out: &mut String) {
     match piece {
-        Piece::Words(words) => out.push_str(&words_html(words)),
+        Piece::Words(words) => write_words_html(words, out),
         Piece::Italic(pieces) => {
             out.push_str("<em>");
             write_html_pieces(pieces, out);
             out.push_str("</em>");
         }
-        Piece::Formula(expr) => write_math(&layout(expr), out),
-        Piece::Quantity(expr, unit) => write_math(&quantity(expr, *unit), out),
-        Piece::Display(expr) => out.push_str(&mathml_block(expr)),
+        Piece::Formula(expr) => write_math(&Formula::of(expr).row(), out),
+        Piece::Quantity(expr, unit) => write_math(&Formula::of(expr).quantity(*unit), out),
+        Piece::Display(expr) => write_block(&Formula::of(expr).row(), out),
     }
 }
 
@@ -100,7 +101,7 @@ fn unicode_piece(piece: &Piece) -> String {
         Piece::Words(words) => words_unicode(words),
         Piece::Italic(pieces) => pieces.iter().map(unicode_piece).collect(),
         Piece::Formula(expr) => unicode(expr),
-        Piece::Quantity(expr, unit) => unicode_row(&quantity(expr, *unit)),
+        Piece::Quantity(expr, unit) => unicode_row(&Formula::of(expr).quantity(*unit)),
         Piece::Display(expr) => format!("\n\n    {}\n\n", unicode(expr)),
     }
 }

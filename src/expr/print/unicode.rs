@@ -1,9 +1,9 @@
 //! Formulas on one line of a terminal: `16√3/9`, `tan²θ`, `v₁ ≤ 2u`.
 
-use super::layout::{Item, Row, layout};
+use super::layout::{Formula, Item, Row};
 use super::letter::{Letter, Symbol};
 use super::unit::unit_unicode;
-use super::words::words_unicode;
+use super::words::write_words_unicode;
 use crate::expr::{Expr, Function, Relation};
 
 /// The formula in one line of characters.
@@ -15,7 +15,7 @@ use crate::expr::{Expr, Function, Relation};
 /// assert_eq!(print::unicode(&size), "16√3/9");
 /// ```
 pub fn unicode(expr: &Expr) -> String {
-    unicode_row(&layout(expr))
+    unicode_row(&Formula::of(expr).row())
 }
 
 pub(super) fn unicode_row(row: &Row) -> String {
@@ -25,38 +25,43 @@ pub(super) fn unicode_row(row: &Row) -> String {
 /// How letters are set where a formula stands on one line.
 #[derive(Clone, Copy)]
 pub(super) struct Hand {
-    /// A letter, perhaps with a subscript.
-    pub letter: fn(&Letter) -> String,
-    /// A unit vector.
-    pub bold: fn(char) -> String,
+    /// Adds a letter, perhaps with a subscript.
+    pub letter: fn(&Letter, &mut String),
+    /// Adds a unit vector.
+    pub bold: fn(char, &mut String),
     /// A relation.
     pub relation: fn(Relation) -> &'static str,
 }
 
-const TERMINAL: Hand = Hand { letter: written, bold: |letter| letter.to_string(), relation: relation_sign };
+const TERMINAL: Hand = Hand { letter: write_letter, bold: |letter, out| out.push(letter), relation: relation_sign };
 
-/// A row in one line of characters.
-pub(super) fn on_one_line(row: &Row, hand: Hand) -> String {
+fn on_one_line(row: &Row, hand: Hand) -> String {
     let mut out = String::new();
+    write_on_one_line(row, hand, &mut out);
+    out
+}
+
+/// Adds a row in one line of characters.
+pub(super) fn write_on_one_line(row: &Row, hand: Hand, out: &mut String) {
     for (place, item) in row.iter().enumerate() {
         let before = place.checked_sub(1).map(|place| &row[place]);
         let after = row.get(place + 1);
-        match item {
-            _ if is_bracketed_on_one_line(row, place) => out.push_str(&format!("({})", linear(item, hand))),
-            Item::Call(..) if before == Some(&Item::Beside) => {
-                out.push(' ');
-                out.push_str(&linear(item, hand));
-            }
-            Item::Root(_) if after == Some(&Item::Beside) => {
-                out.push_str(&linear(item, hand));
-                if matches!(row.get(place + 2), Some(Item::Letter(_) | Item::Bold(_) | Item::Power(..))) {
-                    out.push(' ');
-                }
-            }
-            _ => out.push_str(&linear(item, hand)),
+        let is_bracketed = is_bracketed_on_one_line(row, place);
+        if is_bracketed {
+            out.push('(');
+        } else if matches!(item, Item::Call(..)) && before == Some(&Item::Beside) {
+            out.push(' ');
+        }
+        write_item(item, hand, out);
+        if is_bracketed {
+            out.push(')');
+        } else if matches!(item, Item::Root(_))
+            && after == Some(&Item::Beside)
+            && matches!(row.get(place + 2), Some(Item::Letter(_) | Item::Bold(_) | Item::Power(..)))
+        {
+            out.push(' ');
         }
     }
-    out
 }
 
 /// Does a fraction at a place of a row need brackets on one line? `a/b c` would read as `a/(b c)`.
@@ -66,48 +71,69 @@ pub(super) fn is_bracketed_on_one_line(row: &[Item], place: usize) -> bool {
         && (row[..place].last() == Some(&Item::Beside) || row.get(place + 1).is_some_and(binds))
 }
 
-fn linear(item: &Item, hand: Hand) -> String {
+/// Adds a row between what opens it and what closes it.
+fn enclose(open: &str, row: &Row, close: &str, hand: Hand, out: &mut String) {
+    out.push_str(open);
+    write_on_one_line(row, hand, out);
+    out.push_str(close);
+}
+
+fn write_item(item: &Item, hand: Hand, out: &mut String) {
     match item {
-        Item::Digits(digits) => digits.clone(),
-        Item::Letter(letter) => (hand.letter)(letter),
-        Item::Bold(letter) => (hand.bold)(*letter),
-        Item::Degree => "°".to_owned(),
-        Item::Negation => "−".to_owned(),
-        Item::Plus => " + ".to_owned(),
-        Item::Minus => " − ".to_owned(),
-        Item::Times => " × ".to_owned(),
-        Item::Beside => String::new(),
-        Item::Gap => " ".to_owned(),
-        Item::Relation(relation) => format!(" {} ", (hand.relation)(*relation)),
+        Item::Digits(digits) => out.push_str(digits),
+        Item::Letter(letter) => (hand.letter)(letter, out),
+        Item::Bold(letter) => (hand.bold)(*letter, out),
+        Item::Degree => out.push('°'),
+        Item::Negation => out.push('−'),
+        Item::Plus => out.push_str(" + "),
+        Item::Minus => out.push_str(" − "),
+        Item::Times => out.push_str(" × "),
+        Item::Beside => {}
+        Item::Gap => out.push(' '),
+        Item::Relation(relation) => out.extend([" ", (hand.relation)(*relation), " "]),
         Item::Fraction(top, bottom) => {
-            let top = if is_product(top) { on_one_line(top, hand) } else { closed(top, hand) };
-            format!("{top}/{}", closed(bottom, hand))
+            if is_product(top) {
+                write_on_one_line(top, hand, out)
+            } else {
+                write_closed(top, hand, out)
+            }
+            out.push('/');
+            write_closed(bottom, hand, out);
         }
         // The bar of the root cannot be drawn, so `√x²` would be read in two ways.
         Item::Root(inner) if matches!(inner[..], [Item::Power(..)] | [_, Item::Degree]) => {
-            format!("√({})", on_one_line(inner, hand))
+            enclose("√(", inner, ")", hand, out);
         }
-        Item::Root(inner) => format!("√{}", closed(inner, hand)),
+        Item::Root(inner) => {
+            out.push('√');
+            write_closed(inner, hand, out);
+        }
         Item::Power(base, exponent) => {
-            let above = on_one_line(exponent, hand);
-            match superscript(&above) {
-                Some(raised) => format!("{}{raised}", on_one_line(base, hand)),
-                None => format!("{}^{}", on_one_line(base, hand), closed(exponent, hand)),
+            write_on_one_line(base, hand, out);
+            match superscript(&on_one_line(exponent, hand)) {
+                Some(raised) => out.push_str(&raised),
+                None => {
+                    out.push('^');
+                    write_closed(exponent, hand, out);
+                }
             }
         }
-        Item::Brackets(inner) => format!("({})", on_one_line(inner, hand)),
-        Item::Bars(inner) => format!("|{}|", on_one_line(inner, hand)),
+        Item::Brackets(inner) => enclose("(", inner, ")", hand, out),
+        Item::Bars(inner) => enclose("|", inner, "|", hand, out),
         Item::Call(function, power, argument) => {
             let raised = power.as_deref().and_then(superscript).unwrap_or_default();
-            let argument = match &argument[..] {
-                [Item::Fraction(..)] => format!("({})", on_one_line(argument, hand)),
-                _ => on_one_line(argument, hand),
-            };
-            let apart =
-                !argument.starts_with('(') && (raised.is_empty() || argument.starts_with(|c: char| c.is_ascii_digit()));
-            format!("{}{raised}{}{argument}", name(*function), if apart { " " } else { "" })
+            out.extend([name(*function), &raised]);
+            let begin = out.len();
+            match &argument[..] {
+                [Item::Fraction(..)] => enclose("(", argument, ")", hand, out),
+                _ => write_on_one_line(argument, hand, out),
+            }
+            let written = &out[begin..];
+            if !written.starts_with('(') && (raised.is_empty() || written.starts_with(|c: char| c.is_ascii_digit())) {
+                out.insert(begin, ' ');
+            }
         }
-        Item::Unit(unit) => unit_unicode(*unit).to_owned(),
+        Item::Unit(unit) => out.push_str(unit_unicode(*unit)),
     }
 }
 
@@ -117,13 +143,13 @@ fn is_product(row: &Row) -> bool {
         && !matches!(row[..], [Item::Fraction(..)])
 }
 
-/// The row, in brackets unless it is one thing.
-fn closed(row: &Row, hand: Hand) -> String {
+/// Adds the row, in brackets unless it is one thing.
+fn write_closed(row: &Row, hand: Hand, out: &mut String) {
     let single =
         matches!(row[..], [Item::Digits(_) | Item::Letter(_) | Item::Bold(_) | Item::Brackets(_) | Item::Bars(_)])
             || matches!(row[..], [Item::Root(_) | Item::Power(..)])
             || matches!(row[..], [_, Item::Degree]);
-    if single { on_one_line(row, hand) } else { format!("({})", on_one_line(row, hand)) }
+    if single { write_on_one_line(row, hand, out) } else { enclose("(", row, ")", hand, out) }
 }
 
 fn superscript(text: &str) -> Option<String> {
@@ -142,18 +168,20 @@ fn subscript(text: &str) -> Option<String> {
     text.chars().map(|c| c.to_digit(10).map(|digit| LOWERED[digit as usize])).collect()
 }
 
-fn written(letter: &Letter) -> String {
-    let on_line = |symbol: &Symbol| match symbol {
-        Symbol::Greek(_, character) | Symbol::Vector(character) => character.to_string(),
-        Symbol::Italic(text) | Symbol::Upright(text) => words_unicode(text),
+fn write_letter(letter: &Letter, out: &mut String) {
+    let write = |symbol: &Symbol, out: &mut String| match symbol {
+        Symbol::Greek(_, character) | Symbol::Vector(character) => out.push(*character),
+        Symbol::Italic(text) | Symbol::Upright(text) => write_words_unicode(text, out),
     };
-    let base = on_line(&letter.base);
-    match letter.subscript.as_ref().map(on_line) {
-        None => base,
-        Some(below) => match subscript(&below) {
-            Some(lowered) => format!("{base}{lowered}"),
-            None => format!("{base}_{below}"),
-        },
+    write(&letter.base, out);
+    let Some(below) = &letter.subscript else { return };
+    let lowered = if let Symbol::Italic(text) = below { subscript(text) } else { None };
+    match lowered {
+        Some(lowered) => out.push_str(&lowered),
+        None => {
+            out.push('_');
+            write(below, out);
+        }
     }
 }
 

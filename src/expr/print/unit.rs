@@ -2,50 +2,37 @@
 
 use crate::unit::Unit;
 
-/// A symbol and the power to which it stands.
-fn symbols(unit: Unit) -> &'static [(&'static str, i32)] {
-    match unit {
-        Unit::None | Unit::Degree => &[],
-        Unit::Kilogram => &[("kg", 1)],
-        Unit::Metre => &[("m", 1)],
-        Unit::MetrePerSecond => &[("m", 1), ("s", -1)],
-        Unit::NewtonSecond => &[("N", 1), ("s", 1)],
-        Unit::Joule => &[("J", 1)],
-    }
-}
-
 /// What follows a number in LaTeX's mathematics: `\,\mathrm{m\,s^{-1}}`, `^\circ`, or nothing.
-pub fn unit_latex(unit: Unit) -> String {
-    let power = |&(symbol, power): &(&str, i32)| match power {
-        1 => symbol.to_owned(),
-        _ => format!("{symbol}^{{{power}}}"),
-    };
-    let parts: Vec<String> = symbols(unit).iter().map(power).collect();
+pub fn unit_latex(unit: Unit) -> &'static str {
     match unit {
-        Unit::None => String::new(),
-        Unit::Degree => r"^\circ".to_owned(),
-        _ => format!(r"\,\mathrm{{{}}}", parts.join(r"\,")),
+        Unit::None => "",
+        Unit::Kilogram => r"\,\mathrm{kg}",
+        Unit::Metre => r"\,\mathrm{m}",
+        Unit::MetrePerSecond => r"\,\mathrm{m\,s^{-1}}",
+        Unit::NewtonSecond => r"\,\mathrm{N\,s}",
+        Unit::Joule => r"\,\mathrm{J}",
+        Unit::Degree => r"^\circ",
     }
 }
 
 /// What follows a number in MathML.
-pub fn unit_mathml(unit: Unit) -> String {
-    if unit == Unit::Degree {
-        return r#"<mi mathvariant="normal">°</mi>"#.to_owned();
+pub fn unit_mathml(unit: Unit) -> &'static str {
+    match unit {
+        Unit::None => "",
+        Unit::Kilogram => r#"<mspace width="0.1667em"/><mi mathvariant="normal">kg</mi>"#,
+        Unit::Metre => r#"<mspace width="0.1667em"/><mi mathvariant="normal">m</mi>"#,
+        Unit::MetrePerSecond => concat!(
+            r#"<mspace width="0.1667em"/><mi mathvariant="normal">m</mi>"#,
+            r#"<mspace width="0.1667em"/><msup><mi mathvariant="normal">s</mi>"#,
+            r#"<mrow><mo form="prefix">−</mo><mn>1</mn></mrow></msup>"#
+        ),
+        Unit::NewtonSecond => concat!(
+            r#"<mspace width="0.1667em"/><mi mathvariant="normal">N</mi>"#,
+            r#"<mspace width="0.1667em"/><mi mathvariant="normal">s</mi>"#
+        ),
+        Unit::Joule => r#"<mspace width="0.1667em"/><mi mathvariant="normal">J</mi>"#,
+        Unit::Degree => r#"<mi mathvariant="normal">°</mi>"#,
     }
-    let mut out = String::new();
-    for (symbol, power) in symbols(unit) {
-        out.push_str(r#"<mspace width="0.1667em"/>"#);
-        let letters = format!(r#"<mi mathvariant="normal">{symbol}</mi>"#);
-        match power {
-            1 => out.push_str(&letters),
-            _ => out.push_str(&format!(
-                r#"<msup>{letters}<mrow><mo form="prefix">−</mo><mn>{}</mn></mrow></msup>"#,
-                power.unsigned_abs()
-            )),
-        }
-    }
-    out
 }
 
 /// What follows a number on a terminal: ` m s⁻¹`, `°`, or nothing.

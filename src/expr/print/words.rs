@@ -10,8 +10,13 @@
 /// ```
 pub fn words_latex(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
+    write_words_latex(text, &mut out);
+    out
+}
+
+pub(super) fn write_words_latex(text: &str, out: &mut String) {
     let mut rest = text;
-    while let Some(c) = past_plain(&mut rest, &mut out) {
+    while let Some(c) = past_plain(&mut rest, out) {
         match latex_command(c) {
             Some(command) => out.push_str(command),
             None if c.is_whitespace() => out.push(' '),
@@ -20,14 +25,18 @@ pub fn words_latex(text: &str) -> String {
             None => out.push('?'),
         }
     }
-    out
 }
 
 /// Words for HTML, in text and in attribute values.
 pub fn words_html(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
+    write_words_html(text, &mut out);
+    out
+}
+
+pub(super) fn write_words_html(text: &str, out: &mut String) {
     let mut rest = text;
-    while let Some(c) = past_plain(&mut rest, &mut out) {
+    while let Some(c) = past_plain(&mut rest, out) {
         match c {
             '&' => out.push_str("&amp;"),
             '<' => out.push_str("&lt;"),
@@ -37,14 +46,22 @@ pub fn words_html(text: &str) -> String {
             c => out.extend(shown(c)),
         }
     }
-    out
 }
 
-/// Takes over the letters, digits, blanks, commas and full stops that come next, most of what is written, and then
-/// takes off one other character.
+/// Letters, digits, blanks, commas and full stops, by their bytes: most of what is written, and the same everywhere.
+static PLAIN: [bool; 256] = {
+    let mut plain = [false; 256];
+    let mut byte = 0;
+    while byte < 128 {
+        plain[byte] = matches!(byte as u8, b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b' ' | b',' | b'.');
+        byte += 1;
+    }
+    plain
+};
+
+/// Takes over the plain characters that come next, and then takes off one other.
 fn past_plain(rest: &mut &str, out: &mut String) -> Option<char> {
-    let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || matches!(byte, b' ' | b',' | b'.');
-    let length = rest.bytes().position(|byte| !is_plain(byte)).unwrap_or(rest.len());
+    let length = rest.bytes().position(|byte| !PLAIN[usize::from(byte)]).unwrap_or(rest.len());
     let (plain, other) = rest.split_at(length);
     out.push_str(plain);
     let mut characters = other.chars();
@@ -55,7 +72,13 @@ fn past_plain(rest: &mut &str, out: &mut String) -> Option<char> {
 
 /// Words for a terminal, without the characters that could command it.
 pub fn words_unicode(text: &str) -> String {
-    text.chars().filter_map(shown).collect()
+    let mut out = String::with_capacity(text.len());
+    write_words_unicode(text, &mut out);
+    out
+}
+
+pub(super) fn write_words_unicode(text: &str, out: &mut String) {
+    out.extend(text.chars().filter_map(shown));
 }
 
 /// A character as it may be shown, if it may.
