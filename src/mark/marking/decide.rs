@@ -1,7 +1,7 @@
 //! Each mark of a scheme given or withheld.
 
 use super::answers::is_shown;
-use crate::bank::{Code, EarnedFor};
+use crate::bank::{Code, EarnedFor, Find};
 use crate::mark::award::{Award, Evidence, Examiner, MarkedAnswer, Place};
 use crate::mark::judging::{Judgement, Note, Verdict};
 use crate::mark::key::{KeyedMark, KeyedPart};
@@ -29,7 +29,9 @@ pub(super) fn awards(
     let worth: Vec<Worth> = answers.iter().map(|answer| Worth::of(answer, profile, charged)).collect();
     let mut awards: Vec<Award> = Vec::new();
     for (mark, by_working) in part.scheme.iter().zip(by_working) {
-        let by_working = by_working.map(|award| in_profile(award, mark, profile));
+        // Where the answer itself was given, it is the student's last word on the value.
+        let answered = own_blank(mark, part).is_some_and(|place| answers[place].judgement.verdict != Verdict::Blank);
+        let by_working = by_working.filter(|_| !answered).map(|award| in_profile(award, mark, profile));
         let award = match (by_answers(mark, part, answers, &worth), by_working) {
             // What the working shows is better evidence than what an answer implies.
             (Some(implied), Some(shown)) if shown.given && implied.note == Some("implied") => shown,
@@ -150,13 +152,18 @@ fn charge(how_often: Charge, charged: &mut bool) -> Worth {
     if costs { Worth::Method } else { Worth::Everything }
 }
 
+/// The blank whose value the mark is for.
+fn own_blank(mark: &KeyedMark, part: &KeyedPart) -> Option<usize> {
+    part.blanks.iter().position(|blank| match &mark.earned_for {
+        EarnedFor::Quantity(quantity) => blank.find.quantities().contains(quantity),
+        EarnedFor::Unknown(name) => blank.find == Find::Unknown(name.clone()),
+        _ => false,
+    })
+}
+
 /// A mark that final answers earn.
 fn by_answers(mark: &KeyedMark, part: &KeyedPart, answers: &[MarkedAnswer], worth: &[Worth]) -> Option<Award> {
-    let is_value = |place: usize| match &mark.earned_for {
-        EarnedFor::Quantity(quantity) => part.blanks[place].find.quantities().contains(quantity),
-        EarnedFor::Unknown(name) => part.blanks[place].find == crate::bank::Find::Unknown(name.clone()),
-        _ => false,
-    };
+    let is_value = |place: usize| own_blank(mark, part) == Some(place);
     let mut candidates = mark.blanks.iter().copied().filter(|place| !is_shown(&part.blanks[*place]));
     let earned = candidates.find(|place| match worth[*place] {
         Worth::Everything => mark.code != Code::A1Shown,

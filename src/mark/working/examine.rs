@@ -87,8 +87,8 @@ pub(super) struct Studied {
     pub(super) reading: Option<ReadLine>,
     /// The value of each member at every point: a number, or a vector.
     pub(super) values: Vec<Option<Vec<Value>>>,
-    /// Which of the two equations it is.
-    pub(super) matched: Option<Matched>,
+    /// Which of the two equations it is; one of each if it has both.
+    pub(super) matched: Vec<Matched>,
     pub(super) role: String,
 }
 
@@ -122,7 +122,7 @@ pub(crate) fn examine(question: &KeyedQuestion, part: &KeyedPart, working: &[Str
         .into_iter()
         .map(|line| {
             let reading = line.readings.first().cloned();
-            Studied { line, reading, values: Vec::new(), matched: None, role: String::new() }
+            Studied { line, reading, values: Vec::new(), matched: Vec::new(), role: String::new() }
         })
         .collect();
     let convention = take_as_laws(&mut lines, prepared);
@@ -183,11 +183,14 @@ fn value(expr: &Expr, prepared: &Prepared, names: &[(String, Vec<f64>)]) -> Opti
     (0..prepared.points.count).map(at).collect()
 }
 
-/// Left minus right of an equation at every point.
+/// Left minus right of an equation at every point; of a vector the component along the line of centres.
 fn differences(equation: &(Expr, Expr), prepared: &Prepared) -> Option<Vec<Linear>> {
     let at = |point| match difference(&equation.0, &equation.1, &context(prepared, point))? {
         Sum::Number(linear) => Some(linear),
-        Sum::Vector(..) => None,
+        Sum::Vector(x, y) => {
+            let line = |axis| prepared.known[point].number(Quantity::Line(axis)).map(Spread::exactly);
+            Some(x.times(line(Axis::X)?).plus(&y.times(line(Axis::Y)?)))
+        }
     };
     (0..prepared.points.count).map(at).collect()
 }
@@ -231,11 +234,16 @@ fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option<Convention
     let (_, convention, found) = best?;
     for (place, which, matched) in found {
         let studied = &mut lines[place];
-        if studied.matched.as_ref().is_none_or(|before| matched.weight() < before.weight()) {
-            studied.role = role(&matched);
-            studied.matched = Some(matched);
-            studied.reading = Some(studied.line.readings[which].clone());
+        let own = studied.matched.iter().position(|before| before.law == matched.law);
+        match own {
+            Some(own) if studied.matched[own].weight() <= matched.weight() => continue,
+            Some(own) => studied.matched[own] = matched,
+            None => studied.matched.push(matched),
         }
+        studied.reading = Some(studied.line.readings[which].clone());
+    }
+    for studied in lines.iter_mut() {
+        studied.role = studied.matched.iter().map(role).collect::<Vec<_>>().join("; ");
     }
     Some(convention)
 }
@@ -475,7 +483,7 @@ impl Working<'_> {
     /// A mark for one of the two equations.
     fn pair_equation(&self, law: Law, code: Code) -> Option<Shown> {
         let own = self.lines.iter().enumerate().filter_map(|(place, studied)| {
-            studied.matched.as_ref().filter(|matched| matched.law == law).map(|matched| (place, matched))
+            studied.matched.iter().find(|matched| matched.law == law).map(|matched| (place, matched))
         });
         let (line, best) = own.min_by_key(|(_, matched)| matched.weight())?;
         let given = if code.is_accuracy() { best.departures.is_empty() } else { best.is_method() };

@@ -12,7 +12,7 @@ use crate::bank::Code;
 use crate::expr::{Expr, Function};
 use crate::mark::judging::{Model, Verdict, judge};
 use crate::mark::key::KeyedMark;
-use crate::mark::reading::{Reading, Vocabulary};
+use crate::mark::reading::{Reading, Statement, Vocabulary};
 use crate::mechanics::{Axis, Datum, Known, Law, Moment, Quantity, Sphere};
 use crate::number::Value as Exact;
 
@@ -101,7 +101,7 @@ impl Working<'_> {
             return None;
         }
         self.lines.iter().position(|studied| {
-            studied.matched.is_none()
+            studied.matched.is_empty()
                 && !self.is_printed_result(studied)
                 && self.members(studied).any(|(member, values)| {
                     let worth = member.label.is_some() || is_composite(&member.expr);
@@ -174,7 +174,7 @@ impl Working<'_> {
                 Value::Number(_) => false,
             })
         };
-        let whole = studied.matched.is_none()
+        let whole = studied.matched.is_empty()
             && self.members(studied).any(|(member, values)| {
                 let named = member.label.is_some() || is_composite(&member.expr);
                 let unknown = member.letter.as_ref().is_some_and(|letter| self.is_unknown(letter));
@@ -184,8 +184,8 @@ impl Working<'_> {
             return true;
         }
         let Some(reading) = &studied.reading else { return false };
-        let formulas = reading.members.iter().filter(|_| studied.matched.is_none()).map(|member| &member.expr);
-        formulas.flat_map(components_in).any(|expr| self.values_of(expr).is_some_and(|values| is_right(&values)))
+        let formulas = reading.members.iter().filter(|_| studied.matched.is_empty()).map(|member| &member.expr);
+        formulas.flat_map(components_in).any(|expr| self.values_of(&expr).is_some_and(|values| is_right(&values)))
     }
 
     fn values_of(&self, expr: &Expr) -> Option<Vec<Value>> {
@@ -210,7 +210,7 @@ impl Working<'_> {
         };
         let line = self.lines.iter().position(|studied| {
             let members = studied.reading.as_ref().map(|reading| reading.members.as_slice()).unwrap_or_default();
-            studied.matched.is_none() && members.iter().any(|member| has_form(&member.expr))
+            studied.matched.is_empty() && members.iter().any(|member| has_form(&member.expr))
         })?;
         Some(Evidence::given(line, law.name()))
     }
@@ -241,13 +241,7 @@ impl Working<'_> {
     fn is_pythagoras(&self, expr: &Expr, sphere: Option<Sphere>) -> bool {
         let Expr::Sum(terms) = expr else { return false };
         let [one, other] = terms.as_slice() else { return false };
-        let base = |term: &Expr| match term {
-            Expr::Power(base, exponent) if **exponent == Expr::integer(2) => Some((**base).clone()),
-            // A square that has been worked out.
-            Expr::Number(_) | Expr::Decimal(_) => Some(Expr::call(Function::Sqrt, term.clone())),
-            _ => None,
-        };
-        let Some((one, other)) = base(one).zip(base(other)) else { return false };
+        let Some((one, other)) = base_of_square(one).zip(base_of_square(other)) else { return false };
         self.are_components(&one, &other, sphere) || self.are_components(&other, &one, sphere)
     }
 
@@ -454,7 +448,7 @@ impl Working<'_> {
         let line = self.lines.iter().position(|studied| {
             let Some(reading) = &studied.reading else { return false };
             !self.is_printed_result(studied)
-                && studied.matched.is_none()
+                && studied.matched.is_empty()
                 && reading.equations.iter().any(|equation| self.holds_only_where_found(equation))
         })?;
         Some(Evidence::given(line, "uses what is given of the motion after the impact"))
@@ -520,13 +514,14 @@ impl Working<'_> {
                 if !is_named {
                     continue;
                 }
-                let alone = Reading {
-                    statements: vec![statement.clone()],
-                    printed: reading.printed.clone(),
-                    decided: Vec::new(),
+                let verdict = |statement: Statement| {
+                    let reading = Reading { statements: vec![statement], printed: String::new(), decided: Vec::new() };
+                    judge(&model, &Ok(vec![reading])).verdict
                 };
-                let judgement = judge(&model, &Ok(vec![alone]));
-                if judgement.verdict == Verdict::Correct {
+                let mut end = statement.clone();
+                end.said.drain(..end.said.len().saturating_sub(1));
+                // A right formula that is worked out wrongly is no right value.
+                if verdict(statement.clone()) == Verdict::Correct && verdict(end) != Verdict::Wrong {
                     return Some(Evidence::given(place, format!("{quantity}")));
                 }
             }
@@ -645,15 +640,29 @@ fn parts_of(expr: &Expr) -> Vec<&Expr> {
 }
 
 /// The formulas within one that stand where a component of a velocity does: squared, or over another.
-fn components_in(expr: &Expr) -> Vec<&Expr> {
+fn components_in(expr: &Expr) -> Vec<Expr> {
     let mut all = Vec::new();
     match expr {
-        Expr::Power(base, exponent) if **exponent == Expr::integer(2) => all.push(&**base),
-        Expr::Quotient(above, below) => all.extend([&**above, &**below]),
-        _ => {}
+        Expr::Quotient(above, below) => all.extend([(**above).clone(), (**below).clone()]),
+        Expr::Sum(terms) if terms.len() == 2 => all.extend(terms.iter().filter_map(base_of_square)),
+        _ => all.extend(base_of_square(expr).filter(|_| matches!(expr, Expr::Power(..)))),
     }
     all.extend(expr.children().into_iter().flat_map(components_in));
     all
+}
+
+/// What a term of Pythagoras is the square of; a number alone is a square that has been worked out.
+fn base_of_square(term: &Expr) -> Option<Expr> {
+    match term {
+        Expr::Power(base, exponent) if **exponent == Expr::integer(2) => Some((**base).clone()),
+        Expr::Number(_) | Expr::Decimal(_) => Some(Expr::call(Function::Sqrt, term.clone())),
+        Expr::Quotient(..) if !is_lettered(term) => Some(Expr::call(Function::Sqrt, term.clone())),
+        _ => None,
+    }
+}
+
+fn is_lettered(expr: &Expr) -> bool {
+    !expr.names().is_empty()
 }
 
 /// A difference of kinetic energies: squares of velocities added and subtracted, none of them of a difference.
