@@ -14,6 +14,7 @@ pub(super) const SLIPS: [Slip; 2] = [
         tag: "radian-mode",
         did: "resolved with the calculator set to radians",
         sentence: "Set your calculator to degrees: it took the angle for radians.",
+        also: &[],
         condoned: true,
     },
     Slip {
@@ -21,6 +22,7 @@ pub(super) const SLIPS: [Slip; 2] = [
         tag: "early-rounding",
         did: "rounded the components to two figures before going on",
         sentence: "Rounded on the way: keep all the figures until the last line.",
+        also: &[],
         condoned: true,
     },
 ];

@@ -75,9 +75,7 @@ impl Way {
 
     pub(super) fn tags(&self) -> Vec<&'static str> {
         match &self.origin {
-            Origin::Slips(one, two) => {
-                std::iter::once(*one).chain(*two).map(|slip| Slip::all()[slip].1.tag).collect()
-            }
+            Origin::Slips(one, two) => std::iter::once(*one).chain(*two).map(|slip| Slip::all()[slip].1.tag).collect(),
             Origin::Calculator(slip) => vec![calculator::SLIPS[*slip].tag],
             Origin::LastStep(step) => vec![step.tag],
         }

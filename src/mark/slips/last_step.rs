@@ -81,8 +81,8 @@ pub(super) fn taken_for(quantity: Quantity) -> Vec<(Quantity, LastStep)> {
     }
     match quantity {
         Quantity::Speed(sphere, After) => {
-            let component = |axis| (Quantity::Velocity(sphere, After, axis), ONE_COMPONENT);
-            taken.extend([component(Axis::N), component(Axis::T)]);
+            // The component along the line of centres is what is left when the other is dropped, a slip with a law.
+            taken.push((Quantity::Velocity(sphere, After, Axis::T), ONE_COMPONENT));
             taken.push((Quantity::Speed(sphere, Before), BEFORE_FOR_AFTER));
         }
         Quantity::Velocity(sphere, After, axis) => {
@@ -95,8 +95,7 @@ pub(super) fn taken_for(quantity: Quantity) -> Vec<(Quantity, LastStep)> {
             taken.extend([Before, After].map(|moment| (Quantity::TotalEnergy(moment), ENERGY_AT_ONE_MOMENT)));
         }
         Quantity::SphereEnergyLost(sphere) => {
-            taken
-                .extend([Before, After].map(|moment| (Quantity::KineticEnergy(sphere, moment), ENERGY_AT_ONE_MOMENT)));
+            taken.extend([Before, After].map(|moment| (Quantity::KineticEnergy(sphere, moment), ENERGY_AT_ONE_MOMENT)));
         }
         Quantity::FractionLost => taken.push((Quantity::EnergyLost, LOSS_FOR_FRACTION)),
         _ => {}
@@ -106,7 +105,9 @@ pub(super) fn taken_for(quantity: Quantity) -> Vec<(Quantity, LastStep)> {
 
 /// The same of the other sphere.
 fn of_other_sphere(quantity: Quantity) -> Option<Quantity> {
-    use Quantity::{AngleToLine, Deflection, KineticEnergy, Speed, SphereEnergyLost, TanDeflection, TanToLine, Velocity};
+    use Quantity::{
+        AngleToLine, Deflection, KineticEnergy, Speed, SphereEnergyLost, TanDeflection, TanToLine, Velocity,
+    };
     let other = Sphere::other;
     Some(match quantity {
         Speed(sphere, moment) => Speed(other(sphere), moment),

@@ -17,9 +17,8 @@ mod written;
 pub use cause::{Cause, StepMarks};
 pub use rounding::{EARLY_ROUNDING, EarlyRounding, early_rounding};
 
-
 use crate::expr::Expr;
-use crate::mark::reading::{Form, Said};
+use crate::mark::reading::{Form, ReferenceLine, Said};
 use crate::mechanics::{Carried, Datum, Known, Law, Quantity, Road, Slip, Steps, Trace};
 use crate::number::{Letter, Value};
 
@@ -82,6 +81,7 @@ impl Mistakes {
             Mistakes { roads: Vec::new(), ways: Vec::new(), answers: Vec::new(), letters: letters.to_vec() };
         let Some(given) = sampled(given) else { return mistakes };
         let mut asked: Vec<Quantity> = answers.iter().flatten().copied().collect();
+        asked.extend(answers.iter().filter_map(|answer| angle_of(answer)).flatten());
         asked.extend(answers.iter().flatten().flat_map(|quantity| last_step::taken_for(*quantity)).map(|(q, _)| q));
         asked.sort();
         asked.dedup();
@@ -92,21 +92,22 @@ impl Mistakes {
             }
         }
         let known = mistakes.roads[0].known();
-        mistakes.answers = answers.iter().filter_map(|answer| Answer::of(answer, known)).collect();
+        let angles = answers.iter().filter_map(|answer| angle_of(answer));
+        let all = answers.iter().cloned().chain(angles);
+        mistakes.answers = all.filter_map(|answer| Answer::of(&answer, known)).collect();
         let singles = mistakes.add_singles();
         mistakes.add_calculator();
         mistakes.add_last_steps();
         mistakes.add_pairs(&singles);
-        for answer in &mut mistakes.answers {
-            answer.sort();
-        }
         mistakes
     }
 
     /// Everything that leads to what a student wrote, the likeliest first: single slips in the order of their places,
     /// then pairs. Nothing for an answer that is right at the figures it has.
     pub fn causes(&self, answer: &[Quantity], said: &Said) -> Vec<Cause> {
-        let Some(answer) = self.answers.iter().find(|known| known.asked == answer) else { return Vec::new() };
+        let of_angle = matches!(&said.unit, Some(unit) if unit.degrees).then(|| angle_of(answer)).flatten();
+        let asked = of_angle.as_deref().unwrap_or(answer);
+        let Some(answer) = self.answers.iter().find(|known| known.asked == asked) else { return Vec::new() };
         let Some(written) = self.written(answer, said) else { return Vec::new() };
         let mut ways: Vec<&Way> = answer.matching(&written).map(|way| &self.ways[way]).collect();
         ways.sort_by_key(|way| way.rank());
@@ -132,7 +133,12 @@ impl Mistakes {
         let found = match &said.form {
             Form::Value(expr) if answer.is_angle() => {
                 let radians = said.unit.as_ref().is_some_and(|unit| !unit.degrees && unit.dimension == [0, 0, 0, 1]);
-                return Some(vec![Written::degrees(expr, letters, radians)?]);
+                let degrees = Written::degrees(expr, letters, radians)?;
+                return Some(vec![match said.reference {
+                    Some(ReferenceLine::CommonTangent) if answer.is_to_line() => degrees.from_degrees(90.0),
+                    Some(ReferenceLine::FromBToA) if answer.is_to_line() => degrees.from_degrees(180.0),
+                    _ => degrees,
+                }]);
             }
             Form::Value(expr) => vec![number(expr)?],
             Form::Percentage(expr) => vec![number(expr)?.times(0.01)],
@@ -158,31 +164,33 @@ impl Mistakes {
         }
     }
 
-    /// Carries out a road again, and what comes of each answer.
+    /// Carries out a road again; the wrong values that come of it, each with the place of its answer.
     fn again(
         &mut self,
         road: usize,
-        slips: &[&str],
+        slips: &[(Law, &Slip)],
         other: &[(Quantity, Datum<Sample>)],
-    ) -> Option<(Trace, Vec<Option<Values>>)> {
+    ) -> Option<(Trace, Vec<(usize, Values)>)> {
         let answers = &self.answers;
-        self.roads[road].again(slips, other, |known, trace| {
-            (trace, answers.iter().map(|answer| answer.values_in(known)).collect())
+        self.roads[road].again(slips, other, |carried, trace| {
+            let is_changed = |answer: &Answer| answer.asked.iter().any(|asked| carried.is_changed(*asked, trace));
+            let changed = answers.iter().enumerate().filter(|(_, answer)| is_changed(answer));
+            let values = changed.filter_map(|(place, answer)| Some((place, answer.values_in(carried.known())?)));
+            (trace, values.filter(|(place, values)| !answers[*place].is_right(values)).collect())
         })
     }
 
     fn add_singles(&mut self) -> Vec<Single> {
         let mut singles = Vec::new();
-        for (slip, (_, known)) in Slip::all().iter().enumerate() {
+        for (slip, owned) in Slip::all().iter().enumerate() {
             for road in 0..self.roads.len() {
-                let Some((trace, values)) = self.again(road, &[known.tag], &[]) else { continue };
-                let mut wrong = self.wrong(values);
+                let Some((trace, mut wrong)) = self.again(road, &[*owned], &[]) else { continue };
                 if trace.slipped.is_empty() || wrong.is_empty() {
                     continue;
                 }
                 let changes = wrong.iter().fold(0, |changes, (answer, _)| changes | 1_u64.wrapping_shl(*answer as u32));
                 singles.push(Single { slip, road, slipped: trace.slipped, changes });
-                let lost = if known.condoned { Steps::default() } else { trace.slipped };
+                let lost = if owned.1.condoned { Steps::default() } else { trace.slipped };
                 let is_same = |way: &Way| matches!(way.origin, Origin::Slips(other, None) if other == slip);
                 wrong.retain(|(answer, values)| !self.answers[*answer].has(values, |way| is_same(&self.ways[way])));
                 self.add(Way { origin: Origin::Slips(slip, None), road, trace, lost }, wrong.into_iter());
@@ -191,19 +199,12 @@ impl Mistakes {
         singles
     }
 
-    /// Those values that are not the right ones.
-    fn wrong(&self, values: Vec<Option<Values>>) -> Vec<(usize, Values)> {
-        let there = values.into_iter().enumerate().filter_map(|(answer, values)| Some((answer, values?)));
-        there.filter(|(answer, values)| !self.answers[*answer].is_right(values)).collect()
-    }
-
     fn add_calculator(&mut self) {
         for (place, slip) in calculator::SLIPS.iter().enumerate() {
             let is_same = |way: &Way| matches!(way.origin, Origin::Calculator(other) if other == place);
             for road in 0..self.roads.len() {
                 for entered in calculator::entered(slip, self.roads[road].known(), &self.letters) {
-                    let Some((trace, values)) = self.again(road, &[], &entered) else { continue };
-                    let mut wrong = self.wrong(values);
+                    let Some((trace, mut wrong)) = self.again(road, &[], &entered) else { continue };
                     wrong.retain(|(answer, values)| !self.answers[*answer].has(values, |way| is_same(&self.ways[way])));
                     let way = Way { origin: Origin::Calculator(place), road, trace, lost: Steps::default() };
                     self.add(way, wrong.into_iter());
@@ -215,12 +216,8 @@ impl Mistakes {
     fn add_last_steps(&mut self) {
         for answer in 0..self.answers.len() {
             for (values, step) in self.answers[answer].last_steps(self.roads[0].known(), &self.answers) {
-                let way = Way {
-                    origin: Origin::LastStep(step),
-                    road: 0,
-                    trace: Trace::default(),
-                    lost: Steps::default(),
-                };
+                let way =
+                    Way { origin: Origin::LastStep(step), road: 0, trace: Trace::default(), lost: Steps::default() };
                 self.add(way, std::iter::once((answer, values)));
             }
         }
@@ -234,23 +231,31 @@ impl Mistakes {
             for two in &singles[place + 1..] {
                 let same_law = all[one.slip].0 == all[two.slip].0;
                 let apart = !same_law && !one.slipped.meets(two.slipped);
-                let tried = pairs.iter().any(|(a, b)| (a.slip, b.slip) == (one.slip, two.slip));
-                if one.road == two.road && apart && one.changes & two.changes != 0 && !tried {
+                if one.road == two.road && apart && one.changes & two.changes != 0 {
                     pairs.push((one, two));
                 }
             }
         }
-        pairs.sort_by_key(|(one, two)| one.slip + two.slip);
+        pairs.sort_by_key(|(one, two)| (one.slip + two.slip, one.slip, one.road));
+        pairs.dedup_by_key(|(one, two)| (one.slip, two.slip));
         for (one, two) in pairs.into_iter().take(MOST_PAIRS) {
-            let (first, second) = (all[one.slip].1, all[two.slip].1);
-            let Some((trace, values)) = self.again(one.road, &[first.tag, second.tag], &[]) else { continue };
-            let mut wrong = self.wrong(values);
+            let slips = [all[one.slip], all[two.slip]];
+            let Some((trace, mut wrong)) = self.again(one.road, &slips, &[]) else { continue };
             wrong.retain(|(answer, values)| !self.answers[*answer].has(values, |way| self.ways[way].is_single()));
-            let lost = [(first, one), (second, two)].into_iter().filter(|(slip, _)| !slip.condoned);
-            let lost = lost.fold(Steps::default(), |lost, (_, single)| lost.and(single.slipped));
+            let lost = [one, two].into_iter().filter(|single| !all[single.slip].1.condoned);
+            let lost = lost.fold(Steps::default(), |lost, single| lost.and(single.slipped));
             let way = Way { origin: Origin::Slips(one.slip, Some(two.slip)), road: one.road, trace, lost };
             self.add(way, wrong.into_iter());
         }
+    }
+}
+
+/// The angle, where its tangent is asked: a student may give it in place of the tangent.
+fn angle_of(answer: &[Quantity]) -> Option<Vec<Quantity>> {
+    match answer {
+        [Quantity::TanDeflection(sphere)] => Some(vec![Quantity::Deflection(*sphere)]),
+        [Quantity::TanToLine(sphere, moment)] => Some(vec![Quantity::AngleToLine(*sphere, *moment)]),
+        _ => None,
     }
 }
 
@@ -269,12 +274,12 @@ fn sampled(given: &Known<Value>) -> Option<Known<Sample>> {
 }
 
 /// A mistake as the documentation lists it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Listed {
     /// The tag.
     pub tag: &'static str,
-    /// The law that owns it, if one does.
-    pub law: Option<Law>,
+    /// The law that owns it and the others that answer to it; of a slip of the calculator or of the last line none.
+    pub laws: Vec<Law>,
     /// What the student did.
     pub did: &'static str,
     /// What a teacher would say.
@@ -284,14 +289,16 @@ pub struct Listed {
 /// Every mistake that is recognised: those of laws and of the calculator in the order of their places, then those of the
 /// last line.
 pub fn all() -> Vec<Listed> {
-    let of_laws = Slip::all().iter().map(|(law, slip)| (Some(*law), slip));
-    let mut slips: Vec<(Option<Law>, &Slip)> = of_laws.map(|(law, slip)| (law, *slip)).collect();
-    slips.extend(calculator::SLIPS.iter().map(|slip| (None, slip)));
+    let of_laws =
+        Slip::all().iter().map(|(law, slip)| (std::iter::once(*law).chain(slip.also.iter().copied()).collect(), *slip));
+    let of_calculator = calculator::SLIPS.iter().map(|slip| (Vec::new(), slip));
+    let mut slips: Vec<(Vec<Law>, &Slip)> = of_laws.chain(of_calculator).collect();
     slips.sort_by_key(|(_, slip)| slip.place);
-    let listed = |(law, slip): (Option<Law>, &Slip)| Listed { tag: slip.tag, law, did: slip.did, sentence: slip.sentence };
+    let listed =
+        |(laws, slip): (Vec<Law>, &Slip)| Listed { tag: slip.tag, laws, did: slip.did, sentence: slip.sentence };
     let last = last_step::ALL.iter().map(|step| Listed {
         tag: step.tag,
-        law: None,
+        laws: Vec::new(),
         did: step.did,
         sentence: step.sentence,
     });

@@ -63,7 +63,9 @@ pub fn early_rounding(
         });
     }
     let off = last.value.with(right, |last, right| (last.abs() - right.abs()).abs() / right.abs()).0[0];
-    let figures = [2, 3].into_iter().find(|figures| off < NEAR && comes_of_rounding(&given_samples, letters, asked, last, *figures))?;
+    let figures = [2, 3]
+        .into_iter()
+        .find(|figures| off < NEAR && comes_of_rounding(&given_samples, letters, asked, last, *figures))?;
     Some(EarlyRounding {
         figures: Some(figures as u32),
         sentence: "This is what rounding on the way leads to: keep all the figures until the last line.",
@@ -105,7 +107,7 @@ fn from_shown(
         let used = |quantity: &Quantity| carried.derivation().steps.iter().any(|step| step.needs.contains(quantity));
         let entered: Vec<(Quantity, Datum<Interval>)> =
             entered.iter().filter(|(quantity, _)| used(quantity)).cloned().collect();
-        let found = carried.again(&[], &entered, |known, _| measure(known, asked)).flatten();
+        let found = carried.again(&[], &entered, |carried, _| measure(carried.known(), asked)).flatten();
         found.is_some_and(|found| found.overlaps(&said) || found.overlaps(&-said.clone()))
     };
     Some(Road::ALL.into_iter().any(lies_inside))
@@ -152,13 +154,18 @@ fn comes_of_rounding(given: &Known<Sample>, letters: &[Letter], asked: Quantity,
     [Road::Shortest, Road::BySpeeds].into_iter().any(|road| {
         let mut carried = Carried::on(road, given, &[asked]);
         let entered = rounded(carried.known(), letters, figures);
-        let of_components = carried.again(&[], &entered, |known, _| is_it(known)).unwrap_or(false);
+        let of_components = carried.again(&[], &entered, |carried, _| is_it(carried.known())).unwrap_or(false);
         of_components || rounding_each(&carried, given, asked, figures).is_some_and(|known| is_it(&known))
     })
 }
 
 /// The derivation with the outcome of each step rounded before the next.
-fn rounding_each(carried: &Carried<Sample>, given: &Known<Sample>, asked: Quantity, figures: i32) -> Option<Known<Sample>> {
+fn rounding_each(
+    carried: &Carried<Sample>,
+    given: &Known<Sample>,
+    asked: Quantity,
+    figures: i32,
+) -> Option<Known<Sample>> {
     let mut known = given.clone();
     for step in &carried.derivation().steps {
         for (quantity, datum) in step.gives.iter().zip(step.evaluate(&known)?) {

@@ -3,10 +3,10 @@
 use crate::mechanics::{Datum, Known, Quantity};
 use crate::number::Number;
 
+use super::SAME;
 use super::last_step::{ANOTHER_ANSWER, FACTOR_OF_TEN, LastStep, RADIANS, SIGN, has_a_sense, taken_for};
 use super::sample::Sample;
 use super::written::Written;
-use super::SAME;
 
 /// A number, or the components of a vector.
 pub(super) type Values = Vec<Sample>;
@@ -44,6 +44,11 @@ impl Answer {
         self.asked.len() == 1 && self.asked[0].is_angle()
     }
 
+    /// Is it an angle with the line of centres?
+    pub(super) fn is_to_line(&self) -> bool {
+        matches!(self.asked[0], Quantity::AngleToLine(..) | Quantity::AngleFromN(..))
+    }
+
     /// Is it a direction of which any multiple will do?
     pub(super) fn is_line(&self) -> bool {
         matches!(self.asked[0], Quantity::Line(_) | Quantity::Tangent(_)) && self.asked.len() == 2
@@ -70,18 +75,22 @@ impl Answer {
     }
 
     pub(super) fn add(&mut self, values: Values, way: usize) {
-        self.rows.push(Row { size: size(&values).0[0], values, way });
+        let size = size(&values).0[0];
+        let place = self.first(size);
+        self.rows.insert(place, Row { size, values, way });
+    }
+
+    /// The place of the first row that is not smaller.
+    fn first(&self, size: f64) -> usize {
+        self.rows.partition_point(|row| row.size < size)
     }
 
     /// Is the value there already, by such a way?
     pub(super) fn has(&self, values: &Values, by: impl Fn(usize) -> bool) -> bool {
         let size = size(values).0[0];
-        let near = |row: &&Row| (row.size - size).abs() <= 2.0 * SAME * size.max(1.0);
-        self.rows.iter().filter(near).any(|row| self.are_same(&row.values, values) && by(row.way))
-    }
-
-    pub(super) fn sort(&mut self) {
-        self.rows.sort_by(|one, two| one.size.total_cmp(&two.size));
+        let apart = 2.0 * SAME * size.max(1.0);
+        let near = self.rows[self.first(size - apart)..].iter().take_while(|row| row.size <= size + apart);
+        near.into_iter().any(|row| self.are_same(&row.values, values) && by(row.way))
     }
 
     pub(super) fn rows(&self) -> impl Iterator<Item = (&Values, usize)> {
@@ -91,11 +100,9 @@ impl Answer {
     /// The ways to what was written; none if it is right at the figures it has.
     pub(super) fn matching<'a>(&'a self, written: &'a [Written]) -> impl Iterator<Item = usize> + 'a {
         let (low, high) = if self.is_line() { (0.0, f64::INFINITY) } else { sizes(written) };
-        let first = self.rows.partition_point(|row| row.size < low);
-        let near = self.rows[first..].iter().take_while(move |row| row.size <= high);
-        let is_right = self.fits(written, &self.truth, &self.truth, |written, value, _, signed| {
-            written.is_right(value, signed)
-        });
+        let near = self.rows[self.first(low)..].iter().take_while(move |row| row.size <= high);
+        let is_right =
+            self.fits(written, &self.truth, &self.truth, |written, value, _, signed| written.is_right(value, signed));
         let fits = move |row: &&Row| !is_right && self.fits(written, &row.values, &self.truth, Written::is);
         near.filter(fits).map(|row| row.way)
     }
@@ -119,7 +126,8 @@ impl Answer {
             _ => {
                 let each = || written.iter().zip(values).zip(truth);
                 let fit = |((written, value), truth): ((&Written, &Sample), &Sample)| {
-                    test(*written, *value, *truth, true) || (written.is_right(*truth, true) && value.is_near(*truth, SAME))
+                    test(*written, *value, *truth, true)
+                        || (written.is_right(*truth, true) && value.is_near(*truth, SAME))
                 };
                 each().all(fit)
             }
@@ -128,9 +136,8 @@ impl Answer {
 
     /// What the last line alone can go wrong with.
     pub(super) fn last_steps(&self, known: &Known<Sample>, answers: &[Answer]) -> Vec<(Values, LastStep)> {
-        let changed = |change: &dyn Fn(f64) -> f64| -> Values {
-            self.truth.iter().map(|value| value.map(change)).collect()
-        };
+        let changed =
+            |change: &dyn Fn(f64) -> f64| -> Values { self.truth.iter().map(|value| value.map(change)).collect() };
         let mut found: Vec<(Values, LastStep)> = Vec::new();
         if self.is_line() {
             return found;

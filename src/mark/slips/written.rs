@@ -53,6 +53,13 @@ impl Written {
         Written { value: self.value.map(|value| value * factor), ..self }
     }
 
+    /// So many degrees less the value, known to the same place.
+    pub(super) fn from_degrees(self, degrees: f64) -> Written {
+        let value = self.value.map(|value| degrees - value);
+        let unit = self.unit.map(|unit| (unit * self.value.0[0] / value.0[0]).abs()).filter(|unit| unit.is_finite());
+        Written { value, unit }
+    }
+
     /// The sizes between which a value must lie that can have been written so, at the first point.
     pub(super) fn sizes(self) -> (f64, f64) {
         let size = self.value.0[0].abs();
@@ -207,10 +214,9 @@ impl Evaluated {
 
 fn all(parts: &[Expr], letters: &[Letter], combine: impl Fn(Sample, Sample) -> Sample) -> Option<Evaluated> {
     let parts: Option<Vec<Evaluated>> = parts.iter().map(|part| Evaluated::of(part, letters)).collect();
-    parts?.into_iter().reduce(|one, two| Evaluated {
-        value: combine(one.value, two.value),
-        is_angle: one.is_angle || two.is_angle,
-    })
+    parts?
+        .into_iter()
+        .reduce(|one, two| Evaluated { value: combine(one.value, two.value), is_angle: one.is_angle || two.is_angle })
 }
 
 fn by_name(function: Function) -> fn(f64) -> f64 {

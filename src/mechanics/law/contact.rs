@@ -27,6 +27,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "one-radius",
         did: "took one radius for the distance of the centres",
         sentence: "When the spheres touch, their centres are two radii apart, not one.",
+        also: &[],
         condoned: false,
     },
 ];

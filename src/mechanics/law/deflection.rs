@@ -25,6 +25,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "direction-for-deflection",
         did: "gave the direction after the impact",
         sentence: "That is the direction after the impact; the deflection is how far the path turned from the old direction.",
+        also: &[],
         condoned: false,
     },
     Slip {
@@ -32,6 +33,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "deflection-added",
         did: "added the angles before and after the impact",
         sentence: "Draw both velocities from one point: the angle between them is not the sum of their angles with the line of centres.",
+        also: &[],
         condoned: true,
     },
     Slip {
@@ -39,6 +41,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "rebound-missed",
         did: "subtracted the angles although the sphere turns back along the line of centres",
         sentence: "The sphere turns back along the line of centres: draw both velocities from one point before you take the angle between them.",
+        also: &[],
         condoned: true,
     },
     Slip {
@@ -46,6 +49,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "tangents-subtracted",
         did: "subtracted the tangents of the angles",
         sentence: "The tangent of a difference is not the difference of the tangents: use the compound-angle formula.",
+        also: &[],
         condoned: false,
     },
 ];

@@ -21,6 +21,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "struck-inherits",
         did: "sent B off in the direction in which A was moving",
         sentence: "B was at rest and is pushed along the line of centres, so that is the way in which it moves off.",
+        also: &[Law::Resolve],
         condoned: false,
     },
     Slip {
@@ -28,6 +29,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "angle-complement",
         did: "divided the components the other way up",
         sentence: "That is the angle with the common tangent; the angle with the line of centres is 90° less that.",
+        also: &[],
         condoned: true,
     },
     Slip {
@@ -35,6 +37,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "deflection-for-direction",
         did: "gave the angle through which the path turned",
         sentence: "That is how far the path turned: a direction is measured from the line of centres.",
+        also: &[],
         condoned: false,
     },
 ];

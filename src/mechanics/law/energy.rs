@@ -27,6 +27,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "energy-square-of-difference",
         did: "squared the changes of velocity",
         sentence: "Find the energy before and the energy after and subtract: the square of a change is not the change of the squares.",
+        also: &[],
         condoned: false,
     },
     Slip {
@@ -34,6 +35,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "energy-one-sphere",
         did: "counted A alone",
         sentence: "Both spheres have kinetic energy: count both, before and after.",
+        also: &[],
         condoned: false,
     },
     Slip {
@@ -41,6 +43,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "energy-no-half",
         did: "left out the half",
         sentence: "Kinetic energy is half of mass times speed squared.",
+        also: &[],
         condoned: false,
     },
     Slip {
@@ -48,6 +51,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "energy-after-along-only",
         did: "left the components across out after the impact but not before it",
         sentence: "The components across the line of centres count after the impact as they do before it: keep them in both, or in neither.",
+        also: &[],
         condoned: false,
     },
     Slip {
@@ -55,6 +59,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "energy-components-added",
         did: "squared the sum of the components",
         sentence: "Square each component and then add: the square of a sum is something else.",
+        also: &[],
         condoned: false,
     },
     Slip {
@@ -62,6 +67,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "energy-by-e",
         did: "multiplied all the energy before the impact by 1 - e²",
         sentence: "Only the energy of the relative motion along the line of centres is reduced by e²; all the rest stays.",
+        also: &[],
         condoned: false,
     },
     Slip {
@@ -69,6 +75,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "fraction-remaining",
         did: "gave the fraction that is left",
         sentence: "That is the fraction that is left: the one that is lost is asked for.",
+        also: &[],
         condoned: false,
     },
     Slip {
@@ -76,6 +83,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "fraction-of-energy-along",
         did: "divided by the energy of the motion along the line of centres alone",
         sentence: "Divide by all the kinetic energy before the impact, the motion across the line of centres included.",
+        also: &[],
         condoned: false,
     },
 ];

@@ -23,6 +23,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "impulse-speed-change",
         did: "subtracted the sizes of the components along the line of centres",
         sentence: "Where a sphere turns back its velocity changes by the sum of the two sizes: keep the signs.",
+        also: &[],
         condoned: true,
     },
     Slip {
@@ -30,6 +31,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "impulse-resultant-speeds",
         did: "took the change of the full speed",
         sentence: "Impulse is the change of velocity along the line of centres, times the mass, and not the change of speed.",
+        also: &[],
         condoned: false,
     },
     Slip {
@@ -37,6 +39,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "impulse-wrong-mass",
         did: "multiplied the change of velocity by the mass of the other sphere",
         sentence: "The mass must belong to the sphere whose velocity you follow.",
+        also: &[],
         condoned: false,
     },
     Slip {
@@ -44,6 +47,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "impulse-after-only",
         did: "gave the momentum after the impact",
         sentence: "Impulse is the change of momentum: the momentum before is to be taken off.",
+        also: &[],
         condoned: false,
     },
     Slip {
@@ -51,6 +55,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "impulse-both-added",
         did: "added the impulses on the two spheres",
         sentence: "The two spheres receive equal and opposite impulses: the impulse is one of them, not the sum of their sizes.",
+        also: &[],
         condoned: false,
     },
 ];

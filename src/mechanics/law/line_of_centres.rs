@@ -22,6 +22,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "line-perpendicular",
         did: "took the line perpendicular to the impulse",
         sentence: "The impulse points along the line of centres, not across it.",
+        also: &[],
         condoned: false,
     },
     Slip {
@@ -29,6 +30,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "line-is-velocity",
         did: "took the path of A for the line of centres",
         sentence: "The line of centres is where the push acts: find the change of velocity of A, not its velocity.",
+        also: &[],
         condoned: false,
     },
     Slip {
@@ -36,6 +38,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "line-is-relative",
         did: "took the relative velocity for the line of centres",
         sentence: "The spheres may meet off centre: the line of centres has the direction of the change of velocity of A, not of the relative velocity.",
+        also: &[],
         condoned: false,
     },
 ];

@@ -98,6 +98,8 @@ pub struct Slip {
     pub did: &'static str,
     /// What a good teacher says.
     pub sentence: &'static str,
+    /// The other laws that answer to it.
+    pub also: &'static [Law],
     /// Is it of the kind that a method mark condones, as a wrong sign is? Only the accuracy is lost then.
     pub condoned: bool,
 }

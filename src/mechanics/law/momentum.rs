@@ -23,6 +23,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "not-resolved",
         did: "put the full speeds into both equations",
         sentence: "Momentum and restitution are about motion along the line of centres: find the component of each velocity along it first.",
+        also: &[Law::Restitution],
         condoned: false,
     },
     Slip {
@@ -30,6 +31,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "momentum-sign",
         did: "counted the momentum of B as positive although B moves towards A",
         sentence: "B moves the other way, so its momentum counts as negative.",
+        also: &[],
         condoned: true,
     },
     Slip {
@@ -37,6 +39,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "momentum-ignores-b",
         did: "left the momentum of B before the impact out",
         sentence: "B was moving before the impact too: its momentum belongs in the equation.",
+        also: &[],
         condoned: false,
     },
     Slip {
@@ -44,6 +47,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "masses-swapped",
         did: "gave each sphere the mass of the other",
         sentence: "Each velocity goes with the mass of its own sphere: check which mass is whose.",
+        also: &[Law::VectorMomentum],
         condoned: false,
     },
     Slip {
@@ -51,6 +55,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "masses-omitted",
         did: "left the masses out",
         sentence: "Momentum is mass times velocity, and these masses do not cancel.",
+        also: &[Law::VectorMomentum],
         condoned: false,
     },
 ];

@@ -23,6 +23,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "e-on-perpendicular",
         did: "multiplied the component across the line of centres by e as well",
         sentence: "Smooth spheres push each other along the line of centres alone: across it nothing changes, and e has no part there.",
+        also: &[],
         condoned: false,
     },
     Slip {
@@ -30,6 +31,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "perpendicular-dropped",
         did: "left out the component across the line of centres after the impact",
         sentence: "That is only the part along the line of centres: the sphere keeps its component across, and both belong together.",
+        also: &[Law::Speed, Law::Direction],
         condoned: false,
     },
     Slip {
@@ -37,6 +39,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "perpendicular-shared",
         did: "gave both spheres one component across the line of centres, as if momentum across were shared",
         sentence: "Across the line of centres each sphere keeps its own component; nothing passes from one to the other.",
+        also: &[],
         condoned: false,
     },
     Slip {
@@ -44,6 +47,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "wrong-axis",
         did: "let the components across the line of centres change and kept those along it",
         sentence: "It is along the line of centres that velocities change; the components perpendicular to it stay.",
+        also: &[Law::Solve, Law::Impulse],
         condoned: false,
     },
 ];

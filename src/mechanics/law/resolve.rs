@@ -23,6 +23,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "sincos-swap",
         did: "took the component across the line of centres for the one along it, sine for cosine",
         sentence: "The angle is with the line of centres, so cosine gives the component along it and sine the one across, which does not change.",
+        also: &[Law::Deflection],
         condoned: true,
     },
 ];

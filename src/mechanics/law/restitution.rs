@@ -21,6 +21,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "restitution-not-resolved",
         did: "put the full speeds into the law of restitution, though momentum was resolved",
         sentence: "Your momentum is along the line of centres but your law of restitution is not: use the same components in both.",
+        also: &[],
         condoned: false,
     },
     Slip {
@@ -28,6 +29,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "e-wrong-side",
         did: "put e with the speed of separation",
         sentence: "e multiplies the speed of approach: the spheres part more slowly than they met.",
+        also: &[],
         condoned: false,
     },
     Slip {
@@ -35,6 +37,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "approach-subtracted",
         did: "subtracted the components before the impact although the spheres move towards each other",
         sentence: "The spheres move towards each other, so they close at the sum of the two components.",
+        also: &[],
         condoned: true,
     },
     Slip {
@@ -42,6 +45,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "separation-added",
         did: "added the components after the impact in the law of restitution",
         sentence: "Your two equations do not agree on which way is positive after the impact: draw one arrow for each unknown and keep to it.",
+        also: &[],
         condoned: true,
     },
     Slip {
@@ -49,6 +53,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "restitution-reversed",
         did: "took the velocities after the impact in the wrong order",
         sentence: "B is in front: it must move away from A, so the separation is the velocity of B less that of A.",
+        also: &[],
         condoned: true,
     },
     Slip {
@@ -56,6 +61,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "restitution-ignores-b",
         did: "left the velocity of B before the impact out of the law of restitution",
         sentence: "B was moving before the impact too, so it has a part in the speed of approach.",
+        also: &[],
         condoned: false,
     },
     Slip {
@@ -63,6 +69,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "right-angle-assumed",
         did: "assumed that the paths after the impact are at right angles",
         sentence: "That the paths part at right angles is no law: it needs a special value of e. Use the law of restitution.",
+        also: &[],
         condoned: false,
     },
     Slip {
@@ -70,6 +77,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "e-taken-as-1",
         did: "took e as 1",
         sentence: "The impact is not perfectly elastic: use the coefficient that is given.",
+        also: &[],
         condoned: false,
     },
     Slip {
@@ -77,6 +85,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "coalesce",
         did: "let the spheres move on together along the line of centres",
         sentence: "The spheres do not stick together: the law of restitution says how fast they part.",
+        also: &[],
         condoned: false,
     },
     Slip {
@@ -84,6 +93,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "e-full-speeds",
         did: "divided the full relative speeds",
         sentence: "e compares velocities along the line of centres alone: resolve all four along it first.",
+        also: &[],
         condoned: false,
     },
     Slip {
@@ -91,6 +101,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "e-reciprocal",
         did: "divided the speed of approach by that of separation",
         sentence: "e is separation over approach: it lies between 0 and 1.",
+        also: &[],
         condoned: false,
     },
     Slip {
@@ -98,6 +109,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "e-unsigned",
         did: "took the components along the line of centres without their signs",
         sentence: "Keep the signs of all four components: one that points the other way is negative.",
+        also: &[],
         condoned: true,
     },
 ];

@@ -19,6 +19,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "speed-sum",
         did: "added the two components",
         sentence: "The components are at right angles: square them, add, and take the root.",
+        also: &[],
         condoned: false,
     },
     Slip {
@@ -26,6 +27,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "speed-no-root",
         did: "did not take the square root",
         sentence: "That is the square of the speed: the root is still to be taken.",
+        also: &[],
         condoned: false,
     },
 ];

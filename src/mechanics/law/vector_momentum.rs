@@ -24,6 +24,7 @@ pub const SLIPS: &[Slip] = &[
         tag: "division-forgotten",
         did: "did not divide by the mass of the sphere",
         sentence: "That is the momentum of the sphere: divide by its mass for its velocity.",
+        also: &[],
         condoned: true,
     },
 ];
