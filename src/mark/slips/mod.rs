@@ -135,8 +135,8 @@ impl Mistakes {
                 let radians = said.unit.as_ref().is_some_and(|unit| !unit.degrees && unit.dimension == [0, 0, 0, 1]);
                 let degrees = Written::degrees(expr, letters, radians)?;
                 return Some(vec![match said.reference {
-                    Some(ReferenceLine::CommonTangent) if answer.is_to_line() => degrees.from_degrees(90.0),
-                    Some(ReferenceLine::FromBToA) if answer.is_to_line() => degrees.from_degrees(180.0),
+                    Some(ReferenceLine::CommonTangent) if answer.is_to_line() => degrees.less_from(90.0),
+                    Some(ReferenceLine::FromBToA) if answer.is_to_line() => degrees.less_from(180.0),
                     _ => degrees,
                 }]);
             }

@@ -54,7 +54,7 @@ impl Written {
     }
 
     /// So many degrees less the value, known to the same place.
-    pub(super) fn from_degrees(self, degrees: f64) -> Written {
+    pub(super) fn less_from(self, degrees: f64) -> Written {
         let value = self.value.map(|value| degrees - value);
         let unit = self.unit.map(|unit| (unit * self.value.0[0] / value.0[0]).abs()).filter(|unit| unit.is_finite());
         Written { value, unit }
