@@ -11,6 +11,7 @@ mod marking;
 mod profile;
 pub mod reading;
 mod script;
+pub mod slips;
 mod working;
 
 pub use award::{Award, Cause, Evidence, Examiner, MarkedAnswer, MarkedLine, MarkedPart, Place};

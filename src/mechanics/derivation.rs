@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::OnceLock;
 
 use super::law::{Known, Outcome, Rule, all_rules};
-use super::{Law, Quantity};
+use super::{Quantity, Sphere};
 use crate::number::Number;
 
 /// Steps in the order in which a solution takes them.
@@ -25,6 +25,35 @@ pub struct DeadEnd(pub usize);
 /// How many plans are remembered at once.
 const MOST_PLANS: usize = 256;
 
+/// A way that students go to what is asked: a slip may show on one of them and not on another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Road {
+    /// The fewest steps.
+    Shortest,
+    /// Kinetic energies from full speeds, before and after, and not from what changes alone.
+    BySpeeds,
+    /// The impulse from the sphere A.
+    ByA,
+}
+
+impl Road {
+    /// Every road, the shortest first.
+    pub const ALL: [Road; 3] = [Road::Shortest, Road::BySpeeds, Road::ByA];
+
+    fn avoids(self, rule: &Rule) -> bool {
+        use Quantity::{Impulse, KineticEnergy, Mass, SphereEnergyLost, Velocity};
+        let (gives, needs) = (rule.gives[0], &rule.needs);
+        match self {
+            Road::Shortest => false,
+            Road::BySpeeds => {
+                let from_components = || needs.iter().any(|need| matches!(need, Velocity(..)));
+                matches!(gives, SphereEnergyLost(_)) || (matches!(gives, KineticEnergy(..)) && from_components())
+            }
+            Road::ByA => matches!(gives, Impulse(Sphere::B, _)) && needs.contains(&Mass(Sphere::B)),
+        }
+    }
+}
+
 fn rules() -> &'static [Rule] {
     static RULES: OnceLock<Vec<Rule>> = OnceLock::new();
     RULES.get_or_init(all_rules)
@@ -33,25 +62,37 @@ fn rules() -> &'static [Rule] {
 impl Derivation {
     /// The cheapest derivation of those asked quantities that follow from the given ones, without the
     /// banned rules; and the asked quantities that do not follow.
+    pub fn plan(given: &BTreeSet<Quantity>, asked: &[Quantity], banned: &[Rule]) -> (Derivation, Vec<Quantity>) {
+        Derivation::plan_on(Road::Shortest, given, asked, banned)
+    }
+
+    /// The same on a road.
     ///
     /// All variants of a question have one plan, so plans are remembered.
-    pub fn plan(given: &BTreeSet<Quantity>, asked: &[Quantity], banned: &[Rule]) -> (Derivation, Vec<Quantity>) {
-        type Plans = HashMap<(Vec<Quantity>, Vec<Quantity>), (Derivation, Vec<Quantity>)>;
-        thread_local!(static PLANS: RefCell<Plans> = RefCell::default());
-        if !banned.is_empty() {
-            return Derivation::planned(given, asked, banned);
-        }
-        let key = (given.iter().copied().collect(), asked.to_vec());
+    fn plan_on(
+        road: Road,
+        given: &BTreeSet<Quantity>,
+        asked: &[Quantity],
+        banned: &[Rule],
+    ) -> (Derivation, Vec<Quantity>) {
+        type Key = (Road, Vec<Quantity>, Vec<Quantity>, Vec<Rule>);
+        thread_local!(static PLANS: RefCell<HashMap<Key, (Derivation, Vec<Quantity>)>> = RefCell::default());
+        let key = (road, given.iter().copied().collect(), asked.to_vec(), banned.to_vec());
         PLANS.with_borrow_mut(|plans| {
             // A stream of scenes of all kinds must not fill the memory.
             if plans.len() >= MOST_PLANS {
                 plans.clear();
             }
-            plans.entry(key).or_insert_with(|| Derivation::planned(given, asked, banned)).clone()
+            plans.entry(key).or_insert_with(|| Derivation::planned(road, given, asked, banned)).clone()
         })
     }
 
-    fn planned(given: &BTreeSet<Quantity>, asked: &[Quantity], banned: &[Rule]) -> (Derivation, Vec<Quantity>) {
+    fn planned(
+        road: Road,
+        given: &BTreeSet<Quantity>,
+        asked: &[Quantity],
+        banned: &[Rule],
+    ) -> (Derivation, Vec<Quantity>) {
         let rules = rules();
         let mut best: BTreeMap<Quantity, (u32, Option<usize>)> =
             given.iter().map(|quantity| (*quantity, (0, None))).collect();
@@ -65,7 +106,7 @@ impl Derivation {
                 let cost = costs.iter().sum::<u32>() + rule.cost;
                 for quantity in &rule.gives {
                     let better = best.get(quantity).is_none_or(|(known, _)| cost < *known);
-                    if better && !banned.contains(rule) {
+                    if better && !road.avoids(rule) && !banned.contains(rule) {
                         best.insert(*quantity, (cost, Some(index)));
                         changed = true;
                     }
@@ -98,10 +139,14 @@ impl Derivation {
         Ok(())
     }
 
-    /// The same with one law replaced by one of its slips wherever the slip applies.
-    pub fn evaluate_slipped<N: Number>(&self, law: Law, slip: &str, known: &mut Known<N>) -> Result<(), DeadEnd> {
+    /// The same with slips, by their tags, wherever they apply: a slip may replace several steps.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Derivation::evaluate`].
+    pub fn evaluate_slipped<N: Number>(&self, slips: &[&str], known: &mut Known<N>) -> Result<(), DeadEnd> {
         for (place, step) in self.steps.iter().enumerate() {
-            let slipped: Outcome<N> = if step.law == law { step.slipped(slip, known) } else { None };
+            let slipped: Outcome<N> = slips.iter().find_map(|slip| step.slipped(slip, known));
             let Some(found) = slipped.or_else(|| step.evaluate(known)) else { return Err(DeadEnd(place)) };
             enter(step, found, known);
         }
@@ -111,10 +156,19 @@ impl Derivation {
     /// Plans and evaluates, going round steps whose results do not exist. Returns the derivation and
     /// the asked quantities that are not to be had.
     pub fn carry_out<N: Number>(known: &mut Known<N>, asked: &[Quantity]) -> (Derivation, Vec<Quantity>) {
+        Derivation::carry_out_on(Road::Shortest, known, asked)
+    }
+
+    /// The same on a road.
+    pub fn carry_out_on<N: Number>(
+        road: Road,
+        known: &mut Known<N>,
+        asked: &[Quantity],
+    ) -> (Derivation, Vec<Quantity>) {
         let given: BTreeSet<Quantity> = known.0.keys().copied().collect();
         let mut banned = Vec::new();
         loop {
-            let (plan, missing) = Derivation::plan(&given, asked, &banned);
+            let (plan, missing) = Derivation::plan_on(road, &given, asked, &banned);
             let mut attempt = known.clone();
             match plan.evaluate(&mut attempt) {
                 Ok(()) => {

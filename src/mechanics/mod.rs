@@ -1,5 +1,6 @@
 //! Mechanics of an oblique impact of two smooth spheres: scenes, laws, derivations, validity.
 
+mod again;
 mod backwards;
 mod condition;
 mod conditions_in_words;
@@ -17,8 +18,9 @@ mod unknowns;
 mod validity;
 mod working;
 
+pub use again::{Carried, Steps, Trace};
 pub use backwards::{Found, backwards};
-pub use derivation::{DeadEnd, Derivation};
+pub use derivation::{DeadEnd, Derivation, Road};
 pub use law::{Datum, Known, Law, Rule, Slip};
 pub use line::Line;
 pub use pose::pose;

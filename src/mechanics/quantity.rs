@@ -181,6 +181,11 @@ impl Quantity {
         }
     }
 
+    /// Is it an equation for two unknowns rather than a quantity with a value?
+    pub fn is_equation(self) -> bool {
+        matches!(self, Quantity::MomentumEquation | Quantity::RestitutionEquation)
+    }
+
     /// Is it an angle?
     pub fn is_angle(self) -> bool {
         self.unit() == Unit::Degree

@@ -123,7 +123,7 @@ impl Interval {
     }
 
     /// The narrowest interval that holds both.
-    pub(super) fn hull(&self, other: &Interval) -> Interval {
+    pub fn hull(&self, other: &Interval) -> Interval {
         let (one, two, bits) = aligned(self, other);
         Interval { lower: one.lower.min(two.lower), upper: one.upper.max(two.upper), bits }
     }

@@ -7,5 +7,4 @@ mod judge;
 mod laws;
 mod scenes;
 mod seed;
-mod slips;
 mod variants;

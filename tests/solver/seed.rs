@@ -108,11 +108,6 @@ fn case(id: &str) -> Case {
     seed().into_iter().find(|case| case.id == id).unwrap()
 }
 
-/// The scene of a case.
-pub fn scene_of(id: &str) -> carom::mechanics::Scene {
-    read(&case(id).scene)
-}
-
 /// The scene as it runs forwards.
 fn forwards(scene: &Json) -> Json {
     let mut scene = scene.clone();

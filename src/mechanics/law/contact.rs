@@ -21,10 +21,16 @@ pub const METHOD: (&str, &str) = (
     "the sum of the radii as the hypotenuse must be seen or implied",
 );
 
-pub const SLIPS: &[Slip] = &[Slip {
-    tag: "one-radius",
-    sentence: "At the impact the centres are two radii apart, not one.",
-}];
+pub const SLIPS: &[Slip] = &[
+    Slip {
+        place: 51,
+        tag: "one-radius",
+        did: "took one radius for the distance of the centres",
+        sentence: "When the spheres touch, their centres are two radii apart, not one.",
+        also: &[],
+        condoned: false,
+    },
+];
 
 pub fn rules() -> Vec<Rule> {
     let needs = [

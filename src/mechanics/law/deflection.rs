@@ -3,7 +3,7 @@
 //! `cross = u × v` and `dot = u · v` of the velocities before and after; the tangent of the deflection is
 //! their quotient, and also `(tan β - tan α)/(1 + tan α tan β)` by the angles to the line of centres.
 
-use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, silent, velocity, first_equation};
+use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, components, first_equation, number, rule, silent, velocity, with_sign_of};
 use crate::expr::{Expr, Function, ratio, written};
 use crate::mechanics::Velocity;
 use crate::mechanics::formula::{difference, times};
@@ -21,10 +21,37 @@ pub const METHOD: (&str, &str) =
 
 pub const SLIPS: &[Slip] = &[
     Slip {
-        tag: "deflection-added",
-        sentence: "Sketch both arrows from one point: is the angle between them the sum, the difference, or 180 minus the sum?",
+        place: 24,
+        tag: "direction-for-deflection",
+        did: "gave the direction after the impact",
+        sentence: "That is the direction after the impact; the deflection is how far the path turned from the old direction.",
+        also: &[],
+        condoned: false,
     },
-    Slip { tag: "tangents-subtracted", sentence: "Use the compound-angle formula." },
+    Slip {
+        place: 26,
+        tag: "deflection-added",
+        did: "added the angles before and after the impact",
+        sentence: "Draw both velocities from one point: the angle between them is not the sum of their angles with the line of centres.",
+        also: &[],
+        condoned: true,
+    },
+    Slip {
+        place: 27,
+        tag: "rebound-missed",
+        did: "subtracted the angles although the sphere turns back along the line of centres",
+        sentence: "The sphere turns back along the line of centres: draw both velocities from one point before you take the angle between them.",
+        also: &[],
+        condoned: true,
+    },
+    Slip {
+        place: 28,
+        tag: "tangents-subtracted",
+        did: "subtracted the tangents of the angles",
+        sentence: "The tangent of a difference is not the difference of the tangents: use the compound-angle formula.",
+        also: &[],
+        condoned: false,
+    },
 ];
 
 const CROSS: u8 = 0;
@@ -86,17 +113,41 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
 }
 
 pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
-    if rule.form != BY_TANGENTS {
+    let (Quantity::Deflection(sphere) | Quantity::SignedDeflection(sphere) | Quantity::TanDeflection(sphere)) =
+        rule.gives[0]
+    else {
+        return None;
+    };
+    let [before, after] = [components(known, sphere, Before)?, components(known, sphere, After)?];
+    let ([a, p], [x, y]) = (before.clone().map(|part| part.size()), after.clone().map(|part| part.size()));
+    let (turned_y, turned_x) = match slip {
+        // The old direction is given, and is not worked out from the components.
+        "sincos-swap" => {
+            let [across, along] = before;
+            let one = across.one();
+            let a = with_sign_of(&along, &across, &one);
+            let p = with_sign_of(&across, &along, &one);
+            let [x, y] = after;
+            let cross = a.clone() * y.clone() - p.clone() * x.clone();
+            (if rule.gives[0] == Quantity::Deflection(sphere) { cross.size() } else { cross }, a * x + p * y)
+        }
+        "direction-for-deflection" => (y, x),
+        "deflection-added" => (p.clone() * x.clone() + a.clone() * y.clone(), a * x - p * y),
+        "rebound-missed" => ((a.clone() * y.clone() - p.clone() * x.clone()).size(), a * x + p * y),
+        "tangents-subtracted" => {
+            let [[a, p], [x, y]] = [before, after];
+            let difference = y.over(&x)? - p.over(&a)?;
+            let one = difference.one();
+            (if rule.gives[0] == Quantity::Deflection(sphere) { difference.size() } else { difference }, one)
+        }
+        _ => return None,
+    };
+    if turned_y.is_nought() && turned_x.is_nought() {
         return None;
     }
-    let [alpha, beta] = known.numbers([rule.needs[0], rule.needs[1]])?;
-    match slip {
-        "deflection-added" => {
-            let one = alpha.one();
-            number((beta.clone() + alpha.clone()).over(&(one - alpha * beta))?)
-        }
-        "tangents-subtracted" => number(beta - alpha),
-        _ => None,
+    match rule.gives[0] {
+        Quantity::TanDeflection(_) => number(turned_y.over(&turned_x)?),
+        _ => Some(vec![Datum::Direction { y: turned_y, x: turned_x }]),
     }
 }
 

@@ -3,7 +3,7 @@
 //! `tan β = v_t/v_n`. The angle *to* the line is acute, 0 to 90 degrees; the angle *from* n or i is
 //! signed, anticlockwise.
 
-use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, silent, velocity, first_equation};
+use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, components, first_equation, is_at_rest_before, number, rule, silent, velocity, with_inputs};
 use crate::expr::{Expr, Function, written};
 use crate::mechanics::Axis::{N, T, X, Y};
 use crate::mechanics::{Moment, Quantity, Sphere};
@@ -15,10 +15,32 @@ pub const ACCURACY: &str = "correct expression, unsimplified";
 
 pub const METHOD: (&str, &str) = ("inverse tangent of their two components", "either way up; both components present");
 
-pub const SLIPS: &[Slip] = &[Slip {
-    tag: "angle-complement",
-    sentence: "You found the angle with the tangent; the question asks for the angle with the line of centres (90 minus yours).",
-}];
+pub const SLIPS: &[Slip] = &[
+    Slip {
+        place: 14,
+        tag: "struck-inherits",
+        did: "sent B off in the direction in which A was moving",
+        sentence: "B was at rest and is pushed along the line of centres, so that is the way in which it moves off.",
+        also: &[Law::Resolve],
+        condoned: false,
+    },
+    Slip {
+        place: 23,
+        tag: "angle-complement",
+        did: "divided the components the other way up",
+        sentence: "That is the angle with the common tangent; the angle with the line of centres is 90° less that.",
+        also: &[],
+        condoned: true,
+    },
+    Slip {
+        place: 25,
+        tag: "deflection-for-direction",
+        did: "gave the angle through which the path turned",
+        sentence: "That is how far the path turned: a direction is measured from the line of centres.",
+        also: &[],
+        condoned: false,
+    },
+];
 
 const TO_LINE: u8 = 0;
 const FROM_N: u8 = 1;
@@ -58,8 +80,34 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
 }
 
 pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
-    match (slip, rule.form, evaluate(rule, known)?.pop()?) {
-        ("angle-complement", TO_LINE, Datum::Direction { y, x }) => Some(vec![Datum::Direction { y: x, x: y }]),
+    let Quantity::Velocity(sphere, moment, _) = rule.needs[0] else { return None };
+    match slip {
+        "angle-complement" => {
+            let [x, y] = known.numbers([rule.needs[0], rule.needs[1]])?;
+            with_inputs(rule, known, &[(rule.needs[0], y), (rule.needs[1], x)])
+        }
+        "perpendicular-dropped" if rule.form != FROM_I && moment == Moment::After => {
+            with_inputs(rule, known, &[(rule.needs[1], known.number(rule.needs[1])?.nought())])
+        }
+        "struck-inherits" if (sphere, moment) == (Sphere::B, Moment::After) && is_at_rest_before(known, sphere) => {
+            let of_a = |need| match need {
+                Quantity::Velocity(_, _, axis) => known.number(velocity(Sphere::A, Moment::Before, axis)),
+                _ => None,
+            };
+            with_inputs(rule, known, &[(rule.needs[0], of_a(rule.needs[0])?), (rule.needs[1], of_a(rule.needs[1])?)])
+        }
+        "deflection-for-direction" if moment == Moment::After && rule.form != FROM_I => {
+            let [a, p] = components(known, sphere, Moment::Before)?;
+            let [x, y] = known.numbers([rule.needs[0], rule.needs[1]])?;
+            let cross = (a.clone() * y.clone() - p.clone() * x.clone()).size();
+            let dot = a * x + p * y;
+            match rule.form {
+                _ if cross.is_nought() && dot.is_nought() => None,
+                // As it is: a deflection may be more than a right angle.
+                TO_LINE | FROM_N => Some(vec![Datum::Direction { y: cross, x: dot }]),
+                _ => number(cross.over(&dot)?),
+            }
+        }
         _ => None,
     }
 }

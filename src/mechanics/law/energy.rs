@@ -3,7 +3,7 @@
 //! The components across the line of centres do not change, so what a sphere loses is
 //! `½ m (u_n² - v_n²)`.
 
-use super::{Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, silent, velocity, first_equation};
+use super::{Known, Law, Line, Outcome, Rule, Show, Slip, components, first_equation, full_speed, number, rule, silent, velocity};
 use crate::expr::{Expr, written};
 use crate::mechanics::Moment;
 use crate::mechanics::formula::times;
@@ -23,16 +23,68 @@ pub const METHOD: (&str, &str) =
 
 pub const SLIPS: &[Slip] = &[
     Slip {
+        place: 29,
         tag: "energy-square-of-difference",
-        sentence: "Find the KE before and after and subtract; do not square the change in velocity.",
+        did: "squared the changes of velocity",
+        sentence: "Find the energy before and the energy after and subtract: the square of a change is not the change of the squares.",
+        also: &[],
+        condoned: false,
     },
     Slip {
+        place: 30,
+        tag: "energy-one-sphere",
+        did: "counted A alone",
+        sentence: "Both spheres have kinetic energy: count both, before and after.",
+        also: &[],
+        condoned: false,
+    },
+    Slip {
+        place: 31,
         tag: "energy-no-half",
+        did: "left out the half",
         sentence: "Kinetic energy is half of mass times speed squared.",
+        also: &[],
+        condoned: false,
     },
     Slip {
+        place: 32,
+        tag: "energy-after-along-only",
+        did: "left the components across out after the impact but not before it",
+        sentence: "The components across the line of centres count after the impact as they do before it: keep them in both, or in neither.",
+        also: &[],
+        condoned: false,
+    },
+    Slip {
+        place: 33,
+        tag: "energy-components-added",
+        did: "squared the sum of the components",
+        sentence: "Square each component and then add: the square of a sum is something else.",
+        also: &[],
+        condoned: false,
+    },
+    Slip {
+        place: 34,
+        tag: "energy-by-e",
+        did: "multiplied all the energy before the impact by 1 - e²",
+        sentence: "Only the energy of the relative motion along the line of centres is reduced by e²; all the rest stays.",
+        also: &[],
+        condoned: false,
+    },
+    Slip {
+        place: 35,
         tag: "fraction-remaining",
-        sentence: "The question asks for the part lost out of all the KE before.",
+        did: "gave the fraction that is left",
+        sentence: "That is the fraction that is left: the one that is lost is asked for.",
+        also: &[],
+        condoned: false,
+    },
+    Slip {
+        place: 36,
+        tag: "fraction-of-energy-along",
+        did: "divided by the energy of the motion along the line of centres alone",
+        sentence: "Divide by all the kinetic energy before the impact, the motion across the line of centres included.",
+        also: &[],
+        condoned: false,
     },
 ];
 
@@ -107,19 +159,55 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
 
 pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
     let n = &rule.needs;
+    let gives_loss = rule.gives[0] == Quantity::EnergyLost;
     match (slip, rule.form) {
-        ("energy-square-of-difference", LOST_ALONG) => {
-            let [mass, before, after] = known.numbers([n[0], n[1], n[2]])?;
-            number((mass * (before - after).squared()).half())
+        ("energy-square-of-difference", _) if gives_loss => {
+            let of = |sphere| -> Option<N> {
+                let [[u_1, u_2], [v_1, v_2]] = [components(known, sphere, Before)?, components(known, sphere, After)?];
+                half_of(known, sphere, (v_1 - u_1).squared() + (v_2 - u_2).squared())
+            };
+            number(of(A)? + of(B)?)
         }
+        ("energy-one-sphere", LOST_BY_SPHERES | TOTAL) => number(known.number(n[0])?),
         ("energy-no-half", OF_SPHERE | OF_SPHERE_IN_I_J | LOST_ALONG | LOST_IN_I_J) => {
             let whole = evaluate(rule, known)?.pop()?;
             let super::Datum::Number(half) = whole else { return None };
             number(half.clone() + half)
         }
+        ("energy-after-along-only", OF_SPHERE) => match rule.gives[0] {
+            Quantity::KineticEnergy(sphere, After) => {
+                number(half_of(known, sphere, known.number(velocity(sphere, After, N))?.squared())?)
+            }
+            _ => None,
+        },
+        ("energy-components-added", OF_SPHERE | OF_SPHERE_IN_I_J) => {
+            let Quantity::KineticEnergy(sphere, moment) = rule.gives[0] else { return None };
+            let [along, across] = components(known, sphere, moment)?;
+            number(half_of(known, sphere, (along.size() + across.size()).squared())?)
+        }
+        ("energy-by-e", _) if gives_loss => {
+            let of = |sphere| half_of(known, sphere, full_speed(known, sphere, Before)?.squared());
+            number((of(A)? + of(B)?) * share_by_e(known)?)
+        }
+        ("energy-by-e", FRACTION | FRACTION_BY_TOTALS) => number(share_by_e(known)?),
         ("fraction-remaining", FRACTION_BY_TOTALS) => number(known.number(n[1])?.over(&known.number(n[0])?)?),
+        ("fraction-of-energy-along", FRACTION_BY_TOTALS) => {
+            let along = |sphere| half_of(known, sphere, known.number(velocity(sphere, Before, N))?.squared());
+            number((known.number(n[0])? - known.number(n[1])?).over(&(along(A)? + along(B)?))?)
+        }
         _ => None,
     }
+}
+
+/// `½ m` times a square.
+fn half_of<N: Number>(known: &Known<N>, sphere: Sphere, square: N) -> Option<N> {
+    Some((known.number(Quantity::Mass(sphere))? * square).half())
+}
+
+/// `1 - e²`
+fn share_by_e<N: Number>(known: &Known<N>) -> Option<N> {
+    let e = known.number(Quantity::Restitution)?;
+    Some(e.one() - e.squared())
 }
 
 /// What earns the mark for accuracy.

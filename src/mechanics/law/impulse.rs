@@ -2,7 +2,7 @@
 //!
 //! The two impulses are equal and opposite, and act along the line of centres.
 
-use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, silent, velocity, first_equation};
+use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, first_equation, full_speed, number, rule, silent, velocity, with_inputs};
 use crate::expr::{Expr, Function, written};
 use crate::mechanics::formula::{difference, times};
 use crate::mechanics::Axis::{N, T, X, Y};
@@ -19,14 +19,45 @@ pub const METHOD: (&str, &str) =
 
 pub const SLIPS: &[Slip] = &[
     Slip {
-        tag: "impulse-added",
-        sentence: "Impulse is the change of velocity component along the line of centres; mind the signs where a sphere turns back.",
+        place: 37,
+        tag: "impulse-speed-change",
+        did: "subtracted the sizes of the components along the line of centres",
+        sentence: "Where a sphere turns back its velocity changes by the sum of the two sizes: keep the signs.",
+        also: &[],
+        condoned: true,
     },
     Slip {
-        tag: "impulse-wrong-mass",
-        sentence: "The two impulses are equal and opposite: use one sphere only, mass x change.",
+        place: 38,
+        tag: "impulse-resultant-speeds",
+        did: "took the change of the full speed",
+        sentence: "Impulse is the change of velocity along the line of centres, times the mass, and not the change of speed.",
+        also: &[],
+        condoned: false,
     },
-    Slip { tag: "impulse-after-only", sentence: "Impulse is the change of momentum, not the momentum afterwards." },
+    Slip {
+        place: 39,
+        tag: "impulse-wrong-mass",
+        did: "multiplied the change of velocity by the mass of the other sphere",
+        sentence: "The mass must belong to the sphere whose velocity you follow.",
+        also: &[],
+        condoned: false,
+    },
+    Slip {
+        place: 40,
+        tag: "impulse-after-only",
+        did: "gave the momentum after the impact",
+        sentence: "Impulse is the change of momentum: the momentum before is to be taken off.",
+        also: &[],
+        condoned: false,
+    },
+    Slip {
+        place: 41,
+        tag: "impulse-both-added",
+        did: "added the impulses on the two spheres",
+        sentence: "The two spheres receive equal and opposite impulses: the impulse is one of them, not the sum of their sizes.",
+        also: &[],
+        condoned: false,
+    },
 ];
 
 const OF_COMPONENT: u8 = 0;
@@ -84,14 +115,50 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
 }
 
 pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
-    let (OF_COMPONENT, Quantity::Mass(sphere)) = (rule.form, rule.needs[0]) else { return None };
-    let [mass, before, after] = known.numbers([rule.needs[0], rule.needs[1], rule.needs[2]])?;
-    match slip {
-        "impulse-added" => number(mass * (after + before)),
-        "impulse-wrong-mass" => number(known.number(Quantity::Mass(sphere.other()))? * (after - before)),
-        "impulse-after-only" => number(mass * after),
+    match (rule.form, rule.needs[0]) {
+        (OF_COMPONENT, Quantity::Mass(sphere)) => {
+            let [mass, before, after] = known.numbers([rule.needs[0], rule.needs[1], rule.needs[2]])?;
+            match slip {
+                "impulse-speed-change" => number(mass * (after.size() - before.size())),
+                "impulse-resultant-speeds" => number(mass * change_of_speed(known, sphere)?),
+                "impulse-wrong-mass" => number(known.number(Quantity::Mass(sphere.other()))? * (after - before)),
+                "impulse-after-only" => number(mass * after),
+                "wrong-axis" => {
+                    let [before, after] = known.numbers([velocity(sphere, Before, T), velocity(sphere, After, T)])?;
+                    number(mass * (after - before))
+                }
+                _ => None,
+            }
+        }
+        (OF_VECTOR, Quantity::Mass(sphere)) => {
+            let [_, u_x, u_y, ..] = rule.needs[..] else { return None };
+            let mass = known.number(Quantity::Mass(sphere.other()));
+            match slip {
+                "impulse-wrong-mass" => with_inputs(rule, known, &[(rule.needs[0], mass?)]),
+                "impulse-after-only" => {
+                    let nought = known.number(u_x)?.nought();
+                    with_inputs(rule, known, &[(u_x, nought.clone()), (u_y, nought)])
+                }
+                _ => None,
+            }
+        }
+        (SIZE | SIZE_OF_VECTOR, Quantity::Impulse(sphere, _)) => match slip {
+            "impulse-both-added" => {
+                let outcome = evaluate(rule, known)?;
+                let [Datum::Number(size)] = outcome.as_slice() else { return None };
+                number(size.clone() + size.clone())
+            }
+            "impulse-resultant-speeds" if rule.form == SIZE_OF_VECTOR => {
+                number((known.number(Quantity::Mass(sphere))? * change_of_speed(known, sphere)?).size())
+            }
+            _ => None,
+        },
         _ => None,
     }
+}
+
+fn change_of_speed<N: Number>(known: &Known<N>, sphere: Sphere) -> Option<N> {
+    Some(full_speed(known, sphere, After)? - full_speed(known, sphere, Before)?)
 }
 
 /// What earns the mark for accuracy.

@@ -16,10 +16,32 @@ pub const ACCURACY: &str = "correct direction, any multiple";
 
 pub const METHOD: (&str, &str) = ("line of centres parallel to the impulse", "any multiple of the vector");
 
-pub const SLIPS: &[Slip] = &[Slip {
-    tag: "line-perpendicular",
-    sentence: "The impulse acts along the line of centres: its direction is the change in A's momentum.",
-}];
+pub const SLIPS: &[Slip] = &[
+    Slip {
+        place: 45,
+        tag: "line-perpendicular",
+        did: "took the line perpendicular to the impulse",
+        sentence: "The impulse points along the line of centres, not across it.",
+        also: &[],
+        condoned: false,
+    },
+    Slip {
+        place: 46,
+        tag: "line-is-velocity",
+        did: "took the path of A for the line of centres",
+        sentence: "The line of centres is where the push acts: find the change of velocity of A, not its velocity.",
+        also: &[],
+        condoned: false,
+    },
+    Slip {
+        place: 47,
+        tag: "line-is-relative",
+        did: "took the relative velocity for the line of centres",
+        sentence: "The spheres may meet off centre: the line of centres has the direction of the change of velocity of A, not of the relative velocity.",
+        also: &[],
+        condoned: false,
+    },
+];
 
 pub fn rules() -> Vec<Rule> {
     let line = [Quantity::Line(X), Quantity::Line(Y)];
@@ -47,20 +69,30 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
         let [u_x, u_y, v_x, v_y] = known.numbers([n[0], n[1], n[2], n[3]])?;
         [v_x - u_x, v_y - u_y]
     };
-    let size = (x.squared() + y.squared()).root()?;
-    let (x, y) = (x.over(&size)?, y.over(&size)?);
-    let (x, y) = if rule.form % BY_CHANGE == Sphere::A as u8 { (-x, -y) } else { (x, y) };
-    Some(vec![Datum::Number(x), Datum::Number(y)])
+    along(if rule.form % BY_CHANGE == Sphere::A as u8 { [-x, -y] } else { [x, y] })
 }
 
 pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
-    let outcome = evaluate(rule, known)?;
-    match (slip, outcome.as_slice()) {
-        ("line-perpendicular", [Datum::Number(x), Datum::Number(y)]) => {
+    let before = |sphere| known.numbers([velocity(sphere, Before, X), velocity(sphere, Before, Y)]);
+    match slip {
+        "line-perpendicular" => {
+            let outcome = evaluate(rule, known)?;
+            let [Datum::Number(x), Datum::Number(y)] = outcome.as_slice() else { return None };
             Some(vec![Datum::Number(-y.clone()), Datum::Number(x.clone())])
+        }
+        "line-is-velocity" => along(before(Sphere::A)?),
+        "line-is-relative" => {
+            let [[a_x, a_y], [b_x, b_y]] = [before(Sphere::A)?, before(Sphere::B)?];
+            along([a_x - b_x, a_y - b_y])
         }
         _ => None,
     }
+}
+
+/// The unit vector along a vector.
+fn along<N: Number>([x, y]: [N; 2]) -> Outcome<N> {
+    let size = (x.squared() + y.squared()).root()?;
+    Some(vec![Datum::Number(x.over(&size)?), Datum::Number(y.over(&size)?)])
 }
 
 /// The direction.

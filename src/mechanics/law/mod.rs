@@ -5,6 +5,7 @@
 //! students make with it. To add a law, write its file and add its line to the list below.
 
 use std::collections::BTreeMap;
+use std::sync::OnceLock;
 
 use super::line::Line;
 use super::working::Show;
@@ -13,7 +14,7 @@ use crate::expr::Expr;
 use crate::number::Number;
 
 /// A way to use a law: from the quantities in `needs` to those in `gives`.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Rule {
     /// The law it applies.
     pub law: Law,
@@ -85,13 +86,35 @@ impl<N: Number> Known<N> {
     }
 }
 
-/// A mistake that students make with a law.
+/// A mistake that students make with a law, or with several: then it stands with the law that owns it, and the others
+/// answer to its tag.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Slip {
+    /// Its place among all slips, likely ones first: where a wrong value has several causes they are named in this order.
+    pub place: u8,
     /// A fixed tag: `sincos-swap`.
     pub tag: &'static str,
+    /// What the student did.
+    pub did: &'static str,
     /// What a good teacher says.
     pub sentence: &'static str,
+    /// The other laws that answer to it.
+    pub also: &'static [Law],
+    /// Is it of the kind that a method mark condones, as a wrong sign is? Only the accuracy is lost then.
+    pub condoned: bool,
+}
+
+impl Slip {
+    /// Every slip with the law that owns it, in the order of their places.
+    pub fn all() -> &'static [(Law, &'static Slip)] {
+        static ALL: OnceLock<Vec<(Law, &'static Slip)>> = OnceLock::new();
+        ALL.get_or_init(|| {
+            let owned = |law: &Law| law.slips().iter().map(|slip| (*law, slip)).collect::<Vec<_>>();
+            let mut all: Vec<(Law, &'static Slip)> = Law::ALL.iter().flat_map(owned).collect();
+            all.sort_by_key(|(_, slip)| slip.place);
+            all
+        })
+    }
 }
 
 /// The numbers a rule arrives at, in the order of its `gives`.
@@ -161,8 +184,8 @@ macro_rules! laws {
                 match self.law { $(Law::$law => $file::evaluate(self, known),)* }
             }
 
-            /// The same with a slip of the law in place of the law; `None` if the slip changes
-            /// nothing that this rule does.
+            /// The same with a slip in place of the law; `None` if the slip changes nothing that this
+            /// rule does.
             pub fn slipped<N: Number>(&self, slip: &str, known: &Known<N>) -> Outcome<N> {
                 match self.law { $(Law::$law => $file::slipped(slip, self, known),)* }
             }
@@ -233,6 +256,63 @@ pub(super) const ALONG: [Quantity; 4] = [
 ];
 
 pub(super) const MASSES: [Quantity; 2] = [Quantity::Mass(Sphere::A), Quantity::Mass(Sphere::B)];
+
+/// The rule with other numbers for some of what it needs: most slips take a wrong number into the right equation.
+fn with_inputs<N: Number>(rule: &Rule, known: &Known<N>, inputs: &[(Quantity, N)]) -> Outcome<N> {
+    if !inputs.iter().any(|(quantity, _)| rule.needs.contains(quantity)) {
+        return None;
+    }
+    let mut altered = Known::default();
+    for quantity in &rule.needs {
+        let datum = match inputs.iter().find(|(input, _)| input == quantity) {
+            Some((_, value)) => Datum::Number(value.clone()),
+            None => known.0.get(quantity)?.clone(),
+        };
+        altered.0.insert(*quantity, datum);
+    }
+    rule.evaluate(&altered)
+}
+
+/// A velocity by its components along and across the line of centres, or else along i and j. What is known of the
+/// component across after the impact is that it has not changed.
+fn components<N: Number>(known: &Known<N>, sphere: Sphere, moment: Moment) -> Option<[N; 2]> {
+    let at = |moment, axis| known.number(velocity(sphere, moment, axis));
+    let across = || at(moment, Axis::T).or_else(|| at(Moment::Before, Axis::T));
+    let along_and_across = at(moment, Axis::N).and_then(|along| Some([along, across()?]));
+    along_and_across.or_else(|| Some([at(moment, Axis::X)?, at(moment, Axis::Y)?]))
+}
+
+/// The size of a velocity.
+fn full_speed<N: Number>(known: &Known<N>, sphere: Sphere, moment: Moment) -> Option<N> {
+    let [along, across] = components(known, sphere, moment)?;
+    match known.number(Quantity::Speed(sphere, moment)) {
+        Some(speed) if moment == Moment::Before => Some(speed),
+        _ if across.is_nought() => Some(along.size()),
+        _ => (along.squared() + across.squared()).root(),
+    }
+}
+
+/// A number with the sign of another; of nought the sign that is given.
+fn with_sign_of<N: Number>(size: &N, sign: &N, of_nought: &N) -> N {
+    let unit = sign.over(&sign.size()).unwrap_or_else(|| of_nought.clone());
+    size.size() * unit
+}
+
+/// The full speeds in place of the components along the line of centres before the impact, each with its sign; what moves
+/// across it is taken to move towards the other sphere.
+fn unresolved<N: Number>(known: &Known<N>) -> Option<[(Quantity, N); 2]> {
+    let [a, b] = known.numbers([ALONG[0], ALONG[1]])?;
+    let speed = |sphere| full_speed(known, sphere, Moment::Before);
+    let one = a.one();
+    let a_full = with_sign_of(&speed(Sphere::A)?, &a, &one);
+    let b_full = with_sign_of(&speed(Sphere::B)?, &b, &-one);
+    Some([(ALONG[0], a_full), (ALONG[1], b_full)])
+}
+
+/// Is the sphere at rest before the impact?
+fn is_at_rest_before<N: Number>(known: &Known<N>, sphere: Sphere) -> bool {
+    components(known, sphere, Moment::Before).is_some_and(|both| both.iter().all(N::is_nought))
+}
 
 fn first_equation(lines: &[Line]) -> Option<Expr> {
     lines.iter().find_map(|line| line.equations.first().cloned())

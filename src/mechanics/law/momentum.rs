@@ -3,7 +3,7 @@
 //! `m_A a + m_B b = m_A x + m_B y` for the components a, b before and x, y after, all positive from A
 //! to B.
 
-use super::{ALONG, Datum, Known, Law, Line, MASSES, Outcome, Rule, Show, Slip, number, rule, first_equation};
+use super::{ALONG, Datum, Known, Law, Line, MASSES, Outcome, Rule, Show, Slip, number, rule, first_equation, unresolved, with_inputs};
 use crate::expr::Expr;
 use crate::mechanics::Quantity;
 use crate::number::Number;
@@ -18,10 +18,46 @@ pub const METHOD: (&str, &str) = (
 );
 
 pub const SLIPS: &[Slip] = &[
-    Slip { tag: "momentum-sign", sentence: "B moves against your positive direction, so its momentum is negative." },
-    Slip { tag: "momentum-ignores-b", sentence: "B is moving too: include its component in both equations." },
-    Slip { tag: "masses-swapped", sentence: "Pair each mass with its own sphere's velocity." },
-    Slip { tag: "masses-omitted", sentence: "Momentum is mass x velocity; the masses differ and do not cancel." },
+    Slip {
+        place: 2,
+        tag: "not-resolved",
+        did: "put the full speeds into both equations",
+        sentence: "Momentum and restitution are about motion along the line of centres: find the component of each velocity along it first.",
+        also: &[Law::Restitution],
+        condoned: false,
+    },
+    Slip {
+        place: 8,
+        tag: "momentum-sign",
+        did: "counted the momentum of B as positive although B moves towards A",
+        sentence: "B moves the other way, so its momentum counts as negative.",
+        also: &[],
+        condoned: true,
+    },
+    Slip {
+        place: 10,
+        tag: "momentum-ignores-b",
+        did: "left the momentum of B before the impact out",
+        sentence: "B was moving before the impact too: its momentum belongs in the equation.",
+        also: &[],
+        condoned: false,
+    },
+    Slip {
+        place: 16,
+        tag: "masses-swapped",
+        did: "gave each sphere the mass of the other",
+        sentence: "Each velocity goes with the mass of its own sphere: check which mass is whose.",
+        also: &[Law::VectorMomentum],
+        condoned: false,
+    },
+    Slip {
+        place: 17,
+        tag: "masses-omitted",
+        did: "left the masses out",
+        sentence: "Momentum is mass times velocity, and these masses do not cancel.",
+        also: &[Law::VectorMomentum],
+        condoned: false,
+    },
 ];
 
 /// The forms: an equation for two unknowns, or the one unknown, in the order a, b, x, y, m_A, m_B.
@@ -65,18 +101,17 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
 }
 
 pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
-    if rule.form != EQUATION {
-        return None;
-    }
-    let [m_a, m_b, a, b] = known.numbers([MASSES[0], MASSES[1], ALONG[0], ALONG[1]])?;
-    let equation = |p: N, q: N, r: N| Some(vec![Datum::Equation([p, q, r])]);
+    let [m_a, m_b] = MASSES;
+    let b = ALONG[1];
+    let at = |quantity| known.number(quantity);
     match slip {
-        "momentum-sign" => equation(m_a.clone(), m_b.clone(), m_a * a + m_b * b.size()),
-        "momentum-ignores-b" => equation(m_a.clone(), m_b, m_a * a),
-        "masses-swapped" => equation(m_b.clone(), m_a.clone(), m_b * a + m_a * b),
+        "not-resolved" if rule.form == EQUATION => with_inputs(rule, known, &unresolved(known)?),
+        "momentum-sign" => with_inputs(rule, known, &[(b, at(b)?.size())]),
+        "momentum-ignores-b" => with_inputs(rule, known, &[(b, at(b)?.nought())]),
+        "masses-swapped" => with_inputs(rule, known, &[(m_a, at(m_b)?), (m_b, at(m_a)?)]),
         "masses-omitted" => {
-            let one = m_a.one();
-            equation(one.clone(), one, a + b)
+            let one = at(m_a)?.one();
+            with_inputs(rule, known, &[(m_a, one.clone()), (m_b, one)])
         }
         _ => None,
     }

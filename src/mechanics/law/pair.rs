@@ -89,8 +89,14 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
     Some(vec![Datum::Number(a), Datum::Number(b)])
 }
 
-pub fn slipped<N: Number>(_: &str, _: &Rule, _: &Known<N>) -> Outcome<N> {
-    None
+pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
+    match slip {
+        // What does change was taken not to.
+        "wrong-axis" if rule.form == FORWARDS => {
+            Some(known.numbers([ALONG[0], ALONG[1]])?.map(Datum::Number).to_vec())
+        }
+        _ => None,
+    }
 }
 
 /// What earns the mark for accuracy.

@@ -2,7 +2,7 @@
 //!
 //! `t·v = t·u` for each sphere by itself.
 
-use super::{Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, velocity};
+use super::{Known, Law, Line, MASSES, Outcome, Rule, Show, Slip, number, rule, velocity};
 use crate::expr::print::plain;
 use crate::expr::{Expr, written};
 use crate::mechanics::Axis::T;
@@ -19,12 +19,36 @@ pub const METHOD: (&str, &str) =
 
 pub const SLIPS: &[Slip] = &[
     Slip {
+        place: 11,
         tag: "e-on-perpendicular",
-        sentence: "The spheres are smooth: no impulse acts along the tangent, so that component is unchanged; e acts only along the line of centres.",
+        did: "multiplied the component across the line of centres by e as well",
+        sentence: "Smooth spheres push each other along the line of centres alone: across it nothing changes, and e has no part there.",
+        also: &[],
+        condoned: false,
     },
     Slip {
+        place: 12,
         tag: "perpendicular-dropped",
-        sentence: "You have the component along the line of centres; combine it with the unchanged perpendicular component.",
+        did: "left out the component across the line of centres after the impact",
+        sentence: "That is only the part along the line of centres: the sphere keeps its component across, and both belong together.",
+        also: &[Law::Speed, Law::Direction],
+        condoned: false,
+    },
+    Slip {
+        place: 13,
+        tag: "perpendicular-shared",
+        did: "gave both spheres one component across the line of centres, as if momentum across were shared",
+        sentence: "Across the line of centres each sphere keeps its own component; nothing passes from one to the other.",
+        also: &[],
+        condoned: false,
+    },
+    Slip {
+        place: 20,
+        tag: "wrong-axis",
+        did: "let the components across the line of centres change and kept those along it",
+        sentence: "It is along the line of centres that velocities change; the components perpendicular to it stay.",
+        also: &[Law::Solve, Law::Impulse],
+        condoned: false,
     },
 ];
 
@@ -44,11 +68,29 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
 
 pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
     let component = known.number(rule.needs[0])?;
+    let Quantity::Velocity(sphere, After, _) = rule.gives[0] else { return None };
     match slip {
         "e-on-perpendicular" => number(known.number(Quantity::Restitution)? * component),
         "perpendicular-dropped" => number(component.nought()),
+        "perpendicular-shared" => number(shared(known)?),
+        "wrong-axis" => {
+            // The impact as it would be along the tangent.
+            let across = Sphere::BOTH.map(|sphere| velocity(sphere, Before, T));
+            let [e, own, p, q] =
+                known.numbers([Quantity::Restitution, Quantity::Mass(sphere.other()), across[0], across[1]])?;
+            let total = known.number(MASSES[0])? + known.number(MASSES[1])?;
+            let separation = if sphere == Sphere::A { e * (q - p) } else { e * (p - q) };
+            number(shared(known)? + (own * separation).over(&total)?)
+        }
         _ => None,
     }
+}
+
+/// The common component that both would have if they moved on together across the line of centres.
+fn shared<N: Number>(known: &Known<N>) -> Option<N> {
+    let across = Sphere::BOTH.map(|sphere| velocity(sphere, Before, T));
+    let [m_a, m_b, p, q] = known.numbers([MASSES[0], MASSES[1], across[0], across[1]])?;
+    (m_a.clone() * p + m_b.clone() * q).over(&(m_a + m_b))
 }
 
 /// `4 sin 30° = 2`; nothing if there is no such component.

@@ -3,7 +3,7 @@
 //! `v_n = v·n` and `v_t = v·t`, where `t` is `n` turned by +90 degrees; and back again. A velocity that
 //! was given by its speed and direction has the components `v cos θ`, `v sin θ`.
 
-use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, rule, silent, velocity, first_equation};
+use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, rule, silent, velocity, first_equation, components, is_at_rest_before, with_inputs, with_sign_of};
 use crate::expr::{Expr, Function, written};
 use crate::mechanics::Axis::{N, T, X, Y};
 use crate::mechanics::formula::times;
@@ -19,12 +19,12 @@ pub const METHOD: (&str, &str) =
 
 pub const SLIPS: &[Slip] = &[
     Slip {
+        place: 1,
         tag: "sincos-swap",
-        sentence: "The angle is measured from the line of centres, so the component along it is u cos(alpha); the sine gives the part that does not change.",
-    },
-    Slip {
-        tag: "not-resolved",
-        sentence: "Momentum and the impact law act along the line of centres only: resolve each speed along it first.",
+        did: "took the component across the line of centres for the one along it, sine for cosine",
+        sentence: "The angle is with the line of centres, so cosine gives the component along it and sine the one across, which does not change.",
+        also: &[Law::Deflection],
+        condoned: true,
     },
 ];
 
@@ -84,25 +84,26 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
 }
 
 pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
-    if rule.form != FROM_SPEED {
-        return None;
-    }
-    let mut components = evaluate(rule, known)?;
-    let (Datum::Number(n), Datum::Number(t)) = (components[0].clone(), components[1].clone()) else { return None };
-    match slip {
-        // Sine and cosine change places; the arrows still point the right way.
-        "sincos-swap" => {
-            let size_of = |size: &N, sign: &N| sign.over(&sign.size()).map_or(size.size(), |sign| size.size() * sign);
-            components = vec![Datum::Number(size_of(&t, &n)), Datum::Number(size_of(&n, &t))];
+    match (slip, rule.form) {
+        // The arrows still point the right way.
+        ("sincos-swap", FROM_SPEED | FROM_I_J) => {
+            let components = evaluate(rule, known)?;
+            let [Datum::Number(n), Datum::Number(t)] = components.as_slice() else { return None };
+            let one = n.one();
+            Some(vec![Datum::Number(with_sign_of(t, n, &one)), Datum::Number(with_sign_of(n, t, &one))])
         }
-        "not-resolved" => {
+        ("struck-inherits", TO_I_J) if rule.gives[0] == velocity(Sphere::B, Moment::After, X) => {
+            let [along, across] = components(known, Sphere::A, Moment::Before)?;
+            if !is_at_rest_before(known, Sphere::B) {
+                return None;
+            }
             let speed = known.number(rule.needs[0])?;
-            components[0] = Datum::Number(n.clone() * speed.over(&n.size())?);
-            components[1] = Datum::Number(t);
+            let unit = (along.squared() + across.squared()).root()?;
+            let inherited = |component: N| Some(speed.clone() * component.over(&unit)?);
+            with_inputs(rule, known, &[(rule.needs[0], inherited(along)?), (rule.needs[1], inherited(across)?)])
         }
-        _ => return None,
+        _ => None,
     }
-    Some(components)
 }
 
 /// What earns the mark for accuracy.

@@ -2,9 +2,9 @@
 //!
 //! `y - x = e (a - b)` for the components a, b before and x, y after, all positive from A to B.
 
-use super::{ALONG, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, first_equation};
+use super::{ALONG, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, components, first_equation, is_at_rest_before, number, rule, unresolved, with_inputs};
 use crate::expr::Expr;
-use crate::mechanics::Quantity;
+use crate::mechanics::{Moment, Quantity, Sphere};
 use crate::mechanics::formula::difference;
 use crate::number::Number;
 
@@ -17,31 +17,106 @@ pub const METHOD: (&str, &str) =
 
 pub const SLIPS: &[Slip] = &[
     Slip {
+        place: 3,
+        tag: "restitution-not-resolved",
+        did: "put the full speeds into the law of restitution, though momentum was resolved",
+        sentence: "Your momentum is along the line of centres but your law of restitution is not: use the same components in both.",
+        also: &[],
+        condoned: false,
+    },
+    Slip {
+        place: 4,
         tag: "e-wrong-side",
-        sentence: "e multiplies the approach speed: separation = e x approach, so the spheres separate more slowly than they met.",
+        did: "put e with the speed of separation",
+        sentence: "e multiplies the speed of approach: the spheres part more slowly than they met.",
+        also: &[],
+        condoned: false,
     },
     Slip {
+        place: 5,
         tag: "approach-subtracted",
-        sentence: "They move towards each other, so the approach speed is the sum of the two components.",
+        did: "subtracted the components before the impact although the spheres move towards each other",
+        sentence: "The spheres move towards each other, so they close at the sum of the two components.",
+        also: &[],
+        condoned: true,
     },
     Slip {
+        place: 6,
         tag: "separation-added",
-        sentence: "Your two equations use different positive directions after the impact. Draw the arrows once and use them in both.",
+        did: "added the components after the impact in the law of restitution",
+        sentence: "Your two equations do not agree on which way is positive after the impact: draw one arrow for each unknown and keep to it.",
+        also: &[],
+        condoned: true,
     },
     Slip {
+        place: 7,
         tag: "restitution-reversed",
-        sentence: "Check which sphere is in front: after the impact B must leave A, so w - v, not v - w.",
+        did: "took the velocities after the impact in the wrong order",
+        sentence: "B is in front: it must move away from A, so the separation is the velocity of B less that of A.",
+        also: &[],
+        condoned: true,
     },
     Slip {
+        place: 9,
         tag: "restitution-ignores-b",
-        sentence: "B is moving too: include its component in both equations.",
+        did: "left the velocity of B before the impact out of the law of restitution",
+        sentence: "B was moving before the impact too, so it has a part in the speed of approach.",
+        also: &[],
+        condoned: false,
     },
-    Slip { tag: "e-taken-as-1", sentence: "'Elastic' in the chapter title does not mean e = 1: use the given coefficient." },
-    Slip { tag: "coalesce", sentence: "They separate after the impact; use the impact law as well as momentum." },
+    Slip {
+        place: 15,
+        tag: "right-angle-assumed",
+        did: "assumed that the paths after the impact are at right angles",
+        sentence: "That the paths part at right angles is no law: it needs a special value of e. Use the law of restitution.",
+        also: &[],
+        condoned: false,
+    },
+    Slip {
+        place: 18,
+        tag: "e-taken-as-1",
+        did: "took e as 1",
+        sentence: "The impact is not perfectly elastic: use the coefficient that is given.",
+        also: &[],
+        condoned: false,
+    },
+    Slip {
+        place: 19,
+        tag: "coalesce",
+        did: "let the spheres move on together along the line of centres",
+        sentence: "The spheres do not stick together: the law of restitution says how fast they part.",
+        also: &[],
+        condoned: false,
+    },
+    Slip {
+        place: 48,
+        tag: "e-full-speeds",
+        did: "divided the full relative speeds",
+        sentence: "e compares velocities along the line of centres alone: resolve all four along it first.",
+        also: &[],
+        condoned: false,
+    },
+    Slip {
+        place: 49,
+        tag: "e-reciprocal",
+        did: "divided the speed of approach by that of separation",
+        sentence: "e is separation over approach: it lies between 0 and 1.",
+        also: &[],
+        condoned: false,
+    },
+    Slip {
+        place: 50,
+        tag: "e-unsigned",
+        did: "took the components along the line of centres without their signs",
+        sentence: "Keep the signs of all four components: one that points the other way is negative.",
+        also: &[],
+        condoned: true,
+    },
 ];
 
 /// The forms: an equation for two unknowns, or the one unknown, in the order a, b, x, y, e.
 const EQUATION: u8 = 0;
+const OF_E: u8 = 5;
 
 pub fn rules() -> Vec<Rule> {
     let [a, b, x, y] = ALONG;
@@ -60,48 +135,65 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
     let [a, b, x, y] = ALONG;
     let e = Quantity::Restitution;
     match rule.form {
-        EQUATION => equation(known, |a, b, e| e * (a - b), true),
+        EQUATION => {
+            let [a, b, e] = known.numbers([a, b, e])?;
+            let one = e.one();
+            Some(vec![Datum::Equation([-one.clone(), one, e * (a - b)])])
+        }
         1 => number(at(b)? + (at(y)? - at(x)?).over(&at(e)?)?),
         2 => number(at(a)? - (at(y)? - at(x)?).over(&at(e)?)?),
         3 => number(at(y)? - at(e)? * (at(a)? - at(b)?)),
         4 => number(at(x)? + at(e)? * (at(a)? - at(b)?)),
-        _ => number((at(y)? - at(x)?).over(&(at(a)? - at(b)?))?),
+        _ => number(evaluate_e(known)?),
     }
-}
-
-/// `y - x = r` (or `x - y = r`), with `r` made from a, b and e.
-fn equation<N: Number>(known: &Known<N>, right: impl Fn(N, N, N) -> N, b_leads: bool) -> Outcome<N> {
-    let [a, b, e] = known.numbers([ALONG[0], ALONG[1], Quantity::Restitution])?;
-    let approach = a.clone() - b.clone();
-    let one = approach.one();
-    let (p, q) = if b_leads { (-one.clone(), one) } else { (one.clone(), -one) };
-    Some(vec![Datum::Equation([p, q, right(a, b, e)])])
 }
 
 pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
-    if rule.form != EQUATION {
-        return None;
-    }
+    let [a, b, x, y] = ALONG;
+    let e = Quantity::Restitution;
+    let at = |quantity| known.number(quantity);
     match slip {
-        "e-wrong-side" => {
-            let e = known.number(Quantity::Restitution)?;
-            if e.is_nought() {
-                return None;
-            }
-            equation(known, |a, b, e| (a.clone() - b.clone()).over(&e).unwrap_or(a - b), true)
+        "not-resolved" | "restitution-not-resolved" if rule.form == EQUATION => {
+            with_inputs(rule, known, &unresolved(known)?)
         }
-        "approach-subtracted" => equation(known, |a, b, e| e * (a + b), true),
-        "restitution-reversed" => equation(known, |a, b, e| e * (a - b), false),
-        "restitution-ignores-b" => equation(known, |a, _, e| e * a, true),
-        "e-taken-as-1" => equation(known, |a, b, _| a - b, true),
-        "coalesce" => equation(known, |a, _, _| a.nought(), true),
-        "separation-added" => {
-            let outcome = equation(known, |a, b, e| e * (a - b), true)?;
-            let Datum::Equation([p, q, r]) = outcome.into_iter().next()? else { return None };
-            Some(vec![Datum::Equation([-p, q, r])])
+        "e-wrong-side" => with_inputs(rule, known, &[(e, at(e)?.one().over(&at(e)?)?)]),
+        "approach-subtracted" => with_inputs(rule, known, &[(b, -at(b)?)]),
+        "separation-added" if rule.form == EQUATION => {
+            let outcome = evaluate(rule, known)?;
+            let [Datum::Equation([p, q, r])] = outcome.as_slice() else { return None };
+            Some(vec![Datum::Equation([-p.clone(), q.clone(), r.clone()])])
+        }
+        "separation-added" => with_inputs(rule, known, &[(x, -at(x)?)]),
+        "restitution-reversed" if rule.form == OF_E => number(-evaluate_e(known)?),
+        "restitution-reversed" => with_inputs(rule, known, &[(e, -at(e)?)]),
+        "restitution-ignores-b" => with_inputs(rule, known, &[(b, at(b)?.nought())]),
+        "right-angle-assumed" if rule.form == EQUATION && is_at_rest_before(known, Sphere::B) => {
+            // A has no velocity left along the line of centres, which is the path of B.
+            let one = at(a)?.one();
+            Some(vec![Datum::Equation([one.clone(), one.nought(), one.nought()])])
+        }
+        "e-taken-as-1" => with_inputs(rule, known, &[(e, at(e)?.one())]),
+        "coalesce" => with_inputs(rule, known, &[(e, at(e)?.nought())]),
+        "e-full-speeds" if rule.form == OF_E => {
+            let between = |moment| {
+                let [a, b] = [components(known, Sphere::A, moment)?, components(known, Sphere::B, moment)?];
+                let [[a_1, a_2], [b_1, b_2]] = [a, b];
+                ((a_1 - b_1).squared() + (a_2 - b_2).squared()).root()
+            };
+            number(between(Moment::After)?.over(&between(Moment::Before)?)?)
+        }
+        "e-reciprocal" if rule.form == OF_E => number(at(a)?.one().over(&evaluate_e(known)?)?),
+        "e-unsigned" if rule.form == OF_E => {
+            let [a, b, x, y] = known.numbers([a, b, x, y])?.map(|component| component.size());
+            number((y - x).over(&(a - b))?.size())
         }
         _ => None,
     }
+}
+
+fn evaluate_e<N: Number>(known: &Known<N>) -> Option<N> {
+    let [a, b, x, y] = known.numbers(ALONG)?;
+    (y - x).over(&(a - b))
 }
 
 /// What earns the mark for accuracy.

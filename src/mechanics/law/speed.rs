@@ -15,16 +15,20 @@ pub const METHOD: (&str, &str) = ("Pythagoras with their two components", "both 
 
 pub const SLIPS: &[Slip] = &[
     Slip {
+        place: 21,
         tag: "speed-sum",
-        sentence: "Speed is the square root of the sum of the squares of the components.",
+        did: "added the two components",
+        sentence: "The components are at right angles: square them, add, and take the root.",
+        also: &[],
+        condoned: false,
     },
     Slip {
+        place: 22,
         tag: "speed-no-root",
-        sentence: "Speed is the square root of the sum of the squares of the components.",
-    },
-    Slip {
-        tag: "speed-along-only",
-        sentence: "You have the component along the line of centres; combine it with the unchanged perpendicular component.",
+        did: "did not take the square root",
+        sentence: "That is the square of the speed: the root is still to be taken.",
+        also: &[],
+        condoned: false,
     },
 ];
 
@@ -58,8 +62,16 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
     match slip {
         "speed-sum" => number(along.size() + across.size()),
         "speed-no-root" => number(along.squared() + across.squared()),
-        "speed-along-only" => number(along.size()),
+        "perpendicular-dropped" if rule.form == 0 && rule.gives[0] == after(rule.gives[0]) => number(along.size()),
         _ => None,
+    }
+}
+
+/// The speed of the same sphere after the impact.
+fn after(speed: Quantity) -> Quantity {
+    match speed {
+        Quantity::Speed(sphere, _) => Quantity::Speed(sphere, Moment::After),
+        other => other,
     }
 }
 

@@ -3,7 +3,7 @@
 //! `m_A u_A + m_B u_B = m_A v_A + m_B v_B`. Three velocities and the masses give the fourth velocity; four
 //! velocities give the ratio of the masses.
 
-use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, silent, velocity, first_equation};
+use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, silent, velocity, first_equation, with_inputs};
 use crate::mechanics::formula::times;
 use crate::expr::Expr;
 use crate::mechanics::Axis::{X, Y};
@@ -18,8 +18,16 @@ pub const ACCURACY: &str = "correct equation, unsimplified";
 
 pub const METHOD: (&str, &str) = ("conservation of momentum as a vector equation, four terms", "condone sign errors");
 
-pub const SLIPS: &[Slip] =
-    &[Slip { tag: "division-forgotten", sentence: "Divide by the mass of the sphere at the end." }];
+pub const SLIPS: &[Slip] = &[
+    Slip {
+        place: 44,
+        tag: "division-forgotten",
+        did: "did not divide by the mass of the sphere",
+        sentence: "That is the momentum of the sphere: divide by its mass for its velocity.",
+        also: &[],
+        condoned: true,
+    },
+];
 
 const STATES: [(Sphere, Moment); 4] = [(A, Before), (B, Before), (A, After), (B, After)];
 
@@ -112,6 +120,14 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
                 other => other,
             });
             Some(multiplied.collect())
+        }
+        ("masses-swapped", 0..=3) => {
+            let [m_a, m_b] = known.numbers([Quantity::Mass(A), Quantity::Mass(B)])?;
+            with_inputs(rule, known, &[(Quantity::Mass(A), m_b), (Quantity::Mass(B), m_a)])
+        }
+        ("masses-omitted", 0..=3) => {
+            let one = known.number(Quantity::Mass(A))?.one();
+            with_inputs(rule, known, &[(Quantity::Mass(A), one.clone()), (Quantity::Mass(B), one)])
         }
         _ => None,
     }

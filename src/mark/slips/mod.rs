@@ -1,0 +1,306 @@
+//! Why an answer is wrong: the derivation evaluated again with the slips that students make.
+//!
+//! [`Mistakes`] are worked out once for a question: every slip of every law by itself, pairs of slips, the slips of the
+//! calculator and those of the last line, each with the value that it leads to. An answer is then looked up among them,
+//! by the figures that the student wrote, and all [`Cause`]s that lead there are named, the likeliest first.
+
+mod calculator;
+mod cause;
+mod last_step;
+mod rounding;
+mod sample;
+mod table;
+#[cfg(test)]
+mod tests;
+mod written;
+
+pub use cause::{Cause, StepMarks};
+pub use rounding::{EARLY_ROUNDING, EarlyRounding, early_rounding};
+
+use crate::expr::Expr;
+use crate::mark::reading::{Form, ReferenceLine, Said};
+use crate::mechanics::{Carried, Datum, Known, Law, Quantity, Road, Slip, Steps, Trace};
+use crate::number::{Letter, Value};
+
+use last_step::LastStep;
+use sample::Sample;
+use table::{Answer, Values};
+use written::Written;
+
+/// The most pairs of slips that are tried.
+const MOST_PAIRS: usize = 200;
+
+/// Two values that differ by less than this part are one value.
+const SAME: f64 = 1e-9;
+
+/// What leads to a value.
+#[derive(Clone, Copy, Debug)]
+enum Origin {
+    /// Slips of laws, one or two, by their places among all.
+    Slips(usize, Option<usize>),
+    /// A slip of the calculator.
+    Calculator(usize),
+    /// A mistake in the last line.
+    LastStep(LastStep),
+}
+
+/// A way to a wrong value: what leads there, on which road, and what becomes of the steps.
+#[derive(Clone, Copy, Debug)]
+struct Way {
+    origin: Origin,
+    road: usize,
+    trace: Trace,
+    /// The steps whose method is lost.
+    lost: Steps,
+}
+
+/// The wrong values that slips lead to in a question.
+#[derive(Clone, Debug)]
+pub struct Mistakes {
+    roads: Vec<Carried<Sample>>,
+    ways: Vec<Way>,
+    answers: Vec<Answer>,
+    letters: Vec<Letter>,
+}
+
+/// A slip by itself, as it was found on a road.
+struct Single {
+    slip: usize,
+    road: usize,
+    slipped: Steps,
+    /// Does it change the answer of that place?
+    changes: u64,
+}
+
+impl Mistakes {
+    /// Works out what each slip leads to, for answers that are one quantity each, or the components of a vector.
+    ///
+    /// `given` is what the scene gives, as `pose` has it, with its unknowns found; `letters` are those of the question.
+    pub fn of(given: &Known<Value>, answers: &[Vec<Quantity>], letters: &[Letter]) -> Mistakes {
+        let mut mistakes =
+            Mistakes { roads: Vec::new(), ways: Vec::new(), answers: Vec::new(), letters: letters.to_vec() };
+        let Some(given) = sampled(given) else { return mistakes };
+        let mut asked: Vec<Quantity> = answers.iter().flatten().copied().collect();
+        asked.extend(answers.iter().filter_map(|answer| angle_of(answer)).flatten());
+        asked.extend(answers.iter().flatten().flat_map(|quantity| last_step::taken_for(*quantity)).map(|(q, _)| q));
+        asked.sort();
+        asked.dedup();
+        for road in Road::ALL {
+            let carried = Carried::on(road, &given, &asked);
+            if mistakes.roads.iter().all(|other| other.derivation() != carried.derivation()) {
+                mistakes.roads.push(carried);
+            }
+        }
+        let known = mistakes.roads[0].known();
+        let angles = answers.iter().filter_map(|answer| angle_of(answer));
+        let all = answers.iter().cloned().chain(angles);
+        mistakes.answers = all.filter_map(|answer| Answer::of(&answer, known)).collect();
+        let singles = mistakes.add_singles();
+        mistakes.add_calculator();
+        mistakes.add_last_steps();
+        mistakes.add_pairs(&singles);
+        mistakes
+    }
+
+    /// Everything that leads to what a student wrote, the likeliest first: single slips in the order of their places,
+    /// then pairs. Nothing for an answer that is right at the figures it has.
+    pub fn causes(&self, answer: &[Quantity], said: &Said) -> Vec<Cause> {
+        let of_angle = matches!(&said.unit, Some(unit) if unit.degrees).then(|| angle_of(answer)).flatten();
+        let asked = of_angle.as_deref().unwrap_or(answer);
+        let Some(answer) = self.answers.iter().find(|known| known.asked == asked) else { return Vec::new() };
+        let Some(written) = self.written(answer, said) else { return Vec::new() };
+        let mut ways: Vec<&Way> = answer.matching(&written).map(|way| &self.ways[way]).collect();
+        ways.sort_by_key(|way| way.rank());
+        ways.dedup_by_key(|way| way.rank());
+        ways.into_iter().map(|way| way.cause(&self.roads[way.road])).collect()
+    }
+
+    /// The wrong values of an answer, each with the tags of what leads to it: of a vector its components; of an angle so
+    /// many degrees. Where letters remain, with every speed, mass and length one.
+    pub fn values(&self, answer: &[Quantity]) -> Vec<(Vec<&'static str>, Vec<f64>)> {
+        let Some(answer) = self.answers.iter().find(|known| known.asked == answer) else { return Vec::new() };
+        let row = |(values, way): (&Values, usize)| {
+            let values = values.iter().map(|value| value.0[0]).collect();
+            (self.ways[way].tags(), values)
+        };
+        answer.rows().map(row).collect()
+    }
+
+    /// The value as it was written, in the unit of the answer.
+    fn written(&self, answer: &Answer, said: &Said) -> Option<Vec<Written>> {
+        let letters = &self.letters;
+        let number = |expr: &Expr| Written::of(expr, letters);
+        let found = match &said.form {
+            Form::Value(expr) if answer.is_angle() => {
+                let radians = said.unit.as_ref().is_some_and(|unit| !unit.degrees && unit.dimension == [0, 0, 0, 1]);
+                let degrees = Written::degrees(expr, letters, radians)?;
+                return Some(vec![match said.reference {
+                    Some(ReferenceLine::CommonTangent) if answer.is_to_line() => degrees.less_from(90.0),
+                    Some(ReferenceLine::FromBToA) if answer.is_to_line() => degrees.less_from(180.0),
+                    _ => degrees,
+                }]);
+            }
+            Form::Value(expr) => vec![number(expr)?],
+            Form::Percentage(expr) => vec![number(expr)?.times(0.01)],
+            Form::Ratio(above, below) => vec![number(&above.clone().over(below.clone()))?],
+            Form::Vector(x, y, _) => vec![number(x)?, number(y)?],
+            Form::Gradient(expr) if answer.is_line() => vec![number(&Expr::integer(1))?, number(expr)?],
+            Form::AtRest if !answer.is_angle() => vec![number(&Expr::integer(0))?; answer.asked.len()],
+            _ => return None,
+        };
+        let scale = said.unit.as_ref().and_then(|unit| number(&unit.scale)).map_or(1.0, |scale| scale.value.0[0]);
+        Some(found.into_iter().map(|written| written.times(scale)).collect())
+    }
+
+    fn add(&mut self, way: Way, found: impl Iterator<Item = (usize, Values)>) {
+        let number = self.ways.len();
+        let mut is_used = false;
+        for (answer, values) in found {
+            self.answers[answer].add(values, number);
+            is_used = true;
+        }
+        if is_used {
+            self.ways.push(way);
+        }
+    }
+
+    /// Carries out a road again; the wrong values that come of it, each with the place of its answer.
+    fn again(
+        &mut self,
+        road: usize,
+        slips: &[(Law, &Slip)],
+        other: &[(Quantity, Datum<Sample>)],
+    ) -> Option<(Trace, Vec<(usize, Values)>)> {
+        let answers = &self.answers;
+        self.roads[road].again(slips, other, |carried, trace| {
+            let is_changed = |answer: &Answer| answer.asked.iter().any(|asked| carried.is_changed(*asked, trace));
+            let changed = answers.iter().enumerate().filter(|(_, answer)| is_changed(answer));
+            let values = changed.filter_map(|(place, answer)| Some((place, answer.values_in(carried.known())?)));
+            (trace, values.filter(|(place, values)| !answers[*place].is_right(values)).collect())
+        })
+    }
+
+    fn add_singles(&mut self) -> Vec<Single> {
+        let mut singles = Vec::new();
+        for (slip, owned) in Slip::all().iter().enumerate() {
+            for road in 0..self.roads.len() {
+                let Some((trace, mut wrong)) = self.again(road, &[*owned], &[]) else { continue };
+                if trace.slipped.is_empty() || wrong.is_empty() {
+                    continue;
+                }
+                let changes = wrong.iter().fold(0, |changes, (answer, _)| changes | 1_u64.wrapping_shl(*answer as u32));
+                singles.push(Single { slip, road, slipped: trace.slipped, changes });
+                let lost = if owned.1.condoned { Steps::default() } else { trace.slipped };
+                let is_same = |way: &Way| matches!(way.origin, Origin::Slips(other, None) if other == slip);
+                wrong.retain(|(answer, values)| !self.answers[*answer].has(values, |way| is_same(&self.ways[way])));
+                self.add(Way { origin: Origin::Slips(slip, None), road, trace, lost }, wrong.into_iter());
+            }
+        }
+        singles
+    }
+
+    fn add_calculator(&mut self) {
+        for (place, slip) in calculator::SLIPS.iter().enumerate() {
+            let is_same = |way: &Way| matches!(way.origin, Origin::Calculator(other) if other == place);
+            for road in 0..self.roads.len() {
+                for entered in calculator::entered(slip, self.roads[road].known(), &self.letters) {
+                    let Some((trace, mut wrong)) = self.again(road, &[], &entered) else { continue };
+                    wrong.retain(|(answer, values)| !self.answers[*answer].has(values, |way| is_same(&self.ways[way])));
+                    let way = Way { origin: Origin::Calculator(place), road, trace, lost: Steps::default() };
+                    self.add(way, wrong.into_iter());
+                }
+            }
+        }
+    }
+
+    fn add_last_steps(&mut self) {
+        for answer in 0..self.answers.len() {
+            for (values, step) in self.answers[answer].last_steps(self.roads[0].known(), &self.answers) {
+                let way =
+                    Way { origin: Origin::LastStep(step), road: 0, trace: Trace::default(), lost: Steps::default() };
+                self.add(way, std::iter::once((answer, values)));
+            }
+        }
+    }
+
+    /// Pairs of slips of different laws that both change an answer, likely ones first.
+    fn add_pairs(&mut self, singles: &[Single]) {
+        let all = Slip::all();
+        let mut pairs: Vec<(&Single, &Single)> = Vec::new();
+        for (place, one) in singles.iter().enumerate() {
+            for two in &singles[place + 1..] {
+                let same_law = all[one.slip].0 == all[two.slip].0;
+                let apart = !same_law && !one.slipped.meets(two.slipped);
+                if one.road == two.road && apart && one.changes & two.changes != 0 {
+                    pairs.push((one, two));
+                }
+            }
+        }
+        pairs.sort_by_key(|(one, two)| (one.slip + two.slip, one.slip, one.road));
+        pairs.dedup_by_key(|(one, two)| (one.slip, two.slip));
+        for (one, two) in pairs.into_iter().take(MOST_PAIRS) {
+            let slips = [all[one.slip], all[two.slip]];
+            let Some((trace, mut wrong)) = self.again(one.road, &slips, &[]) else { continue };
+            wrong.retain(|(answer, values)| !self.answers[*answer].has(values, |way| self.ways[way].is_single()));
+            let lost = [one, two].into_iter().filter(|single| !all[single.slip].1.condoned);
+            let lost = lost.fold(Steps::default(), |lost, single| lost.and(single.slipped));
+            let way = Way { origin: Origin::Slips(one.slip, Some(two.slip)), road: one.road, trace, lost };
+            self.add(way, wrong.into_iter());
+        }
+    }
+}
+
+/// The angle, where its tangent is asked: a student may give it in place of the tangent.
+fn angle_of(answer: &[Quantity]) -> Option<Vec<Quantity>> {
+    match answer {
+        [Quantity::TanDeflection(sphere)] => Some(vec![Quantity::Deflection(*sphere)]),
+        [Quantity::TanToLine(sphere, moment)] => Some(vec![Quantity::AngleToLine(*sphere, *moment)]),
+        _ => None,
+    }
+}
+
+/// All that is given, at the points; `None` if a value does not exist there.
+fn sampled(given: &Known<Value>) -> Option<Known<Sample>> {
+    let mut known = Known::default();
+    for (quantity, datum) in &given.0 {
+        let datum = match datum {
+            Datum::Number(value) => Datum::Number(Sample::of(value)?),
+            Datum::Direction { y, x } => Datum::Direction { y: Sample::of(y)?, x: Sample::of(x)? },
+            Datum::Equation(_) => continue,
+        };
+        known.0.insert(*quantity, datum);
+    }
+    Some(known)
+}
+
+/// A mistake as the documentation lists it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Listed {
+    /// The tag.
+    pub tag: &'static str,
+    /// The law that owns it and the others that answer to it; of a slip of the calculator or of the last line none.
+    pub laws: Vec<Law>,
+    /// What the student did.
+    pub did: &'static str,
+    /// What a teacher would say.
+    pub sentence: &'static str,
+}
+
+/// Every mistake that is recognised: those of laws and of the calculator in the order of their places, then those of the
+/// last line.
+pub fn all() -> Vec<Listed> {
+    let of_laws =
+        Slip::all().iter().map(|(law, slip)| (std::iter::once(*law).chain(slip.also.iter().copied()).collect(), *slip));
+    let of_calculator = calculator::SLIPS.iter().map(|slip| (Vec::new(), slip));
+    let mut slips: Vec<(Vec<Law>, &Slip)> = of_laws.chain(of_calculator).collect();
+    slips.sort_by_key(|(_, slip)| slip.place);
+    let listed =
+        |(laws, slip): (Vec<Law>, &Slip)| Listed { tag: slip.tag, laws, did: slip.did, sentence: slip.sentence };
+    let last = last_step::ALL.iter().map(|step| Listed {
+        tag: step.tag,
+        laws: Vec::new(),
+        did: step.did,
+        sentence: step.sentence,
+    });
+    slips.into_iter().map(listed).chain(last).collect()
+}

@@ -1,0 +1,138 @@
+//! Numbers at three points: a formula in letters by what it comes to there, a plain number three times over.
+
+use std::ops::{Add, Mul, Neg, Sub};
+
+use crate::number::{Fraction, Interval, Letter, Number, Range, Value};
+
+/// How many points there are.
+pub(super) const POINTS: usize = 3;
+
+/// A difference that is smaller than this part of what it is a difference of is nought: floats leave noise behind.
+const NOISE: f64 = 1e-13;
+
+/// A number at each of the points.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Sample(pub(super) [f64; POINTS]);
+
+impl Sample {
+    /// The same number at every point.
+    pub(super) fn constant(value: f64) -> Sample {
+        Sample([value; POINTS])
+    }
+
+    /// An exact value at the points; `None` where it does not exist.
+    pub(super) fn of(value: &Value) -> Option<Sample> {
+        if let Some(number) = value.as_fraction() {
+            return Some(Sample::constant(number.to_f64()));
+        }
+        if value.is_constant() {
+            return value.to_f64().map(Sample::constant);
+        }
+        let mut sample = [0.0; POINTS];
+        for (point, at_point) in sample.iter_mut().enumerate() {
+            *at_point = value.enclose(96, &|letter| Some(Interval::from_fraction(&at(letter, point), 96)))?.to_f64();
+        }
+        Some(Sample(sample))
+    }
+
+    /// What a letter stands for; of an angle the angle in radians.
+    pub(super) fn of_letter(letter: Letter) -> Sample {
+        let numbers = Sample(std::array::from_fn(|point| at(letter, point).to_f64()));
+        if letter.range() == Range::Acute { numbers.map(f64::atan) } else { numbers }
+    }
+
+    pub(super) fn map(self, change: impl Fn(f64) -> f64) -> Sample {
+        Sample(self.0.map(change))
+    }
+
+    pub(super) fn with(self, other: Sample, combine: impl Fn(f64, f64) -> f64) -> Sample {
+        Sample(std::array::from_fn(|point| combine(self.0[point], other.0[point])))
+    }
+
+    /// Is it a number at every point?
+    pub(super) fn is_finite(self) -> bool {
+        self.0.iter().all(|value| value.is_finite())
+    }
+
+    /// Is it the same, but for so small a part?
+    pub(super) fn is_near(self, other: Sample, part: f64) -> bool {
+        self.0.iter().zip(other.0).all(|(one, two)| (one - two).abs() <= part * one.abs().max(two.abs()).max(1e-3))
+    }
+}
+
+/// What a letter stands for at a point, inside its physical range; for an angle the tangent. The points are fixed, so
+/// that the same answer is always recognised as the same. At the first point speeds, masses and lengths are one: there a
+/// value is its own coefficient.
+fn at(letter: Letter, point: usize) -> Fraction {
+    let seed = 11 + 37 * point as i64;
+    let spread = letter.name().bytes().fold(seed, |sum, byte| (sum * 31 + i64::from(byte)) % 97);
+    match letter.range() {
+        Range::Unit => Fraction::new(spread + 2, 101),
+        Range::Real => Fraction::new(2 * spread - 97, 31),
+        Range::Positive if point == 0 => Fraction::ONE,
+        _ => Fraction::new(spread + 17, 31),
+    }
+}
+
+/// A sum from which noise is taken.
+fn sum(one: f64, two: f64) -> f64 {
+    let sum = one + two;
+    if sum.abs() <= NOISE * (one.abs() + two.abs()) { 0.0 } else { sum }
+}
+
+impl Add for Sample {
+    type Output = Sample;
+    fn add(self, other: Sample) -> Sample {
+        self.with(other, sum)
+    }
+}
+
+impl Sub for Sample {
+    type Output = Sample;
+    fn sub(self, other: Sample) -> Sample {
+        self + -other
+    }
+}
+
+impl Mul for Sample {
+    type Output = Sample;
+    fn mul(self, other: Sample) -> Sample {
+        self.with(other, |one, two| one * two)
+    }
+}
+
+impl Neg for Sample {
+    type Output = Sample;
+    fn neg(self) -> Sample {
+        self.map(|value| -value)
+    }
+}
+
+impl Number for Sample {
+    fn scaled(&self, factor: &Fraction) -> Sample {
+        let factor = factor.to_f64();
+        self.map(|value| value * factor)
+    }
+    fn one(&self) -> Sample {
+        Sample::constant(1.0)
+    }
+    fn over(&self, divisor: &Sample) -> Option<Sample> {
+        divisor.0.iter().all(|value| *value != 0.0).then(|| self.with(*divisor, |one, two| one / two))
+    }
+    fn root(&self) -> Option<Sample> {
+        self.0.iter().all(|value| *value >= 0.0).then(|| self.map(f64::sqrt))
+    }
+    fn size(&self) -> Sample {
+        self.map(f64::abs)
+    }
+    fn is_nought(&self) -> bool {
+        self.0 == [0.0; POINTS]
+    }
+    // Without a fraction on the way: these are what the laws do most.
+    fn nought(&self) -> Sample {
+        Sample::constant(0.0)
+    }
+    fn half(&self) -> Sample {
+        self.map(|value| value / 2.0)
+    }
+}

@@ -1,0 +1,223 @@
+use std::collections::BTreeMap;
+
+use crate::expr::Angles;
+use crate::mark::reading::{Form, Said, Vocabulary, read_answer};
+use crate::mechanics::{Axis, Known, Law, Moment, Quantity, Scene, SceneText, Sphere, pose};
+use crate::number::{Letter, Range, Value};
+
+use super::{Cause, Mistakes, early_rounding};
+
+const SPEED_OF_A: Quantity = Quantity::Speed(Sphere::A, Moment::After);
+const SPEED_OF_B: Quantity = Quantity::Speed(Sphere::B, Moment::After);
+const ANGLE_OF_A: Quantity = Quantity::AngleToLine(Sphere::A, Moment::After);
+
+fn posed(scene: &str) -> Known<Value> {
+    let text: SceneText = serde_json::from_str(scene).unwrap();
+    pose(&Scene::read(&text, &BTreeMap::new(), Angles::Radians).unwrap()).unwrap()
+}
+
+/// A of 4 kg with 4 m/s at 30 degrees strikes B of 2 kg at rest, e = 1/3: A goes on with 2.78 at 46.1, B with 3.08.
+fn b_at_rest() -> Known<Value> {
+    posed(
+        r#"{"masses": {"A": "4", "B": "2"}, "before": {"A": {"speed": "4", "angle_deg": "30"}, "B": ["0", "0"]},
+            "line_of_centres": ["1", "0"], "sense": "A_to_B", "e": "1/3"}"#,
+    )
+}
+
+/// A of 2 kg with 4i - j, B of 4 kg with 2i + j, line of centres along j, e = 1/2: afterwards 4i + j and 2i.
+fn along_j() -> Known<Value> {
+    posed(
+        r#"{"masses": {"A": "2", "B": "4"}, "before": {"A": ["4", "-1"], "B": ["2", "1"]},
+            "line_of_centres": ["0", "1"], "e": "1/2"}"#,
+    )
+}
+
+/// Equal masses, A with u at alpha, B at rest.
+fn in_letters() -> (Known<Value>, Vec<Letter>) {
+    let letters = [("m", Range::Positive), ("u", Range::Positive), ("e", Range::Unit), ("alpha", Range::Acute)];
+    let known = posed(
+        r#"{"masses": {"A": "m", "B": "m"}, "before": {"A": ["u*cos(alpha)", "u*sin(alpha)"], "B": ["0", "0"]},
+            "line_of_centres": ["1", "0"], "sense": "A_to_B", "e": "e",
+            "symbols": {"m": "positive", "u": "positive", "e": "unit", "alpha": "acute"}}"#,
+    );
+    (known, letters.into_iter().map(|(name, range)| Letter::new(name, range).unwrap()).collect())
+}
+
+fn velocity(sphere: Sphere) -> Vec<Quantity> {
+    [Axis::X, Axis::Y].map(|axis| Quantity::Velocity(sphere, Moment::After, axis)).to_vec()
+}
+
+fn said(text: &str, letters: &[Letter]) -> Said {
+    let vocabulary = Vocabulary { letters: letters.to_vec(), vectors: true };
+    let readings = read_answer(text, &vocabulary).unwrap_or_else(|fault| panic!("{text}: {fault:?}"));
+    readings[0].statements[0].said[0].clone()
+}
+
+fn tags(causes: &[Cause]) -> Vec<&'static str> {
+    causes.iter().filter(|cause| cause.tags.len() == 1).map(|cause| cause.tags[0]).collect()
+}
+
+fn law(name: &str) -> Law {
+    *Law::ALL.iter().find(|law| law.name() == name).unwrap()
+}
+
+#[test]
+fn carom_names_every_cause_of_a_wrong_number_likely_ones_first() {
+    let answers = [vec![SPEED_OF_A], vec![SPEED_OF_B], vec![ANGLE_OF_A]];
+    let mistakes = Mistakes::of(&b_at_rest(), &answers, &[]);
+    for (answer, text, expected) in [
+        (0, "3.64", &["sincos-swap", "wrong-axis"][..]),
+        (0, "2.31", &["e-wrong-side", "masses-omitted", "e-taken-as-1"]),
+        (0, "2.3", &["e-wrong-side", "perpendicular-shared", "masses-omitted", "e-taken-as-1"]),
+        (0, "4√3/3", &["e-wrong-side", "masses-omitted", "e-taken-as-1"]),
+        (0, "7.70", &["speed-no-root"]),
+        (0, "1.92", &["perpendicular-dropped"]),
+        (0, "3.08", &["other-sphere"]),
+        (0, "27.8", &["factor-of-ten"]),
+        (0, "2", &["right-angle-assumed", "one-component"]),
+        (1, "1.78", &["sincos-swap", "wrong-axis"]),
+        (1, "-1.78", &["sincos-swap", "wrong-axis"]),
+        (2, "43.9°", &["angle-complement"]),
+        (2, "16.1", &["deflection-for-direction"]),
+        (2, "0.805", &["angle-in-radians"]),
+        (2, "0.805 rad", &[]),
+    ] {
+        let found = mistakes.causes(&answers[answer], &said(text, &[]));
+        assert_eq!(tags(&found), expected, "{text}");
+    }
+}
+
+#[test]
+fn an_answer_that_is_right_at_its_figures_has_no_cause() {
+    let answers = [vec![SPEED_OF_A], vec![SPEED_OF_B], vec![ANGLE_OF_A]];
+    let mistakes = Mistakes::of(&b_at_rest(), &answers, &[]);
+    for (answer, text) in
+        [(0, "2.78"), (0, "2.8"), (0, "2.77"), (0, "4√39/9"), (1, "3.1"), (1, "3.07"), (2, "46"), (2, "46.1°")]
+    {
+        assert_eq!(mistakes.causes(&answers[answer], &said(text, &[])), [], "{text}");
+    }
+}
+
+#[test]
+fn one_figure_is_no_evidence_unless_it_is_the_exact_value() {
+    let mistakes = Mistakes::of(&b_at_rest(), &[vec![SPEED_OF_A]], &[]);
+    assert_eq!(tags(&mistakes.causes(&[SPEED_OF_A], &said("4", &[]))), ["before-for-after"]);
+    assert_eq!(mistakes.causes(&[SPEED_OF_A], &said("9", &[])), []);
+}
+
+#[test]
+fn vectors_are_recognised_by_their_components() {
+    let answers = [velocity(Sphere::A), velocity(Sphere::B)];
+    let mistakes = Mistakes::of(&along_j(), &answers, &[]);
+    for (answer, text, expected) in [
+        // Afterwards A has 4i + j.
+        (0, "4i + 3j", &["e-wrong-side"][..]),
+        (0, "2i + j", &["e-on-perpendicular"]),
+        (0, "4i + 1.67j", &["e-taken-as-1"]),
+        (0, "4i + 5/3 j", &["e-taken-as-1"]),
+        (0, "j", &["perpendicular-dropped"]),
+        (0, "2i", &["other-sphere"]),
+        (0, "4i - j", &["before-for-after"]),
+        (0, "-4i - j", &["wrong-sign"]),
+        (1, "2i - j", &["e-wrong-side", "masses-swapped"]),
+    ] {
+        let found = mistakes.causes(&answers[answer], &said(text, &[]));
+        assert!(tags(&found).starts_with(expected) || tags(&found).ends_with(expected), "{text}: {:?}", tags(&found));
+        assert_eq!(tags(&found).len(), expected.len(), "{text}: {:?}", tags(&found));
+    }
+}
+
+#[test]
+fn formulas_in_letters_are_recognised() {
+    let (known, letters) = in_letters();
+    let along = |sphere| vec![Quantity::Velocity(sphere, Moment::After, Axis::N)];
+    let answers = [along(Sphere::A), along(Sphere::B), vec![Quantity::TanDeflection(Sphere::A)]];
+    let mistakes = Mistakes::of(&known, &answers, &letters);
+    for (answer, text, expected) in [
+        (0, "u cos α(1 + e)/2", &["restitution-reversed", "other-sphere"][..]),
+        (0, "u sin α(1 - e)/2", &["sincos-swap"]),
+        (0, "u(1 - e)/2", &["not-resolved"]),
+        (0, "u cos α(e - 1)/(2e)", &["e-wrong-side"]),
+        (2, "2tan α/(1-e) - tan α", &["tangents-subtracted"]),
+        (2, "2tan α/(1-e)", &["direction-for-deflection"]),
+    ] {
+        let found = mistakes.causes(&answers[answer], &said(text, &letters));
+        assert_eq!(tags(&found), expected, "{text}");
+    }
+}
+
+#[test]
+fn pairs_of_slips_come_after_single_ones() {
+    let answers = [vec![SPEED_OF_A]];
+    let mistakes = Mistakes::of(&b_at_rest(), &answers, &[]);
+    // Sine for cosine, and e as 1: 2(4 - 2)/6 along the line of centres, 2 root 3 across it.
+    let found = mistakes.causes(&answers[0], &said("3.5276684", &[]));
+    let pair = found.iter().find(|cause| cause.tags == ["sincos-swap", "e-taken-as-1"]).expect("the pair");
+    assert_eq!(pair.laws, [law("resolve"), law("restitution")]);
+    assert_eq!((pair.earns_method(law("resolve")), pair.earns_method(law("restitution"))), (true, false));
+    let found = mistakes.causes(&answers[0], &said("2.3", &[]));
+    let single = found.iter().rposition(|cause| cause.tags.len() == 1).unwrap();
+    let first_pair = found.iter().position(|cause| cause.tags.len() == 2).unwrap();
+    assert!(single < first_pair, "{found:?}");
+}
+
+/// The table of which marks survive: perpendicular, momentum, restitution, solve, speed; method and accuracy of each.
+#[test]
+fn sign_slips_keep_the_method_and_missing_terms_lose_it() {
+    let scene = posed(
+        r#"{"masses": {"A": "3", "B": "1"}, "before": {"A": ["1", "3"], "B": ["-4", "2"]},
+            "line_of_centres": ["1", "0"], "e": "3/4"}"#,
+    );
+    let answers = [vec![SPEED_OF_A]];
+    let mistakes = Mistakes::of(&scene, &answers, &[]);
+    let laws = ["perpendicular", "momentum", "restitution", "solve", "speed"].map(law);
+    for (tag, text, marks) in [
+        ("sincos-swap", "1.288470508", "M- M- M- M- M-"),
+        ("restitution-reversed", "3.077768063", "MA MA M- M- M-"),
+        ("momentum-sign", "3.108079189", "MA M- MA M- M-"),
+        ("e-wrong-side", "3.560001560", "MA MA -- -- M-"),
+        ("not-resolved", "3.005262904", "MA -- -- -- M-"),
+        ("restitution-not-resolved", "3.439081663", "MA MA -- -- M-"),
+        ("masses-swapped", "6.319921380", "MA -- MA -- M-"),
+        ("e-on-perpendicular", "2.544141554", "-- MA MA MA M-"),
+        ("perpendicular-dropped", "1.1875", "-- MA MA MA --"),
+        ("speed-sum", "4.1875", "MA MA MA MA --"),
+    ] {
+        let causes = mistakes.causes(&answers[0], &said(text, &[]));
+        let cause = causes.iter().find(|cause| cause.tags == [tag]).unwrap_or_else(|| panic!("{tag}: {causes:?}"));
+        let of = |law| {
+            let method = if cause.earns_method(law) { 'M' } else { '-' };
+            let accuracy = if cause.earns_accuracy(law) { 'A' } else { '-' };
+            format!("{method}{accuracy}")
+        };
+        assert_eq!(laws.map(of).join(" "), marks, "{tag}");
+    }
+}
+
+#[test]
+fn a_calculator_in_radians_is_recognised() {
+    let answers = [vec![SPEED_OF_B]];
+    let mistakes = Mistakes::of(&b_at_rest(), &answers, &[]);
+    // 4 cos(30 rad) 4/6 (1 + 1/3)
+    assert_eq!(tags(&mistakes.causes(&answers[0], &said("0.548", &[]))), ["radian-mode"]);
+}
+
+#[test]
+fn rounding_on_the_way_is_recognised_with_the_working_and_without() {
+    let expr = |text: &str| match said(text, &[]).form {
+        Form::Value(expr) => expr,
+        other => panic!("{other:?}"),
+    };
+    let along = Quantity::Velocity(Sphere::A, Moment::After, Axis::N);
+    let rounding = |text: &str, shown: &[(Quantity, crate::expr::Expr)]| {
+        early_rounding(&b_at_rest(), &[], SPEED_OF_A, shown, &said(text, &[]))
+    };
+    // v = 1.92450, so with 1.9 the speed may be 2.724 to 2.794.
+    let shown = [(along, expr("1.9"))];
+    assert_eq!(rounding("2.76", &shown).map(|found| found.figures), Some(None));
+    assert_eq!(rounding("2.76", &[]).map(|found| found.figures), Some(Some(2)));
+    assert_eq!(rounding("2.78", &shown), None, "it is right");
+    assert_eq!(rounding("2.85", &shown), None, "it is further off than rounding explains");
+    assert_eq!(rounding("2.72", &[(along, expr("1.8"))]), None, "what is shown is not the right value rounded");
+    assert_eq!(rounding("2.79", &[]), None, "no rounding leads there");
+}

@@ -1,0 +1,233 @@
+//! What a student wrote, as a number at the points, with the figures of its decimals.
+
+use crate::expr::{Expr, Function};
+use crate::number::{Fraction, Letter, Number, Range};
+
+use super::sample::Sample;
+
+/// The fewest significant figures of a decimal that are evidence of anything.
+const FEWEST: u32 = 2;
+
+/// Two exact values that differ by less than this part are one.
+pub(super) const EXACT: f64 = 1e-12;
+
+/// A value as it was written.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Written {
+    pub(super) value: Sample,
+    /// One in the last figure, as a part of the value; `None` if no decimal is in it, or one with too few figures.
+    unit: Option<f64>,
+}
+
+/// How a value compares with what was written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Fit {
+    /// It is that, or rounds to it.
+    Rounded,
+    /// Cut off, it is that.
+    CutOff,
+    None,
+}
+
+impl Written {
+    /// A value with the letters of the question; `None` if it has others, or is no number.
+    pub(super) fn of(expr: &Expr, letters: &[Letter]) -> Option<Written> {
+        let value = Evaluated::of(expr, letters)?.value;
+        Written::with_figures(expr, value)
+    }
+
+    /// An angle in degrees. A plain number is of degrees, unless it is said to be of radians.
+    pub(super) fn degrees(expr: &Expr, letters: &[Letter], in_radians: bool) -> Option<Written> {
+        let found = Evaluated::of(expr, letters)?;
+        let turned = found.is_angle || in_radians;
+        Written::with_figures(expr, if turned { found.value.map(f64::to_degrees) } else { found.value })
+    }
+
+    fn with_figures(expr: &Expr, value: Sample) -> Option<Written> {
+        let unit = Decimals::of(expr).filter(|decimals| decimals.figures >= FEWEST).map(|decimals| decimals.unit);
+        value.is_finite().then_some(Written { value, unit })
+    }
+
+    /// So many times the value.
+    pub(super) fn times(self, factor: f64) -> Written {
+        Written { value: self.value.map(|value| value * factor), ..self }
+    }
+
+    /// So many degrees less the value, known to the same place.
+    pub(super) fn less_from(self, degrees: f64) -> Written {
+        let value = self.value.map(|value| degrees - value);
+        let unit = self.unit.map(|unit| (unit * self.value.0[0] / value.0[0]).abs()).filter(|unit| unit.is_finite());
+        Written { value, unit }
+    }
+
+    /// The sizes between which a value must lie that can have been written so, at the first point.
+    pub(super) fn sizes(self) -> (f64, f64) {
+        let size = self.value.0[0].abs();
+        let unit = self.unit.unwrap_or(0.0).max(4.0 * EXACT) * size + 2e-15;
+        (size - unit, size + unit)
+    }
+
+    /// Can the value have been written so, rounded or cut off to these figures, by someone who found it and not the
+    /// truth? Without regard to the sign if that is no part of the answer.
+    pub(super) fn is(self, value: Sample, truth: Sample, signed: bool) -> bool {
+        self.fit(value, signed) != Fit::None && !self.rounds_alike(value, truth)
+    }
+
+    /// Is it the truth at its own figures?
+    pub(super) fn is_right(self, truth: Sample, signed: bool) -> bool {
+        self.fit(truth, signed) != Fit::None
+    }
+
+    /// The numbers that would be written so at the figures of what was written, at the first point: half a unit of the
+    /// last figure to each side, or a unit further from nought where the truth was cut off. `None` if the truth is not
+    /// among them.
+    pub(super) fn range_around(self, truth: Sample) -> Option<(f64, f64)> {
+        let own = self.value.0[0];
+        let unit = own * self.unit.unwrap_or(4.0 * EXACT);
+        let (one, two) = match self.fit(truth, true) {
+            Fit::Rounded => (own - unit / 2.0, own + unit / 2.0),
+            Fit::CutOff => (own, own + unit),
+            Fit::None => return None,
+        };
+        Some((one.min(two), one.max(two)))
+    }
+
+    /// The numbers that would be rounded to it or cut off to it; `None` for an exact value.
+    pub(super) fn range(self) -> Option<(f64, f64)> {
+        let own = self.value.0[0];
+        let unit = own * self.unit?;
+        let (one, two) = (own - unit / 2.0, own + unit);
+        Some((one.min(two), one.max(two)))
+    }
+
+    fn fit(self, value: Sample, signed: bool) -> Fit {
+        let (value, own) = if signed { (value, self.value) } else { (value.size(), self.value.size()) };
+        if value.is_near(own, EXACT) {
+            return Fit::Rounded;
+        }
+        let Some(unit) = self.unit else { return Fit::None };
+        // How far the value lies beyond what was written, in units of its last figure, away from nought.
+        let beyond = value.with(own, |value, own| (value - own) / (own * unit));
+        let all = |within: &dyn Fn(f64) -> bool| beyond.0.iter().all(|place| within(*place));
+        let slack = 1e-7;
+        if all(&|place| place.abs() <= 0.5 + slack) {
+            Fit::Rounded
+        } else if all(&|place| place >= -slack && place < 1.0 + slack) {
+            Fit::CutOff
+        } else {
+            Fit::None
+        }
+    }
+
+    /// Are the two one at the figures that were written?
+    fn rounds_alike(self, one: Sample, two: Sample) -> bool {
+        let Some(unit) = self.unit else { return one.is_near(two, EXACT) };
+        let place = |value: f64, own: f64| (value.abs() / (own.abs() * unit) + 1e-7).round();
+        one.0.iter().zip(two.0).zip(self.value.0).all(|((one, two), own)| place(*one, own) == place(two, own))
+    }
+}
+
+/// The decimals of a formula: the fewest figures of any, and the largest last place as a part of its number.
+struct Decimals {
+    figures: u32,
+    unit: f64,
+}
+
+impl Decimals {
+    fn of(expr: &Expr) -> Option<Decimals> {
+        match expr {
+            // A whole number by itself may be a rounded one.
+            Expr::Number(number) => number.is_integer().then(|| Decimals::text(&number.to_string())).flatten(),
+            Expr::Negative(inner) => Decimals::of(inner),
+            _ => Decimals::within(expr),
+        }
+    }
+
+    fn within(expr: &Expr) -> Option<Decimals> {
+        let own = match expr {
+            Expr::Decimal(text) => Decimals::text(text),
+            // An exponent is a count and no measurement.
+            Expr::Power(base, _) => return Decimals::within(base),
+            _ => None,
+        };
+        let all = expr.children().into_iter().filter_map(Decimals::within).chain(own);
+        all.reduce(|one, two| Decimals { figures: one.figures.min(two.figures), unit: one.unit.max(two.unit) })
+    }
+
+    fn text(text: &str) -> Option<Decimals> {
+        let value = text.parse::<Fraction>().ok()?.to_f64().abs();
+        let places = text.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+        let digits: String = text.chars().filter(char::is_ascii_digit).collect();
+        let figures = digits.trim_start_matches('0').len() as u32;
+        (value > 0.0).then(|| Decimals { figures, unit: 10_f64.powi(-(places as i32)) / value })
+    }
+}
+
+/// A formula worked out at the points; an angle in radians.
+struct Evaluated {
+    value: Sample,
+    is_angle: bool,
+}
+
+/// The highest power that is worked out.
+const MOST_POWER: f64 = 64.0;
+
+impl Evaluated {
+    fn of(expr: &Expr, letters: &[Letter]) -> Option<Evaluated> {
+        let inner = |expr: &Expr| Evaluated::of(expr, letters);
+        let number = |value: f64| Some(Evaluated { value: Sample::constant(value), is_angle: false });
+        match expr {
+            Expr::Number(value) => number(value.to_f64()),
+            Expr::Decimal(text) => number(text.parse::<Fraction>().ok()?.to_f64()),
+            Expr::Name(name) => {
+                let letter = letters.iter().find(|letter| letter.name() == name.text)?;
+                Some(Evaluated { value: Sample::of_letter(*letter), is_angle: letter.range() == Range::Acute })
+            }
+            Expr::Pi => Some(Evaluated { value: Sample::constant(std::f64::consts::PI), is_angle: true }),
+            Expr::Degrees(degrees) => {
+                let degrees = inner(degrees)?;
+                let value = if degrees.is_angle { degrees.value } else { degrees.value.map(f64::to_radians) };
+                Some(Evaluated { value, is_angle: true })
+            }
+            Expr::Negative(value) => inner(value).map(|found| Evaluated { value: -found.value, ..found }),
+            Expr::Sum(terms) => all(terms, letters, |sum, term| sum + term),
+            Expr::Product(factors) => all(factors, letters, |product, factor| product * factor),
+            Expr::Quotient(above, below) => {
+                let (above, below) = (inner(above)?, inner(below)?);
+                let is_angle = above.is_angle && !below.is_angle;
+                Some(Evaluated { value: above.value.over(&below.value)?, is_angle })
+            }
+            Expr::Power(base, exponent) => {
+                let (base, exponent) = (inner(base)?.value, inner(exponent)?.value);
+                let value = base.with(exponent, f64::powf);
+                (exponent.0[0].abs() <= MOST_POWER).then_some(Evaluated { value, is_angle: false })
+            }
+            Expr::Call(function, argument) => {
+                let argument = inner(argument)?.value;
+                let is_angle = matches!(function, Function::Asin | Function::Acos | Function::Atan);
+                Some(Evaluated { value: argument.map(by_name(*function)), is_angle })
+            }
+            Expr::Vector(..) | Expr::Relation(..) => None,
+        }
+    }
+}
+
+fn all(parts: &[Expr], letters: &[Letter], combine: impl Fn(Sample, Sample) -> Sample) -> Option<Evaluated> {
+    let parts: Option<Vec<Evaluated>> = parts.iter().map(|part| Evaluated::of(part, letters)).collect();
+    parts?
+        .into_iter()
+        .reduce(|one, two| Evaluated { value: combine(one.value, two.value), is_angle: one.is_angle || two.is_angle })
+}
+
+fn by_name(function: Function) -> fn(f64) -> f64 {
+    match function {
+        Function::Sqrt => f64::sqrt,
+        Function::Sin => f64::sin,
+        Function::Cos => f64::cos,
+        Function::Tan => f64::tan,
+        Function::Asin => f64::asin,
+        Function::Acos => f64::acos,
+        Function::Atan => f64::atan,
+        Function::Abs => f64::abs,
+    }
+}

@@ -1,0 +1,196 @@
+//! A derivation carried out, and carried out again where something goes another way: with slips, or from a value of the
+//! student's own. Only what depends on that is worked out again.
+
+use std::collections::BTreeMap;
+
+use super::derivation::{Derivation, Road};
+use super::law::{Datum, Known, Outcome};
+use super::{Law, Quantity, Slip};
+use crate::number::Number;
+
+/// A derivation with all that it gave.
+#[derive(Clone, Debug)]
+pub struct Carried<N> {
+    derivation: Derivation,
+    known: Known<N>,
+    missing: Vec<Quantity>,
+    /// All that is known, each with a place of its own.
+    places: BTreeMap<Quantity, usize>,
+    /// What each step needs.
+    needs: Vec<Set>,
+    /// Of what each step gives the places, where it is entered: not what was given, or what an earlier step gave.
+    gives: Vec<Vec<Option<usize>>>,
+}
+
+/// A set of steps or of quantities, by their places. Of so many that they do not fit the last share a place.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct Set(u128);
+
+impl Set {
+    fn with(self, place: usize) -> Set {
+        Set(self.0 | 1 << place.min(127))
+    }
+
+    fn has(self, place: usize) -> bool {
+        self.0 >> place.min(127) & 1 == 1
+    }
+
+    fn meets(self, other: Set) -> bool {
+        self.0 & other.0 != 0
+    }
+}
+
+/// A set of steps, by their places in the derivation.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Steps(Set);
+
+impl Steps {
+    /// Is the step in the set?
+    pub fn has(self, place: usize) -> bool {
+        self.0.has(place)
+    }
+
+    /// Is there no step in it?
+    pub fn is_empty(self) -> bool {
+        self == Steps::default()
+    }
+
+    /// The steps of both.
+    pub fn and(self, other: Steps) -> Steps {
+        Steps(Set(self.0.0 | other.0.0))
+    }
+
+    /// Do the two have a step in common?
+    pub fn meets(self, other: Steps) -> bool {
+        self.0.meets(other.0)
+    }
+}
+
+/// What became of the steps when the derivation was carried out again.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Trace {
+    /// The steps at which a slip took the place of the law.
+    pub slipped: Steps,
+    /// The steps that had something else to start from.
+    pub affected: Steps,
+    /// What has another value.
+    changed: Set,
+}
+
+impl<N: Number + PartialEq> Carried<N> {
+    /// Carries out the derivation of what is asked on a road, as far as there is one.
+    pub fn on(road: Road, given: &Known<N>, asked: &[Quantity]) -> Carried<N> {
+        let mut known = given.clone();
+        let (derivation, missing) = Derivation::carry_out_on(road, &mut known, asked);
+        let mut places: BTreeMap<Quantity, usize> = BTreeMap::new();
+        for quantity in given.0.keys() {
+            places.insert(*quantity, places.len());
+        }
+        let mut gives = Vec::new();
+        for step in &derivation.steps {
+            let mut new = |quantity: &Quantity| {
+                let place = places.len();
+                let is_new = !places.contains_key(quantity);
+                places.entry(*quantity).or_insert(place);
+                is_new.then_some(place)
+            };
+            gives.push(step.gives.iter().map(&mut new).collect());
+        }
+        let place_of = |quantity: &Quantity| places.get(quantity).copied();
+        let all = |needs: &[Quantity]| needs.iter().filter_map(place_of).fold(Set::default(), Set::with);
+        let needs = derivation.steps.iter().map(|step| all(&step.needs)).collect();
+        Carried { derivation, known, missing, places, needs, gives }
+    }
+
+    /// The steps.
+    pub fn derivation(&self) -> &Derivation {
+        &self.derivation
+    }
+
+    /// All that is known.
+    pub fn known(&self) -> &Known<N> {
+        &self.known
+    }
+
+    /// What was asked and does not follow.
+    pub fn missing(&self) -> &[Quantity] {
+        &self.missing
+    }
+
+    /// The laws of the derivation, each once.
+    pub fn laws(&self) -> Vec<Law> {
+        let mut laws: Vec<Law> = self.derivation.steps.iter().map(|step| step.law).collect();
+        laws.sort();
+        laws.dedup();
+        laws
+    }
+
+    /// Has the quantity another value than before?
+    pub fn is_changed(&self, quantity: Quantity, trace: Trace) -> bool {
+        self.places.get(&quantity).is_some_and(|place| trace.changed.has(*place))
+    }
+
+    /// Carries it out again with slips, each beside the law that owns it, and with other data in place of what was found or
+    /// given; looks at what is known then, and puts everything back. `None` if a step has no result.
+    pub fn again<R>(
+        &mut self,
+        slips: &[(Law, &Slip)],
+        other: &[(Quantity, Datum<N>)],
+        look: impl FnOnce(&Carried<N>, Trace) -> R,
+    ) -> Option<R> {
+        let mut before: Vec<(Quantity, Option<Datum<N>>)> = Vec::new();
+        let mut trace = Trace::default();
+        for (quantity, datum) in other {
+            before.push((*quantity, self.known.0.insert(*quantity, datum.clone())));
+            trace.changed = self.places.get(quantity).map_or(trace.changed, |place| trace.changed.with(*place));
+        }
+        let kept = trace.changed;
+        let mut possible = true;
+        for (place, step) in self.derivation.steps.iter().enumerate() {
+            let mut tried = slips.iter().filter(|(law, slip)| *law == step.law || slip.also.contains(&step.law));
+            let slipped: Outcome<N> = tried.find_map(|(_, slip)| step.slipped(slip.tag, &self.known));
+            if slipped.is_some() {
+                trace.slipped = Steps(trace.slipped.0.with(place));
+            }
+            if self.needs[place].meets(trace.changed) {
+                trace.affected = Steps(trace.affected.0.with(place));
+            } else if slipped.is_none() {
+                continue;
+            }
+            let Some(found) = slipped.or_else(|| step.evaluate(&self.known)) else {
+                possible = false;
+                break;
+            };
+            for ((quantity, datum), entered) in step.gives.iter().zip(found).zip(&self.gives[place]) {
+                let Some(entered) = entered.filter(|entered| !kept.has(*entered)) else { continue };
+                if self.known.0.get(quantity) != Some(&datum) {
+                    before.push((*quantity, self.known.0.insert(*quantity, datum)));
+                    trace.changed = trace.changed.with(entered);
+                }
+            }
+        }
+        let seen = possible.then(|| look(self, trace));
+        for (quantity, old) in before.into_iter().rev() {
+            match old {
+                Some(datum) => self.known.0.insert(quantity, datum),
+                None => self.known.0.remove(&quantity),
+            };
+        }
+        seen
+    }
+
+    /// Of each step after slips: would its method mark and its accuracy mark be given? `lost` are the steps whose method
+    /// is not condoned; with it goes that of solving the equations they spoilt.
+    pub fn marks(&self, trace: Trace, lost: Steps) -> Vec<(bool, bool)> {
+        let mut spoilt: Vec<Quantity> = Vec::new();
+        let mut marks = Vec::new();
+        for (place, step) in self.derivation.steps.iter().enumerate() {
+            let method = !lost.has(place) && !step.needs.iter().any(|need| spoilt.contains(need));
+            if !method {
+                spoilt.extend(step.gives.iter().filter(|quantity| quantity.is_equation()));
+            }
+            marks.push((method, !trace.slipped.has(place) && !trace.affected.has(place)));
+        }
+        marks
+    }
+}
