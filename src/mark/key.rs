@@ -9,6 +9,7 @@ use std::sync::OnceLock;
 use serde::Deserialize;
 
 use super::judging::{Model, ModelOptions};
+use super::slips::Mistakes;
 use super::working::Prepared;
 use crate::answer::{Accept, Kind};
 use crate::bank::{Code, EarnedFor, Find};
@@ -55,6 +56,7 @@ pub struct KeyedQuestion {
     /// The decimals that stand in it: in working they are exact.
     decimals: Vec<String>,
     prepared: OnceLock<Prepared>,
+    mistakes: OnceLock<Mistakes>,
 }
 
 /// A part to be marked.
@@ -218,14 +220,23 @@ impl KeyedQuestion {
         }
         let (id, number, decimals) = (question.id.clone(), question.number, decimals(question));
         let given_letters = given_letters(question, &letters);
-        let prepared = OnceLock::new();
-        Ok(KeyedQuestion { id, number, scene, given, letters, given_letters, parts, decimals, prepared })
+        let (prepared, mistakes) = (OnceLock::new(), OnceLock::new());
+        Ok(KeyedQuestion { id, number, scene, given, letters, given_letters, parts, decimals, prepared, mistakes })
     }
 
     /// What looking through working needs, made when it is first needed.
     pub(super) fn prepared(&self) -> &Prepared {
-        self.prepared
-            .get_or_init(|| Prepared::new(&self.scene, &self.given_letters, &self.given, self.decimals.clone()))
+        let prepare = || Prepared::new(&self.scene, &self.given_letters, &self.given, self.decimals.clone());
+        self.prepared.get_or_init(prepare)
+    }
+
+    /// What slips lead to, worked out when an answer is first wrong.
+    pub(super) fn mistakes(&self) -> &Mistakes {
+        self.mistakes.get_or_init(|| {
+            let blanks = self.parts.iter().flat_map(|part| &part.blanks);
+            let answers = blanks.map(|blank| blank.find.quantities()).filter(|answer| !answer.is_empty());
+            Mistakes::of(&self.given, &answers.collect::<Vec<_>>(), &self.letters)
+        })
     }
 }
 

@@ -6,6 +6,7 @@
 //! mark only once in a question is charged once.
 
 mod answers;
+mod causes;
 mod decide;
 mod follow;
 
@@ -24,9 +25,10 @@ pub fn mark(question: &KeyedQuestion, script: &Script, profile: &Profile) -> Vec
     let mut marked = Vec::new();
     for part in &question.parts {
         let handed_in = together(script, &part.label);
-        let (answers, readings) = answers::judged(part, &handed_in, profile);
+        let (mut answers, readings) = answers::judged(part, &handed_in, profile);
         let mut examined = examine(question, part, &handed_in.working, &theirs);
         let followed = follow::answers(question, part, &answers, &readings, &examined);
+        causes::name(question, part, &mut answers, &readings, &examined);
         let by_working = std::mem::take(&mut examined.awards);
         let awards = decide::awards(part, &answers, by_working, &followed, profile, &mut charged);
         let all_right = awards.iter().all(|award| award.given);

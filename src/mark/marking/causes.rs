@@ -1,0 +1,71 @@
+//! Why an answer is wrong: every mistake that leads to it, and what it would leave of the marks.
+
+use crate::bank::{EarnedFor, Find};
+use crate::mark::award::{Cause, MarkedAnswer};
+use crate::mark::judging::{Note, Verdict};
+use crate::mark::key::{KeyedPart, KeyedQuestion};
+use crate::mark::reading::{Reading, Said};
+use crate::mark::slips::{self, EARLY_ROUNDING, early_rounding};
+use crate::mark::working::Examined;
+
+/// The most mistakes that are listed for one answer.
+const MOST: usize = 6;
+
+/// Names the mistakes behind each answer of a part that is not right.
+pub(super) fn name(
+    question: &KeyedQuestion,
+    part: &KeyedPart,
+    answers: &mut [MarkedAnswer],
+    readings: &[Option<Vec<Reading>>],
+    examined: &Examined,
+) {
+    for ((blank, answer), readings) in part.blanks.iter().zip(answers).zip(readings) {
+        let near = answer.judgement.note == Some(Note::NearMiss.tag());
+        let is_open = answer.judgement.verdict == Verdict::Wrong || near;
+        let asked = blank.find.quantities();
+        let Some(readings) = readings.as_ref().filter(|_| is_open && !asked.is_empty()) else { continue };
+        answer.causes = rounded(question, &blank.find, readings, examined).into_iter().collect();
+        for said in readings.iter().filter_map(last_said) {
+            let found = question.mistakes().causes(&asked, said);
+            if !found.is_empty() {
+                answer.causes.extend(found.iter().take(MOST).map(|cause| explained(cause, part)));
+                break;
+            }
+        }
+    }
+}
+
+/// What the answer comes to in the end.
+fn last_said(reading: &Reading) -> Option<&Said> {
+    reading.statements.last()?.said.last()
+}
+
+/// Is it right but for rounding on the way?
+fn rounded(question: &KeyedQuestion, find: &Find, readings: &[Reading], examined: &Examined) -> Option<Cause> {
+    let Find::Quantity(quantity) = find else { return None };
+    let said = last_said(readings.first()?)?;
+    let shown: Vec<_> = examined.theirs.0.iter().map(|(quantity, (_, written))| (*quantity, written.clone())).collect();
+    let found = early_rounding(&question.given, &question.letters, *quantity, &shown, said)?;
+    Some(Cause { tag: EARLY_ROUNDING.to_owned(), sentence: found.sentence.to_owned(), probable: Vec::new() })
+}
+
+/// The mistake with the marks of the part that a student who made it has probably earned.
+fn explained(cause: &slips::Cause, part: &KeyedPart) -> Cause {
+    let mut earned: Vec<bool> = Vec::new();
+    for mark in &part.scheme {
+        let own = match &mark.earned_for {
+            EarnedFor::Law(law, _) if mark.code.is_method() => cause.earns_method(*law),
+            EarnedFor::Law(law, _) => cause.earns_accuracy(*law),
+            EarnedFor::Quantity(quantity) => cause.keeps(*quantity) && !is_asked(part, *quantity),
+            EarnedFor::Condition | EarnedFor::Unknown(_) => false,
+        };
+        earned.push(own && mark.depends.iter().all(|needed| earned[*needed]));
+    }
+    let probable = part.scheme.iter().zip(earned).filter(|(_, earned)| *earned).map(|(mark, _)| mark.id.clone());
+    Cause { tag: cause.tags.join("+"), sentence: cause.sentence.clone(), probable: probable.collect() }
+}
+
+/// The answer itself is wrong, whatever else is right.
+fn is_asked(part: &KeyedPart, quantity: crate::mechanics::Quantity) -> bool {
+    part.blanks.iter().any(|blank| blank.find.quantities().contains(&quantity))
+}
