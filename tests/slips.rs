@@ -170,7 +170,7 @@ fn wrong_answers_of_students_are_named_and_right_ones_are_not() {
             ["question", "quantity", "answer", "verdict"].map(|key| row[key].as_str().unwrap());
         let Some(asked) = asked_by(exercise, name) else { continue };
         let known = UNNAMED.iter().any(|(in_exercise, unnamed, _)| (*in_exercise, *unnamed) == (exercise, answer));
-        let causes = causes(exercise, &asked, answer);
+        let Some(causes) = causes(exercise, &asked, answer) else { continue };
         match verdict {
             "correct" if !causes.is_empty() => {
                 faults.push(format!("{exercise} {name} `{answer}` is right: {causes:?}"))
@@ -208,15 +208,16 @@ fn asked_by(exercise: &str, name: &str) -> Option<Vec<Quantity>> {
     })
 }
 
-/// The tags of everything that leads to an answer, the first reading of it; several things at once are left out.
-fn causes(exercise: &str, asked: &[Quantity], answer: &str) -> Vec<Vec<&'static str>> {
+/// The tags of everything that leads to an answer, by its first reading; `None` where it says several things at once, or
+/// nothing that can be read.
+fn causes(exercise: &str, asked: &[Quantity], answer: &str) -> Option<Vec<Vec<&'static str>>> {
     let letters: Vec<Letter> = ["m", "u", "v"].iter().filter_map(|name| Letter::new(name, Range::Positive)).collect();
     let vocabulary = Vocabulary { letters: letters.clone(), vectors: asked.len() > 1 };
-    let Ok(readings) = read_answer(answer, &vocabulary) else { return Vec::new() };
-    let [statement] = readings[0].statements.as_slice() else { return Vec::new() };
-    let Some(said) = statement.said.first() else { return Vec::new() };
+    let readings = read_answer(answer, &vocabulary).ok()?;
+    let [statement] = readings[0].statements.as_slice() else { return None };
+    let said = statement.said.first()?;
     let mistakes = Mistakes::of(&posed(exercise), &[asked.to_vec()], &letters);
-    mistakes.causes(asked, said).into_iter().map(|cause| cause.tags).collect()
+    Some(mistakes.causes(asked, said).into_iter().map(|cause| cause.tags).collect())
 }
 
 #[test]

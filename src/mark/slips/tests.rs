@@ -1,3 +1,5 @@
+//! Wrong answers and their causes, in words and in marks.
+
 use std::collections::BTreeMap;
 
 use crate::expr::Angles;
