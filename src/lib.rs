@@ -4,6 +4,7 @@ pub mod bank;
 pub mod cli;
 pub mod diagnostic;
 pub mod diagram;
+pub mod examine;
 pub mod expr;
 pub mod generate;
 pub mod mark;

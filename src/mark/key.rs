@@ -230,6 +230,17 @@ impl KeyedQuestion {
         self.prepared.get_or_init(prepare)
     }
 
+    /// The wrong values that slips lead to for an answer, each with the tags of what leads to it.
+    pub fn mistaken_values(&self, answer: &[Quantity]) -> Vec<(Vec<&'static str>, Vec<f64>)> {
+        self.mistakes().values(answer)
+    }
+
+    /// For a question in numbers: a wrong value of one quantity as a student might have it, to three significant figures,
+    /// and what then follows for another. `None` if it does not follow.
+    pub fn followed_value(&self, own: Quantity, asked: Quantity) -> Option<(String, f64)> {
+        self.prepared().followed_value(own, asked)
+    }
+
     /// What slips lead to, worked out when an answer is first wrong.
     pub(super) fn mistakes(&self) -> &Mistakes {
         self.mistakes.get_or_init(|| {

@@ -186,6 +186,15 @@ impl Quantity {
         matches!(self, Quantity::MomentumEquation | Quantity::RestitutionEquation)
     }
 
+    /// The sphere of which it is a quantity, if it is of one.
+    pub fn sphere(self) -> Option<Sphere> {
+        match self.to_string().split('.').next() {
+            Some("A") => Some(A),
+            Some("B") => Some(B),
+            _ => None,
+        }
+    }
+
     /// Is it an angle?
     pub fn is_angle(self) -> bool {
         self.unit() == Unit::Degree

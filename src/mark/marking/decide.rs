@@ -6,7 +6,7 @@ use crate::mark::award::{Award, Evidence, Examiner, MarkedAnswer, Place};
 use crate::mark::judging::{Judgement, Note, Verdict};
 use crate::mark::key::{KeyedMark, KeyedPart};
 use crate::mark::profile::{Charge, Profile};
-use crate::mechanics::Law;
+use crate::mechanics::Quantity;
 
 /// What has been charged in this question already.
 #[derive(Default)]
@@ -57,7 +57,7 @@ fn in_profile(award: Award, mark: &KeyedMark, profile: &Profile) -> Award {
         Some("not-resolved") => profile.unresolved,
         _ => false,
     };
-    let is_momentum = matches!(mark.earned_for, EarnedFor::Law(Law::Momentum, _));
+    let is_momentum = matches!(mark.earned_for, EarnedFor::Law(law, _) if law.gives(Quantity::MomentumEquation));
     let given = award.given || condones && is_momentum && !mark.code.is_accuracy();
     Award { given, ..award }
 }

@@ -4,14 +4,23 @@
 //! line is compared by what its formulas come to, not by how they look: at fixed points where letters remain, and within
 //! the width that rounded figures leave open.
 
+mod by_law;
+mod compare;
+mod condition;
+mod convention;
+mod evidence;
 mod examine;
-mod laws;
 mod line;
 mod linear;
 mod pair;
 mod points;
 mod prepared;
+mod shapes;
 mod spread;
+mod theirs;
+mod values;
+mod vectors;
 
-pub(super) use examine::{Examined, Theirs, examine};
+pub(super) use examine::{Examined, examine};
 pub(super) use prepared::Prepared;
+pub(super) use theirs::Theirs;

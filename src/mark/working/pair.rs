@@ -11,7 +11,10 @@ use std::sync::OnceLock;
 use super::linear::Linear;
 use super::points::sizes;
 use super::spread::Spread;
-use crate::mechanics::{Axis, Known, Law, Moment, Quantity, Sphere};
+use crate::mechanics::{Axis, Known, Moment, Quantity, Sphere};
+
+/// The two equations.
+pub(super) const BOTH: [Quantity; 2] = [Quantity::MomentumEquation, Quantity::RestitutionEquation];
 
 /// A way in which a line departs from its law.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -90,7 +93,8 @@ pub(super) struct Convention {
 /// A line that is one of the two equations.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Matched {
-    pub(super) law: Law,
+    /// Which of the two equations it is.
+    pub(super) equation: Quantity,
     /// How it departs from the law; nothing if it is right.
     pub(super) departures: Vec<Departure>,
 }
@@ -181,7 +185,7 @@ impl Laws {
         let is_line =
             |change: &&Change| self.inputs.iter().zip(line).all(|(at, line)| change.is_line(at, line, convention));
         let change = changes().iter().find(is_line)?;
-        Some(Matched { law: change.law, departures: change.departures.clone() })
+        Some(Matched { equation: change.equation, departures: change.departures.clone() })
     }
 }
 
@@ -190,9 +194,9 @@ fn changes() -> &'static [Change] {
     static CHANGES: OnceLock<Vec<Change>> = OnceLock::new();
     CHANGES.get_or_init(|| {
         let mut found = Vec::new();
-        for law in [Law::Momentum, Law::Restitution] {
+        for equation in BOTH {
             for tolerance in [0.0, INACCURATE] {
-                changes_of(law, tolerance, &mut found);
+                changes_of(equation, tolerance, &mut found);
             }
         }
         found.sort_by_key(|change| change.departures.iter().map(|departure| departure.weight()).sum::<u32>());
@@ -200,16 +204,16 @@ fn changes() -> &'static [Change] {
     })
 }
 
-fn changes_of(law: Law, tolerance: f64, found: &mut Vec<Change>) {
+fn changes_of(equation: Quantity, tolerance: f64, found: &mut Vec<Change>) {
     let nothing: &[Departure] = &[];
-    let masses: &[([usize; 2], &[Departure])] = match law {
-        Law::Momentum => {
+    let masses: &[([usize; 2], &[Departure])] = match equation {
+        Quantity::MomentumEquation => {
             &[([0, 1], &[]), ([1, 0], &[Departure::MassesExchanged]), ([2, 2], &[Departure::MassesOmitted])]
         }
         _ => &[([2, 2], &[])],
     };
-    let factors: &[(Factor, &[Departure])] = match law {
-        Law::Momentum => &[(Factor::One, nothing)],
+    let factors: &[(Factor, &[Departure])] = match equation {
+        Quantity::MomentumEquation => &[(Factor::One, nothing)],
         _ => &[
             (Factor::E, nothing),
             (Factor::OverE, &[Departure::RestitutionOnWrongSide]),
@@ -231,7 +235,7 @@ fn changes_of(law: Law, tolerance: f64, found: &mut Vec<Change>) {
                         if departures.len() <= 2 {
                             let before = [(a.0, a.1), (b.0, b.1)];
                             let (masses, factor, after) = (*masses, *factor, after.0);
-                            found.push(Change { law, before, masses, factor, after, tolerance, departures });
+                            found.push(Change { equation, before, masses, factor, after, tolerance, departures });
                         }
                     }
                 }
@@ -253,7 +257,7 @@ enum Factor {
 
 /// One way to change a law.
 struct Change {
-    law: Law,
+    equation: Quantity,
     before: [(Term, f64); 2],
     masses: [usize; 2],
     factor: Factor,
@@ -283,8 +287,8 @@ impl Change {
     fn is_line(&self, at: &Inputs, line: &Linear, convention: &Convention) -> bool {
         let (Some(a), Some(b)) = (self.component(at, 0), self.component(at, 1)) else { return false };
         let mass = |place: usize| at.masses.get(self.masses[place]).copied().unwrap_or(1.0);
-        let (p, q, r) = match self.law {
-            Law::Momentum => (mass(0), mass(1), mass(0) * a + mass(1) * b),
+        let (p, q, r) = match self.equation {
+            Quantity::MomentumEquation => (mass(0), mass(1), mass(0) * a + mass(1) * b),
             _ => {
                 let factor = match self.factor {
                     Factor::One => 1.0,

@@ -2,8 +2,8 @@
 
 use super::pair::Laws;
 use super::points::Points;
-use crate::mechanics::{Axis, Derivation, Known, Moment, Quantity, Scene, Sphere};
-use crate::number::{Letter, Value};
+use crate::mechanics::{Axis, Datum, Derivation, Known, Moment, Quantity, Scene, Sphere};
+use crate::number::{Letter, Places, Value, round};
 use crate::solve::solve;
 
 /// A question made ready for the working of its students.
@@ -59,6 +59,18 @@ impl Prepared {
 }
 
 impl Prepared {
+    /// A wrong value of one quantity, and what then follows for another.
+    pub(crate) fn followed_value(&self, own: Quantity, asked: Quantity) -> Option<(String, f64)> {
+        let ([given], [known]) = (self.given.as_slice(), self.known.as_slice()) else { return None };
+        let right = known.number(own)?;
+        let wrong =
+            round(&format!("{:.9}", 1.3 * right + 0.2).parse().ok()?, &Places::SignificantFigures(3)).to_string();
+        let mut from = given.clone();
+        from.0.insert(own, Datum::Number(wrong.parse().ok()?));
+        let answer = complete(&from).number(asked)?;
+        ((answer - known.number(asked)?).abs() > 0.02 * answer.abs()).then_some((wrong, answer))
+    }
+
     /// What is known at a point where the letters that were to be found are what was found.
     pub(super) fn where_found(&self, point: usize) -> Option<&Known<f64>> {
         self.there[point].as_ref()

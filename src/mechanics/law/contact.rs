@@ -4,7 +4,7 @@
 //! to B, and `d` how far B's centre lies to the left of the line through A's centre along `w`. The
 //! line of centres makes the angle α with `w`, anticlockwise, where `sin α = d/(r_A + r_B)`.
 
-use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, rule, velocity, first_equation};
+use super::{Shape, Seen, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, rule, velocity, first_equation};
 use crate::expr::{Expr, Function, written};
 use crate::mechanics::Axis::{X, Y};
 use crate::mechanics::Moment::Before;
@@ -13,6 +13,8 @@ use crate::mechanics::Sphere::{A, B};
 use crate::number::Number;
 
 pub const NAME: &str = "contact";
+
+pub const SEEN: Seen = Seen::Value(&[Quantity::ContactSine], Shape::Any);
 
 pub const ACCURACY: &str = "correct expression, unsimplified";
 

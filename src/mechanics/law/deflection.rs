@@ -3,7 +3,7 @@
 //! `cross = u × v` and `dot = u · v` of the velocities before and after; the tangent of the deflection is
 //! their quotient, and also `(tan β - tan α)/(1 + tan α tan β)` by the angles to the line of centres.
 
-use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, components, first_equation, number, rule, silent, velocity, with_sign_of};
+use super::{Shape, Seen, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, components, first_equation, number, rule, silent, velocity, with_sign_of};
 use crate::expr::{Expr, Function, ratio, written};
 use crate::mechanics::Velocity;
 use crate::mechanics::formula::{difference, times};
@@ -13,6 +13,18 @@ use crate::mechanics::{Quantity, Sphere};
 use crate::number::Number;
 
 pub const NAME: &str = "deflection";
+
+pub const SEEN: Seen = Seen::Value(
+    &[
+        Quantity::Deflection(Sphere::A),
+        Quantity::Deflection(Sphere::B),
+        Quantity::TanDeflection(Sphere::A),
+        Quantity::TanDeflection(Sphere::B),
+        Quantity::DeflectionDot(Sphere::A),
+        Quantity::DeflectionDot(Sphere::B),
+    ],
+    Shape::Any,
+);
 
 pub const ACCURACY: &str = "correct expression, unsimplified";
 

@@ -3,13 +3,23 @@
 //! `tan β = v_t/v_n`. The angle *to* the line is acute, 0 to 90 degrees; the angle *from* n or i is
 //! signed, anticlockwise.
 
-use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, components, first_equation, is_at_rest_before, number, rule, silent, velocity, with_inputs};
+use super::{Shape, Seen, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, components, first_equation, is_at_rest_before, number, rule, silent, velocity, with_inputs};
 use crate::expr::{Expr, Function, written};
 use crate::mechanics::Axis::{N, T, X, Y};
 use crate::mechanics::{Moment, Quantity, Sphere};
 use crate::number::Number;
 
 pub const NAME: &str = "direction";
+
+pub const SEEN: Seen = Seen::Value(
+    &[
+        Quantity::AngleToLine(Sphere::A, Moment::After),
+        Quantity::AngleToLine(Sphere::B, Moment::After),
+        Quantity::TOverN(Sphere::A, Moment::After),
+        Quantity::TOverN(Sphere::B, Moment::After),
+    ],
+    Shape::Tangent,
+);
 
 pub const ACCURACY: &str = "correct expression, unsimplified";
 

@@ -3,7 +3,7 @@
 //! The components across the line of centres do not change, so what a sphere loses is
 //! `½ m (u_n² - v_n²)`.
 
-use super::{Known, Law, Line, Outcome, Rule, Show, Slip, components, first_equation, full_speed, number, rule, silent, velocity};
+use super::{Shape, Seen, Known, Law, Line, Outcome, Rule, Show, Slip, components, first_equation, full_speed, number, rule, silent, velocity};
 use crate::expr::{Expr, written};
 use crate::mechanics::Moment;
 use crate::mechanics::formula::times;
@@ -15,6 +15,11 @@ use crate::mechanics::{Quantity, Sphere};
 use crate::number::Number;
 
 pub const NAME: &str = "energy";
+
+pub const SEEN: Seen = Seen::Value(
+    &[Quantity::EnergyLost, Quantity::FractionLost, Quantity::TotalEnergy(Before)],
+    Shape::DifferenceOfSquares,
+);
 
 pub const ACCURACY: &str = "correct expression, unsimplified";
 

@@ -2,7 +2,7 @@
 //!
 //! The two impulses are equal and opposite, and act along the line of centres.
 
-use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, first_equation, full_speed, number, rule, silent, velocity, with_inputs};
+use super::{Shape, Seen, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, first_equation, full_speed, number, rule, silent, velocity, with_inputs};
 use crate::expr::{Expr, Function, written};
 use crate::mechanics::formula::{difference, times};
 use crate::mechanics::Axis::{N, T, X, Y};
@@ -11,6 +11,11 @@ use crate::mechanics::{Quantity, Sphere};
 use crate::number::Number;
 
 pub const NAME: &str = "impulse";
+
+pub const SEEN: Seen = Seen::Value(
+    &[Quantity::Impulse(Sphere::A, N), Quantity::Impulse(Sphere::B, N), Quantity::ImpulseMagnitude],
+    Shape::ChangeOfMomentum,
+);
 
 pub const ACCURACY: &str = "correct equation, unsimplified";
 

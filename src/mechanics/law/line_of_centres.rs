@@ -3,7 +3,7 @@
 //! `n = I_B/|I_B|`: what B receives points from A to B. A sphere's change of velocity has the direction of
 //! the impulse that it receives.
 
-use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, rule, velocity};
+use super::{Seen, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, rule, velocity};
 use crate::expr::Expr;
 use crate::mechanics::Axis::{X, Y};
 use crate::mechanics::Moment::{After, Before};
@@ -11,6 +11,8 @@ use crate::mechanics::{Quantity, Sphere};
 use crate::number::Number;
 
 pub const NAME: &str = "line of centres";
+
+pub const SEEN: Seen = Seen::AlongLine;
 
 pub const ACCURACY: &str = "correct direction, any multiple";
 

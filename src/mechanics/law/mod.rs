@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
 use super::line::Line;
+use super::seen::{Seen, Shape};
 use super::working::Show;
 use super::{Axis, Moment, Quantity, Sphere};
 use crate::expr::Expr;
@@ -158,10 +159,19 @@ macro_rules! laws {
         impl Law {
             /// Does it give an equation for two unknowns, to be solved with another?
             pub fn gives_equation(self) -> bool {
-                let equation = |quantity: &Quantity| {
-                    matches!(quantity, Quantity::MomentumEquation | Quantity::RestitutionEquation)
-                };
-                self.rules().iter().any(|rule| rule.gives.iter().any(equation))
+                self.gives(Quantity::MomentumEquation) || self.gives(Quantity::RestitutionEquation)
+            }
+
+            /// Does it give this quantity?
+            pub fn gives(self, quantity: Quantity) -> bool {
+                self.rules().iter().any(|rule| rule.gives.contains(&quantity))
+            }
+        }
+
+        impl Law {
+            /// How its use shows in working.
+            pub fn seen(self) -> Seen {
+                match self { $(Law::$law => $file::SEEN,)* }
             }
         }
 

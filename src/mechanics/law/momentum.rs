@@ -3,12 +3,14 @@
 //! `m_A a + m_B b = m_A x + m_B y` for the components a, b before and x, y after, all positive from A
 //! to B.
 
-use super::{ALONG, Datum, Known, Law, Line, MASSES, Outcome, Rule, Show, Slip, number, rule, first_equation, unresolved, with_inputs};
+use super::{Seen, ALONG, Datum, Known, Law, Line, MASSES, Outcome, Rule, Show, Slip, number, rule, first_equation, unresolved, with_inputs};
 use crate::expr::Expr;
 use crate::mechanics::Quantity;
 use crate::number::Number;
 
 pub const NAME: &str = "momentum";
+
+pub const SEEN: Seen = Seen::Equation;
 
 pub const ACCURACY: &str = "correct equation, unsimplified";
 

@@ -4,13 +4,15 @@
 //! equations of momentum and restitution the determinant is `m_A + m_B`. Backwards, from the
 //! components after the impact to those before it, `a - b = (y - x)/e` takes the place of restitution.
 
-use super::{ALONG, Datum, Known, Law, Line, MASSES, Outcome, Rule, Show, Slip, rule, first_equation};
+use super::{Seen, ALONG, Datum, Known, Law, Line, MASSES, Outcome, Rule, Show, Slip, rule, first_equation};
 use crate::expr::{Expr, written};
 use crate::mechanics::formula::multiple;
 use crate::mechanics::Quantity;
 use crate::number::Number;
 
 pub const NAME: &str = "solve";
+
+pub const SEEN: Seen = Seen::Unknown;
 
 pub const ACCURACY: &str = "a correct component";
 

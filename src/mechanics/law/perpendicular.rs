@@ -2,7 +2,7 @@
 //!
 //! `t·v = t·u` for each sphere by itself.
 
-use super::{Known, Law, Line, MASSES, Outcome, Rule, Show, Slip, number, rule, velocity};
+use super::{Seen, Known, Law, Line, MASSES, Outcome, Rule, Show, Slip, number, rule, velocity};
 use crate::expr::print::plain;
 use crate::expr::{Expr, written};
 use crate::mechanics::Axis::T;
@@ -11,6 +11,8 @@ use crate::mechanics::{Quantity, Sphere};
 use crate::number::{Number, Value};
 
 pub const NAME: &str = "perpendicular";
+
+pub const SEEN: Seen = Seen::Unchanged;
 
 pub const ACCURACY: &str = "component perpendicular to the line of centres unchanged";
 

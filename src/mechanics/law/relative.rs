@@ -2,7 +2,7 @@
 //!
 //! `approach = a - b` and `separation = y - x`, positive when the spheres near, and when they part.
 
-use super::{ALONG, Datum, Known, Law, Line, MASSES, Outcome, Rule, Show, Slip, number, rule, silent, velocity, first_equation};
+use super::{Shape, Seen, ALONG, Datum, Known, Law, Line, MASSES, Outcome, Rule, Show, Slip, number, rule, silent, velocity, first_equation};
 use crate::expr::Expr;
 use crate::mechanics::Axis::{N, T, X, Y};
 use crate::mechanics::Moment::{After, Before};
@@ -11,6 +11,8 @@ use crate::mechanics::Sphere::{A, B};
 use crate::number::Number;
 
 pub const NAME: &str = "relative";
+
+pub const SEEN: Seen = Seen::Value(&[Quantity::Approach, Quantity::Separation], Shape::Any);
 
 pub const ACCURACY: &str = "correct expression, unsimplified";
 

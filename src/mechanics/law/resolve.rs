@@ -3,7 +3,7 @@
 //! `v_n = v·n` and `v_t = v·t`, where `t` is `n` turned by +90 degrees; and back again. A velocity that
 //! was given by its speed and direction has the components `v cos θ`, `v sin θ`.
 
-use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, rule, silent, velocity, first_equation, components, is_at_rest_before, with_inputs, with_sign_of};
+use super::{Seen, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, rule, silent, velocity, first_equation, components, is_at_rest_before, with_inputs, with_sign_of};
 use crate::expr::{Expr, Function, written};
 use crate::mechanics::Axis::{N, T, X, Y};
 use crate::mechanics::formula::times;
@@ -11,6 +11,8 @@ use crate::mechanics::{Moment, Quantity, Sphere};
 use crate::number::Number;
 
 pub const NAME: &str = "resolve";
+
+pub const SEEN: Seen = Seen::Components;
 
 pub const ACCURACY: &str = "correct expression, unsimplified";
 

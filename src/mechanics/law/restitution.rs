@@ -2,13 +2,15 @@
 //!
 //! `y - x = e (a - b)` for the components a, b before and x, y after, all positive from A to B.
 
-use super::{ALONG, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, components, first_equation, is_at_rest_before, number, rule, unresolved, with_inputs};
+use super::{Seen, ALONG, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, components, first_equation, is_at_rest_before, number, rule, unresolved, with_inputs};
 use crate::expr::Expr;
 use crate::mechanics::{Moment, Quantity, Sphere};
 use crate::mechanics::formula::difference;
 use crate::number::Number;
 
 pub const NAME: &str = "restitution";
+
+pub const SEEN: Seen = Seen::Equation;
 
 pub const ACCURACY: &str = "correct equation, unsimplified";
 

@@ -1,6 +1,6 @@
 //! Pythagoras: a speed from two perpendicular components, `v² = v_n² + v_t²`.
 
-use super::{Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, velocity, first_equation};
+use super::{Shape, Seen, Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, velocity, first_equation};
 use crate::expr::{Expr, Function, Piece, written};
 use crate::number::Value;
 use crate::mechanics::Axis::{N, T, X, Y};
@@ -8,6 +8,11 @@ use crate::mechanics::{Moment, Quantity, Sphere};
 use crate::number::Number;
 
 pub const NAME: &str = "speed";
+
+pub const SEEN: Seen = Seen::Value(
+    &[Quantity::Speed(Sphere::A, Moment::After), Quantity::Speed(Sphere::B, Moment::After)],
+    Shape::Pythagoras,
+);
 
 pub const ACCURACY: &str = "correct expression, unsimplified";
 

@@ -3,7 +3,7 @@
 //! `m_A u_A + m_B u_B = m_A v_A + m_B v_B`. Three velocities and the masses give the fourth velocity; four
 //! velocities give the ratio of the masses.
 
-use super::{Datum, Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, silent, velocity, first_equation, with_inputs};
+use super::{Seen, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, silent, velocity, first_equation, with_inputs};
 use crate::mechanics::formula::times;
 use crate::expr::Expr;
 use crate::mechanics::Axis::{X, Y};
@@ -13,6 +13,8 @@ use crate::mechanics::{Axis, Moment, Quantity, Sphere};
 use crate::number::Number;
 
 pub const NAME: &str = "vector momentum";
+
+pub const SEEN: Seen = Seen::VectorEquation;
 
 pub const ACCURACY: &str = "correct equation, unsimplified";
 

@@ -1,0 +1,223 @@
+//! The students that Carom writes.
+
+use crate::bank::{Code, EarnedFor, Find};
+use crate::expr::{Expr, print};
+use crate::mark::{KeyedPart, KeyedQuestion, PartScript, Script};
+use crate::mechanics::{Axis, Moment, Quantity, Seen, Sphere};
+use crate::number::{Places, round};
+use crate::paper::{KeyPart, KeyQuestion, PrintedAnswer, PrintedPart, PrintedQuestion};
+
+/// A student with what must come of the script.
+#[derive(Clone, Debug)]
+pub struct Student {
+    /// What kind of student it is, for reports: `right in LaTeX`.
+    pub who: String,
+    /// What is handed in.
+    pub script: Script,
+    /// What it must earn.
+    pub expected: Expected,
+}
+
+/// What a student must earn.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Expected {
+    /// Every mark.
+    Everything,
+    /// Every mark of the parts whose answer is not printed in the question.
+    AllButShown,
+    /// No mark.
+    Nothing,
+    /// A wrong answer with this mistake among its causes.
+    Mistake {
+        /// The place of the part.
+        part: usize,
+        /// The place of the blank.
+        blank: usize,
+        /// The tag of the mistake.
+        tag: String,
+    },
+    /// A mark that follows through.
+    FollowThrough {
+        /// The place of the part.
+        part: usize,
+        /// The id of the mark.
+        id: String,
+    },
+}
+
+impl Student {
+    /// What was handed in, on one line.
+    pub fn wrote(&self) -> String {
+        let parts = self.script.parts.iter().flat_map(|part| {
+            let answers = part.answers.iter().map(|(_, answer)| answer.clone());
+            answers.chain(part.working.iter().cloned())
+        });
+        parts.collect::<Vec<_>>().join(" | ")
+    }
+}
+
+/// How a right answer may be written.
+type Notation = (&'static str, fn(&PrintedAnswer, &str) -> Option<String>);
+
+/// The notations, each of one printed answer and its decimal to fifteen figures.
+const NOTATIONS: [Notation; 9] = [
+    ("right, exact", |answer, _| answer.exact.as_ref().map(print::unicode)),
+    ("right in plain letters", |answer, _| answer.exact.as_ref().filter(|exact| !has_angles(exact)).map(print::plain)),
+    ("right in LaTeX", |answer, _| answer.exact.as_ref().map(|exact| format!("${}$", print::latex(exact)))),
+    ("right, rounded", |answer, _| answer.rounded.as_ref().map(print::unicode)),
+    ("right, rounded, with its unit", |answer, _| {
+        let rounded = answer.rounded.as_ref().or(answer.exact.as_ref())?;
+        Some(format!("{} {}", print::unicode(rounded), answer.unit.plain()).trim().to_owned())
+    }),
+    ("right, exact and then rounded", |answer, _| {
+        Some(format!("{} = {}", print::unicode(answer.exact.as_ref()?), print::unicode(answer.rounded.as_ref()?)))
+    }),
+    ("right, approximately", |answer, _| {
+        answer.rounded.as_ref().map(|rounded| format!("≈ {}", print::unicode(rounded)))
+    }),
+    ("right with more figures", |_, decimal| longer(decimal, 5)),
+    ("right from a calculator", |_, decimal| longer(decimal, 10)),
+];
+
+/// What is no answer to anything.
+const JUNK: [&str; 8] = ["?", "idk", "see working", "=", "((((", "√", "the answer is above", "\\frac{}{}"];
+
+/// Every student of a question as it was printed.
+pub fn students(printed: &PrintedQuestion, key: &KeyQuestion, question: &KeyedQuestion) -> Vec<Student> {
+    let mut all = Vec::new();
+    for (who, notation) in NOTATIONS {
+        all.extend(right(who, notation, printed, key));
+    }
+    all.push(worked(printed, question));
+    all.push(Student { who: "nothing".to_owned(), script: script(Vec::new()), expected: Expected::Nothing });
+    for junk in JUNK {
+        let parts = key.parts.iter().map(|part| PartScript {
+            label: part.label.clone(),
+            answers: part.blanks.iter().map(|blank| (Some(blank.name.clone()), junk.to_owned())).collect(),
+            working: vec![junk.to_owned()],
+        });
+        all.push(Student { who: "nonsense".to_owned(), script: script(parts.collect()), expected: Expected::Nothing });
+    }
+    for (place, (part, keyed)) in key.parts.iter().zip(&question.parts).enumerate() {
+        all.extend(mistaken(place, part, keyed, question));
+        all.extend(followed(place, part, keyed, question));
+    }
+    all
+}
+
+fn script(parts: Vec<PartScript>) -> Script {
+    Script { student: "synthetic".to_owned(), question: 1, parts }
+}
+
+/// Right in a notation, wherever an answer has it; else exact.
+fn right(
+    who: &str,
+    notation: fn(&PrintedAnswer, &str) -> Option<String>,
+    printed: &PrintedQuestion,
+    key: &KeyQuestion,
+) -> Option<Student> {
+    let mut is_used = false;
+    let mut parts = Vec::new();
+    for (part, key) in printed.parts.iter().zip(&key.parts) {
+        let mut answers = Vec::new();
+        for (answer, blank) in part.answers.iter().zip(&key.blanks) {
+            let decimal = blank.decimal.as_str().unwrap_or_default();
+            let written = notation(answer, decimal);
+            is_used |= written.is_some();
+            // The key has the exact value of an answer that the page says in words.
+            let exact =
+                || answer.exact.as_ref().map(print::unicode).or_else(|| blank.rounded.as_str().map(str::to_owned));
+            answers.push((Some(blank.name.clone()), written.or_else(exact).unwrap_or_default()));
+        }
+        parts.push(PartScript { label: part.label.clone(), answers, working: Vec::new() });
+    }
+    is_used.then(|| Student { who: who.to_owned(), script: script(parts), expected: Expected::AllButShown })
+}
+
+/// A decimal to so many significant figures, if it goes on that long.
+fn longer(decimal: &str, figures: usize) -> Option<String> {
+    let places = Places::SignificantFigures(u32::try_from(figures).ok()?);
+    let rounded = round(&decimal.parse().ok()?, &places).to_string();
+    (rounded.contains('.') && !rounded.ends_with('0')).then_some(rounded)
+}
+
+fn has_angles(expr: &Expr) -> bool {
+    matches!(expr, Expr::Call(..) | Expr::Degrees(_)) || expr.children().into_iter().any(has_angles)
+}
+
+/// Copies the model solution, every line of it, and what is to be shown at the end; fills in no other blank.
+fn worked(printed: &PrintedQuestion, question: &KeyedQuestion) -> Student {
+    let part = |(part, keyed): (&PrintedPart, &KeyedPart)| {
+        let lines = part.working.iter().flat_map(|line| &line.equations).map(print::unicode);
+        let shown = keyed.scheme.iter().find(|mark| mark.code == Code::A1Shown).and_then(|mark| mark.equation.as_ref());
+        let answers = match shown {
+            Some(result) => {
+                keyed.blanks.iter().map(|blank| (Some(blank.name.clone()), print::unicode(result))).collect()
+            }
+            // What the working does not say in an equation it says in the answer.
+            None => keyed
+                .blanks
+                .iter()
+                .zip(&part.answers)
+                .filter_map(|(blank, answer)| Some((Some(blank.name.clone()), print::unicode(answer.exact.as_ref()?))))
+                .collect(),
+        };
+        PartScript { label: part.label.clone(), answers, working: lines.collect() }
+    };
+    let parts = printed.parts.iter().zip(&question.parts).map(part).collect();
+    Student { who: "the model solution".to_owned(), script: script(parts), expected: Expected::Everything }
+}
+
+/// One student for each mistake that leads to another number.
+fn mistaken(place: usize, part: &KeyPart, keyed: &KeyedPart, question: &KeyedQuestion) -> Vec<Student> {
+    let mut all = Vec::new();
+    for (blank, (printed, known)) in part.blanks.iter().zip(&keyed.blanks).enumerate() {
+        let Find::Quantity(quantity) = known.find else { continue };
+        if printed.decimal.is_null() || printed.kind == crate::answer::Kind::Shown.name() {
+            continue;
+        }
+        for (tags, values) in question.mistaken_values(&[quantity]) {
+            let ([tag], [value]) = (tags.as_slice(), values.as_slice()) else { continue };
+            let Some(written) = three_figures(*value) else { continue };
+            if Some(written.as_str()) == printed.rounded.as_str() {
+                continue;
+            }
+            let answers = vec![(Some(printed.name.clone()), written)];
+            let parts = vec![PartScript { label: part.label.clone(), answers, working: Vec::new() }];
+            let expected = Expected::Mistake { part: place, blank, tag: (*tag).to_owned() };
+            all.push(Student { who: format!("the mistake {tag}"), script: script(parts), expected });
+        }
+    }
+    all
+}
+
+/// A number to three significant figures, as a student writes it.
+fn three_figures(value: f64) -> Option<String> {
+    let decimal = format!("{value:.12}");
+    let rounded = round(&decimal.parse().ok()?, &Places::SignificantFigures(3)).to_string();
+    (value.is_finite() && value.abs() > 1e-6).then_some(rounded)
+}
+
+/// A student whose component of A after the impact is wrong, and who goes on from it.
+fn followed(place: usize, part: &KeyPart, keyed: &KeyedPart, question: &KeyedQuestion) -> Vec<Student> {
+    let own = Quantity::Velocity(Sphere::A, Moment::After, Axis::N);
+    let mut all = Vec::new();
+    for mark in keyed.scheme.iter().filter(|mark| mark.code == Code::A1FollowThrough) {
+        let asked = match &mark.earned_for {
+            EarnedFor::Quantity(quantity) => *quantity,
+            EarnedFor::Law(law, _) => match law.seen() {
+                Seen::Value([first, ..], _) => *first,
+                _ => continue,
+            },
+            _ => continue,
+        };
+        let Some((value, answer)) = question.followed_value(own, asked) else { continue };
+        let Some(answer) = three_figures(answer) else { continue };
+        let working = vec![format!("v = {value}"), format!("KE lost = {answer}")];
+        let answers = part.blanks.iter().map(|blank| (Some(blank.name.clone()), answer.clone())).collect();
+        let parts = vec![PartScript { label: part.label.clone(), answers, working }];
+        let expected = Expected::FollowThrough { part: place, id: mark.id.clone() };
+        all.push(Student { who: "going on from a wrong value".to_owned(), script: script(parts), expected });
+    }
+    all
+}

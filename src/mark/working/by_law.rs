@@ -1,0 +1,159 @@
+//! Marks for everything but the two equations: a law has been used where a line shows what it gives.
+//!
+//! What a law gives is known from the derivation, evaluated from right values and from the student's own. A line that
+//! comes to it, in a formula or under a name, has used the law; its sign is condoned. Besides that a few laws are known by
+//! the shape of their formula, so that a slip of the calculator costs no method mark.
+
+use super::compare::{comes_to, is_composite};
+use super::evidence::Evidence;
+use super::examine::{Studied, Value, Working};
+use super::points::sizes;
+use super::shapes::components_in;
+use crate::bank::Code;
+use crate::expr::Expr;
+use crate::mechanics::{Axis, Datum, Known, Law, Moment, Quantity, Seen, Shape, Sphere};
+
+impl Working<'_> {
+    /// A mark for the use of a law.
+    pub(super) fn by_law(&self, law: Law, sphere: Option<Sphere>, code: Code) -> Option<Evidence> {
+        match law.seen() {
+            Seen::Unchanged => self.unchanged(),
+            Seen::VectorEquation => self.vector_momentum(code),
+            Seen::AlongLine | Seen::Value(_, Shape::ChangeOfMomentum) if self.is_in_vectors() => {
+                self.along_impulse(law)
+            }
+            Seen::Components => self.resolved(code),
+            Seen::Equation => self.restitution_from_components(),
+            Seen::Value(quantities, shape) => {
+                let about =
+                    |quantity: &&Quantity| sphere.is_none() || quantity.sphere().is_none_or(|of| Some(of) == sphere);
+                let quantities: Vec<Quantity> = quantities.iter().filter(about).copied().collect();
+                self.by_value(law, &quantities, code).or_else(|| self.by_shape(law, shape, sphere, code))
+            }
+            Seen::AlongLine | Seen::Unknown => None,
+        }
+    }
+
+    /// A line that comes to what the law gives: from right values, or from the student's own.
+    fn by_value(&self, law: Law, quantities: &[Quantity], code: Code) -> Option<Evidence> {
+        let follows = !code.is_accuracy() || code == Code::A1FollowThrough;
+        for (known, own) in [(&self.prepared.known, false), (&self.followed, true)] {
+            if own && !follows {
+                continue;
+            }
+            for quantity in quantities {
+                if let Some(line) = self.line_that_is(known, *quantity) {
+                    let role = law.name();
+                    return Some(if own { Evidence::followed(line, role) } else { Evidence::given(line, role) });
+                }
+            }
+        }
+        None
+    }
+
+    /// The first line with a member of this value; a bare number does only if the line calls it something.
+    pub(super) fn line_that_is(&self, known: &[Known<f64>], quantity: Quantity) -> Option<usize> {
+        let is_angle = matches!(known[0].0.get(&quantity)?, Datum::Direction { .. });
+        let right = sizes(known, quantity)?;
+        if right.iter().any(|size| !size.is_finite()) {
+            return None;
+        }
+        self.lines.iter().position(|studied| {
+            studied.matched.is_empty()
+                && !self.is_printed_result(studied)
+                && self.members(studied).any(|(member, values)| {
+                    let worth = member.label.is_some() || is_composite(&member.expr);
+                    // The unknowns of the two equations have their own marks.
+                    let taken = member.letter.as_ref().is_some_and(|letter| self.is_unknown(letter))
+                        && !matches!(quantity, Quantity::Speed(..));
+                    worth
+                        && !taken
+                        && values.iter().zip(&right).all(|(value, right)| comes_to(*value, *right, is_angle))
+                })
+        })
+    }
+
+    pub(super) fn members<'s>(
+        &self,
+        studied: &'s Studied,
+    ) -> impl Iterator<Item = (&'s super::line::Member, &'s Vec<Value>)> {
+        let members = studied.reading.as_ref().map(|reading| reading.members.as_slice()).unwrap_or_default();
+        members.iter().zip(&studied.values).filter_map(|(member, values)| Some((member, values.as_ref()?)))
+    }
+
+    pub(super) fn is_unknown(&self, letter: &str) -> bool {
+        self.convention.as_ref().is_some_and(|convention| convention.letters.iter().any(|known| known == letter))
+    }
+
+    /// Is the line what was to be shown, written once more?
+    pub(super) fn is_printed_result(&self, studied: &Studied) -> bool {
+        let Some(reading) = &studied.reading else { return false };
+        let results =
+            self.part.scheme.iter().filter(|mark| mark.code == Code::A1Shown).filter_map(|mark| mark.equation.as_ref());
+        let mut results = results.peekable();
+        results.peek().is_some()
+            && results.any(|result| {
+                let Expr::Relation(left, _, right) = result else { return false };
+                reading.equations.iter().any(|equation| equation.0 == **left && self.same_at_points(&equation.1, right))
+            })
+            && reading.equations.len() == 1
+    }
+
+    fn same_at_points(&self, one: &Expr, other: &Expr) -> bool {
+        (0..self.prepared.points.count).all(|point| {
+            let context = super::examine::context(self.prepared, point);
+            let value = |expr| super::linear::constant(expr, &context);
+            matches!((value(one), value(other)), (Some(one), Some(other)) if (one - other).may_be_nought(1.0))
+        })
+    }
+
+    fn is_in_vectors(&self) -> bool {
+        !self.prepared.given[0].0.contains_key(&Quantity::Line(Axis::X))
+            && !self.prepared.given[0].0.contains_key(&Quantity::ContactSine)
+    }
+
+    /// The components across the line of centres, of every sphere that has one, seen.
+    fn unchanged(&self) -> Option<Evidence> {
+        let across: Vec<Vec<f64>> = Sphere::BOTH
+            .into_iter()
+            .filter_map(|sphere| sizes(&self.prepared.known, Quantity::Velocity(sphere, Moment::Before, Axis::T)))
+            .filter(|sizes| sizes.iter().any(|size| size.abs() > 1e-9))
+            .collect();
+        let seen = |right: &Vec<f64>| self.lines.iter().position(|studied| self.shows_component(studied, right));
+        let places: Option<Vec<usize>> = across.iter().map(seen).collect();
+        let last = places?.into_iter().max()?;
+        Some(Evidence::given(last, "the component perpendicular to the line of centres"))
+    }
+
+    /// Does a line show this component: as a value, in Pythagoras, in a tangent, or in a vector?
+    fn shows_component(&self, studied: &Studied, right: &[f64]) -> bool {
+        let is_right =
+            |values: &[Value]| values.iter().zip(right).all(|(value, right)| comes_to(*value, *right, false));
+        let in_vector = |values: &[Value]| {
+            values.iter().zip(right).all(|(value, right)| match value {
+                Value::Vector(x, y) => x.absolute().may_be(right.abs()) || y.absolute().may_be(right.abs()),
+                Value::Number(_) => false,
+            })
+        };
+        let whole = studied.matched.is_empty()
+            && self.members(studied).any(|(member, values)| {
+                let named = member.label.is_some() || is_composite(&member.expr);
+                let unknown = member.letter.as_ref().is_some_and(|letter| self.is_unknown(letter));
+                (named && !unknown && is_right(values)) || in_vector(values)
+            });
+        if whole {
+            return true;
+        }
+        let Some(reading) = &studied.reading else { return false };
+        let formulas = reading.members.iter().filter(|_| studied.matched.is_empty()).map(|member| &member.expr);
+        formulas.flat_map(components_in).any(|expr| self.values_of(&expr).is_some_and(|values| is_right(&values)))
+    }
+
+    pub(super) fn values_of(&self, expr: &Expr) -> Option<Vec<Value>> {
+        let at = |point| {
+            let context = self.context(point);
+            super::linear::constant(expr, &context).map(Value::Number)
+        };
+        (0..self.prepared.points.count).map(at).collect()
+    }
+}

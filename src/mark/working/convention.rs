@@ -1,0 +1,148 @@
+//! The choice of letters and directions that makes a student's lines agree best.
+
+use super::examine::{Studied, context, value};
+use super::linear::{Linear, Sum, difference};
+use super::pair::{BOTH, Convention, Matched, conventions};
+use super::points::sizes;
+use super::prepared::Prepared;
+use super::spread::Spread;
+use super::theirs::numbers;
+use crate::expr::Expr;
+use crate::mechanics::{Axis, Law, Moment, Quantity, Sphere};
+
+/// The place of a line, which of its readings, and what it is.
+type Found = (usize, usize, Matched);
+
+/// Finds the lines that are momentum or restitution, and the student's choice of letters and directions that makes them
+/// agree best.
+pub(super) fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option<Convention> {
+    let laws = prepared.laws.as_ref()?;
+    // Every equation of every reading that is more than `v = 3`.
+    let mut offered: Vec<(usize, usize, Vec<Linear>)> = Vec::new();
+    for (place, studied) in lines.iter().enumerate() {
+        for (which, reading) in studied.line.readings.iter().enumerate() {
+            for equation in reading.equations.iter().filter(|equation| !is_value(equation)) {
+                if let Some(linear) = differences(equation, prepared)
+                    && (1..=2).contains(&linear[0].unknowns.len())
+                {
+                    offered.push((place, which, linear));
+                }
+            }
+        }
+    }
+    let pairs = pairs(&offered, lines);
+    let matches = |convention: &Convention| -> Vec<Found> {
+        let each = offered.iter();
+        each.filter_map(|(place, which, linear)| Some((*place, *which, laws.matched(linear, convention)?))).collect()
+    };
+    let mut best: Option<(u32, Convention, Vec<Found>)> = None;
+    for convention in pairs.iter().flat_map(|pair| conventions(pair)) {
+        let found = matches(&convention);
+        let weight = weight(&found) + u32::from(convention.is_unusual) + disagreement(lines, &convention, prepared);
+        if best.as_ref().is_none_or(|(least, ..)| weight < *least) {
+            best = Some((weight, convention, found));
+        }
+        if weight == 0 {
+            break;
+        }
+    }
+    let (_, convention, found) = best?;
+    for (place, which, matched) in found {
+        let studied = &mut lines[place];
+        let own = studied.matched.iter().position(|before| before.equation == matched.equation);
+        match own {
+            Some(own) if studied.matched[own].weight() <= matched.weight() => continue,
+            Some(own) => studied.matched[own] = matched,
+            None => studied.matched.push(matched),
+        }
+        studied.reading = Some(studied.line.readings[which].clone());
+    }
+    for studied in lines.iter_mut() {
+        studied.role = studied.matched.iter().map(role).collect::<Vec<_>>().join("; ");
+    }
+    Some(convention)
+}
+
+/// Do the values that are stated speak against this choice? Where masses are equal the two equations do not tell.
+fn disagreement(lines: &[Studied], convention: &Convention, prepared: &Prepared) -> u32 {
+    let disagrees = |place: usize| {
+        let right = sizes(&prepared.known, Quantity::Velocity(Sphere::BOTH[place], Moment::After, Axis::N));
+        let members = lines.iter().filter_map(|studied| studied.reading.as_ref()).flat_map(|reading| &reading.members);
+        let mut own = members.filter(|member| member.letter.as_ref() == Some(&convention.letters[place]));
+        right.is_some_and(|right| {
+            own.any(|member| {
+                let values = value(&member.expr, prepared, &prepared.names).and_then(|values| numbers(&values));
+                let near =
+                    |(own, right): (&f64, &f64)| (own * convention.signs[place] - right).abs() < 0.01 * right.abs();
+                values.is_some_and(|values| !values.iter().zip(&right).all(near))
+            })
+        })
+    };
+    2 * (0..2).filter(|place| disagrees(*place)).count() as u32
+}
+
+/// What the best line of each law is short of; a law without a line costs more than any line.
+fn weight(found: &[Found]) -> u32 {
+    let least = |equation| {
+        found.iter().filter(|(.., matched)| matched.equation == equation).map(|(.., matched)| matched.weight()).min()
+    };
+    BOTH.into_iter().map(|equation| least(equation).unwrap_or(20)).sum()
+}
+
+fn role(matched: &Matched) -> String {
+    let law = Law::ALL.iter().find(|law| law.gives(matched.equation)).map_or("", |law| law.name());
+    match matched.departures.as_slice() {
+        [] => law.to_owned(),
+        departures => {
+            let reasons: Vec<&str> = departures.iter().map(|departure| departure.sentence()).collect();
+            format!("{law}: {}", reasons.join("; "))
+        }
+    }
+}
+
+/// Is it `v = 3` or `3 = v`?
+fn is_value((left, right): &(Expr, Expr)) -> bool {
+    let is_letter = |expr: &Expr| matches!(expr, Expr::Name(_));
+    (is_letter(left) && right.names().is_empty()) || (is_letter(right) && left.names().is_empty())
+}
+
+/// Pairs of unknowns that stand together in an equation, the most frequent first; else those that usually do.
+fn pairs(offered: &[(usize, usize, Vec<Linear>)], lines: &[Studied]) -> Vec<Vec<String>> {
+    let mut counted: Vec<(Vec<String>, usize)> = Vec::new();
+    for (.., linear) in offered {
+        let mut names: Vec<String> = linear[0].unknowns.iter().map(|(name, _)| name.clone()).collect();
+        names.sort();
+        if names.len() == 2 {
+            match counted.iter_mut().find(|(known, _)| *known == names) {
+                Some((_, count)) => *count += 1,
+                None => counted.push((names, 1)),
+            }
+        }
+    }
+    counted.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
+    let mut pairs: Vec<Vec<String>> = counted.into_iter().map(|(names, _)| names).take(2).collect();
+    if pairs.is_empty() {
+        let letters: Vec<String> = lines
+            .iter()
+            .filter_map(|studied| studied.reading.as_ref())
+            .flat_map(|reading| reading.members.iter().filter_map(|member| member.letter.clone()))
+            .chain(offered.iter().flat_map(|(.., linear)| linear[0].unknowns.iter().map(|(name, _)| name.clone())))
+            .collect();
+        let usual = [["v_A", "v_B"], ["v_1", "v_2"], ["V_A", "V_B"], ["v", "w"], ["V", "W"], ["x", "y"]];
+        let used = |pair: &&[&str; 2]| pair.iter().any(|name| letters.iter().any(|letter| letter == name));
+        pairs.extend(usual.iter().find(used).map(|pair| pair.iter().map(|name| (*name).to_owned()).collect()));
+    }
+    pairs
+}
+
+/// Left minus right of an equation at every point; of a vector the component along the line of centres.
+fn differences(equation: &(Expr, Expr), prepared: &Prepared) -> Option<Vec<Linear>> {
+    let at = |point| match difference(&equation.0, &equation.1, &context(prepared, point))? {
+        Sum::Number(linear) => Some(linear),
+        Sum::Vector(x, y) => {
+            let line = |axis| prepared.known[point].number(Quantity::Line(axis)).map(Spread::exactly);
+            Some(x.times(line(Axis::X)?).plus(&y.times(line(Axis::Y)?)))
+        }
+    };
+    (0..prepared.points.count).map(at).collect()
+}

@@ -1,0 +1,131 @@
+//! Laws known by the shape of their formula.
+
+use super::compare::{any_within, comes_to};
+use super::evidence::Evidence;
+use super::examine::Working;
+use super::points::sizes;
+use crate::bank::Code;
+use crate::expr::{Expr, Function};
+use crate::mechanics::{Axis, Law, Moment, Quantity, Shape, Sphere};
+
+impl Working<'_> {
+    /// A law known by its form.
+    pub(super) fn by_shape(&self, law: Law, shape: Shape, sphere: Option<Sphere>, code: Code) -> Option<Evidence> {
+        if code.is_accuracy() {
+            return None;
+        }
+        let has_form = |expr: &Expr| match shape {
+            Shape::Pythagoras => any_within(expr, &|inner| self.is_pythagoras(inner, sphere)),
+            Shape::Tangent => any_within(expr, &|inner| self.is_tangent(inner, sphere)),
+            Shape::DifferenceOfSquares => is_energy_difference(expr),
+            Shape::ChangeOfMomentum => any_within(expr, &|inner| self.is_change_of_momentum(inner)),
+            Shape::Any => false,
+        };
+        let line = self.lines.iter().position(|studied| {
+            let members = studied.reading.as_ref().map(|reading| reading.members.as_slice()).unwrap_or_default();
+            studied.matched.is_empty() && members.iter().any(|member| has_form(&member.expr))
+        })?;
+        Some(Evidence::given(line, law.name()))
+    }
+
+    /// The sizes that a component after the impact may have: the right one, the student's own, and across the line also
+    /// what the exchange of sine and cosine makes of it.
+    fn sizes_of(&self, sphere: Sphere, axis: Axis) -> Vec<Vec<f64>> {
+        let mut all = Vec::new();
+        let quantity = Quantity::Velocity(sphere, Moment::After, axis);
+        all.extend(sizes(&self.prepared.known, quantity));
+        all.extend(self.theirs.0.get(&quantity).map(|(values, _)| values.clone()));
+        if axis == Axis::T {
+            all.extend(sizes(&self.prepared.known, Quantity::Velocity(sphere, Moment::Before, Axis::N)));
+        }
+        all
+    }
+
+    pub(super) fn is_one_of(&self, expr: &Expr, sizes: &[Vec<f64>]) -> bool {
+        let Some(values) = self.values_of(expr) else { return false };
+        sizes.iter().any(|right| values.iter().zip(right).all(|(value, right)| comes_to(*value, *right, false)))
+    }
+
+    fn spheres(&self, sphere: Option<Sphere>) -> Vec<Sphere> {
+        sphere.map_or(Sphere::BOTH.to_vec(), |sphere| vec![sphere])
+    }
+
+    /// `p² + v²`, with one component that is across the line and one along it.
+    fn is_pythagoras(&self, expr: &Expr, sphere: Option<Sphere>) -> bool {
+        let Expr::Sum(terms) = expr else { return false };
+        let [one, other] = terms.as_slice() else { return false };
+        let Some((one, other)) = base_of_square(one).zip(base_of_square(other)) else { return false };
+        self.are_components(&one, &other, sphere) || self.are_components(&other, &one, sphere)
+    }
+
+    fn are_components(&self, across: &Expr, along: &Expr, sphere: Option<Sphere>) -> bool {
+        self.spheres(sphere).into_iter().any(|of| {
+            let own = self.theirs.0.contains_key(&Quantity::Velocity(of, Moment::After, Axis::N));
+            let in_i_j = [Axis::X, Axis::Y].map(|axis| self.sizes_of(of, axis));
+            let along_fits = match own {
+                true => self.is_one_of(along, &self.sizes_of(of, Axis::N)),
+                // Nowhere said what the component is: this says it.
+                false => self.values_of(along).is_some(),
+            };
+            (self.is_one_of(across, &self.sizes_of(of, Axis::T)) && along_fits)
+                || (self.is_one_of(across, &in_i_j[0]) && self.is_one_of(along, &in_i_j[1]))
+        })
+    }
+
+    /// `p/v` or `v/p`.
+    fn is_tangent(&self, expr: &Expr, sphere: Option<Sphere>) -> bool {
+        let Expr::Quotient(above, below) = expr else { return false };
+        self.are_components(above, below, sphere) || self.are_components(below, above, sphere)
+    }
+
+    /// `m(v - u)` for one of the spheres.
+    fn is_change_of_momentum(&self, expr: &Expr) -> bool {
+        let Expr::Product(factors) = expr else { return false };
+        let [mass, change] = factors.as_slice() else { return false };
+        let Expr::Sum(terms) = change else { return false };
+        let masses: Vec<Vec<f64>> =
+            Sphere::BOTH.into_iter().filter_map(|sphere| sizes(&self.prepared.known, Quantity::Mass(sphere))).collect();
+        terms.len() == 2 && self.is_one_of(mass, &masses)
+    }
+}
+
+/// The formulas within one that stand where a component of a velocity does: squared, or over another.
+pub(super) fn components_in(expr: &Expr) -> Vec<Expr> {
+    let mut all = Vec::new();
+    match expr {
+        Expr::Quotient(above, below) => all.extend([(**above).clone(), (**below).clone()]),
+        Expr::Sum(terms) if terms.len() == 2 => all.extend(terms.iter().filter_map(base_of_square)),
+        _ => all.extend(base_of_square(expr).filter(|_| matches!(expr, Expr::Power(..)))),
+    }
+    all.extend(expr.children().into_iter().flat_map(components_in));
+    all
+}
+
+/// What a term of Pythagoras is the square of; a number alone is a square that has been worked out.
+fn base_of_square(term: &Expr) -> Option<Expr> {
+    match term {
+        Expr::Power(base, exponent) if **exponent == Expr::integer(2) => Some((**base).clone()),
+        Expr::Number(_) | Expr::Decimal(_) => Some(Expr::call(Function::Sqrt, term.clone())),
+        Expr::Quotient(..) if !is_lettered(term) => Some(Expr::call(Function::Sqrt, term.clone())),
+        _ => None,
+    }
+}
+
+fn is_lettered(expr: &Expr) -> bool {
+    !expr.names().is_empty()
+}
+
+/// A difference of kinetic energies: squares of velocities added and subtracted, none of them of a difference.
+fn is_energy_difference(expr: &Expr) -> bool {
+    let mut signs = [0, 0];
+    count_squares(expr, false, &mut signs);
+    signs[0] >= 1 && signs[1] >= 1 && signs[0] + signs[1] >= 4
+}
+
+fn count_squares(expr: &Expr, negative: bool, signs: &mut [usize; 2]) {
+    match expr {
+        Expr::Power(_, exponent) if **exponent == Expr::integer(2) => signs[usize::from(negative)] += 1,
+        Expr::Negative(inner) => count_squares(inner, !negative, signs),
+        _ => expr.children().into_iter().for_each(|child| count_squares(child, negative, signs)),
+    }
+}

@@ -1,0 +1,170 @@
+//! What the student found: values to go on from.
+
+use std::collections::BTreeMap;
+
+use super::examine::{Studied, Value, value};
+use super::pair::{Convention, sphere};
+use super::points::sizes;
+use super::prepared::{Prepared, complete};
+use super::spread::Spread;
+use crate::bank::Find;
+use crate::expr::Expr;
+use crate::mark::key::{KeyedPart, KeyedQuestion};
+use crate::mark::reading::{Form, Reading};
+use crate::mechanics::{Axis, Datum, Known, Moment, Quantity, Sphere};
+
+/// A student's own values, by quantity: at every point, and as they were written.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Theirs(pub(crate) BTreeMap<Quantity, (Vec<f64>, Expr)>);
+
+impl Theirs {
+    /// Those that are not right, as they were written.
+    pub(crate) fn wrong<'t>(&'t self, question: &'t KeyedQuestion) -> impl Iterator<Item = (Quantity, &'t Expr)> {
+        let right = |quantity: &Quantity| sizes(&question.prepared().known, *quantity).unwrap_or_default();
+        let near = |(own, right): (&f64, &f64)| (own - right).abs() <= 0.01 * right.abs();
+        self.0.iter().filter_map(move |(quantity, (values, written))| {
+            let is_right = values.iter().zip(&right(quantity)).all(near);
+            (!is_right).then_some((*quantity, written))
+        })
+    }
+
+    /// Takes the answers that were read as numbers, for the parts that follow: right or not, the student goes on with
+    /// them.
+    pub(crate) fn take_answers(
+        &mut self,
+        question: &KeyedQuestion,
+        part: &KeyedPart,
+        answers: &[Option<Vec<Reading>>],
+    ) {
+        let prepared = question.prepared();
+        for (blank, readings) in part.blanks.iter().zip(answers) {
+            let Some(reading) = readings.as_ref().and_then(|readings| readings.first()) else { continue };
+            let Some(said) = reading.statements.last().and_then(|statement| statement.said.last()) else { continue };
+            match (&blank.find, &said.form) {
+                (Find::Quantity(quantity), Form::Value(expr)) if !quantity.is_angle() => {
+                    let numbers = value(expr, prepared, &prepared.names).and_then(|values| numbers(&values));
+                    self.0.extend(numbers.map(|numbers| (*quantity, (numbers, expr.clone()))));
+                }
+                (Find::Vector(x, y), Form::Vector(along_i, along_j, _)) => {
+                    for (quantity, expr) in [(x, along_i), (y, along_j)] {
+                        let numbers = value(expr, prepared, &prepared.names).and_then(|values| numbers(&values));
+                        self.0.extend(numbers.map(|numbers| (*quantity, (numbers, expr.clone()))));
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+}
+
+pub(super) fn numbers(values: &[Value]) -> Option<Vec<f64>> {
+    let number = |value: &Value| match value {
+        Value::Number(spread) => Some(spread.middle()),
+        Value::Vector(..) => None,
+    };
+    values.iter().map(number).collect()
+}
+
+/// The values that the student states for quantities.
+pub(super) fn own_values(
+    lines: &[Studied],
+    convention: Option<&Convention>,
+    part: &KeyedPart,
+    prepared: &Prepared,
+) -> BTreeMap<Quantity, (Vec<f64>, Expr)> {
+    let mut found = BTreeMap::new();
+    for studied in lines {
+        let Some(reading) = &studied.reading else { continue };
+        for (member, values) in reading.members.iter().zip(&studied.values) {
+            let (Some(letter), Some(values)) = (&member.letter, values) else { continue };
+            let numbers = numbers(values);
+            let place = convention.and_then(|convention| convention.letters.iter().position(|known| known == letter));
+            match (numbers, place, convention) {
+                (Some(numbers), Some(place), Some(convention)) => {
+                    let own = Quantity::Velocity(Sphere::BOTH[place], Moment::After, Axis::N);
+                    // A letter may also be used for the speed that is found from it in the end.
+                    if !is_asked_speed(part, Sphere::BOTH[place], &numbers, prepared) || !found.contains_key(&own) {
+                        let sign = convention.signs[place];
+                        let written = if sign < 0.0 { member.expr.clone().negated() } else { member.expr.clone() };
+                        found.insert(own, (numbers.iter().map(|number| number * sign).collect(), written));
+                    }
+                }
+                (None, ..) => {
+                    let of = sphere(letter).or(unknown_sphere(prepared));
+                    let vector = |component: fn(&Value) -> Option<Spread>| -> Option<Vec<f64>> {
+                        values.iter().map(|value| component(value).map(Spread::middle)).collect()
+                    };
+                    let is_after = letter.starts_with(['v', 'V', 'w']);
+                    if let (Some(of), true) = (of, is_after)
+                        && let (Some(x), Some(y)) = (vector(first), vector(second))
+                    {
+                        if let Expr::Vector(along_i, along_j) = &member.expr {
+                            found.insert(Quantity::Velocity(of, Moment::After, Axis::X), (x, (**along_i).clone()));
+                            found.insert(Quantity::Velocity(of, Moment::After, Axis::Y), (y, (**along_j).clone()));
+                        }
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+    let is_own = |quantity: &Quantity| !prepared.given[0].0.contains_key(quantity);
+    found.retain(|quantity, (values, _)| is_own(quantity) && values.iter().all(|value| value.is_finite()));
+    found
+}
+
+fn first(value: &Value) -> Option<Spread> {
+    match value {
+        Value::Vector(x, _) => Some(*x),
+        Value::Number(_) => None,
+    }
+}
+
+fn second(value: &Value) -> Option<Spread> {
+    match value {
+        Value::Vector(_, y) => Some(*y),
+        Value::Number(_) => None,
+    }
+}
+
+/// Is the value the speed that the part asks for, rather than the component?
+fn is_asked_speed(part: &KeyedPart, sphere: Sphere, values: &[f64], prepared: &Prepared) -> bool {
+    let speed = Quantity::Speed(sphere, Moment::After);
+    let asked = part.blanks.iter().any(|blank| blank.find.quantities().contains(&speed));
+    let right = sizes(&prepared.known, speed);
+    asked
+        && right
+            .is_some_and(|right| right.iter().zip(values).all(|(right, value)| (right - value).abs() < 0.006 * right))
+}
+
+/// The sphere whose velocity after the impact is to be found, where that of the other is given.
+fn unknown_sphere(prepared: &Prepared) -> Option<Sphere> {
+    let given = |sphere| prepared.given[0].0.contains_key(&Quantity::Velocity(sphere, Moment::After, Axis::X));
+    match (given(Sphere::A), given(Sphere::B)) {
+        (true, false) => Some(Sphere::B),
+        (false, true) => Some(Sphere::A),
+        _ => None,
+    }
+}
+
+/// What follows from what is given and from the student's own values.
+///
+/// A value that would make the rest trivial is not followed: nought where nothing is nought, a coefficient of restitution
+/// that is none.
+pub(super) fn follow(prepared: &Prepared, theirs: &Theirs) -> Vec<Known<f64>> {
+    let mut at_points = prepared.given.clone();
+    for (quantity, (values, _)) in &theirs.0 {
+        let right = sizes(&prepared.known, *quantity);
+        let trivial = match quantity {
+            Quantity::Restitution => values.iter().any(|value| !(0.0..=1.0).contains(value)),
+            _ => right
+                .is_some_and(|right| right.iter().zip(values).any(|(right, own)| *own == 0.0 && right.abs() > 1e-9)),
+        };
+        if !trivial {
+            for (known, value) in at_points.iter_mut().zip(values) {
+                known.0.insert(*quantity, Datum::Number(*value));
+            }
+        }
+    }
+    at_points.iter().map(complete).collect()
+}

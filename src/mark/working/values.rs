@@ -1,0 +1,110 @@
+//! Marks for a value that a line states.
+
+use super::compare::is_vector;
+use super::evidence::Evidence;
+use super::examine::Working;
+use super::points::sizes;
+use crate::answer::Kind;
+use crate::bank::Code;
+use crate::expr::Expr;
+use crate::mark::judging::{Model, Verdict, judge};
+use crate::mark::key::KeyedMark;
+use crate::mark::reading::{Reading, Statement, Vocabulary};
+use crate::mechanics::{Axis, Datum, Moment, Quantity, Sphere};
+use crate::number::Value as Exact;
+
+impl Working<'_> {
+    /// A mark for a value: a line states it, with the figures that are asked for.
+    pub(super) fn value_of(&self, quantity: Quantity, code: Code, mark: &KeyedMark) -> Option<Evidence> {
+        if let Some(Expr::Vector(..)) = mark.equation.as_ref().map(right_side) {
+            return self.vector_of(quantity);
+        }
+        let along = along_for(quantity, self.prepared);
+        let letter = self.convention.as_ref().and_then(|convention| {
+            let place = Sphere::BOTH
+                .into_iter()
+                .position(|sphere| along == Quantity::Velocity(sphere, Moment::After, Axis::N))?;
+            Some((convention.letters[place].clone(), convention.signs[place]))
+        });
+        let sign = letter.as_ref().map_or(1.0, |(_, sign)| *sign);
+        let model = self.model_of(along, sign)?;
+        for (place, studied) in self.lines.iter().enumerate() {
+            let Some(reading) = &studied.reading else { continue };
+            for statement in &reading.statements {
+                let named = statement.label.as_ref().and_then(|label| label.expr.as_ref());
+                let is_named = match (&letter, named) {
+                    (Some((letter, _)), Some(Expr::Name(name))) => name.text == *letter,
+                    (Some(_), _) => false,
+                    (None, _) => statement.label.is_some() || statement.said.len() > 1,
+                };
+                if !is_named {
+                    continue;
+                }
+                let verdict = |statement: Statement| {
+                    let reading = Reading { statements: vec![statement], printed: String::new(), decided: Vec::new() };
+                    judge(&model, &Ok(vec![reading])).verdict
+                };
+                let mut end = statement.clone();
+                end.said.drain(..end.said.len().saturating_sub(1));
+                // A right formula that is worked out wrongly is no right value.
+                if verdict(statement.clone()) == Verdict::Correct && verdict(end) != Verdict::Wrong {
+                    return Some(Evidence::given(place, format!("{quantity}")));
+                }
+            }
+        }
+        if code == Code::A1FollowThrough {
+            let line = self.line_that_is(&self.followed, quantity)?;
+            return Some(Evidence::followed(line, format!("{quantity}")));
+        }
+        None
+    }
+
+    fn vector_of(&self, quantity: Quantity) -> Option<Evidence> {
+        let Quantity::Velocity(sphere, moment, _) = quantity else { return None };
+        let at = |axis| sizes(&self.prepared.known, Quantity::Velocity(sphere, moment, axis));
+        let (x, y) = at(Axis::X).zip(at(Axis::Y))?;
+        let line = self
+            .lines
+            .iter()
+            .position(|studied| self.members(studied).any(|(_, values)| is_vector(values, &x, &y, 1.0)))?;
+        Some(Evidence::given(line, format!("the velocity of {}", sphere.name())))
+    }
+
+    /// The model answer for a quantity, in the student's direction.
+    fn model_of(&self, quantity: Quantity, sign: f64) -> Option<Model> {
+        let mut known = self.part.known.clone();
+        crate::mechanics::Derivation::carry_out(&mut known, &[quantity]);
+        let (value, kind) = match known.0.get(&quantity)? {
+            Datum::Number(value) => {
+                let value = if sign < 0.0 { &Exact::ZERO - value } else { value.clone() };
+                let kind = if value.is_constant() { Kind::Number } else { Kind::Expression };
+                (crate::expr::written(&value), kind)
+            }
+            Datum::Direction { y, x } => (crate::expr::written_angle(&crate::number::Angle::of(y, x)?), Kind::Angle),
+            Datum::Equation(_) => return None,
+        };
+        let figures = crate::number::Places::SignificantFigures(3);
+        let accept = crate::answer::Accept::RoundsTo(figures);
+        let vocabulary = Vocabulary { letters: self.question.letters.clone(), vectors: false };
+        Some(Model { value, kind, accept, vocabulary, quantity: None })
+    }
+}
+
+/// The component along the line of centres that a component along i or j is, where the line is parallel to it.
+fn along_for(quantity: Quantity, prepared: &super::Prepared) -> Quantity {
+    match quantity {
+        Quantity::Velocity(sphere, moment, axis @ (Axis::X | Axis::Y)) => {
+            let along =
+                sizes(&prepared.known, Quantity::Line(axis)).is_some_and(|line| (line[0].abs() - 1.0).abs() < 1e-12);
+            if along { Quantity::Velocity(sphere, moment, Axis::N) } else { quantity }
+        }
+        other => other,
+    }
+}
+
+fn right_side(expr: &Expr) -> &Expr {
+    match expr {
+        Expr::Relation(_, _, right) => right,
+        other => other,
+    }
+}
