@@ -7,7 +7,7 @@
 use crate::expr::{Expr, Function, Meaning, Relation, Turn};
 use crate::mark::reading::{Form, Label, ReferenceLine, Said};
 use crate::mechanics::Quantity;
-use crate::number::{Fraction, Letter};
+use crate::number::Fraction;
 
 use super::accuracy::{Coarsest, Target, Written, decimal, places};
 use super::exact;
@@ -17,7 +17,7 @@ use super::{Model, Note, number};
 /// Judges one value against an angle.
 pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
     let letters = &model.vocabulary.letters;
-    let Some(right) = turn(&model.value, letters) else { return Finding::unreadable(Note::CannotBeCompared) };
+    let Some(right) = model.known().meaning().and_then(as_turn) else { return Finding::unreadable(Note::CannotBeCompared) };
     let expr = match &said.form {
         Form::Value(expr) => expr,
         Form::Equation(Expr::Relation(left, Relation::Equal, value)) => {
@@ -51,10 +51,10 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Findin
     }
 }
 
-/// The angle that an expression stands for; a plain number is degrees.
-pub(super) fn turn(expr: &Expr, letters: &[Letter]) -> Option<Turn> {
-    match exact::meaning(expr, letters)? {
-        Meaning::Angle(turn) | Meaning::Degrees(turn) => Some(turn),
+/// The angle that something means; a plain number is degrees.
+fn as_turn(meaning: &Meaning) -> Option<Turn> {
+    match meaning {
+        Meaning::Angle(turn) | Meaning::Degrees(turn) => Some(turn.clone()),
         Meaning::Number(value) => value.as_fraction().map(|degrees| Turn::degrees(degrees.clone())),
         _ => None,
     }
@@ -98,11 +98,11 @@ fn direction(right: &Turn, named: Option<ReferenceLine>) -> Finding {
 
 /// The sine, cosine or tangent where the angle is asked: a step short.
 fn ratio_of_angle(model: &Model, function: Function, value: &Expr) -> Finding {
-    let angle = match exact::meaning(&model.value, &model.vocabulary.letters) {
+    let angle = match model.known().meaning() {
         Some(Meaning::Angle(_)) => model.value.clone(),
         _ => Expr::degrees(model.value.clone()),
     };
-    let of_angle = Model { value: Expr::call(function, angle), quantity: None, ..model.clone() };
+    let of_angle = model.of_value(Expr::call(function, angle));
     let finding = number::value(&of_angle, value, &Written::of(value));
     if finding.is_correct() { Finding::partial(Note::RatioOfAngle) } else { Finding::WRONG }
 }

@@ -6,6 +6,7 @@ use crate::mark::reading::Vocabulary;
 use crate::mechanics::Quantity;
 use crate::number::{Letter, Places, Range};
 
+use super::known::Prepared;
 use super::{Model, exact};
 
 /// What is said of a model answer besides its value.
@@ -61,7 +62,8 @@ impl Model {
         });
         let vectors = matches!(kind, Kind::Vector | Kind::Line) || inferred == Kind::Vector;
         let vectors = vectors && kind != Kind::Velocity;
-        Ok(Model { value, kind, accept, vocabulary: Vocabulary { letters, vectors }, quantity: options.quantity })
+        let (vocabulary, quantity) = (Vocabulary { letters, vectors }, options.quantity);
+        Ok(Model { value, kind, accept, vocabulary, quantity, prepared: Prepared::default() })
     }
 }
 

@@ -122,6 +122,10 @@ impl Walk<'_> {
     /// Do these words stand here? The token after them, stops and articles passed over.
     fn words(&self, at: usize, words: &str) -> Option<usize> {
         let mut at = at;
+        // Nearly always the first word tells.
+        if words.strip_prefix(self.word(at)?)?.bytes().next().is_some_and(|byte| byte != b' ') {
+            return None;
+        }
         for (place, wanted) in words.split(' ').enumerate() {
             if place > 0 {
                 at = self.article(at);

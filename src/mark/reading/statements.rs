@@ -207,7 +207,7 @@ impl Statements<'_> {
     /// A formula that fills its tokens and is no vector.
     fn scalar(&mut self, tokens: &[Placed]) -> Result<Expr, Unreadable> {
         let place = tokens.first().map_or(self.text.len(), |first| first.start);
-        let read = formula(tokens, 0, self.text, self.vocabulary, self.choices)?;
+        let read = formula(tokens.to_vec(), 0, self.text, self.vocabulary, self.choices)?;
         match read.form {
             Form::Value(value) if read.next == read.tokens.len() => Ok(value),
             _ => Err(Unreadable::Sign(place, "a number or formula is expected here".to_owned())),
@@ -257,7 +257,7 @@ impl Statements<'_> {
             let numbers = tokens.iter().any(|placed| matches!(placed.token, Token::Number(_)));
             // A vector or something that is not read as a formula.
             let before = self.choices.decided().len();
-            let read = formula(tokens, 0, self.text, self.vocabulary, self.choices);
+            let read = formula(tokens.to_vec(), 0, self.text, self.vocabulary, self.choices);
             self.choices.forget(before);
             return match read {
                 Ok(_) => Ok(Left::Number),
@@ -322,7 +322,7 @@ impl Statements<'_> {
     /// One side of an equation, whose names must be known.
     fn side(&mut self, tokens: &[Placed]) -> Result<Expr, Unreadable> {
         let place = tokens[0].start;
-        let read = formula(tokens, 0, self.text, self.vocabulary, self.choices)?;
+        let read = formula(tokens.to_vec(), 0, self.text, self.vocabulary, self.choices)?;
         let rest = &read.tokens[read.next..];
         let words = rest.iter().all(|placed| matches!(placed.token, Token::Phrase(Phrase::Remark) | Token::Sign('.')));
         match read.form {
