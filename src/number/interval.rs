@@ -186,6 +186,19 @@ impl Interval {
     }
 }
 
+impl Interval {
+    /// The cube root; `None` unless all of the interval is at least nought.
+    pub fn cube_root(&self) -> Option<Interval> {
+        if self.lower < IBig::ZERO {
+            return None;
+        }
+        self.count_steps(self);
+        // root(n 2^-bits) = root(n 2^(2 bits)) 2^-bits.
+        let root = |end: &IBig| IBig::from((end << (2 * self.bits)).unsigned_abs().nth_root(3));
+        Some(Interval { lower: root(&self.lower), upper: root(&self.upper) + 1, bits: self.bits })
+    }
+}
+
 /// Both in the finer of their units.
 fn aligned(one: &Interval, two: &Interval) -> (Interval, Interval, usize) {
     let bits = one.bits.max(two.bits);

@@ -8,8 +8,8 @@ use std::cmp::Ordering;
 use dashu_int::IBig;
 use dashu_int::ops::BitTest;
 
-use super::{Interval, steps};
 use super::interval::{floor_quotient, root};
+use super::{Interval, steps};
 
 /// Bits beyond those asked for, so that a chain of roundings stays within a unit of the result.
 const GUARD: usize = 16;

@@ -9,8 +9,8 @@ use std::cell::RefCell;
 use dashu_int::IBig;
 use dashu_int::ops::{BitTest, UnsignedAbs};
 
-use super::{Interval, steps};
 use super::interval::floor_quotient;
+use super::{Interval, steps};
 
 /// Angles above 2^16384 are answered by the whole range of sine and cosine: to reduce one of n bits takes
 /// pi to n bits, and a number that somebody typed must not stall us.

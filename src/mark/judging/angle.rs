@@ -1,8 +1,9 @@
 //! Angles: with the line from which they are measured and the sense, in degrees or in radians.
 //!
 //! Conventions. The model is an angle to the line of centres in the sense from A to B, unless the quantity says
-//! otherwise. A bare number is degrees. The complement is right with the common tangent named and wrong without; the
-//! supplement is right with the sense from B to A named.
+//! otherwise. A bare number is degrees. The complement is right with the common tangent named and wrong without. Measured
+//! from BA it is the supplement that is right, unless the sphere rebounds; where nobody says whether it does, such an
+//! answer goes to a person.
 
 use crate::expr::{Expr, Function, Meaning, Relation, Turn};
 use crate::mark::reading::{Form, Label, ReferenceLine, Said};
@@ -17,7 +18,9 @@ use super::{Model, Note, number};
 /// Judges one value against an angle.
 pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
     let letters = &model.vocabulary.letters;
-    let Some(right) = model.known().meaning().and_then(as_turn) else { return Finding::unreadable(Note::CannotBeCompared) };
+    let Some(right) = model.known().meaning().and_then(as_turn) else {
+        return Finding::unreadable(Note::CannotBeCompared);
+    };
     let expr = match &said.form {
         Form::Value(expr) => expr,
         Form::Equation(Expr::Relation(left, Relation::Equal, value)) => {
@@ -42,6 +45,9 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Findin
         Some(unit) if unit.dimension == [0, 0, 0, 1] => true,
         Some(_) => return compare(model, expr, &right, false).spoilt_by(Note::UnitWrong),
     };
+    if said.reference == Some(ReferenceLine::FromBToA) && own_line(model) == ReferenceLine::LineOfCentres {
+        return from_b_to_a(model, expr, &right, radians);
+    }
     match expected(&right, own_line(model), said.reference) {
         Some(expected) => {
             let finding = compare(model, expr, &expected, radians);
@@ -71,13 +77,24 @@ fn own_line(model: &Model) -> ReferenceLine {
 
 /// The model's angle as measured from the line that was named; `None` if only a person can tell.
 fn expected(right: &Turn, own: ReferenceLine, named: Option<ReferenceLine>) -> Option<Turn> {
-    use ReferenceLine::{CommonTangent, FromBToA, I, J, LineOfCentres};
+    use ReferenceLine::{CommonTangent, I, J, LineOfCentres};
     let Some(named) = named else { return Some(right.clone()) };
     match (own, named) {
         (own, named) if own == named => Some(right.clone()),
         (LineOfCentres, CommonTangent) | (I, J) => from(90, right),
-        (LineOfCentres, FromBToA) => from(180, right),
         _ => None,
+    }
+}
+
+/// An angle measured from BA: by the sense in which the sphere moves, if that is known.
+fn from_b_to_a(model: &Model, expr: &Expr, right: &Turn, radians: bool) -> Finding {
+    let forwards = from(180, right).map_or(Finding::WRONG, |turn| compare(model, expr, &turn, radians));
+    let backwards = compare(model, expr, right, radians);
+    match model.rebounds {
+        Some(false) => forwards,
+        Some(true) => backwards,
+        None if forwards.or_better(backwards).is_credited() => Finding::unreadable(Note::ReferenceUnchecked),
+        None => Finding::WRONG,
     }
 }
 

@@ -46,11 +46,9 @@ fn parts(expr: &Expr, letters: &[Letter], point: u32, bits: usize) -> Option<Int
         Expr::Degrees(degrees) => Some(inner(degrees)? * degree(bits)?),
         Expr::Negative(value) => Some(-inner(value)?),
         Expr::Sum(terms) => terms.iter().try_fold(Interval::integer(0, bits), |sum, term| Some(sum + inner(term)?)),
-        Expr::Product(factors) => {
-            factors.iter().try_fold(Interval::integer(1, bits), |product, factor| {
-                Some(product * inner(factor)?).filter(|product| !product.exceeds(LARGEST))
-            })
-        }
+        Expr::Product(factors) => factors.iter().try_fold(Interval::integer(1, bits), |product, factor| {
+            Some(product * inner(factor)?).filter(|product| !product.exceeds(LARGEST))
+        }),
         Expr::Quotient(above, below) => inner(above)?.checked_div(&inner(below)?),
         Expr::Power(base, exponent) => power(&inner(base)?, exponent, bits),
         Expr::Call(function, argument) => call(*function, &inner(argument)?),
@@ -79,6 +77,7 @@ fn power(base: &Interval, exponent: &Expr, bits: usize) -> Option<Interval> {
     let base = match below {
         1 => base.clone(),
         2 if base.sign().is_none_or(|sign| sign.is_ge()) => base.sqrt()?,
+        3 => base.cube_root()?,
         _ => return None,
     };
     if !(0..=MOST_POWER).contains(&count) {

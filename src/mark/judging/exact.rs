@@ -170,7 +170,8 @@ fn decidable(exprs: &[&Expr]) -> bool {
         return true;
     }
     let order = angles.iter().try_fold(4_u128, |order, degrees| {
-        let below = u128::try_from((degrees / &Fraction::from(360)).denominator()).ok().filter(|below| *below < 1 << 20)?;
+        let below =
+            u128::try_from((degrees / &Fraction::from(360)).denominator()).ok().filter(|below| *below < 1 << 20)?;
         Some(order / shared(order, below) * below).filter(|order| *order < 1 << 20)
     });
     let roots = exprs.iter().map(|expr| roots(expr)).sum::<u32>().min(20);
@@ -224,6 +225,7 @@ fn given_degrees(expr: &Expr) -> Option<Fraction> {
 
 /// How many roots are in it.
 fn roots(expr: &Expr) -> u32 {
-    let own = matches!(expr, Expr::Call(Function::Sqrt, _)) || matches!(expr, Expr::Power(_, exponent) if !matches!(**exponent, Expr::Number(ref number) if number.is_integer()));
+    let own = matches!(expr, Expr::Call(Function::Sqrt, _))
+        || matches!(expr, Expr::Power(_, exponent) if !matches!(**exponent, Expr::Number(ref number) if number.is_integer()));
     u32::from(own) + expr.children().into_iter().map(roots).sum::<u32>()
 }

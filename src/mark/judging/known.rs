@@ -83,6 +83,7 @@ impl Model {
             accept: self.accept.clone(),
             vocabulary: self.vocabulary.clone(),
             quantity: None,
+            rebounds: self.rebounds,
             prepared: Prepared::default(),
         }
     }

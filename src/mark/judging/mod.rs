@@ -47,6 +47,8 @@ pub struct Model {
     pub vocabulary: Vocabulary,
     /// What is asked for, where that is known: from it come the unit, the sphere and the line of an angle.
     pub quantity: Option<Quantity>,
+    /// Does the sphere move from B towards A? An angle measured from BA can be judged only where that is known.
+    pub rebounds: Option<bool>,
     /// What has been worked out of it.
     pub(crate) prepared: Prepared,
 }

@@ -63,7 +63,7 @@ impl Model {
         let vectors = matches!(kind, Kind::Vector | Kind::Line) || inferred == Kind::Vector;
         let vectors = vectors && kind != Kind::Velocity;
         let (vocabulary, quantity) = (Vocabulary { letters, vectors }, options.quantity);
-        Ok(Model { value, kind, accept, vocabulary, quantity, prepared: Prepared::default() })
+        Ok(Model { value, kind, accept, vocabulary, quantity, rebounds: None, prepared: Prepared::default() })
     }
 }
 

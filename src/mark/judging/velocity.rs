@@ -92,7 +92,9 @@ fn direction(model: &Model, along: &Expr, across: &Expr, said: &[&Said], bare: O
     } else {
         Expr::call(crate::expr::Function::Atan, size(across).over(size(along)))
     };
-    let angle_model = Model { kind: Kind::Angle, ..model.of_value(value) };
+    let sense = exact::value(along, &model.vocabulary.letters).and_then(|along| along.sign());
+    let rebounds = sense.map(std::cmp::Ordering::is_lt).or(model.rebounds);
+    let angle_model = Model { kind: Kind::Angle, rebounds, ..model.of_value(value) };
     let finding = angle::judge(&angle_model, measured, None);
     if finding.is_credited() { finding } else { Finding::wrong(finding.note.unwrap_or(Note::DirectionWrong)) }
 }

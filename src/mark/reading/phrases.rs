@@ -31,6 +31,8 @@ pub(super) enum Phrase {
     Is,
     /// `of`, `the`, `both move to the right`
     Remark,
+    /// A word of some language that says nothing here: after a value it may change what it is.
+    Unknown,
 }
 
 /// A noun that names a line.
@@ -231,7 +233,7 @@ impl Walk<'_> {
                 if touches || !alone || !lexicon::is_only_a_word(self.typed(at)) || is_greek(word) {
                     return Ok(None);
                 }
-                Phrase::Remark
+                Phrase::Unknown
             }
         };
         Ok(Some((phrase, at + 1)))

@@ -144,6 +144,11 @@ impl Values<'_> {
                 }
                 Ok(at + 1)
             }
+            // `7 bananas`: seven of what?
+            Phrase::Unknown if !found.values.is_empty() => {
+                let word = self.slice(tokens, at, at + 1);
+                Err(Unreadable::Sign(tokens[at].start, format!("`{word}` may say something else of the value")))
+            }
             _ => {
                 lead.push(at);
                 Ok(at + 1)
