@@ -8,9 +8,9 @@
 use crate::expr::{Expr, Function, Meaning, Relation, Turn};
 use crate::mark::reading::{Form, Label, ReferenceLine, Said};
 use crate::mechanics::Quantity;
-use crate::number::Fraction;
+use crate::number::{Fraction, Interval, Places};
 
-use super::accuracy::{Coarsest, Target, Written, decimal, places};
+use super::accuracy::{BITS, Coarsest, Target, Written, decimal, is_far, places};
 use super::exact;
 use super::finding::Finding;
 use super::{Model, Note, number};
@@ -170,10 +170,28 @@ fn rounded(found: &Turn, decimals: &Coarsest, right: &Turn, model: &Model) -> Fi
     }
 }
 
+/// Is a plain number far from the angle, its complement, its supplement, its negative and its radians alike?
+fn is_unrelated(expr: &Expr, right: &Turn, wanted: &Places) -> bool {
+    let Some((written, degrees)) = Written::of(expr).zip(right.enclose(BITS)) else { return false };
+    let whole = |degrees: i64| Interval::integer(degrees, BITS);
+    let Some(degree) = Interval::pi(BITS).checked_div(&whole(180)) else { return false };
+    let others = [
+        whole(90) - degrees.clone(),
+        whole(180) - degrees.clone(),
+        -degrees.clone(),
+        degrees.clone() * degree,
+        degrees,
+    ];
+    others.iter().all(|other| is_far(&written, other, wanted))
+}
+
 /// Why the number is not the one asked for, where that can be told.
 fn explain(model: &Model, said: &Said, expr: &Expr, right: &Turn, finding: Finding) -> Finding {
     let is =
         |turn: Option<Turn>, radians: bool| turn.is_some_and(|turn| compare(model, expr, &turn, radians).is_correct());
+    if is_unrelated(expr, right, &places(&model.accept)) {
+        return finding;
+    }
     if said.reference.is_some_and(|named| named != own_line(model)) {
         return if is(Some(right.clone()), false) { Finding::wrong(Note::ReferenceWrong) } else { finding };
     }
