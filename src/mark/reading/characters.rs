@@ -41,6 +41,9 @@ pub(super) fn glyphs(text: &str) -> Result<Vec<Glyph>, Unreadable> {
                 lowered_after_stroke(&characters[at + length..]).filter(|_| is_whole(&raised))
             {
                 // `¹⁰⁄₄₃` is a fraction.
+                let last = characters[at + raised.chars().count() + length - 1];
+                let end = last.0 + last.1.len_utf8();
+                let mut put = |sign: char| out.push(Glyph { sign, place, end });
                 put(OPEN);
                 signs.for_each(&mut put);
                 put('/');
