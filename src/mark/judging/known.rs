@@ -77,14 +77,7 @@ impl Model {
 
     /// A model of another value in the same question, about which nothing is known yet.
     pub(super) fn of_value(&self, value: Expr) -> Model {
-        Model {
-            value,
-            kind: self.kind,
-            accept: self.accept.clone(),
-            vocabulary: self.vocabulary.clone(),
-            quantity: None,
-            rebounds: self.rebounds,
-            prepared: Prepared::default(),
-        }
+        let other = Model::new(value, self.kind, self.accept.clone(), self.vocabulary.clone());
+        Model { rebounds: self.rebounds, ..other }
     }
 }

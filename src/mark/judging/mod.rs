@@ -54,6 +54,11 @@ pub struct Model {
 }
 
 impl Model {
+    /// A model of which no more is known than its value, its kind, the rule and the letters.
+    pub fn new(value: Expr, kind: Kind, accept: Accept, vocabulary: Vocabulary) -> Model {
+        Model { value, kind, accept, vocabulary, quantity: None, rebounds: None, prepared: Prepared::default() }
+    }
+
     /// The right unit, if it is known what is asked for.
     fn unit(&self) -> Option<Unit> {
         self.quantity.map(Quantity::unit)

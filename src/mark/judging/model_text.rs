@@ -6,7 +6,6 @@ use crate::mark::reading::Vocabulary;
 use crate::mechanics::Quantity;
 use crate::number::{Letter, Places, Range};
 
-use super::known::Prepared;
 use super::{Model, exact};
 
 /// What is said of a model answer besides its value.
@@ -62,8 +61,8 @@ impl Model {
         });
         let vectors = matches!(kind, Kind::Vector | Kind::Line) || inferred == Kind::Vector;
         let vectors = vectors && kind != Kind::Velocity;
-        let (vocabulary, quantity) = (Vocabulary { letters, vectors }, options.quantity);
-        Ok(Model { value, kind, accept, vocabulary, quantity, rebounds: None, prepared: Prepared::default() })
+        let model = Model::new(value, kind, accept, Vocabulary { letters, vectors });
+        Ok(Model { quantity: options.quantity, ..model })
     }
 }
 
