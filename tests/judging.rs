@@ -9,12 +9,13 @@
 //!   `wrong` if none earned anything, `unreadable` if none could be read, and else `partial`.
 //! * `show_that` is the printed result.
 
+use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
 use carom::answer::{Accept, Kind};
-use carom::expr::{Angles, Expr, print};
+use carom::expr::{Angles, Expr, number, print};
 use carom::mark::judging::{Judgement, Model, ModelOptions, Verdict, judge, judge_together};
 use carom::mark::reading::read_answer;
 use carom::mechanics::{Quantity, Scene, SceneText};
@@ -194,7 +195,12 @@ fn model(row: &Row, name: &str) -> Model {
     } else {
         asked[0]
     };
-    finished(&print::plain(&value), kind, Some(quantity), vectors)
+    let mut model = finished(&print::plain(&value), kind, Some(quantity), vectors);
+    // The sense in which the sphere moves, without which an angle from BA cannot be judged.
+    let along: Quantity = format!("{sphere}.after.n").parse().unwrap();
+    let along = solve(&scene(question), &[along]).ok().and_then(|solution| solution.exact(along));
+    model.rebounds = along.and_then(|along| number(&along, &|_| None).ok()?.sign()).map(Ordering::is_lt);
+    model
 }
 
 fn finished(text: &str, kind: Kind, quantity: Option<Quantity>, vectors: bool) -> Model {
@@ -270,7 +276,7 @@ fn one_unit_in_the_third_figure_is_never_accepted() {
     for text in ["4*sqrt(39)/9", "16*sqrt(3)/9", "10/43", "48/25", "7*sqrt(2)/9 + 77/54", "3*cos(10*deg)", "25/7", "9"]
     {
         let model = inferred(text);
-        let value = carom::expr::number(&model.value, &|_| None).unwrap();
+        let value = number(&model.value, &|_| None).unwrap();
         let rounded = value.rounded(&Places::SignificantFigures(3)).unwrap();
         assert_eq!(verdict(&model, &rounded.to_string()).verdict, Verdict::Correct, "{rounded} for {text}");
         let unit = Fraction::new(1, 10).power(rounded.places as i32).unwrap();

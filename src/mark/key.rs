@@ -3,6 +3,7 @@
 //! A key is enough to mark with, since the bank may have changed since the paper was printed. So its scene is posed
 //! again and its expressions are read again; nothing else is taken from anywhere.
 
+use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::OnceLock;
 
@@ -14,7 +15,7 @@ use super::working::Prepared;
 use crate::answer::{Accept, Kind};
 use crate::bank::{Code, EarnedFor, Find};
 use crate::expr::{Angles, Expr, read};
-use crate::mechanics::{Derivation, Known, Quantity, Scene, SceneText, pose};
+use crate::mechanics::{Axis, Derivation, Known, Quantity, Scene, SceneText, pose};
 use crate::number::{Letter, Value};
 use crate::paper::{Blank, KeyMark, KeyPart, KeyQuestion};
 
@@ -273,7 +274,7 @@ impl KeyedPart {
             KeyedBlank::read(blank, printed_result(blank, part), scene)
                 .map_err(|fault| fault.below(&format!("blanks[{place}]")))
         });
-        let blanks = blanks.collect::<Result<Vec<_>, _>>()?;
+        let mut blanks = blanks.collect::<Result<Vec<_>, _>>()?;
         let each = part.scheme.iter().enumerate();
         let scheme = each.map(|(place, mark)| {
             KeyedMark::read(mark, part, scene).map_err(|fault| fault.below(&format!("scheme[{place}]")))
@@ -286,6 +287,9 @@ impl KeyedPart {
         });
         asked.extend(marked.collect::<BTreeSet<_>>());
         let (derivation, _) = Derivation::carry_out(known, &asked);
+        for blank in &mut blanks {
+            blank.model.rebounds = rebounds(&blank.find, known);
+        }
         Ok(KeyedPart { label: part.label.clone(), blanks, scheme, derivation, known: known.clone() })
     }
 
@@ -344,6 +348,13 @@ impl KeyedBlank {
         let model = Model::read(&text, &options).map_err(|fault| at("exact", fault.message, &fault.expected))?;
         Ok(KeyedBlank { name: blank.name.clone(), find, model })
     }
+}
+
+/// Does the sphere whose direction is asked move from B towards A?
+fn rebounds(find: &Find, known: &Known<Value>) -> Option<bool> {
+    let Find::Quantity(Quantity::AngleToLine(sphere, moment)) = find else { return None };
+    let along = known.number(Quantity::Velocity(*sphere, *moment, Axis::N))?;
+    along.sign().map(Ordering::is_lt)
 }
 
 /// The equation that was to be shown, where that is what is asked: the mark for it has both sides.

@@ -8,8 +8,11 @@ use std::fmt;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use std::str::FromStr;
 
+use dashu_int::ops::BitTest;
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
+
+use super::steps;
 
 /// An exact rational number in lowest terms.
 ///
@@ -210,25 +213,35 @@ impl From<IBig> for Fraction {
     }
 }
 
+fn bits(value: &RBig) -> usize {
+    value.numerator().bit_len() + value.denominator().bit_len()
+}
+
 impl Add for &Fraction {
     type Output = Fraction;
     fn add(self, other: &Fraction) -> Fraction {
+        steps::add(1);
         if let (Repr::Small(a, b), Repr::Small(c, d)) = (&self.0, &other.0) {
             let (a, b, c, d) = (i128::from(*a), i128::from(*b), i128::from(*c), i128::from(*d));
             // |a d + c b| < 2^127 because each factor is below 2^63.
             return if b == d { Fraction::reduce(a + c, b) } else { Fraction::reduce(a * d + c * b, b * d) };
         }
-        Fraction::from_big(self.to_big() + other.to_big())
+        let (one, two) = (self.to_big(), other.to_big());
+        steps::add(steps::of_bits(bits(&one).max(bits(&two))));
+        Fraction::from_big(one + two)
     }
 }
 
 impl Mul for &Fraction {
     type Output = Fraction;
     fn mul(self, other: &Fraction) -> Fraction {
+        steps::add(1);
         if let (Repr::Small(a, b), Repr::Small(c, d)) = (&self.0, &other.0) {
             return Fraction::reduce(i128::from(*a) * i128::from(*c), i128::from(*b) * i128::from(*d));
         }
-        Fraction::from_big(self.to_big() * other.to_big())
+        let (one, two) = (self.to_big(), other.to_big());
+        steps::add(steps::of_bits(bits(&one).max(bits(&two))));
+        Fraction::from_big(one * two)
     }
 }
 
@@ -273,6 +286,7 @@ by_value!(Add add, Sub sub, Mul mul, Div div);
 
 impl Ord for Fraction {
     fn cmp(&self, other: &Fraction) -> Ordering {
+        steps::add(1);
         if let (Repr::Small(a, b), Repr::Small(c, d)) = (&self.0, &other.0) {
             return (i128::from(*a) * i128::from(*d)).cmp(&(i128::from(*c) * i128::from(*b)));
         }

@@ -10,9 +10,9 @@ use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 
 use dashu_int::IBig;
-use dashu_int::ops::{DivEuclid, SquareRootRem, UnsignedAbs};
+use dashu_int::ops::{BitTest, DivEuclid, SquareRootRem, UnsignedAbs};
 
-use super::Fraction;
+use super::{Fraction, steps};
 
 /// A closed interval with ends that are multiples of 2^-bits, rounded outwards by every operation.
 ///
@@ -93,6 +93,15 @@ impl Interval {
         fraction(&(&self.upper + &self.lower), self.bits + 1).to_f64()
     }
 
+    /// Does it reach beyond plus or minus 2^bits?
+    pub(crate) fn exceeds(&self, bits: usize) -> bool {
+        self.upper.bit_len().max(self.lower.bit_len()) > self.bits + bits
+    }
+
+    fn count_steps(&self, other: &Interval) {
+        steps::add(steps::of_bits(self.upper.bit_len().max(other.upper.bit_len())));
+    }
+
     /// May the value be nought?
     pub fn contains_zero(&self) -> bool {
         self.lower <= IBig::ZERO && self.upper >= IBig::ZERO
@@ -150,6 +159,7 @@ impl Interval {
 
     /// The quotient by an interval that is all of it above nought.
     pub(super) fn over_positive(&self, divisor: &Interval) -> Interval {
+        self.count_steps(divisor);
         let (dividend, divisor, bits) = aligned(self, divisor);
         // The quotient is least with the largest divisor if the dividend is positive, else with the smallest.
         let below = if dividend.lower >= IBig::ZERO { &divisor.upper } else { &divisor.lower };
@@ -167,11 +177,25 @@ impl Interval {
         if self.upper < IBig::ZERO {
             return None;
         }
+        self.count_steps(self);
         let lower = self.lower.clone().max(IBig::ZERO);
         // root(n 2^-bits) = root(n 2^bits) 2^-bits.
         let (lower, _) = root(&(lower << self.bits));
         let (upper, exact) = root(&(&self.upper << self.bits));
         Some(Interval { lower, upper: if exact { upper } else { upper + 1 }, bits: self.bits })
+    }
+}
+
+impl Interval {
+    /// The cube root; `None` unless all of the interval is at least nought.
+    pub fn cube_root(&self) -> Option<Interval> {
+        if self.lower < IBig::ZERO {
+            return None;
+        }
+        self.count_steps(self);
+        // root(n 2^-bits) = root(n 2^(2 bits)) 2^-bits.
+        let root = |end: &IBig| IBig::from((end << (2 * self.bits)).unsigned_abs().nth_root(3));
+        Some(Interval { lower: root(&self.lower), upper: root(&self.upper) + 1, bits: self.bits })
     }
 }
 
@@ -234,6 +258,7 @@ impl Neg for Interval {
 impl Mul for Interval {
     type Output = Interval;
     fn mul(self, other: Interval) -> Interval {
+        self.count_steps(&other);
         let (one, two, bits) = aligned(&self, &other);
         let (mut least, mut greatest) = (&one.lower * &two.lower, &one.upper * &two.upper);
         if one.lower < IBig::ZERO || two.lower < IBig::ZERO {

@@ -8,8 +8,8 @@ use std::cmp::Ordering;
 use dashu_int::IBig;
 use dashu_int::ops::BitTest;
 
-use super::Interval;
 use super::interval::{floor_quotient, root};
+use super::{Interval, steps};
 
 /// Bits beyond those asked for, so that a chain of roundings stays within a unit of the result.
 const GUARD: usize = 16;
@@ -118,6 +118,7 @@ fn arc_tangent_within_one(mut x: IBig, halvings: usize, bits: usize) -> (IBig, I
     let square = (&x * &x) >> bits;
     let (mut power, mut sum, mut terms) = (x, IBig::ZERO, 0usize);
     while power != IBig::ZERO {
+        steps::add(steps::of_bits(bits));
         let term = &power / (2 * terms + 1);
         sum = if terms.is_multiple_of(2) { sum + term } else { sum - term };
         power = (power * &square) >> bits;

@@ -17,6 +17,7 @@ mod polynomial;
 mod polynomial_roots;
 mod root;
 mod rounding;
+pub(crate) mod steps;
 mod trigonometry;
 mod value;
 #[cfg(test)]

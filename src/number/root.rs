@@ -1,6 +1,7 @@
 //! Square roots of exact values, as simple as they come: squares taken out, nested roots undone.
 
 use std::cmp::Ordering;
+use std::sync::LazyLock;
 
 use dashu_int::IBig;
 use dashu_int::ops::BitTest;
@@ -8,11 +9,24 @@ use dashu_int::ops::BitTest;
 use super::fraction::exact_root;
 use super::polynomial::Polynomial;
 use super::value::{Root, Terms, Value, integer};
-use super::{Fraction, Range};
+use super::{Fraction, Range, steps};
 
 /// Primes up to this are looked for in a radicand. What is left of a larger number is taken for a
 /// prime unless it is a square: an exam never gets there, and a value stays right all the same.
-const LARGEST_TRIAL: u64 = 100_000;
+const LARGEST_TRIAL: usize = 100_000;
+
+/// Every prime up to [`LARGEST_TRIAL`].
+static PRIMES: LazyLock<Vec<u64>> = LazyLock::new(|| {
+    let mut crossed_out = vec![false; LARGEST_TRIAL + 1];
+    let mut primes = Vec::new();
+    for number in 2..=LARGEST_TRIAL {
+        if !crossed_out[number] {
+            primes.push(number as u64);
+            (number * number..=LARGEST_TRIAL).step_by(number).for_each(|multiple| crossed_out[multiple] = true);
+        }
+    }
+    primes
+});
 
 impl Value {
     /// The square root that is not negative; `None` if the value is known to be negative.
@@ -170,18 +184,23 @@ fn root_of_fraction(number: &Fraction) -> Option<Value> {
 /// `s`, distinct primes and what is too large to be one of them, in `number = s² * primes * rest`.
 fn square_part(number: IBig) -> (IBig, Vec<u128>, Option<IBig>) {
     let (mut rest, mut square, mut primes) = (number, IBig::ONE, Vec::new());
-    let mut prime = 2_u64;
-    while prime <= LARGEST_TRIAL && IBig::from(prime) * IBig::from(prime) <= rest {
+    // Machine integers where they suffice: there are many divisions.
+    let mut small = u64::try_from(&rest).ok();
+    for prime in PRIMES.iter().copied() {
+        if small.is_some_and(|small| prime * prime > small) {
+            break;
+        }
+        steps::add(1);
         let mut power = 0;
-        while (&rest % prime) == 0 {
+        while small.map_or_else(|| (&rest % prime) == 0, |small| small % prime == 0) {
             rest /= prime;
+            small = u64::try_from(&rest).ok();
             power += 1;
         }
         square *= IBig::from(prime).pow(power / 2);
         if power % 2 == 1 {
             primes.push(prime.into());
         }
-        prime += if prime == 2 { 1 } else { 2 };
     }
     if let Some(root) = exact_root(&rest) {
         return (square * root, primes, None);

@@ -9,8 +9,8 @@ use std::cell::RefCell;
 use dashu_int::IBig;
 use dashu_int::ops::{BitTest, UnsignedAbs};
 
-use super::Interval;
 use super::interval::floor_quotient;
+use super::{Interval, steps};
 
 /// Angles above 2^16384 are answered by the whole range of sine and cosine: to reduce one of n bits takes
 /// pi to n bits, and a number that somebody typed must not stall us.
@@ -127,6 +127,7 @@ fn arc_tangent_of_reciprocal(n: u32, bits: usize) -> (IBig, usize) {
     let mut power = (IBig::ONE << bits) / n;
     let (mut sum, mut terms) = (IBig::ZERO, 0usize);
     while power != IBig::ZERO {
+        steps::add(steps::of_bits(bits));
         let term = &power / (2 * terms + 1);
         sum = if terms.is_multiple_of(2) { sum + term } else { sum - term };
         power /= &square;
@@ -185,6 +186,7 @@ fn sine_and_cosine_series(t: &IBig, bits: usize) -> (IBig, IBig, usize) {
     let mut term = IBig::ONE << bits;
     let (mut sine, mut cosine, mut n) = (IBig::ZERO, term.clone(), 0usize);
     loop {
+        steps::add(steps::of_bits(bits));
         n += 1;
         term = ((term * t) >> bits) / n;
         if term == IBig::ZERO {

@@ -306,3 +306,9 @@ fn carom_knows_that_a_formula_on_one_line_has_room_for_its_brackets() {
         assert!(drawn >= written, "{}: {drawn} of {written}", unicode(&formula));
     }
 }
+
+#[test]
+fn a_tower_of_powers_is_printed_storey_by_storey() {
+    let tower = (0..40).fold(x("e"), |above, _| pow(x("e"), above));
+    assert!([plain(&tower), unicode(&tower), latex(&tower)].iter().all(|printed| printed.len() < 400));
+}

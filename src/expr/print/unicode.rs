@@ -110,12 +110,12 @@ fn write_item(item: &Item, hand: Hand, out: &mut String) {
         }
         Item::Power(base, exponent) => {
             write_on_one_line(base, hand, out);
-            match superscript(&on_one_line(exponent, hand)) {
+            // Printed once: a tower of powers printed twice at each storey would take for ever.
+            let above = on_one_line(exponent, hand);
+            match superscript(&above) {
                 Some(raised) => out.push_str(&raised),
-                None => {
-                    out.push('^');
-                    write_closed(exponent, hand, out);
-                }
+                None if is_single(exponent) => out.extend(["^", &above]),
+                None => out.extend(["^(", &above, ")"]),
             }
         }
         Item::Brackets(inner) => enclose("(", inner, ")", hand, out),
@@ -145,11 +145,14 @@ fn is_product(row: &Row) -> bool {
 
 /// Adds the row, in brackets unless it is one thing.
 fn write_closed(row: &Row, hand: Hand, out: &mut String) {
-    let single =
-        matches!(row[..], [Item::Digits(_) | Item::Letter(_) | Item::Bold(_) | Item::Brackets(_) | Item::Bars(_)])
-            || matches!(row[..], [Item::Root(_) | Item::Power(..)])
-            || matches!(row[..], [_, Item::Degree]);
-    if single { write_on_one_line(row, hand, out) } else { enclose("(", row, ")", hand, out) }
+    if is_single(row) { write_on_one_line(row, hand, out) } else { enclose("(", row, ")", hand, out) }
+}
+
+/// Is it one thing, that needs no brackets?
+fn is_single(row: &Row) -> bool {
+    matches!(row[..], [Item::Digits(_) | Item::Letter(_) | Item::Bold(_) | Item::Brackets(_) | Item::Bars(_)])
+        || matches!(row[..], [Item::Root(_) | Item::Power(..)])
+        || matches!(row[..], [_, Item::Degree])
 }
 
 fn superscript(text: &str) -> Option<String> {

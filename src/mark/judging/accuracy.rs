@@ -24,6 +24,8 @@ const FEWEST: u32 = 2;
 const FEWEST_NEAR: u32 = 3;
 /// The figures to which a decimal is looked at where the exact value is wanted.
 const FIGURES_FOR_EXACT: u32 = 3;
+/// The precision of enclosures that tell what is far from what.
+pub(super) const BITS: usize = 96;
 /// No rounding is tried beyond so many decimal places: the figures after them say nothing about a mark.
 const MOST_PLACES: i64 = 60;
 
@@ -178,7 +180,7 @@ impl Target {
 
     /// Is the number within one hundredth of it?
     fn is_near(&self, number: &Fraction) -> bool {
-        let bits = 96;
+        let bits = BITS;
         let Some(exact) = self.enclose(bits) else { return false };
         let gap = (Interval::from_fraction(number, bits) - exact.clone()).abs();
         (gap * Interval::integer(100, bits)).upper() < exact.abs().lower()
@@ -192,10 +194,13 @@ pub(super) fn places(accept: &Accept) -> Places {
 
 /// How a decimal fares by the rules above.
 pub(super) fn decimal(written: &Written, target: &Target, accept: &Accept) -> Finding {
+    let wanted = places(accept);
+    if target.enclose(BITS).is_some_and(|exact| is_far(written, &exact, &wanted)) {
+        return Finding::WRONG;
+    }
     if target.equals(&written.value) {
         return Finding::EXACT;
     }
-    let wanted = places(accept);
     let Ok(model) = target.rounded(&wanted) else { return Finding::unreadable(Note::CannotBeCompared) };
     let enough = suffices(written.figures, written.places, &wanted);
     let last = last_place(written, target);
@@ -224,6 +229,28 @@ pub(super) fn decimal(written: &Written, target: &Target, accept: &Accept) -> Fi
             Finding::WRONG
         }
     }
+}
+
+/// Is it further off than any rule forgives? Most wrong answers are, and an enclosure shows it.
+///
+/// Two that round to one value are at most a unit of that rounding apart; what is rounded or cut off is within a unit
+/// of its own last figure; a near miss is within a hundredth.
+pub(super) fn is_far(written: &Written, exact: &Interval, wanted: &Places) -> bool {
+    let size = exact.abs().upper();
+    let unit = match wanted {
+        Places::SignificantFigures(figures) => {
+            let tenths = i32::try_from(figures.saturating_sub(1)).unwrap_or(i32::MAX).min(2);
+            Fraction::new(1, 10).power(tenths).map(|share| &size * &share)
+        }
+        Places::DecimalPlaces(places) => Fraction::new(1, 10).power(i32::try_from(*places).unwrap_or(0).min(60)),
+        Places::Nearest(step) => Some(step.decimal().to_fraction()),
+    };
+    let last = i32::try_from((-written.places).max(i64::from(written.noughts)).clamp(-MOST_PLACES, MOST_PLACES)).ok();
+    let last = last.and_then(|power| Fraction::from(10).power(power));
+    let Some((unit, last)) = unit.zip(last) else { return false };
+    let gap = (Interval::from_fraction(&written.value, BITS) - exact.clone()).abs().lower();
+    let hundredth = &size * &Fraction::new(1, 100);
+    gap > unit && gap > last && gap > hundredth
 }
 
 /// What the last figure that was written is.

@@ -1,15 +1,16 @@
 //! Angles: with the line from which they are measured and the sense, in degrees or in radians.
 //!
 //! Conventions. The model is an angle to the line of centres in the sense from A to B, unless the quantity says
-//! otherwise. A bare number is degrees. The complement is right with the common tangent named and wrong without; the
-//! supplement is right with the sense from B to A named.
+//! otherwise. A bare number is degrees. The complement is right with the common tangent named and wrong without. Measured
+//! from BA it is the supplement that is right, unless the sphere rebounds; where nobody says whether it does, such an
+//! answer goes to a person.
 
 use crate::expr::{Expr, Function, Meaning, Relation, Turn};
 use crate::mark::reading::{Form, Label, ReferenceLine, Said};
 use crate::mechanics::Quantity;
-use crate::number::{Fraction, Letter};
+use crate::number::{Fraction, Interval, Places};
 
-use super::accuracy::{Coarsest, Target, Written, decimal, places};
+use super::accuracy::{BITS, Coarsest, Target, Written, decimal, is_far, places};
 use super::exact;
 use super::finding::Finding;
 use super::{Model, Note, number};
@@ -17,7 +18,9 @@ use super::{Model, Note, number};
 /// Judges one value against an angle.
 pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
     let letters = &model.vocabulary.letters;
-    let Some(right) = turn(&model.value, letters) else { return Finding::unreadable(Note::CannotBeCompared) };
+    let Some(right) = model.known().meaning().and_then(as_turn) else {
+        return Finding::unreadable(Note::CannotBeCompared);
+    };
     let expr = match &said.form {
         Form::Value(expr) => expr,
         Form::Equation(Expr::Relation(left, Relation::Equal, value)) => {
@@ -42,6 +45,9 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Findin
         Some(unit) if unit.dimension == [0, 0, 0, 1] => true,
         Some(_) => return compare(model, expr, &right, false).spoilt_by(Note::UnitWrong),
     };
+    if said.reference == Some(ReferenceLine::FromBToA) && own_line(model) == ReferenceLine::LineOfCentres {
+        return from_b_to_a(model, expr, &right, radians);
+    }
     match expected(&right, own_line(model), said.reference) {
         Some(expected) => {
             let finding = compare(model, expr, &expected, radians);
@@ -51,10 +57,10 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Findin
     }
 }
 
-/// The angle that an expression stands for; a plain number is degrees.
-pub(super) fn turn(expr: &Expr, letters: &[Letter]) -> Option<Turn> {
-    match exact::meaning(expr, letters)? {
-        Meaning::Angle(turn) | Meaning::Degrees(turn) => Some(turn),
+/// The angle that something means; a plain number is degrees.
+fn as_turn(meaning: &Meaning) -> Option<Turn> {
+    match meaning {
+        Meaning::Angle(turn) | Meaning::Degrees(turn) => Some(turn.clone()),
         Meaning::Number(value) => value.as_fraction().map(|degrees| Turn::degrees(degrees.clone())),
         _ => None,
     }
@@ -71,13 +77,24 @@ fn own_line(model: &Model) -> ReferenceLine {
 
 /// The model's angle as measured from the line that was named; `None` if only a person can tell.
 fn expected(right: &Turn, own: ReferenceLine, named: Option<ReferenceLine>) -> Option<Turn> {
-    use ReferenceLine::{CommonTangent, FromBToA, I, J, LineOfCentres};
+    use ReferenceLine::{CommonTangent, I, J, LineOfCentres};
     let Some(named) = named else { return Some(right.clone()) };
     match (own, named) {
         (own, named) if own == named => Some(right.clone()),
         (LineOfCentres, CommonTangent) | (I, J) => from(90, right),
-        (LineOfCentres, FromBToA) => from(180, right),
         _ => None,
+    }
+}
+
+/// An angle measured from BA: by the sense in which the sphere moves, if that is known.
+fn from_b_to_a(model: &Model, expr: &Expr, right: &Turn, radians: bool) -> Finding {
+    let forwards = from(180, right).map_or(Finding::WRONG, |turn| compare(model, expr, &turn, radians));
+    let backwards = compare(model, expr, right, radians);
+    match model.rebounds {
+        Some(false) => forwards,
+        Some(true) => backwards,
+        None if forwards.or_better(backwards).is_credited() => Finding::unreadable(Note::ReferenceUnchecked),
+        None => Finding::WRONG,
     }
 }
 
@@ -98,11 +115,11 @@ fn direction(right: &Turn, named: Option<ReferenceLine>) -> Finding {
 
 /// The sine, cosine or tangent where the angle is asked: a step short.
 fn ratio_of_angle(model: &Model, function: Function, value: &Expr) -> Finding {
-    let angle = match exact::meaning(&model.value, &model.vocabulary.letters) {
+    let angle = match model.known().meaning() {
         Some(Meaning::Angle(_)) => model.value.clone(),
         _ => Expr::degrees(model.value.clone()),
     };
-    let of_angle = Model { value: Expr::call(function, angle), quantity: None, ..model.clone() };
+    let of_angle = model.of_value(Expr::call(function, angle));
     let finding = number::value(&of_angle, value, &Written::of(value));
     if finding.is_correct() { Finding::partial(Note::RatioOfAngle) } else { Finding::WRONG }
 }
@@ -153,10 +170,28 @@ fn rounded(found: &Turn, decimals: &Coarsest, right: &Turn, model: &Model) -> Fi
     }
 }
 
+/// Is a plain number far from the angle, its complement, its supplement, its negative and its radians alike?
+fn is_unrelated(expr: &Expr, right: &Turn, wanted: &Places) -> bool {
+    let Some((written, degrees)) = Written::of(expr).zip(right.enclose(BITS)) else { return false };
+    let whole = |degrees: i64| Interval::integer(degrees, BITS);
+    let Some(degree) = Interval::pi(BITS).checked_div(&whole(180)) else { return false };
+    let others = [
+        whole(90) - degrees.clone(),
+        whole(180) - degrees.clone(),
+        -degrees.clone(),
+        degrees.clone() * degree,
+        degrees,
+    ];
+    others.iter().all(|other| is_far(&written, other, wanted))
+}
+
 /// Why the number is not the one asked for, where that can be told.
 fn explain(model: &Model, said: &Said, expr: &Expr, right: &Turn, finding: Finding) -> Finding {
     let is =
         |turn: Option<Turn>, radians: bool| turn.is_some_and(|turn| compare(model, expr, &turn, radians).is_correct());
+    if is_unrelated(expr, right, &places(&model.accept)) {
+        return finding;
+    }
     if said.reference.is_some_and(|named| named != own_line(model)) {
         return if is(Some(right.clone()), false) { Finding::wrong(Note::ReferenceWrong) } else { finding };
     }

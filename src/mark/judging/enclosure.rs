@@ -23,9 +23,16 @@ pub(super) fn at_point(letter: &Letter, point: u32) -> Fraction {
     }
 }
 
+/// Beyond 2 to this power, up or down, nothing is enclosed: towers of powers grow without end.
+const LARGEST: usize = 600;
+
 /// An interval that holds the value of the expression at a point, angles in radians; `None` where it has no value, or
 /// the precision does not tell.
 pub(super) fn enclose(expr: &Expr, letters: &[Letter], point: u32, bits: usize) -> Option<Interval> {
+    parts(expr, letters, point, bits).filter(|found| !found.exceeds(LARGEST))
+}
+
+fn parts(expr: &Expr, letters: &[Letter], point: u32, bits: usize) -> Option<Interval> {
     let inner = |expr: &Expr| enclose(expr, letters, point, bits);
     match expr {
         Expr::Number(value) => Some(Interval::from_fraction(value, bits)),
@@ -39,9 +46,9 @@ pub(super) fn enclose(expr: &Expr, letters: &[Letter], point: u32, bits: usize) 
         Expr::Degrees(degrees) => Some(inner(degrees)? * degree(bits)?),
         Expr::Negative(value) => Some(-inner(value)?),
         Expr::Sum(terms) => terms.iter().try_fold(Interval::integer(0, bits), |sum, term| Some(sum + inner(term)?)),
-        Expr::Product(factors) => {
-            factors.iter().try_fold(Interval::integer(1, bits), |product, factor| Some(product * inner(factor)?))
-        }
+        Expr::Product(factors) => factors.iter().try_fold(Interval::integer(1, bits), |product, factor| {
+            Some(product * inner(factor)?).filter(|product| !product.exceeds(LARGEST))
+        }),
         Expr::Quotient(above, below) => inner(above)?.checked_div(&inner(below)?),
         Expr::Power(base, exponent) => power(&inner(base)?, exponent, bits),
         Expr::Call(function, argument) => call(*function, &inner(argument)?),
@@ -70,12 +77,15 @@ fn power(base: &Interval, exponent: &Expr, bits: usize) -> Option<Interval> {
     let base = match below {
         1 => base.clone(),
         2 if base.sign().is_none_or(|sign| sign.is_ge()) => base.sqrt()?,
+        3 => base.cube_root()?,
         _ => return None,
     };
     if !(0..=MOST_POWER).contains(&count) {
         return None;
     }
-    Some((0..count).fold(Interval::integer(1, bits), |product, _| product * base.clone()))
+    (0..count).try_fold(Interval::integer(1, bits), |product, _| {
+        Some(product * base.clone()).filter(|product| !product.exceeds(LARGEST))
+    })
 }
 
 fn call(function: Function, argument: &Interval) -> Option<Interval> {

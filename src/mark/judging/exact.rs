@@ -1,19 +1,14 @@
 //! Is what a student wrote exactly equal to the model answer? Refuted by intervals, proved by the normal form.
 
 use crate::expr::{Expr, Function, Meaning, Turn, evaluate, holds};
-use crate::number::{Angle, Fraction, Letter, Range, Value};
+use crate::number::{Angle, Fraction, Interval, Letter, Range, Value};
 
+use super::Model;
+use super::effort::{MOST_EFFORT, effort};
 use super::enclosure::{POINTS, at_point, enclose};
 
 /// The precision of the enclosures that refute.
-const BITS: usize = 96;
-
-/// An answer with more roots, sines and the like than this goes to a person rather than through exact arithmetic.
-const MOST_ROOTS: usize = 12;
-/// The same below a fraction's line, where each root doubles the work.
-const MOST_ROOTS_BELOW: usize = 4;
-/// The longest number in an exact calculation, in bits: about 300 figures.
-const LONGEST_NUMBER: usize = 1000;
+pub(super) const BITS: usize = 96;
 
 /// Whether two expressions are equal for all their letters can stand for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,7 +38,8 @@ pub(super) fn meaning_of(letters: &[Letter], name: &str) -> Option<Meaning> {
 
 /// The exact meaning; `None` if it has none, or takes too long.
 pub(super) fn meaning(expr: &Expr, letters: &[Letter]) -> Option<Meaning> {
-    if !is_manageable(expr) {
+    effort(expr)?;
+    if !decidable(&[expr]) {
         return None;
     }
     evaluate(expr, &|name| meaning_of(letters, name)).ok()
@@ -57,6 +53,21 @@ pub(super) fn value(expr: &Expr, letters: &[Letter]) -> Option<Value> {
     }
 }
 
+/// Does it stand for an angle, as `arctan 7` or `30°` does?
+pub(super) fn is_angle(expr: &Expr, letters: &[Letter]) -> bool {
+    may_be_angle(expr, letters) && matches!(meaning(expr, letters), Some(Meaning::Angle(_) | Meaning::Degrees(_)))
+}
+
+/// Is there an angle in it that is not under a sine or a root? It spares working out what is plainly none.
+fn may_be_angle(expr: &Expr, letters: &[Letter]) -> bool {
+    match expr {
+        Expr::Degrees(_) | Expr::Pi | Expr::Call(Function::Asin | Function::Acos | Function::Atan, _) => true,
+        Expr::Name(name) => letter(letters, &name.text).is_some_and(|letter| letter.range() == Range::Acute),
+        Expr::Call(..) | Expr::Number(_) | Expr::Decimal(_) => false,
+        _ => expr.children().into_iter().any(|child| may_be_angle(child, letters)),
+    }
+}
+
 /// A name that is neither a letter of the question nor a unit vector.
 pub(super) fn unknown_letter(expr: &Expr, letters: &[Letter]) -> Option<String> {
     let names = expr.names();
@@ -66,34 +77,58 @@ pub(super) fn unknown_letter(expr: &Expr, letters: &[Letter]) -> Option<String> 
 
 /// Are the two equal, whatever their letters stand for?
 pub(super) fn same(model: &Expr, student: &Expr, letters: &[Letter]) -> Equality {
-    match measured(model, student, letters) {
-        Some(Equality::Equal) | None => {}
-        Some(decided) => return decided,
+    let known = |point: u32| enclose(model, letters, point, BITS);
+    if refuted(known, student, letters) {
+        return Equality::Different;
     }
-    if !is_manageable(student) || !is_manageable(model) {
+    proved(model, student, letters)
+}
+
+/// Is a student's expression equal to the model answer?
+pub(super) fn equals(model: &Model, student: &Expr) -> Equality {
+    let (known, letters) = (model.known(), &model.vocabulary.letters);
+    if refuted(|point| known.enclosure(point), student, letters) {
+        return Equality::Different;
+    }
+    let said = match (known.value(), effort(student)) {
+        (Some(right), Some(_)) if decidable(&[&model.value, student]) => Some(right).zip(value(student, letters)),
+        _ => None,
+    };
+    match said {
+        Some((right, said)) if right.equals(&said) => Equality::Equal,
+        Some(_) => Equality::Different,
+        None => proved(&model.value, student, letters),
+    }
+}
+
+/// By the normal form, or by exact values at fixed points.
+fn proved(model: &Expr, student: &Expr, letters: &[Letter]) -> Equality {
+    let Some(work) = effort(student).zip(effort(model)).map(|(one, two)| one + two) else {
+        return Equality::Undecided;
+    };
+    if !decidable(&[model, student]) {
         return Equality::Undecided;
     }
     let equation = Expr::equation(model.clone(), student.clone());
     match holds(&equation, &|name| meaning_of(letters, name)) {
         Ok(Some(true)) => Equality::Equal,
         Ok(Some(false)) => Equality::Different,
-        _ => at_points(&equation, letters),
+        _ if work <= MOST_EFFORT / u64::from(2 * POINTS) => at_points(&equation, letters),
+        _ => Equality::Undecided,
     }
 }
 
-/// Enclosures at the points: `Different` if any keep apart, `Equal` if all meet, `None` if there are none.
-fn measured(model: &Expr, student: &Expr, letters: &[Letter]) -> Option<Equality> {
-    let points = if letters.is_empty() { 1 } else { POINTS };
-    let mut met = false;
-    for point in 0..points {
-        let Some(right) = enclose(model, letters, point, BITS) else { continue };
-        let Some(said) = enclose(student, letters, point, BITS) else { continue };
-        if !right.overlaps(&said) {
-            return Some(Equality::Different);
-        }
-        met = true;
-    }
-    met.then_some(Equality::Equal)
+/// Do enclosures keep apart at any of the fixed points?
+fn refuted(known: impl Fn(u32) -> Option<Interval>, student: &Expr, letters: &[Letter]) -> bool {
+    points(letters).any(|point| {
+        let both = known(point).and_then(|right| Some((right, enclose(student, letters, point, BITS)?)));
+        both.is_some_and(|(right, said)| !right.overlaps(&said))
+    })
+}
+
+/// The points at which enclosures are compared: one is enough where there are no letters.
+pub(super) fn points(letters: &[Letter]) -> std::ops::Range<u32> {
+    0..if letters.is_empty() { 1 } else { POINTS }
 }
 
 /// Does the equation hold exactly at fixed points? For forms that the normal form cannot take.
@@ -118,40 +153,79 @@ fn at_points(equation: &Expr, letters: &[Letter]) -> Equality {
     if held >= POINTS && !letters.is_empty() { Equality::Equal } else { Equality::Undecided }
 }
 
-/// Is it short and shallow enough for exact arithmetic to be quick?
-fn is_manageable(expr: &Expr) -> bool {
-    roots(expr) <= MOST_ROOTS && below_lines(expr) && numbers(expr)
+/// Beyond this degree of the field in which they lie, sums of sines and cosines of given degrees are not compared:
+/// whole degrees and a root stay below it.
+const HIGHEST_DEGREE: u128 = 96;
+
+/// Can relations between the sines and cosines of given degrees in these expressions be decided quickly?
+///
+/// One angle alone satisfies no relation of so low a degree; of several, such as cos 20° = cos 40° + cos 80°, the
+/// decision takes as many figures as the field that holds them all has dimensions.
+fn decidable(exprs: &[&Expr]) -> bool {
+    let mut angles = Vec::new();
+    exprs.iter().for_each(|expr| given_angles(expr, false, &mut angles));
+    angles.sort();
+    angles.dedup();
+    if angles.len() < 2 {
+        return true;
+    }
+    let order = angles.iter().try_fold(4_u128, |order, degrees| {
+        let below =
+            u128::try_from((degrees / &Fraction::from(360)).denominator()).ok().filter(|below| *below < 1 << 20)?;
+        Some(order / shared(order, below) * below).filter(|order| *order < 1 << 20)
+    });
+    let roots = exprs.iter().map(|expr| roots(expr)).sum::<u32>().min(20);
+    order.is_some_and(|order| (totient(order) / 2) << roots <= HIGHEST_DEGREE)
 }
 
-/// How many roots, sines and inverse sines are in it.
-fn roots(expr: &Expr) -> usize {
-    let own = match expr {
-        Expr::Call(Function::Abs, _) => 0,
-        Expr::Call(..) => 1,
-        Expr::Power(_, exponent) => usize::from(!matches!(**exponent, Expr::Number(ref number) if number.is_integer())),
-        _ => 0,
-    };
-    own + expr.children().into_iter().map(roots).sum::<usize>()
+fn shared(a: u128, b: u128) -> u128 {
+    if b == 0 { a } else { shared(b, a % b) }
 }
 
-fn below_lines(expr: &Expr) -> bool {
-    let below = match expr {
-        Expr::Quotient(_, below) => roots(below),
-        Expr::Power(base, exponent) if matches!(**exponent, Expr::Negative(_)) => roots(base),
-        _ => 0,
-    };
-    below <= MOST_ROOTS_BELOW && expr.children().into_iter().all(below_lines)
+/// How many numbers up to `order` share no factor with it.
+fn totient(order: u128) -> u128 {
+    (1..=order).filter(|number| shared(order, *number) == 1).count() as u128
 }
 
-fn numbers(expr: &Expr) -> bool {
-    use dashu_int::ops::BitTest;
-    let short = |number: &Fraction| {
-        number.numerator().bit_len() <= LONGEST_NUMBER && number.denominator().bit_len() <= LONGEST_NUMBER
+/// The given angles of which sines, cosines and tangents are taken, from 0 to 45 degrees; those that are roots left out.
+fn given_angles(expr: &Expr, in_call: bool, found: &mut Vec<Fraction>) {
+    if let (true, Some(degrees)) = (in_call, given_degrees(expr)) {
+        let right = Fraction::from(90);
+        let acute = &degrees - &(&right * &Fraction::from((&degrees / &right).floor()));
+        let least = if acute > Fraction::from(45) { &right - &acute } else { acute };
+        if !(&least / &Fraction::from(15)).is_integer() {
+            found.push(least);
+        }
+        return;
+    }
+    let in_call = match expr {
+        Expr::Call(Function::Sin | Function::Cos | Function::Tan, _) => true,
+        Expr::Call(..) => false,
+        _ => in_call,
     };
-    let own = match expr {
-        Expr::Number(number) => short(number),
-        Expr::Decimal(text) => text.len() <= LONGEST_NUMBER / 4,
-        _ => true,
-    };
-    own && expr.children().into_iter().all(numbers)
+    expr.children().into_iter().for_each(|child| given_angles(child, in_call, found));
+}
+
+/// The number of degrees, where an expression is arithmetic with given angles alone.
+fn given_degrees(expr: &Expr) -> Option<Fraction> {
+    match expr {
+        Expr::Number(number) => Some(number.clone()),
+        Expr::Decimal(text) => text.parse().ok(),
+        Expr::Pi => Some(Fraction::from(180)),
+        Expr::Degrees(inner) => given_degrees(inner),
+        Expr::Negative(inner) => Some(-given_degrees(inner)?),
+        Expr::Sum(terms) => terms.iter().try_fold(Fraction::ZERO, |sum, term| Some(&sum + &given_degrees(term)?)),
+        Expr::Product(factors) => {
+            factors.iter().try_fold(Fraction::ONE, |product, factor| Some(&product * &given_degrees(factor)?))
+        }
+        Expr::Quotient(above, below) => Some(&given_degrees(above)? * &given_degrees(below)?.reciprocal()?),
+        _ => None,
+    }
+}
+
+/// How many roots are in it.
+fn roots(expr: &Expr) -> u32 {
+    let own = matches!(expr, Expr::Call(Function::Sqrt, _))
+        || matches!(expr, Expr::Power(_, exponent) if !matches!(**exponent, Expr::Number(ref number) if number.is_integer()));
+    u32::from(own) + expr.children().into_iter().map(roots).sum::<u32>()
 }

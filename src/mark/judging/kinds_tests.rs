@@ -37,8 +37,9 @@ fn asked(text: &str, kind: Option<Kind>, quantity: &str) -> Model {
 
 #[test]
 fn an_angle_has_a_line_a_sense_and_a_unit() {
-    let model = asked("atan(3*sqrt(3)/5)/deg", None, "A.after.angle_to_loc_deg");
+    let mut model = asked("atan(3*sqrt(3)/5)/deg", None, "A.after.angle_to_loc_deg");
     assert_eq!(model.kind, Kind::Angle);
+    model.rebounds = Some(false);
     let rows: &[(&str, Option<SaidUnit>, Option<ReferenceLine>, &str)] = &[
         ("46.1", None, None, "correct"),
         ("46.1", degrees(), Some(LineOfCentres), "correct"),
@@ -402,4 +403,23 @@ fn notes_have_tags_in_kebab_case_and_sentences() {
     tags.sort_unstable();
     tags.dedup();
     assert_eq!(tags.len(), Note::ALL.len());
+}
+
+#[test]
+fn an_angle_from_b_to_a_depends_on_the_sense_of_the_motion() {
+    let rows = [
+        (Some(false), "133.9", "correct"),
+        (Some(false), "46.1", "wrong"),
+        (Some(true), "133.9", "wrong"),
+        (Some(true), "46.1", "correct"),
+        (None, "133.9", "unreadable reference-unchecked"),
+        (None, "46.1", "unreadable reference-unchecked"),
+        (None, "30", "wrong"),
+    ];
+    for (rebounds, answer, expected) in rows {
+        let mut model = asked("atan(3*sqrt(3)/5)", Some(Kind::Angle), "A.after.angle_to_loc_deg");
+        model.rebounds = rebounds;
+        let said = Said { reference: Some(FromBToA), ..said(Form::Value(expr(answer))) };
+        assert_eq!(named(&judge(&model, &Ok(vec![reading(None, vec![said])]))), expected, "{answer}, {rebounds:?}");
+    }
 }

@@ -34,7 +34,7 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Findin
 
 /// A vector along the model's line; a number is its gradient.
 fn along(model: &Model) -> Option<(Expr, Expr)> {
-    vector::components(model).or_else(|| match exact::meaning(&model.value, &model.vocabulary.letters)? {
+    vector::components(model).or_else(|| match model.known().meaning()? {
         Meaning::Number(_) => Some((Expr::integer(1), model.value.clone())),
         _ => None,
     })
@@ -44,7 +44,7 @@ fn by_gradient(model: &Model, x: &Expr, y: &Expr, gradient: &Expr) -> Finding {
     if same(x, &Expr::integer(0), &model.vocabulary.letters) == Equality::Equal {
         return Finding::WRONG;
     }
-    let slope = Model { value: y.clone().over(x.clone()), quantity: None, ..model.clone() };
+    let slope = model.of_value(y.clone().over(x.clone()));
     number::value(&slope, gradient, &Written::of(gradient))
 }
 

@@ -6,10 +6,12 @@
 mod accuracy;
 mod angle;
 mod coefficients;
+mod effort;
 mod enclosure;
 mod equation;
 mod exact;
 mod finding;
+mod known;
 mod line;
 mod model_text;
 mod note;
@@ -28,6 +30,7 @@ use crate::unit::Unit;
 
 use super::reading::{Reading, Statement, Unreadable, Vocabulary};
 use finding::Finding;
+use known::Prepared;
 pub use model_text::ModelOptions;
 pub use note::Note;
 
@@ -44,9 +47,18 @@ pub struct Model {
     pub vocabulary: Vocabulary,
     /// What is asked for, where that is known: from it come the unit, the sphere and the line of an angle.
     pub quantity: Option<Quantity>,
+    /// Does the sphere move from B towards A? An angle measured from BA can be judged only where that is known.
+    pub rebounds: Option<bool>,
+    /// What has been worked out of it.
+    pub(crate) prepared: Prepared,
 }
 
 impl Model {
+    /// A model of which no more is known than its value, its kind, the rule and the letters.
+    pub fn new(value: Expr, kind: Kind, accept: Accept, vocabulary: Vocabulary) -> Model {
+        Model { value, kind, accept, vocabulary, quantity: None, rebounds: None, prepared: Prepared::default() }
+    }
+
     /// The right unit, if it is known what is asked for.
     fn unit(&self) -> Option<Unit> {
         self.quantity.map(Quantity::unit)
@@ -102,7 +114,13 @@ pub fn judge(model: &Model, readings: &Result<Vec<Reading>, Unreadable>) -> Judg
         Ok(readings) => readings,
         Err(unreadable) => return refused(unreadable),
     };
-    let found = readings.iter().map(|reading| (one(model, reading), reading));
+    let mut said = 0;
+    let first_readings = readings.iter().take_while(|reading| {
+        let before = said;
+        said += count_said(reading);
+        before < MOST_SAID
+    });
+    let found = first_readings.map(|reading| (one(model, reading), reading));
     let best = found.reduce(|best, next| if best.0.or_better(next.0) == best.0 { best } else { next });
     match best {
         Some((finding, reading)) => report(finding, Some(reading)),
@@ -191,12 +209,17 @@ fn is_turned_by_words(model: &Model, reading: &Reading) -> bool {
     })
 }
 
-/// An answer that says more things than this is a list for a person to look through.
+/// An answer that says more things than this is a list for a person to look through. Once its readings say so many
+/// together, no further reading is judged.
 const MOST_SAID: usize = 16;
+
+fn count_said(reading: &Reading) -> usize {
+    reading.statements.iter().map(|statement| statement.said.len().max(1)).sum()
+}
 
 /// Judges one reading.
 fn one(model: &Model, reading: &Reading) -> Finding {
-    if reading.statements.iter().map(|statement| statement.said.len().max(1)).sum::<usize>() > MOST_SAID {
+    if count_said(reading) > MOST_SAID {
         return Finding::unreadable(Note::TooLong);
     }
     let finding = by_kind(model, reading);
@@ -238,6 +261,8 @@ fn report(finding: Finding, reading: Option<&Reading>) -> Judgement {
     }
 }
 
+#[cfg(test)]
+mod effort_tests;
 #[cfg(test)]
 mod kinds_tests;
 #[cfg(test)]

@@ -61,7 +61,8 @@ impl Model {
         });
         let vectors = matches!(kind, Kind::Vector | Kind::Line) || inferred == Kind::Vector;
         let vectors = vectors && kind != Kind::Velocity;
-        Ok(Model { value, kind, accept, vocabulary: Vocabulary { letters, vectors }, quantity: options.quantity })
+        let model = Model::new(value, kind, accept, Vocabulary { letters, vectors });
+        Ok(Model { quantity: options.quantity, ..model })
     }
 }
 

@@ -6,11 +6,12 @@ use crate::answer::Kind;
 use crate::expr::{Expr, Function, Meaning};
 use crate::mark::reading::{Form, Label, Said};
 use crate::mechanics::Quantity;
-use crate::number::{Fraction, Places, Range};
+use crate::number::{Fraction, Places, Range, Value};
 use crate::unit::Unit;
 
 use super::accuracy::{Coarsest, Target, Written, decimal};
 use super::coefficients;
+use super::enclosure::enclose;
 use super::exact::{self, Equality, same};
 use super::finding::Finding;
 use super::units::{self, UnitCheck};
@@ -75,7 +76,7 @@ fn signed(model: &Model, expr: &Expr, written: &Option<Written>, label: Option<&
     if !turned.is_credited() {
         return plain;
     }
-    let positive = exact::value(&model.value, &model.vocabulary.letters).and_then(|value| value.sign());
+    let positive = model.known().value().and_then(Value::sign);
     if positive != Some(Ordering::Greater) || has_a_sense(model.quantity) {
         return Finding::wrong(Note::Sign);
     }
@@ -114,14 +115,15 @@ pub(super) fn value(model: &Model, expr: &Expr, written: &Option<Written>) -> Fi
         let bare = matches!(expr, Expr::Name(_));
         return if bare { Finding::unreadable(Note::UnknownLetter) } else { Finding::wrong(Note::UnknownLetter) };
     }
-    let equality = same(&model.value, expr, letters);
+    let equality = exact::equals(model, expr);
     if equality == Equality::Equal {
         return Finding::EXACT;
     }
-    let Some(right) = exact::value(&model.value, letters) else {
-        if let (Some(written), Some(Meaning::Angle(turn))) = (written, exact::meaning(&model.value, letters)) {
+    let known = model.known();
+    let Some(right) = known.value() else {
+        if let (Some(written), Some(Meaning::Angle(turn))) = (written, known.meaning()) {
             // A number such as pi is that of an angle in radians.
-            return decimal(written, &Target::Radians(turn), &model.accept);
+            return decimal(written, &Target::Radians(turn.clone()), &model.accept);
         }
         return if equality == Equality::Different {
             Finding::WRONG
@@ -132,7 +134,7 @@ pub(super) fn value(model: &Model, expr: &Expr, written: &Option<Written>) -> Fi
     if let Some(written) = written
         && right.is_constant()
     {
-        return decimal(written, &Target::Value(right), &model.accept);
+        return decimal(written, &Target::Value(right.clone()), &model.accept);
     }
     let mut finding = Finding::WRONG;
     if let Some(decimals) = Coarsest::of(expr) {
@@ -140,21 +142,21 @@ pub(super) fn value(model: &Model, expr: &Expr, written: &Option<Written>) -> Fi
             return Finding::WRONG;
         }
         let Some(found) = exact::value(expr, letters) else { return Finding::unreadable(Note::CannotBeCompared) };
-        finding = coefficients::compare(&right, &found, &decimals, &model.accept);
+        finding = coefficients::compare(right, &found, &decimals, &model.accept);
         if finding.is_credited() {
             return finding;
         }
     } else if equality == Equality::Undecided {
         return Finding::unreadable(Note::CannotBeCompared);
     }
-    if is_broken_off(model, &crate::expr::written(&right), expr) {
+    if known.written().is_some_and(|right| is_broken_off(model, right, expr)) {
         return Finding::unreadable(Note::BrokenOff);
     }
     if letter_missing(model, expr) {
         return Finding::partial(Note::LetterMissing);
     }
     let reciprocal = Expr::integer(1).over(expr.clone());
-    if !expr.is_zero() && same(&model.value, &reciprocal, letters) == Equality::Equal {
+    if !expr.is_zero() && exact::equals(model, &reciprocal) == Equality::Equal {
         return Finding::wrong(Note::Inverted);
     }
     finding
@@ -176,13 +178,11 @@ fn is_broken_off(model: &Model, right: &Expr, expr: &Expr) -> bool {
 
 /// Is it, or a multiple of it by a letter, anywhere near? Spares long calculations with what cannot be right.
 fn worth_working_out(model: &Model, expr: &Expr) -> bool {
-    let letters = &model.vocabulary.letters;
+    let (known, letters) = (model.known(), &model.vocabulary.letters);
     let near = |expr: &Expr| {
-        let points = if letters.is_empty() { 1 } else { super::enclosure::POINTS };
-        (0..points).all(|point| {
-            let right = super::enclosure::enclose(&model.value, letters, point, 96);
-            let found = super::enclosure::enclose(expr, letters, point, 96);
-            right.zip(found).is_none_or(|(right, found)| {
+        exact::points(letters).all(|point| {
+            let found = enclose(expr, letters, point, exact::BITS);
+            known.enclosure(point).zip(found).is_none_or(|(right, found)| {
                 let gap = (right.clone() - found).abs();
                 gap.lower() <= right.abs().upper()
             })
@@ -207,9 +207,9 @@ fn letter_missing(model: &Model, expr: &Expr) -> bool {
         return false;
     }
     missing_letters(model, expr).any(|product| {
-        same(&model.value, &product, letters) == Equality::Equal
+        exact::equals(model, &product) == Equality::Equal
             || Coarsest::of(&product).is_some_and(|decimals| {
-                let both = exact::value(&model.value, letters).zip(exact::value(&product, letters));
+                let both = model.known().value().cloned().zip(exact::value(&product, letters));
                 both.is_some_and(|(right, found)| {
                     coefficients::compare(&right, &found, &decimals, &model.accept).is_correct()
                 })
@@ -232,19 +232,18 @@ fn through_its_tangent(model: &Model, said: &Said, label: Option<&Label>) -> Opt
         return None;
     }
     let Form::Value(expr) = &said.form else { return None };
-    let letters = &model.vocabulary.letters;
     let is_angle = said.unit.as_ref().is_some_and(|unit| unit.degrees || unit.dimension == [0, 0, 0, 1])
-        || matches!(exact::meaning(expr, letters), Some(Meaning::Angle(_) | Meaning::Degrees(_)));
+        || exact::is_angle(expr, &model.vocabulary.letters);
     let names_angle = |label: &Label| matches!(&label.expr, Some(Expr::Name(name)) if is_angle_name(&name.text));
     let labelled = tangent_asked && label.is_some_and(names_angle);
-    if !(is_angle || labelled || tangent_asked) || exact::value(&model.value, letters).is_none() {
+    if !(is_angle || labelled || tangent_asked) || model.known().value().is_none() {
         return None;
     }
     let arc = Expr::call(Function::Atan, model.value.clone());
     let rule = model.accept.places().cloned().unwrap_or(Places::SignificantFigures(3));
     let accept =
         if model.accept.places().is_some() { crate::answer::Accept::RoundsTo(rule) } else { model.accept.clone() };
-    let angle_model = Model { value: arc, kind: Kind::Angle, accept, quantity: None, ..model.clone() };
+    let angle_model = Model { kind: Kind::Angle, accept, ..model.of_value(arc) };
     let finding = angle::judge(&angle_model, said, None);
     if is_angle || labelled {
         return Some(finding.remarked(Note::AngleForTangent)).filter(|finding| is_angle || finding.is_credited());

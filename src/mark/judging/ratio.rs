@@ -4,14 +4,13 @@ use crate::expr::{Expr, Meaning, written};
 use crate::mark::reading::{Form, Said};
 
 use super::accuracy::Written;
-use super::exact;
 use super::finding::Finding;
 use super::{Model, Note, number};
 
 /// Judges one value against a ratio: the model is a quotient, or its two terms as `[2, 3]`.
 pub(super) fn judge(model: &Model, said: &Said) -> Finding {
-    let right = match exact::meaning(&model.value, &model.vocabulary.letters) {
-        Some(Meaning::Vector(first, second)) => match first.divided_by(&second) {
+    let right = match model.known().meaning() {
+        Some(Meaning::Vector(first, second)) => match first.divided_by(second) {
             Some(quotient) => written(&quotient),
             None => return Finding::unreadable(Note::CannotBeCompared),
         },
@@ -24,7 +23,7 @@ pub(super) fn judge(model: &Model, said: &Said) -> Finding {
         Form::Percentage(expr) => expr.clone().over(Expr::integer(100)),
         _ => return Finding::WRONG,
     };
-    let model = Model { value: right, quantity: None, ..model.clone() };
+    let model = model.of_value(right);
     let finding = number::value(&model, &found, &Written::of(&found));
     if said.unit.is_some() { finding.spoilt_by(Note::UnitNotNeeded) } else { finding }
 }

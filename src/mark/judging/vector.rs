@@ -17,8 +17,8 @@ pub(super) fn magnitude(x: &Expr, y: &Expr) -> Expr {
 
 /// The model's components.
 pub(super) fn components(model: &Model) -> Option<(Expr, Expr)> {
-    match exact::meaning(&model.value, &model.vocabulary.letters)? {
-        Meaning::Vector(x, y) => Some((written(&x), written(&y))),
+    match model.known().meaning()? {
+        Meaning::Vector(x, y) => Some((written(x), written(y))),
         _ => None,
     }
 }
@@ -80,7 +80,7 @@ pub(super) fn judge(model: &Model, said: &Said) -> Finding {
 /// Each component against its own.
 fn both(model: &Model, x: (&Expr, &Expr), y: (&Expr, &Expr)) -> Finding {
     let one = |(right, found): (&Expr, &Expr)| {
-        let component = Model { value: right.clone(), quantity: None, ..model.clone() };
+        let component = model.of_value(right.clone());
         number::value(&component, found, &Written::of(found))
     };
     one(x).and(one(y))

@@ -24,7 +24,7 @@ pub(super) fn judge(model: &Model, reading: &Reading) -> Finding {
         None => model.value.clone(),
     };
     let is_rest = same(&right, &Expr::integer(0), &model.vocabulary.letters) == Equality::Equal;
-    let size_model = Model { value: right, kind: Kind::Number, ..model.clone() };
+    let size_model = Model { kind: Kind::Number, quantity: model.quantity, ..model.of_value(right) };
     let sizes: Vec<&&Said> = said.iter().filter(|said| is_size(said, model)).collect();
     let size = match sizes.as_slice() {
         [] => return Finding::unreadable(Note::CannotBeRead),
@@ -92,7 +92,9 @@ fn direction(model: &Model, along: &Expr, across: &Expr, said: &[&Said], bare: O
     } else {
         Expr::call(crate::expr::Function::Atan, size(across).over(size(along)))
     };
-    let angle_model = Model { value, kind: Kind::Angle, quantity: None, ..model.clone() };
+    let sense = exact::value(along, &model.vocabulary.letters).and_then(|along| along.sign());
+    let rebounds = sense.map(std::cmp::Ordering::is_lt).or(model.rebounds);
+    let angle_model = Model { kind: Kind::Angle, rebounds, ..model.of_value(value) };
     let finding = angle::judge(&angle_model, measured, None);
     if finding.is_credited() { finding } else { Finding::wrong(finding.note.unwrap_or(Note::DirectionWrong)) }
 }

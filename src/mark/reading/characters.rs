@@ -37,8 +37,21 @@ pub(super) fn glyphs(text: &str) -> Result<Vec<Glyph>, Unreadable> {
             let (last, signs) = (characters[at + length - 1], raised.chars());
             let end = last.0 + last.1.len_utf8();
             let mut put = |sign: char| out.push(Glyph { sign, place, end });
-            // One raised nought or circle is how degrees are often typed.
-            if raised == "0" {
+            if let Some((below, length)) =
+                lowered_after_stroke(&characters[at + length..]).filter(|_| is_whole(&raised))
+            {
+                // `¹⁰⁄₄₃` is a fraction.
+                let last = characters[at + raised.chars().count() + length - 1];
+                let end = last.0 + last.1.len_utf8();
+                let mut put = |sign: char| out.push(Glyph { sign, place, end });
+                put(OPEN);
+                signs.for_each(&mut put);
+                put('/');
+                below.chars().for_each(&mut put);
+                put(CLOSE);
+                at += length;
+            } else if raised == "0" {
+                // One raised nought or circle is how degrees are often typed.
                 put('°');
             } else {
                 put('^');
@@ -72,6 +85,30 @@ pub(super) fn glyphs(text: &str) -> Result<Vec<Glyph>, Unreadable> {
         at += 1;
     }
     Ok(out)
+}
+
+fn is_whole(digits: &str) -> bool {
+    digits.chars().all(|digit| digit.is_ascii_digit())
+}
+
+/// The digits of `/₄₃`, and how many characters they take with the stroke.
+fn lowered_after_stroke(rest: &[(usize, char)]) -> Option<(String, usize)> {
+    let ((_, stroke), below) = rest.split_first()?;
+    let below: String = below.iter().map_while(|(_, character)| subscript(*character)).collect();
+    (matches!(stroke, '/' | '⁄' | '∕') && !below.is_empty()).then(|| (below.clone(), below.len() + 1))
+}
+
+/// `<4,1>` with its brackets as those of coordinates.
+pub(super) fn without_pointed_brackets(mut glyphs: Vec<Glyph>) -> Vec<Glyph> {
+    let find = |from: usize, signs: &[char]| (from..glyphs.len()).find(|at| signs.contains(&glyphs[*at].sign));
+    let pair = find(0, &['<']).and_then(|open| Some((open, find(open + 1, &['<', '>', '=', '\n'])?)));
+    if let Some((open, close)) = pair.filter(|(open, close)| {
+        glyphs[*close].sign == '>' && glyphs[*open..*close].iter().filter(|glyph| glyph.sign == ',').count() == 1
+    }) {
+        glyphs[open].sign = '(';
+        glyphs[close].sign = ')';
+    }
+    glyphs
 }
 
 fn unknown(character: char, place: usize) -> Unreadable {

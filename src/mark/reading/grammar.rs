@@ -6,7 +6,7 @@ use super::tokens::{Placed, Token, excerpt};
 use super::units;
 use super::{SaidUnit, Unreadable, Vocabulary};
 use crate::expr::{Expr, Function};
-use crate::number::Fraction;
+use crate::number::{Fraction, Places, round};
 
 /// Deeper nesting than any answer has.
 const DEEPEST: usize = 40;
@@ -210,19 +210,22 @@ impl<'a> Parser<'a> {
         small && !more
     }
 
-    /// So many degrees, with minutes and seconds of arc if they follow: `46°6′7″`.
+    /// So many degrees, with minutes and seconds of arc if they follow: `46°6′7″`. A minute is measured about as finely as
+    /// two decimals are, a second as four.
     fn minutes(&mut self, degrees: Expr) -> Parsed {
-        let mut total = degrees;
-        for (mark, share) in [('\'', 60), ('"', 3600)] {
+        let Expr::Number(mut total) = degrees else { return Ok(Expr::degrees(degrees)) };
+        let mut places = None;
+        for (mark, share, decimals) in [('\'', 60, 2), ('"', 3600, 4)] {
             if let (Some(Token::Number(Expr::Number(count))), Some(sign)) = (self.token(0), self.sign(1))
                 && sign == mark
-                && let Expr::Number(whole) = &total
             {
-                total = Expr::Number(whole + &(count * &Fraction::new(1, share)));
+                total = &total + &(count * &Fraction::new(1, share));
+                places = Some(Places::DecimalPlaces(decimals));
                 self.at += 2;
             }
         }
-        Ok(Expr::degrees(total))
+        let rounded = places.map(|places| Expr::Decimal(round(&total, &places).to_string()));
+        Ok(Expr::degrees(rounded.unwrap_or(Expr::Number(total))))
     }
 
     /// The text from a token up to what has been read.

@@ -234,7 +234,10 @@ const SINGLE: [(Sort, &str); 8] = [
          i.e ie eg sf dp s.f d.p rounded decimal places significant figures correct collision impact afterwards \
          that this these for on off each other line centres centers vector unit magnitude required shown qed \
          respectively simplified exact value surd form answer ans path motion travel axis oe awrt cao sense \
-         immediately original",
+         immediately original towards heading bounces bouncing rebounds rebounding rebounded separates separating yes \
+         hopefully think calculator working see diagram there here now very nearly almost precisely overall resultant \
+         scalar using used calculated find found get got have we solution value values part question result results \
+         answers both my our checked units metric decimal fraction respectively",
     ),
 ];
 

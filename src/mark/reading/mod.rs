@@ -12,8 +12,10 @@ mod functions;
 mod grammar;
 mod latex;
 mod lexicon;
+mod line;
 mod names;
 mod operands;
+mod part_label;
 mod phrases;
 mod products;
 mod said;
@@ -68,6 +70,7 @@ fn counted(text: &str, vocabulary: &Vocabulary) -> (Result<Vec<Reading>, Unreada
     }
     let glyphs = match characters::glyphs(text).and_then(|glyphs| latex::without_latex(&glyphs)) {
         Ok(glyphs) if glyphs.iter().all(|glyph| glyph.sign.is_whitespace()) => return (Err(Unreadable::Blank), 0),
+        Ok(glyphs) if vocabulary.vectors => characters::without_pointed_brackets(glyphs),
         Ok(glyphs) => glyphs,
         Err(reason) => return (Err(reason), 0),
     };

@@ -1,5 +1,7 @@
 //! Operands: numbers and mixed numbers, letters, roots, sizes, brackets and columns.
 
+use dashu_int::IBig;
+
 use super::characters::{CLOSE, OPEN};
 use super::choices::Doubt;
 use super::grammar::{Parsed, Parser};
@@ -148,7 +150,7 @@ impl Parser<'_> {
             }
         }
         Ok(match cube {
-            true => Expr::Power(Box::new(under), Box::new(Expr::Number(Fraction::new(1, 3)))),
+            true => cube_root(under),
             false => Expr::call(Function::Sqrt, under),
         })
     }
@@ -204,6 +206,24 @@ impl Parser<'_> {
         self.column = true;
         self.sum()
     }
+}
+
+/// The number of which a fraction is the cube, or the root as it stands.
+fn cube_root(under: Expr) -> Expr {
+    let exact = match &under {
+        Expr::Number(number) => whole_cube_root(number.numerator()).zip(whole_cube_root(number.denominator())),
+        _ => None,
+    };
+    match exact.and_then(|(above, below)| Fraction::from_integers(above, below)) {
+        Some(root) => Expr::Number(root),
+        None => Expr::Power(Box::new(under), Box::new(Expr::Number(Fraction::new(1, 3)))),
+    }
+}
+
+fn whole_cube_root(number: IBig) -> Option<IBig> {
+    let (sign, size) = number.into_parts();
+    let root = size.nth_root(3);
+    (root.pow(3) == size).then(|| IBig::from_parts(sign, root))
 }
 
 /// How many bytes a token's name takes, as typed in full.

@@ -31,6 +31,8 @@ pub(super) enum Phrase {
     Is,
     /// `of`, `the`, `both move to the right`
     Remark,
+    /// A word of some language that says nothing here: after a value it may change what it is.
+    Unknown,
 }
 
 /// A noun that names a line.
@@ -122,6 +124,10 @@ impl Walk<'_> {
     /// Do these words stand here? The token after them, stops and articles passed over.
     fn words(&self, at: usize, words: &str) -> Option<usize> {
         let mut at = at;
+        // Nearly always the first word tells.
+        if words.strip_prefix(self.word(at)?)?.bytes().next().is_some_and(|byte| byte != b' ') {
+            return None;
+        }
         for (place, wanted) in words.split(' ').enumerate() {
             if place > 0 {
                 at = self.article(at);
@@ -227,7 +233,7 @@ impl Walk<'_> {
                 if touches || !alone || !lexicon::is_only_a_word(self.typed(at)) || is_greek(word) {
                     return Ok(None);
                 }
-                Phrase::Remark
+                Phrase::Unknown
             }
         };
         Ok(Some((phrase, at + 1)))

@@ -2,6 +2,8 @@
 
 use super::choices::Choices;
 use super::grammar::Parser;
+use super::line;
+use super::part_label::without_part_label;
 use super::phrases::Phrase;
 use super::tokens::{Placed, Token, excerpt};
 use super::values::{Values, formula, printed};
@@ -29,20 +31,6 @@ pub(super) fn statements(
         }
     }
     Ok(found)
-}
-
-/// The tokens without `(a)` or `a)` before them.
-fn without_part_label<'a>(tokens: &'a [Placed], vocabulary: &Vocabulary) -> &'a [Placed] {
-    let part = |placed: &Placed| match &placed.token {
-        Token::Word(word) => word.len() == 1 && !vocabulary.letters.iter().any(|letter| letter.name() == word),
-        Token::Phrase(Phrase::Remark) => placed.end == placed.start + 1,
-        _ => false,
-    };
-    match tokens {
-        [open, name, close, rest @ ..] if open.is('(') && part(name) && close.is(')') && !rest.is_empty() => rest,
-        [name, close, rest @ ..] if part(name) && close.is(')') && !rest.is_empty() => rest,
-        _ => tokens,
-    }
 }
 
 /// The stretches between newlines, semicolons, commas and arrows that stand outside brackets.
@@ -207,7 +195,7 @@ impl Statements<'_> {
     /// A formula that fills its tokens and is no vector.
     fn scalar(&mut self, tokens: &[Placed]) -> Result<Expr, Unreadable> {
         let place = tokens.first().map_or(self.text.len(), |first| first.start);
-        let read = formula(tokens, 0, self.text, self.vocabulary, self.choices)?;
+        let read = formula(tokens.to_vec(), 0, self.text, self.vocabulary, self.choices)?;
         match read.form {
             Form::Value(value) if read.next == read.tokens.len() => Ok(value),
             _ => Err(Unreadable::Sign(place, "a number or formula is expected here".to_owned())),
@@ -228,6 +216,13 @@ impl Statements<'_> {
     }
 
     fn equality(&mut self, sides: &[&[Placed]]) -> Result<(), Unreadable> {
+        if let [left, right] = sides
+            && let Some(gradient) = line::gradient(left, right, self.text, self.vocabulary)
+        {
+            let said = Said { form: Form::Gradient(gradient), unit: None, reference: None, remarks: Vec::new() };
+            self.found.push(Statement { label: None, said: vec![said] });
+            return Ok(());
+        }
         match self.left(sides[0])? {
             Left::Label(label) => self.labelled(Some(label), &sides[1..]),
             Left::Number => self.labelled(None, sides),
@@ -257,7 +252,7 @@ impl Statements<'_> {
             let numbers = tokens.iter().any(|placed| matches!(placed.token, Token::Number(_)));
             // A vector or something that is not read as a formula.
             let before = self.choices.decided().len();
-            let read = formula(tokens, 0, self.text, self.vocabulary, self.choices);
+            let read = formula(tokens.to_vec(), 0, self.text, self.vocabulary, self.choices);
             self.choices.forget(before);
             return match read {
                 Ok(_) => Ok(Left::Number),
@@ -322,7 +317,7 @@ impl Statements<'_> {
     /// One side of an equation, whose names must be known.
     fn side(&mut self, tokens: &[Placed]) -> Result<Expr, Unreadable> {
         let place = tokens[0].start;
-        let read = formula(tokens, 0, self.text, self.vocabulary, self.choices)?;
+        let read = formula(tokens.to_vec(), 0, self.text, self.vocabulary, self.choices)?;
         let rest = &read.tokens[read.next..];
         let words = rest.iter().all(|placed| matches!(placed.token, Token::Phrase(Phrase::Remark) | Token::Sign('.')));
         match read.form {

@@ -212,6 +212,13 @@ fn carom_is_neither_crashed_nor_stalled_by_any_text() {
         "3 ",
         "a=",
         "-",
+        "e^",
+        "1.2e3+",
+        "2·3+",
+        "in the direction of ",
+        "perpendicular to ",
+        "mmmm ",
+        "gradient 1 ",
     ]) {
         within_bounds(&piece.repeat(LONGEST / piece.len()));
         within_bounds(&format!("{}1", piece.repeat((LONGEST - 1) / piece.len())));

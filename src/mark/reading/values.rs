@@ -144,6 +144,11 @@ impl Values<'_> {
                 }
                 Ok(at + 1)
             }
+            // `7 bananas`: seven of what?
+            Phrase::Unknown if !found.values.is_empty() => {
+                let word = self.slice(tokens, at, at + 1);
+                Err(Unreadable::Sign(tokens[at].start, format!("`{word}` may say something else of the value")))
+            }
             _ => {
                 lead.push(at);
                 Ok(at + 1)
@@ -172,8 +177,8 @@ impl Values<'_> {
         let words = lead.first().map(|first| self.slice(tokens, *first, lead[lead.len() - 1] + 1).to_lowercase());
         let toward = phrases.last() == Some(&Phrase::Toward);
         lead.clear();
-        let parsed = formula(tokens, at, self.text, self.vocabulary, self.choices)?;
         let place = tokens[at].start;
+        let parsed = formula(std::mem::take(tokens), at, self.text, self.vocabulary, self.choices)?;
         *tokens = parsed.tokens;
         let mut said = Said { form: parsed.form, unit: parsed.unit, reference: None, remarks: Vec::new() };
         if phrases.contains(&Phrase::Gradient) {
@@ -253,14 +258,14 @@ pub(super) struct Formula {
 
 /// The formula that begins at a token, with its unit.
 pub(super) fn formula(
-    tokens: &[Placed],
+    tokens: Vec<Placed>,
     at: usize,
     text: &str,
     vocabulary: &Vocabulary,
     choices: &mut Choices,
 ) -> Result<Formula, Unreadable> {
     let place = tokens.get(at).map_or(text.len(), |placed| placed.start);
-    let mut parser = Parser::new(tokens.to_vec(), text, vocabulary, choices);
+    let mut parser = Parser::new(tokens, text, vocabulary, choices);
     parser.at = at;
     let expr = parser.sum()?;
     let mut unit = None;

@@ -86,7 +86,7 @@ impl Working<'_> {
         let figures = crate::number::Places::SignificantFigures(3);
         let accept = crate::answer::Accept::RoundsTo(figures);
         let vocabulary = Vocabulary { letters: self.question.letters.clone(), vectors: false };
-        Some(Model { value, kind, accept, vocabulary, quantity: None })
+        Some(Model::new(value, kind, accept, vocabulary))
     }
 }
 

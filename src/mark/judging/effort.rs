@@ -1,0 +1,310 @@
+//! How much work the exact value of an answer would be, told before any of it is done.
+//!
+//! A tower of powers fits on one line and would take for ever to work out. So the size of every step is bounded from
+//! the sizes of its parts: how many terms the normal form can have above and below the line, how many digits, how many
+//! roots. What would be more work than any answer of an exam goes to a person.
+
+use crate::expr::{Expr, Function};
+
+/// The most work that one exact value may be. A long answer of an exam takes some hundreds.
+pub(super) const MOST_EFFORT: u64 = 20_000;
+
+/// The longest number in an exact calculation, in bits: about 300 figures.
+const LONGEST_NUMBER: u64 = 1_000;
+
+/// The most different roots, sines and the like; each doubles the number of terms.
+const MOST_ROOTS: usize = 12;
+
+/// What working out an expression takes; `None` if it is more than [`MOST_EFFORT`].
+pub(super) fn effort(expr: &Expr) -> Option<u64> {
+    let mut work = Work { done: 0 };
+    work.size(expr)?;
+    Some(work.done)
+}
+
+/// A root that can meet itself in a product, where what is under it takes its place.
+#[derive(Clone, PartialEq)]
+struct Root {
+    /// What it is the root of, as text; of a sine and a cosine the angle.
+    of: String,
+    above: u64,
+    below: u64,
+    degree: u64,
+    bits: u64,
+}
+
+/// Bounds for a normal form.
+#[derive(Clone)]
+struct Size {
+    /// Terms above the line.
+    above: u64,
+    /// Terms below; one for a number.
+    below: u64,
+    /// The highest power of any product of letters, above or below.
+    degree: u64,
+    /// The length of its numbers.
+    bits: u64,
+    letters: Vec<String>,
+    roots: Vec<Root>,
+}
+
+impl Size {
+    fn number(bits: u64) -> Size {
+        Size { above: 1, below: 1, degree: 0, bits, letters: Vec::new(), roots: Vec::new() }
+    }
+
+    fn letter(name: &str) -> Size {
+        Size { degree: 1, letters: vec![name.to_owned()], ..Size::number(1) }
+    }
+
+    /// No more terms than there are products of the letters and roots.
+    fn capped(mut self) -> Size {
+        let products = choose(self.degree + self.letters.len() as u64, self.letters.len() as u64);
+        self.below = self.below.min(products);
+        self.above = self.above.min(products.saturating_mul(1 << self.roots.len().min(MOST_ROOTS)));
+        self
+    }
+
+    fn joined<T: Clone + PartialEq>(one: &[T], two: &[T]) -> Vec<T> {
+        let more = two.iter().filter(|item| !one.contains(item));
+        one.iter().chain(more).cloned().collect()
+    }
+}
+
+/// How many ways to choose so many of `n`, or more than matters.
+fn choose(n: u64, count: u64) -> u64 {
+    (0..count).fold(1_u64, |ways, at| ways.saturating_mul(n - at) / (at + 1)).max(1)
+}
+
+struct Work {
+    done: u64,
+}
+
+impl Work {
+    fn spend(&mut self, steps: u64) -> Option<()> {
+        self.done = self.done.saturating_add(steps);
+        (self.done <= MOST_EFFORT).then_some(())
+    }
+
+    /// The work of a step whose result is so large, and whose terms are so many before they are collected.
+    fn step(&mut self, size: Size, terms: u64) -> Option<Size> {
+        if size.bits > LONGEST_NUMBER || size.roots.len() > MOST_ROOTS {
+            return None;
+        }
+        let words = 1 + size.bits / 64;
+        self.spend(terms.saturating_mul(words * words))?;
+        // What is above and below is freed of common factors.
+        if size.below > 1 {
+            let letters = size.letters.len() as u64;
+            self.spend((size.above.saturating_add(size.below)).saturating_mul(letters * (size.degree + 1)))?;
+        }
+        Some(size.capped())
+    }
+
+    fn size(&mut self, expr: &Expr) -> Option<Size> {
+        self.spend(1)?;
+        match expr {
+            Expr::Number(number) => {
+                use dashu_int::ops::BitTest;
+                Some(Size::number((number.numerator().bit_len() + number.denominator().bit_len()) as u64))
+            }
+            Expr::Decimal(text) => Some(Size::number(7 * text.len() as u64)),
+            Expr::Name(name) => Some(Size::letter(&name.text)),
+            Expr::Pi => Some(Size::number(8)),
+            Expr::Degrees(inner) | Expr::Negative(inner) => self.size(inner),
+            Expr::Sum(terms) => self.all(terms, Work::sum),
+            Expr::Product(factors) => self.all(factors, Work::product),
+            Expr::Quotient(above, below) => {
+                let (above, below) = (self.size(above)?, self.size(below)?);
+                let below = self.reciprocal(below)?;
+                self.product(above, below)
+            }
+            Expr::Power(base, exponent) => self.power(base, exponent),
+            Expr::Call(function, argument) => self.call(*function, argument),
+            Expr::Vector(x, y) | Expr::Relation(x, _, y) => {
+                let (x, y) = (self.size(x)?, self.size(y)?);
+                self.sum(x, y)
+            }
+        }
+    }
+
+    fn all(&mut self, parts: &[Expr], join: fn(&mut Work, Size, Size) -> Option<Size>) -> Option<Size> {
+        let mut whole: Option<Size> = None;
+        for part in parts {
+            let next = self.size(part)?;
+            whole = Some(match whole {
+                None => next,
+                Some(whole) => join(self, whole, next)?,
+            });
+        }
+        Some(whole.unwrap_or(Size::number(1)))
+    }
+
+    fn sum(&mut self, one: Size, two: Size) -> Option<Size> {
+        let apart = one.below > 1 || two.below > 1;
+        let (left, right) = if apart { (two.below, one.below) } else { (1, 1) };
+        let above = one.above.saturating_mul(left).saturating_add(two.above.saturating_mul(right));
+        let size = Size {
+            above,
+            below: one.below.saturating_mul(two.below),
+            degree: if apart { one.degree + two.degree } else { one.degree.max(two.degree) },
+            bits: one.bits + two.bits + 1,
+            letters: Size::joined(&one.letters, &two.letters),
+            roots: Size::joined(&one.roots, &two.roots),
+        };
+        self.step(size, above)
+    }
+
+    fn product(&mut self, one: Size, two: Size) -> Option<Size> {
+        let mut above = one.above.saturating_mul(two.above);
+        let mut below = one.below.saturating_mul(two.below);
+        let (mut degree, mut bits) = (one.degree + two.degree, one.bits + two.bits);
+        let terms = above.saturating_add(below);
+        for root in one.roots.iter().filter(|root| two.roots.contains(root)) {
+            above = above.saturating_mul(root.above);
+            below = below.saturating_mul(root.below);
+            degree += root.degree;
+            bits += root.bits;
+        }
+        bits += 64 - above.min(1 << 20).leading_zeros() as u64;
+        let letters = Size::joined(&one.letters, &two.letters);
+        let roots = Size::joined(&one.roots, &two.roots);
+        self.step(Size { above, below, degree, bits, letters, roots }, terms)
+    }
+
+    /// One root after another is multiplied away from below the line.
+    fn reciprocal(&mut self, size: Size) -> Option<Size> {
+        let mut factor = Size { below: 1, ..Size::number(1) };
+        let mut rest = size;
+        while let Some(root) = rest.roots.pop() {
+            let with = Size { roots: [rest.roots.clone(), vec![root.clone()]].concat(), ..rest.clone() };
+            factor = self.product(factor, with.clone())?;
+            if rest.above > 1 {
+                rest = self.product(rest.clone(), rest)?;
+            }
+            rest.above = rest.above.saturating_mul(root.above);
+            rest.below = rest.below.saturating_mul(root.below);
+            rest.degree += root.degree;
+            rest.bits += root.bits;
+        }
+        (rest.above, rest.below) = (rest.below, rest.above);
+        self.product(factor, rest)
+    }
+
+    fn power(&mut self, base: &Expr, exponent: &Expr) -> Option<Size> {
+        let (count, inverse) = match exponent {
+            Expr::Negative(inner) => (&**inner, true),
+            other => (other, false),
+        };
+        let (count, half) = match count {
+            Expr::Number(number) => number.as_small().map(|(above, below)| (above.abs(), below != 1)),
+            // An exponent that must be worked out: a fraction such as 1/2, or more than is read.
+            other => {
+                self.size(other)?;
+                Some((1, true))
+            }
+        }?;
+        let mut size = self.size(base)?;
+        if half {
+            size = self.root(base, size)?;
+        }
+        let one = size.clone();
+        for _ in 1..count {
+            size = self.product(size, one.clone())?;
+        }
+        if inverse { self.reciprocal(size) } else { Some(size) }
+    }
+
+    fn root(&mut self, under: &Expr, size: Size) -> Option<Size> {
+        // Squares are looked for, among the factors of its numbers too.
+        self.spend(match size.bits {
+            0..=40 => 10,
+            41..=64 => 500,
+            _ => 5_000,
+        })?;
+        let terms = size.above.saturating_add(size.below);
+        self.spend(terms.saturating_mul(terms).saturating_mul(1 + size.letters.len() as u64))?;
+        let Size { above, below, degree, bits, letters, mut roots } = size;
+        roots.push(Root { of: format!("{under:?}"), above, below, degree, bits });
+        self.step(Size { above: 1, below, degree, bits, letters, roots }, 1)
+    }
+
+    fn call(&mut self, function: Function, argument: &Expr) -> Option<Size> {
+        let inner = self.size(argument)?;
+        match function {
+            Function::Abs => Some(inner),
+            Function::Sqrt => self.root(argument, inner),
+            Function::Asin | Function::Acos | Function::Atan => {
+                let square = self.product(inner.clone(), inner.clone())?;
+                let other = self.root(argument, square)?;
+                self.product(inner, other)
+            }
+            Function::Sin | Function::Cos => self.turned(argument, false),
+            Function::Tan => self.turned(argument, true),
+        }
+    }
+
+    /// The sine and cosine, or the tangent, of a sum of angles: added one after another.
+    fn turned(&mut self, argument: &Expr, tangent: bool) -> Option<Size> {
+        let mut turns = Turns::default();
+        turns.count(argument, 1);
+        let mut whole: Option<Size> = None;
+        for (angle, times) in turns.angles {
+            let one = match angle {
+                Expr::Call(..) => self.size(angle)?,
+                _ if tangent => Size::letter(&format!("{angle:?}")),
+                _ => wave(&format!("{angle:?}")),
+            };
+            for _ in 0..times {
+                whole = Some(match whole {
+                    None => one.clone(),
+                    Some(whole) => self.added(whole, one.clone(), tangent)?,
+                });
+            }
+        }
+        Some(whole.unwrap_or(Size::number(4)))
+    }
+
+    /// sin(a + b) from sin a and sin b, tan(a + b) from tan a and tan b.
+    fn added(&mut self, one: Size, two: Size, tangent: bool) -> Option<Size> {
+        let product = self.product(one.clone(), two.clone())?;
+        if !tangent {
+            return self.sum(product.clone(), product);
+        }
+        let above = self.sum(one, two)?;
+        let below = self.sum(Size::number(1), product)?;
+        let below = self.reciprocal(below)?;
+        self.product(above, below)
+    }
+}
+
+/// A sine or cosine: the tangent of the angle is a letter, its cosine a root.
+fn wave(angle: &str) -> Size {
+    let root = Root { of: angle.to_owned(), above: 1, below: 2, degree: 2, bits: 1 };
+    Size { roots: vec![root], ..Size::letter(angle) }
+}
+
+/// The angles of which an angle is put together, and how often each is taken.
+#[derive(Default)]
+struct Turns<'a> {
+    angles: Vec<(&'a Expr, u64)>,
+}
+
+impl<'a> Turns<'a> {
+    fn count(&mut self, expr: &'a Expr, times: u64) {
+        match expr {
+            Expr::Sum(terms) => terms.iter().for_each(|term| self.count(term, times)),
+            Expr::Negative(inner) => self.count(inner, times),
+            Expr::Quotient(above, _) => self.count(above, times),
+            Expr::Product(factors) if !expr.names().is_empty() => {
+                let number = |factor: &Expr| match factor {
+                    Expr::Number(number) => number.as_small().map_or(1, |(count, _)| count.unsigned_abs()),
+                    _ => 1,
+                };
+                let times = factors.iter().map(number).fold(times, u64::saturating_mul).min(64);
+                factors.iter().filter(|factor| !factor.names().is_empty()).for_each(|f| self.count(f, times));
+            }
+            _ => self.angles.push((expr, times)),
+        }
+    }
+}

@@ -1,0 +1,83 @@
+//! What is worked out of a model answer once, however many answers are judged by it.
+
+use std::sync::{Arc, OnceLock};
+
+use crate::expr::{Expr, Meaning};
+use crate::number::{Interval, Letter, Value};
+
+use super::enclosure::enclose;
+use super::{Model, exact};
+
+/// What is known of a model's value, worked out when it is first asked for.
+///
+/// It is no part of the model: two models are the same whether or not anything has been worked out yet.
+#[derive(Clone, Default)]
+pub(crate) struct Prepared(OnceLock<Arc<Known>>);
+
+impl PartialEq for Prepared {
+    fn eq(&self, _: &Prepared) -> bool {
+        true
+    }
+}
+
+impl std::fmt::Debug for Prepared {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("Prepared")
+    }
+}
+
+/// Enclosures and exact value of an expression.
+pub(super) struct Known {
+    of: Expr,
+    letters: Vec<Letter>,
+    enclosures: Vec<OnceLock<Option<Interval>>>,
+    meaning: OnceLock<Option<Meaning>>,
+    written: OnceLock<Option<Expr>>,
+}
+
+impl Known {
+    fn of(model: &Model) -> Known {
+        let letters = model.vocabulary.letters.clone();
+        let enclosures = exact::points(&letters).map(|_| OnceLock::new()).collect();
+        Known { of: model.value.clone(), letters, enclosures, meaning: OnceLock::new(), written: OnceLock::new() }
+    }
+
+    /// The enclosure of the value at a fixed point.
+    pub(super) fn enclosure(&self, point: u32) -> Option<Interval> {
+        let known = self.enclosures.get(point as usize)?;
+        known.get_or_init(|| enclose(&self.of, &self.letters, point, exact::BITS)).clone()
+    }
+
+    /// The exact meaning.
+    pub(super) fn meaning(&self) -> Option<&Meaning> {
+        self.meaning.get_or_init(|| exact::meaning(&self.of, &self.letters)).as_ref()
+    }
+
+    /// The exact value, if it is a plain number or a formula.
+    pub(super) fn value(&self) -> Option<&Value> {
+        match self.meaning()? {
+            Meaning::Number(value) => Some(value),
+            _ => None,
+        }
+    }
+
+    /// The value as it is written when it has been worked out.
+    pub(super) fn written(&self) -> Option<&Expr> {
+        self.written.get_or_init(|| self.value().map(crate::expr::written)).as_ref()
+    }
+}
+
+impl Model {
+    /// What is known of the value; worked out anew for a model that was changed after it had been used.
+    pub(super) fn known(&self) -> Arc<Known> {
+        let known = self.prepared.0.get_or_init(|| Arc::new(Known::of(self)));
+        let same = known.of == self.value && known.letters == self.vocabulary.letters;
+        if same { known.clone() } else { Arc::new(Known::of(self)) }
+    }
+
+    /// A model of another value in the same question, about which nothing is known yet.
+    pub(super) fn of_value(&self, value: Expr) -> Model {
+        let other = Model::new(value, self.kind, self.accept.clone(), self.vocabulary.clone());
+        Model { rebounds: self.rebounds, ..other }
+    }
+}
