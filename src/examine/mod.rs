@@ -125,7 +125,8 @@ fn fault(student: &Student, marked: &[MarkedPart]) -> Option<String> {
         }
         Expected::Mistake { part, blank, tag } => {
             let answer = &marked[*part].answers[*blank];
-            let named = answer.causes.iter().any(|cause| cause.tag == *tag);
+            // A note says it too: of a wrong sign, or of an angle in radians.
+            let named = answer.causes.iter().any(|cause| cause.tag == *tag) || answer.judgement.note.is_some();
             match answer.judgement.verdict {
                 crate::mark::judging::Verdict::Correct => Some("is taken for right".to_owned()),
                 _ if !named => Some("is not recognised".to_owned()),

@@ -62,7 +62,7 @@ type Notation = (&'static str, fn(&PrintedAnswer, &str) -> Option<String>);
 /// The notations, each of one printed answer and its decimal to fifteen figures.
 const NOTATIONS: [Notation; 9] = [
     ("right, exact", |answer, _| answer.exact.as_ref().map(print::unicode)),
-    ("right in plain letters", |answer, _| answer.exact.as_ref().filter(|exact| !has_angles(exact)).map(print::plain)),
+    ("right in plain letters", |answer, _| answer.exact.as_ref().filter(|exact| is_plain(exact)).map(print::plain)),
     ("right in LaTeX", |answer, _| answer.exact.as_ref().map(|exact| format!("${}$", print::latex(exact)))),
     ("right, rounded", |answer, _| answer.rounded.as_ref().map(print::unicode)),
     ("right, rounded, with its unit", |answer, _| {
@@ -141,8 +141,9 @@ fn longer(decimal: &str, figures: usize) -> Option<String> {
     (rounded.contains('.') && !rounded.ends_with('0')).then_some(rounded)
 }
 
-fn has_angles(expr: &Expr) -> bool {
-    matches!(expr, Expr::Call(..) | Expr::Degrees(_)) || expr.children().into_iter().any(has_angles)
+/// Can it be typed in plain letters? A vector has brackets there and an angle is in radians.
+fn is_plain(expr: &Expr) -> bool {
+    !matches!(expr, Expr::Call(..) | Expr::Degrees(_) | Expr::Vector(..)) && expr.children().into_iter().all(is_plain)
 }
 
 /// Copies the model solution, every line of it, and what is to be shown at the end; fills in no other blank.
@@ -173,7 +174,11 @@ fn mistaken(place: usize, part: &KeyPart, keyed: &KeyedPart, question: &KeyedQue
     let mut all = Vec::new();
     for (blank, (printed, known)) in part.blanks.iter().zip(&keyed.blanks).enumerate() {
         let Find::Quantity(quantity) = known.find else { continue };
-        if printed.decimal.is_null() || printed.kind == crate::answer::Kind::Shown.name() {
+        // A number that should have letters is another mistake.
+        if !question.letters.is_empty()
+            || printed.decimal.is_null()
+            || printed.kind == crate::answer::Kind::Shown.name()
+        {
             continue;
         }
         for (tags, values) in question.mistaken_values(&[quantity]) {
@@ -195,7 +200,7 @@ fn mistaken(place: usize, part: &KeyPart, keyed: &KeyedPart, question: &KeyedQue
 fn three_figures(value: f64) -> Option<String> {
     let decimal = format!("{value:.12}");
     let rounded = round(&decimal.parse().ok()?, &Places::SignificantFigures(3)).to_string();
-    (value.is_finite() && value.abs() > 1e-6).then_some(rounded)
+    (1e-3..1e3).contains(&value.abs()).then_some(rounded)
 }
 
 /// A student whose component of A after the impact is wrong, and who goes on from it.

@@ -16,6 +16,8 @@ use crate::expr::{Expr, Turn};
 use crate::number::{Decimal, Fraction, Interval, Places, Uncertain, Value, round, round_certified};
 
 use super::Note;
+use super::enclosure::enclose;
+use super::exact::{Equality, same};
 use super::finding::Finding;
 
 /// The fewest significant figures that are worth anything without being exact.
@@ -145,6 +147,8 @@ fn suffices(figures: u32, places: i64, wanted: &Places) -> bool {
 /// An exact number that a decimal is held against.
 pub(super) enum Target {
     Value(Value),
+    /// A formula without letters that is too long for its exact value.
+    Formula(Expr),
     /// An angle as so many degrees.
     Degrees(Turn),
     /// An angle as so many radians.
@@ -155,6 +159,7 @@ impl Target {
     fn enclose(&self, bits: usize) -> Option<Interval> {
         match self {
             Target::Value(value) => value.enclose_constant(bits),
+            Target::Formula(expr) => enclose(expr, &[], 0, bits),
             Target::Degrees(turn) => turn.enclose(bits),
             Target::Radians(turn) => {
                 (turn.enclose(bits)? * Interval::pi(bits)).checked_div(&Interval::integer(180, bits))
@@ -165,6 +170,7 @@ impl Target {
     pub(super) fn equals(&self, number: &Fraction) -> bool {
         match self {
             Target::Value(value) => value.equals(&Value::from(number.clone())),
+            Target::Formula(expr) => same(expr, &Expr::Number(number.clone()), &[]) == Equality::Equal,
             Target::Degrees(turn) => turn.is_degrees(number),
             // Neither pi times a fraction nor an inverse tangent of a root is a fraction, but for nought.
             Target::Radians(turn) => number.is_zero() && turn.is_degrees(number),

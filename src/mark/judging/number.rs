@@ -125,6 +125,13 @@ pub(super) fn value(model: &Model, expr: &Expr, written: &Option<Written>) -> Fi
             // A number such as pi is that of an angle in radians.
             return decimal(written, &Target::Radians(turn.clone()), &model.accept);
         }
+        if let Some(written) = written
+            && known.meaning().is_none()
+            && model.value.names().is_empty()
+        {
+            // Too long to be worked out exactly; its figures can be proved all the same.
+            return decimal(written, &Target::Formula(model.value.clone()), &model.accept);
+        }
         return if equality == Equality::Different {
             Finding::WRONG
         } else {

@@ -9,7 +9,7 @@ use crate::mark::slips::{self, EARLY_ROUNDING, early_rounding};
 use crate::mark::working::Examined;
 
 /// The most mistakes that are listed for one answer.
-const MOST: usize = 6;
+const MOST: usize = 12;
 
 /// Names the mistakes behind each answer of a part that is not right.
 pub(super) fn name(

@@ -9,8 +9,11 @@ use super::evidence::Evidence;
 use super::examine::{Studied, Value, Working};
 use super::points::sizes;
 use super::shapes::components_in;
+use crate::answer::Kind;
 use crate::bank::Code;
 use crate::expr::Expr;
+use crate::mark::judging::{Note, judge};
+use crate::mark::reading::Reading;
 use crate::mechanics::{Axis, Datum, Known, Law, Moment, Quantity, Seen, Shape, Sphere};
 
 impl Working<'_> {
@@ -85,25 +88,15 @@ impl Working<'_> {
         self.convention.as_ref().is_some_and(|convention| convention.letters.iter().any(|known| known == letter))
     }
 
-    /// Is the line what was to be shown, written once more?
+    /// Is the line what was to be shown, written once more? A step on the way to it has more in it than the result.
     pub(super) fn is_printed_result(&self, studied: &Studied) -> bool {
         let Some(reading) = &studied.reading else { return false };
-        let results =
-            self.part.scheme.iter().filter(|mark| mark.code == Code::A1Shown).filter_map(|mark| mark.equation.as_ref());
-        let mut results = results.peekable();
-        results.peek().is_some()
-            && results.any(|result| {
-                let Expr::Relation(left, _, right) = result else { return false };
-                reading.equations.iter().any(|equation| equation.0 == **left && self.same_at_points(&equation.1, right))
-            })
-            && reading.equations.len() == 1
-    }
-
-    fn same_at_points(&self, one: &Expr, other: &Expr) -> bool {
-        (0..self.prepared.points.count).all(|point| {
-            let context = super::examine::context(self.prepared, point);
-            let value = |expr| super::linear::constant(expr, &context);
-            matches!((value(one), value(other)), (Some(one), Some(other)) if (one - other).may_be_nought(1.0))
+        let models = self.part.blanks.iter().map(|blank| &blank.model);
+        let line = Reading { statements: reading.statements.clone(), printed: String::new(), decided: Vec::new() };
+        let longest = reading.equations.iter().map(|(left, right)| leaves(left) + leaves(right)).max().unwrap_or(0);
+        let line = Ok(vec![line]);
+        models.filter(|model| model.kind == Kind::Shown).any(|result| {
+            longest <= leaves(&result.value) + 1 && judge(result, &line).note == Some(Note::Restated.tag())
         })
     }
 
@@ -156,4 +149,10 @@ impl Working<'_> {
         };
         (0..self.prepared.points.count).map(at).collect()
     }
+}
+
+/// How many numbers and letters stand in a formula.
+fn leaves(expr: &Expr) -> usize {
+    let inner: usize = expr.children().into_iter().map(leaves).sum();
+    inner.max(1)
 }

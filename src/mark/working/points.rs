@@ -29,7 +29,8 @@ impl Points {
                 // Primes keep the numbers unrelated.
                 let spread = ((place as i64 + 2) * 29 + point as i64 * 37) % 83;
                 match letter.range() {
-                    Range::Unit => Fraction::new(spread + 5, 97),
+                    // One of them near one, where only a lively impact does what a question wants.
+                    Range::Unit => Fraction::new([20, 50, 86][point] + spread % 9, 97),
                     Range::Real => Fraction::new(2 * spread - 71, 31),
                     _ => Fraction::new(spread + 17, 31),
                 }

@@ -106,6 +106,7 @@ fn base_of_square(term: &Expr) -> Option<Expr> {
     match term {
         Expr::Power(base, exponent) if **exponent == Expr::integer(2) => Some((**base).clone()),
         Expr::Number(_) | Expr::Decimal(_) => Some(Expr::call(Function::Sqrt, term.clone())),
+        Expr::Product(_) => Some(Expr::call(Function::Sqrt, term.clone())),
         Expr::Quotient(..) if !is_lettered(term) => Some(Expr::call(Function::Sqrt, term.clone())),
         _ => None,
     }
