@@ -5,6 +5,7 @@
 #[cfg(feature = "external")]
 mod accessibility;
 mod families;
+mod feedback;
 mod paper;
 
 use std::fs;
