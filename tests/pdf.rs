@@ -252,7 +252,10 @@ fn an_error_of_tex_is_told_by_line_and_template_and_not_as_a_log() {
 fn the_latex_that_fails_is_left_to_be_looked_at_where_pdf_alone_was_asked_for() {
     let machine = of_two_lines(Machine::new("left").with("pdflatex", "echo './sheet.tex:4: No.'; exit 1"));
     let output = machine.sheet(&["--format", "pdf", "--templates", "mine"]);
-    assert_eq!((code(&output), machine.files()), (1, vec!["key.json".to_owned(), "sheet.tex".to_owned()]));
+    assert_eq!(
+        (code(&output), machine.files()),
+        (1, ["key.json", "sheet.tex", "submissions.csv"].map(str::to_owned).to_vec())
+    );
     assert!(fault(&output).contains("--> out/sheet.tex:4:"), "{}", said(&output));
 }
 

@@ -36,15 +36,16 @@ impl Profile {
     /// let own = Profile::read(&Source::new("mine.toml", "figures = 2\nunits = 'always'\n")).unwrap();
     /// assert_eq!((own.figures, own.inaccuracy), (2, Profile::default().inaccuracy));
     /// let fault = Profile::read(&Source::new("mine.toml", "figurs = 2\n")).unwrap_err();
-    /// assert_eq!(fault.help.as_deref(), Some("did you mean `figures`?"));
+    /// assert_eq!(fault[0].help.as_deref(), Some("did you mean `figures`?"));
     /// ```
-    pub fn read(source: &Source) -> Result<Profile, Diagnostic> {
-        let file: ProfileFile = toml::from_str(&source.text).map_err(|fault| unread(source, &fault))?;
+    pub fn read(source: &Source) -> Result<Profile, Vec<Diagnostic>> {
+        let file: ProfileFile = toml::from_str(&source.text).map_err(|fault| vec![unread(source, &fault)])?;
         let usual = Profile::default();
         let figures = match file.figures {
             Some(figures) if !(1..=MOST_FIGURES).contains(figures.get_ref()) => {
                 let message = format!("{} significant figures", figures.get_ref());
-                return Err(Diagnostic::new(message, source, figures.span(), format!("from 1 to {MOST_FIGURES}")));
+                let label = format!("from 1 to {MOST_FIGURES}");
+                return Err(vec![Diagnostic::new(message, source, figures.span(), label)]);
             }
             Some(figures) => figures.into_inner(),
             None => usual.figures,
@@ -91,7 +92,7 @@ mod tests {
             ("figures 2", "key with no value", None),
         ];
         for (text, message, help) in cases {
-            let fault = Profile::read(&Source::new("mine.toml", text)).unwrap_err();
+            let fault = Profile::read(&Source::new("mine.toml", text)).unwrap_err().remove(0);
             assert!(fault.message.starts_with(message), "{text}: {fault}");
             assert_eq!(fault.help.as_deref(), help, "{text}");
             assert!(!fault.label.is_empty() && !fault.span.is_empty(), "{text}: {fault:?}");

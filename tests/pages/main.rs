@@ -4,6 +4,7 @@
 
 #[cfg(feature = "external")]
 mod accessibility;
+mod class;
 mod families;
 mod feedback;
 mod paper;

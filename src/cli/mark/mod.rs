@@ -174,7 +174,7 @@ fn profile(name: &str) -> Result<Profile, Failure> {
     }
     let path = Path::new(name);
     if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")) || path.is_file() {
-        return Profile::read(&files::text(path)?).map_err(|fault| Failure::Faults(vec![fault]));
+        return Ok(Profile::read(&files::text(path)?)?);
     }
     let help = match near(name, Profile::names()) {
         Some(near) => format!("did you mean `{near}`?"),

@@ -161,7 +161,7 @@ fn notes(report: &MarkReport) -> Vec<NoteCount> {
         *counts.entry(row.note).or_default() += 1;
     }
     let mut counts: Vec<NoteCount> = counts.into_iter().map(|(note, count)| NoteCount { note, count }).collect();
-    counts.sort_by(|one, other| other.count.cmp(&one.count));
+    counts.sort_by_key(|one| std::cmp::Reverse(one.count));
     counts
 }
 
