@@ -9,6 +9,7 @@ use super::Notation;
 use super::page::{Printer, Wanted, list, nothing, plain};
 use crate::bank::EarnedFor;
 use crate::expr::{print, read_markup};
+use crate::mark::judging::Verdict;
 use crate::mark::report::{Feedback, MarkedScript, MarkedUnder};
 use crate::mark::{Award, Cause, Examiner, KeyedMark, MarkedAnswer, MarkedLine, Place};
 
@@ -70,7 +71,11 @@ impl Printer<'_> {
             .with("typed", || self.typed(typed))
             .with("reading", || self.typed(reading))
             .with("verdict", || plain(answer.judgement.verdict.name()))
-            .with("comment", || plain(&answer.judgement.feedback))
+            // Where nothing is noted the verdict says it all.
+            .with("comment", || {
+                let is_noted = answer.judgement.note.is_some() && answer.judgement.verdict != Verdict::Blank;
+                plain(if is_noted { &answer.judgement.feedback } else { "" })
+            })
             .with("causes", || list(&answer.causes, |cause| self.cause(cause)))
             .value()
     }
