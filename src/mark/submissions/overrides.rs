@@ -44,7 +44,6 @@ pub fn read_overrides(source: &Source, key: &AnswerKey) -> Result<Vec<Override>,
         match read {
             Ok(found) => overrides.push(found),
             Err((message, cell)) => {
-                let start = start + source.text[start..].len() - source.text[start..].trim_start().len();
                 let end = start + source.text[start..].lines().next().map_or(0, str::len);
                 let label = match cell {
                     4 => "expected 1 for a mark that is given, or 0",

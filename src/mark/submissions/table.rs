@@ -46,13 +46,22 @@ pub(super) fn read<const N: usize>(
         if record.iter().all(|cell| cell.trim().is_empty()) {
             continue;
         }
-        let (line, start) = record.position().map_or((0, 0), |place| (place.line() as usize, place.byte() as usize));
+        let (line, start) = begin(text, &record);
         let cell = |place: Option<usize>| place.and_then(|place| record.get(place)).unwrap_or_default().to_owned();
         let cells = header.places.map(cell);
         let fault = header.fault(&record).or_else(|| never_closed(&text[start.min(text.len())..], &record));
         records.push(Record { line, start, cells, fault });
     }
     Ok(Table { records, warnings: header.warnings })
+}
+
+/// The line and the place in the text where a record begins: the reader counts empty lines before it as its own, and what
+/// is left of the end of the line above.
+fn begin(text: &str, record: &StringRecord) -> (usize, usize) {
+    let (line, start) = record.position().map_or((1, 0), |place| (place.line() as usize, place.byte() as usize));
+    let rest = text.get(start..).unwrap_or_default();
+    let ends = rest.len() - rest.trim_start_matches(['\n', '\r']).len();
+    (line + rest[..ends].matches('\n').count(), start + ends)
 }
 
 /// What parts the cells of the header.
@@ -156,4 +165,24 @@ fn never_closed(rest: &str, record: &StringRecord) -> Option<String> {
 
 fn quoted(names: &[&str]) -> String {
     names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn carom_knows_on_which_line_a_record_begins() {
+        for text in [
+            "name,age\nAda,1\nBen,2\n\n\nCy,3",
+            "name,age\r\nAda,1\r\nBen,2\r\n\r\n\r\nCy,3\r\n",
+            "name,age\nAda,\"1\"\nBen,\"\n\n\"\nCy,3\n",
+        ] {
+            let source = Source::new("table.csv", text);
+            let table = read(&source, &["name", "age"], &["name"]).map_err(|faults| faults.len()).unwrap();
+            let places: Vec<(usize, bool)> =
+                table.records.iter().map(|r| (r.line, text[r.start..].starts_with(r.cells[0].as_str()))).collect();
+            assert_eq!(places, [(2, true), (3, true), (6, true)], "{text:?}");
+        }
+    }
 }
