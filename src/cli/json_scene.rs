@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
+use super::json_places::{offset, places};
 use crate::diagnostic::{Diagnostic, Source, near};
 use crate::expr::Angles;
 use crate::mechanics::{Scene, SceneFault, SceneText};
@@ -14,7 +15,8 @@ use crate::mechanics::{Scene, SceneFault, SceneText};
 /// What is no JSON or no scene, or every fault of its formulas.
 pub fn read(source: &Source) -> Result<Scene, Vec<Diagnostic>> {
     let text: SceneText = serde_json::from_str(&source.text).map_err(|error| vec![not_a_scene(source, &error)])?;
-    let places = places(&source.text);
+    let places: Vec<_> =
+        places(&source.text).into_iter().filter(|(_, place)| source.text[place.clone()].starts_with('"')).collect();
     if let Some(fault) = no_vector(source, &places) {
         return Err(vec![fault]);
     }
@@ -70,12 +72,6 @@ fn not_a_scene(source: &Source, error: &serde_json::Error) -> Diagnostic {
     Diagnostic::new(said, source, at..at + 1, "not as a scene has it")
 }
 
-/// The byte before a line and column, which serde_json counts from 1 and gives of the last byte it read.
-fn offset(text: &str, line: usize, column: usize) -> usize {
-    let before: usize = text.split_inclusive('\n').take(line.saturating_sub(1)).map(str::len).sum();
-    (before + column.saturating_sub(1)).min(text.len().saturating_sub(1))
-}
-
 fn located(source: &Source, places: &[(String, Range<usize>)], fault: SceneFault) -> Diagnostic {
     let SceneFault { field, fault } = fault;
     let within =
@@ -99,97 +95,9 @@ fn located(source: &Source, places: &[(String, Range<usize>)], fault: SceneFault
     Diagnostic { help: fault.help, ..Diagnostic::new(message, source, span, fault.expected) }
 }
 
-/// The place of every string in a JSON text that has been read already, quotes included, by its path:
-/// `before.A.speed`, `line_of_centres[0]`.
-fn places(text: &str) -> Vec<(String, Range<usize>)> {
-    let mut walk = Walk { text, at: 0, found: Vec::new() };
-    walk.value("");
-    walk.found
-}
-
-struct Walk<'t> {
-    text: &'t str,
-    at: usize,
-    found: Vec<(String, Range<usize>)>,
-}
-
-impl Walk<'_> {
-    fn peek(&mut self) -> Option<u8> {
-        let rest = &self.text.as_bytes()[self.at..];
-        self.at += rest.iter().take_while(|byte| byte.is_ascii_whitespace() || matches!(byte, b',' | b':')).count();
-        self.text.as_bytes().get(self.at).copied()
-    }
-
-    /// A string; its place, quotes included.
-    fn string(&mut self) -> Range<usize> {
-        let start = self.at;
-        let mut escaped = false;
-        for (index, byte) in self.text.as_bytes()[start + 1..].iter().enumerate() {
-            match byte {
-                _ if escaped => escaped = false,
-                b'\\' => escaped = true,
-                b'"' => {
-                    self.at = start + index + 2;
-                    return start..self.at;
-                }
-                _ => {}
-            }
-        }
-        self.at = self.text.len();
-        start..self.at
-    }
-
-    fn value(&mut self, path: &str) {
-        match self.peek() {
-            Some(b'{') => {
-                self.at += 1;
-                while self.peek() == Some(b'"') {
-                    let key = self.string();
-                    let key = self.text[key].trim_matches('"').to_owned();
-                    let below = if path.is_empty() { key } else { format!("{path}.{key}") };
-                    self.value(&below);
-                }
-                self.at += 1;
-            }
-            Some(b'[') => {
-                self.at += 1;
-                let mut index = 0;
-                while self.peek().is_some_and(|byte| byte != b']') {
-                    self.value(&format!("{path}[{index}]"));
-                    index += 1;
-                }
-                self.at += 1;
-            }
-            Some(b'"') => {
-                let place = self.string();
-                self.found.push((path.to_owned(), place));
-            }
-            _ => {
-                let rest = &self.text.as_bytes()[self.at..];
-                self.at +=
-                    rest.iter().take_while(|byte| byte.is_ascii_alphanumeric() || b"+-.".contains(byte)).count().max(1);
-                self.at = self.at.min(self.text.len());
-            }
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn carom_knows_where_each_string_stands() {
-        let text = r#"{ "masses": {"A": "2", "B": null}, "before": {"A": ["x\"", "1"], "B": {"speed": "u"}} }"#;
-        let found: Vec<(String, &str)> = places(text).into_iter().map(|(path, place)| (path, &text[place])).collect();
-        let expected = [
-            ("masses.A", r#""2""#),
-            ("before.A[0]", r#""x\"""#),
-            ("before.A[1]", r#""1""#),
-            ("before.B.speed", r#""u""#),
-        ];
-        assert_eq!(found, expected.map(|(path, text)| (path.to_owned(), text)));
-    }
 
     #[test]
     fn a_fault_in_a_formula_is_under_its_caret() {

@@ -10,8 +10,10 @@ mod compare_stream;
 mod explain;
 mod failure;
 mod formats;
+mod json_places;
 mod json_scene;
 mod list;
+mod mark;
 mod output;
 mod pdf;
 mod preview;
@@ -34,7 +36,8 @@ solutions and mark schemes. Every model answer is exact.";
 const AFTER: &str = "Begin with:
   carom sheet                    six questions with their mark scheme, in the folder `sheet`
   carom list                     the questions there are
-  carom explain 5C-2             what one of them varies, asks and marks";
+  carom explain 5C-2             what one of them varies, asks and marks
+  carom mark sheet/key.json sheet/submissions.csv     what students have filled in, marked";
 
 /// The arguments of carom.
 #[derive(Parser)]
@@ -54,6 +57,7 @@ enum Command {
     Preview(Box<preview::PreviewArguments>),
     Check(check::CheckArguments),
     Compare(Box<compare::CompareArguments>),
+    Mark(Box<mark::MarkArguments>),
 }
 
 /// Runs the command that the arguments name and reports what went wrong.
@@ -76,6 +80,7 @@ pub fn run() -> ExitCode {
         Command::Preview(arguments) => preview::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
+        Command::Mark(arguments) => mark::run(&arguments),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

@@ -1,6 +1,7 @@
 //! `carom sheet`: a question sheet, its mark scheme and its key.
 
 use std::collections::BTreeMap;
+use std::fs;
 use std::path::PathBuf;
 use std::time::{SystemTime, UNIX_EPOCH};
 
@@ -14,6 +15,7 @@ use super::write::{OutputFile, write_all};
 use crate::bank::{Contents, Heading, Question, StyleName};
 use crate::diagnostic::near;
 use crate::generate::{Variant, reference};
+use crate::mark::submissions::{empty_submissions, is_filled_in};
 use crate::paper::{Dealer, Edition, Key, Paper, choose_count, choose_marks, compose, key_question};
 
 const AFTER: &str = "Examples:
@@ -31,7 +33,8 @@ PDF is made with what the machine has: pdflatex, lualatex or xelatex, else Chrom
 
 /// Make a question sheet with its mark scheme
 ///
-/// Writes a question sheet and a mark scheme with worked solutions, in each format, and `key.json` for marking.
+/// Writes a question sheet and a mark scheme with worked solutions, in each format, `key.json` for
+/// marking, and `submissions.csv` to write down what students answer.
 #[derive(Args)]
 #[command(after_help = AFTER)]
 pub struct SheetArguments {
@@ -88,6 +91,9 @@ pub struct SheetArguments {
     templates: Option<PathBuf>,
 }
 
+/// The file to write down what students answer.
+const SUBMISSIONS: &str = "submissions.csv";
+
 /// How many questions a sheet has if nobody says.
 const USUAL_COUNT: usize = 6;
 
@@ -126,7 +132,14 @@ pub fn run(arguments: &SheetArguments) -> Result<(), Failure> {
     };
     let json = serde_json::to_string_pretty(&key).map_err(|error| Failure::said(error.to_string()))?;
     let mut printed = formats.print(&paper, &arguments.out)?;
-    printed.files.push(OutputFile { name: "key.json".to_owned(), contents: (json + "\n").into_bytes() });
+    let text = |name: &str, contents: String| OutputFile { name: name.to_owned(), contents: contents.into_bytes() };
+    printed.files.push(text("key.json", json + "\n"));
+    let old = arguments.out.join(SUBMISSIONS);
+    if fs::read(&old).is_ok_and(|old| is_filled_in(&old)) {
+        say(&format!("`{}` has answers in it, and is left as it is", old.display()));
+    } else {
+        printed.files.push(text(SUBMISSIONS, empty_submissions(&key.questions)));
+    }
     let paths = write_all(&arguments.out, &printed.files)?;
 
     let size = format!("{}, {}", count(paper.questions.len(), "question"), count(paper.marks(), "mark"));

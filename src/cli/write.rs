@@ -1,5 +1,6 @@
 //! Files written all or none: first beside their places under other names, then moved there.
 
+use std::collections::HashSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -9,7 +10,7 @@ use crate::render::RenderedFile;
 /// A file ready to be written: text or PDF, to the disk it is bytes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct OutputFile {
-    /// Its name, without a folder: `mark-scheme.pdf`.
+    /// Its name, perhaps with a folder below that of all: `mark-scheme.pdf`, `feedback/ada.html`.
     pub name: String,
     /// What stands in it.
     pub contents: Vec<u8>,
@@ -41,18 +42,22 @@ pub fn write_all(folder: &Path, files: &[OutputFile]) -> Result<Vec<PathBuf>, Fa
 
 fn place(folder: &Path, files: &[OutputFile], waiting: &mut Vec<(PathBuf, PathBuf)>) -> Result<(), Failure> {
     let cannot = |path: &Path, error| Failure::said(format!("`{}` cannot be written: {error}", path.display()));
-    for (index, file) in files.iter().enumerate() {
+    let mut names = HashSet::new();
+    for file in files {
         let path = folder.join(&file.name);
         if path.is_dir() {
             return Err(Failure::said(format!("`{}` cannot be written: it is a folder", path.display())));
         }
-        if files[..index].iter().any(|earlier| earlier.name == file.name) {
+        if !names.insert(&file.name) {
             return Err(Failure::with_help(
                 format!("two of the formats write `{}`", file.name),
                 "ask for one of them, or give the file another name in one `format.toml`",
             ));
         }
-        let temporary = folder.join(format!(".{}.{}", file.name, std::process::id()));
+        let (inner, name) = file.name.rsplit_once('/').unwrap_or(("", &file.name));
+        let inner = folder.join(inner);
+        fs::create_dir_all(&inner).map_err(|error| cannot(&path, error))?;
+        let temporary = inner.join(format!(".{name}.{}", std::process::id()));
         waiting.push((temporary.clone(), path.clone()));
         fs::write(&temporary, &file.contents).map_err(|error| cannot(&path, error))?;
     }

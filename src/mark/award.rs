@@ -15,6 +15,8 @@ pub struct MarkedPart {
     pub lines: Vec<MarkedLine>,
     /// One award for each mark of the scheme, in its order.
     pub awards: Vec<Award>,
+    /// The same before marks fell with those on which they depend.
+    pub found: Vec<Award>,
     /// Where marks were followed through: the solution of the rest from the student's own values.
     pub followed: Vec<WorkingLine>,
 }

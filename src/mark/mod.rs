@@ -9,13 +9,16 @@ pub mod judging;
 mod key;
 mod marking;
 mod profile;
+mod profile_file;
 pub mod reading;
+pub mod report;
 mod script;
 pub mod slips;
+pub mod submissions;
 mod working;
 
 pub use award::{Award, Cause, Evidence, Examiner, MarkedAnswer, MarkedLine, MarkedPart, Place};
 pub use key::{AnswerKey, KeyFault, KeyedBlank, KeyedMark, KeyedPaper, KeyedPart, KeyedQuestion};
-pub use marking::mark;
+pub use marking::{Word, mark, overrule};
 pub use profile::{Charge, Profile};
 pub use script::{PartScript, Script};

@@ -25,7 +25,15 @@ pub(super) struct Checked {
 }
 
 /// Checks the documents of a format, and what they include, extend and call.
-pub(super) fn check(files: &BTreeMap<String, Source>, folder: &str, documents: &[&str], marks: &Marks) -> Checked {
+///
+/// The page that a student gets back, if there is one, has other names than they.
+pub(super) fn check(
+    files: &BTreeMap<String, Source>,
+    folder: &str,
+    documents: &[&str],
+    feedback: Option<&str>,
+    marks: &Marks,
+) -> Checked {
     let codes = files.iter().map(|(file, source)| (file.as_str(), read(&source.text, marks))).collect();
     let mut walk = Walk {
         files,
@@ -37,6 +45,9 @@ pub(super) fn check(files: &BTreeMap<String, Source>, folder: &str, documents: &
     };
     for document in documents {
         walk.template(document, Scope::page());
+    }
+    if let Some(feedback) = feedback {
+        walk.template(feedback, Scope::feedback());
     }
     let reached: BTreeSet<String> = walk.seen.iter().map(|(file, ..)| (*file).to_owned()).collect();
     // a component that nobody calls may be called tomorrow
@@ -282,7 +293,7 @@ mod tests {
 
     fn checked(files: &[(&str, &str)]) -> Checked {
         let source = |(file, text): &(&str, &str)| ((*file).to_owned(), Source::new(*file, *text));
-        check(&files.iter().map(source).collect(), "format", &[files[0].0], &Marks::default())
+        check(&files.iter().map(source).collect(), "format", &[files[0].0], None, &Marks::default())
     }
 
     /// The words under the carets.

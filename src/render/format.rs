@@ -8,8 +8,9 @@ use super::check::{Checked, check};
 use super::engine::Templates;
 use super::manifest::Manifest;
 use super::page::{self, Wanted};
-use super::{Notation, RenderFault, RenderedFile, plain_text};
+use super::{Notation, RenderFault, RenderedFile, feedback, plain_text};
 use crate::diagnostic::{Diagnostic, Source, near};
+use crate::mark::report::Feedback;
 use crate::paper::Paper;
 
 /// A format whose templates have been read and whose names have been checked.
@@ -35,8 +36,9 @@ impl Format {
         let manifest = Manifest::read(manifest, &files)?;
         let templates = Templates { folder: name, files: &files, marks: &manifest.delimiters };
         let tera = compile(&templates, &manifest)?;
-        let documents: Vec<&str> = manifest.templates().map(|template| template.get_ref().as_str()).collect();
-        let Checked { faults, used, reached } = check(&files, name, &documents, &manifest.delimiters);
+        let mut documents: Vec<&str> = manifest.templates().map(|template| template.get_ref().as_str()).collect();
+        let feedback = manifest.feedback.as_ref().and_then(|_| documents.pop());
+        let Checked { faults, used, reached } = check(&files, name, &documents, feedback, &manifest.delimiters);
         if !faults.is_empty() {
             return Err(faults);
         }
@@ -77,6 +79,17 @@ impl Format {
         let Some(template) = &self.manifest.preview else { return Ok(None) };
         let line_length = self.manifest.line_length.map(|_| line_length);
         self.fill(template.get_ref(), &self.context(paper), line_length).map(Some)
+    }
+
+    /// The page that a student gets back, under the student's name; nothing if the format has no such page.
+    pub fn feedback(&self, feedback: &Feedback) -> Result<Option<RenderedFile>, RenderFault> {
+        let Some(template) = self.manifest.feedback.as_ref().map(|template| template.get_ref()) else {
+            return Ok(None);
+        };
+        let context = feedback::page(feedback, self.manifest.notation, &self.wanted);
+        let contents = self.fill(template, &context, self.manifest.line_length)?;
+        let ending = template.rsplit_once('.').map_or("txt", |(_, ending)| ending);
+        Ok(Some(RenderedFile { name: format!("{}.{ending}", feedback.file), contents }))
     }
 
     fn context(&self, paper: &Paper) -> Context {

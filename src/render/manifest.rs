@@ -26,6 +26,8 @@ pub(super) struct Manifest {
     pub line_length: Option<usize>,
     /// The template of the one page that `carom preview` shows of a question.
     pub preview: Option<Spanned<String>>,
+    /// The template of the page that a student gets back.
+    pub feedback: Option<Spanned<String>>,
     /// The files that a paper becomes.
     pub documents: Vec<Document>,
 }
@@ -69,9 +71,9 @@ impl From<Marks> for Delimiters {
 }
 
 impl Manifest {
-    /// The templates that are rendered by themselves.
+    /// The templates that are rendered by themselves, that of the feedback last.
     pub fn templates(&self) -> impl Iterator<Item = &Spanned<String>> {
-        self.documents.iter().map(|document| &document.template).chain(&self.preview)
+        self.documents.iter().map(|document| &document.template).chain(&self.preview).chain(&self.feedback)
     }
 
     /// Reads a manifest and holds it to the files of its folder.

@@ -23,6 +23,7 @@ mod code;
 mod engine;
 mod expression;
 mod fault;
+mod feedback;
 mod format;
 mod lookup;
 mod manifest;
@@ -39,6 +40,7 @@ pub use fault::RenderFault;
 pub use notation::Notation;
 
 use crate::diagnostic::{Diagnostic, Severity, Source, near};
+use crate::mark::report::Feedback;
 use crate::paper::Paper;
 use format::Format;
 
@@ -171,6 +173,11 @@ impl Formats {
     /// manifest names no template for it.
     pub fn preview(&self, format: &str, paper: &Paper, line_length: usize) -> Result<Option<String>, RenderFault> {
         self.named(format)?.preview(paper, line_length)
+    }
+
+    /// The page that a student gets back; `None` if the format's manifest names no template for it.
+    pub fn feedback(&self, format: &str, feedback: &Feedback) -> Result<Option<RenderedFile>, RenderFault> {
+        self.named(format)?.feedback(feedback)
     }
 
     fn named(&self, format: &str) -> Result<&Format, RenderFault> {

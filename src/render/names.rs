@@ -36,7 +36,7 @@ impl Kind {
 }
 
 /// What a page has, under no name, and what each thing has.
-pub(super) const NAMES: [(&str, &[(&str, Kind)]); 8] = [
+pub(super) const NAMES: [(&str, &[(&str, Kind)]); 15] = [
     (
         "",
         &[
@@ -91,6 +91,65 @@ pub(super) const NAMES: [(&str, &[(&str, Kind)]); 8] = [
             ("depends", Kind::Plains),
         ],
     ),
+    (
+        "feedback",
+        &[
+            ("student", Kind::Plain),
+            ("code", Kind::Plain),
+            ("marks", Kind::Plain),
+            ("available", Kind::Plain),
+            ("scripts", Kind::Things("script")),
+        ],
+    ),
+    (
+        "script",
+        &[
+            ("number", Kind::Plain),
+            ("id", Kind::Plain),
+            ("marks", Kind::Plain),
+            ("available", Kind::Plain),
+            ("replies", Kind::Things("reply")),
+        ],
+    ),
+    (
+        "reply",
+        &[
+            ("label", Kind::Plain),
+            ("verdict", Kind::Plain),
+            ("marks", Kind::Plain),
+            ("available", Kind::Plain),
+            ("responses", Kind::Things("response")),
+            ("lines", Kind::Things("written")),
+            ("awards", Kind::Things("award")),
+            ("followed", Kind::Things("line")),
+        ],
+    ),
+    (
+        "response",
+        &[
+            ("name", Kind::Plain),
+            ("typed", Kind::Plain),
+            ("reading", Kind::Plain),
+            ("verdict", Kind::Plain),
+            ("comment", Kind::Plain),
+            ("causes", Kind::Things("cause")),
+        ],
+    ),
+    ("cause", &[("sentence", Kind::Plain), ("probable", Kind::Plains)]),
+    ("written", &[("number", Kind::Plain), ("typed", Kind::Plain), ("reading", Kind::Plain), ("role", Kind::Plain)]),
+    (
+        "award",
+        &[
+            ("code", Kind::Plain),
+            ("given", Kind::Plain),
+            ("person", Kind::Plain),
+            ("reason", Kind::Plain),
+            ("place", Kind::Plain),
+            ("reading", Kind::Plain),
+            ("earned", Kind::Plain),
+            ("equation", Kind::Plain),
+        ],
+    ),
 ];
 
 /// The names of a thing; of the page, if it is called nothing.
@@ -99,8 +158,36 @@ pub(super) fn names_of(thing: &str) -> &'static [(&'static str, Kind)] {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
+    use std::collections::{BTreeMap, BTreeSet};
+
     use super::*;
+
+    /// All names below a thing, by the things that have them.
+    pub fn below(thing: &str) -> BTreeMap<String, BTreeSet<String>> {
+        let mut all = BTreeMap::new();
+        let mut open = vec![thing];
+        while let Some(thing) = open.pop() {
+            let names = names_of(thing);
+            all.insert(thing.to_owned(), names.iter().map(|(name, _)| (*name).to_owned()).collect());
+            open.extend(names.iter().filter_map(|(_, kind)| match kind {
+                Kind::Things(of) if !all.contains_key(*of) => Some(of),
+                _ => None,
+            }));
+        }
+        all
+    }
+
+    /// The names of a thing on a page and, through its lists, of the first of each thing below it.
+    pub fn gather(thing: &str, value: &serde_json::Value, found: &mut BTreeMap<String, BTreeSet<String>>) {
+        let Some(names) = value.as_object() else { return };
+        found.insert(thing.to_owned(), names.keys().cloned().collect());
+        for (name, kind) in names_of(thing) {
+            if let (Kind::Things(of), Some(first)) = (kind, value[name].get(0)) {
+                gather(of, first, found);
+            }
+        }
+    }
 
     #[test]
     fn carom_knows_that_every_list_is_of_things_in_the_table() {

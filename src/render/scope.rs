@@ -23,6 +23,11 @@ impl<'t> Scope<'t> {
         Scope::of(names_of("").iter().copied().collect())
     }
 
+    /// Where nothing has been set yet on the page that a student gets back: it has one name, of which all others are.
+    pub fn feedback() -> Scope<'t> {
+        Scope::of(BTreeMap::from([("feedback", Kind::Thing("feedback"))]))
+    }
+
     /// Where there are these names and no loop.
     pub fn of(names: BTreeMap<&'t str, Kind>) -> Scope<'t> {
         Scope { frames: vec![Frame { is_loop: false, names }] }

@@ -130,6 +130,20 @@ fn carom_knows_editions_that_axe_finds_no_fault_in() {
 }
 
 #[test]
+fn carom_knows_pages_of_feedback_that_axe_finds_no_fault_in() {
+    let formats = Formats::shipped().unwrap();
+    super::class::pages(|pages| {
+        for page in pages {
+            let html = formats.feedback("html", page).unwrap().unwrap().contents;
+            for look in [DESK, DESK_AT_NIGHT, PHONE, PHONE_AT_NIGHT] {
+                let found = faults(&folder("feedback"), &html, look);
+                assert!(found.is_empty(), "{} {look:?}: {}", page.student, found.join("\n"));
+            }
+        }
+    });
+}
+
+#[test]
 fn a_fault_of_a_page_is_seen() {
     let sound = Formats::shipped().unwrap().render("html", &super::paper::paper()).unwrap().remove(0).contents;
     let cases = [

@@ -4,7 +4,9 @@
 
 #[cfg(feature = "external")]
 mod accessibility;
+mod class;
 mod families;
+mod feedback;
 mod paper;
 
 use std::fs;

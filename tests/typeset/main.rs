@@ -5,6 +5,8 @@
 
 #[path = "../pages/paper.rs"]
 mod by_hand;
+#[path = "../pages/class.rs"]
+mod class;
 
 mod breaks;
 mod browser;
@@ -12,6 +14,7 @@ mod clear;
 mod diagrams;
 mod engine;
 mod engines;
+mod feedback;
 mod ink;
 mod margins;
 mod papers;

@@ -15,7 +15,7 @@ pub(super) struct Charged {
     units: bool,
 }
 
-/// The awards of a part, in the order of the scheme.
+/// The awards of a part, in the order of the scheme, each as if it stood alone: [`settled`] sets them side by side.
 ///
 /// What the working shows is `by_working`, and what is right for the student's own values is `followed`, a blank each.
 pub(super) fn awards(
@@ -41,9 +41,17 @@ pub(super) fn awards(
         };
         awards.push(award);
     }
+    awards
+}
+
+/// The awards of a part once those have fallen that depend on others, and printed results have been looked at.
+///
+/// Nothing is changed of what a person has decided.
+pub(super) fn settled(part: &KeyedPart, answers: &[MarkedAnswer], found: &[Award]) -> Vec<Award> {
+    let mut awards = found.to_vec();
     drop_dependent(&part.scheme, &mut awards);
     for place in 0..awards.len() {
-        if part.scheme[place].code == Code::A1Shown {
+        if part.scheme[place].code == Code::A1Shown && awards[place].by == Examiner::Marker {
             awards[place] = shown(place, part, answers, &awards);
         }
     }
@@ -200,7 +208,7 @@ fn withheld(mark: &KeyedMark) -> Award {
 }
 
 /// Marks without those on which they depend fall too; a person's word stands.
-pub(super) fn drop_dependent(scheme: &[KeyedMark], awards: &mut [Award]) {
+fn drop_dependent(scheme: &[KeyedMark], awards: &mut [Award]) {
     for (place, mark) in scheme.iter().enumerate() {
         let missing = mark.depends.iter().find(|needed| !awards[**needed].given).copied();
         if let Some(missing) = missing

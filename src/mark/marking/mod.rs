@@ -9,6 +9,9 @@ mod answers;
 mod causes;
 mod decide;
 mod follow;
+mod overrule;
+
+pub use overrule::{Word, overrule};
 
 use super::award::MarkedPart;
 use super::key::KeyedQuestion;
@@ -30,13 +33,14 @@ pub fn mark(question: &KeyedQuestion, script: &Script, profile: &Profile) -> Vec
         let followed = follow::answers(question, part, &answers, &readings, &examined);
         causes::name(question, part, &mut answers, &readings, &examined);
         let by_working = std::mem::take(&mut examined.awards);
-        let awards = decide::awards(part, &answers, by_working, &followed, profile, &mut charged);
+        let found = decide::awards(part, &answers, by_working, &followed, profile, &mut charged);
+        let awards = decide::settled(part, &answers, &found);
         let all_right = awards.iter().all(|award| award.given);
         let solution = if all_right { Vec::new() } else { follow::solution(question, part, &examined) };
         theirs = examined.theirs;
         theirs.take_answers(question, part, &readings);
         let (label, lines) = (part.label.clone(), examined.lines);
-        marked.push(MarkedPart { label, answers, lines, awards, followed: solution });
+        marked.push(MarkedPart { label, answers, lines, awards, found, followed: solution });
     }
     marked
 }

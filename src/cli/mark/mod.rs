@@ -1,0 +1,191 @@
+//! `carom mark`: what students handed in, marked against the key of their sheet.
+
+mod feedback;
+mod files;
+mod key;
+mod summary;
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+
+use feedback::FeedbackAsked;
+
+use super::failure::{Failure, warn};
+use super::output::{count, listed, print, print_json, say};
+use super::write::{OutputFile, write_all};
+use crate::diagnostic::near;
+use crate::mark::report::{MarkReport, Summary, marks_csv, marks_jsonl, not_marked_csv};
+use crate::mark::submissions::{Rows, SetAside, Sorted, read_overrides, read_rows, sort};
+use crate::mark::{AnswerKey, Profile};
+
+const AFTER: &str = "Examples:
+  carom mark sheet/key.json submissions.csv               marks and a page for each student, in the folder `marks`
+  carom mark sheet/key.json submissions.csv --profile edexcel
+  carom mark sheet/key.json answers.jsonl --out monday --feedback html,latex
+  carom mark sheet/key.json submissions.csv --overrides overrides.csv
+  carom mark sheet/key.json - --json < submissions.csv
+
+SUBMISSIONS is a table, as `carom sheet` writes an empty one beside the key, saved as CSV in UTF-8:
+
+  student,question,part,blank,answer,working
+  Ada,1,a,,4√39/9,
+  Ben,1,a,speed of A,2.78 m/s,\"6cos10 = 5.91
+  5.91 = v + w\"
+
+`part`, `blank` and `working` may be left out. Without a blank an answer says all that its part asks. Working has one line
+of it a line of the cell. Or each line is a JSON object with these fields.
+
+Written are `marks.csv`, `marks.jsonl` with every reading and reason, a page for each student in `feedback`, and
+`not-marked.csv` with what has no place in the key. Where you know better, say so in a table
+`student,question,part,mark,given,comment`, such as `Ada,1,a,M1a,1,method seen in the margin`, and mark again with
+`--overrides`: it has the last word, and the marks that depend on it follow.";
+
+/// Mark what students handed in
+///
+/// Reads answers and lines of working, decides on every mark of the scheme, and says why. What cannot be read is left to
+/// you, by name.
+#[derive(Args)]
+#[command(after_help = AFTER)]
+pub struct MarkArguments {
+    /// The `key.json` that was written with the sheet
+    #[arg(value_name = "KEY.json")]
+    key: PathBuf,
+    /// What was handed in, a table or JSON lines; `-` for stdin
+    #[arg(value_name = "SUBMISSIONS")]
+    submissions: PathBuf,
+    /// The folder for the files
+    #[arg(long, value_name = "DIR", default_value = "marks")]
+    out: PathBuf,
+    /// How strict to be: `carom`, `edexcel`, `ocr`, `mei`, `aqa`, or a TOML file of your own
+    #[arg(long, value_name = "NAME|FILE.toml", default_value = "carom")]
+    profile: String,
+    /// Your own word on single marks: a table `student,question,part,mark,given,comment`
+    #[arg(long, value_name = "FILE.csv")]
+    overrides: Option<PathBuf>,
+    /// Formats of the page for each student, with commas: html, latex, text; `none` for no pages
+    #[arg(long, value_name = "FORMATS", value_delimiter = ',', default_value = "html")]
+    feedback: Vec<String>,
+    /// Templates of your own, which take the place of those of the same name
+    #[arg(long, value_name = "DIR")]
+    templates: Option<PathBuf>,
+    /// Print the summary as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// Marks.
+pub fn run(arguments: &MarkArguments) -> Result<(), Failure> {
+    let feedback = FeedbackAsked::new(&arguments.feedback, arguments.templates.as_deref())?;
+    let profile = profile(&arguments.profile)?;
+    let key = key::read(&arguments.key)?;
+    let submissions = files::text(&arguments.submissions)?;
+    let rows = read_rows(&submissions)?;
+    warn(&rows.warnings);
+    let Sorted { scripts, set_aside, unfilled } = sort(&key, Rows { warnings: Vec::new(), ..rows });
+    tell(&set_aside, &submissions.file);
+    if scripts.is_empty() {
+        return Err(nothing(&set_aside, unfilled, &submissions.file));
+    }
+    let overrides = overrides(arguments.overrides.as_deref(), &key)?;
+    let report = MarkReport::new(&scripts, &profile, overrides);
+    for word in &report.idle {
+        say(&format!("warning: line {} of the overrides is about what was not handed in", word.line));
+    }
+
+    let text = |name: &str, contents: String| OutputFile { name: name.to_owned(), contents: contents.into_bytes() };
+    let mut files = vec![text("marks.csv", marks_csv(&report)), text("marks.jsonl", marks_jsonl(&report))];
+    if !set_aside.is_empty() {
+        files.push(text("not-marked.csv", not_marked_csv(&set_aside)));
+    }
+    let pages = feedback.pages(&report)?;
+    let page_count = pages.len();
+    files.extend(pages);
+    write_all(&arguments.out, &files)?;
+
+    let summary = Summary::new(&report);
+    let out = arguments.out.display();
+    say(&format!("marks in `{out}`: `marks.csv`, `marks.jsonl`{}", also(page_count, set_aside.len())));
+    tell_of_old(&arguments.out, &files);
+    if arguments.json {
+        print_json(&summary::as_json(&summary, set_aside.len()))
+    } else {
+        print(&summary::in_words(&summary))
+    }
+}
+
+fn also(pages: usize, set_aside: usize) -> String {
+    let mut words = String::new();
+    if pages > 0 {
+        words.push_str(&format!(", {} in `feedback`", count(pages, "page")));
+    }
+    if set_aside > 0 {
+        words.push_str(&format!(", and {} not marked in `not-marked.csv`", count(set_aside, "row")));
+    }
+    words
+}
+
+/// Says of each file in the folder that only an earlier marking can have written.
+fn tell_of_old(out: &Path, files: &[OutputFile]) {
+    let is_new = |name: &str| files.iter().any(|file| file.name == name);
+    if !is_new("not-marked.csv") && out.join("not-marked.csv").is_file() {
+        say(&format!("`{}` is of an earlier marking", out.join("not-marked.csv").display()));
+    }
+    let new: std::collections::HashSet<&str> = files.iter().map(|file| file.name.as_str()).collect();
+    let there = std::fs::read_dir(out.join("feedback")).into_iter().flatten().flatten();
+    let old = there.filter(|entry| !new.contains(format!("feedback/{}", entry.file_name().to_string_lossy()).as_str()));
+    let old = old.count();
+    if old > 0 {
+        say(&format!("{} in `{}` of an earlier marking", count(old, "file"), out.join("feedback").display()));
+    }
+}
+
+/// The most rows that are told of one by one.
+const TOLD: usize = 10;
+
+fn tell(set_aside: &[SetAside], file: &str) {
+    for SetAside { row, reason } in set_aside.iter().take(TOLD) {
+        say(&format!("warning: {file}, line {}: {reason}", row.line));
+    }
+    if set_aside.len() > TOLD {
+        say(&format!("warning: {} more, all in `not-marked.csv`", set_aside.len() - TOLD));
+    }
+}
+
+/// There is nothing that could be marked.
+fn nothing(set_aside: &[SetAside], unfilled: usize, file: &str) -> Failure {
+    match (set_aside.len(), unfilled) {
+        (0, 0) => Failure::with_help(format!("`{file}` has no answers"), "`carom mark --help` shows a table of some"),
+        (0, unfilled) => {
+            let rows = count(unfilled, "row");
+            let message = format!("`{file}` has no answers: {rows} of it name a question and no student");
+            Failure::with_help(message, "fill in `student` and `answer`, and repeat the rows for each student")
+        }
+        (rows, _) => {
+            let message = format!("nothing in `{file}` could be marked: {} set aside", count(rows, "row"));
+            Failure::with_help(message, "is this the key of that sheet?")
+        }
+    }
+}
+
+fn profile(name: &str) -> Result<Profile, Failure> {
+    if let Some(profile) = Profile::named(name) {
+        return Ok(profile);
+    }
+    let path = Path::new(name);
+    if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")) || path.is_file() {
+        return Ok(Profile::read(&files::text(path)?)?);
+    }
+    let help = match near(name, Profile::names()) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => format!("there are {}, or a file such as `own.toml`", listed(Profile::names())),
+    };
+    Err(Failure::with_help(format!("unknown profile `{name}`"), help))
+}
+
+fn overrides(path: Option<&Path>, key: &AnswerKey) -> Result<Vec<crate::mark::submissions::Override>, Failure> {
+    match path {
+        Some(path) => Ok(read_overrides(&files::text(path)?, key)?),
+        None => Ok(Vec::new()),
+    }
+}

@@ -1,0 +1,61 @@
+//! Cells of a table that a spreadsheet opens: no text of a student is ever run as a formula.
+
+use std::borrow::Cow;
+
+use csv::WriterBuilder;
+
+/// A cell as it is written. One that begins like a formula gets an apostrophe in front; a number keeps its sign.
+///
+/// Characters that command a terminal or turn the direction of writing are left out; line breaks within a cell stay.
+///
+/// ```
+/// use carom::mark::report::cells::harmless;
+/// assert_eq!(harmless("=HYPERLINK(\"x\")"), "'=HYPERLINK(\"x\")");
+/// assert_eq!(harmless("-1.92"), "-1.92");
+/// assert_eq!(harmless("-1.92u"), "'-1.92u");
+/// ```
+pub fn harmless(text: &str) -> Cow<'_, str> {
+    let is_shown = |c: char| !is_hidden(c) || c == '\n';
+    let text = match text.chars().all(is_shown) {
+        true => Cow::Borrowed(text),
+        false => {
+            let shown = |c: char| if matches!(c, '\t' | '\r') { Some(' ') } else { is_shown(c).then_some(c) };
+            // What began with a tab or a return still begins with a blank.
+            Cow::Owned(text.chars().filter_map(shown).collect())
+        }
+    };
+    // Some programs take the wide forms of these signs for the signs, and some skip blanks before them.
+    let begins = |sign: char| matches!(sign, '=' | '+' | '-' | '@' | '＝' | '＋' | '－' | '＠');
+    match text.trim_start().starts_with(begins) && !is_number(&text) {
+        true => Cow::Owned(format!("'{text}")),
+        false => text,
+    }
+}
+
+/// Digits, perhaps with a sign in front and a point among them.
+fn is_number(text: &str) -> bool {
+    let digits = text.strip_prefix(['+', '-']).unwrap_or(text);
+    digits.bytes().all(|byte| byte.is_ascii_digit() || byte == b'.') && digits.parse::<f64>().is_ok()
+}
+
+fn is_hidden(c: char) -> bool {
+    c.is_control()
+        || matches!(c, '\u{61c}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}')
+}
+
+/// A table with a header, every cell harmless, in quotes where it must be.
+pub fn table<const N: usize>(header: [&str; N], rows: impl Iterator<Item = [String; N]>) -> String {
+    let mut writer = WriterBuilder::new().from_writer(Vec::new());
+    // Writing to memory rows of one width cannot fail.
+    let _ = writer.write_record(header);
+    for row in rows {
+        let _ = writer.write_record(row.iter().map(|cell| harmless(cell).into_owned()));
+    }
+    let bytes = writer.into_inner().unwrap_or_default();
+    String::from_utf8(bytes).unwrap_or_default()
+}
+
+/// A text on one line.
+pub(super) fn one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}

@@ -1,0 +1,17 @@
+//! The table of what was not marked, which can be put right and handed in again.
+
+use super::cells::table;
+use crate::mark::submissions::SetAside;
+
+/// Line and reason, and then the row as it was typed.
+pub fn not_marked_csv(set_aside: &[SetAside]) -> String {
+    let header = ["line", "reason", "student", "question", "part", "blank", "answer", "working"];
+    let rows = set_aside.iter().map(|aside| {
+        let row = &aside.row;
+        let [student, question, part, blank, answer] =
+            [&row.student, &row.question, &row.part, &row.blank, &row.answer].map(String::clone);
+        let working = row.working.join("\n");
+        [row.line.to_string(), aside.reason.clone(), student, question, part, blank, answer, working]
+    });
+    table(header, rows)
+}

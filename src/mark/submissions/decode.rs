@@ -1,0 +1,40 @@
+//! From bytes to text: UTF-8 and nothing else, and a clear word where it is something else.
+
+/// Why bytes are not read as text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Undecoded {
+    /// What they seem to be.
+    pub message: String,
+    /// What to do about it.
+    pub help: String,
+}
+
+/// The text of a file, without the mark with which some programs begin it.
+///
+/// ```
+/// use carom::mark::submissions::decode;
+/// assert_eq!(decode(b"\xef\xbb\xbfstudent"), Ok("student"));
+/// assert!(decode(b"\xff\xfes\0t\0").unwrap_err().message.contains("UTF-16"));
+/// assert!(decode(b"Zo\xeb").unwrap_err().message.contains("line 1"));
+/// ```
+pub fn decode(bytes: &[u8]) -> Result<&str, Undecoded> {
+    let help = "save it as UTF-8: in Excel as `CSV UTF-8`, in LibreOffice with the character set `Unicode (UTF-8)`";
+    let undecoded = |message: String| Undecoded { message, help: help.to_owned() };
+    if is_utf_16(bytes) {
+        return Err(undecoded("is in UTF-16, not in UTF-8".to_owned()));
+    }
+    match std::str::from_utf8(bytes) {
+        Ok(text) => Ok(text.strip_prefix('\u{feff}').unwrap_or(text)),
+        Err(error) => {
+            let line = 1 + bytes[..error.valid_up_to()].iter().filter(|byte| **byte == b'\n').count();
+            Err(undecoded(format!("is not in UTF-8: line {line} has a letter in another encoding, Latin-1 perhaps")))
+        }
+    }
+}
+
+/// By its mark, or since every other byte of its beginning is nought.
+fn is_utf_16(bytes: &[u8]) -> bool {
+    let begins = &bytes[..bytes.len().min(64)];
+    let noughts = |first: usize| begins.len() > 7 && begins.iter().skip(first).step_by(2).all(|byte| *byte == 0);
+    bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) || noughts(0) || noughts(1)
+}

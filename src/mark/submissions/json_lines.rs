@@ -1,0 +1,77 @@
+//! Submissions as JSON lines: an object a line, with the names of the columns.
+
+use serde_json::{Map, Value as Json};
+
+use super::{COLUMNS, Row, Rows, SetAside, lines_of};
+use crate::diagnostic::near;
+
+/// Reads every line that is not empty.
+pub(super) fn read(text: &str) -> Rows {
+    let mut rows = Rows::default();
+    for (line, text) in (1..).zip(text.lines()) {
+        if text.trim().is_empty() {
+            continue;
+        }
+        match row(line, text) {
+            Ok(row) => rows.rows.push(row),
+            Err(reason) => {
+                let row = Row { line, answer: text.to_owned(), ..Row::default() };
+                rows.set_aside.push(SetAside { row, reason });
+            }
+        }
+    }
+    rows
+}
+
+fn row(line: usize, text: &str) -> Result<Row, String> {
+    let fields: Json = serde_json::from_str(text).map_err(|error| {
+        let said = error.to_string();
+        format!("this is no JSON: {}", said.split(" at line ").next().unwrap_or_default())
+    })?;
+    let fields = fields.as_object().ok_or("this is no JSON object: write one for each answer, a line each")?;
+    let question = match fields.get("question") {
+        Some(Json::Number(number)) => number.to_string(),
+        _ => needed(fields, "question")?,
+    };
+    let working = match fields.get("working") {
+        Some(Json::Array(lines)) => {
+            let each = lines.iter().map(|line| line.as_str().ok_or("`working` is a list of something but strings"));
+            each.collect::<Result<Vec<_>, _>>()?.into_iter().flat_map(lines_of).collect()
+        }
+        _ => lines_of(&words(fields, "working")?.unwrap_or_default()),
+    };
+    let answer = match words(fields, "answer")? {
+        Some(answer) => answer,
+        None if !working.is_empty() => String::new(),
+        None => needed(fields, "answer")?,
+    };
+    Ok(Row {
+        line,
+        student: needed(fields, "student")?,
+        question,
+        part: words(fields, "part")?.unwrap_or_default(),
+        blank: words(fields, "blank")?.unwrap_or_default(),
+        answer,
+        working,
+    })
+}
+
+fn needed(fields: &Map<String, Json>, name: &str) -> Result<String, String> {
+    let strangers = || fields.keys().map(String::as_str).filter(|field| !COLUMNS.contains(field));
+    words(fields, name)?.ok_or_else(|| match near(name, strangers()) {
+        Some(near) => format!("`{name}` is missing: is `{near}` meant for it?"),
+        None => format!("`{name}` is missing"),
+    })
+}
+
+fn words(fields: &Map<String, Json>, name: &str) -> Result<Option<String>, String> {
+    match fields.get(name) {
+        None | Some(Json::Null) => Ok(None),
+        Some(Json::String(words)) => Ok(Some(words.clone())),
+        // 2.80 and 2.8 would be the same number, and they are not the same answer.
+        Some(Json::Number(_)) if name == "answer" => {
+            Err("`answer` is a number: write it as a string, so that it keeps its figures".to_owned())
+        }
+        Some(_) => Err(format!("`{name}` is not a string")),
+    }
+}

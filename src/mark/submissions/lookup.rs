@@ -1,0 +1,102 @@
+//! What a person calls a question, a part, a blank or a mark, looked up in the key; or what there is instead.
+
+use crate::diagnostic::near;
+use crate::expr::print::words_unicode;
+use crate::mark::key::{AnswerKey, KeyedPaper, KeyedPart, KeyedQuestion};
+
+/// The longest piece of what a person typed that a reason repeats.
+const SHOWN: usize = 60;
+
+/// The paper of a student.
+pub(super) fn paper<'k>(key: &'k AnswerKey, student: &str) -> Result<&'k KeyedPaper, String> {
+    if student.is_empty() {
+        return Err("whose is this? the student is not named".to_owned());
+    }
+    key.paper(student).ok_or_else(|| {
+        let names: Vec<&str> = key.papers.iter().filter_map(|paper| paper.student.as_deref()).collect();
+        let help = match near(student, names.iter().copied()) {
+            Some(near) => format!("did you mean {}?", shown(near)),
+            None => format!("the key has papers for {} students, each by name", names.len()),
+        };
+        format!("the key has no paper for {}; {help}", shown(student))
+    })
+}
+
+/// A question by its number on the sheet, with `Q` or without, or by its id: its place.
+pub(super) fn question(paper: &KeyedPaper, name: &str) -> Result<usize, String> {
+    let lower = name.trim().to_lowercase();
+    let number = ["question", "q"].iter().find_map(|word| lower.strip_prefix(word)).unwrap_or(&lower);
+    let number = number.trim().trim_end_matches('.').trim_end_matches(".0");
+    let is_it = |question: &KeyedQuestion| question.number.to_string() == number || question.id == name.trim();
+    paper.questions.iter().position(is_it).ok_or_else(|| {
+        let numbers = paper.questions.iter().map(|question| question.number.to_string()).collect::<Vec<_>>();
+        if name.trim().is_empty() {
+            return format!("no question is named; there {}", are(&numbers));
+        }
+        let ids = paper.questions.iter().map(|question| question.id.as_str());
+        match near(name, ids.filter(|id| id.len() > 4)) {
+            Some(near) => format!("no question {} on the sheet; did you mean `{near}`?", shown(name)),
+            None => format!("no question {} on the sheet; there {}", shown(name), are(&numbers)),
+        }
+    })
+}
+
+/// A part by its label, with brackets or without: its place.
+pub(super) fn part(question: &KeyedQuestion, name: &str) -> Result<usize, String> {
+    let lower = name.trim().to_lowercase();
+    let label = lower.strip_prefix("part").unwrap_or(&lower).trim().trim_matches(['(', ')', '.']);
+    let found = question.parts.iter().position(|part| part.label.to_lowercase() == label);
+    found.ok_or_else(|| {
+        let number = question.number;
+        let labels: Vec<String> = question.parts.iter().map(|part| part.label.clone()).collect();
+        match (labels.as_slice(), label) {
+            ([only], _) if only.is_empty() => {
+                format!("question {number} has no part {}; it has none: leave `part` empty", shown(name))
+            }
+            (_, "") => format!("which part of question {number}? there {}", are(&labels)),
+            _ => format!("question {number} has no part {}; there {}", shown(name), are(&labels)),
+        }
+    })
+}
+
+/// A blank by its name, however it is spaced: its place.
+pub(super) fn blank(part: &KeyedPart, name: &str) -> Result<usize, String> {
+    let plain = |name: &str| name.split_whitespace().collect::<Vec<_>>().join(" ").to_lowercase();
+    let found = part.blanks.iter().position(|blank| plain(&blank.name) == plain(name));
+    found.ok_or_else(|| {
+        let names: Vec<&str> = part.blanks.iter().map(|blank| blank.name.as_str()).collect();
+        let help = match near(name, names.iter().copied()) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => format!("there {}", are(&names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>())),
+        };
+        format!("no blank {}; {help}", shown(name))
+    })
+}
+
+/// A mark by its id: its place.
+pub(super) fn mark(part: &KeyedPart, name: &str) -> Result<usize, String> {
+    let found = part.scheme.iter().position(|mark| mark.id.eq_ignore_ascii_case(name.trim()));
+    found.ok_or_else(|| {
+        let ids: Vec<String> = part.scheme.iter().map(|mark| mark.id.clone()).collect();
+        format!("no mark {}; there {}", shown(name), are(&ids))
+    })
+}
+
+/// What a person typed, for a sentence: in backticks, harmless, and not longer than one reads.
+pub(super) fn shown(typed: &str) -> String {
+    let typed = words_unicode(typed.trim());
+    match typed.char_indices().nth(SHOWN) {
+        Some((cut, _)) => format!("`{}…`", &typed[..cut]),
+        None => format!("`{typed}`"),
+    }
+}
+
+/// `is a`, or `are a, b and c`.
+fn are(names: &[String]) -> String {
+    match names {
+        [] => "is none".to_owned(),
+        [only] => format!("is {only}"),
+        [first, .., last] if names.len() > 12 => format!("are {first} to {last}"),
+        [most @ .., last] => format!("are {} and {last}", most.join(", ")),
+    }
+}

@@ -1,0 +1,75 @@
+//! A person's word on single marks, from a table.
+
+use super::{lookup, table};
+use crate::diagnostic::{Diagnostic, Source};
+use crate::mark::key::AnswerKey;
+
+const COLUMNS: [&str; 6] = ["student", "question", "part", "mark", "given", "comment"];
+
+/// A person's word on one mark of one script.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Override {
+    /// The line on which it stands, from 1.
+    pub line: usize,
+    /// The student.
+    pub student: String,
+    /// The number of the question on the sheet.
+    pub question: usize,
+    /// The place of the part in the question.
+    pub part: usize,
+    /// The place of the mark in the scheme of the part.
+    pub mark: usize,
+    /// Is the mark given?
+    pub given: bool,
+    /// Why; may be empty.
+    pub comment: String,
+}
+
+/// Reads a table `student,question,part,mark,given,comment`.
+///
+/// # Errors
+///
+/// Every row that says something else than `1` or `0`, or speaks of what is not in the key: a person's word is not to get
+/// lost.
+pub fn read_overrides(source: &Source, key: &AnswerKey) -> Result<Vec<Override>, Vec<Diagnostic>> {
+    let table = table::read(source, &COLUMNS, &["student", "question", "mark", "given"])?;
+    let mut faults = table.warnings;
+    let mut overrides = Vec::new();
+    for record in table.records {
+        let (line, start) = (record.line, record.start);
+        let read = match record.fault {
+            Some(fault) => Err((fault, 0)),
+            None => one(line, record.cells, key),
+        };
+        match read {
+            Ok(found) => overrides.push(found),
+            Err((message, cell)) => {
+                let end = start + source.text[start..].lines().next().map_or(0, str::len);
+                let label = match cell {
+                    4 => "expected 1 for a mark that is given, or 0",
+                    _ => "this row cannot be obeyed",
+                };
+                faults.push(Diagnostic::new(message, source, start..end, label));
+            }
+        }
+    }
+    if faults.is_empty() { Ok(overrides) } else { Err(faults) }
+}
+
+/// A row; what is wrong with it and in which cell.
+fn one(line: usize, cells: [String; 6], key: &AnswerKey) -> Result<Override, (String, usize)> {
+    let [student, question, part, mark, given, comment] = cells;
+    let student = student.trim();
+    let at = |cell: usize| move |message: String| (message, cell);
+    let paper = lookup::paper(key, student).map_err(at(0))?;
+    let question = &paper.questions[lookup::question(paper, &question).map_err(at(1))?];
+    let part = lookup::part(question, &part).map_err(at(2))?;
+    let mark = lookup::mark(&question.parts[part], &mark).map_err(at(3))?;
+    let given = match given.trim() {
+        "1" => true,
+        "0" => false,
+        other => return Err((format!("{} is neither 1 nor 0", lookup::shown(other)), 4)),
+    };
+    let comment = comment.trim().to_owned();
+    Ok(Override { line, student: student.to_owned(), question: question.number, part, mark, given, comment })
+}

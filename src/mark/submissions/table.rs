@@ -1,0 +1,188 @@
+//! A table with a header, as spreadsheets save it: commas, semicolons or tabs, cells in quotes with line breaks in them.
+
+use csv::{ReaderBuilder, StringRecord};
+
+use crate::diagnostic::{Diagnostic, Severity, Source, near};
+
+/// The records of a table, each with its cells in the order of the columns that were asked for.
+pub(super) struct Table<const N: usize> {
+    pub records: Vec<Record<N>>,
+    /// Columns that look like one of these and are not.
+    pub warnings: Vec<Diagnostic>,
+}
+
+/// A record. Columns that the table does not have are empty.
+pub(super) struct Record<const N: usize> {
+    /// The line on which it begins, from 1.
+    pub line: usize,
+    /// Its place in the text.
+    pub start: usize,
+    pub cells: [String; N],
+    /// Why its cells cannot be trusted.
+    pub fault: Option<String>,
+}
+
+/// Reads a table.
+///
+/// # Errors
+///
+/// A header that lacks a column which is needed, or has one twice.
+pub(super) fn read<const N: usize>(
+    source: &Source,
+    columns: &[&'static str; N],
+    needed: &[&str],
+) -> Result<Table<N>, Vec<Diagnostic>> {
+    let text = &*source.text;
+    let mut reader =
+        ReaderBuilder::new().flexible(true).has_headers(false).delimiter(delimiter(text)).from_reader(text.as_bytes());
+    let mut record = StringRecord::new();
+    // Reading from memory text that is UTF-8 cannot fail; the end of it is all that stops the loop.
+    let mut next = |record: &mut StringRecord| reader.read_record(record).unwrap_or(false);
+    // A text without any record has a header without names.
+    next(&mut record);
+    let header = Header::read(source, &record, columns, needed)?;
+    let mut records = Vec::new();
+    while next(&mut record) {
+        if record.iter().all(|cell| cell.trim().is_empty()) {
+            continue;
+        }
+        let (line, start) = begin(text, &record);
+        let cell = |place: Option<usize>| place.and_then(|place| record.get(place)).unwrap_or_default().to_owned();
+        let cells = header.places.map(cell);
+        let fault = header.fault(&record).or_else(|| never_closed(&text[start.min(text.len())..], &record));
+        records.push(Record { line, start, cells, fault });
+    }
+    Ok(Table { records, warnings: header.warnings })
+}
+
+/// The line and the place in the text where a record begins: the reader counts empty lines before it as its own, and what
+/// is left of the end of the line above.
+fn begin(text: &str, record: &StringRecord) -> (usize, usize) {
+    let (line, start) = record.position().map_or((1, 0), |place| (place.line() as usize, place.byte() as usize));
+    let rest = text.get(start..).unwrap_or_default();
+    let ends = rest.len() - rest.trim_start_matches(['\n', '\r']).len();
+    (line + rest[..ends].matches('\n').count(), start + ends)
+}
+
+/// What parts the cells of the header.
+fn delimiter(text: &str) -> u8 {
+    let header = text.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
+    let count = |sign: u8| header.bytes().filter(|byte| *byte == sign).count();
+    // Of equally many the last would be taken; a table of one column has commas.
+    [b'\t', b';', b','].into_iter().max_by_key(|sign| count(*sign)).unwrap_or(b',')
+}
+
+struct Header<const N: usize> {
+    /// Where each column stands, if it does.
+    places: [Option<usize>; N],
+    /// How far a record must reach.
+    least: usize,
+    /// How many columns there are.
+    width: usize,
+    warnings: Vec<Diagnostic>,
+}
+
+impl<const N: usize> Header<N> {
+    fn read(
+        source: &Source,
+        record: &StringRecord,
+        columns: &[&'static str; N],
+        needed: &[&str],
+    ) -> Result<Header<N>, Vec<Diagnostic>> {
+        let names: Vec<String> = record.iter().map(|name| name.trim().to_lowercase()).collect();
+        let start = source.text.len() - source.text.trim_start().len();
+        let end = start + source.text[start..].lines().next().map_or(0, str::len);
+        let mut faults = Vec::new();
+        let mut warnings = Vec::new();
+        let missing: Vec<&str> = needed.iter().copied().filter(|name| !names.iter().any(|n| n == name)).collect();
+        let strangers = || names.iter().map(String::as_str).filter(|name| !columns.contains(name));
+        let at = |name: &str| {
+            let place = source.text[start..end].to_lowercase().find(name).map_or(start, |place| start + place);
+            place..(place + name.len()).min(end)
+        };
+        if let [first, ..] = missing[..] {
+            let message = match missing[..] {
+                [one] => format!("no column `{one}`"),
+                _ => format!("no columns {}", quoted(&missing)),
+            };
+            let label = format!("the first line names the columns: {}", columns.join(","));
+            let fault = Diagnostic::new(message, source, start..end, label);
+            let near = near(first, strangers());
+            faults.push(match near {
+                Some(near) => Diagnostic { span: at(near), label: format!("`{first}` is meant, perhaps"), ..fault },
+                None => fault,
+            });
+        }
+        for (place, name) in names.iter().enumerate() {
+            if columns.contains(&name.as_str()) && names[..place].contains(name) {
+                let label = "which of them counts?";
+                faults.push(Diagnostic::new(format!("two columns `{name}`"), source, at(name), label));
+            }
+        }
+        for name in strangers() {
+            let absent = columns.iter().copied().filter(|column| !names.iter().any(|name| name == column));
+            if let Some(near) = near(name, absent) {
+                let fault = Diagnostic::new(
+                    format!("nobody looks at the column `{name}`"),
+                    source,
+                    at(name),
+                    "not a column that carom knows",
+                );
+                warnings.push(Diagnostic { severity: Severity::Warning, ..fault.with_near(Some(near)) });
+            }
+        }
+        if !faults.is_empty() {
+            return Err(faults);
+        }
+        let places = columns.map(|column| names.iter().position(|name| name == column));
+        let reach = needed.iter().filter_map(|column| names.iter().position(|name| name == column));
+        Ok(Header { places, least: reach.max().map_or(0, |place| place + 1), width: names.len(), warnings })
+    }
+
+    /// Cells too few or too many.
+    fn fault(&self, record: &StringRecord) -> Option<String> {
+        let beyond = record.iter().skip(self.width).any(|cell| !cell.trim().is_empty());
+        if beyond {
+            return Some(format!(
+                "{} cells under {} columns: a cell with a comma in it stands in quotes",
+                record.len(),
+                self.width
+            ));
+        }
+        (record.len() < self.least).then(|| format!("the row ends after {} of {} cells", record.len(), self.width))
+    }
+}
+
+/// A quote that is opened and never closed swallows all that follows.
+fn never_closed(rest: &str, record: &StringRecord) -> Option<String> {
+    let swallows = record.iter().any(|cell| cell.contains('\n'));
+    let is_odd = || rest.bytes().filter(|byte| *byte == b'"').count() % 2 == 1;
+    // Only the last record reaches to the end of the text.
+    let length: usize = record.iter().map(str::len).sum();
+    (swallows && length + record.len() + 2 >= rest.trim_end().len() && is_odd())
+        .then(|| "a quote is opened here and never closed, so that all rows below are part of it".to_owned())
+}
+
+fn quoted(names: &[&str]) -> String {
+    names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn carom_knows_on_which_line_a_record_begins() {
+        for text in [
+            "name,age\nAda,1\nBen,2\n\n\nCy,3",
+            "name,age\r\nAda,1\r\nBen,2\r\n\r\n\r\nCy,3\r\n",
+            "name,age\nAda,\"1\"\nBen,\"\n\n\"\nCy,3\n",
+        ] {
+            let source = Source::new("table.csv", text);
+            let table = read(&source, &["name", "age"], &["name"]).map_err(|faults| faults.len()).unwrap();
+            let places: Vec<(usize, bool)> =
+                table.records.iter().map(|r| (r.line, text[r.start..].starts_with(r.cells[0].as_str()))).collect();
+            assert_eq!(places, [(2, true), (3, true), (6, true)], "{text:?}");
+        }
+    }
+}

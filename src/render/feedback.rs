@@ -1,0 +1,208 @@
+//! The page that a student gets back: what a template sees of it.
+//!
+//! All that a student typed is plain words, escaped for the notation, cut where nobody would read on, and breakable
+//! anywhere, so that a line of ten thousand letters leaves no page.
+
+use tera::{Context, Value};
+
+use super::Notation;
+use super::page::{Printer, Wanted, list, nothing, plain};
+use crate::bank::EarnedFor;
+use crate::expr::{print, read_markup};
+use crate::mark::judging::Verdict;
+use crate::mark::report::{Feedback, MarkedScript, MarkedUnder};
+use crate::mark::{Award, Cause, Examiner, KeyedMark, MarkedAnswer, MarkedLine, Place};
+
+/// The most letters of what a student typed in one place.
+const LONGEST: usize = 300;
+
+/// So many letters in a row are broken if they must be.
+const UNBROKEN: usize = 12;
+
+/// The page of a student.
+pub(super) fn page(feedback: &Feedback, notation: Notation, wanted: &Wanted) -> Context {
+    let printer = Printer { notation, wanted };
+    let page = printer
+        .thing("feedback")
+        .with("student", || printer.typed(feedback.student))
+        .with("code", || plain(feedback.code))
+        .with("marks", || feedback.marks().into())
+        .with("available", || feedback.available().into())
+        .with("scripts", || list(&feedback.scripts, |script| printer.script(script)))
+        .value();
+    let mut context = Context::new();
+    context.insert_value("feedback", page);
+    context
+}
+
+impl Printer<'_> {
+    fn script(self, script: &MarkedScript) -> Value {
+        self.thing("script")
+            .with("number", || script.question.number.into())
+            .with("id", || plain(&script.question.id))
+            .with("marks", || script.marks().into())
+            .with("available", || script.available().into())
+            .with("replies", || list(&script.parts, |part| self.reply(part)))
+            .value()
+    }
+
+    fn reply(self, part: &MarkedUnder) -> Value {
+        let marked = &part.marked;
+        let scheme: Vec<(&Award, Option<&KeyedMark>)> =
+            marked.awards.iter().enumerate().map(|(place, award)| (award, part.keyed.scheme.get(place))).collect();
+        let lines: Vec<(usize, &MarkedLine)> = (1..).zip(&marked.lines).collect();
+        self.thing("reply")
+            .with("label", || plain(&marked.label))
+            .with("verdict", || plain(part.verdict().name()))
+            .with("marks", || marked.marks().into())
+            .with("available", || marked.awards.len().into())
+            .with("responses", || list(&marked.answers, |answer| self.response(answer)))
+            .with("lines", || list(&lines, |(number, line)| self.written(*number, line)))
+            .with("awards", || list(&scheme, |(award, mark)| self.award(award, *mark)))
+            .with("followed", || list(&marked.followed, |line| self.line(line)))
+            .value()
+    }
+
+    fn response(self, answer: &MarkedAnswer) -> Value {
+        let typed = answer.typed.as_deref().unwrap_or_default();
+        let reading = answer.judgement.reading.as_deref().unwrap_or_default();
+        self.thing("response")
+            .with("name", || plain(&answer.name))
+            .with("typed", || self.typed(typed))
+            .with("reading", || self.typed(reading))
+            .with("verdict", || plain(answer.judgement.verdict.name()))
+            // Where nothing is noted the verdict says it all.
+            .with("comment", || {
+                let is_noted = answer.judgement.note.is_some() && answer.judgement.verdict != Verdict::Blank;
+                plain(if is_noted { &answer.judgement.feedback } else { "" })
+            })
+            .with("causes", || list(&answer.causes, |cause| self.cause(cause)))
+            .value()
+    }
+
+    fn cause(self, cause: &Cause) -> Value {
+        self.thing("cause")
+            .with("sentence", || plain(&cause.sentence))
+            .with("probable", || list(&cause.probable, |id| plain(id)))
+            .value()
+    }
+
+    fn written(self, number: usize, line: &MarkedLine) -> Value {
+        self.thing("written")
+            .with("number", || number.into())
+            .with("typed", || self.typed(&line.typed))
+            .with("reading", || self.typed(line.reading.as_deref().unwrap_or_default()))
+            .with("role", || plain(&line.role))
+            .value()
+    }
+
+    fn award(self, award: &Award, mark: Option<&KeyedMark>) -> Value {
+        let equation = mark.and_then(|mark| mark.equation.as_ref());
+        // What an answer earned stands below the answer; a line of working has to be named.
+        let line = award.evidence.as_ref().and_then(|evidence| match evidence.place {
+            Place::Line(number) => Some((number, evidence.reading.as_str())),
+            Place::Answer(_) => None,
+        });
+        self.thing("award")
+            .with("code", || plain(&award.printed()))
+            .with("given", || award.given.into())
+            .with("person", || (award.by == Examiner::Person).into())
+            .with("reason", || self.typed(&award.feedback))
+            .with("place", || line.map_or_else(|| plain(""), |(number, _)| plain(&format!("line {number}"))))
+            .with("reading", || self.typed(line.map_or("", |(_, reading)| reading)))
+            .with("earned", || mark.map_or_else(nothing, |mark| self.earned(mark)))
+            .with("equation", || equation.map_or_else(nothing, |equation| self.formula(equation)))
+            .value()
+    }
+
+    /// What a mark is for, in words, where its equation does not say it.
+    fn earned(self, mark: &KeyedMark) -> Value {
+        let words = match mark.earned_for {
+            EarnedFor::Law(law, _) if !mark.code.is_accuracy() => law.method().0,
+            EarnedFor::Law(law, _) if mark.equation.is_none() => law.accuracy(),
+            EarnedFor::Condition if mark.equation.is_none() => "the condition used",
+            _ => return nothing(),
+        };
+        let text = read_markup(words).map(|paragraphs| paragraphs.into_iter().next().unwrap_or_default());
+        text.map_or_else(|_| plain(words), |text| self.text(&text))
+    }
+
+    /// What a student typed. Only LaTeX has to be told where a line may end.
+    fn typed(self, words: &str) -> Value {
+        let words = words.trim();
+        let words = match words.char_indices().nth(LONGEST) {
+            Some((cut, _)) => format!("{}…", &words[..cut]),
+            None => words.to_owned(),
+        };
+        match self.notation {
+            Notation::Latex => Value::safe_string(&breakable(&words)),
+            Notation::Html | Notation::Unicode => plain(&words),
+        }
+    }
+}
+
+/// Words of LaTeX in which a line may end within whatever is too long for one.
+fn breakable(words: &str) -> String {
+    let mut printed = String::new();
+    for word in words.split_inclusive(char::is_whitespace) {
+        let letters: Vec<char> = word.chars().collect();
+        for (index, piece) in letters.chunks(UNBROKEN).enumerate() {
+            if index > 0 {
+                printed.push_str(r"\allowbreak{}");
+            }
+            printed.push_str(&print::words_latex(&piece.iter().collect::<String>()));
+        }
+    }
+    printed
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use super::super::names::tests::{below, gather};
+    use super::*;
+    use crate::diagnostic::Source;
+    use crate::expr::{Expr, Text};
+    use crate::mark::report::MarkReport;
+    use crate::mark::submissions::{read_rows, sort};
+    use crate::mark::{AnswerKey, Profile};
+    use crate::paper::{Key, WorkingLine, compose, key_question};
+
+    /// The key of a shipped question.
+    fn key() -> AnswerKey {
+        let (id, text) = crate::bank::shipped().next().unwrap();
+        let question = crate::bank::read_question(id, &Source::new(id, text)).unwrap();
+        let variant = crate::generate::reference(&question).unwrap();
+        let question = key_question(&question, &variant, &compose(&question, &variant, 1));
+        let key = Key::new("shipped".to_owned(), None, vec![question]);
+        AnswerKey::read(&serde_json::to_string(&key).unwrap()).unwrap()
+    }
+
+    #[test]
+    fn carom_knows_the_names_of_a_page_of_feedback() {
+        let key = key();
+        let part = key.papers[0].questions[0].parts[0].label.clone();
+        let rows = format!("student,question,part,answer,working\nAda,1,{part},2,v = 1\n");
+        let sorted = sort(&key, read_rows(&Source::new("submissions.csv", rows.as_str())).unwrap());
+        let mut report = MarkReport::new(&sorted.scripts, &Profile::default(), Vec::new());
+        let marked = &mut report.scripts[0].parts[0].marked;
+        marked.answers[0].causes =
+            vec![Cause { tag: "sign".into(), sentence: "A sign is wrong.".into(), probable: vec!["M1a".into()] }];
+        marked.lines = vec![MarkedLine { typed: "v = 1".into(), reading: None, role: String::new() }];
+        let equations = vec![Expr::equation(Expr::name("v"), Expr::integer(2))];
+        marked.followed = vec![WorkingLine { words: Text::default(), equations, label: None }];
+        let pages = Feedback::of(&report);
+        let context = page(&pages[0], Notation::Html, &Wanted::new(None));
+        let mut found = BTreeMap::new();
+        gather("feedback", &serde_json::to_value(context.get("feedback").unwrap()).unwrap(), &mut found);
+        assert_eq!(found, below("feedback"));
+    }
+
+    #[test]
+    fn what_is_too_long_for_a_line_can_end_anywhere() {
+        assert_eq!(breakable("2.78 m/s"), "2.78 m/s");
+        assert_eq!(breakable("abcdefghijklmnop"), r"abcdefghijkl\allowbreak{}mnop");
+        assert_eq!(breakable(r"\input{x}"), r"\textbackslash{}input\{x\}");
+    }
+}

@@ -1,0 +1,40 @@
+//! The page that a student gets back, set by three engines and shown by a browser, whatever the student typed.
+
+use carom::render::{Formats, RenderedFile};
+
+use super::browser::seen;
+use super::class::pages;
+use super::engine::{PDFLATEX, set_fully};
+use super::{folder, on_both};
+
+/// The page of each student of a small class.
+fn rendered(format: &str) -> Vec<RenderedFile> {
+    let formats = Formats::shipped().unwrap();
+    let mut all = Vec::new();
+    pages(|pages| all.extend(pages.iter().map(|page| formats.feedback(format, page).unwrap().unwrap())));
+    assert!(all.len() > 1);
+    all
+}
+
+#[test]
+fn carom_knows_feedback_for_three_engines() {
+    let documents = rendered("latex");
+    let engines = [PDFLATEX, "lualatex", "xelatex"];
+    let work: Vec<_> = engines.iter().flat_map(|engine| documents.iter().map(move |page| (*engine, page))).collect();
+    let complaints = on_both(&work, |(engine, document)| {
+        let folder = folder(&format!("feedback/{engine}/{}", document.name));
+        let complaints = set_fully(engine, &folder, document).complaints().into_iter();
+        complaints.map(|said| format!("{engine}: {said}")).collect::<Vec<_>>()
+    });
+    assert!(complaints.iter().all(Vec::is_empty), "\n{}", complaints.concat().join("\n"));
+}
+
+#[test]
+fn carom_knows_feedback_that_fits_on_a_phone() {
+    for page in rendered("html") {
+        for seen in seen(&folder(&format!("feedback/{}", page.name)), &page) {
+            assert!(seen.reach <= seen.window, "{}: {seen:?}", page.name);
+            assert!(seen.faults.is_empty(), "{}: {seen:?}", page.name);
+        }
+    }
+}
