@@ -15,24 +15,28 @@ pub(super) struct Charged {
     units: bool,
 }
 
+/// What speaks for and against the marks of a part.
+pub(super) struct Findings<'a> {
+    /// For each mark and each blank: would the answer be another if what earns the mark were wrong?
+    pub(super) needed: &'a [Vec<bool>],
+    /// The answers, judged.
+    pub(super) answers: &'a [MarkedAnswer],
+    /// What the working shows of each mark.
+    pub(super) by_working: Vec<Option<Award>>,
+    /// What is right for the student's own values, a blank each.
+    pub(super) followed: &'a [Option<Judgement>],
+}
+
 /// The awards of a part, in the order of the scheme, each as if it stood alone: [`settled`] sets them side by side.
-///
-/// What the working shows is `by_working`, and what is right for the student's own values is `followed`, a blank each.
-pub(super) fn awards(
-    part: &KeyedPart,
-    answers: &[MarkedAnswer],
-    by_working: Vec<Option<Award>>,
-    followed: &[Option<Judgement>],
-    profile: &Profile,
-    charged: &mut Charged,
-) -> Vec<Award> {
+pub(super) fn awards(part: &KeyedPart, found: Findings, profile: &Profile, charged: &mut Charged) -> Vec<Award> {
+    let Findings { needed, answers, by_working, followed } = found;
     let worth: Vec<Worth> = answers.iter().map(|answer| Worth::of(answer, profile, charged)).collect();
     let mut awards: Vec<Award> = Vec::new();
-    for (mark, by_working) in part.scheme.iter().zip(by_working) {
+    for ((mark, by_working), needed) in part.scheme.iter().zip(by_working).zip(needed) {
         // Where the answer itself was given, it is the student's last word on the value.
         let answered = own_blank(mark, part).is_some_and(|place| answers[place].judgement.verdict != Verdict::Blank);
         let by_working = by_working.filter(|_| !answered).map(|award| in_profile(award, mark, profile));
-        let award = match (by_answers(mark, part, answers, &worth), by_working) {
+        let award = match (by_answers(mark, part, needed, answers, &worth), by_working) {
             // What the working shows is better evidence than what an answer implies.
             (Some(implied), Some(shown)) if shown.given && implied.note == Some("implied") => shown,
             (Some(award), _) => award,
@@ -170,9 +174,15 @@ fn own_blank(mark: &KeyedMark, part: &KeyedPart) -> Option<usize> {
 }
 
 /// A mark that final answers earn.
-fn by_answers(mark: &KeyedMark, part: &KeyedPart, answers: &[MarkedAnswer], worth: &[Worth]) -> Option<Award> {
+fn by_answers(
+    mark: &KeyedMark,
+    part: &KeyedPart,
+    needed: &[bool],
+    answers: &[MarkedAnswer],
+    worth: &[Worth],
+) -> Option<Award> {
     let is_value = |place: usize| own_blank(mark, part) == Some(place);
-    let mut candidates = mark.blanks.iter().copied().filter(|place| !is_shown(&part.blanks[*place]));
+    let mut candidates = mark.blanks.iter().copied().filter(|place| needed[*place] && !is_shown(&part.blanks[*place]));
     let earned = candidates.find(|place| match worth[*place] {
         Worth::Everything => mark.code != Code::A1Shown,
         Worth::Method => !is_value(*place) && mark.code != Code::A1Shown,

@@ -33,7 +33,9 @@ pub fn mark(question: &KeyedQuestion, script: &Script, profile: &Profile) -> Vec
         let followed = follow::answers(question, part, &answers, &readings, &examined);
         causes::name(question, part, &mut answers, &readings, &examined);
         let by_working = std::mem::take(&mut examined.awards);
-        let found = decide::awards(part, &answers, by_working, &followed, profile, &mut charged);
+        let needed = question.needed(part);
+        let found = decide::Findings { needed, answers: &answers, by_working, followed: &followed };
+        let found = decide::awards(part, found, profile, &mut charged);
         let awards = decide::settled(part, &answers, &found);
         let all_right = awards.iter().all(|award| award.given);
         let solution = if all_right { Vec::new() } else { follow::solution(question, part, &examined) };

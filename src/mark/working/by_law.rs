@@ -7,6 +7,7 @@
 use super::compare::{comes_to, is_composite};
 use super::evidence::Evidence;
 use super::examine::{Studied, Value, Working};
+use super::line::Member;
 use super::points::sizes;
 use super::shapes::components_in;
 use crate::answer::Kind;
@@ -76,10 +77,7 @@ impl Working<'_> {
         })
     }
 
-    pub(super) fn members<'s>(
-        &self,
-        studied: &'s Studied,
-    ) -> impl Iterator<Item = (&'s super::line::Member, &'s Vec<Value>)> {
+    pub(super) fn members<'s>(&self, studied: &'s Studied) -> impl Iterator<Item = (&'s Member, &'s Vec<Value>)> {
         let members = studied.reading.as_ref().map(|reading| reading.members.as_slice()).unwrap_or_default();
         members.iter().zip(&studied.values).filter_map(|(member, values)| Some((member, values.as_ref()?)))
     }
@@ -138,8 +136,10 @@ impl Working<'_> {
             return true;
         }
         let Some(reading) = &studied.reading else { return false };
-        let formulas = reading.members.iter().filter(|_| studied.matched.is_empty()).map(|member| &member.expr);
-        formulas.flat_map(components_in).any(|expr| self.values_of(&expr).is_some_and(|values| is_right(&values)))
+        let is_tangent = |member: &Member| member.label.as_ref().is_some_and(|label| label.trim().starts_with("tan"));
+        let formulas = reading.members.iter().filter(|_| studied.matched.is_empty());
+        let mut components = formulas.flat_map(|member| components_in(&member.expr, is_tangent(member)));
+        components.any(|expr| self.values_of(&expr).is_some_and(|values| is_right(&values)))
     }
 
     pub(super) fn values_of(&self, expr: &Expr) -> Option<Vec<Value>> {

@@ -22,6 +22,7 @@ pub(super) enum Departure {
     Sign,
     SineForCosine,
     Inaccurate,
+    AnotherRestitution,
     Unresolved,
     TermMissing,
     MassesExchanged,
@@ -34,7 +35,8 @@ pub(super) enum Departure {
 impl Departure {
     /// What a method mark condones.
     pub(super) fn is_condoned(self) -> bool {
-        matches!(self, Departure::Sign | Departure::SineForCosine | Departure::Inaccurate)
+        use Departure::{AnotherRestitution, Inaccurate, Sign, SineForCosine};
+        matches!(self, Sign | SineForCosine | Inaccurate | AnotherRestitution)
     }
 
     pub(super) fn tag(self) -> &'static str {
@@ -42,6 +44,7 @@ impl Departure {
             Departure::Sign => "sign-error",
             Departure::SineForCosine => "sincos-swap",
             Departure::Inaccurate => "inaccurate",
+            Departure::AnotherRestitution => "e-misread",
             Departure::Unresolved => "not-resolved",
             Departure::TermMissing => "term-missing",
             Departure::MassesExchanged => "masses-swapped",
@@ -60,6 +63,7 @@ impl Departure {
                 "sine and cosine are exchanged: along the line of centres the component is u cos"
             }
             Departure::Inaccurate => "a number is not accurate enough",
+            Departure::AnotherRestitution => "e is not the one that is given",
             Departure::Unresolved => "a speed is not resolved along the line of centres",
             Departure::TermMissing => "a term is missing",
             Departure::MassesExchanged => "the masses are exchanged",
@@ -74,6 +78,7 @@ impl Departure {
         match self {
             Departure::Inaccurate => 1,
             Departure::Sign | Departure::SineForCosine => 2,
+            Departure::AnotherRestitution => 6,
             Departure::TermMissing => 5,
             _ => 4,
         }
@@ -184,8 +189,25 @@ impl Laws {
         }
         let is_line =
             |change: &&Change| self.inputs.iter().zip(line).all(|(at, line)| change.is_line(at, line, convention));
-        let change = changes().iter().find(is_line)?;
-        Some(Matched { equation: change.equation, departures: change.departures.clone() })
+        match changes().iter().find(is_line) {
+            Some(change) => Some(Matched { equation: change.equation, departures: change.departures.clone() }),
+            None => self.with_another_restitution(line, convention),
+        }
+    }
+
+    /// Restitution with a number in place of e that could be one: misread, and otherwise right.
+    fn with_another_restitution(&self, line: &[Linear], convention: &Convention) -> Option<Matched> {
+        let factors = self.inputs.iter().zip(line).map(|(at, line)| {
+            let [v, w] = [0, 1].map(|place| line.before(&convention.letters[place]).middle() * convention.signs[place]);
+            let is_difference = (v + w).abs() <= 1e-9 * w.abs() && w != 0.0;
+            is_difference.then(|| -line.constant.middle() / (w * (at.along[0] - at.along[1])))
+        });
+        let factors: Vec<f64> = factors.collect::<Option<_>>()?;
+        let first = *factors.first()?;
+        let is_one = factors.iter().all(|factor| (factor - first).abs() < 1e-6);
+        let departures = vec![Departure::AnotherRestitution];
+        (is_one && (0.01..0.99).contains(&first))
+            .then_some(Matched { equation: Quantity::RestitutionEquation, departures })
     }
 }
 

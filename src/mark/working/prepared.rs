@@ -1,8 +1,10 @@
 //! What looking through working needs of a question, made once for all its scripts.
 
 use super::pair::Laws;
-use super::points::Points;
-use crate::mechanics::{Axis, Datum, Derivation, Known, Moment, Quantity, Scene, Sphere};
+use super::points::{Points, sizes};
+use super::values::along_for;
+use crate::bank::{EarnedFor, Find};
+use crate::mechanics::{Axis, Datum, Derivation, Known, Moment, Quantity, Rule, Scene, Sphere};
 use crate::number::{Letter, Places, Value, round};
 use crate::solve::solve;
 
@@ -38,7 +40,7 @@ impl Prepared {
         ];
         let mut names = Vec::new();
         for (quantity, letters) in named {
-            if let Some(sizes) = super::points::sizes(&known, quantity) {
+            if let Some(sizes) = sizes(&known, quantity) {
                 names.extend(letters.iter().map(|letter| ((*letter).to_owned(), sizes.clone())));
             }
         }
@@ -71,9 +73,53 @@ impl Prepared {
         ((answer - known.number(asked)?).abs() > 0.02 * answer.abs()).then_some((wrong, answer))
     }
 
+    /// Would an answer be another if the step that earns a mark were wrong? Its result is changed by a few hundredths to
+    /// see; what is nought stays nought.
+    pub(crate) fn is_needed(&self, step: &EarnedFor, find: &Find) -> bool {
+        let asked = find.quantities();
+        if asked.is_empty() || matches!(step, EarnedFor::Condition | EarnedFor::Unknown(_)) {
+            return true;
+        }
+        let mut right = self.given[0].clone();
+        let (derivation, _) = Derivation::carry_out(&mut right, &asked);
+        let along = match step {
+            EarnedFor::Quantity(quantity) => Some(along_for(*quantity, self)),
+            _ => None,
+        };
+        let is_step = |rule: &Rule, quantity: Quantity| match step {
+            EarnedFor::Law(law, sphere) => {
+                let about = rule.gives.first().and_then(|gives| gives.sphere());
+                rule.law == *law && (sphere.is_none() || about.is_none() || about == *sphere)
+            }
+            EarnedFor::Quantity(own) => quantity == *own || Some(quantity) == along,
+            _ => false,
+        };
+        let mut wrong = self.given[0].clone();
+        for rule in &derivation.steps {
+            for (quantity, datum) in rule.gives.iter().zip(rule.evaluate(&wrong).unwrap_or_default()) {
+                let datum = if is_step(rule, *quantity) { changed(datum) } else { datum };
+                wrong.0.entry(*quantity).or_insert(datum);
+            }
+        }
+        let at = |known: &Known<f64>, quantity| sizes(std::slice::from_ref(known), quantity).map(|sizes| sizes[0]);
+        asked.iter().any(|quantity| match at(&right, *quantity).zip(at(&wrong, *quantity)) {
+            Some((right, wrong)) => (right - wrong).abs() > 1e-9 * right.abs().max(1e-3),
+            None => true,
+        })
+    }
+
     /// What is known at a point where the letters that were to be found are what was found.
     pub(super) fn where_found(&self, point: usize) -> Option<&Known<f64>> {
         self.there[point].as_ref()
+    }
+}
+
+/// Something else, by a few hundredths.
+fn changed(datum: Datum<f64>) -> Datum<f64> {
+    match datum {
+        Datum::Number(number) => Datum::Number(1.07 * number),
+        Datum::Direction { y, x } => Datum::Direction { y: 1.07 * y, x },
+        Datum::Equation([p, q, r]) => Datum::Equation([p, 1.07 * q, 1.11 * r]),
     }
 }
 

@@ -89,15 +89,16 @@ impl Working<'_> {
     }
 }
 
-/// The formulas within one that stand where a component of a velocity does: squared, or over another.
-pub(super) fn components_in(expr: &Expr) -> Vec<Expr> {
+/// The formulas within one that stand where a component of a velocity does: squared, or over another within a tangent.
+pub(super) fn components_in(expr: &Expr, in_tangent: bool) -> Vec<Expr> {
     let mut all = Vec::new();
     match expr {
-        Expr::Quotient(above, below) => all.extend([(**above).clone(), (**below).clone()]),
+        Expr::Quotient(above, below) if in_tangent => all.extend([(**above).clone(), (**below).clone()]),
         Expr::Sum(terms) if terms.len() == 2 => all.extend(terms.iter().filter_map(base_of_square)),
         _ => all.extend(base_of_square(expr).filter(|_| matches!(expr, Expr::Power(..)))),
     }
-    all.extend(expr.children().into_iter().flat_map(components_in));
+    let in_tangent = matches!(expr, Expr::Call(Function::Atan, _));
+    all.extend(expr.children().into_iter().flat_map(|child| components_in(child, in_tangent)));
     all
 }
 

@@ -97,11 +97,10 @@ pub(super) fn own_values(
                     let is_after = letter.starts_with(['v', 'V', 'w']);
                     if let (Some(of), true) = (of, is_after)
                         && let (Some(x), Some(y)) = (vector(first), vector(second))
+                        && let Expr::Vector(along_i, along_j) = &member.expr
                     {
-                        if let Expr::Vector(along_i, along_j) = &member.expr {
-                            found.insert(Quantity::Velocity(of, Moment::After, Axis::X), (x, (**along_i).clone()));
-                            found.insert(Quantity::Velocity(of, Moment::After, Axis::Y), (y, (**along_j).clone()));
-                        }
+                        found.insert(Quantity::Velocity(of, Moment::After, Axis::X), (x, (**along_i).clone()));
+                        found.insert(Quantity::Velocity(of, Moment::After, Axis::Y), (y, (**along_j).clone()));
                     }
                 }
                 _ => {}

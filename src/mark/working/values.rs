@@ -91,7 +91,7 @@ impl Working<'_> {
 }
 
 /// The component along the line of centres that a component along i or j is, where the line is parallel to it.
-fn along_for(quantity: Quantity, prepared: &super::Prepared) -> Quantity {
+pub(super) fn along_for(quantity: Quantity, prepared: &super::Prepared) -> Quantity {
     match quantity {
         Quantity::Velocity(sphere, moment, axis @ (Axis::X | Axis::Y)) => {
             let along =

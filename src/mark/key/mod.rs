@@ -3,21 +3,21 @@
 //! A key is enough to mark with, since the bank may have changed since the paper was printed. So its scene is posed
 //! again and its expressions are read again; nothing else is taken from anywhere.
 
-use std::cmp::Ordering;
+mod part;
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::OnceLock;
 
 use serde::Deserialize;
 
-use super::judging::{Model, ModelOptions};
+use super::judging::Model;
 use super::slips::Mistakes;
 use super::working::Prepared;
-use crate::answer::{Accept, Kind};
 use crate::bank::{Code, EarnedFor, Find};
-use crate::expr::{Angles, Expr, read};
-use crate::mechanics::{Axis, Derivation, Known, Quantity, Scene, SceneText, pose};
+use crate::expr::{Angles, Expr};
+use crate::mechanics::{Derivation, Known, Quantity, Scene, SceneText, pose};
 use crate::number::{Letter, Value};
-use crate::paper::{Blank, KeyMark, KeyPart, KeyQuestion};
+use crate::paper::KeyQuestion;
 
 /// A key, read and checked.
 #[derive(Clone, Debug)]
@@ -58,6 +58,7 @@ pub struct KeyedQuestion {
     decimals: Vec<String>,
     prepared: OnceLock<Prepared>,
     mistakes: OnceLock<Mistakes>,
+    needed: OnceLock<Vec<Vec<Vec<bool>>>>,
 }
 
 /// A part to be marked.
@@ -221,8 +222,20 @@ impl KeyedQuestion {
         }
         let (id, number, decimals) = (question.id.clone(), question.number, decimals(question));
         let given_letters = given_letters(question, &letters);
-        let (prepared, mistakes) = (OnceLock::new(), OnceLock::new());
-        Ok(KeyedQuestion { id, number, scene, given, letters, given_letters, parts, decimals, prepared, mistakes })
+        let (prepared, mistakes, needed) = Default::default();
+        Ok(KeyedQuestion {
+            id,
+            number,
+            scene,
+            given,
+            letters,
+            given_letters,
+            parts,
+            decimals,
+            prepared,
+            mistakes,
+            needed,
+        })
     }
 
     /// What looking through working needs, made when it is first needed.
@@ -240,6 +253,23 @@ impl KeyedQuestion {
     /// and what then follows for another. `None` if it does not follow.
     pub fn followed_value(&self, own: Quantity, asked: Quantity) -> Option<(String, f64)> {
         self.prepared().followed_value(own, asked)
+    }
+
+    /// For each mark of a part, and each blank of it: would the answer be another if what earns the mark were wrong? Only
+    /// then does a right answer imply the mark: that *B* moves along the line of centres says nothing about *e*.
+    pub(super) fn needed(&self, part: &KeyedPart) -> &[Vec<bool>] {
+        let needed = self.needed.get_or_init(|| {
+            let of_part = |part: &KeyedPart| {
+                let of_mark = |mark: &KeyedMark| {
+                    let of_blank = |blank: &KeyedBlank| self.prepared().is_needed(&mark.earned_for, &blank.find);
+                    part.blanks.iter().map(of_blank).collect()
+                };
+                part.scheme.iter().map(of_mark).collect()
+            };
+            self.parts.iter().map(of_part).collect()
+        });
+        let place = self.parts.iter().position(|own| own.label == part.label);
+        place.map_or(&[], |place| &needed[place])
     }
 
     /// What slips lead to, worked out when an answer is first wrong.
@@ -265,142 +295,6 @@ fn decimals(question: &KeyQuestion) -> Vec<String> {
     let text = serde_json::to_string(&question.scene).unwrap_or_default();
     let numbers = text.split(|sign: char| !sign.is_ascii_digit() && sign != '.');
     numbers.filter(|number| number.contains('.')).map(str::to_owned).collect()
-}
-
-impl KeyedPart {
-    fn read(part: &KeyPart, scene: &Scene, known: &mut Known<Value>) -> Result<KeyedPart, KeyFault> {
-        let each = part.blanks.iter().enumerate();
-        let blanks = each.map(|(place, blank)| {
-            KeyedBlank::read(blank, printed_result(blank, part), scene)
-                .map_err(|fault| fault.below(&format!("blanks[{place}]")))
-        });
-        let mut blanks = blanks.collect::<Result<Vec<_>, _>>()?;
-        let each = part.scheme.iter().enumerate();
-        let scheme = each.map(|(place, mark)| {
-            KeyedMark::read(mark, part, scene).map_err(|fault| fault.below(&format!("scheme[{place}]")))
-        });
-        let scheme = scheme.collect::<Result<Vec<_>, _>>()?;
-        let mut asked: Vec<Quantity> = blanks.iter().flat_map(|blank| blank.find.quantities()).collect();
-        let marked = scheme.iter().filter_map(|mark| match mark.earned_for {
-            EarnedFor::Quantity(quantity) => Some(quantity),
-            _ => None,
-        });
-        asked.extend(marked.collect::<BTreeSet<_>>());
-        let (derivation, _) = Derivation::carry_out(known, &asked);
-        for blank in &mut blanks {
-            blank.model.rebounds = rebounds(&blank.find, known);
-        }
-        Ok(KeyedPart { label: part.label.clone(), blanks, scheme, derivation, known: known.clone() })
-    }
-
-    /// How many marks it has.
-    pub fn available(&self) -> usize {
-        self.scheme.len()
-    }
-}
-
-impl KeyedBlank {
-    fn read(blank: &Blank, printed: Option<&String>, scene: &Scene) -> Result<KeyedBlank, KeyFault> {
-        let at = |field: &str, message: String, expected: &str| KeyFault {
-            path: field.to_owned(),
-            ..KeyFault::new(message, expected)
-        };
-        let quantity = |value: &serde_json::Value| value.as_str().and_then(|name| name.parse::<Quantity>().ok());
-        let find = match &blank.find {
-            serde_json::Value::Array(both) => match both.as_slice() {
-                [x, y] => quantity(x).zip(quantity(y)).map(|(x, y)| Find::Vector(x, y)),
-                _ => None,
-            },
-            serde_json::Value::String(name) => match quantity(&blank.find) {
-                Some(quantity) => Some(Find::Quantity(quantity)),
-                None => scene.unknowns.iter().any(|letter| letter.name() == name).then(|| Find::Unknown(name.clone())),
-            },
-            _ => None,
-        };
-        let find = find.ok_or_else(|| {
-            at("find", format!("{} is nothing to find", blank.find), "a quantity, such as `A.after.speed`")
-        })?;
-        let kind: Kind = blank
-            .kind
-            .parse()
-            .map_err(|_| at("kind", format!("unknown kind of answer `{}`", blank.kind), "a kind such as `number`"))?;
-        let accept: Accept = blank.accept.parse().map_err(|_| {
-            at("accept", format!("unknown rule of acceptance `{}`", blank.accept), "a rule such as `awrt 3sf`")
-        })?;
-        let text = match &blank.exact {
-            _ if printed.is_some() => printed.cloned().unwrap_or_default(),
-            serde_json::Value::String(text) => text.clone(),
-            serde_json::Value::Array(both) => {
-                match (both.first().and_then(|x| x.as_str()), both.get(1).and_then(|y| y.as_str())) {
-                    (Some(x), Some(y)) => format!("[{x}, {y}]"),
-                    _ => String::new(),
-                }
-            }
-            _ => String::new(),
-        };
-        let asked = match &find {
-            Find::Quantity(quantity) => Some(*quantity),
-            Find::Vector(x, _) => Some(*x),
-            Find::Unknown(_) => None,
-        };
-        let options =
-            ModelOptions { kind: Some(kind), accept: Some(accept), letters: scene.letters.clone(), quantity: asked };
-        let model = Model::read(&text, &options).map_err(|fault| at("exact", fault.message, &fault.expected))?;
-        Ok(KeyedBlank { name: blank.name.clone(), find, model })
-    }
-}
-
-/// Does the sphere whose direction is asked move from B towards A?
-fn rebounds(find: &Find, known: &Known<Value>) -> Option<bool> {
-    let Find::Quantity(Quantity::AngleToLine(sphere, moment)) = find else { return None };
-    let along = known.number(Quantity::Velocity(*sphere, *moment, Axis::N))?;
-    along.sign().map(Ordering::is_lt)
-}
-
-/// The equation that was to be shown, where that is what is asked: the mark for it has both sides.
-fn printed_result<'k>(blank: &Blank, part: &'k KeyPart) -> Option<&'k String> {
-    let is_shown = blank.kind == Kind::Shown.name();
-    let mut marks =
-        part.scheme.iter().filter(|mark| mark.code == Code::A1Shown.name() && mark.blanks.contains(&blank.name));
-    marks.find(|_| is_shown)?.equation.as_ref()
-}
-
-impl KeyedMark {
-    fn read(mark: &KeyMark, part: &KeyPart, scene: &Scene) -> Result<KeyedMark, KeyFault> {
-        let at = |field: &str, message: String, expected: &str| KeyFault {
-            path: field.to_owned(),
-            ..KeyFault::new(message, expected)
-        };
-        let code = Code::ALL.into_iter().find(|code| code.name() == mark.code);
-        let code =
-            code.ok_or_else(|| at("code", format!("unknown mark code `{}`", mark.code), "a code such as `M1`"))?;
-        let unknowns: Vec<String> = scene.unknowns.iter().map(|letter| letter.name().to_owned()).collect();
-        let earned_for = EarnedFor::read(&mark.earned_for, &unknowns)
-            .ok_or_else(|| at("for", format!("unknown step `{}`", mark.earned_for), "a law or a quantity"))?;
-        let place = |id: &String| part.scheme.iter().position(|other| other.id == *id);
-        let depends = mark.depends.iter().map(|id| {
-            place(id).ok_or_else(|| at("depends", format!("no mark `{id}` in this part"), "the id of an earlier mark"))
-        });
-        let belongs = mark.blanks.iter().map(|name| {
-            let found = part.blanks.iter().position(|blank| blank.name == *name);
-            found.ok_or_else(|| at("blanks", format!("no blank `{name}` in this part"), "the name of a blank"))
-        });
-        // What is only approximately equal proves nothing.
-        let equation = match mark.equation.as_ref().filter(|text| !text.contains('~')) {
-            Some(text) => {
-                Some(read(text, Angles::Radians).map_err(|fault| at("equation", fault.message, &fault.expected))?)
-            }
-            None => None,
-        };
-        Ok(KeyedMark {
-            id: mark.id.clone(),
-            code,
-            earned_for,
-            depends: depends.collect::<Result<_, _>>()?,
-            blanks: belongs.collect::<Result<_, _>>()?,
-            equation,
-        })
-    }
 }
 
 #[cfg(test)]
