@@ -182,7 +182,11 @@ fn by_answers(
     worth: &[Worth],
 ) -> Option<Award> {
     let is_value = |place: usize| own_blank(mark, part) == Some(place);
-    let mut candidates = mark.blanks.iter().copied().filter(|place| needed[*place] && !is_shown(&part.blanks[*place]));
+    let mut candidates = mark
+        .blanks
+        .iter()
+        .copied()
+        .filter(|place| (needed[*place] || is_value(*place)) && !is_shown(&part.blanks[*place]));
     let earned = candidates.find(|place| match worth[*place] {
         Worth::Everything => mark.code != Code::A1Shown,
         Worth::Method => !is_value(*place) && mark.code != Code::A1Shown,
