@@ -7,12 +7,13 @@ use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value as Json, json};
 
 use super::bank;
-use super::failure::Failure;
+use super::failure::{Failure, warn};
 use super::output::{count, print, print_json};
 use crate::bank::{Question, Style, StyleName};
-use crate::diagnostic::{Diagnostic, render_all};
+use crate::diagnostic::{Diagnostic, Severity, render_all};
+use crate::examine::{Coverage, MarkCount, coverage};
 use crate::expr::{Angles, print as written};
-use crate::generate::{Census, enumerate, reference};
+use crate::generate::{Census, Deal, enumerate, reference};
 use crate::mechanics::Scene;
 use crate::paper::{KeyQuestion, compose, key_question};
 use crate::solve::solve;
@@ -23,7 +24,8 @@ const AFTER: &str = "Examples:
 
 /// Examine a bank: every variant that it can print
 ///
-/// Reads every question, works out its reference answers and tries every set of numbers that its styles allow.
+/// Reads every question, works out its reference answers, tries every set of numbers that its styles allow, and marks
+/// scripts of synthetic students, whose marks are known.
 /// Exits with 1 if anything is wrong.
 #[derive(Args)]
 #[command(after_help = AFTER)]
@@ -121,12 +123,49 @@ pub fn run(arguments: &CheckArguments) -> Result<(), Failure> {
         examined.push((question, styles));
     }
     progress.finish();
+    let marked: Vec<Coverage> = questions.iter().map(|(_, question)| students(question)).collect();
     if arguments.json {
-        print_json(&as_json(&contents.name, &examined, &faults))?;
+        print_json(&as_json(&contents.name, &examined, &marked, &faults))?;
         return if faults.is_empty() { Ok(()) } else { Err(Failure::Found) };
     }
-    print(&in_words(&examined, faults.len()))?;
+    print(&in_words(&examined, &marked, faults.len()))?;
+    let remarks = questions.iter().zip(&marked).flat_map(|((heading, question), marked)| {
+        let remark = |message: String| {
+            let fault = Diagnostic::new(format!("`{}`: {message}", question.id), &heading.source, 0..0, "");
+            Diagnostic { severity: Severity::Warning, ..fault }
+        };
+        remarks(marked).into_iter().map(remark).collect::<Vec<_>>()
+    });
+    let remarks: Vec<Diagnostic> = remarks.collect();
+    warn(&remarks);
     if faults.is_empty() { Ok(()) } else { Err(Failure::Faults(faults)) }
+}
+
+/// How many variants of each style are marked as handed in by students whose marks are known.
+const MARKED: usize = 2;
+
+/// Every mark of a question won and lost, on its reference numbers and on some variants of each style.
+fn students(question: &Question) -> Coverage {
+    let mut all = reference(question).map(|variant| coverage(question, &variant)).unwrap_or_default();
+    for style in &question.styles {
+        for variant in Deal::new(question, style, 1).take(MARKED) {
+            all.add(coverage(question, &variant));
+        }
+    }
+    all
+}
+
+/// What those students show to be amiss, each in a sentence.
+fn remarks(marked: &Coverage) -> Vec<String> {
+    let name = |mark: &MarkCount| match mark.part.as_str() {
+        "" => format!("the mark {}", mark.id),
+        part => format!("the mark {} of part ({part})", mark.id),
+    };
+    let idle = marked.idle().map(|mark| match mark.won {
+        0 => format!("{} is never won, not even by the model solution", name(mark)),
+        _ => format!("{} is never lost, not even by a student who hands in nothing", name(mark)),
+    });
+    idle.chain(marked.faults.iter().map(|fault| format!("a student who writes {fault}"))).collect()
 }
 
 /// Do the reference answers hold, and does the scene that the key would hold give them again?
@@ -179,7 +218,7 @@ fn again(question: &Question, key: &KeyQuestion) -> Option<String> {
     None
 }
 
-fn in_words(examined: &[(&Question, Vec<StyleCount>)], faults: usize) -> String {
+fn in_words(examined: &[(&Question, Vec<StyleCount>)], marked: &[Coverage], faults: usize) -> String {
     let mut text = String::new();
     let (mut sets, mut fit) = (0, 0);
     for (question, styles) in examined {
@@ -199,15 +238,23 @@ fn in_words(examined: &[(&Question, Vec<StyleCount>)], faults: usize) -> String 
             }
         }
     }
+    let scripts: usize = marked.iter().map(|coverage| coverage.scripts).sum();
+    let marks: usize = marked.iter().map(|coverage| coverage.marks.len()).sum();
+    let idle: usize = marked.iter().map(|coverage| coverage.idle().count()).sum();
+    text.push_str(&format!(
+        "{} of {marks} marks won and lost by the {scripts} scripts of synthetic students\n",
+        marks - idle
+    ));
     let questions = count(examined.len(), "question");
     text.push_str(&format!("{questions}, {fit} variants of {sets} sets of numbers, {}\n", count(faults, "finding")));
     text
 }
 
-fn as_json(bank: &str, examined: &[(&Question, Vec<StyleCount>)], faults: &[Diagnostic]) -> Json {
+fn as_json(bank: &str, examined: &[(&Question, Vec<StyleCount>)], marked: &[Coverage], faults: &[Diagnostic]) -> Json {
     let questions: Vec<Json> = examined
         .iter()
-        .map(|(question, styles)| {
+        .zip(marked)
+        .map(|((question, styles), marked)| {
             let styles: Vec<Json> = styles
                 .iter()
                 .map(|count| {
@@ -220,7 +267,11 @@ fn as_json(bank: &str, examined: &[(&Question, Vec<StyleCount>)], faults: &[Diag
                     whole
                 })
                 .collect();
-            json!({"id": question.id, "styles": styles})
+            let marks = marked.marks.iter();
+            let marks =
+                marks.map(|mark| json!({"part": mark.part, "mark": mark.id, "won": mark.won, "lost": mark.lost}));
+            let (marks, scripts) = (marks.collect::<Vec<_>>(), marked.scripts);
+            json!({"id": question.id, "styles": styles, "scripts": scripts, "marks": marks, "remarks": remarks(marked)})
         })
         .collect();
     let faults: Vec<Json> = faults

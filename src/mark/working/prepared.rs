@@ -94,10 +94,22 @@ impl Prepared {
             EarnedFor::Quantity(own) => quantity == *own || Some(quantity) == along,
             _ => false,
         };
+        // On another way to the answer nothing can be told.
+        let on_the_way = |rule: &Rule| rule.gives.iter().any(|quantity| is_step(rule, *quantity));
+        if !derivation.steps.iter().any(on_the_way) {
+            return true;
+        }
         let mut wrong = self.given[0].clone();
+        let mut results = 0;
         for rule in &derivation.steps {
             for (quantity, datum) in rule.gives.iter().zip(rule.evaluate(&wrong).unwrap_or_default()) {
-                let datum = if is_step(rule, *quantity) { changed(datum) } else { datum };
+                results += 1;
+                let datum = match (is_step(rule, *quantity), datum) {
+                    // A value that is nought could have been another.
+                    (true, Datum::Number(0.0)) if along.is_some() => Datum::Number(0.1),
+                    (true, datum) => changed(datum, results),
+                    (false, datum) => datum,
+                };
                 wrong.0.entry(*quantity).or_insert(datum);
             }
         }
@@ -114,10 +126,10 @@ impl Prepared {
     }
 }
 
-/// Something else, by a few hundredths.
-fn changed(datum: Datum<f64>) -> Datum<f64> {
+/// Something else, by a few hundredths; each result by another part, so that none cancels another.
+fn changed(datum: Datum<f64>, place: usize) -> Datum<f64> {
     match datum {
-        Datum::Number(number) => Datum::Number(1.07 * number),
+        Datum::Number(number) => Datum::Number((1.07 + 0.06 * place as f64) * number),
         Datum::Direction { y, x } => Datum::Direction { y: 1.07 * y, x },
         Datum::Equation([p, q, r]) => Datum::Equation([p, 1.07 * q, 1.11 * r]),
     }
