@@ -95,7 +95,7 @@ fn by_followed(mark: &KeyedMark, part: &KeyedPart, followed: &[Option<Judgement>
             place: Place::Answer(blank),
             reading: judgement.reading.clone().unwrap_or_default(),
         }),
-        feedback: "right for the values that you had found before".to_owned(),
+        feedback: "followed through from your own values".to_owned(),
         ..withheld(mark)
     })
 }

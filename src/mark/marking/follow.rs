@@ -42,6 +42,17 @@ pub(super) fn answers(
     .collect()
 }
 
+/// Answers that follow from the student's own values say so, and no other mistake is looked for in them.
+pub(super) fn say(answers: &mut [MarkedAnswer], followed: &[Option<Judgement>]) {
+    for (answer, followed) in answers.iter_mut().zip(followed) {
+        if followed.is_some() {
+            answer.judgement.verdict = Verdict::Partial;
+            answer.judgement.note = Some("follow-through");
+            answer.judgement.feedback = "Right for the values that you had found before.".to_owned();
+        }
+    }
+}
+
 /// The solution of the rest of a part from the values that the student found, as it would be written on paper. Nothing if
 /// they are right, or if the rest does not need them.
 pub(super) fn solution(question: &KeyedQuestion, part: &KeyedPart, examined: &Examined) -> Vec<WorkingLine> {

@@ -31,6 +31,7 @@ pub fn mark(question: &KeyedQuestion, script: &Script, profile: &Profile) -> Vec
         let (mut answers, readings) = answers::judged(part, &handed_in, profile);
         let mut examined = examine(question, part, &handed_in.working, &theirs);
         let followed = follow::answers(question, part, &answers, &readings, &examined);
+        follow::say(&mut answers, &followed);
         causes::name(question, part, &mut answers, &readings, &examined);
         let by_working = std::mem::take(&mut examined.awards);
         let needed = question.needed(part);
