@@ -55,6 +55,17 @@ const DISAGREEMENTS: &[(&str, &str, &str, &str)] = &[
     ),
 ];
 
+#[test]
+fn the_documentation_argues_every_row_on_which_carom_differs() {
+    let page = include_str!("../docs/marking.md");
+    for (_, answer, verdict, reason) in DISAGREEMENTS {
+        let row = format!("| `{answer}` | {verdict} | {reason} |");
+        assert!(page.contains(&row), "{row}");
+    }
+    let section = page.split("## Where a careful examiner differs").nth(1).and_then(|rest| rest.split("\n## ").next());
+    assert_eq!(section.map(|section| section.matches("\n| `").count()), Some(DISAGREEMENTS.len()));
+}
+
 /// At least so many rows in a hundred agree.
 const AGREEMENT: usize = 98;
 
