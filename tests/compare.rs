@@ -178,6 +178,23 @@ fn a_stream_answers_every_line_in_order_whatever_comes() {
 }
 
 #[test]
+fn a_model_that_comes_again_is_judged_by_what_its_own_line_says() {
+    let line = |fields: Json| format!("{fields}\n");
+    let rounded = json!({"model": "10/43", "answer": "0.233"});
+    let exact = json!({"model": "10/43", "answer": "0.233", "accept": "exact"});
+    let letter = |range: &str| json!({"model": "abs(u)", "answer": "u", "symbols": {"u": range}});
+    let others = (1..40).map(|number| json!({"model": format!("{number}"), "answer": format!("{number}")}));
+    let faulty = json!({"model": "10/", "answer": "0.233"});
+    let first = [rounded.clone(), exact.clone(), letter("positive"), letter("real"), faulty.clone(), rounded.clone()];
+    let lines: Vec<Json> = first.into_iter().chain(others).chain([exact, rounded, faulty]).collect();
+    let found = stream(lines.into_iter().map(line).collect::<String>().into_bytes());
+    let verdicts: Vec<&str> = found.iter().map(|found| found["verdict"].as_str().unwrap()).collect();
+    assert_eq!(verdicts[..6], ["correct", "partial", "correct", "wrong", "unreadable", "correct"]);
+    assert!(verdicts[6..45].iter().all(|verdict| *verdict == "correct"), "{verdicts:?}");
+    assert_eq!(verdicts[45..], ["partial", "correct", "unreadable"]);
+}
+
+#[test]
 fn a_last_line_without_an_end_is_a_line_and_an_empty_stream_has_none() {
     assert_eq!(stream(b"{\"model\": \"2\", \"answer\": \"2\"}".to_vec()).len(), 1);
     assert_eq!(stream(Vec::new()).len(), 0);

@@ -1,5 +1,6 @@
 //! `carom compare --stream`: JSON lines in, one verdict line for each out, in order, whatever comes.
 
+use std::collections::VecDeque;
 use std::io::{self, BufRead, BufReader, BufWriter, Read, Write};
 
 use serde_json::{Map, Value as Json, json};
@@ -18,9 +19,10 @@ pub fn run(input: impl Read, output: impl Write) -> Result<(), Failure> {
     let mut output = BufWriter::new(output);
     let mut line = Vec::new();
     let mut number = 0_u64;
+    let mut models = Models::default();
     while read_line(&mut input, &mut line)? {
         number += 1;
-        let verdict = verdict(&line).unwrap_or_else(|reason| {
+        let verdict = verdict(&line, &mut models).unwrap_or_else(|reason| {
             let feedback = format!("line {number}: {reason}");
             json!({"verdict": "unreadable", "reading": null, "note": "broken-line", "feedback": feedback})
         });
@@ -49,7 +51,7 @@ fn read_line(input: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<bool> {
 }
 
 /// The verdict on one line, or what is wrong with it.
-fn verdict(line: &[u8]) -> Result<Json, String> {
+fn verdict(line: &[u8], models: &mut Models) -> Result<Json, String> {
     if line.len() as u64 > LONGEST {
         return Err(format!("longer than {LONGEST} bytes"));
     }
@@ -73,8 +75,33 @@ fn verdict(line: &[u8]) -> Result<Json, String> {
         letters,
         quantity: optional(fields, "find")?.map(quantity).transpose().map_err(wrong)?,
     };
-    let model = Model::read(model, &options).map_err(|fault| format!("model: {}", fault.message))?;
-    Ok(as_json(&judge(&model, &read_answer(answer, &model.vocabulary))))
+    let model = models.read(model, options)?;
+    Ok(as_json(&judge(model, &read_answer(answer, &model.vocabulary))))
+}
+
+/// How many models are remembered: those of a sheet.
+const REMEMBERED: usize = 16;
+
+/// The models of the last lines, the latest first: a class's answers to one question are judged by one model.
+#[derive(Default)]
+struct Models(VecDeque<(String, ModelOptions, Model)>);
+
+impl Models {
+    /// The model with this text and these options, read if it is not remembered.
+    fn read(&mut self, text: &str, options: ModelOptions) -> Result<&Model, String> {
+        let is_it = |(known, with, _): &(String, ModelOptions, Model)| known == text && *with == options;
+        let remembered = self.0.iter().position(is_it).and_then(|place| self.0.remove(place));
+        let latest = match remembered {
+            Some(latest) => latest,
+            None => {
+                let model = Model::read(text, &options).map_err(|fault| format!("model: {}", fault.message))?;
+                (text.to_owned(), options, model)
+            }
+        };
+        self.0.truncate(REMEMBERED - 1);
+        self.0.push_front(latest);
+        Ok(&self.0[0].2)
+    }
 }
 
 fn required<'a>(fields: &'a Map<String, Json>, name: &str) -> Result<&'a str, String> {

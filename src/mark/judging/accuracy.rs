@@ -12,10 +12,11 @@
 //! 6. Anything else is wrong; one significant figure is evidence of nothing.
 
 use crate::answer::Accept;
-use crate::expr::{Expr, Turn};
+use crate::expr::Expr;
 use crate::number::{Decimal, Fraction, Interval, Places, Uncertain, Value, round, round_certified};
 
 use super::Note;
+use super::angle::Enclosed;
 use super::enclosure::enclose;
 use super::exact::{Equality, same};
 use super::finding::Finding;
@@ -145,24 +146,24 @@ fn suffices(figures: u32, places: i64, wanted: &Places) -> bool {
 }
 
 /// An exact number that a decimal is held against.
-pub(super) enum Target {
-    Value(Value),
+pub(super) enum Target<'a> {
+    Value(&'a Value),
     /// A formula without letters that is too long for its exact value.
-    Formula(Expr),
+    Formula(&'a Expr),
     /// An angle as so many degrees.
-    Degrees(Turn),
+    Degrees(&'a Enclosed),
     /// An angle as so many radians.
-    Radians(Turn),
+    Radians(&'a Enclosed),
 }
 
-impl Target {
+impl Target<'_> {
     fn enclose(&self, bits: usize) -> Option<Interval> {
         match self {
             Target::Value(value) => value.enclose_constant(bits),
             Target::Formula(expr) => enclose(expr, &[], 0, bits),
-            Target::Degrees(turn) => turn.enclose(bits),
-            Target::Radians(turn) => {
-                (turn.enclose(bits)? * Interval::pi(bits)).checked_div(&Interval::integer(180, bits))
+            Target::Degrees(angle) => angle.enclose(bits),
+            Target::Radians(angle) => {
+                (angle.enclose(bits)? * Interval::pi(bits)).checked_div(&Interval::integer(180, bits))
             }
         }
     }
@@ -171,9 +172,9 @@ impl Target {
         match self {
             Target::Value(value) => value.equals(&Value::from(number.clone())),
             Target::Formula(expr) => same(expr, &Expr::Number(number.clone()), &[]) == Equality::Equal,
-            Target::Degrees(turn) => turn.is_degrees(number),
+            Target::Degrees(angle) => angle.turn.is_degrees(number),
             // Neither pi times a fraction nor an inverse tangent of a root is a fraction, but for nought.
-            Target::Radians(turn) => number.is_zero() && turn.is_degrees(number),
+            Target::Radians(angle) => number.is_zero() && angle.turn.is_degrees(number),
         }
     }
 

@@ -5,6 +5,9 @@
 //! from BA it is the supplement that is right, unless the sphere rebounds; where nobody says whether it does, such an
 //! answer goes to a person.
 
+use std::borrow::Cow;
+use std::sync::OnceLock;
+
 use crate::expr::{Expr, Function, Meaning, Relation, Turn};
 use crate::mark::reading::{Form, Label, ReferenceLine, Said};
 use crate::mechanics::Quantity;
@@ -18,7 +21,8 @@ use super::{Model, Note, number};
 /// Judges one value against an angle.
 pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
     let letters = &model.vocabulary.letters;
-    let Some(right) = model.known().meaning().and_then(as_turn) else {
+    let known = model.known();
+    let Some(right) = known.turn() else {
         return Finding::unreadable(Note::CannotBeCompared);
     };
     let expr = match &said.form {
@@ -29,7 +33,7 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Findin
                 _ => Finding::WRONG,
             };
         }
-        Form::Direction => return direction(&right, said.reference),
+        Form::Direction => return direction(&right.turn, said.reference),
         _ => return Finding::WRONG,
     };
     if let Some(Expr::Call(function, _)) = label.and_then(|label| label.expr.as_ref()) {
@@ -43,22 +47,51 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Findin
         None => false,
         Some(unit) if unit.degrees => false,
         Some(unit) if unit.dimension == [0, 0, 0, 1] => true,
-        Some(_) => return compare(model, expr, &right, false).spoilt_by(Note::UnitWrong),
+        Some(_) => return compare(model, expr, right, false).spoilt_by(Note::UnitWrong),
     };
     if said.reference == Some(ReferenceLine::FromBToA) && own_line(model) == ReferenceLine::LineOfCentres {
-        return from_b_to_a(model, expr, &right, radians);
+        return from_b_to_a(model, expr, right, radians);
     }
-    match expected(&right, own_line(model), said.reference) {
+    match expected(right, own_line(model), said.reference) {
         Some(expected) => {
             let finding = compare(model, expr, &expected, radians);
-            if finding.is_credited() { finding } else { explain(model, said, expr, &right, finding) }
+            if finding.is_credited() { finding } else { explain(model, said, expr, right, finding) }
         }
-        None => compare(model, expr, &right, radians).at_most_partial(Note::ReferenceUnchecked),
+        None => compare(model, expr, right, radians).at_most_partial(Note::ReferenceUnchecked),
+    }
+}
+
+/// An angle with its enclosure in degrees, which is worked out once.
+#[derive(Clone)]
+pub(super) struct Enclosed {
+    pub(super) turn: Turn,
+    degrees: OnceLock<Option<Interval>>,
+}
+
+impl Enclosed {
+    pub(super) fn of(turn: Turn) -> Enclosed {
+        Enclosed { turn, degrees: OnceLock::new() }
+    }
+
+    /// So many degrees less the angle.
+    fn from(&self, degrees: i64) -> Option<Enclosed> {
+        let turn = Turn::degrees(Fraction::from(degrees)).plus(&self.turn.reversed())?;
+        let enclosure = self.enclosure().map(|own| Interval::integer(degrees, BITS) - own.clone());
+        Some(Enclosed { turn, degrees: enclosure.into() })
+    }
+
+    /// In degrees; `None` while there are letters in it.
+    fn enclosure(&self) -> Option<&Interval> {
+        self.degrees.get_or_init(|| self.turn.enclose(BITS)).as_ref()
+    }
+
+    pub(super) fn enclose(&self, bits: usize) -> Option<Interval> {
+        if bits == BITS { self.enclosure().cloned() } else { self.turn.enclose(bits) }
     }
 }
 
 /// The angle that something means; a plain number is degrees.
-fn as_turn(meaning: &Meaning) -> Option<Turn> {
+pub(super) fn as_turn(meaning: &Meaning) -> Option<Turn> {
     match meaning {
         Meaning::Angle(turn) | Meaning::Degrees(turn) => Some(turn.clone()),
         Meaning::Number(value) => value.as_fraction().map(|degrees| Turn::degrees(degrees.clone())),
@@ -76,19 +109,19 @@ fn own_line(model: &Model) -> ReferenceLine {
 }
 
 /// The model's angle as measured from the line that was named; `None` if only a person can tell.
-fn expected(right: &Turn, own: ReferenceLine, named: Option<ReferenceLine>) -> Option<Turn> {
+fn expected(right: &Enclosed, own: ReferenceLine, named: Option<ReferenceLine>) -> Option<Cow<'_, Enclosed>> {
     use ReferenceLine::{CommonTangent, I, J, LineOfCentres};
-    let Some(named) = named else { return Some(right.clone()) };
+    let Some(named) = named else { return Some(Cow::Borrowed(right)) };
     match (own, named) {
-        (own, named) if own == named => Some(right.clone()),
-        (LineOfCentres, CommonTangent) | (I, J) => from(90, right),
+        (own, named) if own == named => Some(Cow::Borrowed(right)),
+        (LineOfCentres, CommonTangent) | (I, J) => right.from(90).map(Cow::Owned),
         _ => None,
     }
 }
 
 /// An angle measured from BA: by the sense in which the sphere moves, if that is known.
-fn from_b_to_a(model: &Model, expr: &Expr, right: &Turn, radians: bool) -> Finding {
-    let forwards = from(180, right).map_or(Finding::WRONG, |turn| compare(model, expr, &turn, radians));
+fn from_b_to_a(model: &Model, expr: &Expr, right: &Enclosed, radians: bool) -> Finding {
+    let forwards = right.from(180).map_or(Finding::WRONG, |turn| compare(model, expr, &turn, radians));
     let backwards = compare(model, expr, right, radians);
     match model.rebounds {
         Some(false) => forwards,
@@ -96,11 +129,6 @@ fn from_b_to_a(model: &Model, expr: &Expr, right: &Turn, radians: bool) -> Findi
         None if forwards.or_better(backwards).is_credited() => Finding::unreadable(Note::ReferenceUnchecked),
         None => Finding::WRONG,
     }
-}
-
-/// So many degrees less the angle.
-fn from(degrees: i64, turn: &Turn) -> Option<Turn> {
-    Turn::degrees(Fraction::from(degrees)).plus(&turn.reversed())
 }
 
 /// An angle told by words alone.
@@ -125,18 +153,18 @@ fn ratio_of_angle(model: &Model, function: Function, value: &Expr) -> Finding {
 }
 
 /// Compares what was written with an angle.
-fn compare(model: &Model, expr: &Expr, right: &Turn, radians: bool) -> Finding {
+fn compare(model: &Model, expr: &Expr, right: &Enclosed, radians: bool) -> Finding {
     let letters = &model.vocabulary.letters;
-    let constant = right.enclose(64).is_some();
+    let constant = right.enclosure().is_some();
     let number = match exact::meaning(expr, letters) {
         Some(Meaning::Angle(turn) | Meaning::Degrees(turn)) => {
-            let gap = right.plus(&turn.reversed());
+            let gap = right.turn.plus(&turn.reversed());
             if gap.is_some_and(|gap| gap.is_degrees(&Fraction::ZERO)) {
                 return Finding::EXACT;
             }
             return Coarsest::of(expr)
                 .filter(|_| constant)
-                .map_or(Finding::WRONG, |decimals| rounded(&turn, &decimals, right, model));
+                .map_or(Finding::WRONG, |decimals| rounded(turn, &decimals, right, model));
         }
         Some(Meaning::Number(value)) => value,
         _ => return Finding::WRONG,
@@ -144,7 +172,7 @@ fn compare(model: &Model, expr: &Expr, right: &Turn, radians: bool) -> Finding {
     if !constant {
         return Finding::WRONG;
     }
-    let target = if radians { Target::Radians(right.clone()) } else { Target::Degrees(right.clone()) };
+    let target = if radians { Target::Radians(right) } else { Target::Degrees(right) };
     let written = Written::of(expr).or_else(|| {
         let value = number.as_fraction()?;
         Some(Written::worked_out(value.clone(), &Coarsest::of(expr)?))
@@ -157,10 +185,10 @@ fn compare(model: &Model, expr: &Expr, right: &Turn, radians: bool) -> Finding {
 }
 
 /// An inverse tangent of a decimal, as `arctan 1.04`.
-fn rounded(found: &Turn, decimals: &Coarsest, right: &Turn, model: &Model) -> Finding {
+fn rounded(found: Turn, decimals: &Coarsest, right: &Enclosed, model: &Model) -> Finding {
     let wanted = places(&model.accept);
-    let both =
-        Target::Degrees(found.clone()).rounded(&wanted).ok().zip(Target::Degrees(right.clone()).rounded(&wanted).ok());
+    let found = Enclosed::of(found);
+    let both = Target::Degrees(&found).rounded(&wanted).ok().zip(Target::Degrees(right).rounded(&wanted).ok());
     let agree = both.is_some_and(|(found, right)| found.to_fraction() == right.to_fraction());
     match (agree, decimals.suffices(&wanted)) {
         (true, true) if model.accept.places().is_none() => Finding::partial(Note::ExactWanted),
@@ -171,8 +199,8 @@ fn rounded(found: &Turn, decimals: &Coarsest, right: &Turn, model: &Model) -> Fi
 }
 
 /// Is a plain number far from the angle, its complement, its supplement, its negative and its radians alike?
-fn is_unrelated(expr: &Expr, right: &Turn, wanted: &Places) -> bool {
-    let Some((written, degrees)) = Written::of(expr).zip(right.enclose(BITS)) else { return false };
+fn is_unrelated(expr: &Expr, right: &Enclosed, wanted: &Places) -> bool {
+    let Some((written, degrees)) = Written::of(expr).zip(right.enclosure().cloned()) else { return false };
     let whole = |degrees: i64| Interval::integer(degrees, BITS);
     let Some(degree) = Interval::pi(BITS).checked_div(&whole(180)) else { return false };
     let others = [
@@ -186,25 +214,25 @@ fn is_unrelated(expr: &Expr, right: &Turn, wanted: &Places) -> bool {
 }
 
 /// Why the number is not the one asked for, where that can be told.
-fn explain(model: &Model, said: &Said, expr: &Expr, right: &Turn, finding: Finding) -> Finding {
-    let is =
-        |turn: Option<Turn>, radians: bool| turn.is_some_and(|turn| compare(model, expr, &turn, radians).is_correct());
+fn explain(model: &Model, said: &Said, expr: &Expr, right: &Enclosed, finding: Finding) -> Finding {
+    let is = |angle: &Enclosed, radians: bool| compare(model, expr, angle, radians).is_correct();
+    let is_from = |degrees: i64| right.from(degrees).is_some_and(|angle| is(&angle, false));
     if is_unrelated(expr, right, &places(&model.accept)) {
         return finding;
     }
     if said.reference.is_some_and(|named| named != own_line(model)) {
-        return if is(Some(right.clone()), false) { Finding::wrong(Note::ReferenceWrong) } else { finding };
+        return if is(right, false) { Finding::wrong(Note::ReferenceWrong) } else { finding };
     }
-    if said.unit.is_none() && is(Some(right.clone()), true) {
+    if said.unit.is_none() && is(right, true) {
         return Finding::partial(Note::RadiansUnstated);
     }
-    if is(from(90, right), false) {
+    if is_from(90) {
         return Finding::wrong(Note::Complement);
     }
-    if is(from(180, right), false) {
+    if is_from(180) {
         return Finding::wrong(Note::Supplement);
     }
-    if is(Some(right.reversed()), false) {
+    if is_from(0) {
         return Finding::wrong(Note::Sign);
     }
     finding

@@ -5,6 +5,7 @@
 //! nought. What stands below a line is nought for neither. For an inequality the factor must be positive.
 
 use std::cmp::Ordering;
+use std::sync::OnceLock;
 
 use crate::expr::{Expr, Meaning, Relation};
 use crate::mark::reading::{Form, Reading, Statement};
@@ -41,7 +42,7 @@ fn judge_statement(model: &Model, statement: &Statement) -> Finding {
         if exact::unknown_letter(equation, letters).is_some() {
             return Finding::wrong(Note::UnknownLetter);
         }
-        match same_solutions(&model.value, equation, letters) {
+        match same_solutions(model, equation) {
             Equality::Equal => Finding::EXACT,
             Equality::Different => Finding::WRONG,
             Equality::Undecided => Finding::unreadable(Note::CannotBeCompared),
@@ -65,25 +66,45 @@ pub(super) fn equations(statement: &Statement) -> Vec<Expr> {
     found
 }
 
-/// Do two relations hold for the same values of their letters?
-pub(super) fn same_solutions(one: &Expr, two: &Expr, letters: &[Letter]) -> Equality {
-    let Some(((first, kind), (second, other))) = difference(one, letters).zip(difference(two, letters)) else {
-        return Equality::Undecided;
-    };
-    if kind != other {
+/// Left minus right of a relation, turned so that it is `=`, `!=`, `>` or `>=`.
+pub(super) struct Difference {
+    kind: Relation,
+    value: Value,
+    /// What is nought for the same letters, for an equation without roots; worked out when it is first asked for.
+    plain: OnceLock<Value>,
+}
+
+impl Difference {
+    pub(super) fn of(relation: &Expr, letters: &[Letter]) -> Option<Difference> {
+        let (value, kind) = difference(relation, letters)?;
+        Some(Difference { kind, value, plain: OnceLock::new() })
+    }
+
+    fn plain(&self) -> &Value {
+        match self.kind {
+            Relation::Equal => self.plain.get_or_init(|| without_roots(&numerator(&self.value))),
+            _ => &self.value,
+        }
+    }
+}
+
+/// Does the relation hold for the same values of its letters as the model's?
+pub(super) fn same_solutions(model: &Model, relation: &Expr) -> Equality {
+    let (known, letters) = (model.known(), &model.vocabulary.letters);
+    let Some(first) = known.difference() else { return Equality::Undecided };
+    let Some(second) = Difference::of(relation, letters) else { return Equality::Undecided };
+    let kind = first.kind;
+    if kind != second.kind {
         return Equality::Different;
     }
-    if first.is_zero() || second.is_zero() {
-        return if first.is_zero() == second.is_zero() { Equality::Equal } else { Equality::Different };
+    if first.value.is_zero() || second.value.is_zero() {
+        let both = first.value.is_zero() == second.value.is_zero();
+        return if both { Equality::Equal } else { Equality::Different };
     }
-    if first.is_laborious() || second.is_laborious() {
+    if first.value.is_laborious() || second.value.is_laborious() {
         return Equality::Undecided;
     }
-    let (first, second) = match kind {
-        Relation::Equal => (without_roots(&numerator(&first)), without_roots(&numerator(&second))),
-        _ => (first, second),
-    };
-    let Some(factor) = second.divided_by(&first) else { return Equality::Undecided };
+    let Some(factor) = second.plain().divided_by(first.plain()) else { return Equality::Undecided };
     match (factor.sign(), kind) {
         (Some(Ordering::Greater), _) | (Some(Ordering::Less), Relation::Equal | Relation::NotEqual) => Equality::Equal,
         _ => Equality::Different,

@@ -2,17 +2,21 @@
 
 use std::sync::{Arc, OnceLock};
 
+use crate::answer::Kind;
 use crate::expr::{Expr, Meaning};
 use crate::number::{Interval, Letter, Value};
 
+use super::angle::{Enclosed, as_turn};
 use super::enclosure::enclose;
+use super::equation::Difference;
 use super::{Model, exact};
 
 /// What is known of a model's value, worked out when it is first asked for.
 ///
-/// It is no part of the model: two models are the same whether or not anything has been worked out yet.
+/// It is no part of the model: two models are the same whether or not anything has been worked out yet. Copies of a model
+/// share it, so that a copy for every script of a class costs nothing.
 #[derive(Clone, Default)]
-pub(crate) struct Prepared(OnceLock<Arc<Known>>);
+pub(crate) struct Prepared(Arc<OnceLock<Arc<Known>>>);
 
 impl PartialEq for Prepared {
     fn eq(&self, _: &Prepared) -> bool {
@@ -33,13 +37,40 @@ pub(super) struct Known {
     enclosures: Vec<OnceLock<Option<Interval>>>,
     meaning: OnceLock<Option<Meaning>>,
     written: OnceLock<Option<Expr>>,
+    turn: OnceLock<Option<Enclosed>>,
+    difference: OnceLock<Option<Difference>>,
+    further: [OnceLock<Model>; Further::COUNT],
+}
+
+/// Other models that follow from one, by which an answer may also be judged.
+#[derive(Clone, Copy)]
+pub(super) enum Further {
+    /// The size of a velocity.
+    Size,
+    /// The direction of a velocity.
+    Direction,
+    /// The angle with that tangent.
+    ArcTangent,
+}
+
+impl Further {
+    const COUNT: usize = 3;
 }
 
 impl Known {
     fn of(model: &Model) -> Known {
         let letters = model.vocabulary.letters.clone();
         let enclosures = exact::points(&letters).map(|_| OnceLock::new()).collect();
-        Known { of: model.value.clone(), letters, enclosures, meaning: OnceLock::new(), written: OnceLock::new() }
+        Known {
+            of: model.value.clone(),
+            letters,
+            enclosures,
+            meaning: OnceLock::new(),
+            written: OnceLock::new(),
+            turn: OnceLock::new(),
+            difference: OnceLock::new(),
+            further: Default::default(),
+        }
     }
 
     /// The enclosure of the value at a fixed point.
@@ -61,6 +92,16 @@ impl Known {
         }
     }
 
+    /// The angle that it means; a plain number is degrees.
+    pub(super) fn turn(&self) -> Option<&Enclosed> {
+        self.turn.get_or_init(|| self.meaning().and_then(as_turn).map(Enclosed::of)).as_ref()
+    }
+
+    /// Left minus right, if it is an equation.
+    pub(super) fn difference(&self) -> Option<&Difference> {
+        self.difference.get_or_init(|| Difference::of(&self.of, &self.letters)).as_ref()
+    }
+
     /// The value as it is written when it has been worked out.
     pub(super) fn written(&self) -> Option<&Expr> {
         self.written.get_or_init(|| self.value().map(crate::expr::written)).as_ref()
@@ -73,6 +114,17 @@ impl Model {
         let known = self.prepared.0.get_or_init(|| Arc::new(Known::of(self)));
         let same = known.of == self.value && known.letters == self.vocabulary.letters;
         if same { known.clone() } else { Arc::new(Known::of(self)) }
+    }
+
+    /// A model that follows from this one, with the rule of this one; its value is the same for all answers.
+    pub(super) fn further(&self, which: Further, kind: Kind, value: impl FnOnce() -> Expr) -> Model {
+        let known = self.known();
+        let further = known.further[which as usize].get_or_init(|| {
+            let further = self.of_value(value());
+            further.known();
+            further
+        });
+        Model { kind, accept: self.accept.clone(), rebounds: self.rebounds, ..further.clone() }
     }
 
     /// A model of another value in the same question, about which nothing is known yet.

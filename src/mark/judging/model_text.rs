@@ -9,7 +9,7 @@ use crate::number::{Letter, Places, Range};
 use super::{Model, exact};
 
 /// What is said of a model answer besides its value.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct ModelOptions {
     /// Its kind; left out, it is inferred from the value.
     pub kind: Option<Kind>,

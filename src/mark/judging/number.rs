@@ -14,6 +14,7 @@ use super::coefficients;
 use super::enclosure::enclose;
 use super::exact::{self, Equality, same};
 use super::finding::Finding;
+use super::known::Further;
 use super::units::{self, UnitCheck};
 use super::{Model, Note, angle};
 
@@ -72,6 +73,9 @@ fn signed(model: &Model, expr: &Expr, written: &Option<Written>, label: Option<&
     if plain.is_credited() || plain.verdict == super::Verdict::Unreadable {
         return plain;
     }
+    if is_of_another_size(model, expr) {
+        return plain;
+    }
     let turned = value(model, &expr.clone().negated(), &written.as_ref().map(Written::negated));
     if !turned.is_credited() {
         return plain;
@@ -84,6 +88,16 @@ fn signed(model: &Model, expr: &Expr, written: &Option<Written>, label: Option<&
         Some(label) if is_change(&label.typed) => Finding { note: Some(Note::ChangeNotLoss), ..turned },
         _ => Finding::partial(Note::Sign),
     }
+}
+
+/// Is it so plainly an exact number of another size that its sign need not be looked at?
+fn is_of_another_size(model: &Model, expr: &Expr) -> bool {
+    let letters = &model.vocabulary.letters;
+    if !letters.is_empty() || Coarsest::of(expr).is_some() {
+        return false;
+    }
+    let sizes = model.known().enclosure(0).zip(enclose(expr, letters, 0, exact::BITS));
+    sizes.is_some_and(|(right, found)| !right.abs().overlaps(&found.abs()))
 }
 
 /// Is the sign of the quantity part of the answer?
@@ -121,16 +135,16 @@ pub(super) fn value(model: &Model, expr: &Expr, written: &Option<Written>) -> Fi
     }
     let known = model.known();
     let Some(right) = known.value() else {
-        if let (Some(written), Some(Meaning::Angle(turn))) = (written, known.meaning()) {
+        if let (Some(written), Some(Meaning::Angle(_)), Some(angle)) = (written, known.meaning(), known.turn()) {
             // A number such as pi is that of an angle in radians.
-            return decimal(written, &Target::Radians(turn.clone()), &model.accept);
+            return decimal(written, &Target::Radians(angle), &model.accept);
         }
         if let Some(written) = written
             && known.meaning().is_none()
             && model.value.names().is_empty()
         {
             // Too long to be worked out exactly; its figures can be proved all the same.
-            return decimal(written, &Target::Formula(model.value.clone()), &model.accept);
+            return decimal(written, &Target::Formula(&model.value), &model.accept);
         }
         return if equality == Equality::Different {
             Finding::WRONG
@@ -141,7 +155,7 @@ pub(super) fn value(model: &Model, expr: &Expr, written: &Option<Written>) -> Fi
     if let Some(written) = written
         && right.is_constant()
     {
-        return decimal(written, &Target::Value(right.clone()), &model.accept);
+        return decimal(written, &Target::Value(right), &model.accept);
     }
     let mut finding = Finding::WRONG;
     if let Some(decimals) = Coarsest::of(expr) {
@@ -246,11 +260,11 @@ fn through_its_tangent(model: &Model, said: &Said, label: Option<&Label>) -> Opt
     if !(is_angle || labelled || tangent_asked) || model.known().value().is_none() {
         return None;
     }
-    let arc = Expr::call(Function::Atan, model.value.clone());
     let rule = model.accept.places().cloned().unwrap_or(Places::SignificantFigures(3));
     let accept =
         if model.accept.places().is_some() { crate::answer::Accept::RoundsTo(rule) } else { model.accept.clone() };
-    let angle_model = Model { kind: Kind::Angle, accept, ..model.of_value(arc) };
+    let arc = || Expr::call(Function::Atan, model.value.clone());
+    let angle_model = Model { accept, ..model.further(Further::ArcTangent, Kind::Angle, arc) };
     let finding = angle::judge(&angle_model, said, None);
     if is_angle || labelled {
         return Some(finding.remarked(Note::AngleForTangent)).filter(|finding| is_angle || finding.is_credited());

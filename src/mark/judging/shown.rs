@@ -17,12 +17,12 @@ pub(super) fn judge(model: &Model, reading: &Reading) -> Finding {
     let mut step = None;
     for statement in &reading.statements {
         for equation in equations(statement) {
-            let [follows, identity] = truth(model, &equation);
-            if !follows && !identity {
+            let follows = same_solutions(model, &equation) == Equality::Equal;
+            if !follows && !is_identity(model, &equation) {
                 return Finding::wrong(Note::WorkingUnjudged);
             }
-            if follows && !is_printed(model, &equation) {
-                step = step.or(Some(Note::NotAsPrinted));
+            if follows && step.is_none() && !is_printed(model, &equation) {
+                step = Some(Note::NotAsPrinted);
             }
         }
         if steps(model, statement) {
@@ -45,21 +45,19 @@ pub(super) fn judge(model: &Model, reading: &Reading) -> Finding {
     }
 }
 
-/// Does the equation say no more and no less than the printed one? Is it true of itself, two ways of writing one side?
-fn truth(model: &Model, equation: &Expr) -> [bool; 2] {
-    let letters = &model.vocabulary.letters;
-    let identity = match equation {
-        Expr::Relation(left, _, right) => same(left, right, letters) == Equality::Equal,
+/// Is the equation true of itself, two ways of writing one side?
+fn is_identity(model: &Model, equation: &Expr) -> bool {
+    match equation {
+        Expr::Relation(left, _, right) => same(left, right, &model.vocabulary.letters) == Equality::Equal,
         _ => false,
-    };
-    [same_solutions(&model.value, equation, letters) == Equality::Equal, identity]
+    }
 }
 
 /// Is it the printed equation, whichever side comes first?
 fn is_printed(model: &Model, equation: &Expr) -> bool {
     let letters = &model.vocabulary.letters;
     let (Expr::Relation(left, _, right), Expr::Relation(one, _, two)) = (&model.value, equation) else { return false };
-    let equal = |a: &Expr, b: &Expr| same(a, b, letters) == Equality::Equal;
+    let equal = |a: &Expr, b: &Expr| a == b || same(a, b, letters) == Equality::Equal;
     (equal(left, one) && equal(right, two)) || (equal(left, two) && equal(right, one))
 }
 

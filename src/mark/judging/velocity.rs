@@ -10,6 +10,7 @@ use crate::mark::reading::{Form, Reading, ReferenceLine, Said};
 
 use super::exact::{self, Equality, same};
 use super::finding::Finding;
+use super::known::Further;
 use super::{Model, Note, angle, number, vector};
 
 /// Judges a whole reading against a velocity.
@@ -19,12 +20,12 @@ pub(super) fn judge(model: &Model, reading: &Reading) -> Finding {
     if let (Some(_), Some(as_vector)) = (&parts, said.iter().find(|said| matches!(said.form, Form::Vector(..)))) {
         return vector::judge(model, as_vector);
     }
-    let right = match &parts {
+    let right = || match &parts {
         Some((along, across)) => vector::magnitude(along, across),
         None => model.value.clone(),
     };
-    let is_rest = same(&right, &Expr::integer(0), &model.vocabulary.letters) == Equality::Equal;
-    let size_model = Model { kind: Kind::Number, quantity: model.quantity, ..model.of_value(right) };
+    let size_model = Model { quantity: model.quantity, ..model.further(Further::Size, Kind::Number, right) };
+    let is_rest = || exact::equals(&size_model, &Expr::integer(0)) == Equality::Equal;
     let sizes: Vec<&&Said> = said.iter().filter(|said| is_size(said, model)).collect();
     let size = match sizes.as_slice() {
         [] => return Finding::unreadable(Note::CannotBeRead),
@@ -33,7 +34,7 @@ pub(super) fn judge(model: &Model, reading: &Reading) -> Finding {
         [size, _] => number::judge(&size_model, size, None),
         _ => return Finding::wrong(Note::RivalAnswers),
     };
-    if !size.is_credited() || is_rest {
+    if !size.is_credited() || is_rest() {
         return size;
     }
     let Some((along, across)) = parts else {
@@ -87,14 +88,16 @@ fn direction(model: &Model, along: &Expr, across: &Expr, said: &[&Said], bare: O
         _ => return Finding::wrong(Note::RivalAnswers),
     };
     let size = |component: &Expr| Expr::call(crate::expr::Function::Abs, component.clone());
-    let value = if nothing(along) {
-        Expr::degrees(Expr::integer(90))
-    } else {
-        Expr::call(crate::expr::Function::Atan, size(across).over(size(along)))
+    let value = || {
+        if nothing(along) {
+            Expr::degrees(Expr::integer(90))
+        } else {
+            Expr::call(crate::expr::Function::Atan, size(across).over(size(along)))
+        }
     };
     let sense = exact::value(along, &model.vocabulary.letters).and_then(|along| along.sign());
     let rebounds = sense.map(std::cmp::Ordering::is_lt).or(model.rebounds);
-    let angle_model = Model { kind: Kind::Angle, rebounds, ..model.of_value(value) };
+    let angle_model = Model { rebounds, ..model.further(Further::Direction, Kind::Angle, value) };
     let finding = angle::judge(&angle_model, measured, None);
     if finding.is_credited() { finding } else { Finding::wrong(finding.note.unwrap_or(Note::DirectionWrong)) }
 }

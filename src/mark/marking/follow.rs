@@ -63,6 +63,9 @@ pub(super) fn solution(question: &KeyedQuestion, part: &KeyedPart, examined: &Ex
         known.0.insert(quantity, Datum::Number(value));
         own.push((quantity, written.clone()));
     }
+    if own.is_empty() {
+        return Vec::new();
+    }
     let mut reached: BTreeSet<Quantity> = own.iter().map(|(quantity, _)| *quantity).collect();
     let asked: Vec<Quantity> = part.blanks.iter().flat_map(|blank| blank.find.quantities()).collect();
     let asked: Vec<Quantity> = asked.into_iter().filter(|quantity| !reached.contains(quantity)).collect();

@@ -113,12 +113,16 @@ fn candidates(rest: &str, vocabulary: &Vocabulary) -> Vec<Piece> {
     found
 }
 
+fn without_underscores(name: &str) -> impl Iterator<Item = u8> {
+    name.bytes().filter(|byte| *byte != b'_')
+}
+
 /// A letter of the question by its name, a unit vector, or a capital typed for a small letter.
 pub(super) fn letter(name: &str, vocabulary: &Vocabulary) -> Option<Token> {
     // `vA` is `v_A`.
     let same = |letter: &&Letter| {
-        let without = |text: &str| -> Vec<u8> { text.bytes().filter(|byte| *byte != b'_').collect() };
-        letter.name() == name || (name.len() > 1 && letter.name().len() > 1 && without(letter.name()) == without(name))
+        let (own, several) = (letter.name(), name.len() > 1);
+        own == name || (several && own.len() > 1 && without_underscores(own).eq(without_underscores(name)))
     };
     if let Some(letter) = vocabulary.letters.iter().find(same) {
         return Some(Token::Letter(letter.name().to_owned()));
@@ -126,8 +130,10 @@ pub(super) fn letter(name: &str, vocabulary: &Vocabulary) -> Option<Token> {
     if vocabulary.vectors && matches!(name, "i" | "j") {
         return name.chars().next().map(Token::Along);
     }
+    let is_capital = name.len() == 1 && name.starts_with(|first: char| first.is_ascii_uppercase());
+    if !is_capital || CAPITALS_OF_THEIR_OWN.contains(name) {
+        return None;
+    }
     let small = name.to_ascii_lowercase();
-    let capital = name.len() == 1 && name != small && !CAPITALS_OF_THEIR_OWN.contains(name);
-    let condoned = vocabulary.letters.iter().any(|letter| letter.name() == small);
-    (capital && condoned).then_some(Token::Letter(small))
+    vocabulary.letters.iter().any(|letter| letter.name() == small).then_some(Token::Letter(small))
 }

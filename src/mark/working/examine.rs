@@ -151,6 +151,9 @@ impl Working<'_> {
 
     /// What the lines say of a mark.
     fn award(&mut self, mark: &KeyedMark) -> Option<Award> {
+        if self.lines.is_empty() {
+            return None;
+        }
         let shown = match (&mark.earned_for, mark.code) {
             (_, Code::A1Shown) => None,
             (EarnedFor::Law(law, _), code) if law.seen() == Seen::Equation && self.uses_pair(*law) => {

@@ -129,6 +129,15 @@ struct Inputs {
 #[derive(Clone, Debug)]
 pub(super) struct Laws {
     inputs: Vec<Inputs>,
+    changed: Vec<Changed>,
+}
+
+/// A changed law with its numbers `p`, `q`, `r` at every point, whichever way is positive.
+#[derive(Clone, Debug)]
+struct Changed {
+    /// Its place among all changes.
+    change: usize,
+    numbers: Vec<[f64; 3]>,
 }
 
 /// How the component of a sphere before the impact may stand in a line: its value from the inputs, and what is wrong with it.
@@ -176,7 +185,12 @@ impl Laws {
                 e: at(Quantity::Restitution)?,
             })
         });
-        Some(Laws { inputs: inputs.collect::<Option<_>>()? })
+        let inputs: Vec<Inputs> = inputs.collect::<Option<_>>()?;
+        let changed = changes().iter().enumerate().filter_map(|(place, change)| {
+            let numbers = inputs.iter().map(|at| change.numbers(at)).collect::<Option<_>>()?;
+            Some(Changed { change: place, numbers })
+        });
+        Some(Laws { changed: changed.collect(), inputs })
     }
 
     /// What a line is, its unknowns in this convention; `None` if it is neither law, however changed.
@@ -187,9 +201,12 @@ impl Laws {
         if line.iter().any(others) {
             return None;
         }
-        let is_line =
-            |change: &&Change| self.inputs.iter().zip(line).all(|(at, line)| change.is_line(at, line, convention));
-        match changes().iter().find(is_line) {
+        let sides: Vec<Side> = line.iter().map(|line| Side::of(line, convention)).collect();
+        let is_line = |changed: &&Changed| {
+            let tolerance = changes()[changed.change].tolerance;
+            changed.numbers.iter().zip(&sides).all(|(numbers, side)| side.is_law(*numbers, tolerance))
+        };
+        match self.changed.iter().find(is_line).map(|changed| &changes()[changed.change]) {
             Some(change) => Some(Matched { equation: change.equation, departures: change.departures.clone() }),
             None => self.with_another_restitution(line, convention),
         }
@@ -305,9 +322,9 @@ impl Change {
         changes.then(|| sign * size.copysign(along))
     }
 
-    /// Is the line this, up to a factor?
-    fn is_line(&self, at: &Inputs, line: &Linear, convention: &Convention) -> bool {
-        let (Some(a), Some(b)) = (self.component(at, 0), self.component(at, 1)) else { return false };
+    /// The numbers of `p x + q y = r` at a point; `None` if that is no change there.
+    fn numbers(&self, at: &Inputs) -> Option<[f64; 3]> {
+        let (a, b) = (self.component(at, 0)?, self.component(at, 1)?);
         let mass = |place: usize| at.masses.get(self.masses[place]).copied().unwrap_or(1.0);
         let (p, q, r) = match self.equation {
             Quantity::MomentumEquation => (mass(0), mass(1), mass(0) * a + mass(1) * b),
@@ -315,29 +332,55 @@ impl Change {
                 let factor = match self.factor {
                     Factor::One => 1.0,
                     Factor::E => at.e,
-                    Factor::OverE if at.e == 0.0 => return false,
+                    Factor::OverE if at.e == 0.0 => return None,
                     Factor::OverE => 1.0 / at.e,
                     Factor::Nought => 0.0,
                 };
                 (-1.0, 1.0, factor * (a - b))
             }
         };
-        let (p, q) = (p * self.after[0] * convention.signs[0], q * self.after[1] * convention.signs[1]);
-        let [v, w] = [0, 1].map(|place| line.before(&convention.letters[place]));
+        Some([p * self.after[0], q * self.after[1], r])
+    }
+}
+
+/// A line at a point: the numbers before the two unknowns, both positive from A to B, and the constant.
+struct Side {
+    unknowns: [Spread; 2],
+    /// Are the unknowns there at all?
+    are_there: [bool; 2],
+    constant: Spread,
+    size: f64,
+}
+
+impl Side {
+    fn of(line: &Linear, convention: &Convention) -> Side {
+        let unknowns = [0, 1].map(|place| {
+            let before = line.before(&convention.letters[place]);
+            if convention.signs[place] < 0.0 { -before } else { before }
+        });
+        let are_there = unknowns.map(|number| !number.may_be_nought(line.size));
+        Side { unknowns, are_there, constant: line.constant, size: line.size }
+    }
+
+    /// Is it this law, up to a factor?
+    fn is_law(&self, [p, q, r]: [f64; 3], tolerance: f64) -> bool {
+        if self.are_there != [p != 0.0, q != 0.0] {
+            return false;
+        }
+        let [v, w] = self.unknowns;
         // In proportion: (v, w, constant) is a multiple of (p, q, -r).
-        let scale = line.size.max(1e-300) * p.abs().max(q.abs()).max(r.abs());
+        let scale = self.size.max(1e-300) * p.abs().max(q.abs()).max(r.abs());
         let times = |one: Spread, number: f64| one * Spread::exactly(number);
+        // Nobody rounds a mass. Most changes end here.
+        if !(times(v, q) - times(w, p)).may_be_nought(scale) {
+            return false;
+        }
         let close = |one: Spread, other: Spread| {
             let difference = one - other;
-            let slack = self.tolerance * one.middle().abs().max(other.middle().abs());
+            let slack = tolerance * one.middle().abs().max(other.middle().abs());
             Spread { low: difference.low - slack, high: difference.high + slack }.may_be_nought(scale)
         };
-        // Nobody rounds a mass.
-        let unknowns = (times(v, q) - times(w, p)).may_be_nought(scale);
-        let is_there = |number: Spread| !number.may_be_nought(line.size);
-        let both = is_there(v) == (p != 0.0) && is_there(w) == (q != 0.0);
-        let constants = close(times(line.constant, p), times(v, -r)) && close(times(line.constant, q), times(w, -r));
-        unknowns && both && constants
+        close(times(self.constant, p), times(v, -r)) && close(times(self.constant, q), times(w, -r))
     }
 }
 

@@ -151,6 +151,9 @@ fn unknown_sphere(prepared: &Prepared) -> Option<Sphere> {
 /// A value that would make the rest trivial is not followed: nought where nothing is nought, a coefficient of restitution
 /// that is none.
 pub(super) fn follow(prepared: &Prepared, theirs: &Theirs) -> Vec<Known<f64>> {
+    if theirs.0.is_empty() {
+        return prepared.known.clone();
+    }
     let mut at_points = prepared.given.clone();
     for (quantity, (values, _)) in &theirs.0 {
         let right = sizes(&prepared.known, *quantity);

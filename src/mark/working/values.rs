@@ -1,5 +1,7 @@
 //! Marks for a value that a line states.
 
+use std::cell::OnceCell;
+
 use super::compare::is_vector;
 use super::evidence::Evidence;
 use super::examine::Working;
@@ -27,7 +29,8 @@ impl Working<'_> {
             Some((convention.letters[place].clone(), convention.signs[place]))
         });
         let sign = letter.as_ref().map_or(1.0, |(_, sign)| *sign);
-        let model = self.model_of(along, sign)?;
+        // Most marks have no line that could be for them.
+        let model = OnceCell::new();
         for (place, studied) in self.lines.iter().enumerate() {
             let Some(reading) = &studied.reading else { continue };
             for statement in &reading.statements {
@@ -40,14 +43,15 @@ impl Working<'_> {
                 if !is_named {
                     continue;
                 }
+                let model = model.get_or_init(|| self.model_of(along, sign)).as_ref()?;
                 let verdict = |statement: Statement| {
                     let reading = Reading { statements: vec![statement], printed: String::new(), decided: Vec::new() };
-                    judge(&model, &Ok(vec![reading])).verdict
+                    judge(model, &Ok(vec![reading])).verdict
                 };
                 let mut end = statement.clone();
                 end.said.drain(..end.said.len().saturating_sub(1));
-                // A right formula that is worked out wrongly is no right value.
-                if verdict(statement.clone()) == Verdict::Correct && verdict(end) != Verdict::Wrong {
+                // A right formula that is worked out wrongly is no right value. Most lines end in another value.
+                if verdict(end) != Verdict::Wrong && verdict(statement.clone()) == Verdict::Correct {
                     return Some(Evidence::given(place, format!("{quantity}")));
                 }
             }
