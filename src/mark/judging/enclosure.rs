@@ -51,9 +51,27 @@ fn parts(expr: &Expr, letters: &[Letter], point: u32, bits: usize) -> Option<Int
         }),
         Expr::Quotient(above, below) => inner(above)?.checked_div(&inner(below)?),
         Expr::Power(base, exponent) => power(&inner(base)?, exponent, bits),
-        Expr::Call(function, argument) => call(*function, &inner(argument)?),
+        Expr::Call(function, argument) => match of_acute(*function, argument, letters, point, bits) {
+            Some(found) => Some(found),
+            None => call(*function, &inner(argument)?),
+        },
         Expr::Vector(..) | Expr::Relation(..) => None,
     }
+}
+
+/// The tangent, sine or cosine of an acute letter, which stands for its tangent: no angle need be worked out.
+fn of_acute(function: Function, of: &Expr, letters: &[Letter], point: u32, bits: usize) -> Option<Interval> {
+    let Expr::Name(name) = of else { return None };
+    let letter = super::exact::letter(letters, &name.text).filter(|letter| letter.range() == Range::Acute)?;
+    let tangent = at_point(letter, point);
+    let above = match function {
+        Function::Tan => return Some(Interval::from_fraction(&tangent, bits)),
+        Function::Sin => Interval::from_fraction(&tangent, bits),
+        Function::Cos => Interval::integer(1, bits),
+        _ => return None,
+    };
+    let secant = Interval::from_fraction(&(&Fraction::ONE + &(&tangent * &tangent)), bits).sqrt()?;
+    above.checked_div(&secant)
 }
 
 /// One degree in radians.
@@ -98,5 +116,23 @@ fn call(function: Function, argument: &Interval) -> Option<Interval> {
         Function::Acos => argument.acos(),
         Function::Atan => Some(argument.atan()),
         Function::Abs => Some(argument.abs()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn carom_knows_sines_cosines_and_tangents_of_an_acute_letter_without_its_angle() {
+        let letters = [Letter::new("theta", Range::Acute).unwrap()];
+        let theta = Expr::name("theta");
+        for function in [Function::Sin, Function::Cos, Function::Tan] {
+            for point in 0..POINTS {
+                let quick = of_acute(function, &theta, &letters, point, 96).unwrap();
+                let angle = enclose(&theta, &letters, point, 96).unwrap();
+                assert!(quick.overlaps(&call(function, &angle).unwrap()), "{function:?} at {point}");
+            }
+        }
     }
 }

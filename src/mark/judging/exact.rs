@@ -189,7 +189,7 @@ fn totient(order: u128) -> u128 {
 
 /// The given angles of which sines, cosines and tangents are taken, from 0 to 45 degrees; those that are roots left out.
 fn given_angles(expr: &Expr, in_call: bool, found: &mut Vec<Fraction>) {
-    if let (true, Some(degrees)) = (in_call, given_degrees(expr)) {
+    if in_call && let Some(degrees) = given_degrees(expr) {
         let right = Fraction::from(90);
         let acute = &degrees - &(&right * &Fraction::from((&degrees / &right).floor()));
         let least = if acute > Fraction::from(45) { &right - &acute } else { acute };
