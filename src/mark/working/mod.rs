@@ -8,6 +8,7 @@ mod by_law;
 mod compare;
 mod condition;
 mod convention;
+mod departure;
 mod evidence;
 mod examine;
 mod line;

@@ -1,0 +1,71 @@
+//! The ways in which a line departs from its law, what each costs and what a teacher would say.
+
+/// A way in which a line departs from its law.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(super) enum Departure {
+    Sign,
+    SineForCosine,
+    Inaccurate,
+    AnotherRestitution,
+    Unresolved,
+    TermMissing,
+    MassesExchanged,
+    MassesOmitted,
+    RestitutionMissing,
+    RestitutionOnWrongSide,
+    Coalesced,
+}
+
+impl Departure {
+    /// What a method mark condones.
+    pub(super) fn is_condoned(self) -> bool {
+        use Departure::{AnotherRestitution, Inaccurate, Sign, SineForCosine};
+        matches!(self, Sign | SineForCosine | Inaccurate | AnotherRestitution)
+    }
+
+    pub(super) fn tag(self) -> &'static str {
+        match self {
+            Departure::Sign => "sign-error",
+            Departure::SineForCosine => "sincos-swap",
+            Departure::Inaccurate => "inaccurate",
+            Departure::AnotherRestitution => "e-misread",
+            Departure::Unresolved => "not-resolved",
+            Departure::TermMissing => "term-missing",
+            Departure::MassesExchanged => "masses-swapped",
+            Departure::MassesOmitted => "masses-omitted",
+            Departure::RestitutionMissing => "e-taken-as-1",
+            Departure::RestitutionOnWrongSide => "e-wrong-side",
+            Departure::Coalesced => "coalesce",
+        }
+    }
+
+    /// What a teacher would say.
+    pub(super) fn sentence(self) -> &'static str {
+        match self {
+            Departure::Sign => "a sign is wrong: keep one positive direction for every term",
+            Departure::SineForCosine => {
+                "sine and cosine are exchanged: along the line of centres the component is u cos"
+            }
+            Departure::Inaccurate => "a number is not accurate enough",
+            Departure::AnotherRestitution => "e is not the one that is given",
+            Departure::Unresolved => "a speed is not resolved along the line of centres",
+            Departure::TermMissing => "a term is missing",
+            Departure::MassesExchanged => "the masses are exchanged",
+            Departure::MassesOmitted => "the masses are left out, and they do not cancel",
+            Departure::RestitutionMissing => "e is left out",
+            Departure::RestitutionOnWrongSide => "e is on the wrong side: it multiplies the speed of approach",
+            Departure::Coalesced => "the spheres separate after the impact; they do not move on together",
+        }
+    }
+
+    /// How unlikely it is to be meant.
+    pub(super) fn weight(self) -> u32 {
+        match self {
+            Departure::Inaccurate => 1,
+            Departure::Sign | Departure::SineForCosine => 2,
+            Departure::AnotherRestitution => 6,
+            Departure::TermMissing => 5,
+            _ => 4,
+        }
+    }
+}
