@@ -2,7 +2,7 @@
 
     pip install sympy && cargo build --release && python3 benches/compare_sympy.py
 
-Sympy parses the answer and asks `.equals`; Carom reads the model as well, reads the answer in a student's notation and
+Sympy, its cache emptied, parses the answer and asks `.equals`; Carom remembers the model of its first line, reads the answer in a student's notation and
 writes a verdict. Each figure is the best of some repetitions of processor time.
 """
 
