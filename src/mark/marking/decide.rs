@@ -6,7 +6,7 @@ use crate::mark::award::{Award, Evidence, Examiner, MarkedAnswer, Place};
 use crate::mark::judging::{Judgement, Note, Verdict};
 use crate::mark::key::{KeyedMark, KeyedPart};
 use crate::mark::profile::{Charge, Profile};
-use crate::mechanics::Quantity;
+use crate::mechanics::{Quantity, Seen};
 
 /// What has been charged in this question already.
 #[derive(Default)]
@@ -38,14 +38,46 @@ pub(super) fn awards(part: &KeyedPart, found: Findings, profile: &Profile, charg
         let by_working = by_working.filter(|_| !answered).map(|award| in_profile(award, mark, profile));
         let award = match (by_answers(mark, part, needed, answers, &worth), by_working) {
             // What the working shows is better evidence than what an answer implies.
-            (Some(implied), Some(shown)) if shown.given && implied.note == Some("implied") => shown,
+            (Some(implied), Some(shown))
+                if implied.note == Some("implied") && (shown.given || contradicts(&shown)) =>
+            {
+                shown
+            }
             (Some(award), _) => award,
             (None, Some(shown)) if shown.given => shown,
             (None, shown) => by_followed(mark, part, followed).or(shown).unwrap_or_else(|| withheld(mark)),
         };
         awards.push(award);
     }
+    imply_needed(&part.scheme, &mut awards);
     awards
+}
+
+/// Is a step written wrongly, so that the answer cannot have come from it? A line that may only be a later step does not
+/// count.
+fn contradicts(shown: &Award) -> bool {
+    let wrong = ["sign-error", "sincos-swap", "wrong-axis", "e-wrong-side", "e-taken-as-1", "masses-swapped", "coalesce"];
+    shown.note.is_some_and(|note| wrong.contains(&note))
+}
+
+/// A right answer implies whatever its own mark depends on, where nothing else was seen of it.
+fn imply_needed(scheme: &[KeyedMark], awards: &mut [Award]) {
+    for place in (0..scheme.len()).rev() {
+        let by_answer = awards[place].given
+            && matches!(&awards[place].evidence, Some(Evidence { place: Place::Answer(_), .. }))
+            && awards[place].note != Some("follow-through");
+        for needed in scheme[place].depends.iter().copied().filter(|_| by_answer) {
+            if !awards[needed].given && awards[needed].evidence.is_none() {
+                awards[needed] = Award {
+                    given: true,
+                    note: Some("implied"),
+                    evidence: awards[place].evidence.clone(),
+                    feedback: "implied by what follows from it".to_owned(),
+                    ..withheld(&scheme[needed])
+                };
+            }
+        }
+    }
 }
 
 /// The awards of a part once those have fallen that depend on others, and printed results have been looked at.
@@ -105,7 +137,13 @@ fn shown(place: usize, part: &KeyedPart, answers: &[MarkedAnswer], awards: &[Awa
     let mark = &part.scheme[place];
     let ends = answers.iter().position(|answer| answer.judgement.note == Some(Note::Restated.tag()));
     let missing = awards[..place].iter().find(|award| !award.given);
+    let broken = awards[..place].iter().any(|award| award.note == Some("follow-through"));
     match (ends, missing) {
+        (Some(_), None) if broken => Award {
+            note: Some("not-shown"),
+            feedback: "a value on the way is wrong, so the result does not follow from it".to_owned(),
+            ..withheld(mark)
+        },
         (Some(blank), None) => Award {
             given: true,
             evidence: Some(Evidence {
@@ -169,6 +207,10 @@ fn own_blank(mark: &KeyedMark, part: &KeyedPart) -> Option<usize> {
     part.blanks.iter().position(|blank| match &mark.earned_for {
         EarnedFor::Quantity(quantity) => blank.find.quantities().contains(quantity),
         EarnedFor::Unknown(name) => blank.find == Find::Unknown(name.clone()),
+        // The line of centres as it is asked for is the answer itself.
+        EarnedFor::Law(law, _) if law.seen() == Seen::AlongLine && mark.code.is_accuracy() => {
+            blank.find.quantities().iter().any(|quantity| law.gives(*quantity))
+        }
         _ => false,
     })
 }

@@ -4,7 +4,7 @@
 //! comes to it, in a formula or under a name, has used the law; its sign is condoned. Besides that a few laws are known by
 //! the shape of their formula, so that a slip of the calculator costs no method mark.
 
-use super::compare::{comes_to, is_composite};
+use super::compare::{comes_to, comes_to_angle, is_composite};
 use super::evidence::Evidence;
 use super::examine::{Studied, Value, Working};
 use super::line::Member;
@@ -62,19 +62,34 @@ impl Working<'_> {
         if right.iter().any(|size| !size.is_finite()) {
             return None;
         }
+        let comes = |value: Value, right: f64| match is_angle {
+            true => comes_to_angle(value, right, self.may_be_complement(quantity)),
+            false => comes_to(value, right),
+        };
         self.lines.iter().position(|studied| {
             studied.matched.is_empty()
                 && !self.is_printed_result(studied)
                 && self.members(studied).any(|(member, values)| {
                     let worth = member.label.is_some() || is_composite(&member.expr);
-                    // The unknowns of the two equations have their own marks.
-                    let taken = member.letter.as_ref().is_some_and(|letter| self.is_unknown(letter))
-                        && !matches!(quantity, Quantity::Speed(..));
                     worth
-                        && !taken
-                        && values.iter().zip(&right).all(|(value, right)| comes_to(*value, *right, is_angle))
+                        && !member.is_given
+                        && !self.is_taken(member, quantity)
+                        && values.iter().zip(&right).all(|(value, right)| comes(*value, *right))
                 })
         })
+    }
+
+    /// The unknowns of the two equations have their own marks; the letter of a sphere may be used again for its speed.
+    fn is_taken(&self, member: &Member, quantity: Quantity) -> bool {
+        let letters = self.convention.as_ref().map(|convention| convention.letters.as_slice()).unwrap_or_default();
+        let place = letters.iter().position(|letter| member.letter.as_ref() == Some(letter));
+        place.is_some_and(|place| !matches!(quantity, Quantity::Speed(sphere, _) if sphere == Sphere::BOTH[place]))
+    }
+
+    /// May an angle be given by its complement? A deflection has none, and what is to be shown says which angle it is.
+    pub(super) fn may_be_complement(&self, quantity: Quantity) -> bool {
+        let is_deflection = matches!(quantity, Quantity::Deflection(_) | Quantity::TanDeflection(_));
+        !is_deflection && self.part.blanks.iter().all(|blank| blank.model.kind != Kind::Shown)
     }
 
     pub(super) fn members<'s>(&self, studied: &'s Studied) -> impl Iterator<Item = (&'s Member, &'s Vec<Value>)> {
@@ -98,7 +113,7 @@ impl Working<'_> {
         })
     }
 
-    fn is_in_vectors(&self) -> bool {
+    pub(super) fn is_in_vectors(&self) -> bool {
         !self.prepared.given[0].0.contains_key(&Quantity::Line(Axis::X))
             && !self.prepared.given[0].0.contains_key(&Quantity::ContactSine)
     }
@@ -119,7 +134,7 @@ impl Working<'_> {
     /// Does a line show this component: as a value, in Pythagoras, in a tangent, or in a vector?
     fn shows_component(&self, studied: &Studied, right: &[f64]) -> bool {
         let is_right =
-            |values: &[Value]| values.iter().zip(right).all(|(value, right)| comes_to(*value, *right, false));
+            |values: &[Value]| values.iter().zip(right).all(|(value, right)| comes_to(*value, *right));
         let in_vector = |values: &[Value]| {
             values.iter().zip(right).all(|(value, right)| match value {
                 Value::Vector(x, y) => x.absolute().may_be(right.abs()) || y.absolute().may_be(right.abs()),
@@ -130,7 +145,7 @@ impl Working<'_> {
             && self.members(studied).any(|(member, values)| {
                 let named = member.label.is_some() || is_composite(&member.expr);
                 let unknown = member.letter.as_ref().is_some_and(|letter| self.is_unknown(letter));
-                (named && !unknown && is_right(values)) || in_vector(values)
+                (named && !unknown && !member.is_given && is_right(values)) || in_vector(values)
             });
         if whole {
             return true;

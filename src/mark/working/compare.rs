@@ -4,17 +4,18 @@ use super::examine::Value;
 use super::spread::Spread;
 use crate::expr::Expr;
 
-/// Does the value come to this, whatever its sign? An angle may be in degrees or radians, its complement, or its tangent.
-pub(super) fn comes_to(value: Value, right: f64, is_angle: bool) -> bool {
-    let Value::Number(spread) = value else { return false };
-    let size = spread.absolute();
-    if !is_angle {
-        return size.may_be(right.abs());
-    }
-    let degrees = right.abs();
-    let tangent = degrees.to_radians().tan().abs();
-    let angles = [degrees, 90.0 - degrees, degrees.to_radians(), (90.0 - degrees).to_radians(), tangent, 1.0 / tangent];
-    angles.into_iter().any(|angle| angle.is_finite() && size.may_be(angle.abs()))
+/// Does the value come to this, whatever its sign?
+pub(super) fn comes_to(value: Value, right: f64) -> bool {
+    matches!(value, Value::Number(spread) if spread.absolute().may_be(right.abs()))
+}
+
+/// Does the value come to this angle, in degrees or radians, or to its tangent; perhaps to those of its complement?
+pub(super) fn comes_to_angle(value: Value, degrees: f64, may_be_complement: bool) -> bool {
+    let degrees = degrees.abs();
+    let angles = if may_be_complement { vec![degrees, 90.0 - degrees] } else { vec![degrees] };
+    let forms = angles.into_iter().flat_map(|angle| [angle, angle.to_radians(), angle.to_radians().tan()]);
+    let mut finite = forms.filter(|form| form.is_finite());
+    finite.any(|form| comes_to(value, form))
 }
 
 pub(super) fn is_vector(values: &[Value], x: &[f64], y: &[f64], scale: f64) -> bool {

@@ -1,8 +1,9 @@
 //! The choice of letters and directions that makes a student's lines agree best.
 
 use super::examine::{Studied, context, value};
+use super::compare::any_within;
 use super::linear::{Linear, Sum, difference};
-use super::pair::{BOTH, Convention, Matched, conventions};
+use super::pair::{BOTH, Convention, Departure, Matched, conventions};
 use super::points::sizes;
 use super::prepared::Prepared;
 use super::spread::Spread;
@@ -19,12 +20,16 @@ pub(super) fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option
     let laws = prepared.laws.as_ref()?;
     // Every equation of every reading that is more than `v = 3`.
     let mut offered: Vec<(usize, usize, Vec<Linear>)> = Vec::new();
+    let mut bare: Vec<(usize, usize)> = Vec::new();
     for (place, studied) in lines.iter().enumerate() {
         for (which, reading) in studied.line.readings.iter().enumerate() {
             for equation in reading.equations.iter().filter(|equation| !is_value(equation)) {
                 if let Some(linear) = differences(equation, prepared)
                     && (1..=2).contains(&linear[0].unknowns.len())
                 {
+                    if says_equal(equation) {
+                        bare.push((place, which));
+                    }
                     offered.push((place, which, linear));
                 }
             }
@@ -33,7 +38,8 @@ pub(super) fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option
     let pairs = pairs(&offered, lines);
     let matches = |convention: &Convention| -> Vec<Found> {
         let each = offered.iter();
-        each.filter_map(|(place, which, linear)| Some((*place, *which, laws.matched(linear, convention)?))).collect()
+        let found = each.filter_map(|(place, which, linear)| Some((*place, *which, laws.matched(linear, convention)?)));
+        found.map(|(place, which, matched)| (place, which, named(matched, bare.contains(&(place, which))))).collect()
     };
     let mut best: Option<(u32, Convention, Vec<Found>)> = None;
     for convention in pairs.iter().flat_map(|pair| conventions(pair)) {
@@ -86,7 +92,9 @@ fn weight(found: &[Found]) -> u32 {
     let least = |equation| {
         found.iter().filter(|(.., matched)| matched.equation == equation).map(|(.., matched)| matched.weight()).min()
     };
-    BOTH.into_iter().map(|equation| least(equation).unwrap_or(20)).sum()
+    let [momentum, restitution] = BOTH.map(|equation| least(equation).unwrap_or(20));
+    // Signs are to be consistent with the student's momentum: of two choices that cost the same, that which keeps it.
+    momentum + u32::from(momentum > 0) + restitution
 }
 
 fn role(matched: &Matched) -> String {
@@ -97,6 +105,22 @@ fn role(matched: &Matched) -> String {
             let reasons: Vec<&str> = departures.iter().map(|departure| departure.sentence()).collect();
             format!("{law}: {}", reasons.join("; "))
         }
+    }
+}
+
+/// Is it `v = w` or `w - v = 0`?
+fn says_equal((left, right): &(Expr, Expr)) -> bool {
+    let has_number = |expr: &Expr| any_within(expr, &|inner| matches!(inner, Expr::Number(_) | Expr::Decimal(_)));
+    let nought = |expr: &Expr| *expr == Expr::integer(0);
+    (nought(left) || !has_number(left)) && (nought(right) || !has_number(right))
+}
+
+/// An approach that comes to nought by a wrong sign is restitution; no approach at all is not.
+fn named(matched: Matched, says_equal: bool) -> Matched {
+    let is_nought = says_equal && matched.departures == [Departure::Sign];
+    match matched.equation {
+        Quantity::RestitutionEquation if is_nought => Matched { departures: vec![Departure::Coalesced], ..matched },
+        _ => matched,
     }
 }
 

@@ -14,6 +14,7 @@ pub(super) enum Departure {
     RestitutionMissing,
     RestitutionOnWrongSide,
     Coalesced,
+    WrongAxis,
 }
 
 impl Departure {
@@ -36,6 +37,7 @@ impl Departure {
             Departure::RestitutionMissing => "e-taken-as-1",
             Departure::RestitutionOnWrongSide => "e-wrong-side",
             Departure::Coalesced => "coalesce",
+            Departure::WrongAxis => "wrong-axis",
         }
     }
 
@@ -54,6 +56,7 @@ impl Departure {
             Departure::MassesOmitted => "the masses are left out, and they do not cancel",
             Departure::RestitutionMissing => "e is left out",
             Departure::RestitutionOnWrongSide => "e is on the wrong side: it multiplies the speed of approach",
+            Departure::WrongAxis => "the components that change are those along the line of centres",
             Departure::Coalesced => "the spheres separate after the impact; they do not move on together",
         }
     }
@@ -62,7 +65,7 @@ impl Departure {
     pub(super) fn weight(self) -> u32 {
         match self {
             Departure::Inaccurate => 1,
-            Departure::Sign | Departure::SineForCosine => 2,
+            Departure::Sign | Departure::SineForCosine | Departure::WrongAxis => 2,
             Departure::AnotherRestitution => 6,
             Departure::TermMissing => 5,
             _ => 4,

@@ -1,7 +1,7 @@
 //! A line of working as a student writes it: a few words, then an equation, a chain of equals signs, or values.
 
 use crate::expr::{Expr, Relation};
-use crate::mark::reading::{Form, Reading, Statement, Vocabulary, read_answer};
+use crate::mark::reading::{Form, Reading, Said, Statement, Vocabulary, read_answer};
 use crate::number::{Letter, Range};
 
 /// A line of working, read.
@@ -37,6 +37,8 @@ pub(super) struct Member {
     pub(super) letter: Option<String>,
     /// The value.
     pub(super) expr: Expr,
+    /// Is it said to be a mass or e: by its name, or by its unit?
+    pub(super) is_given: bool,
 }
 
 /// Letters that students give to what they look for. What the question has stands before these.
@@ -100,7 +102,10 @@ fn readings(typed: &str, vocabularies: &[Vocabulary]) -> Vec<ReadLine> {
 
 /// The line, and the line without the words before its formula: `CLM: …`, `by conservation of momentum …`.
 fn candidates(typed: &str) -> Vec<String> {
-    let typed = typed.trim_start_matches(['∴', '→', '⇒', '•', '-', '*']).trim_start_matches("=>").trim();
+    let typed = typed.trim_start_matches(['∴', '→', '⇒', '•']).trim_start_matches("=>").trim();
+    // A bullet stands apart; a minus sign does not.
+    let typed = ["- ", "* "].iter().find_map(|bullet| typed.strip_prefix(bullet)).unwrap_or(typed).trim();
+    let typed = LEAD_INS.iter().find_map(|word| typed.strip_prefix(word)?.strip_prefix(' ')).unwrap_or(typed).trim();
     // `3 × −2` and `4·3` are written with signs that words do not have.
     let mut all = vec![typed.to_owned()];
     if let Some((before, after)) = typed.split_once(':')
@@ -122,6 +127,10 @@ fn candidates(typed: &str) -> Vec<String> {
     }
     all
 }
+
+/// Words with which a sentence goes on to its formula.
+const LEAD_INS: [&str; 12] =
+    ["so", "So", "and", "then", "hence", "Hence", "thus", "therefore", "giving", "gives", "or", "as"];
 
 const FUNCTIONS: [&str; 12] =
     ["sin", "cos", "tan", "sqrt", "root", "arctan", "arcsin", "arccos", "atan", "theta", "alpha", "beta"];
@@ -150,8 +159,12 @@ fn read_line(reading: Reading) -> ReadLine {
                 Form::Equation(_) | Form::Ratio(..) | Form::Direction => {}
             }
         }
+        let in_kilograms = |said: &Said| said.unit.as_ref().is_some_and(|unit| unit.typed.ends_with("kg"));
+        let is_given = letter.as_ref().is_some_and(|letter| GIVEN.contains(&letter.as_str()))
+            || typed.as_ref().is_some_and(|typed| typed.to_lowercase().contains("mass"))
+            || statement.said.iter().any(in_kilograms);
         equations.extend(sides.windows(2).map(|pair| (pair[0].clone(), pair[1].clone())));
-        members.extend(sides.into_iter().map(|expr| Member { label: typed.clone(), letter: letter.clone(), expr }));
+        members.extend(sides.into_iter().map(|expr| Member { label: typed.clone(), letter: letter.clone(), expr, is_given }));
     }
     ReadLine { printed: reading.printed, equations, members, statements: reading.statements }
 }

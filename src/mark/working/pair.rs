@@ -55,6 +55,8 @@ struct Inputs {
     across: [f64; 2],
     speed: [f64; 2],
     e: f64,
+    /// Are the velocities given by numbers for their components?
+    in_components: bool,
 }
 
 /// The two laws at every point of the letters.
@@ -101,7 +103,7 @@ const AFTER: [([f64; 2], &[Departure]); 4] = [
 
 impl Laws {
     /// The laws of a question from what is known at every point; `None` where its masses or velocities are not given.
-    pub(super) fn of(at_points: &[Known<f64>]) -> Option<Laws> {
+    pub(super) fn of(at_points: &[Known<f64>], in_components: bool) -> Option<Laws> {
         let inputs = (0..at_points.len()).map(|point| {
             let known = std::slice::from_ref(&at_points[point]);
             let at = |quantity| sizes(known, quantity).map(|sizes| sizes[0]);
@@ -115,6 +117,7 @@ impl Laws {
                 along,
                 across,
                 e: at(Quantity::Restitution)?,
+                in_components,
             })
         });
         let inputs: Vec<Inputs> = inputs.collect::<Option<_>>()?;
@@ -139,7 +142,14 @@ impl Laws {
             changed.numbers.iter().zip(&sides).all(|(numbers, side)| side.is_law(*numbers, tolerance))
         };
         match self.changed.iter().find(is_line).map(|changed| &changes()[changed.change]) {
-            Some(change) => Some(Matched { equation: change.equation, departures: change.departures.clone() }),
+            Some(change) => {
+                let in_components = self.inputs[0].in_components;
+                let named = change.departures.iter().map(|departure| match departure {
+                    Departure::SineForCosine if in_components => Departure::WrongAxis,
+                    other => *other,
+                });
+                Some(Matched { equation: change.equation, departures: named.collect() })
+            }
             None => self.with_another_restitution(line, convention),
         }
     }
@@ -165,7 +175,8 @@ fn changes() -> &'static [Change] {
     static CHANGES: OnceLock<Vec<Change>> = OnceLock::new();
     CHANGES.get_or_init(|| {
         let mut found = Vec::new();
-        for equation in BOTH {
+        // Where masses are equal a line may be either; of two slips that fit, the one in restitution is likelier.
+        for equation in BOTH.into_iter().rev() {
             for tolerance in [0.0, INACCURATE] {
                 changes_of(equation, tolerance, &mut found);
             }
@@ -246,6 +257,10 @@ impl Change {
         let size = match term {
             // A sphere at rest has no sign to mistake.
             Term::Along => return (sign > 0.0 || along != 0.0).then_some(sign * along),
+            // A component that is nought is no exchange: across, a term is missing; along, none is resolved.
+            Term::Across if at.across[place] == 0.0 || along == 0.0 => return None,
+            // Components that are given are no sine and cosine: they keep their signs.
+            Term::Across if at.in_components => return Some(sign * at.across[place]),
             Term::Across => at.across[place].abs(),
             Term::Speed => at.speed[place],
             Term::Nothing => 0.0,

@@ -4,7 +4,7 @@ use super::pair::Laws;
 use super::points::{Points, sizes};
 use super::values::along_for;
 use crate::bank::{EarnedFor, Find};
-use crate::mechanics::{Axis, Datum, Derivation, Known, Moment, Quantity, Rule, Scene, Sphere};
+use crate::mechanics::{Axis, Datum, Derivation, Known, Moment, Quantity, Rule, Scene, Sphere, Velocity};
 use crate::number::{Letter, Places, Value, round};
 use crate::solve::solve;
 
@@ -55,7 +55,11 @@ impl Prepared {
             has_values.then(|| complete(&points.with(&found, point).known(exact, point)))
         });
         let there = there.collect();
-        let laws = Laws::of(&known);
+        let in_components = scene.before.iter().flatten().all(|velocity| match velocity {
+            Velocity::Components(x, y) => x.value.is_constant() && y.value.is_constant(),
+            Velocity::Polar { .. } => false,
+        });
+        let laws = Laws::of(&known, in_components);
         Prepared { points, known, given, laws, names, decimals, found, there }
     }
 }

@@ -17,8 +17,8 @@ impl Working<'_> {
         let has_form = |expr: &Expr| match shape {
             Shape::Pythagoras => any_within(expr, &|inner| self.is_pythagoras(inner, sphere)),
             Shape::Tangent => any_within(expr, &|inner| self.is_tangent(inner, sphere)),
-            Shape::DifferenceOfSquares => is_energy_difference(expr),
-            Shape::ChangeOfMomentum => any_within(expr, &|inner| self.is_change_of_momentum(inner)),
+            Shape::DifferenceOfSquares => is_energy_difference(expr) && self.has_both_spheres(expr),
+            Shape::ChangeOfMomentum => self.is_change_of_momentum(expr),
             Shape::Any => false,
         };
         let line = self.lines.iter().position(|studied| {
@@ -29,7 +29,7 @@ impl Working<'_> {
     }
 
     /// The sizes that a component after the impact may have: the right one, the student's own, and across the line also
-    /// what the exchange of sine and cosine makes of it.
+    /// what the exchange of sine and cosine makes of it, and e.
     fn sizes_of(&self, sphere: Sphere, axis: Axis) -> Vec<Vec<f64>> {
         let mut all = Vec::new();
         let quantity = Quantity::Velocity(sphere, Moment::After, axis);
@@ -37,13 +37,17 @@ impl Working<'_> {
         all.extend(self.theirs.0.get(&quantity).map(|(values, _)| values.clone()));
         if axis == Axis::T {
             all.extend(sizes(&self.prepared.known, Quantity::Velocity(sphere, Moment::Before, Axis::N)));
+            // And what e makes of it.
+            let e = sizes(&self.prepared.known, Quantity::Restitution);
+            let product = |(across, e): (Vec<f64>, Vec<f64>)| across.iter().zip(e).map(|(one, e)| one * e).collect();
+            all.extend(sizes(&self.prepared.known, quantity).zip(e).map(product));
         }
         all
     }
 
     pub(super) fn is_one_of(&self, expr: &Expr, sizes: &[Vec<f64>]) -> bool {
         let Some(values) = self.values_of(expr) else { return false };
-        sizes.iter().any(|right| values.iter().zip(right).all(|(value, right)| comes_to(*value, *right, false)))
+        sizes.iter().any(|right| values.iter().zip(right).all(|(value, right)| comes_to(*value, *right)))
     }
 
     fn spheres(&self, sphere: Option<Sphere>) -> Vec<Sphere> {
@@ -75,17 +79,49 @@ impl Working<'_> {
     /// `p/v` or `v/p`.
     fn is_tangent(&self, expr: &Expr, sphere: Option<Sphere>) -> bool {
         let Expr::Quotient(above, below) = expr else { return false };
-        self.are_components(above, below, sphere) || self.are_components(below, above, sphere)
+        self.are_components(above, below, sphere)
+            || (self.may_be_complement(Quantity::AngleToLine(Sphere::A, Moment::After))
+                && self.are_components(below, above, sphere))
     }
 
-    /// `m(v - u)` for one of the spheres.
+    /// `m(v - u)` for one of the spheres: its own mass, and its own components along the line of centres.
     fn is_change_of_momentum(&self, expr: &Expr) -> bool {
-        let Expr::Product(factors) = expr else { return false };
-        let [mass, change] = factors.as_slice() else { return false };
+        let (mass, change) = match expr {
+            Expr::Negative(inner) => return self.is_change_of_momentum(inner),
+            Expr::Product(factors) if factors.len() == 2 => (&factors[0], &factors[1]),
+            _ => return false,
+        };
         let Expr::Sum(terms) = change else { return false };
-        let masses: Vec<Vec<f64>> =
-            Sphere::BOTH.into_iter().filter_map(|sphere| sizes(&self.prepared.known, Quantity::Mass(sphere))).collect();
-        terms.len() == 2 && self.is_one_of(mass, &masses)
+        let [one, other] = terms.as_slice() else { return false };
+        Sphere::BOTH.into_iter().any(|sphere| {
+            let own = |quantity| sizes(&self.prepared.known, quantity).into_iter().collect::<Vec<_>>();
+            let before = own(Quantity::Velocity(sphere, Moment::Before, Axis::N));
+            let after = self.sizes_of(sphere, Axis::N);
+            let fits = |u: &Expr, v: &Expr| self.is_one_of(u, &before) && self.is_one_of(v, &after);
+            self.is_one_of(mass, &own(Quantity::Mass(sphere))) && (fits(one, other) || fits(other, one))
+        })
+    }
+
+    /// Are there squares of what each sphere that was moving had before the impact: its speed, its component along the
+    /// line of centres, or both components in i and j?
+    fn has_both_spheres(&self, expr: &Expr) -> bool {
+        let is_squared = |quantity: Quantity| {
+            let Some(right) = sizes(&self.prepared.known, quantity) else { return false };
+            let is_nought = right.iter().all(|size| size.abs() < 1e-9);
+            let is_base = |inner: &Expr| match inner {
+                Expr::Power(base, exponent) if **exponent == Expr::integer(2) => {
+                    self.is_one_of(base, std::slice::from_ref(&right))
+                }
+                _ => false,
+            };
+            is_nought || any_within(expr, &is_base)
+        };
+        let component = |sphere, axis| is_squared(Quantity::Velocity(sphere, Moment::Before, axis));
+        Sphere::BOTH.into_iter().all(|sphere| {
+            let along = !self.is_in_vectors() && (component(sphere, Axis::N) || component(sphere, Axis::T));
+            let both = self.is_in_vectors() && component(sphere, Axis::X) && component(sphere, Axis::Y);
+            is_squared(Quantity::Speed(sphere, Moment::Before)) || along || both
+        })
     }
 }
 
