@@ -38,9 +38,7 @@ pub(super) fn awards(part: &KeyedPart, found: Findings, profile: &Profile, charg
         let by_working = by_working.filter(|_| !answered).map(|award| in_profile(award, mark, profile));
         let award = match (by_answers(mark, part, needed, answers, &worth), by_working) {
             // What the working shows is better evidence than what an answer implies.
-            (Some(implied), Some(shown))
-                if implied.note == Some("implied") && (shown.given || contradicts(&shown)) =>
-            {
+            (Some(implied), Some(shown)) if implied.note == Some("implied") && (shown.given || contradicts(&shown)) => {
                 shown
             }
             (Some(award), _) => award,
@@ -56,7 +54,8 @@ pub(super) fn awards(part: &KeyedPart, found: Findings, profile: &Profile, charg
 /// Is a step written wrongly, so that the answer cannot have come from it? A line that may only be a later step does not
 /// count.
 fn contradicts(shown: &Award) -> bool {
-    let wrong = ["sign-error", "sincos-swap", "wrong-axis", "e-wrong-side", "e-taken-as-1", "masses-swapped", "coalesce"];
+    let wrong =
+        ["sign-error", "sincos-swap", "wrong-axis", "e-wrong-side", "e-taken-as-1", "masses-swapped", "coalesce"];
     shown.note.is_some_and(|note| wrong.contains(&note))
 }
 

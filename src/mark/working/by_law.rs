@@ -31,7 +31,18 @@ impl Working<'_> {
             Seen::Value(quantities, shape) => {
                 let about =
                     |quantity: &&Quantity| sphere.is_none() || quantity.sphere().is_none_or(|of| Some(of) == sphere);
-                let quantities: Vec<Quantity> = quantities.iter().filter(about).copied().collect();
+                // What was there before the impact is no accuracy of a loss.
+                let asks_loss =
+                    self.part.blanks.iter().any(|blank| blank.find.quantities().contains(&Quantity::EnergyLost));
+                let is_before = |quantity: &Quantity| {
+                    matches!(
+                        quantity,
+                        Quantity::TotalEnergy(Moment::Before) | Quantity::KineticEnergy(_, Moment::Before)
+                    )
+                };
+                let counts =
+                    |quantity: &&Quantity| about(quantity) && !(asks_loss && code.is_accuracy() && is_before(quantity));
+                let quantities: Vec<Quantity> = quantities.iter().filter(counts).copied().collect();
                 self.by_value(law, &quantities, code).or_else(|| self.by_shape(law, shape, sphere, code))
             }
             Seen::AlongLine | Seen::Unknown => None,
@@ -133,8 +144,7 @@ impl Working<'_> {
 
     /// Does a line show this component: as a value, in Pythagoras, in a tangent, or in a vector?
     fn shows_component(&self, studied: &Studied, right: &[f64]) -> bool {
-        let is_right =
-            |values: &[Value]| values.iter().zip(right).all(|(value, right)| comes_to(*value, *right));
+        let is_right = |values: &[Value]| values.iter().zip(right).all(|(value, right)| comes_to(*value, *right));
         let in_vector = |values: &[Value]| {
             values.iter().zip(right).all(|(value, right)| match value {
                 Value::Vector(x, y) => x.absolute().may_be(right.abs()) || y.absolute().may_be(right.abs()),

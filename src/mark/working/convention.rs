@@ -1,7 +1,7 @@
 //! The choice of letters and directions that makes a student's lines agree best.
 
-use super::examine::{Studied, context, value};
 use super::compare::any_within;
+use super::examine::{Studied, context, value};
 use super::linear::{Linear, Sum, difference};
 use super::pair::{BOTH, Convention, Departure, Matched, conventions};
 use super::points::sizes;
@@ -27,7 +27,7 @@ pub(super) fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option
                 if let Some(linear) = differences(equation, prepared)
                     && (1..=2).contains(&linear[0].unknowns.len())
                 {
-                    if says_equal(equation) {
+                    if says_equal(equation, &linear[0]) {
                         bare.push((place, which));
                     }
                     offered.push((place, which, linear));
@@ -108,19 +108,23 @@ fn role(matched: &Matched) -> String {
     }
 }
 
-/// Is it `v = w` or `w - v = 0`?
-fn says_equal((left, right): &(Expr, Expr)) -> bool {
-    let has_number = |expr: &Expr| any_within(expr, &|inner| matches!(inner, Expr::Number(_) | Expr::Decimal(_)));
-    let nought = |expr: &Expr| *expr == Expr::integer(0);
-    (nought(left) || !has_number(left)) && (nought(right) || !has_number(right))
+/// Is it `v = w` or `w - v = 0`, with nothing of the approach in it?
+fn says_equal((left, right): &(Expr, Expr), linear: &Linear) -> bool {
+    let [(one, v), (other, w)] = linear.unknowns.as_slice() else { return false };
+    let is_bare = |expr: &Expr| {
+        let names = expr.names();
+        *expr == Expr::integer(0)
+            || (!any_within(expr, &|inner| matches!(inner, Expr::Number(_) | Expr::Decimal(_)))
+                && names.iter().all(|name| name.text == *one || name.text == *other))
+    };
+    is_bare(left) && is_bare(right) && (v.middle() + w.middle()).abs() < 1e-9
 }
 
 /// An approach that comes to nought by a wrong sign is restitution; no approach at all is not.
 fn named(matched: Matched, says_equal: bool) -> Matched {
-    let is_nought = says_equal && matched.departures == [Departure::Sign];
-    match matched.equation {
-        Quantity::RestitutionEquation if is_nought => Matched { departures: vec![Departure::Coalesced], ..matched },
-        _ => matched,
+    match says_equal {
+        true => Matched { equation: Quantity::RestitutionEquation, departures: vec![Departure::Coalesced] },
+        false => matched,
     }
 }
 

@@ -164,7 +164,12 @@ fn read_line(reading: Reading) -> ReadLine {
             || typed.as_ref().is_some_and(|typed| typed.to_lowercase().contains("mass"))
             || statement.said.iter().any(in_kilograms);
         equations.extend(sides.windows(2).map(|pair| (pair[0].clone(), pair[1].clone())));
-        members.extend(sides.into_iter().map(|expr| Member { label: typed.clone(), letter: letter.clone(), expr, is_given }));
+        members.extend(sides.into_iter().map(|expr| Member {
+            label: typed.clone(),
+            letter: letter.clone(),
+            expr,
+            is_given,
+        }));
     }
     ReadLine { printed: reading.printed, equations, members, statements: reading.statements }
 }

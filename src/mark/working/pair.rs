@@ -23,7 +23,7 @@ pub(super) struct Convention {
     pub(super) letters: [String; 2],
     /// +1 where the student's positive direction is from A to B.
     pub(super) signs: [f64; 2],
-    /// Does the letter that comes first in the alphabet stand for B?
+    /// Does the letter that comes first in the alphabet stand for B, or do both arrows point from B to A?
     pub(super) is_unusual: bool,
 }
 
@@ -344,8 +344,9 @@ pub(super) fn conventions(names: &[String]) -> Vec<Convention> {
     let signs = [[1.0, 1.0], [-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]];
     let usual = orders[0].clone();
     let of = |letters: &[String; 2]| {
-        let is_unusual = *letters != usual;
-        signs.map(|signs| Convention { letters: letters.clone(), signs, is_unusual })
+        // Both arrows turned while those before the impact stay: only if nothing else fits.
+        let is_unusual = |signs| *letters != usual || signs == [-1.0, -1.0];
+        signs.map(|signs| Convention { letters: letters.clone(), signs, is_unusual: is_unusual(signs) })
     };
     orders.iter().flat_map(of).collect()
 }
@@ -356,5 +357,34 @@ pub(super) fn sphere(letter: &str) -> Option<Sphere> {
         Some('A' | '1') if letter.len() > 1 => Some(Sphere::A),
         Some('B' | '2') if letter.len() > 1 => Some(Sphere::B),
         _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Departure::*;
+
+    #[test]
+    fn the_manual_lists_every_reason_with_its_tag_and_what_it_costs() {
+        let page = include_str!("../../../docs/marking.md");
+        let all = [
+            Sign,
+            SineForCosine,
+            Inaccurate,
+            AnotherRestitution,
+            Unresolved,
+            TermMissing,
+            MassesExchanged,
+            MassesOmitted,
+            RestitutionMissing,
+            RestitutionOnWrongSide,
+            Coalesced,
+            WrongAxis,
+        ];
+        for departure in all {
+            let costs = if departure.is_condoned() { "A" } else { "M and A" };
+            let row = format!("| `{}` | {} | {costs} |", departure.tag(), departure.sentence());
+            assert!(page.contains(&row), "docs/marking.md lacks\n{row}");
+        }
     }
 }

@@ -72,7 +72,7 @@ impl Working<'_> {
                 false => self.values_of(along).is_some(),
             };
             (self.is_one_of(across, &self.sizes_of(of, Axis::T)) && along_fits)
-                || (self.is_one_of(across, &in_i_j[0]) && self.is_one_of(along, &in_i_j[1]))
+                || (self.is_in_vectors() && self.is_one_of(across, &in_i_j[0]) && self.is_one_of(along, &in_i_j[1]))
         })
     }
 
