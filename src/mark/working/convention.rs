@@ -44,7 +44,8 @@ pub(super) fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option
     let mut best: Option<(u32, Convention, Vec<Found>)> = None;
     for convention in pairs.iter().flat_map(|pair| conventions(pair)) {
         let found = matches(&convention);
-        let weight = weight(&found) + u32::from(convention.is_unusual) + disagreement(lines, &convention, prepared);
+        let is_unusual = convention.is_unusual || is_against_axes(&convention, prepared);
+        let weight = weight(&found) + u32::from(is_unusual) + disagreement(lines, &convention, prepared);
         if best.as_ref().is_none_or(|(least, ..)| weight < *least) {
             best = Some((weight, convention, found));
         }
@@ -67,6 +68,13 @@ pub(super) fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option
         studied.role = studied.matched.iter().map(role).collect::<Vec<_>>().join("; ");
     }
     Some(convention)
+}
+
+/// Are both unknowns positive against i, or against j, along which the line of centres lies?
+fn is_against_axes(convention: &Convention, prepared: &Prepared) -> bool {
+    let line = |axis| sizes(&prepared.known, Quantity::Line(axis)).map_or(0.0, |line| line[0]);
+    let along = line(Axis::X) + line(Axis::Y);
+    convention.signs.iter().all(|sign| sign * along < 0.0)
 }
 
 /// Do the values that are stated speak against this choice? Where masses are equal the two equations do not tell.

@@ -23,7 +23,7 @@ pub(super) struct Convention {
     pub(super) letters: [String; 2],
     /// +1 where the student's positive direction is from A to B.
     pub(super) signs: [f64; 2],
-    /// Does the letter that comes first in the alphabet stand for B, or do both arrows point from B to A?
+    /// Does the letter that comes first in the alphabet stand for B?
     pub(super) is_unusual: bool,
 }
 
@@ -344,9 +344,8 @@ pub(super) fn conventions(names: &[String]) -> Vec<Convention> {
     let signs = [[1.0, 1.0], [-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]];
     let usual = orders[0].clone();
     let of = |letters: &[String; 2]| {
-        // Both arrows turned while those before the impact stay: only if nothing else fits.
-        let is_unusual = |signs| *letters != usual || signs == [-1.0, -1.0];
-        signs.map(|signs| Convention { letters: letters.clone(), signs, is_unusual: is_unusual(signs) })
+        let is_unusual = *letters != usual;
+        signs.map(|signs| Convention { letters: letters.clone(), signs, is_unusual })
     };
     orders.iter().flat_map(of).collect()
 }
