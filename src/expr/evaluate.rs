@@ -311,13 +311,14 @@ fn trigonometric(function: Function, argument: Meaning) -> Result<Meaning, Fault
         }
         _ => return Err(fault(format!("`{}` of something that is no angle", function.name()), "an angle")),
     };
-    let direction = turn.direction().ok_or_else(too_fine)?;
+    let direction = || turn.direction().ok_or_else(too_fine);
     sized(match function {
-        Function::Sin => direction.sin,
-        Function::Cos => direction.cos,
-        _ => direction
-            .tangent()
-            .ok_or_else(|| fault("the tangent of a right angle", "an angle other than 90 degrees"))?,
+        Function::Sin => direction()?.sin,
+        Function::Cos => direction()?.cos,
+        _ => {
+            turn.dot().ok_or_else(too_fine)?;
+            turn.tangent().ok_or_else(|| fault("the tangent of a right angle", "an angle other than 90 degrees"))?
+        }
     })
 }
 

@@ -96,8 +96,17 @@ impl Turn {
         }
     }
 
-    /// The tangent; `None` at a right angle.
+    /// The same multiple of the cosine as [`Turn::cross`] is of the sine.
+    pub fn dot(&self) -> Option<Value> {
+        let degrees = Direction::degrees(&self.degrees)?;
+        Some(match &self.rest {
+            None => degrees.cos,
+            Some(angle) => &(angle.x() * &degrees.cos) - &(angle.y() * &degrees.sin),
+        })
+    }
+
+    /// The tangent; `None` at a right angle. No root is taken for it.
     pub fn tangent(&self) -> Option<Value> {
-        self.direction()?.tangent()
+        self.cross()?.divided_by(&self.dot()?)
     }
 }

@@ -11,7 +11,7 @@ use crate::bank::EarnedFor;
 use crate::expr::{print, read_markup};
 use crate::mark::judging::Verdict;
 use crate::mark::report::{Feedback, MarkedScript, MarkedUnder};
-use crate::mark::{Award, Cause, Examiner, KeyedMark, MarkedAnswer, MarkedLine, Place};
+use crate::mark::{Award, Cause, Examiner, KeyedMark, MarkedAnswer, MarkedLine, MarkedPart, Place};
 
 /// The most letters of what a student typed in one place.
 const LONGEST: usize = 300;
@@ -56,14 +56,14 @@ impl Printer<'_> {
             .with("verdict", || plain(part.verdict().name()))
             .with("marks", || marked.marks().into())
             .with("available", || marked.awards.len().into())
-            .with("responses", || list(&marked.answers, |answer| self.response(answer)))
+            .with("responses", || list(&marked.answers, |answer| self.response(marked, answer)))
             .with("lines", || list(&lines, |(number, line)| self.written(*number, line)))
             .with("awards", || list(&scheme, |(award, mark)| self.award(award, *mark)))
             .with("followed", || list(&marked.followed, |line| self.line(line)))
             .value()
     }
 
-    fn response(self, answer: &MarkedAnswer) -> Value {
+    fn response(self, part: &MarkedPart, answer: &MarkedAnswer) -> Value {
         let typed = answer.typed.as_deref().unwrap_or_default();
         let reading = answer.judgement.reading.as_deref().unwrap_or_default();
         self.thing("response")
@@ -76,14 +76,19 @@ impl Printer<'_> {
                 let is_noted = answer.judgement.note.is_some() && answer.judgement.verdict != Verdict::Blank;
                 plain(if is_noted { &answer.judgement.feedback } else { "" })
             })
-            .with("causes", || list(&answer.causes, |cause| self.cause(cause)))
+            .with("causes", || list(&answer.causes, |cause| self.cause(part, cause)))
             .value()
     }
 
-    fn cause(self, cause: &Cause) -> Value {
+    fn cause(self, part: &MarkedPart, cause: &Cause) -> Value {
+        // Where there is working, it has been marked for what it is.
+        let probable: Vec<&Award> = match part.lines.is_empty() {
+            true => part.awards.iter().filter(|award| !award.given && cause.probable.contains(&award.id)).collect(),
+            false => Vec::new(),
+        };
         self.thing("cause")
             .with("sentence", || plain(&cause.sentence))
-            .with("probable", || list(&cause.probable, |id| plain(id)))
+            .with("probable", || list(&probable, |award| plain(award.code.name())))
             .value()
     }
 

@@ -6,12 +6,13 @@
 //! answer goes to a person.
 
 use std::borrow::Cow;
+use std::cell::OnceCell;
 use std::sync::OnceLock;
 
 use crate::expr::{Expr, Function, Meaning, Relation, Turn};
 use crate::mark::reading::{Form, Label, ReferenceLine, Said};
 use crate::mechanics::Quantity;
-use crate::number::{Fraction, Interval, Places};
+use crate::number::{Fraction, Interval, Letter, Places};
 
 use super::accuracy::{BITS, Coarsest, Target, Written, decimal, is_far, places};
 use super::exact;
@@ -43,21 +44,22 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Findin
         let bare = matches!(expr, Expr::Name(_));
         return if bare { Finding::unreadable(Note::UnknownLetter) } else { Finding::wrong(Note::UnknownLetter) };
     }
+    let stated = &Stated::of(expr);
     let radians = match &said.unit {
         None => false,
         Some(unit) if unit.degrees => false,
         Some(unit) if unit.dimension == [0, 0, 0, 1] => true,
-        Some(_) => return compare(model, expr, right, false).spoilt_by(Note::UnitWrong),
+        Some(_) => return compare(model, stated, right, false).spoilt_by(Note::UnitWrong),
     };
     if said.reference == Some(ReferenceLine::FromBToA) && own_line(model) == ReferenceLine::LineOfCentres {
-        return from_b_to_a(model, expr, right, radians);
+        return from_b_to_a(model, stated, right, radians);
     }
     match expected(right, own_line(model), said.reference) {
         Some(expected) => {
-            let finding = compare(model, expr, &expected, radians);
-            if finding.is_credited() { finding } else { explain(model, said, expr, right, finding) }
+            let finding = compare(model, stated, &expected, radians);
+            if finding.is_credited() { finding } else { explain(model, said, stated, right, finding) }
         }
-        None => compare(model, expr, right, radians).at_most_partial(Note::ReferenceUnchecked),
+        None => compare(model, stated, right, radians).at_most_partial(Note::ReferenceUnchecked),
     }
 }
 
@@ -99,6 +101,23 @@ pub(super) fn as_turn(meaning: &Meaning) -> Option<Turn> {
     }
 }
 
+/// What a student stated for an angle. What it means is compared with the angle, its complement and its supplement, and
+/// worked out once.
+struct Stated<'a> {
+    expr: &'a Expr,
+    meaning: OnceCell<Option<Meaning>>,
+}
+
+impl<'a> Stated<'a> {
+    fn of(expr: &'a Expr) -> Stated<'a> {
+        Stated { expr, meaning: OnceCell::new() }
+    }
+
+    fn meaning(&self, letters: &[Letter]) -> Option<&Meaning> {
+        self.meaning.get_or_init(|| exact::meaning(self.expr, letters)).as_ref()
+    }
+}
+
 /// The line from which the model is measured.
 fn own_line(model: &Model) -> ReferenceLine {
     match model.quantity {
@@ -120,9 +139,9 @@ fn expected(right: &Enclosed, own: ReferenceLine, named: Option<ReferenceLine>) 
 }
 
 /// An angle measured from BA: by the sense in which the sphere moves, if that is known.
-fn from_b_to_a(model: &Model, expr: &Expr, right: &Enclosed, radians: bool) -> Finding {
-    let forwards = right.from(180).map_or(Finding::WRONG, |turn| compare(model, expr, &turn, radians));
-    let backwards = compare(model, expr, right, radians);
+fn from_b_to_a(model: &Model, stated: &Stated, right: &Enclosed, radians: bool) -> Finding {
+    let forwards = right.from(180).map_or(Finding::WRONG, |turn| compare(model, stated, &turn, radians));
+    let backwards = compare(model, stated, right, radians);
     match model.rebounds {
         Some(false) => forwards,
         Some(true) => backwards,
@@ -153,10 +172,10 @@ fn ratio_of_angle(model: &Model, function: Function, value: &Expr) -> Finding {
 }
 
 /// Compares what was written with an angle.
-fn compare(model: &Model, expr: &Expr, right: &Enclosed, radians: bool) -> Finding {
-    let letters = &model.vocabulary.letters;
+fn compare(model: &Model, stated: &Stated, right: &Enclosed, radians: bool) -> Finding {
+    let expr = stated.expr;
     let constant = right.enclosure().is_some();
-    let number = match exact::meaning(expr, letters) {
+    let number = match stated.meaning(&model.vocabulary.letters) {
         Some(Meaning::Angle(turn) | Meaning::Degrees(turn)) => {
             let gap = right.turn.plus(&turn.reversed());
             if gap.is_some_and(|gap| gap.is_degrees(&Fraction::ZERO)) {
@@ -164,7 +183,7 @@ fn compare(model: &Model, expr: &Expr, right: &Enclosed, radians: bool) -> Findi
             }
             return Coarsest::of(expr)
                 .filter(|_| constant)
-                .map_or(Finding::WRONG, |decimals| rounded(turn, &decimals, right, model));
+                .map_or(Finding::WRONG, |decimals| rounded(turn.clone(), &decimals, right, model));
         }
         Some(Meaning::Number(value)) => value,
         _ => return Finding::WRONG,
@@ -214,10 +233,10 @@ fn is_unrelated(expr: &Expr, right: &Enclosed, wanted: &Places) -> bool {
 }
 
 /// Why the number is not the one asked for, where that can be told.
-fn explain(model: &Model, said: &Said, expr: &Expr, right: &Enclosed, finding: Finding) -> Finding {
-    let is = |angle: &Enclosed, radians: bool| compare(model, expr, angle, radians).is_correct();
+fn explain(model: &Model, said: &Said, stated: &Stated, right: &Enclosed, finding: Finding) -> Finding {
+    let is = |angle: &Enclosed, radians: bool| compare(model, stated, angle, radians).is_correct();
     let is_from = |degrees: i64| right.from(degrees).is_some_and(|angle| is(&angle, false));
-    if is_unrelated(expr, right, &places(&model.accept)) {
+    if is_unrelated(stated.expr, right, &places(&model.accept)) {
         return finding;
     }
     if said.reference.is_some_and(|named| named != own_line(model)) {

@@ -3,6 +3,8 @@
 //! Intervals that keep apart refute an equality, quickly and for any expression however long; that they meet proves
 //! nothing, and is never taken for proof. The points are fixed so that the same answer earns the same marks for ever.
 
+use std::cell::OnceCell;
+
 use crate::expr::{Expr, Function};
 use crate::number::{Fraction, Interval, Letter, Range};
 
@@ -26,52 +28,74 @@ pub(super) fn at_point(letter: &Letter, point: u32) -> Fraction {
 /// Beyond 2 to this power, up or down, nothing is enclosed: towers of powers grow without end.
 const LARGEST: usize = 600;
 
+/// A point, and how finely values are enclosed there.
+struct At<'a> {
+    letters: &'a [Letter],
+    point: u32,
+    bits: usize,
+    /// The angles in radians, letter by letter, each worked out when it is first met: it may be met hundreds of times.
+    angles: Vec<OnceCell<Interval>>,
+}
+
 /// An interval that holds the value of the expression at a point, angles in radians; `None` where it has no value, or
 /// the precision does not tell.
 pub(super) fn enclose(expr: &Expr, letters: &[Letter], point: u32, bits: usize) -> Option<Interval> {
-    parts(expr, letters, point, bits).filter(|found| !found.exceeds(LARGEST))
+    At { letters, point, bits, angles: vec![OnceCell::new(); letters.len()] }.enclose(expr)
 }
 
-fn parts(expr: &Expr, letters: &[Letter], point: u32, bits: usize) -> Option<Interval> {
-    let inner = |expr: &Expr| enclose(expr, letters, point, bits);
-    match expr {
-        Expr::Number(value) => Some(Interval::from_fraction(value, bits)),
-        Expr::Decimal(text) => Some(Interval::from_fraction(&text.parse().ok()?, bits)),
-        Expr::Name(name) => {
-            let letter = super::exact::letter(letters, &name.text)?;
-            let value = Interval::from_fraction(&at_point(letter, point), bits);
-            Some(if letter.range() == Range::Acute { value.atan() } else { value })
-        }
-        Expr::Pi => Some(Interval::pi(bits)),
-        Expr::Degrees(degrees) => Some(inner(degrees)? * degree(bits)?),
-        Expr::Negative(value) => Some(-inner(value)?),
-        Expr::Sum(terms) => terms.iter().try_fold(Interval::integer(0, bits), |sum, term| Some(sum + inner(term)?)),
-        Expr::Product(factors) => factors.iter().try_fold(Interval::integer(1, bits), |product, factor| {
-            Some(product * inner(factor)?).filter(|product| !product.exceeds(LARGEST))
-        }),
-        Expr::Quotient(above, below) => inner(above)?.checked_div(&inner(below)?),
-        Expr::Power(base, exponent) => power(&inner(base)?, exponent, bits),
-        Expr::Call(function, argument) => match of_acute(*function, argument, letters, point, bits) {
-            Some(found) => Some(found),
-            None => call(*function, &inner(argument)?),
-        },
-        Expr::Vector(..) | Expr::Relation(..) => None,
+impl At<'_> {
+    fn enclose(&self, expr: &Expr) -> Option<Interval> {
+        self.parts(expr).filter(|found| !found.exceeds(LARGEST))
     }
-}
 
-/// The tangent, sine or cosine of an acute letter, which stands for its tangent: no angle need be worked out.
-fn of_acute(function: Function, of: &Expr, letters: &[Letter], point: u32, bits: usize) -> Option<Interval> {
-    let Expr::Name(name) = of else { return None };
-    let letter = super::exact::letter(letters, &name.text).filter(|letter| letter.range() == Range::Acute)?;
-    let tangent = at_point(letter, point);
-    let above = match function {
-        Function::Tan => return Some(Interval::from_fraction(&tangent, bits)),
-        Function::Sin => Interval::from_fraction(&tangent, bits),
-        Function::Cos => Interval::integer(1, bits),
-        _ => return None,
-    };
-    let secant = Interval::from_fraction(&(&Fraction::ONE + &(&tangent * &tangent)), bits).sqrt()?;
-    above.checked_div(&secant)
+    fn parts(&self, expr: &Expr) -> Option<Interval> {
+        let bits = self.bits;
+        let inner = |expr: &Expr| self.enclose(expr);
+        match expr {
+            Expr::Number(value) => Some(Interval::from_fraction(value, bits)),
+            Expr::Decimal(text) => Some(Interval::from_fraction(&text.parse().ok()?, bits)),
+            Expr::Name(name) => self.letter(&name.text),
+            Expr::Pi => Some(Interval::pi(bits)),
+            Expr::Degrees(degrees) => Some(inner(degrees)? * degree(bits)?),
+            Expr::Negative(value) => Some(-inner(value)?),
+            Expr::Sum(terms) => terms.iter().try_fold(Interval::integer(0, bits), |sum, term| Some(sum + inner(term)?)),
+            Expr::Product(factors) => factors.iter().try_fold(Interval::integer(1, bits), |product, factor| {
+                Some(product * inner(factor)?).filter(|product| !product.exceeds(LARGEST))
+            }),
+            Expr::Quotient(above, below) => inner(above)?.checked_div(&inner(below)?),
+            Expr::Power(base, exponent) => power(&inner(base)?, exponent, bits),
+            Expr::Call(function, argument) => match self.of_acute(*function, argument) {
+                Some(found) => Some(found),
+                None => call(*function, &inner(argument)?),
+            },
+            Expr::Vector(..) | Expr::Relation(..) => None,
+        }
+    }
+
+    fn letter(&self, name: &str) -> Option<Interval> {
+        let letter = super::exact::letter(self.letters, name)?;
+        let value = || Interval::from_fraction(&at_point(letter, self.point), self.bits);
+        if letter.range() != Range::Acute {
+            return Some(value());
+        }
+        let place = self.letters.iter().position(|other| other == letter)?;
+        Some(self.angles[place].get_or_init(|| value().atan()).clone())
+    }
+
+    /// The tangent, sine or cosine of an acute letter, which stands for its tangent: no angle need be worked out.
+    fn of_acute(&self, function: Function, of: &Expr) -> Option<Interval> {
+        let Expr::Name(name) = of else { return None };
+        let letter = super::exact::letter(self.letters, &name.text).filter(|letter| letter.range() == Range::Acute)?;
+        let tangent = at_point(letter, self.point);
+        let above = match function {
+            Function::Tan => return Some(Interval::from_fraction(&tangent, self.bits)),
+            Function::Sin => Interval::from_fraction(&tangent, self.bits),
+            Function::Cos => Interval::integer(1, self.bits),
+            _ => return None,
+        };
+        let secant = Interval::from_fraction(&(&Fraction::ONE + &(&tangent * &tangent)), self.bits).sqrt()?;
+        above.checked_div(&secant)
+    }
 }
 
 /// One degree in radians.
@@ -129,8 +153,9 @@ mod tests {
         let theta = Expr::name("theta");
         for function in [Function::Sin, Function::Cos, Function::Tan] {
             for point in 0..POINTS {
-                let quick = of_acute(function, &theta, &letters, point, 96).unwrap();
-                let angle = enclose(&theta, &letters, point, 96).unwrap();
+                let at = At { letters: &letters, point, bits: 96, angles: vec![OnceCell::new()] };
+                let quick = at.of_acute(function, &theta).unwrap();
+                let angle = at.enclose(&theta).unwrap();
                 assert!(quick.overlaps(&call(function, &angle).unwrap()), "{function:?} at {point}");
             }
         }

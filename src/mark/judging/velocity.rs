@@ -51,10 +51,7 @@ fn is_size(said: &Said, model: &Model) -> bool {
         Form::Value(expr) => {
             let angular = said.unit.as_ref().is_some_and(|unit| unit.degrees || unit.dimension == [0, 0, 0, 1]);
             let measured = said.reference.is_some_and(|line| !is_along(line)) && said.unit.is_none();
-            let inverse = matches!(
-                exact::meaning(expr, &model.vocabulary.letters),
-                Some(crate::expr::Meaning::Angle(_) | crate::expr::Meaning::Degrees(_))
-            );
+            let inverse = exact::is_angle(expr, &model.vocabulary.letters);
             !(angular || measured || inverse)
         }
         _ => false,

@@ -86,7 +86,7 @@ pub(super) fn solution(question: &KeyedQuestion, part: &KeyedPart, examined: &Ex
         return lines;
     }
     let equations = own.into_iter().map(|(quantity, written)| Expr::equation(show.symbol(quantity), written));
-    let words = Text::words("Going on from your own values");
+    let words = Text::words("You found:");
     lines.insert(0, WorkingLine { words, equations: equations.collect(), label: None });
     lines
 }
