@@ -144,6 +144,7 @@ impl KeyedMark {
             depends: depends.collect::<Result<_, _>>()?,
             blanks: belongs.collect::<Result<_, _>>()?,
             equation,
+            stated: Default::default(),
         })
     }
 }

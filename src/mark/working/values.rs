@@ -1,7 +1,5 @@
 //! Marks for a value that a line states.
 
-use std::cell::OnceCell;
-
 use super::compare::is_vector;
 use super::evidence::Evidence;
 use super::examine::Working;
@@ -13,7 +11,6 @@ use crate::mark::judging::{Model, Verdict, judge};
 use crate::mark::key::KeyedMark;
 use crate::mark::reading::{Reading, Statement, Vocabulary};
 use crate::mechanics::{Axis, Datum, Moment, Quantity, Sphere};
-use crate::number::Value as Exact;
 
 impl Working<'_> {
     /// A mark for a value: a line states it, with the figures that are asked for.
@@ -28,9 +25,7 @@ impl Working<'_> {
                 .position(|sphere| along == Quantity::Velocity(sphere, Moment::After, Axis::N))?;
             Some((convention.letters[place].clone(), convention.signs[place]))
         });
-        let sign = letter.as_ref().map_or(1.0, |(_, sign)| *sign);
-        // Most marks have no line that could be for them.
-        let model = OnceCell::new();
+        let is_reversed = letter.as_ref().is_some_and(|(_, sign)| *sign < 0.0);
         for (place, studied) in self.lines.iter().enumerate() {
             let Some(reading) = &studied.reading else { continue };
             for statement in &reading.statements {
@@ -43,7 +38,7 @@ impl Working<'_> {
                 if !is_named {
                     continue;
                 }
-                let model = model.get_or_init(|| self.model_of(along, sign)).as_ref()?;
+                let model = mark.stated(is_reversed, || self.model_of(along, is_reversed))?;
                 let verdict = |statement: Statement| {
                     let reading = Reading { statements: vec![statement], printed: String::new(), decided: Vec::new() };
                     judge(model, &Ok(vec![reading])).verdict
@@ -75,12 +70,12 @@ impl Working<'_> {
     }
 
     /// The model answer for a quantity, in the student's direction.
-    fn model_of(&self, quantity: Quantity, sign: f64) -> Option<Model> {
+    fn model_of(&self, quantity: Quantity, is_reversed: bool) -> Option<Model> {
         let mut known = self.part.known.clone();
         crate::mechanics::Derivation::carry_out(&mut known, &[quantity]);
         let (value, kind) = match known.0.get(&quantity)? {
             Datum::Number(value) => {
-                let value = if sign < 0.0 { &Exact::ZERO - value } else { value.clone() };
+                let value = if is_reversed { -value } else { value.clone() };
                 let kind = if value.is_constant() { Kind::Number } else { Kind::Expression };
                 (crate::expr::written(&value), kind)
             }
