@@ -9,7 +9,7 @@ use crate::bank::Code;
 use crate::expr::Expr;
 use crate::mark::judging::{Model, Verdict, judge};
 use crate::mark::key::KeyedMark;
-use crate::mark::reading::{Reading, Statement, Vocabulary};
+use crate::mark::reading::{Form, Reading, Said, Statement, Vocabulary};
 use crate::mechanics::{Axis, Datum, Moment, Quantity, Sphere};
 
 impl Working<'_> {
@@ -25,6 +25,10 @@ impl Working<'_> {
                 .position(|sphere| along == Quantity::Velocity(sphere, Moment::After, Axis::N))?;
             Some((convention.letters[place].clone(), convention.signs[place]))
         });
+        let size = match sizes(&self.prepared.known, along).as_deref() {
+            Some([size]) => Some(*size),
+            _ => None,
+        };
         let is_reversed = letter.as_ref().is_some_and(|(_, sign)| *sign < 0.0);
         for (place, studied) in self.lines.iter().enumerate() {
             let Some(reading) = &studied.reading else { continue };
@@ -36,6 +40,11 @@ impl Working<'_> {
                     (None, _) => statement.label.is_some() || statement.said.len() > 1,
                 };
                 if !is_named {
+                    continue;
+                }
+                if let (Some(size), Some(said)) = (size, statement.said.last())
+                    && is_plainly_other(said, size)
+                {
                     continue;
                 }
                 let model = mark.stated(is_reversed, || self.model_of(along, is_reversed))?;
@@ -87,6 +96,16 @@ impl Working<'_> {
         let vocabulary = Vocabulary { letters: self.question.letters.clone(), vectors: false };
         Some(Model::new(value, kind, accept, vocabulary))
     }
+}
+
+/// Is it a plain number of quite another size? Most lines are for something else, and that spares judging them.
+fn is_plainly_other(said: &Said, size: f64) -> bool {
+    let number = match (&said.form, &said.unit) {
+        (Form::Value(Expr::Number(number)), None) => Some(number.to_f64()),
+        (Form::Value(Expr::Decimal(text)), None) => text.parse::<f64>().ok(),
+        _ => None,
+    };
+    number.is_some_and(|number| (number.abs() - size.abs()).abs() > 0.5 * number.abs().max(size.abs()))
 }
 
 /// The component along the line of centres that a component along i or j is, where the line is parallel to it.
