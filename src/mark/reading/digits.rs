@@ -21,9 +21,9 @@ pub(super) fn repaired(glyphs: &[Glyph], letters: &[Letter], choices: &mut Choic
         let before = at.checked_sub(1).map_or(' ', |before| out[before].sign);
         let sign = |ahead: usize| glyphs.get(at + ahead).map_or(' ', |glyph| glyph.sign);
         let number_after = sign(1).is_ascii_digit() || (sign(1) == '.' && sign(2).is_ascii_digit());
-        let known = letters.iter().any(|letter| letter.name().starts_with(out[at].sign));
+        let is_letter = |sign: char| letters.iter().any(|letter| letter.name().starts_with(sign));
         match out[at].sign {
-            'O' if !known
+            'O' if !is_letter('O')
                 && !before.is_alphabetic()
                 && before != '_'
                 && (before.is_ascii_digit()
@@ -35,8 +35,8 @@ pub(super) fn repaired(glyphs: &[Glyph], letters: &[Letter], choices: &mut Choic
                 choices.note(|| "letter O read as 0".to_owned());
             }
             letter @ ('I' | 'l')
-                if !known
-                    && sign(1) == '.'
+                if sign(1) == '.'
+                    && !is_letter(letter)
                     && sign(2).is_ascii_digit()
                     && !before.is_alphanumeric()
                     && !matches!(before, '.' | ',') =>

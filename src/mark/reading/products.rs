@@ -88,8 +88,25 @@ impl Parser<'_> {
             Some(Token::Sign(OPEN)) => true,
             Some(Token::Sign('|')) => !self.in_bars(),
             // The digit of a vulgar fraction stands in a group; any other number needs a sign.
+            Some(Token::Number(_)) => self.is_multiplied_by_a_fraction(),
             _ => false,
         }
+    }
+
+    /// `1/3 4cos30`: a fraction in figures, a blank, and a number that has its own factor close behind it. A number
+    /// alone would be another answer.
+    fn is_multiplied_by_a_fraction(&self) -> bool {
+        let whole = |back: usize| {
+            let token = self.at.checked_sub(back).and_then(|at| self.tokens.get(at));
+            token.is_some_and(|placed| matches!(&placed.token, Token::Number(Expr::Number(number)) if number.is_integer()))
+        };
+        let stroke = self.at >= 2 && matches!(self.tokens[self.at - 2].token, Token::Sign('/'));
+        let factor = match self.token(1) {
+            Some(Token::Function(_) | Token::Root { .. } | Token::Sign('(')) => true,
+            Some(Token::Word(word)) => names::is_made_of_letters(word, self.vocabulary),
+            _ => false,
+        };
+        stroke && whole(1) && whole(3) && self.spaced(0) && factor && !self.spaced(1)
     }
 
     /// `25/7 (3.57)`: a blank, and in brackets at the end a decimal, which says the same again.
