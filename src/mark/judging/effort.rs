@@ -7,7 +7,7 @@
 use crate::expr::{Expr, Function};
 
 /// The most work that one exact value may be. A long answer of an exam takes some hundreds.
-pub(super) const MOST_EFFORT: u64 = 12_000;
+pub(super) const MOST_EFFORT: u64 = 20_000;
 
 /// The longest number in an exact calculation, in bits: about 300 figures.
 const LONGEST_NUMBER: u64 = 1_000;
