@@ -27,7 +27,11 @@ struct Question {
 }
 
 fn model(question: &Question) -> Model {
-    let range = |name: &str| if name == "e" { Range::Unit } else { Range::Positive };
+    let range = |name: &str| match name {
+        "e" => Range::Unit,
+        "theta" => Range::Acute,
+        _ => Range::Positive,
+    };
     let options = ModelOptions {
         kind: question.kind.as_ref().map(|name| Kind::ALL.iter().copied().find(|kind| kind.name() == name).unwrap()),
         accept: None,

@@ -98,7 +98,9 @@ impl Parser<'_> {
     fn is_multiplied_by_a_fraction(&self) -> bool {
         let whole = |back: usize| {
             let token = self.at.checked_sub(back).and_then(|at| self.tokens.get(at));
-            token.is_some_and(|placed| matches!(&placed.token, Token::Number(Expr::Number(number)) if number.is_integer()))
+            token.is_some_and(
+                |placed| matches!(&placed.token, Token::Number(Expr::Number(number)) if number.is_integer()),
+            )
         };
         let stroke = self.at >= 2 && matches!(self.tokens[self.at - 2].token, Token::Sign('/'));
         let factor = match self.token(1) {
