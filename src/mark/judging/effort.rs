@@ -17,10 +17,23 @@ const MOST_ROOTS: usize = 12;
 
 /// What working out an expression takes; `None` if it is more than [`MOST_EFFORT`].
 pub(super) fn effort(expr: &Expr) -> Option<u64> {
-    let mut work = Work { done: 0 };
-    work.size(expr)?;
-    Some(work.done)
+    Work { done: 0, letters: Letters::Kept }.of(expr)
 }
+
+/// What it takes where short fractions stand in the place of its letters, and of the tangents of its angles.
+pub(super) fn effort_at_point(expr: &Expr) -> Option<u64> {
+    Work { done: 0, letters: Letters::Fractions }.of(expr)
+}
+
+/// What becomes of letters.
+#[derive(Clone, Copy, PartialEq)]
+enum Letters {
+    Kept,
+    Fractions,
+}
+
+/// The length of a fraction that stands in the place of a letter, in bits.
+const POINT: u64 = 16;
 
 /// A root that can meet itself in a product, where what is under it takes its place.
 #[derive(Clone, PartialEq)]
@@ -53,10 +66,6 @@ impl Size {
         Size { above: 1, below: 1, degree: 0, bits, letters: Vec::new(), roots: Vec::new() }
     }
 
-    fn letter(name: &str) -> Size {
-        Size { degree: 1, letters: vec![name.to_owned()], ..Size::number(1) }
-    }
-
     /// No more terms than there are products of the letters and roots.
     fn capped(mut self) -> Size {
         let products = choose(self.degree + self.letters.len() as u64, self.letters.len() as u64);
@@ -78,9 +87,32 @@ fn choose(n: u64, count: u64) -> u64 {
 
 struct Work {
     done: u64,
+    letters: Letters,
 }
 
 impl Work {
+    fn of(mut self, expr: &Expr) -> Option<u64> {
+        self.size(expr)?;
+        Some(self.done)
+    }
+
+    fn letter(&self, name: &str) -> Size {
+        match self.letters {
+            Letters::Kept => Size { degree: 1, letters: vec![name.to_owned()], ..Size::number(1) },
+            Letters::Fractions => Size::number(POINT),
+        }
+    }
+
+    /// A sine or cosine: the tangent of the angle is a letter, its cosine a root.
+    fn wave(&self, angle: &str) -> Size {
+        let (below, degree, bits) = match self.letters {
+            Letters::Kept => (2, 2, 1),
+            Letters::Fractions => (1, 0, 2 * POINT),
+        };
+        let root = Root { of: angle.to_owned(), above: 1, below, degree, bits };
+        Size { roots: vec![root], ..self.letter(angle) }
+    }
+
     fn spend(&mut self, steps: u64) -> Option<()> {
         self.done = self.done.saturating_add(steps);
         (self.done <= MOST_EFFORT).then_some(())
@@ -109,7 +141,7 @@ impl Work {
                 Some(Size::number((number.numerator().bit_len() + number.denominator().bit_len()) as u64))
             }
             Expr::Decimal(text) => Some(Size::number(7 * text.len() as u64)),
-            Expr::Name(name) => Some(Size::letter(&name.text)),
+            Expr::Name(name) => Some(self.letter(&name.text)),
             Expr::Pi => Some(Size::number(8)),
             Expr::Degrees(inner) | Expr::Negative(inner) => self.size(inner),
             Expr::Sum(terms) => self.all(terms, Work::sum),
@@ -252,8 +284,8 @@ impl Work {
         for (angle, times) in turns.angles {
             let one = match angle {
                 Expr::Call(..) => self.size(angle)?,
-                _ if tangent => Size::letter(&format!("{angle:?}")),
-                _ => wave(&format!("{angle:?}")),
+                _ if tangent => self.letter(&format!("{angle:?}")),
+                _ => self.wave(&format!("{angle:?}")),
             };
             for _ in 0..times {
                 whole = Some(match whole {
@@ -276,12 +308,6 @@ impl Work {
         let below = self.reciprocal(below)?;
         self.product(above, below)
     }
-}
-
-/// A sine or cosine: the tangent of the angle is a letter, its cosine a root.
-fn wave(angle: &str) -> Size {
-    let root = Root { of: angle.to_owned(), above: 1, below: 2, degree: 2, bits: 1 };
-    Size { roots: vec![root], ..Size::letter(angle) }
 }
 
 /// The angles of which an angle is put together, and how often each is taken.

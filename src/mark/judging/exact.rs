@@ -4,7 +4,7 @@ use crate::expr::{Expr, Function, Meaning, Turn, evaluate, holds};
 use crate::number::{Angle, Fraction, Interval, Letter, Range, Value};
 
 use super::Model;
-use super::effort::{MOST_EFFORT, effort};
+use super::effort::{MOST_EFFORT, effort, effort_at_point};
 use super::enclosure::{POINTS, at_point, enclose};
 
 /// The precision of the enclosures that refute.
@@ -101,20 +101,20 @@ pub(super) fn equals(model: &Model, student: &Expr) -> Equality {
     }
 }
 
-/// By the normal form, or by exact values at fixed points.
+/// By the normal form, or by exact values at fixed points, where a formula is short that would be long in letters.
 fn proved(model: &Expr, student: &Expr, letters: &[Letter]) -> Equality {
-    let Some(work) = effort(student).zip(effort(model)).map(|(one, two)| one + two) else {
-        return Equality::Undecided;
-    };
     if !decidable(&[model, student]) {
         return Equality::Undecided;
     }
     let equation = Expr::equation(model.clone(), student.clone());
-    match holds(&equation, &|name| meaning_of(letters, name)) {
-        Ok(Some(true)) => Equality::Equal,
-        Ok(Some(false)) => Equality::Different,
-        _ if work <= MOST_EFFORT / u64::from(2 * POINTS) => at_points(&equation, letters),
-        _ => Equality::Undecided,
+    let whole = effort(student).and(effort(model)).map(|_| holds(&equation, &|name| meaning_of(letters, name)));
+    match whole {
+        Some(Ok(Some(true))) => Equality::Equal,
+        Some(Ok(Some(false))) => Equality::Different,
+        _ => match effort_at_point(student).zip(effort_at_point(model)) {
+            Some((one, two)) if one + two <= MOST_EFFORT / u64::from(2 * POINTS) => at_points(&equation, letters),
+            _ => Equality::Undecided,
+        },
     }
 }
 
