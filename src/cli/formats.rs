@@ -8,7 +8,7 @@ use super::pdf::{self, Engine, OwnTemplates};
 use super::template_folder::own_templates;
 use super::write::OutputFile;
 use crate::paper::Paper;
-use crate::render::{Formats, RenderFault};
+use crate::render::{Formats, RenderFault, RenderedFile};
 
 /// What `--format` calls the pages that are made of the LaTeX or the HTML.
 const PDF: &str = "pdf";
@@ -20,6 +20,15 @@ pub struct FormatsAsked {
     /// Folders of templates, without repeats.
     names: Vec<String>,
     pdf: bool,
+}
+
+/// What is to be printed.
+#[derive(Clone, Copy)]
+pub enum Work<'p> {
+    /// A sheet.
+    Sheet(&'p Paper),
+    /// The sheets of a class, all in the same files.
+    Class(&'p [Paper]),
 }
 
 /// A paper in the formats asked for.
@@ -62,21 +71,38 @@ impl FormatsAsked {
         Ok(FormatsAsked { formats, own, names: asked, pdf })
     }
 
-    /// The files of a paper, as they will be called in the folder `out`.
-    ///
-    /// A template that is at fault is a failure. That PDF cannot be made is none yet: the other files are whole.
-    pub fn print(&self, paper: &Paper, out: &Path) -> Result<Printed, Failure> {
+    /// The files of a work in the formats asked for that are folders of templates.
+    pub fn render(&self, work: Work) -> Result<Vec<OutputFile>, Failure> {
         let mut files = Vec::new();
         for name in &self.names {
-            files.extend(self.formats.render(name, paper)?.into_iter().map(OutputFile::from));
+            files.extend(self.rendered(name, work)?.into_iter().map(OutputFile::from));
         }
+        Ok(files)
+    }
+
+    fn rendered(&self, format: &str, work: Work) -> Result<Vec<RenderedFile>, Failure> {
+        match work {
+            Work::Sheet(paper) => Ok(self.formats.render(format, paper)?),
+            Work::Class(papers) => self.formats.class(format, papers)?.ok_or_else(|| {
+                let message = format!("the format `{format}` has no documents for a class");
+                let help = format!("name them in `{format}/format.toml`: [[class]], with `file` and `template`");
+                Failure::with_help(message, help)
+            }),
+        }
+    }
+
+    /// The files of a work, as they will be called in the folder `out`.
+    ///
+    /// A template that is at fault is a failure. That PDF cannot be made is none yet: the other files are whole.
+    pub fn print(&self, work: Work, out: &Path) -> Result<Printed, Failure> {
+        let mut files = self.render(work)?;
         if !self.pdf {
             return Ok(Printed { files, missing: None });
         }
         let missing = match pdf::engine() {
-            Ok(Some(engine)) => self.print_with(&engine, paper, out, &mut files)?,
+            Ok(Some(engine)) => self.print_with(&engine, work, out, &mut files)?,
             unfound => {
-                self.instead("html", paper, &mut files)?;
+                self.instead("html", work, &mut files)?;
                 Some(unfound.err().unwrap_or_else(pdf::nothing))
             }
         };
@@ -86,19 +112,19 @@ impl FormatsAsked {
     fn print_with(
         &self,
         engine: &Engine,
-        paper: &Paper,
+        work: Work,
         out: &Path,
         files: &mut Vec<OutputFile>,
     ) -> Result<Option<Failure>, Failure> {
         say(&format!("PDF by `{}`, {}", engine.name(), engine.program().display()));
-        let sources = self.formats.render(engine.format(), paper)?;
+        let sources = self.rendered(engine.format(), work)?;
         match engine.print(&sources, out, &self.own) {
             Ok(pdf) => {
                 files.extend(pdf);
                 Ok(None)
             }
             Err(failure) => {
-                self.instead(engine.format(), paper, files)?;
+                self.instead(engine.format(), work, files)?;
                 Ok(Some(failure))
             }
         }
@@ -106,11 +132,11 @@ impl FormatsAsked {
 
     /// Where PDF alone was asked for and there is none: that of which it would have been made, to be looked at or
     /// printed by hand.
-    fn instead(&self, format: &str, paper: &Paper, files: &mut Vec<OutputFile>) -> Result<(), Failure> {
+    fn instead(&self, format: &str, work: Work, files: &mut Vec<OutputFile>) -> Result<(), Failure> {
         if !self.names.is_empty() {
             return Ok(());
         }
-        files.extend(self.formats.render(format, paper)?.into_iter().map(OutputFile::from));
+        files.extend(self.rendered(format, work)?.into_iter().map(OutputFile::from));
         say(match format {
             "html" => "the HTML is written instead: open it in any browser and print it from there",
             _ => "the LaTeX is written instead, so that you can look at it",

@@ -21,6 +21,7 @@ mod scene_input;
 mod sheet;
 mod solve;
 mod template_folder;
+mod text_file;
 mod write;
 
 use std::process::ExitCode;

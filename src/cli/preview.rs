@@ -15,7 +15,7 @@ use super::sheet::fresh_seed;
 use crate::bank::{Question, StyleName, read_question};
 use crate::diagnostic::render_all;
 use crate::generate::{Variant, reference};
-use crate::paper::{Dealer, Key, Paper, compose, key_question};
+use crate::paper::{Dealer, Paper, compose};
 use crate::render::Formats;
 use page::Page;
 use subject::{Subject, Written};
@@ -147,10 +147,8 @@ impl Preview {
         let question = read_question(&subject.id, &written.source)?;
         let variant = numbers.of(&question)?;
         let printed = compose(&question, &variant, 1);
-        let keyed = key_question(&question, &variant, &printed);
         let paper = Paper {
             title: question.title.clone(),
-            code: Key::new(String::new(), numbers.seed, vec![keyed]).code,
             seed: numbers.seed,
             questions: vec![printed],
             ..Paper::default()

@@ -6,35 +6,62 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value as Json, json};
 
 use super::answer::{self, Size};
-use super::code::code;
 use super::working::{self, WorkedPart};
-use super::{PrintedPart, PrintedQuestion, compose, scheme};
+use super::{PrintedPart, PrintedQuestion, Sheet, compose, scheme};
 use crate::bank::{Answer, Find, Question};
 use crate::expr::{Angles, Expr, print, read};
 use crate::generate::Variant;
 use crate::mechanics::{Pair, PolarText, Quantity, SceneText, VelocityText};
 use crate::number::Places;
 
-/// A whole key.
+/// A whole key: of one sheet, or of a class in which each student has a sheet of their own.
 #[derive(Clone, Debug, Serialize)]
 pub struct Key {
     /// The version of carom that wrote it.
     pub carom: &'static str,
     /// The bank the questions come from: `shipped`, or its folder.
     pub bank: String,
-    /// The code of the paper, which stands at the foot of its pages.
+    /// The code of the sheet, which stands on its pages; of a class each sheet has its own.
+    #[serde(skip_serializing_if = "String::is_empty")]
     pub code: String,
-    /// The seed of the paper; none for the reference numbers.
+    /// The seed of the numbers; none for the reference numbers, and where the code decided.
     pub seed: Option<u64>,
+    /// The questions in the order of the sheet; none for a class.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub questions: Vec<KeyQuestion>,
+    /// The sheets of a class, in its order.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub papers: Vec<KeyPaper>,
+}
+
+/// The sheet of a student in the key of a class.
+#[derive(Clone, Debug, Serialize)]
+pub struct KeyPaper {
+    /// The student, as the class list and the submissions have it.
+    pub student: String,
+    /// The student's name; left out if that is all there is.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub name: String,
+    /// The code of the sheet.
+    pub code: String,
     /// The questions in the order of the sheet.
     pub questions: Vec<KeyQuestion>,
 }
 
 impl Key {
-    /// The key of a paper with these questions from a bank.
+    /// The key of questions from a bank, without a code.
     pub fn new(bank: String, seed: Option<u64>, questions: Vec<KeyQuestion>) -> Key {
-        let key = Key { carom: env!("CARGO_PKG_VERSION"), bank, code: String::new(), seed, questions };
-        Key { code: code(&key), ..key }
+        Key { carom: env!("CARGO_PKG_VERSION"), bank, code: String::new(), seed, questions, papers: Vec::new() }
+    }
+
+    /// The key of a sheet.
+    pub fn of_sheet(bank: String, seed: Option<u64>, sheet: &Sheet) -> Key {
+        Key { code: sheet.code.to_string(), ..Key::new(bank, seed, sheet.keyed.clone()) }
+    }
+
+    /// The key of a class.
+    pub fn of_class(bank: String, seed: Option<u64>, papers: Vec<KeyPaper>) -> Key {
+        Key { papers, ..Key::new(bank, seed, Vec::new()) }
     }
 }
 

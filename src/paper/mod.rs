@@ -5,19 +5,30 @@
 
 mod answer;
 mod choice;
+mod class;
+mod class_list;
 mod code;
 mod compose;
 mod dealer;
 mod key;
 mod legible;
+mod lock;
+mod pool;
 mod scheme;
+mod sheet;
 mod wording;
 mod working;
 
 pub use choice::{choose_count, choose_marks};
+pub use class::{Class, Hand, PlaceDealt, TooFew, deal};
+pub use class_list::{ClassList, Student};
+pub use code::{CodeFault, SheetCode};
 pub use compose::compose;
 pub use dealer::Dealer;
-pub use key::{Blank, Key, KeyMark, KeyPart, KeyQuestion, key_question};
+pub use key::{Blank, Key, KeyMark, KeyPaper, KeyPart, KeyQuestion, key_question};
+pub use lock::{Lock, LockFault, Locked, LockedQuestion};
+pub use pool::{Alike, Candidate, Likeness, Motion, Pool};
+pub use sheet::Sheet;
 
 use crate::diagram::Diagram;
 use crate::expr::{Expr, Text};
@@ -32,9 +43,11 @@ pub struct Paper {
     pub school: String,
     /// Date as the teacher typed it, empty if none was given.
     pub date: String,
+    /// For whom it is; empty if for anybody.
+    pub student: String,
     /// The few characters that all pages of the same paper share, as its [`Key`] has them.
     pub code: String,
-    /// The seed that makes the same paper again; `None` for the reference paper.
+    /// The seed that makes the same paper again; `None` where the code does.
     pub seed: Option<u64>,
     /// How it is set.
     pub edition: Edition,

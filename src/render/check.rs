@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::code::{Code, Word, read};
 use super::expression::Reading;
 use super::lookup::Found;
-use super::manifest::Marks;
+use super::manifest::{Marks, Sees};
 use super::names::Kind;
 use super::scope::Scope;
 use crate::diagnostic::{Diagnostic, Source};
@@ -24,14 +24,11 @@ pub(super) struct Checked {
     pub reached: BTreeSet<String>,
 }
 
-/// Checks the documents of a format, and what they include, extend and call.
-///
-/// The page that a student gets back, if there is one, has other names than they.
+/// Checks the documents of a format, each with what it sees, and what they include, extend and call.
 pub(super) fn check(
     files: &BTreeMap<String, Source>,
     folder: &str,
-    documents: &[&str],
-    feedback: Option<&str>,
+    documents: &[(&str, Sees)],
     marks: &Marks,
 ) -> Checked {
     let codes = files.iter().map(|(file, source)| (file.as_str(), read(&source.text, marks))).collect();
@@ -43,11 +40,13 @@ pub(super) fn check(
         seen: BTreeSet::new(),
         found: Found::default(),
     };
-    for document in documents {
-        walk.template(document, Scope::page());
-    }
-    if let Some(feedback) = feedback {
-        walk.template(feedback, Scope::feedback());
+    for (document, sees) in documents {
+        let scope = match sees {
+            Sees::Paper => Scope::page(),
+            Sees::Class => Scope::only("class"),
+            Sees::Feedback => Scope::only("feedback"),
+        };
+        walk.template(document, scope);
     }
     let reached: BTreeSet<String> = walk.seen.iter().map(|(file, ..)| (*file).to_owned()).collect();
     // a component that nobody calls may be called tomorrow
@@ -293,7 +292,7 @@ mod tests {
 
     fn checked(files: &[(&str, &str)]) -> Checked {
         let source = |(file, text): &(&str, &str)| ((*file).to_owned(), Source::new(*file, *text));
-        check(&files.iter().map(source).collect(), "format", &[files[0].0], None, &Marks::default())
+        check(&files.iter().map(source).collect(), "format", &[(files[0].0, Sees::Paper)], &Marks::default())
     }
 
     /// The words under the carets.

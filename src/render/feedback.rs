@@ -133,7 +133,7 @@ impl Printer<'_> {
     }
 
     /// What a student typed. Only LaTeX has to be told where a line may end.
-    fn typed(self, words: &str) -> Value {
+    pub fn typed(self, words: &str) -> Value {
         let words = words.trim();
         let words = match words.char_indices().nth(LONGEST) {
             Some((cut, _)) => format!("{}…", &words[..cut]),

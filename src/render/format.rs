@@ -6,7 +6,7 @@ use tera::{Context, Tera};
 
 use super::check::{Checked, check};
 use super::engine::Templates;
-use super::manifest::Manifest;
+use super::manifest::{Document, Manifest, Sees};
 use super::page::{self, Wanted};
 use super::{Notation, RenderFault, RenderedFile, feedback, plain_text};
 use crate::diagnostic::{Diagnostic, Source, near};
@@ -36,9 +36,9 @@ impl Format {
         let manifest = Manifest::read(manifest, &files)?;
         let templates = Templates { folder: name, files: &files, marks: &manifest.delimiters };
         let tera = compile(&templates, &manifest)?;
-        let mut documents: Vec<&str> = manifest.templates().map(|template| template.get_ref().as_str()).collect();
-        let feedback = manifest.feedback.as_ref().and_then(|_| documents.pop());
-        let Checked { faults, used, reached } = check(&files, name, &documents, feedback, &manifest.delimiters);
+        let documents = manifest.templates().map(|(template, sees)| (template.get_ref().as_str(), sees));
+        let documents: Vec<(&str, Sees)> = documents.collect();
+        let Checked { faults, used, reached } = check(&files, name, &documents, &manifest.delimiters);
         if !faults.is_empty() {
             return Err(faults);
         }
@@ -63,15 +63,20 @@ impl Format {
 
     /// Every document of a paper.
     pub fn render(&self, paper: &Paper) -> Result<Vec<RenderedFile>, RenderFault> {
-        let context = self.context(paper);
-        self.manifest
-            .documents
-            .iter()
-            .map(|document| {
-                let contents = self.fill(document.template.get_ref(), &context, self.manifest.line_length)?;
-                Ok(RenderedFile { name: document.file.get_ref().clone(), contents })
-            })
-            .collect()
+        self.documents(&self.manifest.documents, &self.context(paper))
+    }
+
+    /// Every document of a class; none if the format has no documents for one.
+    pub fn class(&self, papers: &[Paper]) -> Result<Vec<RenderedFile>, RenderFault> {
+        self.documents(&self.manifest.class, &page::class(papers, self.manifest.notation, &self.wanted))
+    }
+
+    fn documents(&self, documents: &[Document], context: &Context) -> Result<Vec<RenderedFile>, RenderFault> {
+        let each = documents.iter().map(|document| {
+            let contents = self.fill(document.template.get_ref(), context, self.manifest.line_length)?;
+            Ok(RenderedFile { name: document.file.get_ref().clone(), contents })
+        });
+        each.collect()
     }
 
     /// The page for a preview, its lines of this length if they have one at all; nothing if the format has no such page.

@@ -30,6 +30,20 @@ pub(super) struct Manifest {
     pub feedback: Option<Spanned<String>>,
     /// The files that a paper becomes.
     pub documents: Vec<Document>,
+    /// The files that the papers of a class become, all of them in each.
+    #[serde(default)]
+    pub class: Vec<Document>,
+}
+
+/// What a template that is rendered by itself can ask for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Sees {
+    /// The names of a paper.
+    Paper,
+    /// The one name `class`.
+    Class,
+    /// The one name `feedback`.
+    Feedback,
 }
 
 /// One file that a paper becomes.
@@ -71,9 +85,12 @@ impl From<Marks> for Delimiters {
 }
 
 impl Manifest {
-    /// The templates that are rendered by themselves, that of the feedback last.
-    pub fn templates(&self) -> impl Iterator<Item = &Spanned<String>> {
-        self.documents.iter().map(|document| &document.template).chain(&self.preview).chain(&self.feedback)
+    /// The templates that are rendered by themselves, each with what it sees.
+    pub fn templates(&self) -> impl Iterator<Item = (&Spanned<String>, Sees)> {
+        let of_paper = self.documents.iter().map(|document| &document.template).chain(&self.preview);
+        let of_class = self.class.iter().map(|document| (&document.template, Sees::Class));
+        let of_script = self.feedback.iter().map(|template| (template, Sees::Feedback));
+        of_paper.map(|template| (template, Sees::Paper)).chain(of_class).chain(of_script)
     }
 
     /// Reads a manifest and holds it to the files of its folder.
@@ -106,7 +123,8 @@ impl Manifest {
     fn document_faults(&self, source: &Source, files: &BTreeMap<String, Source>) -> Vec<Diagnostic> {
         let names: Vec<&str> = files.keys().map(String::as_str).collect();
         let mut faults = Vec::new();
-        for (index, Document { file, .. }) in self.documents.iter().enumerate() {
+        let documents: Vec<&Document> = self.documents.iter().chain(&self.class).collect();
+        for (index, Document { file, .. }) in documents.iter().enumerate() {
             let name = file.get_ref();
             let mut at_file = |message: String, label: &str| {
                 faults.push(Diagnostic::new(message, source, file.span(), label));
@@ -117,11 +135,12 @@ impl Manifest {
                     "a name without a folder, as `question-sheet.tex`",
                 );
             }
-            if self.documents[..index].iter().any(|earlier| earlier.file.get_ref() == name) {
+            if documents[..index].iter().any(|earlier| earlier.file.get_ref() == name) {
                 at_file(format!("two documents are called `{name}`"), "one would be written over the other");
             }
         }
-        for template in self.templates().filter(|template| !files.contains_key(template.get_ref())) {
+        let templates = self.templates().map(|(template, _)| template);
+        for template in templates.filter(|template| !files.contains_key(template.get_ref())) {
             let message = format!("there is no template `{}`", template.get_ref());
             let label = format!("the folder has {}", listed(&names));
             let fault = Diagnostic::new(message, source, template.span(), label);

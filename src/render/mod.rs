@@ -169,6 +169,13 @@ impl Formats {
         self.named(format)?.render(paper)
     }
 
+    /// The files of a class in one format: in each of them the papers of all students, one after another. `None` if the
+    /// format's manifest names no documents for a class.
+    pub fn class(&self, format: &str, papers: &[Paper]) -> Result<Option<Vec<RenderedFile>>, RenderFault> {
+        let files = self.named(format)?.class(papers)?;
+        Ok(Some(files).filter(|files| !files.is_empty()))
+    }
+
     /// The one page that a preview shows of a paper, plain text in lines of `line_length`; `None` if the format's
     /// manifest names no template for it.
     pub fn preview(&self, format: &str, paper: &Paper, line_length: usize) -> Result<Option<String>, RenderFault> {

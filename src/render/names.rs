@@ -36,18 +36,41 @@ impl Kind {
 }
 
 /// What a page has, under no name, and what each thing has.
-pub(super) const NAMES: [(&str, &[(&str, Kind)]); 15] = [
+pub(super) const NAMES: [(&str, &[(&str, Kind)]); 17] = [
     (
         "",
         &[
             ("title", Kind::Plain),
             ("school", Kind::Plain),
             ("date", Kind::Plain),
+            ("student", Kind::Plain),
             ("code", Kind::Plain),
             ("seed", Kind::Plain),
             ("marks", Kind::Plain),
             ("large_print", Kind::Plain),
             ("answer_space", Kind::Plain),
+            ("questions", Kind::Things("question")),
+        ],
+    ),
+    (
+        "class",
+        &[
+            ("title", Kind::Plain),
+            ("school", Kind::Plain),
+            ("date", Kind::Plain),
+            ("large_print", Kind::Plain),
+            ("answer_space", Kind::Plain),
+            ("papers", Kind::Things("paper")),
+        ],
+    ),
+    (
+        "paper",
+        &[
+            ("place", Kind::Plain),
+            ("student", Kind::Plain),
+            ("code", Kind::Plain),
+            ("seed", Kind::Plain),
+            ("marks", Kind::Plain),
             ("questions", Kind::Things("question")),
         ],
     ),

@@ -37,7 +37,7 @@ impl Wanted {
     }
 }
 
-/// The page of a paper. Words that were not given are empty; so is the seed of the reference paper.
+/// The page of a paper. Words that were not given are empty; so is the seed where the code makes the same paper again.
 pub(super) fn page(paper: &Paper, notation: Notation, wanted: &Wanted) -> Context {
     let printer = Printer { notation, wanted };
     let page = printer
@@ -45,8 +45,9 @@ pub(super) fn page(paper: &Paper, notation: Notation, wanted: &Wanted) -> Contex
         .with("title", || plain(&paper.title))
         .with("school", || plain(&paper.school))
         .with("date", || plain(&paper.date))
+        .with("student", || printer.typed(&paper.student))
         .with("code", || plain(&paper.code))
-        .with("seed", || paper.seed.map_or_else(|| plain(""), |seed| seed.to_string().into()))
+        .with("seed", || seed(paper))
         .with("marks", || paper.marks().into())
         .with("large_print", || paper.edition.large_print.into())
         .with("answer_space", || paper.edition.answer_space.into())
@@ -56,6 +57,28 @@ pub(super) fn page(paper: &Paper, notation: Notation, wanted: &Wanted) -> Contex
         context.insert_value(name, value);
     }
     context
+}
+
+/// The page of a class. What all papers have in common is said by the first.
+pub(super) fn class(papers: &[Paper], notation: Notation, wanted: &Wanted) -> Context {
+    let printer = Printer { notation, wanted };
+    let first = papers.first().cloned().unwrap_or_default();
+    let papers: Vec<(usize, &Paper)> = (1..).zip(papers).collect();
+    let class = printer
+        .thing("class")
+        .with("title", || plain(&first.title))
+        .with("school", || plain(&first.school))
+        .with("date", || plain(&first.date))
+        .with("large_print", || first.edition.large_print.into())
+        .with("answer_space", || first.edition.answer_space.into())
+        .with("papers", || list(&papers, |(place, paper)| printer.paper(*place, paper)));
+    let mut context = Context::new();
+    context.insert_value("class", class.value());
+    context
+}
+
+fn seed(paper: &Paper) -> Value {
+    paper.seed.map_or_else(|| plain(""), |seed| seed.to_string().into())
 }
 
 /// A thing whose names are being filled in.
@@ -88,6 +111,18 @@ pub(super) struct Printer<'p> {
 impl<'p> Printer<'p> {
     pub fn thing(self, name: &str) -> Thing<'p> {
         Thing { wanted: self.wanted.of(name), names: BTreeMap::new() }
+    }
+
+    /// A paper of a class, whose place tells it from the others in one document.
+    fn paper(self, place: usize, paper: &Paper) -> Value {
+        self.thing("paper")
+            .with("place", || place.into())
+            .with("student", || self.typed(&paper.student))
+            .with("code", || plain(&paper.code))
+            .with("seed", || seed(paper))
+            .with("marks", || paper.marks().into())
+            .with("questions", || self.questions(paper))
+            .value()
     }
 
     /// The questions; those with a diagram have the figures of the paper in order.
@@ -338,6 +373,14 @@ mod tests {
     #[test]
     fn carom_knows_the_names_of_a_page() {
         assert_eq!(names_on_page(&Wanted::new(None)), below(""));
+    }
+
+    #[test]
+    fn carom_knows_the_names_of_a_class() {
+        let context = class(&[paper(), paper()], Notation::Unicode, &Wanted::new(None));
+        let mut found = BTreeMap::new();
+        gather("class", &serde_json::to_value(context.get("class").unwrap()).unwrap(), &mut found);
+        assert_eq!(found, below("class"));
     }
 
     #[test]

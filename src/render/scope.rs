@@ -23,9 +23,10 @@ impl<'t> Scope<'t> {
         Scope::of(names_of("").iter().copied().collect())
     }
 
-    /// Where nothing has been set yet on the page that a student gets back: it has one name, of which all others are.
-    pub fn feedback() -> Scope<'t> {
-        Scope::of(BTreeMap::from([("feedback", Kind::Thing("feedback"))]))
+    /// Where nothing has been set yet on a page that has one name, of which all others are: `class`, or `feedback` on what
+    /// a student gets back.
+    pub fn only(thing: &'static str) -> Scope<'t> {
+        Scope::of(BTreeMap::from([(thing, Kind::Thing(thing))]))
     }
 
     /// Where there are these names and no loop.

@@ -33,7 +33,9 @@ fn carom_knows_that_the_same_paper_is_the_same_pages() {
     let accept = std::env::var_os("CAROM_ACCEPT").is_some();
     let mut differing = Vec::new();
     for (format, _) in formats.list() {
-        for rendered in formats.render(format, &paper::paper()).unwrap() {
+        let of_class = formats.class(format, &class()).unwrap().unwrap();
+        let key = of_class.into_iter().filter(|file| file.name.starts_with("teachers-key"));
+        for rendered in formats.render(format, &paper::paper()).unwrap().into_iter().chain(key) {
             let path = folder().join(&rendered.name);
             if accept {
                 fs::write(&path, &rendered.contents).unwrap();
@@ -89,13 +91,44 @@ fn carom_knows_that_html_fetches_nothing() {
 }
 
 #[test]
-fn carom_knows_that_the_reference_paper_has_no_seed_and_the_seed_nought_is_one() {
+fn a_seed_is_printed_where_the_code_alone_does_not_make_the_paper_again() {
     let formats = Formats::shipped().unwrap();
-    for (seed, said) in [(None, "Reference paper"), (Some(0), "Seed 0")] {
-        for format in ["latex", "html"] {
+    for format in ["latex", "html", "text"] {
+        for (seed, said) in [(None, false), (Some(0), true)] {
             for rendered in formats.render(format, &Paper { seed, ..paper::paper() }).unwrap() {
-                assert!(rendered.contents.contains(said), "{} lacks {said}", rendered.name);
+                assert!(rendered.contents.contains("KV7-3QX"), "{}", rendered.name);
+                assert_eq!(rendered.contents.contains("Seed 0"), said, "{}", rendered.name);
             }
+        }
+    }
+}
+
+/// The same paper for two students.
+fn class() -> [Paper; 2] {
+    [("Ada Lovelace", "4J2K-8"), ("Ben & Co", "7QWM-2")].map(|(student, code)| Paper {
+        student: student.into(),
+        code: code.into(),
+        seed: None,
+        ..paper::paper()
+    })
+}
+
+#[test]
+fn a_class_has_the_pages_of_each_student_one_after_another() {
+    let formats = Formats::shipped().unwrap();
+    for (format, latin) in [("latex", r"Ben \& Co"), ("html", "Ben &amp; Co"), ("text", "Ben & Co")] {
+        let files = formats.class(format, &class()).unwrap().unwrap();
+        assert_eq!(files.len(), 4);
+        for rendered in files {
+            let text = &rendered.contents;
+            let places = ["Ada Lovelace", "4J2K-8", latin, "7QWM-2"].map(|words| text.rfind(words));
+            assert!(places.iter().all(Option::is_some) && places[0] < places[2], "{}: {places:?}", rendered.name);
+            let mut ids: Vec<&str> = text.split(" id=\"").skip(1).filter_map(|rest| rest.split('"').next()).collect();
+            let all = ids.len();
+            ids.sort_unstable();
+            ids.dedup();
+            assert_eq!(ids.len(), all, "{}", rendered.name);
+            assert!(format != "html" || text.matches("<main>").count() == 1, "{}", rendered.name);
         }
     }
 }

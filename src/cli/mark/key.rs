@@ -4,15 +4,35 @@ use std::path::Path;
 
 use super::super::failure::Failure;
 use super::super::json_places::{offset, place_of};
-use super::files;
+use super::super::text_file;
 use crate::diagnostic::{Diagnostic, Source};
+use crate::cli::sheet::from_code;
 use crate::mark::{AnswerKey, KeyFault};
+use crate::paper::{CodeFault, Key, SheetCode};
 
-/// Reads a key.
-pub fn read(path: &Path) -> Result<AnswerKey, Failure> {
-    let source = files::text(path)?;
+/// Reads a key; the code of a sheet in place of a file is the key of that sheet.
+pub fn read(path: &Path, bank: Option<&Path>) -> Result<AnswerKey, Failure> {
+    if let Some(code) = code(path) {
+        let contents = super::super::bank::open(bank)?;
+        let sheet = from_code(code, &contents)?;
+        let json = serde_json::to_string(&Key::of_sheet(contents.name, None, &sheet));
+        let json = json.map_err(|error| Failure::said(error.to_string()))?;
+        let unread = |faults: Vec<KeyFault>| Failure::said(faults.first().map_or("", |fault| &fault.message));
+        return AnswerKey::read(&json).map_err(unread);
+    }
+    let source = text_file::text(path)?;
     AnswerKey::read(&source.text)
         .map_err(|faults| Failure::Faults(faults.into_iter().map(|fault| located(&source, fault)).collect()))
+}
+
+/// What stands in place of a file, if it can only be a code.
+fn code(path: &Path) -> Option<&str> {
+    let text = path.to_str().filter(|text| !path.exists() && !text.contains(['.', '/', '\\']) && *text != "-")?;
+    let is_code = |fault: &CodeFault| matches!(fault, CodeFault::Mistyped | CodeFault::Long | CodeFault::NamesOnly);
+    match SheetCode::read(text) {
+        Ok(_) => Some(text),
+        Err(fault) => is_code(&fault).then_some(text),
+    }
 }
 
 fn located(source: &Source, fault: KeyFault) -> Diagnostic {

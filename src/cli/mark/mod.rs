@@ -1,7 +1,7 @@
 //! `carom mark`: what students handed in, marked against the key of their sheet.
 
 mod feedback;
-mod files;
+
 mod key;
 mod summary;
 
@@ -13,6 +13,7 @@ use feedback::FeedbackAsked;
 
 use super::failure::{Failure, warn};
 use super::output::{count, listed, print, print_json, say};
+use super::text_file;
 use super::write::{OutputFile, write_all};
 use crate::diagnostic::near;
 use crate::mark::report::{MarkReport, Summary, marks_csv, marks_jsonl, not_marked_csv};
@@ -25,6 +26,7 @@ const AFTER: &str = "Examples:
   carom mark sheet/key.json answers.jsonl --out monday --feedback html,latex
   carom mark sheet/key.json submissions.csv --overrides overrides.csv
   carom mark sheet/key.json - --json < submissions.csv
+  carom mark 5RXM-M7TX-G submissions.csv                  by the code of the sheet, if its key is lost
 
 SUBMISSIONS is a table, as `carom sheet` writes an empty one beside the key, saved as CSV in UTF-8:
 
@@ -48,8 +50,8 @@ Written are `marks.csv`, `marks.jsonl` with every reading and reason, a page for
 #[derive(Args)]
 #[command(after_help = AFTER)]
 pub struct MarkArguments {
-    /// The `key.json` that was written with the sheet
-    #[arg(value_name = "KEY.json")]
+    /// The `key.json` that was written with the sheet, or the code on its pages
+    #[arg(value_name = "KEY.json|CODE")]
     key: PathBuf,
     /// What was handed in, a table or JSON lines; `-` for stdin
     #[arg(value_name = "SUBMISSIONS")]
@@ -69,6 +71,9 @@ pub struct MarkArguments {
     /// Templates of your own, which take the place of those of the same name
     #[arg(long, value_name = "DIR")]
     templates: Option<PathBuf>,
+    /// A bank of your own, if a code is of a sheet from it
+    #[arg(long, value_name = "DIR")]
+    bank: Option<PathBuf>,
     /// Print the summary as JSON
     #[arg(long)]
     json: bool,
@@ -78,8 +83,8 @@ pub struct MarkArguments {
 pub fn run(arguments: &MarkArguments) -> Result<(), Failure> {
     let feedback = FeedbackAsked::new(&arguments.feedback, arguments.templates.as_deref())?;
     let profile = profile(&arguments.profile)?;
-    let key = key::read(&arguments.key)?;
-    let submissions = files::text(&arguments.submissions)?;
+    let key = key::read(&arguments.key, arguments.bank.as_deref())?;
+    let submissions = text_file::text(&arguments.submissions)?;
     let rows = read_rows(&submissions)?;
     warn(&rows.warnings);
     let Sorted { scripts, set_aside, unfilled } = sort(&key, Rows { warnings: Vec::new(), ..rows });
@@ -174,7 +179,7 @@ fn profile(name: &str) -> Result<Profile, Failure> {
     }
     let path = Path::new(name);
     if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")) || path.is_file() {
-        return Ok(Profile::read(&files::text(path)?)?);
+        return Ok(Profile::read(&text_file::text(path)?)?);
     }
     let help = match near(name, Profile::names()) {
         Some(near) => format!("did you mean `{near}`?"),
@@ -185,7 +190,7 @@ fn profile(name: &str) -> Result<Profile, Failure> {
 
 fn overrides(path: Option<&Path>, key: &AnswerKey) -> Result<Vec<crate::mark::submissions::Override>, Failure> {
     match path {
-        Some(path) => Ok(read_overrides(&files::text(path)?, key)?),
+        Some(path) => Ok(read_overrides(&text_file::text(path)?, key)?),
         None => Ok(Vec::new()),
     }
 }

@@ -1,6 +1,5 @@
 //! Reports: scripts marked, and what is told of them, as tables, as JSON lines, in a summary and for each student.
 
-pub mod cells;
 mod feedback;
 mod file_names;
 mod json_lines;

@@ -1,6 +1,6 @@
 //! The table of what was not marked, which can be put right and handed in again.
 
-use super::cells::table;
+use crate::table::write;
 use crate::mark::submissions::SetAside;
 
 /// Line and reason, and then the row as it was typed.
@@ -13,5 +13,5 @@ pub fn not_marked_csv(set_aside: &[SetAside]) -> String {
         let working = row.working.join("\n");
         [row.line.to_string(), aside.reason.clone(), student, question, part, blank, answer, working]
     });
-    table(header, rows)
+    write(header, rows)
 }

@@ -1,9 +1,10 @@
 //! The table of marks: for every part handed in a row for each of its blanks, or one row.
 
-use super::cells::{one_line, table};
+
 use super::{MarkReport, MarkedScript, MarkedUnder};
 use crate::mark::award::{Award, MarkedAnswer, MarkedPart, Place};
 use crate::mark::judging::{Note, Verdict};
+use crate::table::{one_line, write};
 
 /// The columns of the table.
 pub const MARKS: [&str; 10] =
@@ -51,7 +52,7 @@ pub fn marks_csv(report: &MarkReport) -> String {
             row.feedback,
         ]
     });
-    table(MARKS, rows)
+    write(MARKS, rows)
 }
 
 impl MarkedScript<'_> {

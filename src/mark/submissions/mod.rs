@@ -4,20 +4,18 @@
 //! gathers what belongs together. Nothing is dropped: what cannot be read or has no place in the key is [`SetAside`] with
 //! its line and the reason, and everything else goes on.
 
-mod decode;
 mod empty;
 mod json_lines;
 mod lookup;
 mod overrides;
 mod sort;
-mod table;
 
-pub use decode::{Undecoded, decode};
-pub use empty::{empty_submissions, is_filled_in};
+pub use empty::{empty_submissions, empty_submissions_of_class, is_filled_in};
 pub use overrides::{Override, read_overrides};
 pub use sort::{HandedIn, HandedPart, Sorted, sort};
 
 use crate::diagnostic::{Diagnostic, Source};
+use crate::table;
 
 /// The columns of a table of submissions, and the fields of a line of JSON.
 pub const COLUMNS: [&str; 6] = ["student", "question", "part", "blank", "answer", "working"];
@@ -85,6 +83,7 @@ pub fn read_rows(source: &Source) -> Result<Rows, Vec<Diagnostic>> {
     let mut rows = Rows { warnings: table.warnings, ..Rows::default() };
     for record in table.records {
         let [student, question, part, blank, answer, working] = record.cells;
+        let student = table::meant(student.trim()).to_owned();
         let row = Row { line: record.line, student, question, part, blank, answer, working: lines_of(&working) };
         match record.fault {
             Some(reason) => rows.set_aside.push(SetAside { row, reason }),

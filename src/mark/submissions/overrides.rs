@@ -1,8 +1,9 @@
 //! A person's word on single marks, from a table.
 
-use super::{lookup, table};
+use super::lookup;
 use crate::diagnostic::{Diagnostic, Source};
 use crate::mark::key::AnswerKey;
+use crate::table;
 
 const COLUMNS: [&str; 6] = ["student", "question", "part", "mark", "given", "comment"];
 
@@ -59,7 +60,7 @@ pub fn read_overrides(source: &Source, key: &AnswerKey) -> Result<Vec<Override>,
 /// A row; what is wrong with it and in which cell.
 fn one(line: usize, cells: [String; 6], key: &AnswerKey) -> Result<Override, (String, usize)> {
     let [student, question, part, mark, given, comment] = cells;
-    let student = student.trim();
+    let student = table::meant(student.trim());
     let at = |cell: usize| move |message: String| (message, cell);
     let paper = lookup::paper(key, student).map_err(at(0))?;
     let question = &paper.questions[lookup::question(paper, &question).map_err(at(1))?];

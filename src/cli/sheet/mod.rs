@@ -1,5 +1,8 @@
 //! `carom sheet`: a question sheet, its mark scheme and its key.
 
+mod choose;
+mod class;
+
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::PathBuf;
@@ -7,16 +10,17 @@ use std::time::{SystemTime, UNIX_EPOCH};
 
 use clap::Args;
 
+use choose::{checked, choose};
+
 use super::bank;
 use super::failure::Failure;
-use super::formats::FormatsAsked;
-use super::output::{count, listed, print, say};
+use super::formats::{FormatsAsked, Printed, Work};
+use super::output::{count, print, say};
 use super::write::{OutputFile, write_all};
-use crate::bank::{Contents, Heading, Question, StyleName};
-use crate::diagnostic::near;
+use crate::bank::{Contents, Question, StyleName};
 use crate::generate::{Variant, reference};
 use crate::mark::submissions::{empty_submissions, is_filled_in};
-use crate::paper::{Dealer, Edition, Key, Paper, choose_count, choose_marks, compose, key_question};
+use crate::paper::{Dealer, Edition, Key, Paper, Sheet, SheetCode};
 
 const AFTER: &str = "Examples:
   carom sheet                                   six questions from every topic
@@ -25,6 +29,12 @@ const AFTER: &str = "Examples:
   carom sheet --marks 40 --seed 2027            40 marks; the same seed gives the same sheet again
   carom sheet --reference                       the exercises with their own numbers
   carom sheet --format html,pdf                 pages for the screen, and pages to print
+  carom sheet --class class.csv --format pdf    another sheet for each student of a class, all in one file to print
+  carom sheet --code 5RXM-M7TX-G                the sheet with this code again
+
+A class is a table with a column `student`, a number or a name that nobody else in it has, and perhaps one `name`. All get
+the same questions, no two the same numbers, and none an easier sheet. `lock.json` beside the sheets records who got what;
+while it is there the same command prints the same sheets again, and fresh ones for students who are new.
 
 PDF is made with what the machine has: pdflatex, lualatex or xelatex, else Chrome, Chromium or Edge without a window.
   CAROM_TEX          the TeX engine to take, by name or path; `none` leaves it to the browser
@@ -59,6 +69,18 @@ pub struct SheetArguments {
     /// The numbers of the exercises themselves, in place of fresh ones
     #[arg(long, conflicts_with_all = ["seed", "style", "count", "marks"])]
     reference: bool,
+    /// A sheet for each student in this table, no two with the same numbers
+    #[arg(long, value_name = "CLASS.csv", conflicts_with = "reference")]
+    class: Option<PathBuf>,
+    /// Besides the files of the whole class a folder for each student
+    #[arg(long, requires = "class")]
+    per_student: bool,
+    /// Who got which sheet before; without it the `lock.json` in the folder for the files, if there is one
+    #[arg(long, value_name = "FILE.json", requires = "class")]
+    lock: Option<PathBuf>,
+    /// The sheet that has this code
+    #[arg(long, value_name = "CODE", conflicts_with_all = ["questions", "count", "marks", "topic", "seed", "style", "reference", "class"])]
+    code: Option<String>,
     /// The heading of the sheet
     #[arg(long, value_name = "TITLE", default_value = "Oblique impacts of smooth spheres")]
     title: String,
@@ -94,62 +116,96 @@ pub struct SheetArguments {
 /// The file to write down what students answer.
 const SUBMISSIONS: &str = "submissions.csv";
 
-/// How many questions a sheet has if nobody says.
-const USUAL_COUNT: usize = 6;
-
-/// Makes the sheet.
+/// Makes the sheet, or one for each student.
 pub fn run(arguments: &SheetArguments) -> Result<(), Failure> {
     let formats = FormatsAsked::new(&arguments.format, arguments.templates.as_deref())?;
     let contents = bank::open(arguments.bank.as_deref())?;
+    if let Some(code) = &arguments.code {
+        let sheet = from_code(code, &contents)?;
+        return write_sheet(arguments, &formats, &contents, &sheet, None);
+    }
     let style = arguments.style.as_ref().and_then(|name| StyleName::ALL.into_iter().find(|style| style.name() == name));
+    if let Some(list) = &arguments.class {
+        return class::run(arguments, &formats, &contents, style, list);
+    }
     let seed = arguments.seed.unwrap_or_else(fresh_seed);
     let chosen = choose(arguments, &contents, style, seed)?;
     let questions = checked(&chosen)?;
     let in_order = chosen.iter().filter_map(|heading| questions.get(heading.id.as_str()));
     let variants = if arguments.reference { references(in_order)? } else { dealt(in_order, seed, style)? };
+    let sheet = Sheet::new(&contents, variants.iter().map(|(question, variant)| (*question, variant)));
+    write_sheet(arguments, &formats, &contents, &sheet, (!arguments.reference).then_some(seed))
+}
 
-    let seed = (!arguments.reference).then_some(seed);
-    let mut composed = Vec::with_capacity(variants.len());
-    let mut keyed = Vec::with_capacity(variants.len());
-    for (index, (question, variant)) in variants.iter().enumerate() {
-        let printed = compose(question, variant, index + 1);
-        keyed.push(key_question(question, variant, &printed));
-        composed.push(printed);
-    }
-    let key = Key::new(contents.name.clone(), seed, keyed);
-    let paper = Paper {
-        title: arguments.title.clone(),
-        school: arguments.school.clone(),
-        date: arguments.date.clone(),
-        code: key.code.clone(),
-        seed,
-        edition: Edition {
-            large_print: arguments.large_print,
-            answer_space: arguments.answer_space,
-            no_diagrams: arguments.no_diagrams,
-        },
-        questions: composed,
-    };
-    let json = serde_json::to_string_pretty(&key).map_err(|error| Failure::said(error.to_string()))?;
-    let mut printed = formats.print(&paper, &arguments.out)?;
-    let text = |name: &str, contents: String| OutputFile { name: name.to_owned(), contents: contents.into_bytes() };
-    printed.files.push(text("key.json", json + "\n"));
-    let old = arguments.out.join(SUBMISSIONS);
-    if fs::read(&old).is_ok_and(|old| is_filled_in(&old)) {
-        say(&format!("`{}` has answers in it, and is left as it is", old.display()));
-    } else {
-        printed.files.push(text(SUBMISSIONS, empty_submissions(&key.questions)));
-    }
+/// The sheet that a code holds.
+pub fn from_code(code: &str, contents: &Contents) -> Result<Sheet, Failure> {
+    let found = SheetCode::read(code).and_then(|code| Sheet::from_code(contents, &code));
+    found.map_err(|fault| Failure::with_help(format!("`{}`: {fault}", code.escape_debug()), fault.help()))
+}
+
+/// Writes a sheet and says what became of it.
+fn write_sheet(
+    arguments: &SheetArguments,
+    formats: &FormatsAsked,
+    contents: &Contents,
+    sheet: &Sheet,
+    seed: Option<u64>,
+) -> Result<(), Failure> {
+    let key = Key::of_sheet(contents.name.clone(), seed, sheet);
+    let paper = paper(arguments, sheet, String::new(), seed);
+    let mut printed = formats.print(Work::Sheet(&paper), &arguments.out)?;
+    printed.files.push(json("key.json", &key)?);
+    printed.files.extend(submissions(arguments, &[], || empty_submissions(&key.questions)));
     let paths = write_all(&arguments.out, &printed.files)?;
 
     let size = format!("{}, {}", count(paper.questions.len(), "question"), count(paper.marks(), "mark"));
     match seed {
         Some(seed) => say(&format!("{size}, seed {seed}; `--seed {seed}` makes the same sheet again")),
+        None if arguments.code.is_some() => say(&format!("{size}, with the numbers that the code holds")),
         None => say(&format!("{size}, with the numbers of the exercises")),
     }
     if let Some(marks) = arguments.marks.filter(|marks| usize::from(*marks) != paper.marks()) {
         say(&format!("no choice of questions makes exactly {marks} marks"));
     }
+    told(printed, &paths)
+}
+
+/// What is printed of a sheet, under the heading that the arguments give.
+fn paper(arguments: &SheetArguments, sheet: &Sheet, student: String, seed: Option<u64>) -> Paper {
+    Paper {
+        title: arguments.title.clone(),
+        school: arguments.school.clone(),
+        date: arguments.date.clone(),
+        student,
+        code: sheet.code.to_string(),
+        // Where the code makes the same sheet again, one of the two is enough to read.
+        seed: seed.filter(|_| !sheet.code.holds_the_sheet()),
+        edition: Edition {
+            large_print: arguments.large_print,
+            answer_space: arguments.answer_space,
+            no_diagrams: arguments.no_diagrams,
+        },
+        questions: sheet.printed.clone(),
+    }
+}
+
+fn json(name: &str, data: &impl serde::Serialize) -> Result<OutputFile, Failure> {
+    let json = serde_json::to_string_pretty(data).map_err(|error| Failure::said(error.to_string()))?;
+    Ok(OutputFile { name: name.to_owned(), contents: (json + "\n").into_bytes() })
+}
+
+/// The table to fill in, unless somebody has begun to.
+fn submissions(arguments: &SheetArguments, class: &[&str], empty: impl FnOnce() -> String) -> Option<OutputFile> {
+    let old = arguments.out.join(SUBMISSIONS);
+    if fs::read(&old).is_ok_and(|old| is_filled_in(&old, class)) {
+        say(&format!("`{}` has answers in it, and is left as it is", old.display()));
+        return None;
+    }
+    Some(OutputFile { name: SUBMISSIONS.to_owned(), contents: empty().into_bytes() })
+}
+
+/// The paths of what was written, and why the PDF is not among it.
+fn told(printed: Printed, paths: &[PathBuf]) -> Result<(), Failure> {
     if printed.missing.is_some() {
         for old in paths.iter().map(|path| path.with_extension("pdf")).filter(|pdf| pdf.is_file()) {
             say(&format!("`{}` is of an earlier sheet", old.display()));
@@ -164,92 +220,6 @@ pub fn run(arguments: &SheetArguments) -> Result<(), Failure> {
 pub fn fresh_seed() -> u64 {
     let now = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
     now.as_micros() as u64 % 1_000_000
-}
-
-/// The headings of the questions of the sheet, in its order, with repeats.
-fn choose<'c>(
-    arguments: &SheetArguments,
-    contents: &'c Contents,
-    style: Option<StyleName>,
-    seed: u64,
-) -> Result<Vec<&'c Heading>, Failure> {
-    let mut named = Vec::new();
-    for name in &arguments.questions {
-        named.push(bank::find(contents, name)?);
-    }
-    let has_style = |heading: &&Heading| style.is_none_or(|style| heading.styles.contains(&style));
-    if let Some(heading) = named.iter().find(|heading| !has_style(heading)) {
-        let styles = listed(heading.styles.iter().map(|style| style.name()));
-        let style = style.map_or("", StyleName::name);
-        return Err(Failure::with_help(format!("`{}` has no style `{style}`", heading.id), format!("it has {styles}")));
-    }
-    let mut offered: Vec<&Heading> = if named.is_empty() { contents.headings.iter().collect() } else { named.clone() };
-    if let Some(topic) = &arguments.topic {
-        offered = of_topic(&offered, topic)?;
-    }
-    offered.retain(has_style);
-    if offered.is_empty() {
-        return Err(Failure::said("no question has this style"));
-    }
-    if arguments.reference {
-        return Ok(offered);
-    }
-    match (arguments.count.map(usize::from), arguments.marks) {
-        (_, Some(marks)) => {
-            let chosen = choose_marks(&offered, usize::from(marks), seed);
-            if chosen.is_empty() {
-                let least = offered.iter().map(|heading| heading.marks).min().unwrap_or(0);
-                return Err(Failure::said(format!("no question has so few marks: the shortest has {least}")));
-            }
-            Ok(chosen)
-        }
-        (Some(wanted), None) if !named.is_empty() => Ok(offered.iter().cycle().take(wanted).copied().collect()),
-        (None, None) if !named.is_empty() => Ok(offered),
-        (wanted, None) => {
-            let usual = if arguments.topic.is_some() { USUAL_COUNT.min(offered.len()) } else { USUAL_COUNT };
-            Ok(choose_count(&offered, wanted.unwrap_or(usual), seed))
-        }
-    }
-}
-
-fn of_topic<'c>(offered: &[&'c Heading], topic: &str) -> Result<Vec<&'c Heading>, Failure> {
-    let wanted = topic.trim().to_lowercase();
-    let exact: Vec<&Heading> =
-        offered.iter().filter(|heading| heading.topic.to_lowercase() == wanted).copied().collect();
-    if !exact.is_empty() {
-        return Ok(exact);
-    }
-    let within: Vec<&Heading> =
-        offered.iter().filter(|heading| heading.topic.to_lowercase().contains(&wanted)).copied().collect();
-    if !within.is_empty() {
-        return Ok(within);
-    }
-    let mut topics: Vec<&str> = offered.iter().map(|heading| heading.topic.as_str()).collect();
-    topics.sort_unstable();
-    topics.dedup();
-    let help = match near(topic, topics.iter().copied()) {
-        Some(near) => format!("did you mean `{near}`?"),
-        None => format!("the topics are {}", listed(topics)),
-    };
-    Err(Failure::with_help(format!("no question of topic `{topic}`"), help))
-}
-
-/// The questions that are used, each checked once; faults of all of them together.
-fn checked<'c>(chosen: &[&'c Heading]) -> Result<BTreeMap<&'c str, Question>, Failure> {
-    let mut questions = BTreeMap::new();
-    let mut faults = Vec::new();
-    for heading in chosen {
-        if questions.contains_key(heading.id.as_str()) {
-            continue;
-        }
-        match heading.question() {
-            Ok(question) => {
-                questions.insert(heading.id.as_str(), question);
-            }
-            Err(found) => faults.extend(found),
-        }
-    }
-    if faults.is_empty() { Ok(questions) } else { Err(Failure::Faults(faults)) }
 }
 
 fn references<'q>(questions: impl Iterator<Item = &'q Question>) -> Result<Vec<(&'q Question, Variant)>, Failure> {

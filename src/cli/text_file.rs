@@ -1,14 +1,14 @@
-//! The files that marking reads: texts in UTF-8, from the disk or from stdin.
+//! Files that people write in a spreadsheet or an editor: texts in UTF-8, from the disk or from stdin.
 
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
-use super::super::failure::Failure;
+use super::failure::Failure;
 use crate::diagnostic::Source;
-use crate::mark::submissions::decode;
+use crate::table::decode;
 
-/// No class writes more than this.
+/// No class writes more than this, nor a list of one.
 const LONGEST: u64 = 1 << 28;
 
 /// The text of a file, or of stdin if it is called `-`.

@@ -12,7 +12,7 @@ pub struct Undecoded {
 /// The text of a file, without the mark with which some programs begin it.
 ///
 /// ```
-/// use carom::mark::submissions::decode;
+/// use carom::table::decode;
 /// assert_eq!(decode(b"\xef\xbb\xbfstudent"), Ok("student"));
 /// assert!(decode(b"\xff\xfes\0t\0").unwrap_err().message.contains("UTF-16"));
 /// assert!(decode(b"Zo\xeb").unwrap_err().message.contains("line 1"));

@@ -9,7 +9,7 @@ use csv::WriterBuilder;
 /// Characters that command a terminal or turn the direction of writing are left out; line breaks within a cell stay.
 ///
 /// ```
-/// use carom::mark::report::cells::harmless;
+/// use carom::table::harmless;
 /// assert_eq!(harmless("=HYPERLINK(\"x\")"), "'=HYPERLINK(\"x\")");
 /// assert_eq!(harmless("-1.92"), "-1.92");
 /// assert_eq!(harmless("-1.92u"), "'-1.92u");
@@ -32,6 +32,26 @@ pub fn harmless(text: &str) -> Cow<'_, str> {
     }
 }
 
+/// What stood in a cell before [`harmless`] put an apostrophe in front.
+///
+/// ```
+/// use carom::table::{harmless, meant};
+/// assert_eq!(meant(&harmless("=1+1")), "=1+1");
+/// assert_eq!(meant("'Ada'"), "'Ada'");
+/// ```
+pub fn meant(cell: &str) -> &str {
+    cell.strip_prefix('\'').filter(|text| harmless(text) == cell).unwrap_or(cell)
+}
+
+/// A text on one line, without characters that command a terminal or turn the direction of writing.
+///
+/// ```
+/// assert_eq!(carom::table::visible(" Ada\u{202e}\n Lovelace"), "Ada Lovelace");
+/// ```
+pub fn visible(text: &str) -> String {
+    one_line(text).chars().filter(|c| !is_hidden(*c)).collect::<String>().trim().to_owned()
+}
+
 /// Digits, perhaps with a sign in front and a point among them.
 fn is_number(text: &str) -> bool {
     let digits = text.strip_prefix(['+', '-']).unwrap_or(text);
@@ -44,7 +64,7 @@ fn is_hidden(c: char) -> bool {
 }
 
 /// A table with a header, every cell harmless, in quotes where it must be.
-pub fn table<const N: usize>(header: [&str; N], rows: impl Iterator<Item = [String; N]>) -> String {
+pub fn write<const N: usize>(header: [&str; N], rows: impl Iterator<Item = [String; N]>) -> String {
     let mut writer = WriterBuilder::new().from_writer(Vec::new());
     // Writing to memory rows of one width cannot fail.
     let _ = writer.write_record(header);
@@ -56,6 +76,6 @@ pub fn table<const N: usize>(header: [&str; N], rows: impl Iterator<Item = [Stri
 }
 
 /// A text on one line.
-pub(super) fn one_line(text: &str) -> String {
+pub fn one_line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }

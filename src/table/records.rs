@@ -5,18 +5,20 @@ use csv::{ReaderBuilder, StringRecord};
 use crate::diagnostic::{Diagnostic, Severity, Source, near};
 
 /// The records of a table, each with its cells in the order of the columns that were asked for.
-pub(super) struct Table<const N: usize> {
+pub struct Table<const N: usize> {
+    /// The records, in order.
     pub records: Vec<Record<N>>,
     /// Columns that look like one of these and are not.
     pub warnings: Vec<Diagnostic>,
 }
 
 /// A record. Columns that the table does not have are empty.
-pub(super) struct Record<const N: usize> {
+pub struct Record<const N: usize> {
     /// The line on which it begins, from 1.
     pub line: usize,
     /// Its place in the text.
     pub start: usize,
+    /// The cells, in the order of the columns that were asked for.
     pub cells: [String; N],
     /// Why its cells cannot be trusted.
     pub fault: Option<String>,
@@ -27,7 +29,7 @@ pub(super) struct Record<const N: usize> {
 /// # Errors
 ///
 /// A header that lacks a column which is needed, or has one twice.
-pub(super) fn read<const N: usize>(
+pub fn read<const N: usize>(
     source: &Source,
     columns: &[&'static str; N],
     needed: &[&str],

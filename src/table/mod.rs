@@ -1,0 +1,9 @@
+//! Tables as spreadsheets save them: bytes decoded, records read with their lines, cells written so that none is a formula.
+
+mod cells;
+mod decode;
+mod records;
+
+pub use cells::{harmless, meant, one_line, visible, write};
+pub use decode::{Undecoded, decode};
+pub use records::{Record, Table, read};

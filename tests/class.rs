@@ -1,0 +1,338 @@
+//! `carom sheet --class` as a teacher meets it: fair and different sheets, the same again next week, and lists as they come.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use carom::bank::{Contents, Question};
+use carom::generate::examine;
+use carom::paper::{Alike, Candidate, deal};
+use serde_json::Value as Json;
+
+fn carom(folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_carom")).current_dir(folder).args(arguments).output().unwrap()
+}
+
+fn stderr(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).unwrap()
+}
+
+/// An empty folder of this test's own.
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("class-{name}"));
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+/// Makes the sheets of a list that is written to a file.
+fn class(folder: &Path, list: impl AsRef<[u8]>, options: &[&str]) -> Output {
+    fs::write(folder.join("class.csv"), list).unwrap();
+    let mut arguments = vec!["sheet", "--class", "class.csv"];
+    arguments.extend(options);
+    carom(folder, &arguments)
+}
+
+fn made(output: Output) -> Output {
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    output
+}
+
+fn json(path: PathBuf) -> Json {
+    serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap()
+}
+
+fn papers(folder: &Path) -> Vec<Json> {
+    json(folder.join("sheet/key.json"))["papers"].as_array().unwrap().clone()
+}
+
+fn numbered(count: usize) -> String {
+    let rows: Vec<String> = (1..=count).map(|number| format!("{number},Student {number}\n")).collect();
+    format!("student,name\n{}", rows.concat())
+}
+
+#[test]
+fn each_student_has_other_numbers_and_nobody_another_kind_of_sheet() {
+    let folder = folder("fair");
+    made(class(&folder, numbered(30), &["--seed", "7", "--count", "3", "--format", "html"]));
+    let papers = papers(&folder);
+    assert_eq!(papers.len(), 30);
+    let codes: BTreeSet<&str> = papers.iter().map(|paper| paper["code"].as_str().unwrap()).collect();
+    assert_eq!(codes.len(), 30);
+    for place in 0..3 {
+        let question = |paper: &Json| paper["questions"][place].clone();
+        let numbers: BTreeSet<String> = papers.iter().map(|paper| question(paper)["parameters"].to_string()).collect();
+        assert_eq!(numbers.len(), 30, "question {place}");
+        let kinds: BTreeSet<String> =
+            papers.iter().map(|paper| format!("{} {}", question(paper)["id"], question(paper)["style"])).collect();
+        assert_eq!(kinds.len(), 1, "{kinds:?}");
+    }
+    let sheets = fs::read_to_string(folder.join("sheet/question-sheets.html")).unwrap();
+    let order: Vec<usize> = (1..=30).map(|n| sheets.find(&format!("<b>Student {n} ({n})</b>")).unwrap()).collect();
+    assert!(order.is_sorted(), "in the order of the class");
+    assert!(codes.iter().all(|code| sheets.contains(*code)));
+}
+
+#[test]
+fn what_is_dealt_is_alike_in_motion_in_surds_and_in_e_and_about_as_long() {
+    let contents = Contents::shipped();
+    let question = |id: &str| -> Question {
+        contents.headings.iter().find(|heading| heading.id == id).unwrap().question().unwrap_or_else(|_| panic!("{id}"))
+    };
+    let three = ["rest/components-of-each-velocity", "i-j/energy-lost", "rest/components-of-each-velocity"].map(question);
+    let questions: Vec<&Question> = three.iter().collect();
+    for seed in 0..3 {
+        let class = deal(&questions, 12, seed, None, &[]).unwrap();
+        let mut totals = vec![0; 12];
+        for (place, question) in questions.iter().enumerate() {
+            let candidates: Vec<Candidate> =
+                class.hands.iter().map(|hand| Candidate::of(question, &hand[place]).unwrap()).collect();
+            let kinds: BTreeSet<_> = candidates.iter().map(|one| (one.likeness.motion, one.likeness.surds)).collect();
+            let es: BTreeSet<&str> = candidates.iter().map(|one| one.likeness.e.as_str()).collect();
+            let dealt = &class.places[place];
+            assert!(kinds.len() == 1 && dealt.alike != Alike::InStyle, "{kinds:?}");
+            assert!(es.len() == 1 || dealt.alike != Alike::Wholly, "{es:?}");
+            let figures = candidates.iter().map(|one| one.figures);
+            let range = (figures.clone().min().unwrap(), figures.clone().max().unwrap());
+            assert_eq!(range, dealt.figures);
+            totals.iter_mut().zip(figures).for_each(|(total, figures)| *total += figures);
+        }
+        // The same question twice: still nothing twice.
+        let of_both = class.hands.iter().flat_map(|hand| [&hand[0], &hand[2]]);
+        let indices: BTreeSet<_> = of_both.map(|variant| (variant.style, variant.index)).collect();
+        assert_eq!(indices.len(), 24);
+        let widest = class.places.iter().map(|place| place.figures.1 - place.figures.0).max().unwrap();
+        let spread = totals.iter().max().unwrap() - totals.iter().min().unwrap();
+        assert!(spread <= widest, "of all questions together {spread}, of one {widest}: {totals:?}");
+    }
+}
+
+#[test]
+fn the_same_command_prints_the_same_sheets_again_and_fresh_ones_for_who_is_new() {
+    let folder = folder("lock");
+    let options = ["--count", "2", "--format", "html"];
+    made(class(&folder, "student\nAda\nBen\nCleo\n", &options));
+    let read = |name: &str| fs::read(folder.join("sheet").join(name)).unwrap();
+    let before: Vec<Vec<u8>> = ["question-sheets.html", "key.json", "lock.json"].map(read).to_vec();
+    let again = made(class(&folder, "student\nAda\nBen\nCleo\n", &options));
+    assert!(stderr(&again).contains("3 sheets as `sheet/lock.json` has them, 0 fresh"), "{}", stderr(&again));
+    assert!(before == ["question-sheets.html", "key.json", "lock.json"].map(read).to_vec());
+
+    let old: BTreeMap<String, String> = codes(&folder);
+    made(class(&folder, "student\nDan\nCleo\nAda\n", &options));
+    let new = codes(&folder);
+    assert_eq!((&new["Ada"], &new["Cleo"]), (&old["Ada"], &old["Cleo"]));
+    assert!(!old.values().any(|code| *code == new["Dan"]), "also not that of Ben, who has left");
+    assert_eq!(json(folder.join("sheet/lock.json"))["sheets"].as_array().unwrap().len(), 4);
+    // And Ben comes back.
+    made(class(&folder, "student\nBen\n", &options));
+    assert_eq!(codes(&folder)["Ben"], old["Ben"]);
+
+    for (options, said) in [
+        (&["5C-1", "--format", "html"][..], "with other questions"),
+        (&["--count", "2", "--seed", "99999999", "--format", "html"], "with seed"),
+    ] {
+        let refused = class(&folder, "student\nAda\n", options);
+        assert_eq!(refused.status.code(), Some(1));
+        assert!(stderr(&refused).contains(said), "{}", stderr(&refused));
+    }
+    let lock = fs::read_to_string(folder.join("sheet/lock.json")).unwrap();
+    fs::write(folder.join("sheet/lock.json"), lock.replacen("\"index\": ", "\"index\": 1", 1)).unwrap();
+    let edited = class(&folder, "student\nBen\n", &options);
+    assert!(stderr(&edited).contains("cannot be printed again"), "{}", stderr(&edited));
+    fs::write(folder.join("sheet/lock.json"), "{\n  \"seed\": \"x\"\n}").unwrap();
+    let broken = class(&folder, "student\nBen\n", &options);
+    assert!(stderr(&broken).contains("lock.json:2:"), "{}", stderr(&broken));
+}
+
+fn codes(folder: &Path) -> BTreeMap<String, String> {
+    let text = |json: &Json| json.as_str().unwrap().to_owned();
+    papers(folder).iter().map(|paper| (text(&paper["student"]), text(&paper["code"]))).collect()
+}
+
+#[test]
+fn a_class_that_is_larger_than_the_pool_hears_so_before_anything_is_printed() {
+    let folder = folder("large");
+    let output = class(&folder, numbered(120), &["5C-4", "--style", "friendly", "--format", "html"]);
+    assert_eq!(output.status.code(), Some(1));
+    let said = stderr(&output);
+    let contents = Contents::shipped();
+    let heading = contents.headings.iter().find(|heading| heading.mirrors.as_deref() == Some("5C-4")).unwrap();
+    let question = heading.question().unwrap_or_else(|_| panic!());
+    let style = question.styles.iter().find(|style| style.name.name() == "friendly").unwrap();
+    let fit = (0..style.size()).filter(|index| examine(&question, style, *index).is_ok()).count();
+    assert!(said.contains(&format!("has {fit} friendly sets of numbers to deal, and 120 students")), "{said}");
+    assert!(said.contains("most are turned away since ") && said.contains(&format!("of {}", style.size())), "{said}");
+    assert!(!folder.join("sheet").exists());
+    // With as many as there are it goes.
+    made(class(&folder, numbered(fit), &["5C-4", "--style", "friendly", "--format", "text"]));
+    let numbers: BTreeSet<String> =
+        papers(&folder).iter().map(|paper| paper["questions"][0]["parameters"].to_string()).collect();
+    assert_eq!(numbers.len(), fit);
+}
+
+#[test]
+fn a_list_that_is_wrong_is_refused_with_all_its_faults_and_nothing_is_written() {
+    let folder = folder("wrong");
+    let utf_16: Vec<u8> = "student\nAda\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
+    let with_mark = [&[0xff, 0xfe][..], &utf_16].concat();
+    let cases: [(&[u8], &[&str]); 10] = [
+        (b"student,name\n1,Ada\n2,Ben\n1,Cleo\n", &["`1` is in the list twice", "class.csv:4", "line 2"]),
+        (b"student,name\n1,Ada\n,Ben\n 1 ,Cleo\n", &["a row without a student", "`1` is in the list twice"]),
+        ("student\nAda\nA\u{202e}da\n".as_bytes(), &["`Ada` is in the list twice"]),
+        (b"student\n", &["nobody is in this class"]),
+        (b"", &["no column `student`"]),
+        (b"pupil,class\nAda,12\n", &["no column `student`", "student,name"]),
+        (b"studnet\nAda\n", &["no column `student`", "`student` is meant, perhaps"]),
+        (b"student\nZo\xeb\n", &["is not in UTF-8: line 2", "Latin-1"]),
+        (&with_mark, &["is in UTF-16"]),
+        (b"student,name\n1,\"Ada\n2,Ben\n", &["a quote is opened here and never closed"]),
+    ];
+    for (list, said) in cases {
+        let output = class(&folder, list, &["--format", "html"]);
+        let text = stderr(&output);
+        assert_eq!(output.status.code(), Some(1), "{text}");
+        said.iter().for_each(|said| assert!(text.contains(said), "{said} in\n{text}"));
+        assert!(!folder.join("sheet").exists());
+    }
+    assert_eq!(carom(&folder, &["sheet", "--per-student"]).status.code(), Some(2));
+    let missing = carom(&folder, &["sheet", "--class", "none.csv"]);
+    assert!(stderr(&missing).contains("`none.csv` cannot be read"), "{}", stderr(&missing));
+}
+
+#[test]
+fn lists_are_read_as_spreadsheets_save_them() {
+    let folder = folder("saved");
+    for list in ["\u{feff}student;name\r\n1;Ada\r\n2;Ben\r\n", "Name,Student\nAda,1\n\n\nBen,2\n", "id\tstudent\tname\nx\t1\tAda\ny\t2\tBen"] {
+        let _ = fs::remove_dir_all(folder.join("sheet"));
+        made(class(&folder, list, &["5C-2", "--seed", "1", "--format", "text"]));
+        let papers = papers(&folder);
+        let who: Vec<(&str, &str)> =
+            papers.iter().map(|paper| (paper["student"].as_str().unwrap(), paper["name"].as_str().unwrap())).collect();
+        assert_eq!(who, [("1", "Ada"), ("2", "Ben")], "{list:?}");
+    }
+    let _ = fs::remove_dir_all(folder.join("sheet"));
+    made(class(&folder, "name\nAda Lovelace\n", &["5C-2", "--seed", "1", "--format", "text"]));
+    assert_eq!(papers(&folder)[0]["student"], "Ada Lovelace");
+}
+
+/// Names that would break a page, leave a folder, run in a spreadsheet or turn the direction of writing.
+fn nasty() -> Vec<String> {
+    let names = [
+        r"}\input{/etc/passwd}$&#_^~%\",
+        "<script>alert(1)</script>",
+        "../../../etc/passwd",
+        "C:\\Windows\\con",
+        "=HYPERLINK(\"http://x\";\"y\")",
+        "+1+1",
+        "@SUM(A1)",
+        "-2+3",
+        "{{ title }} <% include \"x\" %> <<title>>",
+        "Ada\u{202e}ecalevoL",
+        "Zoë 中文 𝒜",
+        "'quoted'",
+    ];
+    names.into_iter().map(str::to_owned).chain(["long ".repeat(2000), "x".repeat(10_000)]).collect()
+}
+
+#[test]
+fn no_name_breaks_a_page_leaves_the_folder_or_loses_its_marks() {
+    let folder = folder("nasty");
+    let names = nasty();
+    let quoted = |text: &String| format!("\"{}\"", text.replace('"', "\"\""));
+    let rows: Vec<String> = names.iter().map(|name| format!("{}\n", quoted(name))).collect();
+    let list = format!("student\n{}", rows.concat());
+    made(class(&folder, list, &["5C-2", "--seed", "1", "--format", "latex,html,text", "--per-student"]));
+    let beside: BTreeSet<String> =
+        fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    assert_eq!(beside, BTreeSet::from(["class.csv".to_owned(), "sheet".to_owned()]));
+    let students: Vec<PathBuf> = fs::read_dir(folder.join("sheet/students")).unwrap().map(|e| e.unwrap().path()).collect();
+    assert_eq!(students.len(), names.len());
+    assert!(students.iter().all(|student| student.join("question-sheet.html").is_file()));
+    for file in ["question-sheets", "mark-schemes", "worked-solutions-by-student", "teachers-key"] {
+        let tex = fs::read_to_string(folder.join(format!("sheet/{file}.tex"))).unwrap();
+        assert!(!tex.contains(r"\input{") && !tex.contains('\u{202e}'), "{file}");
+        let html = fs::read_to_string(folder.join(format!("sheet/{file}.html"))).unwrap();
+        assert!(!html.contains("<script") && !html.contains("xxxxxxxxxx".repeat(100).as_str()), "{file}");
+        assert!(html.contains("{{ title }}"), "what a student is called is no template");
+    }
+    let table = fs::read_to_string(folder.join("sheet/submissions.csv")).unwrap();
+    let starts = table.lines().skip(1).map(|line| line.trim_start_matches('"'));
+    assert!(starts.clone().count() > 50 && starts.clone().all(|line| !line.starts_with(['=', '+', '-', '@'])));
+
+    // Filled in with what is right, every one of them earns all marks.
+    let mut reader = csv::Reader::from_reader(table.as_bytes());
+    let papers = papers(&folder);
+    let mut writer = csv::Writer::from_path(folder.join("filled.csv")).unwrap();
+    writer.write_record(["student", "question", "part", "blank", "answer", "working"]).unwrap();
+    let mut last = (String::new(), 0, 0);
+    for record in reader.records().map(Result::unwrap) {
+        let place = if last.0 == record[0] { (record[0].to_owned(), last.1, last.2 + 1) } else { (record[0].to_owned(), last.1 + usize::from(!last.0.is_empty()), 0) };
+        let blank = &papers[place.1]["questions"][0]["parts"][0]["blanks"][place.2];
+        assert_eq!(blank["name"], record[3]);
+        writer.write_record([&record[0], &record[1], &record[2], &record[3], blank["rounded"].as_str().unwrap(), ""]).unwrap();
+        last = place;
+    }
+    writer.flush().unwrap();
+    let marked = made(carom(&folder, &["mark", "sheet/key.json", "filled.csv", "--json", "--feedback", "none"]));
+    let summary: Json = serde_json::from_slice(&marked.stdout).unwrap();
+    assert_eq!((&summary["students"], &summary["not_marked"]), (&names.len().into(), &0.into()), "{}", stderr(&marked));
+    assert_eq!(summary["mean"].as_f64(), Some(11.0));
+}
+
+#[test]
+fn a_code_prints_the_sheet_again_and_is_as_good_as_its_key() {
+    let folder = folder("code");
+    made(carom(&folder, &["sheet", "5C-2", "5C-9", "--seed", "3", "--out", "first"]));
+    let code = json(folder.join("first/key.json"))["code"].as_str().unwrap().to_owned();
+    made(carom(&folder, &["sheet", "--code", &code.to_lowercase(), "--out", "again"]));
+    for entry in fs::read_dir(folder.join("first")).unwrap().map(Result::unwrap) {
+        let again = fs::read(folder.join("again").join(entry.file_name())).unwrap();
+        let same = again == fs::read(entry.path()).unwrap();
+        assert!(same || entry.file_name() == "key.json", "{:?}", entry.file_name());
+    }
+    let questions = |name: &str| json(folder.join(name).join("key.json"))["questions"].clone();
+    assert_eq!(questions("first"), questions("again"));
+
+    let blank = &questions("first")[0]["parts"][0]["blanks"][0];
+    let answer = format!("student,question,part,blank,answer\nAda,1,,speed of A,{}\n", blank["rounded"].as_str().unwrap());
+    fs::write(folder.join("answers.csv"), answer).unwrap();
+    made(carom(&folder, &["mark", "first/key.json", "answers.csv", "--out", "by-key"]));
+    made(carom(&folder, &["mark", &code, "answers.csv", "--out", "by-code"]));
+    let marks = |name: &str| fs::read(folder.join(name).join("marks.jsonl")).unwrap();
+    assert!(marks("by-key") == marks("by-code") && !marks("by-key").is_empty());
+
+    let mut slip: Vec<char> = code.chars().collect();
+    slip.swap(0, 1);
+    let slip: String = slip.into_iter().collect();
+    for arguments in [["sheet", "--code", slip.as_str()].as_slice(), &["mark", slip.as_str(), "answers.csv"]] {
+        let refused = carom(&folder, arguments);
+        assert_eq!(refused.status.code(), Some(1));
+        assert!(stderr(&refused).contains("mistyped"), "{}", stderr(&refused));
+    }
+    assert_eq!(carom(&folder, &["sheet", "5C-2", "--code", &code]).status.code(), Some(2));
+
+    // A student of a class has a sheet that can be had alone.
+    made(class(&folder, "student\nAda\nBen\n", &["5C-2", "--seed", "1", "--format", "text", "--per-student"]));
+    let bens = codes(&folder)["Ben"].clone();
+    made(carom(&folder, &["sheet", "--code", &bens, "--format", "text", "--out", "ben"]));
+    let questions = |path: &str| {
+        let text = fs::read_to_string(folder.join(path)).unwrap();
+        text[text.find("Question 1").unwrap()..].to_owned()
+    };
+    assert_eq!(questions("ben/question-sheet.txt"), questions("sheet/students/ben/question-sheet.txt"));
+}
+
+#[test]
+fn a_format_without_documents_for_a_class_says_so() {
+    let folder = folder("format");
+    fs::create_dir_all(folder.join("templates/plain")).unwrap();
+    let manifest = "about = \"x\"\nnotation = \"unicode\"\n[[documents]]\nfile = \"a.txt\"\ntemplate = \"a.txt\"\n";
+    fs::write(folder.join("templates/plain/format.toml"), manifest).unwrap();
+    fs::write(folder.join("templates/plain/a.txt"), "{{ title }}").unwrap();
+    let output = class(&folder, "student\nAda\n", &["5C-2", "--templates", "templates", "--format", "plain"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(stderr(&output).contains("the format `plain` has no documents for a class"), "{}", stderr(&output));
+    assert!(!folder.join("sheet").exists());
+}
