@@ -80,9 +80,10 @@ fn what_is_dealt_is_alike_in_motion_in_surds_and_in_e_and_about_as_long() {
     let question = |id: &str| -> Question {
         contents.headings.iter().find(|heading| heading.id == id).unwrap().question().unwrap_or_else(|_| panic!("{id}"))
     };
-    let three = ["rest/components-of-each-velocity", "i-j/energy-lost", "rest/components-of-each-velocity"].map(question);
+    let three =
+        ["rest/components-of-each-velocity", "i-j/energy-lost", "rest/components-of-each-velocity"].map(question);
     let questions: Vec<&Question> = three.iter().collect();
-    for seed in 0..3 {
+    for seed in 0..2 {
         let class = deal(&questions, 12, seed, None, &[]).unwrap();
         let mut totals = vec![0; 12];
         for (place, question) in questions.iter().enumerate() {
@@ -204,7 +205,11 @@ fn a_list_that_is_wrong_is_refused_with_all_its_faults_and_nothing_is_written() 
 #[test]
 fn lists_are_read_as_spreadsheets_save_them() {
     let folder = folder("saved");
-    for list in ["\u{feff}student;name\r\n1;Ada\r\n2;Ben\r\n", "Name,Student\nAda,1\n\n\nBen,2\n", "id\tstudent\tname\nx\t1\tAda\ny\t2\tBen"] {
+    for list in [
+        "\u{feff}student;name\r\n1;Ada\r\n2;Ben\r\n",
+        "Name,Student\nAda,1\n\n\nBen,2\n",
+        "id\tstudent\tname\nx\t1\tAda\ny\t2\tBen",
+    ] {
         let _ = fs::remove_dir_all(folder.join("sheet"));
         made(class(&folder, list, &["5C-2", "--seed", "1", "--format", "text"]));
         let papers = papers(&folder);
@@ -247,7 +252,8 @@ fn no_name_breaks_a_page_leaves_the_folder_or_loses_its_marks() {
     let beside: BTreeSet<String> =
         fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
     assert_eq!(beside, BTreeSet::from(["class.csv".to_owned(), "sheet".to_owned()]));
-    let students: Vec<PathBuf> = fs::read_dir(folder.join("sheet/students")).unwrap().map(|e| e.unwrap().path()).collect();
+    let students: Vec<PathBuf> =
+        fs::read_dir(folder.join("sheet/students")).unwrap().map(|e| e.unwrap().path()).collect();
     assert_eq!(students.len(), names.len());
     assert!(students.iter().all(|student| student.join("question-sheet.html").is_file()));
     for file in ["question-sheets", "mark-schemes", "worked-solutions-by-student", "teachers-key"] {
@@ -268,10 +274,16 @@ fn no_name_breaks_a_page_leaves_the_folder_or_loses_its_marks() {
     writer.write_record(["student", "question", "part", "blank", "answer", "working"]).unwrap();
     let mut last = (String::new(), 0, 0);
     for record in reader.records().map(Result::unwrap) {
-        let place = if last.0 == record[0] { (record[0].to_owned(), last.1, last.2 + 1) } else { (record[0].to_owned(), last.1 + usize::from(!last.0.is_empty()), 0) };
+        let place = if last.0 == record[0] {
+            (record[0].to_owned(), last.1, last.2 + 1)
+        } else {
+            (record[0].to_owned(), last.1 + usize::from(!last.0.is_empty()), 0)
+        };
         let blank = &papers[place.1]["questions"][0]["parts"][0]["blanks"][place.2];
         assert_eq!(blank["name"], record[3]);
-        writer.write_record([&record[0], &record[1], &record[2], &record[3], blank["rounded"].as_str().unwrap(), ""]).unwrap();
+        writer
+            .write_record([&record[0], &record[1], &record[2], &record[3], blank["rounded"].as_str().unwrap(), ""])
+            .unwrap();
         last = place;
     }
     writer.flush().unwrap();
@@ -296,7 +308,8 @@ fn a_code_prints_the_sheet_again_and_is_as_good_as_its_key() {
     assert_eq!(questions("first"), questions("again"));
 
     let blank = &questions("first")[0]["parts"][0]["blanks"][0];
-    let answer = format!("student,question,part,blank,answer\nAda,1,,speed of A,{}\n", blank["rounded"].as_str().unwrap());
+    let answer =
+        format!("student,question,part,blank,answer\nAda,1,,speed of A,{}\n", blank["rounded"].as_str().unwrap());
     fs::write(folder.join("answers.csv"), answer).unwrap();
     made(carom(&folder, &["mark", "first/key.json", "answers.csv", "--out", "by-key"]));
     made(carom(&folder, &["mark", &code, "answers.csv", "--out", "by-code"]));
@@ -335,4 +348,37 @@ fn a_format_without_documents_for_a_class_says_so() {
     assert_eq!(output.status.code(), Some(1));
     assert!(stderr(&output).contains("the format `plain` has no documents for a class"), "{}", stderr(&output));
     assert!(!folder.join("sheet").exists());
+}
+
+#[test]
+fn the_commands_of_the_readme_make_a_class_and_one_sheet_again() {
+    let folder = folder("readme");
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    fs::create_dir_all(folder.join("examples")).unwrap();
+    fs::copy(root.join("examples/class.csv"), folder.join("examples/class.csv")).unwrap();
+    let page = fs::read_to_string(root.join("README.md")).unwrap();
+    let section = page.split("\n## A class\n").nth(1).unwrap().split("\n## ").next().unwrap();
+    // Plain tests know no TeX.
+    let commands = section.lines().filter_map(|line| line.strip_prefix("$ carom "));
+    let commands: Vec<String> = commands.map(|command| command.replace("--format pdf", "--format text")).collect();
+    assert_eq!(commands.len(), 3);
+    let run = |command: &str| made(carom(&folder, &command.split_whitespace().collect::<Vec<_>>()));
+    run(&commands[0]);
+    let lock = json(folder.join("class-sheets/lock.json"));
+    assert_eq!(lock["sheets"].as_array().unwrap().len(), 30);
+    run(&commands[1]);
+    let sheet = json(folder.join("again/key.json"));
+    assert_eq!(sheet["questions"][0]["mirrors"], "5C-2");
+    let table = folder.join("again/submissions.csv");
+    let filled = fs::read_to_string(&table).unwrap().replacen("\n,1,,speed of A,,", "\nAda,1,,speed of A,2.78,", 1);
+    fs::write(&table, filled).unwrap();
+    let marked = run(&commands[2]);
+    assert!(String::from_utf8(marked.stdout).unwrap().contains("1 student"));
+
+    let schema = json(root.join("docs/schema/lock.schema.json"));
+    let fields = |json: &Json| -> BTreeSet<String> { json.as_object().unwrap().keys().cloned().collect() };
+    assert_eq!(fields(&lock), fields(&schema["properties"]));
+    let sheet = &lock["sheets"][0];
+    assert_eq!(fields(sheet), fields(&schema["$defs"]["sheet"]["properties"]));
+    assert_eq!(fields(&sheet["questions"][0]), fields(&schema["$defs"]["question"]["properties"]));
 }

@@ -147,12 +147,8 @@ impl Preview {
         let question = read_question(&subject.id, &written.source)?;
         let variant = numbers.of(&question)?;
         let printed = compose(&question, &variant, 1);
-        let paper = Paper {
-            title: question.title.clone(),
-            seed: numbers.seed,
-            questions: vec![printed],
-            ..Paper::default()
-        };
+        let paper =
+            Paper { title: question.title.clone(), seed: numbers.seed, questions: vec![printed], ..Paper::default() };
         let note = match numbers.seed {
             None => "with the numbers of the exercise".to_owned(),
             Some(seed) => {

@@ -150,8 +150,8 @@ fn slots(question: &Question) -> u64 {
 
 /// The place of a variant among them.
 fn slot(question: &Question, variant: &Variant) -> Option<u64> {
-    let before = question.styles.iter().take_while(|style| style.name != variant.style);
-    before.fold(Some(variant.index?), |sum, style| sum?.checked_add(style.size()))
+    let mut before = question.styles.iter().take_while(|style| style.name != variant.style);
+    before.try_fold(variant.index?, |sum: u64, style| sum.checked_add(style.size()))
 }
 
 /// The variant at a place.
@@ -252,8 +252,12 @@ impl fmt::Display for CodeFault {
             CodeFault::Short => f.write_str("too few characters for a code"),
             CodeFault::Long => f.write_str("too many characters for a code"),
             CodeFault::Mistyped => f.write_str("a character of the code is mistyped, or two are exchanged"),
-            CodeFault::NamesOnly => f.write_str("this code names a sheet of so many questions that it cannot hold them"),
-            CodeFault::OtherBank => f.write_str("in this bank the code leads to another sheet: the bank has been edited"),
+            CodeFault::NamesOnly => {
+                f.write_str("this code names a sheet of so many questions that it cannot hold them")
+            }
+            CodeFault::OtherBank => {
+                f.write_str("in this bank the code leads to another sheet: the bank has been edited")
+            }
         }
     }
 }

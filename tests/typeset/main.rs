@@ -10,6 +10,7 @@ mod class;
 
 mod breaks;
 mod browser;
+mod by_student;
 mod clear;
 mod diagrams;
 mod engine;

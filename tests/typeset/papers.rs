@@ -17,8 +17,8 @@ pub fn empty() -> Paper {
         title: "Every question".into(),
         school: "Riverside Sixth Form".into(),
         date: "12 March 2027".into(),
-        code: "KV7-3QX".into(),
-        seed: Some(7),
+        // As long as codes come.
+        code: "887N-W5M5-RTNW-QAM1-4SV7-SP4A-99KX-2T6B-C0DE-7YHG".into(),
         ..Paper::default()
     }
 }

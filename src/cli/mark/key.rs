@@ -5,8 +5,8 @@ use std::path::Path;
 use super::super::failure::Failure;
 use super::super::json_places::{offset, place_of};
 use super::super::text_file;
-use crate::diagnostic::{Diagnostic, Source};
 use crate::cli::sheet::from_code;
+use crate::diagnostic::{Diagnostic, Source};
 use crate::mark::{AnswerKey, KeyFault};
 use crate::paper::{CodeFault, Key, SheetCode};
 

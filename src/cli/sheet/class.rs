@@ -16,9 +16,7 @@ use crate::diagnostic::Diagnostic;
 use crate::generate::Variant;
 use crate::mark::report::file_names;
 use crate::mark::submissions::empty_submissions_of_class;
-use crate::paper::{
-    Alike, ClassList, Key, KeyPaper, Lock, Locked, Paper, PlaceDealt, Sheet, Student, TooFew, deal,
-};
+use crate::paper::{Alike, ClassList, Key, KeyPaper, Lock, Locked, Paper, PlaceDealt, Sheet, Student, TooFew, deal};
 
 /// What the lock is called beside the sheets.
 const LOCK: &str = "lock.json";
@@ -44,8 +42,11 @@ pub(super) fn run(
     let sheets = sheets(contents, &list.students, &in_order, style, seed, lock.as_ref())?;
 
     let shown: Vec<String> = list.students.iter().map(Student::shown).collect();
-    let papers: Vec<Paper> =
-        sheets.iter().zip(&shown).map(|(sheet, student)| paper(arguments, sheet, student.clone(), Some(seed))).collect();
+    let papers: Vec<Paper> = sheets
+        .iter()
+        .zip(&shown)
+        .map(|(sheet, student)| paper(arguments, sheet, student.clone(), Some(seed)))
+        .collect();
     let mut printed = formats.print(Work::Class(&papers), &arguments.out)?;
     let of_each = if arguments.per_student { per_student(formats, &papers)? } else { Vec::new() };
     printed.files.extend(of_each);
@@ -200,10 +201,13 @@ fn tell(place: &PlaceDealt) {
 
 fn too_few(few: &TooFew) -> Failure {
     let TooFew { question, style, left, needed, costliest } = few;
-    let message = format!("`{question}` has {left} {style} sets of numbers to deal, and {needed} students need one each");
+    let message =
+        format!("`{question}` has {left} {style} sets of numbers to deal, and {needed} students need one each");
     let help = match costliest {
         Some((reason, away, size)) => {
-            format!("most are turned away since {reason}: {away} of {size}; take another question or `--style`, or relax that")
+            format!(
+                "most are turned away since {reason}: {away} of {size}; take another question or `--style`, or relax that"
+            )
         }
         None => "take another question, or another `--style`".to_owned(),
     };

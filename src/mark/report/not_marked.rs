@@ -1,7 +1,7 @@
 //! The table of what was not marked, which can be put right and handed in again.
 
-use crate::table::write;
 use crate::mark::submissions::SetAside;
+use crate::table::write;
 
 /// Line and reason, and then the row as it was typed.
 pub fn not_marked_csv(set_aside: &[SetAside]) -> String {

@@ -1,6 +1,5 @@
 //! The table of marks: for every part handed in a row for each of its blanks, or one row.
 
-
 use super::{MarkReport, MarkedScript, MarkedUnder};
 use crate::mark::award::{Award, MarkedAnswer, MarkedPart, Place};
 use crate::mark::judging::{Note, Verdict};

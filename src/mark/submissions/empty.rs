@@ -4,8 +4,8 @@ use std::collections::HashSet;
 
 use super::{COLUMNS, read_rows};
 use crate::diagnostic::Source;
-use crate::table::{decode, write};
 use crate::paper::{KeyPaper, KeyQuestion};
+use crate::table::{decode, write};
 
 /// A header and a row for each blank, the student left empty.
 pub fn empty_submissions(questions: &[KeyQuestion]) -> String {
