@@ -65,10 +65,14 @@ fn is_hidden(c: char) -> bool {
 
 /// A table with a header, every cell harmless, in quotes where it must be.
 pub fn write<const N: usize>(header: [&str; N], rows: impl Iterator<Item = [String; N]>) -> String {
+    append(std::iter::once(header.map(str::to_owned)).chain(rows))
+}
+
+/// The rows of a table whose header is written already.
+pub fn append<const N: usize>(rows: impl Iterator<Item = [String; N]>) -> String {
     let mut writer = WriterBuilder::new().from_writer(Vec::new());
-    // Writing to memory rows of one width cannot fail.
-    let _ = writer.write_record(header);
     for row in rows {
+        // Writing to memory rows of one width cannot fail.
         let _ = writer.write_record(row.iter().map(|cell| harmless(cell).into_owned()));
     }
     let bytes = writer.into_inner().unwrap_or_default();

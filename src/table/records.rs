@@ -67,7 +67,7 @@ fn begin(text: &str, record: &StringRecord) -> (usize, usize) {
 }
 
 /// What parts the cells of the header.
-fn delimiter(text: &str) -> u8 {
+pub fn delimiter(text: &str) -> u8 {
     let header = text.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
     let count = |sign: u8| header.bytes().filter(|byte| *byte == sign).count();
     // Of equally many the last would be taken; a table of one column has commas.

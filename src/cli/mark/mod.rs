@@ -3,6 +3,8 @@
 mod feedback;
 
 mod key;
+mod pieces;
+mod stream;
 mod summary;
 
 use std::path::{Path, PathBuf};
@@ -26,6 +28,7 @@ const AFTER: &str = "Examples:
   carom mark sheet/key.json answers.jsonl --out monday --feedback html,latex
   carom mark sheet/key.json submissions.csv --overrides overrides.csv
   carom mark sheet/key.json - --json < submissions.csv
+  carom mark sheet/key.json - --stream < million.csv > marks.csv
   carom mark 5RXM-M7TX-G submissions.csv                  by the code of the sheet, if its key is lost
 
 SUBMISSIONS is a table, as `carom sheet` writes an empty one beside the key, saved as CSV in UTF-8:
@@ -74,6 +77,9 @@ pub struct MarkArguments {
     /// A bank of your own, if a code is of a sheet from it
     #[arg(long, value_name = "DIR")]
     bank: Option<PathBuf>,
+    /// Print the marks as they come, in little memory, and write no files; the rows of a student stand together
+    #[arg(long, conflicts_with_all = ["overrides", "json"])]
+    stream: bool,
     /// Print the summary as JSON
     #[arg(long)]
     json: bool,
@@ -84,6 +90,9 @@ pub fn run(arguments: &MarkArguments) -> Result<(), Failure> {
     let feedback = FeedbackAsked::new(&arguments.feedback, arguments.templates.as_deref())?;
     let profile = profile(&arguments.profile)?;
     let key = key::read(&arguments.key, arguments.bank.as_deref())?;
+    if arguments.stream {
+        return stream::run(&key, &profile, &arguments.submissions);
+    }
     let submissions = text_file::text(&arguments.submissions)?;
     let rows = read_rows(&submissions)?;
     warn(&rows.warnings);

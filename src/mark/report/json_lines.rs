@@ -9,13 +9,16 @@ use crate::paper::WorkingLine;
 
 /// A line for each part that was handed in.
 pub fn marks_jsonl(report: &MarkReport) -> String {
+    report.scripts.iter().map(lines_of).collect()
+}
+
+/// A line for each part of a script.
+pub(super) fn lines_of(script: &MarkedScript) -> String {
     let mut text = String::new();
-    for script in &report.scripts {
-        for part in &script.parts {
-            // Strings and numbers under names that are strings always make JSON.
-            text.push_str(&serde_json::to_string(&line(script, part)).unwrap_or_default());
-            text.push('\n');
-        }
+    for part in &script.parts {
+        // Strings and numbers under names that are strings always make JSON.
+        text.push_str(&serde_json::to_string(&line(script, part)).unwrap_or_default());
+        text.push('\n');
     }
     text
 }

@@ -1,5 +1,6 @@
 //! Reports: scripts marked, and what is told of them, as tables, as JSON lines, in a summary and for each student.
 
+mod bulk;
 mod feedback;
 mod file_names;
 mod json_lines;
@@ -7,6 +8,7 @@ mod not_marked;
 mod rows;
 mod summary;
 
+pub use bulk::in_bulk;
 pub use feedback::Feedback;
 pub use file_names::file_names;
 pub use json_lines::marks_jsonl;

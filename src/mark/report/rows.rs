@@ -36,22 +36,24 @@ pub struct MarkRow {
 
 /// The whole table.
 pub fn marks_csv(report: &MarkReport) -> String {
-    let rows = report.scripts.iter().flat_map(MarkedScript::rows).map(|row| {
-        let number = |number: usize| number.to_string();
-        [
-            row.student,
-            number(row.question),
-            row.part,
-            row.blank,
-            row.verdict.name().to_owned(),
-            number(row.marks),
-            number(row.available),
-            row.codes,
-            row.note,
-            row.feedback,
-        ]
-    });
-    write(MARKS, rows)
+    write(MARKS, report.scripts.iter().flat_map(MarkedScript::rows).map(cells_of))
+}
+
+/// The cells of a row.
+pub(super) fn cells_of(row: MarkRow) -> [String; MARKS.len()] {
+    let number = |number: usize| number.to_string();
+    [
+        row.student,
+        number(row.question),
+        row.part,
+        row.blank,
+        row.verdict.name().to_owned(),
+        number(row.marks),
+        number(row.available),
+        row.codes,
+        row.note,
+        row.feedback,
+    ]
 }
 
 impl MarkedScript<'_> {

@@ -9,10 +9,12 @@ mod json_lines;
 mod lookup;
 mod overrides;
 mod sort;
+mod stream;
 
 pub use empty::{empty_submissions, empty_submissions_of_class, is_filled_in};
 pub use overrides::{Override, read_overrides};
 pub use sort::{HandedIn, HandedPart, Sorted, sort};
+pub use stream::Stream;
 
 use crate::diagnostic::{Diagnostic, Source};
 use crate::table;

@@ -1,0 +1,115 @@
+//! Submissions that no memory holds: read piece by piece, handed on a student at a time.
+//!
+//! The rows of a student must stand together, as a table has them that is sorted by student; then a student's rows are all
+//! that is ever held. Of students whose rows have come only a number of eight bytes is kept, so that a row that comes later
+//! is set aside instead of being marked as if it were alone.
+
+use std::collections::HashSet;
+use std::hash::{DefaultHasher, Hash, Hasher};
+
+use super::{Row, Rows, SetAside, json_lines, read_rows};
+use crate::diagnostic::{Diagnostic, Source};
+
+/// More rows of one student are set aside: no sheet has so many answers.
+const MOST: usize = 10_000;
+
+/// A stream of rows.
+#[derive(Clone, Debug)]
+pub struct Stream {
+    /// The names of the columns, if it is a table; else every line is JSON.
+    header: Option<Source>,
+    /// The rows of the student whose rows are coming.
+    held: Vec<Row>,
+    /// The students whose rows have come.
+    closed: HashSet<u64>,
+}
+
+impl Stream {
+    /// A stream that begins with this record: the names of the columns, or a line of JSON.
+    ///
+    /// # Errors
+    ///
+    /// What is wrong with the names of the columns.
+    ///
+    /// ```
+    /// use carom::diagnostic::Source;
+    /// use carom::mark::submissions::Stream;
+    /// let mut stream = Stream::new(&Source::new("stdin", "student,question,answer\n")).unwrap();
+    /// let rows = stream.take("Ada,1,2.78\nAda,2,60\nBen,1,3\nAda,3,4\n", 2);
+    /// assert_eq!((rows.rows.len(), rows.rows[1].line), (3, 3));
+    /// assert!(rows.set_aside[0].reason.contains("stand together"));
+    /// ```
+    pub fn new(first: &Source) -> Result<Stream, Vec<Diagnostic>> {
+        let is_table = !first.text.trim_start().starts_with('{');
+        if is_table {
+            read_rows(first)?;
+        }
+        let header = is_table.then(|| Source::new(first.file.clone(), format!("{}\n", first.text.trim())));
+        Ok(Stream { header, held: Vec::new(), closed: HashSet::new() })
+    }
+
+    /// Is it a table?
+    pub fn is_table(&self) -> bool {
+        self.header.is_some()
+    }
+
+    /// The rows of a piece of whole records whose first line has this number: of every student whose rows are over.
+    pub fn take(&mut self, piece: &str, line: usize) -> Rows {
+        let (mut rows, before) = match &self.header {
+            None => (json_lines::read(piece), 0),
+            Some(header) => {
+                let lines = header.text.matches('\n').count();
+                let text = format!("{}{piece}", header.text);
+                // The names of the columns have been found in order.
+                (read_rows(&Source::new(header.file.clone(), text)).unwrap_or_default(), lines)
+            }
+        };
+        let all = rows.rows.iter_mut().chain(rows.set_aside.iter_mut().map(|aside| &mut aside.row));
+        all.for_each(|row| row.line = row.line + line - 1 - before);
+        let mut whole = Rows { set_aside: rows.set_aside, ..Rows::default() };
+        for row in rows.rows {
+            self.place(row, &mut whole);
+        }
+        whole
+    }
+
+    /// The rows that are left at the end.
+    pub fn end(&mut self) -> Rows {
+        Rows { rows: std::mem::take(&mut self.held), ..Rows::default() }
+    }
+
+    fn place(&mut self, row: Row, whole: &mut Rows) {
+        let student = row.student.trim();
+        // Whose these are nobody knows; they belong to nothing.
+        if student.is_empty() {
+            whole.rows.push(row);
+            return;
+        }
+        let is_next = self.held.first().is_none_or(|held| held.student.trim() != student);
+        if is_next {
+            if let Some(last) = self.held.first() {
+                self.closed.insert(number(last.student.trim()));
+                whole.rows.append(&mut self.held);
+            }
+            if self.closed.contains(&number(student)) {
+                let reason = "other students stand between this row and the others of this student: in a stream all rows of \
+                              a student stand together; sort it by student";
+                whole.set_aside.push(SetAside { row, reason: reason.to_owned() });
+                return;
+            }
+        }
+        if self.held.len() < MOST {
+            self.held.push(row);
+        } else {
+            let reason = format!("the student has more than {MOST} rows");
+            whole.set_aside.push(SetAside { row, reason });
+        }
+    }
+}
+
+/// A number for a student; two students have the same once in 10^19 times.
+fn number(student: &str) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    student.hash(&mut hasher);
+    hasher.finish()
+}
