@@ -1,30 +1,42 @@
-//! The impulse by the reduced mass: no equations to solve, and no axes to turn.
+//! The impulse by the reduced mass, in doubles: no equations to solve, and no axes to turn.
 //!
 //! `J = μ (1+e) (u_A - u_B)·l / (l·l) l` with `1/μ = 1/m_A + 1/m_B`, for any vector l along the line of centres;
-//! B receives J and A receives -J. As `l` need not be a unit vector, a velocity that is rational stays so.
+//! B receives J and A receives -J, and each changes its velocity by it over its own mass.
 
-use super::{After, Impact, Method};
-use crate::number::Number;
+use super::batch::floats;
+use super::{After, Impact, Method, Prepared, Promise, Role, Skip};
+use crate::number::Value;
 
-pub(super) const METHOD: Method = Method {
-    name: "reduced-mass",
-    accepts: "both masses, both velocities before, the line of centres and e; exact values, letters, intervals and floats",
-    exact: Some(solve),
-    certified: Some(solve),
-    float: Some(solve),
-};
+/// The impulse by the reduced mass.
+pub(super) struct ReducedMass;
 
-fn solve<N: Number>(impact: &Impact<N>) -> Option<After<N>> {
-    let [m_a, m_b] = impact.masses.clone();
-    let [[a_x, a_y], [b_x, b_y]] = impact.before.clone();
-    let [l_x, l_y] = impact.line.clone();
-    let e = impact.restitution.clone();
-    let approach = (a_x.clone() - b_x.clone()) * l_x.clone() + (a_y.clone() - b_y.clone()) * l_y.clone();
-    let per_mass =
-        (approach.clone() + e * approach).over(&((m_a.clone() + m_b.clone()) * (l_x.squared() + l_y.squared())))?;
-    // A loses m_B of it and B gains m_A of it: their changes are as the masses of the others.
-    let (a, b) = (m_b * per_mass.clone(), m_a * per_mass);
-    let after_a = [a_x - a.clone() * l_x.clone(), a_y - a * l_y.clone()];
-    let after_b = [b_x + b.clone() * l_x, b_y + b * l_y];
-    Some([after_a, after_b])
+impl Method for ReducedMass {
+    fn name(&self) -> &'static str {
+        "reduced-mass"
+    }
+
+    fn role(&self) -> Role {
+        Role::Beside
+    }
+
+    fn accepts(&self) -> &'static str {
+        "all nine numbers without letters, any line of centres; the product of the masses must not overflow"
+    }
+
+    fn promises(&self) -> Promise {
+        Promise::Scaled(64.0)
+    }
+
+    fn prepare(&self, impacts: &[Impact<Value>]) -> Result<Box<dyn Prepared>, Skip> {
+        floats(impacts, solve)
+    }
+}
+
+#[inline(always)]
+fn solve(impact: &Impact<f64>) -> After<f64> {
+    let ([m_a, m_b], [a, b], [x, y]) = (impact.masses, impact.before, impact.line);
+    let approach = ((a[0] - b[0]) * x + (a[1] - b[1]) * y) / (x * x + y * y);
+    let impulse = (1.0 + impact.restitution) * (m_a * m_b / (m_a + m_b)) * approach;
+    let (to_a, to_b) = (impulse / m_a, impulse / m_b);
+    [[a[0] - to_a * x, a[1] - to_a * y], [b[0] + to_b * x, b[1] + to_b * y]]
 }
