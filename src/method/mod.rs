@@ -1,6 +1,6 @@
 //! Every way in which Carom can solve an impact, behind one trait, in one list, one file each.
 //!
-//! Some are on the path of printed answers; of these the cheapest that suffices is taken. Others stand beside
+//! Some are on the path of printed answers; of these [`Selection`] takes the cheapest that suffices. Others stand beside
 //! it to be compared with: a derivation that checks itself proves nothing, and a study of speed against
 //! accuracy needs peers. The exhibits show what simulation costs. `tests/data/impacts.toml` runs over all of them and
 //! over the laws of [`mechanics`](crate::mechanics), with which none but the answer path's own values share any code. To add
@@ -8,24 +8,24 @@
 //!
 //! Floats occur here and decide nothing: no method that computes in them is on the path of an exact answer.
 
-mod along;
+mod answer;
 mod batch;
-mod centre_of_mass;
-mod cramer;
-mod elimination;
-mod fused;
+mod beside;
+mod elements;
+mod geometry;
 mod impact;
-mod interval;
-mod kernel;
-mod letters;
-mod ratio;
-mod reduced_mass;
-mod single;
-mod textbook;
+mod needs;
+mod proportion;
+mod select;
 
+pub use geometry::{Field, Geometry};
 pub use impact::{After, Impact};
+pub use needs::{Need, Needs, Wanted};
+pub use select::{Numbers, Selection, figures};
 
 use crate::number::{Interval, Value};
+use answer::{certified, fractions, integers, letters, linear_forms, surd_field, surd_integers};
+use beside::{centre_of_mass, cramer, elimination, fused, interval, ratio, reduced_mass, single, textbook};
 
 /// What a method is here for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -127,6 +127,12 @@ pub trait Prepared {
 /// }
 /// ```
 pub const METHODS: &[&dyn Method] = &[
+    &integers::Integers,
+    &certified::Certified,
+    &surd_integers::SurdIntegers,
+    &linear_forms::LinearForms,
+    &surd_field::SurdField,
+    &fractions::Fractions,
     &letters::Letters,
     &single::Single,
     &ratio::Ratio,

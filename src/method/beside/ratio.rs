@@ -3,12 +3,12 @@
 //! The shortest arrangement, and the float that others are measured against.
 
 use super::along::along;
-use super::batch::floats;
-use super::{Impact, Method, Prepared, Promise, Role, Skip};
+use crate::method::batch::floats;
+use crate::method::{Impact, Method, Prepared, Promise, Role, Skip};
 use crate::number::Value;
 
 /// One quotient for both spheres.
-pub(super) struct Ratio;
+pub(in crate::method) struct Ratio;
 
 impl Method for Ratio {
     fn name(&self) -> &'static str {

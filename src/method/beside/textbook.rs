@@ -1,12 +1,12 @@
 //! The formula of textbooks in doubles: `v_A = ((m_A - e m_B) u_A + (1+e) m_B u_B)/(m_A + m_B)` and v_B likewise.
 
 use super::along::along;
-use super::batch::floats;
-use super::{Impact, Method, Prepared, Promise, Role, Skip};
+use crate::method::batch::floats;
+use crate::method::{Impact, Method, Prepared, Promise, Role, Skip};
 use crate::number::Value;
 
 /// The formula of textbooks.
-pub(super) struct Textbook;
+pub(in crate::method) struct Textbook;
 
 impl Method for Textbook {
     fn name(&self) -> &'static str {

@@ -1,11 +1,11 @@
 //! One quotient in single precision: half the memory, and about seven figures.
 
-use super::batch::{LETTERS_ARE_NO_FLOATS, batch};
-use super::{Found, Impact, Method, Prepared, Promise, Role, Skip};
+use crate::method::batch::{LETTERS_ARE_NO_FLOATS, batch, float};
+use crate::method::{Impact, Method, Prepared, Promise, Role, Skip};
 use crate::number::Value;
 
 /// Single precision.
-pub(super) struct Single;
+pub(in crate::method) struct Single;
 
 impl Method for Single {
     fn name(&self) -> &'static str {
@@ -30,12 +30,9 @@ impl Method for Single {
             let doubles = impact.in_floats().ok_or(LETTERS_ARE_NO_FLOATS)?;
             #[allow(clippy::cast_possible_truncation)]
             let singles = doubles.turned_into(|number| Some(*number as f32));
-            singles.ok_or_else(|| LETTERS_ARE_NO_FLOATS.to_owned())
+            Ok((singles.ok_or(LETTERS_ARE_NO_FLOATS)?, ()))
         };
-        batch(impacts, form, solve, |_, after| match after.as_flattened().iter().all(|v| v.is_finite()) {
-            true => Found::Float(after.map(|velocity| velocity.map(f64::from))),
-            false => Found::Missed("a component is no finite number".to_owned()),
-        })
+        batch(impacts, form, solve, |(), after| float(after.map(|velocity| velocity.map(f64::from))))
     }
 }
 

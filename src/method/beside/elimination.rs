@@ -3,12 +3,12 @@
 //! Momentum along the line of centres, restitution, and for each sphere no change across the line: four linear
 //! equations for the four components after the impact, and nothing resolved beforehand.
 
-use super::batch::floats;
-use super::{After, Impact, Method, Prepared, Promise, Role, Skip};
+use crate::method::batch::floats;
+use crate::method::{After, Impact, Method, Prepared, Promise, Role, Skip};
 use crate::number::Value;
 
 /// Gauss's elimination of four unknowns.
-pub(super) struct Elimination;
+pub(in crate::method) struct Elimination;
 
 impl Method for Elimination {
     fn name(&self) -> &'static str {

@@ -5,15 +5,15 @@
 //! stops. For data that stand for fractions it is not: 1/3 as a double is no third, and fusing faithfully shows it.
 
 use super::along::along;
-use super::batch::floats;
-use super::{Impact, Method, Prepared, Promise, Role, Skip};
+use crate::method::batch::floats;
+use crate::method::{Impact, Method, Prepared, Promise, Role, Skip};
 use crate::number::Value;
 
 /// What both accept.
 const ACCEPTS: &str = "all nine numbers without letters, any line of centres";
 
 /// One quotient, fused.
-pub(super) struct FusedRatio;
+pub(in crate::method) struct FusedRatio;
 
 impl Method for FusedRatio {
     fn name(&self) -> &'static str {
@@ -44,7 +44,7 @@ fn ratio([m_a, m_b]: [f64; 2], [a, b]: [f64; 2], e: f64) -> [f64; 2] {
 }
 
 /// The formula of textbooks, fused.
-pub(super) struct FusedTextbook;
+pub(in crate::method) struct FusedTextbook;
 
 impl Method for FusedTextbook {
     fn name(&self) -> &'static str {

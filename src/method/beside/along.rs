@@ -5,7 +5,7 @@
 //! already. Otherwise all is done with the vector as it is given, so that no root is taken: with `w = u·l` and
 //! `c = l×u` the velocity is `(w l + c l⊥)/(l·l)`.
 
-use super::{After, Impact};
+use crate::method::{After, Impact};
 
 /// Both velocities after, by a formula for what is along the line of centres: from the masses, both components before
 /// and e to both components after.

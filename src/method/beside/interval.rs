@@ -1,12 +1,12 @@
 //! The impulse by the reduced mass in certified intervals of 128 binary places.
 
-use super::batch::batch;
-use super::kernel::any_line;
-use super::{After, Found, Impact, Method, Prepared, Promise, Role, Skip};
+use crate::method::batch::batch;
+use crate::method::geometry::any_line;
+use crate::method::{After, Found, Impact, Method, Prepared, Promise, Role, Skip};
 use crate::number::{Interval, Value};
 
 /// Certified intervals.
-pub(super) struct Intervals;
+pub(in crate::method) struct Intervals;
 
 /// How many binary places their ends have.
 const BITS: usize = 128;
@@ -31,9 +31,9 @@ impl Method for Intervals {
     fn prepare(&self, impacts: &[Impact<Value>]) -> Result<Box<dyn Prepared>, Skip> {
         let form = |impact: &Impact<Value>| {
             let enclosed = impact.turned_into(|value| value.enclose_constant(BITS));
-            enclosed.ok_or_else(|| "letters have no enclosure".to_owned())
+            Ok((enclosed.ok_or("letters have no enclosure")?, ()))
         };
-        batch(impacts, form, any_line, |_, after: &Option<After<Interval>>| match after {
+        batch(impacts, form, any_line, |(), after: &Option<After<Interval>>| match after {
             Some(after) => Found::Enclosed(after.clone()),
             None => Found::Missed("the line of centres may be of no length".to_owned()),
         })

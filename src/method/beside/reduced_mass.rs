@@ -3,12 +3,12 @@
 //! `J = μ (1+e) (u_A - u_B)·l / (l·l) l` with `1/μ = 1/m_A + 1/m_B`, for any vector l along the line of centres;
 //! B receives J and A receives -J, and each changes its velocity by it over its own mass.
 
-use super::batch::floats;
-use super::{After, Impact, Method, Prepared, Promise, Role, Skip};
+use crate::method::batch::floats;
+use crate::method::{After, Impact, Method, Prepared, Promise, Role, Skip};
 use crate::number::Value;
 
 /// The impulse by the reduced mass.
-pub(super) struct ReducedMass;
+pub(in crate::method) struct ReducedMass;
 
 impl Method for ReducedMass {
     fn name(&self) -> &'static str {

@@ -4,12 +4,12 @@
 //! centres only; no impulse and no equation for restitution occur.
 
 use super::along::along;
-use super::batch::floats;
-use super::{Impact, Method, Prepared, Promise, Role, Skip};
+use crate::method::batch::floats;
+use crate::method::{Impact, Method, Prepared, Promise, Role, Skip};
 use crate::number::Value;
 
 /// The view from the centre of mass.
-pub(super) struct CentreOfMass;
+pub(in crate::method) struct CentreOfMass;
 
 impl Method for CentreOfMass {
     fn name(&self) -> &'static str {

@@ -3,12 +3,12 @@
 //! `m_A v_A + m_B v_B = p` and `v_B - v_A = s` have the determinant `m_A + m_B`: `v_A = (p - m_B s)/(m_A + m_B)`, `v_B = (p + m_A s)/(m_A + m_B)`.
 
 use super::along::along;
-use super::batch::floats;
-use super::{Impact, Method, Prepared, Promise, Role, Skip};
+use crate::method::batch::floats;
+use crate::method::{Impact, Method, Prepared, Promise, Role, Skip};
 use crate::number::Value;
 
 /// Cramer's rule.
-pub(super) struct Cramer;
+pub(in crate::method) struct Cramer;
 
 impl Method for Cramer {
     fn name(&self) -> &'static str {
