@@ -12,6 +12,7 @@ mod answer;
 mod batch;
 mod beside;
 mod elements;
+pub mod exhibit;
 mod geometry;
 mod impact;
 mod needs;
@@ -25,7 +26,11 @@ pub use select::{Numbers, Selection, figures};
 
 use crate::number::{Interval, Value};
 use answer::{certified, fractions, integers, letters, linear_forms, surd_field, surd_integers};
-use beside::{centre_of_mass, cramer, elimination, fused, interval, ratio, reduced_mass, single, textbook};
+use beside::{
+    centre_of_mass, columns, cramer, double_double, elimination, float_intervals, from_integers, fused, interval,
+    ratio, reduced_mass, single, textbook, two_equations,
+};
+use exhibit::{FixedStep, Sequential, Spring};
 
 /// What a method is here for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -134,16 +139,27 @@ pub const METHODS: &[&dyn Method] = &[
     &surd_field::SurdField,
     &fractions::Fractions,
     &letters::Letters,
+    &columns::Columns,
     &single::Single,
     &ratio::Ratio,
     &textbook::Textbook,
+    &cramer::Cramer,
     &fused::FusedRatio,
     &fused::FusedTextbook,
-    &cramer::Cramer,
     &centre_of_mass::CentreOfMass,
     &reduced_mass::ReducedMass,
+    &from_integers::FromIntegers,
+    &two_equations::TwoEquations::Plain,
+    &two_equations::TwoEquations::Pivoted,
+    &two_equations::TwoEquations::Scaled,
     &elimination::Elimination,
+    &float_intervals::FloatIntervals,
+    &double_double::DoubleDouble,
     &interval::Intervals,
+    &Sequential::USUAL,
+    &FixedStep::USUAL,
+    &Spring::RUNGE_KUTTA,
+    &Spring::VERLET,
 ];
 
 /// The method of a name.

@@ -38,10 +38,18 @@ struct Kept {
 }
 
 /// What is along the line of centres, of an impact along an axis.
-struct OnLine<const COUNT: usize> {
-    masses: [i64; 2],
-    e: [i64; 2],
-    along: [[i64; COUNT]; 2],
+pub(in crate::method) struct OnLine<const COUNT: usize> {
+    pub masses: [i64; 2],
+    /// Numerator and denominator of e.
+    pub e: [i64; 2],
+    pub along: [[i64; COUNT]; 2],
+}
+
+/// A whole number as the nearest double.
+#[allow(clippy::cast_precision_loss)]
+#[inline(always)]
+pub(in crate::method) fn double(whole: i64) -> f64 {
+    whole as f64
 }
 
 /// Coefficients of both components along the line of centres, and the denominator; `None` on overflow.
@@ -61,7 +69,8 @@ pub(in crate::method) enum Unfit {
 }
 
 impl Unfit {
-    fn words(self, elements: &str) -> String {
+    /// The same in words.
+    pub fn words(self, elements: &str) -> String {
         match self {
             Unfit::Proportions => "the masses, e and the line of centres are not in rational proportion".to_owned(),
             Unfit::Velocities => format!("a component of a velocity is not {elements}"),
@@ -147,6 +156,13 @@ pub(super) fn gcd(mut a: i64, mut b: i64) -> i64 {
 }
 
 impl<const COUNT: usize> Whole<COUNT> {
+    /// What is along the line of centres, the place of its axis and what is below; nothing for an oblique line.
+    pub fn on_line(&self) -> Option<(OnLine<COUNT>, usize, i64)> {
+        let Whole { masses, e, before, kept, .. } = self;
+        let along = before.map(|velocity| velocity[kept.place]);
+        self.line.contains(&0).then_some((OnLine { masses: *masses, e: *e, along }, kept.place, kept.below))
+    }
+
     /// Is no number of any of the kernels, and no denominator with the velocities' own, beyond machine integers?
     ///
     /// With U the largest coefficient, P = |p|+|q|, M = |m_A|+|m_B| and L = |l_x|+|l_y|: no denominator is above P M L², no
