@@ -3,6 +3,7 @@
 //! It is planned backwards from what is asked, by the least cost, so a step that nobody needs does
 //! not exist; then it can be evaluated in any kind of number.
 
+use std::borrow::Cow;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::OnceLock;
@@ -132,8 +133,19 @@ impl Derivation {
     ///
     /// The first step whose result does not exist; what earlier steps gave is known all the same.
     pub fn evaluate<N: Number>(&self, known: &mut Known<N>) -> Result<(), DeadEnd> {
+        self.evaluate_with(&Known::default(), known)
+    }
+
+    /// The same, where some of the results have been computed already: a step that gives only such is taken, and its
+    /// results are not computed again.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Derivation::evaluate`].
+    pub fn evaluate_with<N: Number>(&self, computed: &Known<N>, known: &mut Known<N>) -> Result<(), DeadEnd> {
         for (place, step) in self.steps.iter().enumerate() {
-            let Some(found) = step.evaluate(known) else { return Err(DeadEnd(place)) };
+            let there: Outcome<N> = step.gives.iter().map(|quantity| computed.0.get(quantity).cloned()).collect();
+            let Some(found) = there.or_else(|| step.evaluate(known)) else { return Err(DeadEnd(place)) };
             enter(step, found, known);
         }
         Ok(())
@@ -156,7 +168,16 @@ impl Derivation {
     /// Plans and evaluates, going round steps whose results do not exist. Returns the derivation and
     /// the asked quantities that are not to be had.
     pub fn carry_out<N: Number>(known: &mut Known<N>, asked: &[Quantity]) -> (Derivation, Vec<Quantity>) {
-        Derivation::carry_out_on(Road::Shortest, known, asked)
+        Derivation::carry_out_by(Road::Shortest, known, &Known::default(), asked)
+    }
+
+    /// The same, where some of the results have been computed already: see [`Derivation::evaluate_with`].
+    pub fn carry_out_with<N: Number>(
+        known: &mut Known<N>,
+        computed: &Known<N>,
+        asked: &[Quantity],
+    ) -> (Derivation, Vec<Quantity>) {
+        Derivation::carry_out_by(Road::Shortest, known, computed, asked)
     }
 
     /// The same on a road.
@@ -165,17 +186,34 @@ impl Derivation {
         known: &mut Known<N>,
         asked: &[Quantity],
     ) -> (Derivation, Vec<Quantity>) {
+        Derivation::carry_out_by(road, known, &Known::default(), asked)
+    }
+
+    fn carry_out_by<N: Number>(
+        road: Road,
+        known: &mut Known<N>,
+        computed: &Known<N>,
+        asked: &[Quantity],
+    ) -> (Derivation, Vec<Quantity>) {
         let given: BTreeSet<Quantity> = known.0.keys().copied().collect();
         let mut banned = Vec::new();
+        // A step before a dead end stays what it is on the way round it, and is not taken twice.
+        let mut computed = Cow::Borrowed(computed);
         loop {
             let (plan, missing) = Derivation::plan_on(road, &given, asked, &banned);
             let mut attempt = known.clone();
-            match plan.evaluate(&mut attempt) {
+            match plan.evaluate_with(&computed, &mut attempt) {
                 Ok(()) => {
                     *known = attempt;
                     return (plan, missing);
                 }
-                Err(DeadEnd(place)) => banned.push(plan.steps[place].clone()),
+                Err(DeadEnd(place)) => {
+                    banned.push(plan.steps[place].clone());
+                    let there = computed.to_mut();
+                    for (quantity, datum) in attempt.0 {
+                        there.0.entry(quantity).or_insert(datum);
+                    }
+                }
             }
         }
     }

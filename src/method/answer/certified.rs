@@ -64,6 +64,9 @@ fn form(impact: &Impact<Value>) -> Result<(OnLine, Kept), String> {
         let ordinary = value.is_zero() || (1.0 / LARGEST..=LARGEST).contains(&float.abs());
         if ordinary { Ok(float) } else { Err("a number is very large or very small") }
     };
+    if impact.numbers().any(|value| !value.is_constant()) {
+        return Err(LETTERS_ARE_NO_FLOATS.to_owned());
+    }
     let [m_a, m_b] = &impact.masses;
     let (masses, e) = ([float(m_a)?, float(m_b)?], float(&impact.restitution)?);
     if masses.iter().any(|mass| *mass <= 0.0) || !(0.0..=1.0).contains(&e) {

@@ -1,0 +1,62 @@
+//! Every method keeps its promise on every impact that it takes: floats within their bound, enclosures around the truth.
+
+use carom::method::{Found, Impact, METHODS, Method, Numbers, Promise, Role, solve_once};
+use carom::number::{Interval, Value};
+
+use super::corpus::grid;
+use super::sufficiency::{is_right, top};
+
+/// The larger speed before.
+fn fastest(impact: &Impact<Value>) -> f64 {
+    let before = impact.in_floats().unwrap().before;
+    before.iter().map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max)
+}
+
+fn kept(method: &dyn Method, impact: &Impact<Value>, found: &Found, truth: &[[Value; 2]; 2]) -> bool {
+    let truths = truth.as_flattened().iter();
+    match (method.promises(), found) {
+        (_, Found::Missed(_)) => method.role() == Role::Exhibit || method.name() == "letters",
+        (Promise::Exact, _) => is_right(found, truth),
+        (Promise::Enclosed, Found::Enclosed(after)) => {
+            let holds =
+                |(interval, value): (&Interval, &Value)| interval.overlaps(&value.enclose_constant(300).unwrap());
+            after.as_flattened().iter().zip(truths).all(holds)
+        }
+        (Promise::Scaled(roundoffs), Found::Float(after)) => {
+            let allowed = roundoffs * f64::EPSILON / 2.0 * fastest(impact);
+            let near = |(found, value): (&f64, &Value)| (found - value.to_f64().unwrap()).abs() <= allowed;
+            after.as_flattened().iter().zip(truths).all(near)
+        }
+        (Promise::Nothing(_), _) => true,
+        _ => false,
+    }
+}
+
+#[test]
+fn carom_knows_that_its_methods_keep_their_promises() {
+    let mut runs = vec![0; METHODS.len()];
+    for impact in grid() {
+        let Some(truth) = top(&impact) else { continue };
+        for (method, runs) in METHODS.iter().zip(&mut runs) {
+            let Ok(found) = solve_once(*method, &impact) else { continue };
+            assert!(kept(*method, &impact, &found, &truth), "{} finds {found:?} of {impact:?}", method.name());
+            *runs += 1;
+        }
+    }
+    for (method, runs) in METHODS.iter().zip(runs) {
+        assert!(runs >= 12, "{} ran {runs} times", method.name());
+    }
+}
+
+#[test]
+fn carom_knows_its_methods_by_name() {
+    for tier in Numbers::ALL {
+        assert_eq!(tier.method().name(), tier.name());
+        assert_eq!(tier.method().role(), Role::AnswerPath);
+    }
+    for one in METHODS {
+        assert_eq!(METHODS.iter().filter(|other| other.name() == one.name()).count(), 1, "{}", one.name());
+        let tiers = Numbers::ALL.iter().filter(|tier| tier.name() == one.name()).count();
+        assert_eq!(tiers, usize::from(one.role() == Role::AnswerPath), "{} is a tier", one.name());
+    }
+}
