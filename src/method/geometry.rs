@@ -59,8 +59,8 @@ impl Geometry {
         match self {
             Geometry::AtRest => "head-on, B at rest",
             Geometry::HeadOn => "head-on",
-            Geometry::Axis => "line of centres along an axis",
-            Geometry::AnyLine => "any line of centres",
+            Geometry::Axis => "along an axis",
+            Geometry::AnyLine => "along any line",
         }
     }
 
