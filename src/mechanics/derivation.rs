@@ -16,7 +16,7 @@ use crate::number::Number;
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Derivation {
     /// Each step needs only what is given and what earlier steps gave.
-    pub steps: Vec<Rule>,
+    pub steps: Vec<&'static Rule>,
 }
 
 /// A step whose result does not exist for these numbers: its place in the derivation.
@@ -201,18 +201,14 @@ impl Derivation {
         let mut computed = Cow::Borrowed(computed);
         loop {
             let (plan, missing) = Derivation::plan_on(road, &given, asked, &banned);
-            let mut attempt = known.clone();
-            match plan.evaluate_with(&computed, &mut attempt) {
-                Ok(()) => {
-                    *known = attempt;
-                    return (plan, missing);
-                }
-                Err(DeadEnd(place)) => {
-                    banned.push(plan.steps[place].clone());
-                    let there = computed.to_mut();
-                    for (quantity, datum) in attempt.0 {
-                        there.0.entry(quantity).or_insert(datum);
-                    }
+            let Err(DeadEnd(place)) = plan.evaluate_with(&computed, known) else { return (plan, missing) };
+            banned.push(plan.steps[place].clone());
+            let there = computed.to_mut();
+            for (quantity, datum) in std::mem::take(&mut known.0) {
+                if given.contains(&quantity) {
+                    known.0.insert(quantity, datum);
+                } else {
+                    there.0.entry(quantity).or_insert(datum);
                 }
             }
         }
@@ -227,14 +223,14 @@ fn enter<N: Number>(step: &Rule, found: Vec<super::law::Datum<N>>, known: &mut K
 }
 
 /// Each step as soon as it can be taken, earlier laws of the list first.
-fn in_order(given: &BTreeSet<Quantity>, mut rest: Vec<&Rule>) -> Vec<Rule> {
+fn in_order(given: &BTreeSet<Quantity>, mut rest: Vec<&'static Rule>) -> Vec<&'static Rule> {
     rest.sort_by_key(|rule| rule.law);
     let mut known = given.clone();
     let mut steps = Vec::new();
     while let Some(place) = rest.iter().position(|rule| rule.needs.iter().all(|need| known.contains(need))) {
         let rule = rest.remove(place);
         known.extend(&rule.gives);
-        steps.push(rule.clone());
+        steps.push(rule);
     }
     steps
 }

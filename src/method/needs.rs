@@ -105,7 +105,7 @@ impl Needs {
         let rational = |value: &Value| value.as_fraction().is_some();
         let coefficients = |value: &Value| super::elements::coefficients(value);
         let velocities = || impact.before.as_flattened().iter();
-        let in_field = |value: &Value| surd_field::Surd::of(value).is_some();
+        let in_field = |value: &Value| rational(value) || surd_field::Surd::of(value).is_some();
         needs.add_if(Need::ExactForm, wanted == Wanted::ExactForm);
         needs.add_if(Need::Letters, impact.numbers().any(|value| !value.is_constant()));
         needs.add_if(Need::Factors, impact.proportions().is_none());
