@@ -309,7 +309,7 @@ fn a_scene_is_worked_out_by_the_least_that_suffices_or_by_the_method_asked_for()
         serde_json::from_str::<Json>(&stdout(&output)).unwrap()
     };
     let least = solved(&[]);
-    assert_eq!([&least["method"], &least["geometry"]], ["surd-integers", "along an axis"]);
+    assert_eq!([&least["method"], &least["geometry"]], ["surd-integers", "resolved along the line of centres"]);
     assert!(least["why"].as_str().unwrap().contains("integers would not do"), "{least}");
     for method in carom::method::METHODS {
         let name = method.name();
@@ -333,7 +333,7 @@ fn a_scene_is_worked_out_by_the_least_that_suffices_or_by_the_method_asked_for()
         assert!((speed - 2.77555466595484).abs() < allowed, "{name}: {speed}");
     }
     let output = with_stdin(&["solve", "-"], SCENE.as_bytes());
-    assert!(stdout(&output).contains("\nMethod\n  surd-integers (along an axis): "), "{}", stdout(&output));
+    assert!(stdout(&output).contains("\nMethod\n  surd-integers (resolved along the line of centres): "), "{}", stdout(&output));
     let output = with_stdin(&["solve", "-", "--method", "eliminaton"], SCENE.as_bytes());
     assert!(stderr(&output).contains("did you mean `elimination`?"), "{}", stderr(&output));
 }

@@ -42,9 +42,9 @@ impl<N: Number> Field for N {
 pub enum Geometry {
     /// Along an axis, nothing across it, and B at rest.
     AtRest,
-    /// Along an axis and nothing across it.
+    /// Along an axis, and nothing across it.
     HeadOn,
-    /// A line of centres along an axis.
+    /// A line of centres along an axis, or velocities resolved along and across it: what is across stays.
     Axis,
     /// Any line of centres.
     AnyLine,
@@ -59,8 +59,8 @@ impl Geometry {
         match self {
             Geometry::AtRest => "head-on, B at rest",
             Geometry::HeadOn => "head-on",
-            Geometry::Axis => "along an axis",
-            Geometry::AnyLine => "along any line",
+            Geometry::Axis => "resolved along the line of centres",
+            Geometry::AnyLine => "any line of centres",
         }
     }
 
