@@ -333,7 +333,11 @@ fn a_scene_is_worked_out_by_the_least_that_suffices_or_by_the_method_asked_for()
         assert!((speed - 2.77555466595484).abs() < allowed, "{name}: {speed}");
     }
     let output = with_stdin(&["solve", "-"], SCENE.as_bytes());
-    assert!(stdout(&output).contains("\nMethod\n  surd-integers (resolved along the line of centres): "), "{}", stdout(&output));
+    assert!(
+        stdout(&output).contains("\nMethod\n  surd-integers (resolved along the line of centres): "),
+        "{}",
+        stdout(&output)
+    );
     let output = with_stdin(&["solve", "-", "--method", "eliminaton"], SCENE.as_bytes());
     assert!(stderr(&output).contains("did you mean `elimination`?"), "{}", stderr(&output));
 }

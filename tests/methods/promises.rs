@@ -1,6 +1,6 @@
 //! Every method keeps its promise on every impact that it takes: floats within their bound, enclosures around the truth.
 
-use carom::method::{Found, Impact, METHODS, Method, Numbers, Promise, Role, solve_once};
+use carom::method::{Found, Impact, METHODS, Method, Needs, Numbers, Promise, Role, Wanted, solve_once};
 use carom::number::{Interval, Value};
 
 use super::corpus::grid;
@@ -45,6 +45,28 @@ fn carom_knows_that_its_methods_keep_their_promises() {
     }
     for (method, runs) in METHODS.iter().zip(runs) {
         assert!(runs >= 12, "{} ran {runs} times", method.name());
+    }
+}
+
+/// Is the reason that a method gives for a refusal true of the impact?
+fn is_true(why: &str, impact: &Impact<Value>) -> bool {
+    let letters = impact.numbers().any(|value| !value.is_constant());
+    match why {
+        _ if why.contains("letters") => letters,
+        _ if why.contains("neither axis") => !impact.line.iter().any(Value::is_zero),
+        _ if why.contains("e = 0") => impact.restitution.is_zero(),
+        _ => Numbers::Integers.lacks().iter().any(|need| Needs::of(impact, Wanted::ExactForm).has(*need)),
+    }
+}
+
+#[test]
+fn carom_knows_that_a_method_refuses_only_what_it_must() {
+    for impact in grid() {
+        for method in METHODS.iter().filter(|method| method.role() != Role::AnswerPath) {
+            if let Err(skip) = solve_once(*method, &impact) {
+                assert!(is_true(&skip.why, &impact), "{} refuses {impact:?}: {}", method.name(), skip.why);
+            }
+        }
     }
 }
 

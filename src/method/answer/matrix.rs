@@ -186,10 +186,10 @@ fn at_rest<const COUNT: usize>(impact: &OnLine<COUNT>) -> Along<COUNT> {
     let from_a = p.checked_add(q)?.checked_mul(m_a)?;
     let below = q.checked_mul(m_a.checked_add(m_b)?)?;
     let mut after = [[0; COUNT]; 2];
-    for place in 0..COUNT {
-        let a = impact.along[0][place];
-        after[0][place] = own_a.checked_mul(a)?;
-        after[1][place] = from_a.checked_mul(a)?;
+    let [after_a, after_b] = &mut after;
+    for ((a, v_a), v_b) in impact.along[0].iter().zip(after_a).zip(after_b) {
+        *v_a = own_a.checked_mul(*a)?;
+        *v_b = from_a.checked_mul(*a)?;
     }
     Some((after, below))
 }
@@ -203,10 +203,10 @@ fn along<const COUNT: usize>(impact: &OnLine<COUNT>) -> Along<COUNT> {
     let (from_a, from_b) = (sum.checked_mul(m_a)?, sum.checked_mul(m_b)?);
     let below = q.checked_mul(m_a.checked_add(m_b)?)?;
     let mut after = [[0; COUNT]; 2];
-    for place in 0..COUNT {
-        let [a, b] = [impact.along[0][place], impact.along[1][place]];
-        after[0][place] = own_a.checked_mul(a)?.checked_add(from_b.checked_mul(b)?)?;
-        after[1][place] = from_a.checked_mul(a)?.checked_add(own_b.checked_mul(b)?)?;
+    let ([after_a, after_b], [before_a, before_b]) = (&mut after, &impact.along);
+    for (((a, b), v_a), v_b) in before_a.iter().zip(before_b).zip(after_a).zip(after_b) {
+        *v_a = own_a.checked_mul(*a)?.checked_add(from_b.checked_mul(*b)?)?;
+        *v_b = from_a.checked_mul(*a)?.checked_add(own_b.checked_mul(*b)?)?;
     }
     Some((after, below))
 }
