@@ -57,15 +57,19 @@ fn prepared(name: &str, impacts: &[Impact<Value>]) -> Box<dyn Prepared> {
     method.prepare(impacts).unwrap_or_else(|skip| panic!("{name}: impact {}: {}", skip.place, skip.why))
 }
 
+/// How long two things take turns.
+const LONG_ENOUGH: Duration = Duration::from_millis(400);
+
 /// The least time of each of two things that take turns.
-fn turns(turns: usize, one: &mut dyn FnMut(), other: &mut dyn FnMut()) -> [Duration; 2] {
+fn turns(one: &mut dyn FnMut(), other: &mut dyn FnMut()) -> [Duration; 2] {
     let time = |thing: &mut dyn FnMut()| {
         let start = Instant::now();
         thing();
         start.elapsed()
     };
     let mut least = [Duration::MAX; 2];
-    for _ in 0..turns {
+    let begun = Instant::now();
+    while begun.elapsed() < LONG_ENOUGH {
         least = [least[0].min(time(one)), least[1].min(time(other))];
     }
     least
@@ -81,7 +85,7 @@ fn state(what: &str, [one, other]: [Duration; 2], count: usize, goal: &str) {
 /// Two methods on the same impacts.
 fn compare(one: &str, other: &str, impacts: &[Impact<Value>], kind: &str, goal: &str) {
     let (mut first, mut second) = (prepared(one, impacts), prepared(other, impacts));
-    let times = turns(20_000, &mut || black_box(&mut first).run(), &mut || black_box(&mut second).run());
+    let times = turns(&mut || black_box(&mut first).run(), &mut || black_box(&mut second).run());
     state(&format!("{one} / {other}, {kind}"), times, impacts.len(), goal);
 }
 
@@ -113,6 +117,7 @@ fn ratios() {
     let (exam, angles, surd) = (exam(BATCH), surds(BATCH), surd_restitution(BATCH));
     compare("integers", "ratio-from-integers", &exam, "fractions", "at most 1.25");
     compare("integers", "ratio", &exam, "fractions", "");
+    compare("certified-float", "ratio-from-integers", &exam, "fractions", "");
     compare("certified-float", "ratio", &exam, "fractions", "at most 5, with fused multiply-add 2.5");
     compare("surd-integers", "ratio", &angles, "30, 45, 60 degrees", "");
     compare("linear-forms", "ratio", &angles, "30, 45, 60 degrees", "");
@@ -126,14 +131,13 @@ fn ratios() {
     compare("float-intervals", "ratio", &exam, "fractions", "");
     for count in [BATCH, 1 << 20] {
         let (mut traffic, mut columns) = (Traffic::new(count), prepared("columns", &self::exam(count)));
-        let rounds = (1 << 25) / count;
-        let times = turns(rounds, &mut || black_box(&mut traffic).run(), &mut || black_box(&mut columns).run());
+        let times = turns(&mut || black_box(&mut traffic).run(), &mut || black_box(&mut columns).run());
         state(&format!("traffic alone / columns, {count} impacts"), times, count, "at least 0.9");
     }
     let three = Places::SignificantFigures(3);
     let mut exact = prepared("integers", &exam);
     let rounded = || exam.iter().for_each(|impact| drop(black_box(figures(impact, &three))));
-    let times = turns(200, &mut || rounded(), &mut || black_box(&mut exact).run());
+    let times = turns(&mut || rounded(), &mut || black_box(&mut exact).run());
     state("choosing, solving and rounding / integers", times, BATCH, "");
     println!();
 }

@@ -30,7 +30,12 @@ pub(in crate::method) fn elements(impact: &Impact<Value>) -> Option<Vec<Element>
 
 /// The batch by a geometry.
 pub(in crate::method) fn prepare(impacts: &[Impact<Value>], geometry: Geometry) -> Result<Box<dyn Prepared>, Skip> {
-    matrix::prepare::<MOST>(impacts, geometry, elements, "a sum of at most four things")
+    let named = "a sum of at most four things";
+    let counts = impacts.iter().map(|impact| elements(impact).map_or(MOST, |elements| elements.len()));
+    match counts.max() {
+        Some(0..=2) => matrix::prepare::<2>(impacts, geometry, elements, named),
+        _ => matrix::prepare::<MOST>(impacts, geometry, elements, named),
+    }
 }
 
 impl Method for LinearForms {

@@ -48,6 +48,10 @@ impl Surd {
 
     fn reciprocal(self) -> Surd {
         let Some((above, below)) = self.0 else { return self };
+        if let [whole, 0, 0, 0] = above {
+            let inverse = whole.checked_abs().filter(|size| *size != 0).zip(below.checked_mul(whole.signum()));
+            return Surd(inverse.map(|(size, above)| ([above, 0, 0, 0], size)));
+        }
         // (a + b√2 + c√3 + d√6)/k is one over k times the product of its conjugates over their common product.
         let whole = Surd(Some((above, 1)));
         let by_root_2 = whole.conjugate([1, -1, 1, -1]);
@@ -96,9 +100,18 @@ impl Mul for Surd {
             let root_2 = add(two(a, q, b, p)?, 3, two(c, s, d, r)?)?;
             let root_3 = add(two(a, r, c, p)?, 2, two(b, s, d, q)?)?;
             let root_6 = two(a, s, d, p)?.checked_add(two(b, r, c, q)?)?;
-            lowest(([one, root_2, root_3, root_6], k.checked_mul(l)?))
+            Some(([one, root_2, root_3, root_6], k.checked_mul(l)?))
         };
-        Surd(self.0.zip(other.0).and_then(|(one, other)| product(one, other)))
+        // Masses and what is below are fractions nearly always: four products in place of sixteen.
+        let multiple = |above: [i64; 4], k: i64, factor: i64, l: i64| {
+            Some((whole_of(above.map(|part| part.checked_mul(factor)))?, k.checked_mul(l)?))
+        };
+        Surd(match self.0.zip(other.0) {
+            Some(((above, k), ([factor, 0, 0, 0], l))) | Some((([factor, 0, 0, 0], k), (above, l))) => {
+                multiple(above, k, factor, l)
+            }
+            both => both.and_then(|(one, other)| product(one, other)),
+        })
     }
 }
 
@@ -106,10 +119,14 @@ impl Add for Surd {
     type Output = Surd;
     fn add(self, other: Surd) -> Surd {
         let total = |(above, k): ([i64; 4], i64), (others, l): ([i64; 4], i64)| {
-            let shared = gcd(k, l);
-            let (left, right) = (l / shared, k / shared);
+            let (left, right) = match (k, l) {
+                _ if k == l => (1, 1),
+                (_, 1) => (1, k),
+                (1, _) => (l, 1),
+                _ => (l / gcd(k, l), k / gcd(k, l)),
+            };
             let one = |place: usize| above[place].checked_mul(left)?.checked_add(others[place].checked_mul(right)?);
-            lowest((whole_of([one(0), one(1), one(2), one(3)])?, k.checked_mul(left)?))
+            Some((whole_of([one(0), one(1), one(2), one(3)])?, k.checked_mul(left)?))
         };
         Surd(self.0.zip(other.0).and_then(|(one, other)| total(one, other)))
     }

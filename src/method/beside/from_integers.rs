@@ -30,7 +30,9 @@ impl Method for FromIntegers {
     fn prepare(&self, impacts: &[Impact<Value>]) -> Result<Box<dyn Prepared>, Skip> {
         let form = |impact: &Impact<Value>| {
             let whole = matrix::whole::<1>(impact, integers::elements).map_err(|unfit| unfit.words("a fraction"))?;
-            let before = impact.in_floats().ok_or("a component is no float")?.before;
+            // Fractions, or there would be no whole form.
+            let float = |value: &Value| value.to_f64().unwrap_or(f64::NAN);
+            let before = impact.before.each_ref().map(|velocity| velocity.each_ref().map(float));
             match whole.on_line() {
                 Some((line, axis, below)) => Ok((line, (before, axis, below))),
                 None => Err("the line of centres lies along neither axis".to_owned()),
