@@ -8,8 +8,8 @@ use super::sufficiency::{is_right, top};
 
 /// The larger speed before.
 fn fastest(impact: &Impact<Value>) -> f64 {
-    let before = impact.in_floats().unwrap().before;
-    before.iter().map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max)
+    let size = |[x, y]: &[Value; 2]| x.to_f64().unwrap().hypot(y.to_f64().unwrap());
+    impact.before.iter().map(size).fold(0.0, f64::max)
 }
 
 fn kept(method: &dyn Method, impact: &Impact<Value>, found: &Found, truth: &[[Value; 2]; 2]) -> bool {
