@@ -113,7 +113,7 @@ pub trait Prepared {
 /// Every method, the cheaper before the dearer within each role.
 ///
 /// ```
-/// use carom::method::{Found, Impact, METHODS};
+/// use carom::method::{Found, Impact, METHODS, Role};
 /// use carom::number::Value;
 /// // Equal masses and e = 1 exchange their components along the line of centres.
 /// let [nought, one, two, three, four] = [0, 1, 2, 3, 4].map(Value::from);
@@ -123,7 +123,7 @@ pub trait Prepared {
 ///     line: [two, nought],
 ///     restitution: one,
 /// };
-/// for method in METHODS {
+/// for method in METHODS.iter().filter(|method| method.role() != Role::Exhibit) {
 ///     let Ok(mut prepared) = method.prepare(std::slice::from_ref(&impact)) else { continue };
 ///     prepared.run();
 ///     if let Found::Float(after) = &prepared.found()[0] {
