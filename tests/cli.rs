@@ -302,6 +302,47 @@ fn a_scene_is_solved_from_json_and_from_toml() {
 }
 
 #[test]
+fn a_scene_is_worked_out_by_the_least_that_suffices_or_by_the_method_asked_for() {
+    let solved = |arguments: &[&str]| {
+        let output = with_stdin(&[&["solve", "-", "--json"], arguments].concat(), SCENE.as_bytes());
+        assert_eq!(code(&output), 0, "{arguments:?}: {}", stderr(&output));
+        serde_json::from_str::<Json>(&stdout(&output)).unwrap()
+    };
+    let least = solved(&[]);
+    assert_eq!([&least["method"], &least["geometry"]], ["surd-integers", "resolved along the line of centres"]);
+    assert!(least["why"].as_str().unwrap().contains("integers would not do"), "{least}");
+    for method in carom::method::METHODS {
+        let name = method.name();
+        if ["integers", "fractions", "ratio-from-integers"].contains(&name) {
+            let output = with_stdin(&["solve", "-", "--method", name], SCENE.as_bytes());
+            assert_eq!(code(&output), 1);
+            assert!(stderr(&output).contains("a component of a velocity is n"), "{}", stderr(&output));
+            continue;
+        }
+        let solution = solved(&["--method", name]);
+        assert_eq!(solution["method"], name);
+        let answer = &solution["quantities"]["A.after.speed"];
+        let is_exact = method.promises() == carom::method::Promise::Exact;
+        assert_eq!([answer.get("exact").is_some(), solution.get("steps").is_some()], [is_exact; 2], "{name}");
+        let speed: f64 = answer["decimal"].as_str().unwrap().parse().unwrap();
+        let allowed = match name {
+            "single" => 1e-6,
+            "fixed-step" | "spring-verlet" | "spring-runge-kutta" => 0.05,
+            _ => 1e-13,
+        };
+        assert!((speed - 2.77555466595484).abs() < allowed, "{name}: {speed}");
+    }
+    let output = with_stdin(&["solve", "-"], SCENE.as_bytes());
+    assert!(
+        stdout(&output).contains("\nMethod\n  surd-integers (resolved along the line of centres): "),
+        "{}",
+        stdout(&output)
+    );
+    let output = with_stdin(&["solve", "-", "--method", "eliminaton"], SCENE.as_bytes());
+    assert!(stderr(&output).contains("did you mean `elimination`?"), "{}", stderr(&output));
+}
+
+#[test]
 fn an_impossible_scene_is_refused_with_the_mechanics() {
     // Exercise 12 as it is printed: the spheres would pass through each other.
     let scene = r#"{"masses": {"A": "1", "B": "2"}, "before": {"A": ["2", "5"], "B": ["3", "-1"]}, "after": {"A": ["3", "2"]}}"#;

@@ -4,6 +4,7 @@
 //! arguments are. One file a command.
 
 mod bank;
+mod by_method;
 mod check;
 mod compare;
 mod compare_stream;

@@ -1,17 +1,15 @@
 //! `carom solve`: one collision, worked.
 
-use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use clap::Args;
-use serde_json::{Map, Value as Json, json};
+use serde_json::{Value as Json, json};
 
 use super::failure::Failure;
 use super::output::{listed, print, print_json, say, table};
-use super::scene_input;
-use crate::diagnostic::near;
+use super::{by_method, scene_input};
 use crate::expr::{print as written, written as plainest, written_angle};
-use crate::mechanics::{Axis, Datum, Known, Line, Moment, Quantity, Scene, Sphere, Velocity, pose};
+use crate::mechanics::{Axis, Line, Moment, Quantity, Scene, Sphere, Velocity};
 use crate::number::{Angle, Letter, Range, Value};
 use crate::solve::{Answer, Solution, report, solve_all};
 
@@ -33,37 +31,32 @@ pub struct SolveArguments {
     /// The scene: a file, or `-`
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
-    /// How to work it out: `exact`, or `float` for the same steps in floating point
-    #[arg(long, value_name = "METHOD", default_value = "exact")]
+    /// How to work it out: the least that suffices unless one is named, `float` for the same steps in floating point, or
+    /// any method, such as `elimination`
+    #[arg(long, value_name = "METHOD", default_value = by_method::LEAST)]
     method: String,
     /// Print every quantity as JSON
     #[arg(long)]
     json: bool,
 }
 
-/// The ways to work it out.
-const METHODS: [&str; 2] = ["exact", "float"];
-
 /// Solves the scene.
 pub fn run(arguments: &SolveArguments) -> Result<(), Failure> {
-    let method = arguments.method.as_str();
-    if !METHODS.contains(&method) {
-        let help = match near(method, METHODS) {
-            Some(near) => format!("did you mean `{near}`? The methods are {}", listed(METHODS)),
-            None => format!("the methods are {}", listed(METHODS)),
-        };
-        return Err(Failure::with_help(format!("unknown method `{method}`"), help));
-    }
+    let method = by_method::Chosen::named(&arguments.method)?;
     let scene = scene_input::scene(&arguments.scene)?;
     let wanted = wanted(&scene);
     let asked = if arguments.json { Quantity::all() } else { wanted.clone() };
     let solutions = solve_all(&scene, &asked)?;
     open_ends(&solutions, &wanted)?;
-    match (method, arguments.json) {
-        ("float", json) => in_floats(&solutions, json),
-        (_, true) => print_json(&exact_json(&solutions)),
-        (_, false) => print(&on_terminal(&solutions, &asked)),
+    let Some(first) = solutions.first() else { return Ok(()) };
+    let by = match method.outcome(first)? {
+        by_method::Outcome::Exact(by) => by,
+        by_method::Outcome::Decimals(decimals) => return decimals.print(first, arguments.json),
+    };
+    if arguments.json {
+        return print_json(&exact_json(&solutions, by));
     }
+    print(&format!("{}\nMethod\n  {}\n", on_terminal(&solutions, &asked), by_method::in_words(first, by)))
 }
 
 /// What a person wants to know of a scene: all that is not given.
@@ -119,8 +112,15 @@ fn open_ends(solutions: &[Solution], wanted: &[Quantity]) -> Result<(), Failure>
 }
 
 /// The first solution's report, with all of them and a remark if there are several.
-fn exact_json(solutions: &[Solution]) -> Json {
-    let reports: Vec<Json> = solutions.iter().map(|solution| json!(report(solution))).collect();
+fn exact_json(solutions: &[Solution], by: Option<&'static str>) -> Json {
+    let one = |solution: &Solution| {
+        let mut report = report(solution);
+        if let Some(asked_for) = by {
+            (report.method, report.why) = (asked_for, "asked for".to_owned());
+        }
+        json!(report)
+    };
+    let reports: Vec<Json> = solutions.iter().map(one).collect();
     let mut whole = reports.first().cloned().unwrap_or(Json::Null);
     if let (Some(object), true) = (whole.as_object_mut(), reports.len() > 1) {
         let remark = format!("{} solutions are possible: the quantities here are those of the first", reports.len());
@@ -221,49 +221,4 @@ fn found(solution: &Solution) -> Vec<(String, String)> {
         (letter.name().to_owned(), exact)
     };
     solution.found().iter().map(one).collect()
-}
-
-/// The same steps in floating point.
-fn in_floats(solutions: &[Solution], as_json: bool) -> Result<(), Failure> {
-    let Some(solution) = solutions.first() else { return Ok(()) };
-    let exact = pose(solution.scene())?;
-    let needs_numbers =
-        || Failure::with_help("method `float` needs numbers, and letters remain", "leave `--method` out");
-    let mut known = floats(&exact).ok_or_else(needs_numbers)?;
-    // A step that does not exist in floating point leaves the rest unknown.
-    let _ = solution.derivation().evaluate(&mut known);
-    let mut quantities: BTreeMap<String, (f64, &str)> = BTreeMap::new();
-    for quantity in Quantity::all() {
-        let number = known.number(quantity);
-        let angle = || known.direction(quantity).map(|(y, x)| y.atan2(x).to_degrees());
-        if let Some(value) = number.or_else(angle) {
-            quantities.insert(quantity.to_string(), (value, quantity.unit().plain()));
-        }
-    }
-    if as_json {
-        let each = |(name, (value, unit)): (&String, &(f64, &str))| {
-            (name.clone(), json!({"decimal": value.to_string(), "unit": unit}))
-        };
-        let all: Map<String, Json> = quantities.iter().map(each).collect();
-        let why = "asked for: the derivation evaluated in floating point, good to about 15 figures";
-        return print_json(&json!({
-            "model": report(solution).model, "method": "float", "why": why, "quantities": all,
-        }));
-    }
-    let rows: Vec<Vec<String>> =
-        quantities.iter().map(|(name, (value, unit))| vec![format!("  {name}"), format!("{value} {unit}")]).collect();
-    print(&table(&rows))
-}
-
-fn floats(exact: &Known<Value>) -> Option<Known<f64>> {
-    let mut known = Known::default();
-    for (quantity, datum) in &exact.0 {
-        let datum = match datum {
-            Datum::Number(value) => Datum::Number(value.to_f64()?),
-            Datum::Direction { y, x } => Datum::Direction { y: y.to_f64()?, x: x.to_f64()? },
-            Datum::Equation([p, q, r]) => Datum::Equation([p.to_f64()?, q.to_f64()?, r.to_f64()?]),
-        };
-        known.0.insert(*quantity, datum);
-    }
-    Some(known)
 }

@@ -14,7 +14,7 @@ use super::refusal::Refusal;
 use super::scene::{Condition, Scene};
 use super::scene_reader::meaning;
 use super::unknowns::{mentions, substituted, with_letters};
-use super::validity::{check, laws};
+use super::validity::{broken_laws, check};
 use super::working::Show;
 use super::{Derivation, Quantity, pose};
 use crate::expr::{Expr, Meaning, Turn, evaluate, holds, print, written, written_angle};
@@ -234,8 +234,7 @@ impl<'a> Posed<'a> {
 
     /// What the laws demand beyond the derivation, where more is given than it needs.
     fn broken_laws(&self) -> Vec<Value> {
-        let mut all = self.known.clone();
-        laws(&mut all).into_iter().map(|(_, difference)| difference).filter(|value| !value.is_zero()).collect()
+        broken_laws(&self.known).into_iter().map(|(_, difference)| difference).collect()
     }
 
     /// A candidate put back: its ranges, the original conditions, and whether it can happen.

@@ -3,6 +3,7 @@
 //! It is planned backwards from what is asked, by the least cost, so a step that nobody needs does
 //! not exist; then it can be evaluated in any kind of number.
 
+use std::borrow::Cow;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::OnceLock;
@@ -15,7 +16,7 @@ use crate::number::Number;
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Derivation {
     /// Each step needs only what is given and what earlier steps gave.
-    pub steps: Vec<Rule>,
+    pub steps: Vec<&'static Rule>,
 }
 
 /// A step whose result does not exist for these numbers: its place in the derivation.
@@ -132,8 +133,19 @@ impl Derivation {
     ///
     /// The first step whose result does not exist; what earlier steps gave is known all the same.
     pub fn evaluate<N: Number>(&self, known: &mut Known<N>) -> Result<(), DeadEnd> {
+        self.evaluate_with(&Known::default(), known)
+    }
+
+    /// The same, where some of the results have been computed already: a step that gives only such is taken, and its
+    /// results are not computed again.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Derivation::evaluate`].
+    pub fn evaluate_with<N: Number>(&self, computed: &Known<N>, known: &mut Known<N>) -> Result<(), DeadEnd> {
         for (place, step) in self.steps.iter().enumerate() {
-            let Some(found) = step.evaluate(known) else { return Err(DeadEnd(place)) };
+            let there: Outcome<N> = step.gives.iter().map(|quantity| computed.0.get(quantity).cloned()).collect();
+            let Some(found) = there.or_else(|| step.evaluate(known)) else { return Err(DeadEnd(place)) };
             enter(step, found, known);
         }
         Ok(())
@@ -156,7 +168,16 @@ impl Derivation {
     /// Plans and evaluates, going round steps whose results do not exist. Returns the derivation and
     /// the asked quantities that are not to be had.
     pub fn carry_out<N: Number>(known: &mut Known<N>, asked: &[Quantity]) -> (Derivation, Vec<Quantity>) {
-        Derivation::carry_out_on(Road::Shortest, known, asked)
+        Derivation::carry_out_by(Road::Shortest, known, &Known::default(), asked)
+    }
+
+    /// The same, where some of the results have been computed already: see [`Derivation::evaluate_with`].
+    pub fn carry_out_with<N: Number>(
+        known: &mut Known<N>,
+        computed: &Known<N>,
+        asked: &[Quantity],
+    ) -> (Derivation, Vec<Quantity>) {
+        Derivation::carry_out_by(Road::Shortest, known, computed, asked)
     }
 
     /// The same on a road.
@@ -165,17 +186,30 @@ impl Derivation {
         known: &mut Known<N>,
         asked: &[Quantity],
     ) -> (Derivation, Vec<Quantity>) {
+        Derivation::carry_out_by(road, known, &Known::default(), asked)
+    }
+
+    fn carry_out_by<N: Number>(
+        road: Road,
+        known: &mut Known<N>,
+        computed: &Known<N>,
+        asked: &[Quantity],
+    ) -> (Derivation, Vec<Quantity>) {
         let given: BTreeSet<Quantity> = known.0.keys().copied().collect();
         let mut banned = Vec::new();
+        // A step before a dead end stays what it is on the way round it, and is not taken twice.
+        let mut computed = Cow::Borrowed(computed);
         loop {
             let (plan, missing) = Derivation::plan_on(road, &given, asked, &banned);
-            let mut attempt = known.clone();
-            match plan.evaluate(&mut attempt) {
-                Ok(()) => {
-                    *known = attempt;
-                    return (plan, missing);
+            let Err(DeadEnd(place)) = plan.evaluate_with(&computed, known) else { return (plan, missing) };
+            banned.push(plan.steps[place].clone());
+            let there = computed.to_mut();
+            for (quantity, datum) in std::mem::take(&mut known.0) {
+                if given.contains(&quantity) {
+                    known.0.insert(quantity, datum);
+                } else {
+                    there.0.entry(quantity).or_insert(datum);
                 }
-                Err(DeadEnd(place)) => banned.push(plan.steps[place].clone()),
             }
         }
     }
@@ -189,14 +223,14 @@ fn enter<N: Number>(step: &Rule, found: Vec<super::law::Datum<N>>, known: &mut K
 }
 
 /// Each step as soon as it can be taken, earlier laws of the list first.
-fn in_order(given: &BTreeSet<Quantity>, mut rest: Vec<&Rule>) -> Vec<Rule> {
+fn in_order(given: &BTreeSet<Quantity>, mut rest: Vec<&'static Rule>) -> Vec<&'static Rule> {
     rest.sort_by_key(|rule| rule.law);
     let mut known = given.clone();
     let mut steps = Vec::new();
     while let Some(place) = rest.iter().position(|rule| rule.needs.iter().all(|need| known.contains(need))) {
         let rule = rest.remove(place);
         known.extend(&rule.gives);
-        steps.push(rule.clone());
+        steps.push(rule);
     }
     steps
 }

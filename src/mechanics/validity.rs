@@ -17,13 +17,23 @@ use crate::number::Value;
 ///
 /// The first reason found.
 pub fn check(known: &Known<Value>) -> Result<(), Refusal> {
+    check_with(known, &Known::default()).map(drop)
+}
+
+/// The same, where some results have been computed already; all that was derived on the way.
+///
+/// # Errors
+///
+/// The first reason found.
+pub fn check_with(known: &Known<Value>, computed: &Known<Value>) -> Result<Known<Value>, Refusal> {
     let mut all = known.clone();
-    Derivation::carry_out(&mut all, &sides());
+    Derivation::carry_out_with(&mut all, computed, &sides());
     masses(&all)?;
     impulse_given(&all)?;
     approach(&all)?;
     restitution(&all)?;
-    kept(&mut all)
+    kept(&all)?;
+    Ok(all)
 }
 
 fn sign(known: &Known<Value>, quantity: Quantity) -> Option<Ordering> {
@@ -114,27 +124,40 @@ fn restitution(known: &Known<Value>) -> Result<(), Refusal> {
 }
 
 /// Where more is given than is needed, the laws must agree with all of it.
-fn kept(known: &mut Known<Value>) -> Result<(), Refusal> {
-    match laws(known).into_iter().find(|(_, difference)| !difference.is_zero()) {
+fn kept(derived: &Known<Value>) -> Result<(), Refusal> {
+    match broken(derived).into_iter().next() {
         Some((reason, _)) => Err(Refusal::impossible(reason)),
         None => Ok(()),
     }
 }
 
-/// For each law of which everything is known: what would be wrong, and by how much.
-pub fn laws(known: &mut Known<Value>) -> Vec<(String, Value)> {
-    Derivation::carry_out(known, &sides());
-    let mut differences = Vec::new();
+/// For each law of which everything is known and which is not kept: what is wrong, and by how much.
+pub fn broken_laws(known: &Known<Value>) -> Vec<(String, Value)> {
+    let mut all = known.clone();
+    Derivation::carry_out(&mut all, &sides());
+    broken(&all)
+}
+
+/// The same, once everything has been derived. A law that is kept needs no words, and gets none.
+fn broken(known: &Known<Value>) -> Vec<(String, Value)> {
+    let mut broken = Vec::new();
+    let mut compare = |one: &Value, other: &Value, reason: &dyn Fn() -> String| {
+        let difference = other - one;
+        if !difference.is_zero() {
+            broken.push((reason(), difference));
+        }
+    };
     for sphere in Sphere::BOTH {
         let at = |moment| known.number(Quantity::Velocity(sphere, moment, Axis::T));
         if let (Some(before), Some(after)) = (at(Moment::Before), at(Moment::After)) {
-            let reason = format!(
-                "the component of {}'s velocity perpendicular to the line of centres would change from {} to {}, but smooth spheres exert no force that way",
-                sphere.name(),
-                show(&before),
-                show(&after)
-            );
-            differences.push((reason, &after - &before));
+            compare(&before, &after, &|| {
+                format!(
+                    "the component of {}'s velocity perpendicular to the line of centres would change from {} to {}, but smooth spheres exert no force that way",
+                    sphere.name(),
+                    show(&before),
+                    show(&after)
+                )
+            });
         }
     }
     let [a, b, x, y] = ALONG;
@@ -142,23 +165,25 @@ pub fn laws(known: &mut Known<Value>) -> Vec<(String, Value)> {
     if let Some([m_a, m_b, a, b, x, y]) = known.numbers([m_a, m_b, a, b, x, y]) {
         let before = &(&m_a * &a) + &(&m_b * &b);
         let after = &(&m_a * &x) + &(&m_b * &y);
-        let reason = format!(
-            "momentum along the line of centres would change from {} to {}, but no outside force acts",
-            show(&before),
-            show(&after)
-        );
-        differences.push((reason, &after - &before));
+        compare(&before, &after, &|| {
+            format!(
+                "momentum along the line of centres would change from {} to {}, but no outside force acts",
+                show(&before),
+                show(&after)
+            )
+        });
     }
     if let Some([e, a, b, x, y]) = known.numbers([Quantity::Restitution, a, b, x, y]) {
         let (expected, separation) = (&e * &(&a - &b), &y - &x);
-        let reason = format!(
-            "the separation along the line of centres is {}, but e times the approach is {}",
-            show(&separation),
-            show(&expected)
-        );
-        differences.push((reason, &separation - &expected));
+        compare(&expected, &separation, &|| {
+            format!(
+                "the separation along the line of centres is {}, but e times the approach is {}",
+                show(&separation),
+                show(&expected)
+            )
+        });
     }
-    differences
+    broken
 }
 
 /// What the laws speak of.

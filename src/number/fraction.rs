@@ -170,6 +170,11 @@ impl Fraction {
         Fraction::from_integers(numerator, denominator)
     }
 
+    /// The fraction that a double is; none for what is no number.
+    pub fn from_f64(value: f64) -> Option<Fraction> {
+        RBig::try_from(value).ok().map(Fraction::from_big)
+    }
+
     /// The nearest double, for columns of floats and charts; never for a printed answer.
     pub fn to_f64(&self) -> f64 {
         match &self.0 {
@@ -382,6 +387,13 @@ mod tests {
         assert_eq!((&(&a * &b) / &b), a);
         assert_eq!((&(&a + &b) - &b), a);
         assert_eq!(-Fraction::from(i64::MIN), read("9223372036854775808"));
+    }
+
+    #[test]
+    fn a_double_is_a_fraction() {
+        assert_eq!(Fraction::from_f64(-0.375), Some(read("-3/8")));
+        assert_ne!(Fraction::from_f64(0.1), Some(read("0.1")));
+        assert_eq!(Fraction::from_f64(f64::NAN), None);
     }
 
     #[test]

@@ -63,7 +63,7 @@ pub fn work<'q>(question: &'q Question, variant: &Variant, unit_vectors: bool) -
         let given = known.0.keys().copied().collect();
         let (derivation, _) = Derivation::carry_out(&mut known, &asked);
         let show = Show::new(scene, &known, &asked).in_words_of(unit_vectors);
-        let steps = derivation.steps.into_iter().map(|rule| Step::new(rule, &show, &letters)).collect();
+        let steps = derivation.steps.into_iter().map(|rule| Step::new(rule.clone(), &show, &letters)).collect();
         let (finding, behind) = (std::mem::take(&mut finding), std::mem::take(&mut behind));
         let (known, letters) = (known.clone(), letters.clone());
         worked.push(WorkedPart { part, given, known, asked, finding, steps, behind, letters });
@@ -79,7 +79,7 @@ fn behind_conditions(scene: &Scene, letters: &[(&'static str, String)]) -> Vec<S
     let asked: Vec<Quantity> = names.filter_map(|name| name.text.parse().ok()).collect();
     let (derivation, _) = Derivation::carry_out(&mut known, &asked);
     let show = Show::new(scene, &known, &asked);
-    derivation.steps.into_iter().map(|rule| Step::new(rule, &show, letters)).collect()
+    derivation.steps.into_iter().map(|rule| Step::new(rule.clone(), &show, letters)).collect()
 }
 
 impl WorkedPart<'_> {

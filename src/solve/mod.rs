@@ -1,11 +1,15 @@
 //! A scene solved: the derivation carried out in exact numbers, with its working.
 
+mod answer_path;
 mod report;
 
 pub use report::{Answer, Report, StepReport, report};
 
+use answer_path::answer_path;
+
 use crate::expr::{Expr, in_degrees, written, written_angle};
-use crate::mechanics::{Derivation, Known, Line, Quantity, Refusal, Scene, Show, backwards, check, pose};
+use crate::mechanics::{Derivation, Known, Line, Quantity, Refusal, Scene, Show, backwards, check_with, pose};
+use crate::method::{Impact, Selection};
 use crate::number::{Angle, Letter, Value};
 
 /// A scene with what was asked of it, found.
@@ -15,6 +19,7 @@ pub struct Solution {
     asked: Vec<Quantity>,
     known: Known<Value>,
     derivation: Derivation,
+    path: Option<(Impact<Value>, Selection)>,
     found: Vec<(Letter, Value)>,
     finding: Vec<Line>,
     remarks: Vec<String>,
@@ -47,13 +52,16 @@ pub fn solve_all(scene: &Scene, asked: &[Quantity]) -> Result<Vec<Solution>, Ref
     let roots = backwards(scene)?;
     let one = |root: crate::mechanics::Found| -> Result<Solution, Refusal> {
         let mut known = pose(&root.scene)?;
-        check(&known)?;
-        let (derivation, _) = Derivation::carry_out(&mut known, asked);
+        let path = answer_path(&known);
+        let nothing = Known::default();
+        let computed = check_with(&known, path.as_ref().map_or(&nothing, |path| &path.computed))?;
+        let (derivation, _) = Derivation::carry_out_with(&mut known, &computed, asked);
         Ok(Solution {
             scene: root.scene,
             asked: asked.to_vec(),
             known,
             derivation,
+            path: path.map(|path| (path.impact, path.selection)),
             found: root.values,
             finding: root.lines,
             remarks: root.remarks,
@@ -71,6 +79,18 @@ impl Solution {
     /// The steps.
     pub fn derivation(&self) -> &Derivation {
         &self.derivation
+    }
+
+    /// The impact in the axes of the line of centres, first along it and then across, if the scene determines all of
+    /// what it starts from.
+    pub fn impact(&self) -> Option<Impact<Value>> {
+        self.path.as_ref().map(|(impact, _)| impact.clone())
+    }
+
+    /// The model by which the components after the impact were computed; none where the scene gives other things
+    /// than an impact starts from, and the steps themselves are the way.
+    pub fn selection(&self) -> Option<Selection> {
+        self.path.as_ref().map(|(_, selection)| *selection)
     }
 
     /// All that is known.

@@ -13,10 +13,12 @@ use crate::number::{Angle, Decimal, Fraction, Letter, Places, Range, Uncertain, 
 pub struct Report {
     /// The model of the collision.
     pub model: &'static str,
-    /// The kind of numbers that sufficed.
+    /// The numbers that sufficed.
     pub method: &'static str,
+    /// The geometry that sufficed, once velocities are resolved along and across the line of centres.
+    pub geometry: &'static str,
     /// Why they suffice.
-    pub why: &'static str,
+    pub why: String,
     /// Quantities by name.
     pub quantities: Map<String, Json>,
     /// The worked solution.
@@ -152,10 +154,11 @@ pub fn report(solution: &Solution) -> Report {
     for (letter, value) in solution.found() {
         quantities.insert(letter.name().to_string(), json!(found(*letter, value)));
     }
-    let (method, why) = method(solution);
+    let (method, geometry, why) = method(solution);
     Report {
         model: "two smooth spheres, oblique impact",
         method,
+        geometry,
         why,
         quantities,
         steps: [steps(solution.finding()), steps(&solution.lines())].concat(),
@@ -178,24 +181,13 @@ fn steps(lines: &[Line]) -> Vec<StepReport> {
         .collect()
 }
 
-/// The kind of numbers that the given data need.
-fn method(solution: &Solution) -> (&'static str, &'static str) {
-    use crate::mechanics::Datum;
-    let mut values = Vec::new();
-    for (quantity, datum) in &solution.known().0 {
-        if matches!(quantity, Quantity::Velocity(..) | Quantity::Mass(_) | Quantity::Restitution)
-            && let Datum::Number(value) = datum
-        {
-            values.push(value);
+/// The model that sufficed: its numbers, its geometry and why.
+fn method(solution: &Solution) -> (&'static str, &'static str, String) {
+    match solution.selection() {
+        Some(selection) => (selection.numbers.name(), selection.geometry.name(), selection.why()),
+        None => {
+            let why = "not all that an impact starts from is given, so the steps of the derivation are the way";
+            ("derivation", "as given", why.to_owned())
         }
-    }
-    if values.iter().any(|value| !value.is_constant()) {
-        ("letters", "letters remain in what is given, so every quantity is a formula")
-    } else if values.iter().all(|value| value.as_fraction().is_some()) {
-        ("fractions", "all masses, components and e are rational")
-    } else if values.iter().all(|value| value.letters().is_empty()) {
-        ("surds", "square roots occur, but no angle without an exact sine")
-    } else {
-        ("sines and cosines", "an angle occurs whose sine is no surd; its sine and cosine are kept as they are")
     }
 }

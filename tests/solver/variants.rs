@@ -10,7 +10,7 @@ use carom::bank::{Bank, Question, Style};
 use carom::expr::print;
 use carom::generate::examine;
 use carom::mechanics::{Axis, Contact, Datum, Derivation, Known, Moment, Quantity, Scene, Sphere, Velocity, pose};
-use carom::method::{Impact, METHODS};
+use carom::method::{Found, Impact, METHODS, Promise, method, solve_once};
 use carom::number::{Fraction, Interval, Letter, Places, Range, Value};
 use carom::solve::Solution;
 
@@ -130,9 +130,11 @@ fn near(found: f64, expected: f64) -> bool {
 
 /// The impact once more in doubles, by elimination; the outcome's own velocities after and loss are not used.
 fn once_more(case: &Outcome<f64>) -> Option<Outcome<f64>> {
+    let exactly = |number: &f64| Fraction::from_f64(*number).map(Value::from);
     let impact = Impact { masses: case.masses, before: case.before, line: case.line, restitution: case.e };
-    let method = METHODS.iter().find(|method| method.name == "elimination")?;
-    let after = method.float?(&impact)?;
+    let Ok(Found::Float(after)) = solve_once(method("elimination")?, &impact.turned_into(exactly)?) else {
+        return None;
+    };
     let mut again = Outcome { after, ..case.clone() };
     again.lost = by_definition(Quantity::EnergyLost, &again)?;
     Some(again)
@@ -172,13 +174,16 @@ fn check(solution: &Solution, asked: &[(Quantity, Accept)], tally: &mut Tally) -
         line: case.line.clone(),
         restitution: case.e.clone(),
     };
-    for solve in METHODS.iter().filter_map(|method| method.exact) {
-        let Some(after) = solve(&impact) else { continue };
+    let exact = METHODS.iter().filter(|method| method.promises() == Promise::Exact);
+    let mut found = 0;
+    for method in exact {
+        let Ok(Found::Exact(after)) = solve_once(*method, &impact) else { continue };
         if after.as_flattened().iter().zip(case.after.as_flattened()).any(|(one, other)| !one.equals(other)) {
-            return Err("another method".to_owned());
+            return Err(format!("{} finds another velocity", method.name()));
         }
-        tally.by_other_methods += 1;
+        found += 1;
     }
+    tally.by_other_methods += u64::from(found > 0);
     if known.0.values().all(is_constant) {
         tally.agreed += agree(&given, &derivation, &known, &format!("{scene:?}"));
         in_numbers(solution, &case, asked, &|value| value.to_f64(), tally)

@@ -100,7 +100,7 @@ impl Prepared {
         };
         // On another way to the answer nothing can be told.
         let on_the_way = |rule: &Rule| rule.gives.iter().any(|quantity| is_step(rule, *quantity));
-        if !derivation.steps.iter().any(on_the_way) {
+        if !derivation.steps.iter().any(|rule| on_the_way(rule)) {
             return true;
         }
         let mut wrong = self.given[0].clone();

@@ -258,7 +258,7 @@ fn velocity(sphere: Sphere, moment: Moment, axis: Axis) -> Quantity {
 }
 
 /// The four components along the line of centres: A and B before, A and B after.
-pub(super) const ALONG: [Quantity; 4] = [
+pub const ALONG: [Quantity; 4] = [
     Quantity::Velocity(Sphere::A, Moment::Before, Axis::N),
     Quantity::Velocity(Sphere::B, Moment::Before, Axis::N),
     Quantity::Velocity(Sphere::A, Moment::After, Axis::N),

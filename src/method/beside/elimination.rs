@@ -3,15 +3,34 @@
 //! Momentum along the line of centres, restitution, and for each sphere no change across the line: four linear
 //! equations for the four components after the impact, and nothing resolved beforehand.
 
-use super::{After, Impact, Method};
+use crate::method::batch::floats;
+use crate::method::{After, Impact, Method, Prepared, Promise, Role, Skip};
+use crate::number::Value;
 
-pub(super) const METHOD: Method = Method {
-    name: "elimination",
-    accepts: "both masses, both velocities before, the line of centres and e; floats only",
-    exact: None,
-    certified: None,
-    float: Some(solve),
-};
+/// Gauss's elimination of four unknowns.
+pub(in crate::method) struct Elimination;
+
+impl Method for Elimination {
+    fn name(&self) -> &'static str {
+        "elimination"
+    }
+
+    fn role(&self) -> Role {
+        Role::Beside
+    }
+
+    fn accepts(&self) -> &'static str {
+        "all nine numbers without letters, any line of centres"
+    }
+
+    fn promises(&self) -> Promise {
+        Promise::Nothing("rows of unlike masses are not scaled, and lose the lighter sphere's figures")
+    }
+
+    fn prepare(&self, impacts: &[Impact<Value>]) -> Result<Box<dyn Prepared>, Skip> {
+        floats(impacts, |impact| solve(impact).unwrap_or([[f64::NAN; 2]; 2]))
+    }
+}
 
 fn solve(impact: &Impact<f64>) -> Option<After<f64>> {
     let [m_a, m_b] = impact.masses;

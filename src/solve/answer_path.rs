@@ -1,0 +1,60 @@
+//! From what a scene gives to the components after the impact, by the least model that suffices.
+//!
+//! Velocities are resolved first, along and across the line of centres, which is exact; then the selector looks at the
+//! values. What it computes enters the derivation where a step gives just that: the step is still taken, printed
+//! and marked, and only its arithmetic is done once.
+
+use crate::mechanics::{ALONG, Axis, Datum, Derivation, Known, Moment, Quantity, Sphere};
+use crate::method::{Found, Impact, Selection, Wanted};
+use crate::number::Value;
+
+/// The components after the impact, and what chose the way to them.
+pub(super) struct AnswerPath {
+    /// The impact in the axes of the line of centres: first along it, then across.
+    pub impact: Impact<Value>,
+    /// The model.
+    pub selection: Selection,
+    /// All that was computed.
+    pub computed: Known<Value>,
+}
+
+/// What must be known before the impact: masses, e, and the components.
+fn before() -> Vec<Quantity> {
+    let mut asked = vec![Quantity::Mass(Sphere::A), Quantity::Mass(Sphere::B), Quantity::Restitution];
+    for sphere in Sphere::BOTH {
+        asked.extend([Axis::N, Axis::T].map(|axis| Quantity::Velocity(sphere, Moment::Before, axis)));
+    }
+    asked
+}
+
+/// The components after the impact, if all that it starts from follows from what is given. Where a velocity after is
+/// given as well, the steps themselves must say whether the two agree.
+pub(super) fn answer_path(given: &Known<Value>) -> Option<AnswerPath> {
+    let of_after = |quantity: &Quantity| {
+        use Quantity::{GivenDirection, Speed, Velocity};
+        matches!(quantity, Velocity(_, Moment::After, _) | Speed(_, Moment::After) | GivenDirection(_, Moment::After))
+    };
+    if given.0.keys().any(of_after) {
+        return None;
+    }
+    let mut computed = given.clone();
+    Derivation::carry_out(&mut computed, &before());
+    let impact = impact(&computed)?;
+    let selection = Selection::of(&impact, Wanted::ExactForm);
+    let Found::Exact(after) = selection.solve(&impact) else { return None };
+    for (quantity, [along, _]) in ALONG[2..].iter().zip(after) {
+        computed.0.entry(*quantity).or_insert(Datum::Number(along));
+    }
+    Some(AnswerPath { impact, selection, computed })
+}
+
+/// The impact in the axes of the line of centres.
+pub(super) fn impact(known: &Known<Value>) -> Option<Impact<Value>> {
+    let [m_a, m_b, e, a_n, a_t, b_n, b_t] = known.numbers(before().try_into().ok()?)?;
+    Some(Impact {
+        masses: [m_a, m_b],
+        before: [[a_n, a_t], [b_n, b_t]],
+        line: [Value::ONE, Value::ZERO],
+        restitution: e,
+    })
+}
