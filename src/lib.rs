@@ -14,4 +14,5 @@ pub mod number;
 pub mod paper;
 pub mod render;
 pub mod solve;
+pub mod study;
 pub mod unit;
