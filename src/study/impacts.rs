@@ -22,7 +22,7 @@ pub struct Regime {
 pub const REGIMES: &[Regime] = &[
     Regime {
         name: "stop-b-at-rest",
-        words: "A nearly stops, B at rest: mA = e mB (1 + 10^-k)",
+        words: "A nearly stops, B at rest: mA = e mB (1 + 10⁻ᵏ)",
         exponents: (0, 15),
         impact: |k, deal| {
             let (e, m_b) = (deal.restitution(), deal.mass());
@@ -32,7 +32,7 @@ pub const REGIMES: &[Regime] = &[
     },
     Regime {
         name: "stop-b-moving",
-        words: "A nearly stops, B moving: uB within 10^-k of where A stops",
+        words: "A nearly stops, B moving: uB within 10⁻ᵏ of where A stops",
         exponents: (0, 15),
         impact: |k, deal| {
             let (e, u_a) = (deal.restitution(), deal.speed());
@@ -43,8 +43,8 @@ pub const REGIMES: &[Regime] = &[
     },
     Regime {
         name: "heavy-b",
-        words: "mB = 10^k mA",
-        exponents: (0, 16),
+        words: "mB = 10ᵏ mA",
+        exponents: (1, 16),
         impact: |k, deal| {
             let m_a = deal.mass();
             let m_b = m_a * power_of_ten(k as i32) * deal.between(0.7, 1.3);
@@ -53,8 +53,8 @@ pub const REGIMES: &[Regime] = &[
     },
     Regime {
         name: "heavy-a",
-        words: "mA = 10^k mB",
-        exponents: (0, 16),
+        words: "mA = 10ᵏ mB",
+        exponents: (1, 16),
         impact: |k, deal| {
             let m_b = deal.mass();
             let m_a = m_b * power_of_ten(k as i32) * deal.between(0.7, 1.3);
@@ -63,7 +63,7 @@ pub const REGIMES: &[Regime] = &[
     },
     Regime {
         name: "nearly-inelastic",
-        words: "e = 10^-k",
+        words: "e = 10⁻ᵏ",
         exponents: (0, 15),
         impact: |k, deal| {
             head_on([deal.mass(), deal.mass()], [deal.speed(), deal.between(0.1, 0.9)], power_of_ten(-(k as i32)))
@@ -71,7 +71,7 @@ pub const REGIMES: &[Regime] = &[
     },
     Regime {
         name: "nearly-elastic",
-        words: "e = 1 - 10^-k",
+        words: "e = 1 - 10⁻ᵏ",
         exponents: (0, 15),
         impact: |k, deal| {
             let e = 1.0 - power_of_ten(-(k as i32));
@@ -80,7 +80,7 @@ pub const REGIMES: &[Regime] = &[
     },
     Regime {
         name: "nearly-equal-speeds",
-        words: "uB = uA (1 - 10^-k)",
+        words: "uB = uA (1 - 10⁻ᵏ)",
         exponents: (0, 15),
         impact: |k, deal| {
             let u = deal.speed();
@@ -90,7 +90,7 @@ pub const REGIMES: &[Regime] = &[
     },
     Regime {
         name: "grazing",
-        words: "cot of the angle between path and line of centres = 10^-k, B at rest",
+        words: "cot of the angle between path and line of centres = 10⁻ᵏ, B at rest",
         exponents: (0, 15),
         impact: |k, deal| {
             let [x, y] = [deal.speed(), deal.speed()];
@@ -106,7 +106,7 @@ pub const REGIMES: &[Regime] = &[
     },
     Regime {
         name: "large-units",
-        words: "both masses times 10^(20 k)",
+        words: "both masses times 10²⁰ᵏ",
         exponents: (0, 15),
         impact: |k, deal| {
             let unit = power_of_ten(20 * k as i32);
@@ -116,7 +116,7 @@ pub const REGIMES: &[Regime] = &[
     },
     Regime {
         name: "small-units",
-        words: "both masses times 10^(-20 k)",
+        words: "both masses times 10⁻²⁰ᵏ",
         exponents: (0, 15),
         impact: |k, deal| {
             let unit = power_of_ten(-20 * k as i32);

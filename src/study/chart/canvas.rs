@@ -119,12 +119,15 @@ pub struct Canvas {
     pub width: f64,
     pub height: f64,
     body: String,
+    /// Where nothing more may be written.
     pub taken: Vec<Area>,
+    /// Those of them that hold words.
+    pub written: Vec<Area>,
 }
 
 impl Canvas {
     pub fn new(width: f64, height: f64) -> Canvas {
-        Canvas { width, height, body: String::new(), taken: Vec::new() }
+        Canvas { width, height, body: String::new(), taken: Vec::new(), written: Vec::new() }
     }
 
     /// How wide a text is at most in any sans-serif letters of this size.

@@ -21,14 +21,18 @@ pub fn place(canvas: &mut Canvas, frame: Area, size: f64, labels: &[Label]) -> u
     };
     let mut order: Vec<&Label> = labels.iter().collect();
     order.sort_by_key(|label| std::cmp::Reverse(near(label)));
-    order.into_iter().filter(|label| !place_one(canvas, frame, size, label)).count()
+    // Where marks crowd, a thin line may run over one; over words it never does.
+    let placed = |label: &&Label, canvas: &mut Canvas| {
+        [true, false].into_iter().any(|strict| place_one(canvas, frame, size, label, strict))
+    };
+    order.into_iter().filter(|label| !placed(label, canvas)).count()
 }
 
-fn place_one(canvas: &mut Canvas, frame: Area, size: f64, label: &Label) -> bool {
+fn place_one(canvas: &mut Canvas, frame: Area, size: f64, label: &Label, strict: bool) -> bool {
     let (x, y) = label.mark;
     let width = Canvas::width_of(label.text, size);
     for (dx, dy) in spots() {
-        let middle = (x + dx * 1.0 + dx.signum() * if dx == 0.0 { 0.0 } else { width / 2.0 }, y + dy);
+        let middle = (x + dx + if dx == 0.0 { 0.0 } else { dx.signum() * width / 2.0 }, y + dy);
         let area = Area {
             left: middle.0 - width / 2.0 - GAP,
             right: middle.0 + width / 2.0 + GAP,
@@ -40,10 +44,11 @@ fn place_one(canvas: &mut Canvas, frame: Area, size: f64, label: &Label) -> bool
         }
         let far = dx.abs().max(dy.abs()) > 18.0;
         let leader = Leader { from: label.mark, to: nearest(&area, label.mark) };
-        if far && leader.crosses(canvas, label.mark) {
+        if far && leader.crosses(if strict { &canvas.taken } else { &canvas.written }, label.mark) {
             continue;
         }
         canvas.take(area);
+        canvas.written.push(area);
         if far {
             canvas.line(leader.from, leader.to, Tone::Faint, 0.6, "");
             leader.steps().for_each(|(x, y)| canvas.take(Area::around(x, y, 1.0)));
@@ -87,11 +92,11 @@ impl Leader {
     }
 
     /// Does it run over something other than its own mark?
-    fn crosses(&self, canvas: &Canvas, mark: (f64, f64)) -> bool {
+    fn crosses(&self, taken: &[Area], mark: (f64, f64)) -> bool {
         let own = Area::around(mark.0, mark.1, 9.0);
         self.steps().any(|(x, y)| {
             let point = Area::around(x, y, 0.5);
-            !point.meets(&own) && canvas.taken.iter().any(|taken| point.meets(taken))
+            !point.meets(&own) && taken.iter().any(|taken| point.meets(taken))
         })
     }
 }

@@ -125,7 +125,9 @@ fn axes(canvas: &mut Canvas, frame: Area, floor: f64, across: &Decades, up: &Dec
         canvas.line((frame.left, y), (frame.right, y), Tone::Faint, 1.2, "5 4");
         let left = frame.right - Canvas::width_of(words, LETTERS) - 6.0;
         canvas.text((frame.right - 6.0, y - 5.0), Anchor::End, LETTERS, Tone::Faint, words);
-        canvas.take(Area { left, right: frame.right, top: y - 17.0, bottom: y - 1.0 });
+        let words = Area { left, right: frame.right, top: y - 17.0, bottom: y - 1.0 };
+        canvas.take(words);
+        canvas.written.push(words);
         canvas.take(Area { left: frame.left, right: frame.right, top: y - 0.8, bottom: y + 0.8 });
     }
     canvas.line((frame.left, floor), (frame.right, floor), Tone::Ink, 1.2, "");

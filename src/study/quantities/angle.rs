@@ -9,7 +9,7 @@ use crate::study::map::{Arrangement, Subject};
 pub const NEARLY_PARALLEL: Subject = Subject {
     name: "angle-nearly-parallel",
     quantity: "angle between two velocities",
-    regime: "10^-k radians",
+    regime: "10⁻ᵏ radians",
     exponents: (0, 15),
     arrangements: &[
         Arrangement { name: "acos", says: "cos⁻¹ of the scalar product over both sizes" },

@@ -8,7 +8,7 @@ use crate::study::map::{Arrangement, Subject};
 pub const NEARLY_ACROSS: Subject = Subject {
     name: "component-nearly-across",
     quantity: "component u cos θ",
-    regime: "θ = 90° - 10^-k°",
+    regime: "θ = 90° - 10⁻ᵏ°",
     exponents: (0, 13),
     arrangements: &[
         Arrangement { name: "single", says: "u cos θ in single precision" },

@@ -12,7 +12,7 @@ use crate::study::map::{Arrangement, Subject};
 pub const GRAZING: Subject = Subject {
     name: "deflection-grazing",
     quantity: "angle of deflection",
-    regime: "cot of the angle with the line of centres = 10^-k",
+    regime: "cot of the angle with the line of centres = 10⁻ᵏ",
     exponents: (0, 15),
     arrangements: &[
         Arrangement { name: "acos", says: "cos⁻¹ of the scalar product over both speeds" },

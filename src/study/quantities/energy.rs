@@ -16,7 +16,7 @@ const ARRANGEMENTS: &[Arrangement] = &[
 pub const NEARLY_ELASTIC: Subject = Subject {
     name: "energy-nearly-elastic",
     quantity: "kinetic energy lost",
-    regime: "e = 1 - 10^-k",
+    regime: "e = 1 - 10⁻ᵏ",
     exponents: (0, 15),
     arrangements: ARRANGEMENTS,
     scene: |k, deal| {
@@ -30,7 +30,7 @@ pub const NEARLY_ELASTIC: Subject = Subject {
 pub const NEARLY_EQUAL_SPEEDS: Subject = Subject {
     name: "energy-nearly-equal-speeds",
     quantity: "kinetic energy lost",
-    regime: "uB = uA (1 - 10^-k)",
+    regime: "uB = uA (1 - 10⁻ᵏ)",
     exponents: (0, 15),
     arrangements: ARRANGEMENTS,
     scene: |k, deal| {

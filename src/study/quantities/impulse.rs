@@ -8,7 +8,7 @@ use crate::study::map::{Arrangement, Subject};
 pub const NEARLY_EQUAL_SPEEDS: Subject = Subject {
     name: "impulse-nearly-equal-speeds",
     quantity: "impulse",
-    regime: "uB = uA (1 - 10^-k)",
+    regime: "uB = uA (1 - 10⁻ᵏ)",
     exponents: (0, 15),
     arrangements: &[
         Arrangement { name: "change-of-momentum", says: "mA (uA - vA), from the velocity after the impact" },

@@ -11,7 +11,7 @@ use crate::study::map::{Arrangement, Subject};
 pub const UNEQUAL_MASSES: Subject = Subject {
     name: "line-of-centres-unequal-masses",
     quantity: "direction of the line of centres",
-    regime: "mA = 10^k mB",
+    regime: "mA = 10ᵏ mB",
     exponents: (0, 16),
     arrangements: &[
         Arrangement { name: "from-heavy", says: "the change of velocity of the heavy sphere" },

@@ -9,7 +9,7 @@ use crate::study::map::{Arrangement, Subject};
 pub const NEARLY_EQUAL_SPEEDS: Subject = Subject {
     name: "restitution-nearly-equal-speeds",
     quantity: "coefficient of restitution",
-    regime: "uB = uA (1 - 10^-k)",
+    regime: "uB = uA (1 - 10⁻ᵏ)",
     exponents: (0, 15),
     arrangements: &[
         Arrangement { name: "four-figures", says: "(vB - vA)/(uA - uB), with velocities to 4 figures" },
@@ -41,7 +41,7 @@ pub const NEARLY_EQUAL_SPEEDS: Subject = Subject {
 pub const NEARLY_HALF: Subject = Subject {
     name: "tangent-nearly-half",
     quantity: "tan² θ = (2e - 1)/3",
-    regime: "e = ½ + 10^-k",
+    regime: "e = ½ + 10⁻ᵏ",
     exponents: (1, 17),
     arrangements: &[
         Arrangement { name: "three-decimals", says: "(2e - 1)/3, with e to 3 decimal places" },

@@ -8,7 +8,7 @@ use crate::study::map::{Arrangement, Subject};
 pub const NEARLY_INELASTIC: Subject = Subject {
     name: "separation-nearly-inelastic",
     quantity: "speed of separation",
-    regime: "e = 10^-k",
+    regime: "e = 10⁻ᵏ",
     exponents: (0, 15),
     arrangements: &[
         Arrangement { name: "difference", says: "vB - vA, from the velocities after the impact" },
