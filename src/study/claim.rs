@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use super::exam_grid::{Census, Count, SMALL, WHOLE};
 use super::map::{Map, Row};
 
 /// A claim about a row of a map.
@@ -26,18 +27,56 @@ pub struct Claim {
     pub sentence: String,
 }
 
-/// The table, as it is in the file.
-#[derive(Deserialize)]
-struct Table {
-    claim: Vec<Claim>,
+/// A claim about what a method makes of the exam grid.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct CountClaim {
+    /// The method.
+    pub method: String,
+    /// What is counted: a column of `grid.csv`.
+    pub column: String,
+    /// How many on the small grid of [`SMALL`](super::SMALL), which a test goes through.
+    pub small: u64,
+    /// How many on the whole grid, which a study goes through.
+    pub whole: u64,
+}
+
+/// The tables, as they are in the file.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Claims {
+    /// About maps.
+    pub claim: Vec<Claim>,
+    /// About the exam grid.
+    pub count: Vec<CountClaim>,
 }
 
 /// A claim that holds everywhere has to be as sharp as this: the worst error is above the bound divided by it.
 const SHARP: f64 = 20.0;
 
 /// Every claim, in the order in which they are printed; the reason if the table cannot be read.
-pub fn claims() -> Result<Vec<Claim>, String> {
-    toml::from_str::<Table>(include_str!("claims.toml")).map(|table| table.claim).map_err(|error| error.to_string())
+pub fn claims() -> Result<Claims, String> {
+    toml::from_str(include_str!("claims.toml")).map_err(|error| error.to_string())
+}
+
+impl CountClaim {
+    /// What is not as it says; empty if all is.
+    pub fn tried(&self, census: &Census) -> Option<String> {
+        let expected = match census.bounds {
+            WHOLE => self.whole,
+            SMALL => self.small,
+            _ => return Some("the claims are about another grid".to_owned()),
+        };
+        let count = census.counts.iter().find(|count| count.method == self.method);
+        let place = Count::COLUMNS.iter().position(|column| *column == self.column);
+        let (Some(count), Some(place)) = (count, place) else {
+            return Some(format!("the grid has no `{}` of `{}`", self.column, self.method));
+        };
+        let found = count.numbers()[place];
+        let words =
+            format!("`{}` of `{}` is said to be {expected} on the grid, and is {found}", self.column, self.method);
+        (found != expected).then_some(words)
+    }
 }
 
 impl Claim {
@@ -93,7 +132,10 @@ pub fn try_all(claims: &[Claim], maps: &[Map]) -> Vec<String> {
         }
         let rival = |other: &&Claim| other.map == claim.map && other.fails_from.is_some();
         if claim.fails_from.is_none() && !claims.iter().any(|other| rival(&other)) {
-            broken.push(format!("nothing fails in `{}`, so that `{}` holds there says little", claim.map, claim.arrangement));
+            broken.push(format!(
+                "nothing fails in `{}`, so that `{}` holds there says little",
+                claim.map, claim.arrangement
+            ));
         }
     }
     broken

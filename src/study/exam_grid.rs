@@ -21,6 +21,9 @@ pub struct Bounds {
 /// The whole grid: 310,365 scenes.
 pub const WHOLE: Bounds = Bounds { mass: 9, parts: 10, speed: 9 };
 
+/// A part of it that is soon gone through: 2,772 scenes.
+pub const SMALL: Bounds = Bounds { mass: 4, parts: 4, speed: 4 };
+
 /// What a method made of the grid.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Count {
@@ -45,8 +48,10 @@ pub struct Count {
 }
 
 /// What is so, by integers.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Census {
+    /// Of which grid.
+    pub bounds: Bounds,
     /// Scenes.
     pub scenes: u64,
     /// Velocities that are nought.
@@ -70,7 +75,8 @@ pub fn census(bounds: Bounds, methods: &[&dyn Method], step: &mut dyn FnMut()) -
         undecided: 0,
         undecided_plain: 0,
     };
-    let mut census = Census { counts: methods.iter().map(empty).collect(), ..Census::default() };
+    let counts = methods.iter().map(empty).collect();
+    let mut census = Census { bounds, scenes: 0, noughts: 0, ties: 0, counts };
     let mut refused = vec![false; methods.len()];
     for (m_a, m_b) in coprime_masses(bounds.mass) {
         for (p, q) in farey(bounds.parts) {
@@ -192,6 +198,24 @@ fn normal(figures: i64, power: i32) -> (i64, i32) {
 }
 
 impl Count {
+    /// The names of its numbers, as in tables and claims.
+    pub const COLUMNS: [&str; 8] =
+        ["ghosts", "swallowed", "formatted", "multiplied", "fifteen", "not-ties", "undecided", "undecided-plain"];
+
+    /// Its numbers in the order of their names.
+    pub fn numbers(&self) -> [u64; 8] {
+        [
+            self.ghosts,
+            self.swallowed,
+            self.formatted,
+            self.multiplied,
+            self.fifteen,
+            self.not_ties,
+            self.undecided,
+            self.undecided_plain,
+        ]
+    }
+
     fn add(&mut self, found: &Found, right: &[Exact; 2]) {
         for (sphere, right) in right.iter().enumerate() {
             match found {

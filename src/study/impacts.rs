@@ -172,10 +172,8 @@ pub fn truth(impact: &Impact<Fraction>) -> After<Fraction> {
     let line = &impact.line;
     let dot = |one: &[Fraction; 2], other: &[Fraction; 2]| &(&one[0] * &other[0]) + &(&one[1] * &other[1]);
     let approach = &dot(u_a, line) - &dot(u_b, line);
-    let impulse = &(&(&(&Fraction::ONE + &impact.restitution) * &approach) * &(m_a * m_b))
-        / &(&(m_a + m_b) * &dot(line, line));
-    let moved = |u: &[Fraction; 2], per: Fraction| {
-        std::array::from_fn(|place| &u[place] + &(&per * &line[place]))
-    };
+    let impulse =
+        &(&(&(&Fraction::ONE + &impact.restitution) * &approach) * &(m_a * m_b)) / &(&(m_a + m_b) * &dot(line, line));
+    let moved = |u: &[Fraction; 2], per: Fraction| std::array::from_fn(|place| &u[place] + &(&per * &line[place]));
     [moved(u_a, -(&impulse / m_a)), moved(u_b, &impulse / m_b)]
 }

@@ -128,9 +128,9 @@ impl Dealer {
     pub fn new(name: &str, k: u32) -> Dealer {
         let mut random = ChaCha8Rng::seed_from_u64(k.into());
         // Any number that differs between names will do; this is FNV-1a.
-        let stream = name.bytes().fold(0xcbf2_9ce4_8422_2325u64, |hash, byte| {
-            (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-        });
+        let stream = name
+            .bytes()
+            .fold(0xcbf2_9ce4_8422_2325u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3));
         random.set_stream(stream);
         Dealer { random }
     }

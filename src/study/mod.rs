@@ -15,18 +15,16 @@ mod work;
 
 use crate::method::METHODS;
 pub use chart::*;
-pub use claim::{Claim, claims, try_all};
+pub use claim::{Claim, Claims, CountClaim, claims, try_all};
 pub use double::{BITS, Outcome, ROUNDOFF, fraction};
-pub use exam_grid::{Bounds, Census, Count, WHOLE, blocks, census, methods};
+pub use exam_grid::{Bounds, Census, Count, SMALL, WHOLE, blocks, census, methods};
 pub use impacts::{REGIMES, Regime};
 pub use map::{Arrangement, Dealer, Map, Row, Subject};
 pub use quantities::QUANTITIES;
 pub use report::Study;
 pub use times::{read_times, write_times};
 pub use tolerance::{CHAINS, Chain, Spread, spread};
-pub use velocities::{Scale, mapped, ordinary_error, outcome, regime};
-/// Velocity maps.
-pub use velocities::map as velocity_map;
+pub use velocities::{Scale, mapped, ordinary_error, outcome, promised, regime, regime_map};
 pub use work::{Cost, Effort, KINDS, Kind, costs, errors, steps, work_of};
 
 /// What a study is to do.
@@ -65,7 +63,7 @@ pub fn run(plan: &Plan, now: &dyn Fn() -> u64, step: &mut dyn FnMut(&'static str
     }
     let mut velocities = Vec::new();
     for regime in REGIMES {
-        velocities.push(velocity_map(regime, SCENES));
+        velocities.push(regime_map(regime, SCENES));
         step("maps of velocities");
     }
     let census = census(WHOLE, &methods(), &mut || step("the exam grid"));
@@ -86,6 +84,7 @@ pub fn run(plan: &Plan, now: &dyn Fn() -> u64, step: &mut dyn FnMut(&'static str
         }
     };
     let maps: Vec<Map> = quantities.iter().chain(&velocities).cloned().collect();
-    let broken = try_all(&claims, &maps);
+    let mut broken = try_all(&claims.claim, &maps);
+    broken.extend(claims.count.iter().filter_map(|claim| claim.tried(&census)));
     Ok(Study { quantities, velocities, claims, broken, census, spreads, costs })
 }

@@ -18,7 +18,7 @@ pub fn regime(name: &str) -> Option<&'static Regime> {
 }
 
 /// The map of a regime: the larger error of the two velocities, each relative to its own size.
-pub fn map(regime: &Regime, scenes: usize) -> Map {
+pub fn regime_map(regime: &Regime, scenes: usize) -> Map {
     let columns: Vec<Vec<Outcome>> =
         (regime.exponents.0..=regime.exponents.1).map(|k| column(regime, k, scenes)).collect();
     let row = |(place, method): (usize, &dyn Method)| Row {
@@ -44,6 +44,17 @@ fn column(regime: &Regime, k: u32, scenes: usize) -> Vec<Outcome> {
         for (worst, method) in worst.iter_mut().zip(mapped()) {
             *worst = worst.worse(outcome(method, &impact, &truth, Scale::Itself));
         }
+    }
+    worst
+}
+
+/// The worst error of one method in a regime at one k, as a part of the largest speed before.
+pub fn promised(regime: &Regime, k: u32, method: &dyn Method, scenes: usize) -> Outcome {
+    let mut deal = Dealer::new(regime.name, k);
+    let mut worst = Outcome::Refused;
+    for _ in 0..scenes {
+        let Some(impact) = exactly(&(regime.impact)(k, &mut deal)) else { continue };
+        worst = worst.worse(outcome(method, &in_values(&impact), &truth(&impact), Scale::Largest));
     }
     worst
 }

@@ -6,11 +6,11 @@ use super::scale::{Decades, power};
 /// A row of the chart.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bar {
-    /// Its name.
+    /// Its name; nothing if it goes with the row above.
     pub name: String,
     /// What is said at its end.
     pub says: String,
-    /// One number for each of the marks of the chart.
+    /// One number for each of the marks of the chart; nought for none.
     pub values: Vec<f64>,
 }
 
@@ -19,8 +19,10 @@ pub struct Bar {
 pub struct Bars<'c> {
     /// Under the scale.
     pub scale: &'c str,
-    /// In the legend, one for each number of a row; with one there is no legend.
+    /// In the legend, one for each number of a row.
     pub marks: &'c [&'c str],
+    /// Are they bars from the left edge, or marks on a line?
+    pub bars: bool,
     /// For those who cannot see it.
     pub words: &'c str,
 }
@@ -45,8 +47,9 @@ pub fn bars(chart: Bars, rows: &[Bar]) -> String {
     }
     canvas.text(((left + right) / 2.0, bottom + 42.0), Anchor::Middle, 13.0, Tone::Ink, chart.scale);
     let mut x = left;
-    for (place, words) in chart.marks.iter().enumerate().filter(|_| chart.marks.len() > 1) {
-        canvas.mark((x + 6.0, 18.0), Shape::SERIES[place % 8], Tone::SERIES[place % 7], 5.0);
+    for (place, words) in chart.marks.iter().enumerate() {
+        let shape = if chart.bars { Shape::Square } else { Shape::SERIES[place % 8] };
+        canvas.mark((x + 6.0, 18.0), shape, Tone::SERIES[place % 7], 5.0);
         canvas.text((x + 17.0, 22.0), Anchor::Start, 12.0, Tone::Ink, words);
         x += 17.0 + Canvas::width_of(words, 12.0) + 18.0;
     }
@@ -55,10 +58,10 @@ pub fn bars(chart: Bars, rows: &[Bar]) -> String {
         canvas.text((left - 10.0, y + 4.0), Anchor::End, 12.0, Tone::Ink, &row.name);
         let shown: Vec<(usize, f64)> =
             row.values.iter().copied().enumerate().filter(|(_, value)| *value > 0.0 && value.is_finite()).collect();
-        if chart.marks.len() == 1 {
-            for (_, value) in &shown {
+        if chart.bars {
+            for (mark, value) in &shown {
                 let area = Area { left, top: y - 8.0, right: scale.place(*value), bottom: y + 8.0 };
-                canvas.bar(area, Tone::Blue);
+                canvas.bar(area, Tone::SERIES[mark % 7]);
             }
         } else {
             if let (Some(first), Some(last)) = (shown.first(), shown.last()) {

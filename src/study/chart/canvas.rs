@@ -213,9 +213,7 @@ impl Canvas {
     pub fn mark(&mut self, (x, y): (f64, f64), shape: Shape, tone: Tone, half: f64) {
         let (class, colour) = (tone.class(), tone.colour());
         if shape == Shape::Circle {
-            self.put(format_args!(
-                r#"<circle class="f {class}" cx="{x:.1}" cy="{y:.1}" r="{half}" fill="{colour}"/>"#
-            ));
+            self.put(format_args!(r#"<circle class="f {class}" cx="{x:.1}" cy="{y:.1}" r="{half}" fill="{colour}"/>"#));
             return;
         }
         let at = |points: &[(f64, f64)]| {

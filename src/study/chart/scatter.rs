@@ -141,7 +141,11 @@ fn axes(canvas: &mut Canvas, frame: Area, floor: f64, across: &Decades, up: &Dec
     }
     let middle = ((frame.left + frame.right) / 2.0, frame.bottom + 42.0);
     canvas.text(middle, Anchor::Middle, 13.0, Tone::Ink, "cost of one impact in nanoseconds");
-    canvas.upright((20.0, (frame.top + floor) / 2.0), 13.0, "worst error of a velocity, as a part of the largest speed");
+    canvas.upright(
+        (20.0, (frame.top + floor) / 2.0),
+        13.0,
+        "worst error of a velocity, as a part of the largest speed",
+    );
 }
 
 fn legend(canvas: &mut Canvas, frame: Area, series: &[Series]) {

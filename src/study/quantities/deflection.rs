@@ -27,11 +27,8 @@ pub const GRAZING: Subject = Subject {
         let after = c - change;
         let truth = turned([m_a, m_b, e, c, t].map(exactly));
         let sizes = (c * c + t * t).sqrt() * (after * after + t * t).sqrt();
-        let found = [
-            acos((c * after + t * t) / sizes),
-            atan2(t, after) - atan2(t, c),
-            atan2(t * change, t * t + c * after),
-        ];
+        let found =
+            [acos((c * after + t * t) / sizes), atan2(t, after) - atan2(t, c), atan2(t * change, t * t + c * after)];
         found.map(|found| Outcome::against(found, &truth)).to_vec()
     },
 };

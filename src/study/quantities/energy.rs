@@ -8,7 +8,9 @@ use crate::study::map::{Arrangement, Dealer, Subject};
 const ARRANGEMENTS: &[Arrangement] = &[
     Arrangement { name: "difference", says: "the energy before less the energy after" },
     Arrangement { name: "factored", says: "½m(u - v)(u + v) for each sphere, added" },
-    Arrangement { name: "one-less-e-squared", says: "½ mA mB/(mA + mB) (1 - e²) (uA - uB)², with 1 - e² as written" },
+    Arrangement {
+        name: "one-less-e-squared", says: "½ mA mB/(mA + mB) (1 - e²) (uA - uB)², with 1 - e² as written"
+    },
     Arrangement { name: "formula", says: "½ mA mB/(mA + mB) (1 - e)(1 + e) (uA - uB)²" },
 ];
 
@@ -46,8 +48,7 @@ pub fn outcomes(masses: [f64; 2], before: [f64; 2], e: f64) -> Vec<Outcome> {
     let [m_a, m_b] = masses;
     let [u_a, u_b] = before;
     let [v_a, v_b] = after(masses, before, e);
-    let difference =
-        (0.5 * m_a * u_a * u_a + 0.5 * m_b * u_b * u_b) - (0.5 * m_a * v_a * v_a + 0.5 * m_b * v_b * v_b);
+    let difference = (0.5 * m_a * u_a * u_a + 0.5 * m_b * u_b * u_b) - (0.5 * m_a * v_a * v_a + 0.5 * m_b * v_b * v_b);
     let factored = 0.5 * m_a * (u_a - v_a) * (u_a + v_a) + 0.5 * m_b * (u_b - v_b) * (u_b + v_b);
     let approach = u_a - u_b;
     let reduced = m_a * m_b / (m_a + m_b);

@@ -4,7 +4,7 @@ mod page;
 mod tables;
 
 use super::chart::{Bar, Bars, Chart, Series, Work, bars, scatter, strips};
-use super::claim::Claim;
+use super::claim::Claims;
 use super::exam_grid::Census;
 use super::map::Map;
 use super::tolerance::Spread;
@@ -18,8 +18,8 @@ pub struct Study {
     pub quantities: Vec<Map>,
     /// Maps of velocities by method.
     pub velocities: Vec<Map>,
-    /// The table of claims, and what of it does not hold.
-    pub claims: Vec<Claim>,
+    /// The tables of claims.
+    pub claims: Claims,
     /// What of the claims does not hold.
     pub broken: Vec<String>,
     /// The exam grid.
@@ -89,28 +89,27 @@ impl Study {
 
     /// For each kind of scene the cheapest exact method, and the plain formula beside it.
     fn tiers(&self) -> String {
-        let row = |scene: &str, words: &str, work: Work, who: &str| {
+        let row = |scene: &str, words: &str, work: Work, mark: usize| {
             let cheapest = self
                 .costs
                 .iter()
                 .filter(|cost| cost.scene == scene && cost.work == work)
                 .min_by(|one, other| one.nanoseconds.total_cmp(&other.nanoseconds))?;
-            Some(Bar {
-                name: format!("{words}: {who}"),
-                says: format!("{}, {} ns", cheapest.name, short(cheapest.nanoseconds)),
-                values: vec![cheapest.nanoseconds],
-            })
+            let mut values = vec![0.0; 2];
+            values[mark] = cheapest.nanoseconds;
+            let name = if mark == 0 || work == Work::Exact && scene == "letters" { words } else { "" };
+            let says = format!("{}, {} ns", cheapest.name, short(cheapest.nanoseconds));
+            Some(Bar { name: name.to_owned(), says, values })
         };
         let rows: Vec<Bar> = KINDS
             .iter()
-            .flat_map(|kind| {
-                [row(kind.name, kind.words, Work::Double, "double"), row(kind.name, kind.words, Work::Exact, "exact")]
-            })
+            .flat_map(|kind| [row(kind.name, kind.words, Work::Double, 0), row(kind.name, kind.words, Work::Exact, 1)])
             .flatten()
             .collect();
         let chart = Bars {
             scale: "cost of one impact in nanoseconds, by the cheapest method of its kind",
-            marks: &["cost"],
+            marks: &["in doubles", "exactly"],
+            bars: true,
             words: "The cost of an impact by the numbers that the scene needs",
         };
         bars(chart, &rows)
@@ -124,6 +123,7 @@ impl Study {
         };
         let chart = Bars {
             scale: "honest tolerance in per cent of the answer",
+            bars: false,
             marks: &["half of the scenes need less", "95 in 100 need less", "the most that any needs"],
             words: "How wide a tolerance must be so that no honest working is marked wrong, by quantity",
         };

@@ -111,7 +111,7 @@ fn claims(study: &Study, maps: &[crate::study::Map]) -> Table {
         Some(vec![place, claim.arrangement.clone(), within, holds, fails, claim.sentence.clone()])
     };
     let head = named(&["where", "how", "within", "holds", "fails", "what to know"]);
-    (head, study.claims.iter().filter_map(row).collect())
+    (head, study.claims.claim.iter().filter_map(row).collect())
 }
 
 fn grid(study: &Study) -> Table {

@@ -4,6 +4,7 @@ use serde_json::{Value as Json, json};
 
 use super::Study;
 use crate::study::double::Outcome;
+use crate::study::exam_grid::Count;
 use crate::study::map::Map;
 use crate::study::times::write_times;
 
@@ -41,20 +42,9 @@ fn errors<'m>(maps: impl Iterator<Item = &'m Map>) -> String {
 }
 
 fn grid(study: &Study) -> String {
-    let mut text =
-        "method,ghosts,swallowed,formatted,multiplied,fifteen,not-ties,undecided,undecided-plain\n".to_owned();
+    let mut text = format!("method,{}\n", Count::COLUMNS.join(","));
     for count in &study.census.counts {
-        let numbers = [
-            count.ghosts,
-            count.swallowed,
-            count.formatted,
-            count.multiplied,
-            count.fifteen,
-            count.not_ties,
-            count.undecided,
-            count.undecided_plain,
-        ];
-        let numbers = numbers.map(|number| number.to_string()).join(",");
+        let numbers = count.numbers().map(|number| number.to_string()).join(",");
         text.push_str(&format!("{},{numbers}\n", count.method));
     }
     text
@@ -99,18 +89,14 @@ fn as_json(study: &Study) -> Json {
         json!({"map": map.name, "quantity": map.quantity, "regime": map.regime, "first_k": map.first, "rows": rows})
     };
     let maps: Vec<Json> = study.quantities.iter().chain(&study.velocities).map(map).collect();
-    let counts: Vec<Json> = study
-        .census
-        .counts
-        .iter()
-        .map(|count| {
-            json!({
-                "method": count.method, "ghosts": count.ghosts, "swallowed": count.swallowed,
-                "formatted": count.formatted, "multiplied": count.multiplied, "fifteen": count.fifteen,
-                "not_ties": count.not_ties, "undecided": count.undecided, "undecided_plain": count.undecided_plain,
-            })
-        })
-        .collect();
+    let count = |count: &Count| {
+        let mut all = json!({"method": count.method});
+        for (column, number) in Count::COLUMNS.into_iter().zip(count.numbers()) {
+            all[column] = number.into();
+        }
+        all
+    };
+    let counts: Vec<Json> = study.census.counts.iter().map(count).collect();
     let spreads: Vec<Json> = study
         .spreads
         .iter()
@@ -134,7 +120,7 @@ fn as_json(study: &Study) -> Json {
         .collect();
     let (scenes, noughts, ties) = (study.census.scenes, study.census.noughts, study.census.ties);
     json!({
-        "maps": maps, "claims": study.claims, "broken_claims": study.broken,
+        "maps": maps, "claims": study.claims.claim, "counts": study.claims.count, "broken_claims": study.broken,
         "exam_grid": {"scenes": scenes, "noughts": noughts, "ties": ties, "methods": counts},
         "rounding_on_the_way": spreads, "times": costs,
     })
