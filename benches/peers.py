@@ -40,7 +40,7 @@ def deal(number, generator=random.Random(5)):
         a, b = (whole(-9, 9), whole(-9, 9)), (whole(-9, 9), whole(-9, 9))
         line = (whole(-4, 4), whole(-4, 4))
         parts = whole(2, 10)
-        e = Fraction(whole(0, parts), parts)
+        e = Fraction(whole(1, parts), parts)
         if (a[0] - b[0]) * line[0] + (a[1] - b[1]) * line[1] > 0:
             scenes.append((m_a, m_b, *a, *b, *line, e))
     return scenes

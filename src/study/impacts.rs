@@ -139,7 +139,7 @@ pub fn ordinary(deal: &mut Dealer) -> Impact<Fraction> {
         let before = [[whole(-9, 9), whole(-9, 9)], [whole(-9, 9), whole(-9, 9)]];
         let line = [whole(-4, 4), whole(-4, 4)];
         let parts = whole(2, 10);
-        let e = Fraction::new(whole(0, parts), parts);
+        let e = Fraction::new(whole(1, parts), parts);
         let approach = (0..2).map(|place| (before[0][place] - before[1][place]) * line[place]).sum::<i64>();
         if approach > 0 {
             let before = before.map(|velocity| velocity.map(Fraction::from));

@@ -13,7 +13,6 @@ mod tolerance;
 mod velocities;
 mod work;
 
-use crate::method::METHODS;
 pub use chart::*;
 pub use claim::{Claim, Claims, CountClaim, claims, try_all};
 pub use double::{BITS, Outcome, ROUNDOFF, fraction};
@@ -25,7 +24,7 @@ pub use report::Study;
 pub use times::{read_times, write_times};
 pub use tolerance::{CHAINS, Chain, Spread, spread};
 pub use velocities::{Scale, mapped, ordinary_error, outcome, promised, regime, regime_map};
-pub use work::{Cost, Effort, KINDS, Kind, costs, errors, steps, work_of};
+pub use work::{Cost, Effort, KINDS, Kind, costs, steps, work_of};
 
 /// What a study is to do.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,7 +44,7 @@ const WORKINGS: usize = 1000;
 /// How many steps a study reports.
 pub fn length(plan: &Plan) -> u64 {
     let maps = QUANTITIES.len() + REGIMES.len();
-    let timing = if plan.times.is_none() { steps(plan.effort) + METHODS.len() as u64 } else { 0 };
+    let timing = if plan.times.is_none() { steps(plan.effort) } else { 0 };
     maps as u64 + blocks(WHOLE) + 2 * CHAINS.len() as u64 + timing
 }
 
@@ -77,8 +76,7 @@ pub fn run(plan: &Plan, now: &dyn Fn() -> u64, step: &mut dyn FnMut(&'static str
     let costs = match &plan.times {
         Some(times) => times.clone(),
         None => {
-            let errors = errors(&mut || step("errors"));
-            let mut costs = costs(plan.effort, &errors, now, &mut || step("times"));
+            let mut costs = costs(plan.effort, now, &mut || step("times"));
             costs.extend(plan.peers.iter().cloned());
             costs
         }

@@ -56,31 +56,34 @@ pub fn read_times(source: &Source) -> Result<Vec<Cost>, Vec<Diagnostic>> {
     for (span, line) in lines.filter(|(_, line)| !line.trim().is_empty()) {
         match row(source, span, line) {
             Ok(cost) => costs.push(cost),
-            Err(fault) => faults.push(fault),
+            Err(fault) => faults.push(*fault),
         }
     }
     if faults.is_empty() { Ok(costs) } else { Err(faults) }
 }
 
-fn row(source: &Source, span: Range<usize>, line: &str) -> Result<Cost, Diagnostic> {
+fn row(source: &Source, span: Range<usize>, line: &str) -> Result<Cost, Box<Diagnostic>> {
+    let fault = |message: String, span: &Range<usize>, label: String| {
+        Box::new(Diagnostic::new(message, source, span.clone(), label))
+    };
     let cells: Vec<(Range<usize>, &str)> = cells(span.start, line);
     let [name, kind, scene, steps, nanoseconds, ratio, error] = cells.as_slice() else {
         let message = format!("a row with {} cells", cells.len());
-        return Err(Diagnostic::new(message, source, span, format!("expected {}", COLUMNS.len())));
+        return Err(fault(message, &span, format!("expected {}", COLUMNS.len())));
     };
     let Some(work) = Work::ALL.into_iter().find(|work| work.name() == kind.1) else {
         let names = Work::ALL.map(Work::name);
         let label = format!("expected one of `{}`", names.join("`, `"));
-        let fault = Diagnostic::new(format!("unknown kind `{}`", kind.1), source, kind.0.clone(), label);
-        return Err(fault.with_near(near(kind.1, names)));
+        let unknown = fault(format!("unknown kind `{}`", kind.1), &kind.0, label);
+        return Err(Box::new(unknown.with_near(near(kind.1, names))));
     };
     let positive = |(span, text): &(Range<usize>, &str)| match text.parse::<f64>() {
         Ok(number) if number > 0.0 && number.is_finite() => Ok(number),
-        _ => Err(Diagnostic::new(format!("`{text}` is no time"), source, span.clone(), "expected a positive number")),
+        _ => Err(fault(format!("`{text}` is no time"), span, "expected a positive number".to_owned())),
     };
     let empty_or = |(_, text): &(Range<usize>, &str)| text.is_empty();
     let wrong = |(span, text): &(Range<usize>, &str), expected: &str| {
-        Diagnostic::new(format!("`{text}` is not {expected}"), source, span.clone(), format!("expected {expected}"))
+        fault(format!("`{text}` is not {expected}"), span, format!("expected {expected}"))
     };
     let error = match error {
         cell if empty_or(cell) => None,

@@ -5,11 +5,11 @@
 //! moment of the machine falls on all of them, and the shortest time of each counts.
 
 use super::chart::Work;
-use super::double::Outcome;
 use super::impacts::{in_values, ordinary};
 use super::map::Dealer;
 use super::velocities::ordinary_error;
-use crate::method::{Impact, METHODS, Method, Prepared, Promise, Role};
+use crate::method::exhibit::{FixedStep, Sequential, Spring};
+use crate::method::{Impact, METHODS, Method, Prepared, Promise, Role, Skip};
 use crate::number::{Direction, Fraction, Letter, Range, Value};
 
 /// How long to look at the clock.
@@ -112,49 +112,100 @@ pub fn work_of(method: &dyn Method) -> Work {
         (Role::Exhibit, _) => Work::Simulated,
         (_, Promise::Exact) => Work::Exact,
         (_, Promise::Enclosed) => Work::Certified,
-        // A double's formula is off by some roundoffs: neither by thousands nor by next to none.
-        (_, Promise::Scaled(roundoffs)) if !(1.5..1000.0).contains(&roundoffs) => Work::OtherPrecision,
+        // A formula in doubles is off by some of their roundoffs, and one in single precision by millions.
+        (_, Promise::Scaled(roundoffs)) if roundoffs > 1000.0 => Work::OtherPrecision,
         _ => Work::Double,
     }
 }
 
-/// The error of every method in ordinary scenes; none where it refuses them or finds nothing.
-pub fn errors(step: &mut dyn FnMut()) -> Vec<Option<f64>> {
-    let error = |method: &&dyn Method| {
-        step();
-        // What simulates is slow, and nearly as wrong in few scenes as in many.
-        let scenes = if method.role() == Role::Exhibit { SCENES / 10 } else { SCENES };
-        match ordinary_error(*method, scenes) {
-            Outcome::Off(error) => Some(error),
-            Outcome::NoNumber | Outcome::Refused => None,
-        }
-    };
-    METHODS.iter().map(error).collect()
+/// What runs: a method of the list, or an exhibit in one of its settings.
+struct Entrant {
+    method: Box<dyn Method>,
+    steps: Option<u32>,
 }
 
-/// Times every method on every kind of scene that it takes. `now` tells nanoseconds from some moment on.
-pub fn costs(effort: Effort, errors: &[Option<f64>], now: &dyn Fn() -> u64, step: &mut dyn FnMut()) -> Vec<Cost> {
+/// Sizes of step, as steps in a contact and as looks a second, that make the curves of the exhibits.
+const CONTACT_STEPS: [u32; 4] = [10, 100, 1000, 10_000];
+const LOOKS: [u32; 4] = [60, 240, 1000, 10_000];
+
+/// How long a contact by a spring takes here: so short that turning during it costs less than most steps do.
+const CONTACT: f64 = 1e-6;
+
+fn entrants() -> Vec<Entrant> {
+    let listed = METHODS.iter().filter(|method| method.role() != Role::Exhibit);
+    let mut all: Vec<Entrant> =
+        listed.map(|method| Entrant { method: Box::new(Listed(*method)), steps: None }).collect();
+    all.push(Entrant { method: Box::new(Sequential::USUAL), steps: None });
+    for looks in LOOKS {
+        let method = FixedStep { step: 1.0 / f64::from(looks), ..FixedStep::USUAL };
+        all.push(Entrant { method: Box::new(method), steps: Some(looks) });
+    }
+    for usual in [Spring::VERLET, Spring::RUNGE_KUTTA] {
+        for steps in CONTACT_STEPS {
+            all.push(Entrant { method: Box::new(Spring { steps, contact: CONTACT, ..usual }), steps: Some(steps) });
+        }
+    }
+    all
+}
+
+/// A method of the list where one is owned.
+struct Listed(&'static dyn Method);
+
+impl Method for Listed {
+    fn name(&self) -> &'static str {
+        self.0.name()
+    }
+    fn role(&self) -> Role {
+        self.0.role()
+    }
+    fn accepts(&self) -> &'static str {
+        self.0.accepts()
+    }
+    fn promises(&self) -> Promise {
+        self.0.promises()
+    }
+    fn prepare(&self, impacts: &[Impact<Value>]) -> Result<Box<dyn Prepared>, Skip> {
+        self.0.prepare(impacts)
+    }
+}
+
+/// The error of an entrant in ordinary scenes; none where it refuses them or finds nothing.
+fn error(entrant: &Entrant) -> Option<f64> {
+    // What simulates is slow, and nearly as wrong in few scenes as in many.
+    let scenes = if entrant.steps.is_some() { SCENES / 10 } else { SCENES };
+    ordinary_error(&*entrant.method, scenes).error()
+}
+
+/// Times every method on every kind of scene that it takes; what simulates on one, since it minds none of the differences.
+/// `now` tells nanoseconds from some moment on.
+pub fn costs(effort: Effort, now: &dyn Fn() -> u64, step: &mut dyn FnMut()) -> Vec<Cost> {
+    let entrants = entrants();
+    let errors: Vec<Option<f64>> = entrants.iter().map(error).collect();
     let mut costs = Vec::new();
     for kind in KINDS {
         let mut deal = Dealer::new(kind.name, 0);
         let impacts: Vec<Impact<Value>> = (0..BATCH).filter_map(|_| (kind.scene)(&mut deal)).collect();
         let mut racers: Vec<Racer> = Vec::new();
-        for (place, method) in METHODS.iter().enumerate() {
-            if let Ok(prepared) = method.prepare(&impacts) {
-                racers.push(Racer { place, prepared, repeats: 1, best: f64::INFINITY });
+        for (place, entrant) in entrants.iter().enumerate() {
+            if entrant.steps.is_some() && kind.name != "oblique" {
+                continue;
+            }
+            if let Ok(prepared) = entrant.method.prepare(&impacts) {
+                racers.push(Racer { place, prepared, repeats: 1, turns: effort.turns, best: f64::INFINITY });
             }
         }
         racers.iter_mut().for_each(|racer| racer.warm_up(effort.turn, now));
-        for _ in 0..effort.turns {
-            racers.iter_mut().for_each(|racer| racer.turn(impacts.len(), now));
+        for turn in 0..effort.turns {
+            racers.iter_mut().filter(|racer| turn < racer.turns).for_each(|racer| racer.turn(impacts.len(), now));
             step();
         }
-        let plain = racers.iter().find(|racer| METHODS[racer.place].name() == PLAIN).map(|racer| racer.best);
+        let name = |racer: &Racer| entrants[racer.place].method.name();
+        let plain = racers.iter().find(|racer| name(racer) == PLAIN).map(|racer| racer.best);
         let found = racers.iter().map(|racer| Cost {
-            name: METHODS[racer.place].name().to_owned(),
-            work: work_of(METHODS[racer.place]),
+            name: name(racer).to_owned(),
+            work: work_of(&*entrants[racer.place].method),
             scene: kind.name.to_owned(),
-            steps: None,
+            steps: entrants[racer.place].steps,
             nanoseconds: racer.best,
             ratio: plain.map_or(f64::NAN, |plain| racer.best / plain),
             error: errors[racer.place],
@@ -182,6 +233,7 @@ struct Racer {
     place: usize,
     prepared: Box<dyn Prepared>,
     repeats: u64,
+    turns: usize,
     best: f64,
 }
 
@@ -191,6 +243,8 @@ impl Racer {
         loop {
             let taken = self.run(now);
             if taken * 2 > turn || self.repeats > 1 << 20 {
+                // What takes so long is not disturbed by a moment, and three turns of it are enough.
+                self.turns = if taken > 20 * turn { self.turns.min(3) } else { self.turns };
                 return;
             }
             self.repeats = (self.repeats * turn.div_euclid(taken.max(turn / 64))).max(self.repeats * 2);
@@ -247,7 +301,7 @@ mod tests {
         };
         let effort = Effort { turn: 1000, turns: 2 };
         let mut steps_taken = 0;
-        let found = costs(effort, &vec![None; METHODS.len()], &now, &mut || steps_taken += 1);
+        let found = costs(effort, &now, &mut || steps_taken += 1);
         assert_eq!(steps_taken, steps(effort));
         let plain: Vec<&Cost> = found.iter().filter(|cost| cost.name == PLAIN).collect();
         assert!(plain.len() >= 2, "{found:?}");

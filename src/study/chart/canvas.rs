@@ -123,11 +123,13 @@ pub struct Canvas {
     pub taken: Vec<Area>,
     /// Those of them that hold words.
     pub written: Vec<Area>,
+    /// Those of them that hold marks.
+    pub marked: Vec<Area>,
 }
 
 impl Canvas {
     pub fn new(width: f64, height: f64) -> Canvas {
-        Canvas { width, height, body: String::new(), taken: Vec::new(), written: Vec::new() }
+        Canvas { width, height, body: String::new(), taken: Vec::new(), written: Vec::new(), marked: Vec::new() }
     }
 
     /// How wide a text is at most in any sans-serif letters of this size.

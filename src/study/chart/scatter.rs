@@ -1,7 +1,7 @@
 //! Cost against error, both on scales of powers of ten; what is exact has a band of its own at the foot.
 
 use super::canvas::{Anchor, Area, Canvas, Shape, Tone};
-use super::labels::{Label, place};
+use super::labels::{Label, place, together};
 use super::scale::{Decades, power};
 
 /// What kind of thing a series is: one colour and one mark each.
@@ -63,21 +63,30 @@ pub struct Series {
 
 const WIDTH: f64 = 960.0;
 const LETTERS: f64 = 11.0;
+/// Errors below this have a strip of their own, with the power beside the name: the scale is for those that differ.
+const FAR: f64 = 1e-18;
+/// The height of that strip.
+const STRIP: f64 = 26.0;
 /// The height of the band of what is exact.
-const BAND: f64 = 150.0;
+const BAND: f64 = 190.0;
 
 /// The chart, and how many of its labels found no room.
 pub fn scatter(series: &[Series], words: &str) -> (String, usize) {
-    let mut canvas = Canvas::new(WIDTH, 760.0);
-    let frame = Area { left: 78.0, top: 56.0, right: WIDTH - 14.0, bottom: 760.0 - 56.0 };
+    let mut canvas = Canvas::new(WIDTH, 880.0);
+    let frame = Area { left: 78.0, top: 56.0, right: WIDTH - 14.0, bottom: 880.0 - 56.0 };
     let floor = frame.bottom - BAND;
     let points = || series.iter().flat_map(|series| series.points.iter());
-    let across = Decades::over(points().map(|(cost, _)| *cost), frame.left + 16.0, frame.right - 16.0);
-    let up = Decades::over(points().map(|(_, error)| *error).chain([1.0]), floor - 12.0, frame.top + 10.0);
+    let across = Decades::over(points().map(|(cost, _)| *cost), frame.left + 60.0, frame.right - 30.0);
+    let near = points().map(|(_, error)| *error).filter(|error| *error >= FAR);
+    let up = Decades::over(near.chain([1.0, 1e-19]), floor - STRIP - 6.0, frame.top + 10.0);
     axes(&mut canvas, frame, floor, &across, &up);
     legend(&mut canvas, frame, series);
     let at = |(cost, error): &(f64, f64)| {
-        let y = if *error > 0.0 { up.place(*error) } else { floor + BAND / 2.0 };
+        let y = match *error {
+            0.0 => floor + BAND / 2.0,
+            error if error < FAR => floor - STRIP / 2.0,
+            error => up.place(error),
+        };
         (across.place(*cost), y)
     };
     for one in series {
@@ -89,16 +98,18 @@ pub fn scatter(series: &[Series], words: &str) -> (String, usize) {
         }
         for place in places {
             canvas.mark(place, shape, tone, 5.0);
-            canvas.take(Area::around(place.0, place.1, 6.0));
+            let area = Area::around(place.0, place.1, 6.0);
+            canvas.take(area);
+            canvas.marked.push(area);
         }
     }
-    let labels: Vec<Label> = series
-        .iter()
-        .filter_map(|one| {
-            let mark = at(one.points.last()?);
-            Some(Label { mark, text: &one.name, tone: Tone::Ink })
-        })
-        .collect();
+    let last = |one: &Series| {
+        let point = one.points.last()?;
+        let far = point.1 > 0.0 && point.1 < FAR;
+        let name = if far { format!("{}: {}", one.name, power(point.1.log10().round() as i32)) } else { one.name.clone() };
+        Some((at(point), name))
+    };
+    let labels = together(series.iter().filter_map(last));
     let (above, below): (Vec<Label>, Vec<Label>) = labels.into_iter().partition(|label| label.mark.1 < floor);
     let upper = Area { bottom: floor, ..frame };
     let lower = Area { top: floor + 16.0, ..frame };
@@ -131,6 +142,10 @@ fn axes(canvas: &mut Canvas, frame: Area, floor: f64, across: &Decades, up: &Dec
         canvas.take(Area { left: frame.left, right: frame.right, top: y - 0.8, bottom: y + 0.8 });
     }
     canvas.line((frame.left, floor), (frame.right, floor), Tone::Ink, 1.2, "");
+    canvas.line((frame.left, floor - STRIP), (frame.right, floor - STRIP), Tone::Faint, 1.0, "");
+    canvas.text((frame.left + 8.0, floor - 9.0), Anchor::Start, LETTERS, Tone::Faint, "smaller by far");
+    canvas.take(Area { left: frame.left, right: frame.left + 110.0, top: floor - STRIP, bottom: floor });
+    canvas.take(Area { top: floor - STRIP - 1.0, bottom: floor - STRIP + 1.0, ..frame });
     canvas.line((frame.left, floor + BAND / 2.0), (frame.right, floor + BAND / 2.0), Tone::Grid, 1.0, "");
     canvas.strong((frame.left + 8.0, floor + 15.0), Anchor::Start, LETTERS + 1.0, "exact: error 0");
     for (from, to) in [
@@ -186,7 +201,7 @@ mod tests {
             .collect();
         let (svg, missing) = scatter(&series, "a crowd");
         assert_eq!(missing, 0);
-        assert!(series.iter().all(|one| svg.contains(&format!(">{}<", one.name))));
+        assert!(series.iter().all(|one| svg.contains(&format!(">{}<", one.name))), "{svg}");
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use super::{after, after_exactly, exactly};
 use crate::number::Fraction;
 use crate::study::double::{Outcome, power_of_ten};
-use crate::study::map::{Arrangement, Dealer, Subject};
+use crate::study::map::{Arrangement, Subject};
 
 const ARRANGEMENTS: &[Arrangement] = &[
     Arrangement { name: "difference", says: "the energy before less the energy after" },
@@ -43,7 +43,7 @@ pub const NEARLY_EQUAL_SPEEDS: Subject = Subject {
 };
 
 /// How far each arrangement is off for one scene.
-pub fn outcomes(masses: [f64; 2], before: [f64; 2], e: f64) -> Vec<Outcome> {
+fn outcomes(masses: [f64; 2], before: [f64; 2], e: f64) -> Vec<Outcome> {
     let truth = lost(masses, before, e);
     let [m_a, m_b] = masses;
     let [u_a, u_b] = before;
@@ -66,11 +66,4 @@ fn lost(masses: [f64; 2], before: [f64; 2], e: f64) -> Fraction {
         &(&of(0) + &of(1)) * &Fraction::new(1, 2)
     };
     &energy(&before) - &energy(&after)
-}
-
-/// A scene in which both are near: e = 1 - 10^-k and uB = uA (1 - 10^-j).
-pub fn both(k: u32, j: u32, deal: &mut Dealer) -> Vec<Outcome> {
-    let masses = [deal.mass(), deal.mass()];
-    let u_a = deal.speed();
-    outcomes(masses, [u_a, u_a * (1.0 - power_of_ten(-(j as i32)))], 1.0 - power_of_ten(-(k as i32)))
 }

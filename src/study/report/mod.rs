@@ -68,7 +68,7 @@ impl Study {
 
     /// Points of the chart of cost and error: each method where it solves any line of centres in fractions, or, if it
     /// solves only other scenes, where it is cheapest.
-    fn series(&self) -> Vec<Series> {
+    pub fn series(&self) -> Vec<Series> {
         let mut series: Vec<Series> = Vec::new();
         for cost in self.costs.iter().filter(|cost| cost.scene == "oblique" || !self.is_oblique(&cost.name)) {
             let Some(error) = cost.error.or_else(|| (cost.work == Work::Exact).then_some(0.0)) else { continue };
