@@ -5,7 +5,7 @@
 //! half-way between two decimals of three figures; schools round it up in size.
 
 use crate::method::{Found, Impact, METHODS, Method};
-use crate::number::{Fraction, Places, Value, round};
+use crate::number::{Fraction, Interval, Places, Value, round};
 
 /// How large the grid is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -226,9 +226,7 @@ impl Count {
                     }
                 }
                 Found::Enclosed(after) => {
-                    let three = |end: &Fraction| round(end, &Places::SignificantFigures(3));
-                    let (lower, upper) = (after[sphere][0].lower(), after[sphere][0].upper());
-                    if lower != upper && three(&lower) != three(&upper) {
+                    if !decides(&after[sphere][0]) {
                         self.undecided += 1;
                         self.undecided_plain += u64::from(right.numerator != 0 && !right.is_tie);
                     }
@@ -264,6 +262,17 @@ impl Count {
             }
         }
     }
+}
+
+/// Does an enclosure leave only one way to write three figures?
+fn decides(enclosure: &Interval) -> bool {
+    let three = |end: &Fraction| round(end, &Places::SignificantFigures(3));
+    let agree = |enclosure: &Interval| {
+        let (lower, upper) = (enclosure.lower(), enclosure.upper());
+        lower == upper || three(&lower) == three(&upper)
+    };
+    // Most are decided by a few places, whose fractions are small.
+    agree(&enclosure.with_bits(enclosure.bits().min(32))) || agree(enclosure)
 }
 
 /// Figures and power as the standard formatting writes them.

@@ -1,5 +1,7 @@
 //! Labels beside marks: each goes to the first spot where it covers nothing, with a thin line to its mark if that is far.
 
+use std::cmp::Ordering;
+
 use super::canvas::{Anchor, Area, Canvas, Tone};
 
 /// Space left around a label.
@@ -33,21 +35,72 @@ pub fn together(marks: impl Iterator<Item = ((f64, f64), String)>) -> Vec<Label>
     labels
 }
 
-/// Places labels inside a frame, those in the thick of it first; returns how many found no free spot and were left out.
+/// Places labels inside a frame; returns how many found no free spot and were left out.
+///
+/// What comes first has the choice, so several orders are tried, and the one with the shortest lines is drawn.
 pub fn place(canvas: &mut Canvas, frame: Area, size: f64, labels: &[Label]) -> usize {
-    let near = |label: &Label| {
+    let crowd = |label: &Label| {
         let close = |other: &&Label| (other.mark.0 - label.mark.0).hypot(other.mark.1 - label.mark.1) < 90.0;
         labels.iter().filter(close).count()
     };
-    let mut order: Vec<&Label> = labels.iter().collect();
-    order.sort_by_key(|label| std::cmp::Reverse((near(label), label.lines.len())));
-    // Where marks crowd, a thin line may cross another, and at last run over a mark; over words it never does.
-    let placed = |label: &&Label, canvas: &mut Canvas| {
-        [Crossing::Nothing, Crossing::Lines, Crossing::Marks]
-            .into_iter()
-            .any(|crossing| place_one(canvas, frame, size, label, crossing))
-    };
-    order.into_iter().filter(|label| !placed(label, canvas)).count()
+    let mut order: Vec<usize> = (0..labels.len()).collect();
+    order.sort_by_key(|place| std::cmp::Reverse((crowd(&labels[*place]), labels[*place].lines.len())));
+    let turned = (0..labels.len().min(ORDERS)).map(|turn| {
+        let mut order = order.clone();
+        order.rotate_left(turn);
+        order
+    });
+    let backwards = order.iter().rev().copied().collect();
+    let found = turned.chain([backwards]).map(|order| Placing::of(canvas, frame, size, labels, &order));
+    let best = found.min_by(|one, other| {
+        (one.missing, one.cost).partial_cmp(&(other.missing, other.cost)).unwrap_or(Ordering::Equal)
+    });
+    let Some(best) = best else { return 0 };
+    for (place, area, leader) in best.spots {
+        if let Some(leader) = leader {
+            canvas.line(leader.from, leader.to, Tone::Faint, 0.6, "");
+        }
+        let lines = &labels[place].lines;
+        let mut foot = area.top + GAP + size * 0.9;
+        for line in lines {
+            canvas.text(((area.left + area.right) / 2.0, foot), Anchor::Middle, size, Tone::Ink, line);
+            foot += size * LINE;
+        }
+    }
+    best.missing
+}
+
+/// How many orders are tried.
+const ORDERS: usize = 12;
+
+/// What came of an order.
+struct Placing {
+    spots: Vec<(usize, Area, Option<Leader>)>,
+    missing: usize,
+    cost: f64,
+}
+
+impl Placing {
+    fn of(canvas: &Canvas, frame: Area, size: f64, labels: &[Label], order: &[usize]) -> Placing {
+        let mut room = Room { taken: canvas.taken.clone(), written: canvas.written.clone(), marked: &canvas.marked };
+        let mut placing = Placing { spots: Vec::new(), missing: 0, cost: 0.0 };
+        for place in order {
+            // Where marks crowd, a thin line may cross another, and at last run over a mark; over words it never does.
+            let ways = [(Crossing::Nothing, 0.0), (Crossing::Lines, 1500.0), (Crossing::Marks, 6000.0)];
+            let found = ways.into_iter().find_map(|(crossing, dear)| {
+                let (area, leader, away) = room.spot(frame, size, &labels[*place], crossing)?;
+                Some((area, leader, away * away + dear))
+            });
+            match found {
+                Some((area, leader, cost)) => {
+                    placing.cost += cost;
+                    placing.spots.push((*place, area, leader));
+                }
+                None => placing.missing += 1,
+            }
+        }
+        placing
+    }
 }
 
 /// What the line to a label may cross.
@@ -58,41 +111,46 @@ enum Crossing {
     Marks,
 }
 
-fn place_one(canvas: &mut Canvas, frame: Area, size: f64, label: &Label, crossing: Crossing) -> bool {
-    let (x, y) = label.mark;
-    let width = label.lines.iter().map(|line| Canvas::width_of(line, size)).fold(0.0, f64::max);
-    let extra = (label.lines.len() - 1) as f64 * size * LINE;
-    let half = (width / 2.0 + GAP, size * 0.55 + extra / 2.0 + GAP);
-    for (dx, dy, away) in spots(half) {
-        let middle = (x + dx, y + dy);
-        let area = Area {
-            left: middle.0 - half.0,
-            right: middle.0 + half.0,
-            top: middle.1 - half.1,
-            bottom: middle.1 + half.1,
-        };
-        if !area.lies_in(&frame) || canvas.taken.iter().any(|taken| area.meets(taken)) {
-            continue;
+/// What is free while labels are placed.
+struct Room<'c> {
+    taken: Vec<Area>,
+    written: Vec<Area>,
+    marked: &'c [Area],
+}
+
+impl Room<'_> {
+    /// Takes the first free spot for a label, with the line to it if it is far, and how far it is.
+    fn spot(
+        &mut self,
+        frame: Area,
+        size: f64,
+        label: &Label,
+        crossing: Crossing,
+    ) -> Option<(Area, Option<Leader>, f64)> {
+        let (x, y) = label.mark;
+        let width = label.lines.iter().map(|line| Canvas::width_of(line, size)).fold(0.0, f64::max);
+        let extra = (label.lines.len() - 1) as f64 * size * LINE;
+        let half = (width / 2.0 + GAP, size * 0.55 + extra / 2.0 + GAP);
+        for (dx, dy, away) in spots(half) {
+            let (x, y) = (x + dx, y + dy);
+            let area = Area { left: x - half.0, right: x + half.0, top: y - half.1, bottom: y + half.1 };
+            if !area.lies_in(&frame) || self.taken.iter().any(|taken| area.meets(taken)) {
+                continue;
+            }
+            let leader = Leader { from: label.mark, to: nearest(&area, label.mark) };
+            let far = away > NEAR;
+            if far && leader.crosses(self, crossing) {
+                continue;
+            }
+            self.taken.push(area);
+            self.written.push(area);
+            if far {
+                self.taken.extend(leader.steps().map(|(x, y)| Area::around(x, y, 1.0)));
+            }
+            return Some((area, far.then_some(leader), away));
         }
-        let far = away > NEAR;
-        let leader = Leader { from: label.mark, to: nearest(&area, label.mark) };
-        if far && leader.crosses(canvas, crossing) {
-            continue;
-        }
-        canvas.take(area);
-        canvas.written.push(area);
-        if far {
-            canvas.line(leader.from, leader.to, Tone::Faint, 0.6, "");
-            leader.steps().for_each(|(x, y)| canvas.take(Area::around(x, y, 1.0)));
-        }
-        let mut foot = middle.1 - extra / 2.0 + size * 0.35;
-        for line in &label.lines {
-            canvas.text((middle.0, foot), Anchor::Middle, size, Tone::Ink, line);
-            foot += size * LINE;
-        }
-        return true;
+        None
     }
-    false
 }
 
 /// A label that is nearer than this needs no line to its mark.
@@ -137,12 +195,12 @@ impl Leader {
     }
 
     /// Does it run over something that it may not, away from its own mark?
-    fn crosses(&self, canvas: &Canvas, crossing: Crossing) -> bool {
+    fn crosses(&self, room: &Room, crossing: Crossing) -> bool {
         let own = Area::around(self.from.0, self.from.1, 9.0);
         let forbidden = |point: &Area| match crossing {
-            Crossing::Nothing => canvas.taken.iter().any(|taken| point.meets(taken)),
-            Crossing::Lines => canvas.written.iter().chain(&canvas.marked).any(|taken| point.meets(taken)),
-            Crossing::Marks => canvas.written.iter().any(|taken| point.meets(taken)),
+            Crossing::Nothing => room.taken.iter().any(|taken| point.meets(taken)),
+            Crossing::Lines => room.written.iter().chain(room.marked).any(|taken| point.meets(taken)),
+            Crossing::Marks => room.written.iter().any(|taken| point.meets(taken)),
         };
         self.steps().map(|(x, y)| Area::around(x, y, 0.5)).any(|point| !point.meets(&own) && forbidden(&point))
     }

@@ -106,7 +106,8 @@ pub fn scatter(series: &[Series], words: &str) -> (String, usize) {
     let last = |one: &Series| {
         let point = one.points.last()?;
         let far = point.1 > 0.0 && point.1 < FAR;
-        let name = if far { format!("{}: {}", one.name, power(point.1.log10().round() as i32)) } else { one.name.clone() };
+        let name =
+            if far { format!("{}: {}", one.name, power(point.1.log10().round() as i32)) } else { one.name.clone() };
         Some((at(point), name))
     };
     let labels = together(series.iter().filter_map(last));

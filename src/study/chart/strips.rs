@@ -14,7 +14,7 @@ const COLOURS: [&str; 17] = [
     "#00204d", "#002b66", "#12366f", "#27416c", "#374c6b", "#45576c", "#52626e", "#5f6d72", "#6c7876", "#7a8478",
     "#898f78", "#989c76", "#a8a971", "#b9b66a", "#cbc45f", "#ddd251", "#ffea46",
 ];
-const EXACT: &str = "#ffffff";
+const EXACT: &str = "#e3f1fb";
 
 const WIDTH: f64 = 960.0;
 const GUTTER: f64 = 24.0;
@@ -47,16 +47,26 @@ pub fn strips(maps: &[Map], words: &str) -> String {
 }
 
 fn height(map: &Map) -> f64 {
-    HEAD + map.rows.len() as f64 * TALL + 34.0
+    let refusing = if shown(map).count() < map.rows.len() { 16.0 } else { 0.0 };
+    HEAD + shown(map).count() as f64 * TALL + 34.0 + refusing
+}
+
+/// Rows that are drawn; what refuses every scene is only named.
+fn shown(map: &Map) -> impl Iterator<Item = &Row> {
+    map.rows.iter().filter(|row| !refuses(row))
+}
+
+fn refuses(row: &Row) -> bool {
+    row.worst.iter().all(|outcome| *outcome == Outcome::Refused)
 }
 
 fn draw(canvas: &mut Canvas, left: f64, top: f64, map: &Map) {
     canvas.strong((left, top + 13.0), Anchor::Start, 12.5, &capital(&map.quantity));
     canvas.text((left, top + 29.0), Anchor::Start, 11.0, Tone::Faint, &map.regime);
     let columns = map.rows.first().map_or(0, |row| row.worst.len());
-    let room = (WIDTH - GUTTER) / 2.0 - 8.0;
+    let room = (WIDTH - GUTTER) / 2.0 - 12.0;
     let start = left + room - columns as f64 * CELL;
-    for (place, row) in map.rows.iter().enumerate() {
+    for (place, row) in shown(map).enumerate() {
         let y = top + HEAD + place as f64 * TALL;
         canvas.text((start - 6.0, y + 12.0), Anchor::End, LETTERS, Tone::Ink, &row.arrangement);
         for (column, outcome) in row.worst.iter().enumerate() {
@@ -68,12 +78,22 @@ fn draw(canvas: &mut Canvas, left: f64, top: f64, map: &Map) {
         }
         boundary(canvas, start, y, row);
     }
-    let y = top + HEAD + map.rows.len() as f64 * TALL + 12.0;
+    let y = top + HEAD + shown(map).count() as f64 * TALL + 12.0;
     canvas.text((start - 6.0, y), Anchor::End, LETTERS, Tone::Faint, "k");
     for column in 0..columns {
         let x = start + column as f64 * CELL + CELL / 2.0;
         canvas.text((x, y), Anchor::Middle, 9.5, Tone::Faint, &(map.first + column as u32).to_string());
     }
+    let refusing: Vec<&str> = map.rows.iter().filter(|row| refuses(row)).map(|row| row.arrangement.as_str()).collect();
+    if !refusing.is_empty() {
+        let words = format!("refused by {}", refusing.join(", "));
+        canvas.text((left, y + 16.0), Anchor::Start, fitting(&words, room), Tone::Faint, &words);
+    }
+}
+
+/// The size of letters with which a line of words fits into its column.
+fn fitting(words: &str, room: f64) -> f64 {
+    (LETTERS * room / Canvas::width_of(words, LETTERS)).min(LETTERS)
 }
 
 /// The line where three figures are lost.
