@@ -8,8 +8,8 @@ use std::{env, fs};
 
 use carom::method::{METHODS, Promise, Role};
 use carom::study::{
-    Arrangement, Bounds, Dealer, Map, Outcome, QUANTITIES, REGIMES, ROUNDOFF, SMALL, Scale, Study, Subject, WHOLE,
-    blocks, census, claims, methods, promised, read_times, regime_map, try_all,
+    Arrangement, Bounds, Dealer, Map, Outcome, QUANTITIES, REGIMES, ROUNDOFF, SMALL, Study, Subject, WHOLE, blocks,
+    census, claims, methods, promised, read_times, regime_map, try_all,
 };
 
 /// Enough to fail where something fails, and quick.

@@ -4,6 +4,9 @@
 //! are whole numbers of either sign with A the faster. A nought is a sphere that stops exactly. A tie is a velocity
 //! half-way between two decimals of three figures; schools round it up in size.
 
+use std::sync::mpsc;
+use std::thread;
+
 use crate::method::{Found, Impact, METHODS, Method};
 use crate::number::{Fraction, Interval, Places, Value, round};
 
@@ -25,7 +28,7 @@ pub const WHOLE: Bounds = Bounds { mass: 9, parts: 10, speed: 9 };
 pub const SMALL: Bounds = Bounds { mass: 4, parts: 4, speed: 4 };
 
 /// What a method made of the grid.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Count {
     /// Its name.
     pub method: String,
@@ -62,48 +65,86 @@ pub struct Census {
     pub counts: Vec<Count>,
 }
 
-/// Goes through the grid with every method that accepts it.
+/// Goes through the grid with every method that accepts it, on as many cores as there are; `step` is called for each block.
 pub fn census(bounds: Bounds, methods: &[&dyn Method], step: &mut dyn FnMut()) -> Census {
-    let empty = |method: &&dyn Method| Count {
-        method: method.name().to_owned(),
-        ghosts: 0,
-        swallowed: 0,
-        formatted: 0,
-        multiplied: 0,
-        fifteen: 0,
-        not_ties: 0,
-        undecided: 0,
-        undecided_plain: 0,
-    };
-    let counts = methods.iter().map(empty).collect();
-    let mut census = Census { bounds, scenes: 0, noughts: 0, ties: 0, counts };
-    let mut refused = vec![false; methods.len()];
-    for (m_a, m_b) in coprime_masses(bounds.mass) {
-        for (p, q) in farey(bounds.parts) {
-            let block: Vec<(i64, i64)> = speeds(bounds.speed).collect();
-            let impacts: Vec<Impact<Value>> = block.iter().map(|u| impact((m_a, m_b), *u, (p, q))).collect();
-            let right: Vec<[Exact; 2]> = block.iter().map(|u| exact((m_a, m_b), *u, (p, q))).collect();
-            census.scenes += block.len() as u64;
-            for value in right.iter().flatten() {
-                census.noughts += u64::from(value.numerator == 0);
-                census.ties += u64::from(value.is_tie);
+    let cores = thread::available_parallelism().map_or(1, usize::from);
+    let (done, steps) = mpsc::channel();
+    let parts: Vec<Part> = thread::scope(|scope| {
+        let part = |core: usize| {
+            let done = done.clone();
+            scope.spawn(move || Part::of(bounds, methods, (core, cores), &done))
+        };
+        let running: Vec<_> = (0..cores).map(part).collect();
+        drop(done);
+        steps.iter().for_each(|()| step());
+        running.into_iter().filter_map(|part| part.join().ok()).collect()
+    });
+    let mut whole = Part::empty(bounds, methods);
+    parts.iter().for_each(|part| whole.add(part));
+    // A count of a part of the grid says nothing.
+    let mut refused = whole.refused.iter();
+    whole.census.counts.retain(|_| !refused.next().copied().unwrap_or(true));
+    whole.census
+}
+
+/// What was counted on one core.
+struct Part {
+    census: Census,
+    /// Which methods refused a block.
+    refused: Vec<bool>,
+}
+
+impl Part {
+    fn empty(bounds: Bounds, methods: &[&dyn Method]) -> Part {
+        let count = |method: &&dyn Method| Count { method: method.name().to_owned(), ..Count::default() };
+        let counts = methods.iter().map(count).collect();
+        let census = Census { bounds, scenes: 0, noughts: 0, ties: 0, counts };
+        Part { census, refused: vec![false; methods.len()] }
+    }
+
+    /// Every so many-th pair of masses.
+    fn of(bounds: Bounds, methods: &[&dyn Method], (core, cores): (usize, usize), done: &mpsc::Sender<()>) -> Part {
+        let mut part = Part::empty(bounds, methods);
+        for masses in coprime_masses(bounds.mass).skip(core).step_by(cores) {
+            for e in farey(bounds.parts) {
+                part.block(masses, e, methods);
+                // Nobody listening is no reason to stop counting.
+                let _ = done.send(());
             }
-            for ((method, count), refused) in methods.iter().zip(&mut census.counts).zip(&mut refused) {
-                match method.prepare(&impacts) {
-                    Ok(mut prepared) => {
-                        prepared.run();
-                        prepared.found().iter().zip(&right).for_each(|(found, right)| count.add(found, right));
-                    }
-                    Err(_) => *refused = true,
+        }
+        part
+    }
+
+    /// All velocities with these masses and this e.
+    fn block(&mut self, masses: (i64, i64), e: (i64, i64), methods: &[&dyn Method]) {
+        let speeds: Vec<(i64, i64)> = speeds(self.census.bounds.speed).collect();
+        let impacts: Vec<Impact<Value>> = speeds.iter().map(|u| impact(masses, *u, e)).collect();
+        let right: Vec<[Exact; 2]> = speeds.iter().map(|u| exact(masses, *u, e)).collect();
+        self.census.scenes += speeds.len() as u64;
+        for value in right.iter().flatten() {
+            self.census.noughts += u64::from(value.numerator == 0);
+            self.census.ties += u64::from(value.is_tie);
+        }
+        for ((method, count), refused) in methods.iter().zip(&mut self.census.counts).zip(&mut self.refused) {
+            match method.prepare(&impacts) {
+                Ok(mut prepared) => {
+                    prepared.run();
+                    prepared.found().iter().zip(&right).for_each(|(found, right)| count.add(found, right));
                 }
+                Err(_) => *refused = true,
             }
-            step();
         }
     }
-    // A count of a part of the grid says nothing.
-    let mut refused = refused.into_iter();
-    census.counts.retain(|_| !refused.next().unwrap_or(true));
-    census
+
+    fn add(&mut self, other: &Part) {
+        self.census.scenes += other.census.scenes;
+        self.census.noughts += other.census.noughts;
+        self.census.ties += other.census.ties;
+        for (count, more) in self.census.counts.iter_mut().zip(&other.census.counts) {
+            count.merge(more);
+        }
+        self.refused.iter_mut().zip(&other.refused).for_each(|(refused, other)| *refused |= other);
+    }
 }
 
 /// How many blocks there are, for a progress bar.
@@ -204,16 +245,25 @@ impl Count {
 
     /// Its numbers in the order of their names.
     pub fn numbers(&self) -> [u64; 8] {
+        let mut all = self.clone();
+        all.places().map(|number| *number)
+    }
+
+    fn places(&mut self) -> [&mut u64; 8] {
         [
-            self.ghosts,
-            self.swallowed,
-            self.formatted,
-            self.multiplied,
-            self.fifteen,
-            self.not_ties,
-            self.undecided,
-            self.undecided_plain,
+            &mut self.ghosts,
+            &mut self.swallowed,
+            &mut self.formatted,
+            &mut self.multiplied,
+            &mut self.fifteen,
+            &mut self.not_ties,
+            &mut self.undecided,
+            &mut self.undecided_plain,
         ]
+    }
+
+    fn merge(&mut self, other: &Count) {
+        self.places().into_iter().zip(other.numbers()).for_each(|(number, more)| *number += more);
     }
 
     fn add(&mut self, found: &Found, right: &[Exact; 2]) {
