@@ -31,9 +31,9 @@ pub struct Claim {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct CountClaim {
-    /// The method.
+    /// The method; empty for the grid itself.
     pub method: String,
-    /// What is counted: a column of `grid.csv`.
+    /// What is counted: a column of `grid.csv`; of the grid itself its `scenes`, `noughts` and `ties`.
     pub column: String,
     /// How many on the small grid of [`SMALL`](super::SMALL), which a test goes through.
     pub small: u64,
@@ -60,6 +60,20 @@ pub fn claims() -> Result<Claims, String> {
 }
 
 impl CountClaim {
+    /// The number that it is about; of the grid itself if no method is named.
+    fn found(&self, census: &Census) -> Option<u64> {
+        match (self.method.as_str(), self.column.as_str()) {
+            ("", "scenes") => Some(census.scenes),
+            ("", "noughts") => Some(census.noughts),
+            ("", "ties") => Some(census.ties),
+            (method, column) => {
+                let count = census.counts.iter().find(|count| count.method == method)?;
+                let place = Count::COLUMNS.iter().position(|name| *name == column)?;
+                Some(count.numbers()[place])
+            }
+        }
+    }
+
     /// What is not as it says; empty if all is.
     pub fn tried(&self, census: &Census) -> Option<String> {
         let expected = match census.bounds {
@@ -67,12 +81,9 @@ impl CountClaim {
             SMALL => self.small,
             _ => return Some("the claims are about another grid".to_owned()),
         };
-        let count = census.counts.iter().find(|count| count.method == self.method);
-        let place = Count::COLUMNS.iter().position(|column| *column == self.column);
-        let (Some(count), Some(place)) = (count, place) else {
+        let Some(found) = self.found(census) else {
             return Some(format!("the grid has no `{}` of `{}`", self.column, self.method));
         };
-        let found = count.numbers()[place];
         let words =
             format!("`{}` of `{}` is said to be {expected} on the grid, and is {found}", self.column, self.method);
         (found != expected).then_some(words)

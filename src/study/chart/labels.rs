@@ -52,54 +52,74 @@ pub fn place(canvas: &mut Canvas, frame: Area, size: f64, labels: &[Label]) -> u
     });
     let backwards = order.iter().rev().copied().collect();
     let found = turned.chain([backwards]).map(|order| Placing::of(canvas, frame, size, labels, &order));
-    let best = found.min_by(|one, other| {
-        (one.missing, one.cost).partial_cmp(&(other.missing, other.cost)).unwrap_or(Ordering::Equal)
-    });
-    let Some(best) = best else { return 0 };
-    for (place, area, leader) in best.spots {
-        if let Some(leader) = leader {
+    let best = found.min_by(|one, other| one.merit().partial_cmp(&other.merit()).unwrap_or(Ordering::Equal));
+    let Some(mut best) = best else { return 0 };
+    for _ in 0..ROUNDS {
+        best.improve(canvas, frame, size, labels);
+    }
+    for spot in &best.spots {
+        if let Some(leader) = &spot.leader {
             canvas.line(leader.from, leader.to, Tone::Faint, 0.6, "");
         }
-        let lines = &labels[place].lines;
+        let area = spot.area;
         let mut foot = area.top + GAP + size * 0.9;
-        for line in lines {
+        for line in &labels[spot.label].lines {
             canvas.text(((area.left + area.right) / 2.0, foot), Anchor::Middle, size, Tone::Ink, line);
             foot += size * LINE;
         }
     }
-    best.missing
+    labels.len() - best.spots.len()
 }
 
 /// How many orders are tried.
-const ORDERS: usize = 12;
+const ORDERS: usize = 24;
+
+/// How often every label may look for a better spot than the one it got.
+const ROUNDS: usize = 3;
+
+/// Where a label stands.
+struct Spot {
+    label: usize,
+    area: Area,
+    leader: Option<Leader>,
+    cost: f64,
+}
 
 /// What came of an order.
 struct Placing {
-    spots: Vec<(usize, Area, Option<Leader>)>,
-    missing: usize,
-    cost: f64,
+    spots: Vec<Spot>,
 }
 
 impl Placing {
     fn of(canvas: &Canvas, frame: Area, size: f64, labels: &[Label], order: &[usize]) -> Placing {
-        let mut room = Room { taken: canvas.taken.clone(), written: canvas.written.clone(), marked: &canvas.marked };
-        let mut placing = Placing { spots: Vec::new(), missing: 0, cost: 0.0 };
-        for place in order {
-            // Where marks crowd, a thin line may cross another, and at last run over a mark; over words it never does.
-            let ways = [(Crossing::Nothing, 0.0), (Crossing::Lines, 1500.0), (Crossing::Marks, 6000.0)];
-            let found = ways.into_iter().find_map(|(crossing, dear)| {
-                let (area, leader, away) = room.spot(frame, size, &labels[*place], crossing)?;
-                Some((area, leader, away * away + dear))
-            });
-            match found {
-                Some((area, leader, cost)) => {
-                    placing.cost += cost;
-                    placing.spots.push((*place, area, leader));
-                }
-                None => placing.missing += 1,
+        let mut placing = Placing { spots: Vec::new() };
+        let mut room = Room::of(canvas);
+        for label in order {
+            if let Some(spot) = room.best(frame, size, labels, *label) {
+                room.take(&spot);
+                placing.spots.push(spot);
             }
         }
         placing
+    }
+
+    /// Many labels are better than few, and short lines than long ones.
+    fn merit(&self) -> (usize, f64) {
+        (usize::MAX - self.spots.len(), self.spots.iter().map(|spot| spot.cost).sum())
+    }
+
+    /// Lets each label look again, now that the others have their spots.
+    fn improve(&mut self, canvas: &Canvas, frame: Area, size: f64, labels: &[Label]) {
+        for place in 0..self.spots.len() {
+            let mut room = Room::of(canvas);
+            let others = self.spots.iter().enumerate().filter(|(other, _)| *other != place);
+            others.for_each(|(_, spot)| room.take(spot));
+            if let Some(spot) = room.best(frame, size, labels, self.spots[place].label)
+                && spot.cost < self.spots[place].cost
+            {
+                self.spots[place] = spot;
+            }
+        }
     }
 }
 
@@ -119,14 +139,31 @@ struct Room<'c> {
 }
 
 impl Room<'_> {
-    /// Takes the first free spot for a label, with the line to it if it is far, and how far it is.
-    fn spot(
-        &mut self,
-        frame: Area,
-        size: f64,
-        label: &Label,
-        crossing: Crossing,
-    ) -> Option<(Area, Option<Leader>, f64)> {
+    fn of(canvas: &Canvas) -> Room<'_> {
+        Room { taken: canvas.taken.clone(), written: canvas.written.clone(), marked: &canvas.marked }
+    }
+
+    fn take(&mut self, spot: &Spot) {
+        self.taken.push(spot.area);
+        self.written.push(spot.area);
+        if let Some(leader) = &spot.leader {
+            self.taken.extend(leader.steps().map(|(x, y)| Area::around(x, y, 1.0)));
+        }
+    }
+
+    /// The best free spot for a label. Where marks crowd, its line may cross another, and at last run over a mark; over
+    /// words it never does.
+    fn best(&self, frame: Area, size: f64, labels: &[Label], label: usize) -> Option<Spot> {
+        let ways = [(Crossing::Nothing, 0.0), (Crossing::Lines, 2000.0), (Crossing::Marks, 8000.0)];
+        let found = ways.into_iter().filter_map(|(crossing, dear)| {
+            let (area, leader, away) = self.spot(frame, size, &labels[label], crossing)?;
+            Some(Spot { label, area, leader, cost: away * away + dear })
+        });
+        found.min_by(|one, other| one.cost.total_cmp(&other.cost))
+    }
+
+    /// The first free spot for a label, with the line to it if it is far, and how far it is.
+    fn spot(&self, frame: Area, size: f64, label: &Label, crossing: Crossing) -> Option<(Area, Option<Leader>, f64)> {
         let (x, y) = label.mark;
         let width = label.lines.iter().map(|line| Canvas::width_of(line, size)).fold(0.0, f64::max);
         let extra = (label.lines.len() - 1) as f64 * size * LINE;
@@ -141,11 +178,6 @@ impl Room<'_> {
             let far = away > NEAR;
             if far && leader.crosses(self, crossing) {
                 continue;
-            }
-            self.taken.push(area);
-            self.written.push(area);
-            if far {
-                self.taken.extend(leader.steps().map(|(x, y)| Area::around(x, y, 1.0)));
             }
             return Some((area, far.then_some(leader), away));
         }

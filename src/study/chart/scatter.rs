@@ -72,13 +72,13 @@ const BAND: f64 = 190.0;
 
 /// The chart, and how many of its labels found no room.
 pub fn scatter(series: &[Series], words: &str) -> (String, usize) {
-    let mut canvas = Canvas::new(WIDTH, 880.0);
-    let frame = Area { left: 78.0, top: 56.0, right: WIDTH - 14.0, bottom: 880.0 - 56.0 };
+    let mut canvas = Canvas::new(WIDTH, 960.0);
+    let frame = Area { left: 78.0, top: 56.0, right: WIDTH - 14.0, bottom: 960.0 - 56.0 };
     let floor = frame.bottom - BAND;
     let points = || series.iter().flat_map(|series| series.points.iter());
     let across = Decades::over(points().map(|(cost, _)| *cost), frame.left + 60.0, frame.right - 30.0);
     let near = points().map(|(_, error)| *error).filter(|error| *error >= FAR);
-    let up = Decades::over(near.chain([1.0, 1e-19]), floor - STRIP - 6.0, frame.top + 10.0);
+    let up = Decades::over(near.chain([1.0, 1e-21]), floor - STRIP - 6.0, frame.top + 10.0);
     axes(&mut canvas, frame, floor, &across, &up);
     legend(&mut canvas, frame, series);
     let at = |(cost, error): &(f64, f64)| {

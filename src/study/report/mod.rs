@@ -68,9 +68,9 @@ impl Study {
 
     /// Points of the chart of cost and error: each method where it solves any line of centres in fractions, or, if it
     /// solves only other scenes, where it is cheapest.
-    pub fn series(&self) -> Vec<Series> {
+    fn series(&self) -> Vec<Series> {
         let mut series: Vec<Series> = Vec::new();
-        for cost in self.costs.iter().filter(|cost| cost.scene == "oblique" || !self.is_oblique(&cost.name)) {
+        for cost in self.charted() {
             let Some(error) = cost.error.or_else(|| (cost.work == Work::Exact).then_some(0.0)) else { continue };
             let point = (cost.nanoseconds, error);
             match series.iter_mut().find(|one| one.name == cost.name) {
@@ -81,6 +81,11 @@ impl Study {
             }
         }
         series
+    }
+
+    /// What the chart of cost and error is about.
+    fn charted(&self) -> impl Iterator<Item = &Cost> {
+        self.costs.iter().filter(|cost| cost.scene == "oblique" || !self.is_oblique(&cost.name))
     }
 
     fn is_oblique(&self, name: &str) -> bool {

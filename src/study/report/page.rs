@@ -183,5 +183,5 @@ fn times(study: &Study) -> Table {
             error,
         ]
     };
-    (head, study.costs.iter().map(row).collect())
+    (head, study.charted().map(row).collect())
 }
