@@ -17,7 +17,7 @@ pub struct Claim {
     pub arrangement: String,
     /// Within this much of the truth.
     pub bound: f64,
-    /// It holds for every k up to this one; none if it does not even hold for the first.
+    /// It holds for every k up to this one; none if not even for the first.
     pub holds_to: Option<u32>,
     /// It fails at this k, and at every later one before `holds_again`.
     pub fails_from: Option<u32>,

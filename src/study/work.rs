@@ -129,7 +129,7 @@ const CONTACT_STEPS: [u32; 4] = [10, 100, 1000, 10_000];
 const LOOKS: [u32; 4] = [60, 240, 1000, 10_000];
 
 /// How long a contact by a spring takes here: so short that turning during it costs less than most steps do.
-const CONTACT: f64 = 1e-6;
+pub const CONTACT: f64 = 1e-6;
 
 fn entrants() -> Vec<Entrant> {
     let listed = METHODS.iter().filter(|method| method.role() != Role::Exhibit);
@@ -171,8 +171,8 @@ impl Method for Listed {
 
 /// The error of an entrant in ordinary scenes; none where it refuses them or finds nothing.
 fn error(entrant: &Entrant) -> Option<f64> {
-    // What simulates is slow, and nearly as wrong in few scenes as in many.
-    let scenes = if entrant.steps.is_some() { SCENES / 10 } else { SCENES };
+    // What simulates is slow.
+    let scenes = if entrant.steps.is_some() { SCENES / 4 } else { SCENES };
     ordinary_error(&*entrant.method, scenes).error()
 }
 

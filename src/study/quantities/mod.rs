@@ -8,6 +8,7 @@ mod impulse;
 mod line_of_centres;
 mod restitution;
 mod separation;
+mod simulation;
 
 use super::map::Subject;
 use crate::number::Fraction;
@@ -24,6 +25,8 @@ pub const QUANTITIES: &[Subject] = &[
     line_of_centres::UNEQUAL_MASSES,
     restitution::NEARLY_EQUAL_SPEEDS,
     restitution::NEARLY_HALF,
+    simulation::STEPS,
+    simulation::LOOKS,
 ];
 
 /// Velocities along the line of centres after an impact, in the doubles of a class-room formula.
