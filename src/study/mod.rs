@@ -13,6 +13,8 @@ mod tolerance;
 mod velocities;
 mod work;
 
+use crate::diagnostic::{Source, render_all};
+
 pub use chart::*;
 pub use claim::{Claim, Claims, CountClaim, claims, try_all};
 pub use double::{BITS, Outcome, ROUNDOFF, fraction};
@@ -78,7 +80,8 @@ pub fn run(plan: &Plan, now: &dyn Fn() -> u64, step: &mut dyn FnMut(&'static str
         None => {
             let mut costs = costs(plan.effort, now, &mut || step("times"));
             costs.extend(plan.peers.iter().cloned());
-            costs
+            // As the table has them, so that the charts are what the table draws.
+            read_times(&Source::new("times.csv", write_times(&costs))).map_err(|faults| render_all(&faults, false))?
         }
     };
     let maps: Vec<Map> = quantities.iter().chain(&velocities).cloned().collect();
