@@ -129,15 +129,19 @@ fn axes(canvas: &mut Canvas, frame: Area, floor: f64, across: &Decades, up: &Dec
         canvas.line((frame.left, y), (frame.right, y), Tone::Grid, 1.0, "");
         canvas.text((frame.left - 8.0, y + 4.0), Anchor::End, 12.0, Tone::Ink, &power(exponent));
     }
-    for (error, words) in [(5e-4, "half a unit in the third figure"), (1.1e-16, "roundoff of a double")] {
+    // The words stand where the chart is empty: nothing quick is rough, and nothing slow is as good as a double.
+    let lines = [(5e-4, "half a unit in the third figure", true), (1.1e-16, "roundoff of a double", false)];
+    for (error, words, at_left) in lines {
         let y = up.place(error);
         if y > floor {
             continue;
         }
         canvas.line((frame.left, y), (frame.right, y), Tone::Faint, 1.2, "5 4");
-        let left = frame.right - Canvas::width_of(words, LETTERS) - 6.0;
-        canvas.text((frame.right - 6.0, y - 5.0), Anchor::End, LETTERS, Tone::Faint, words);
-        let words = Area { left, right: frame.right, top: y - 17.0, bottom: y - 1.0 };
+        let width = Canvas::width_of(words, LETTERS) + 6.0;
+        let left = if at_left { frame.left + 6.0 } else { frame.right - width };
+        let (x, anchor) = if at_left { (left, Anchor::Start) } else { (frame.right - 6.0, Anchor::End) };
+        canvas.text((x, y - 5.0), anchor, LETTERS, Tone::Faint, words);
+        let words = Area { left, right: left + width, top: y - 17.0, bottom: y - 1.0 };
         canvas.take(words);
         canvas.written.push(words);
         canvas.take(Area { left: frame.left, right: frame.right, top: y - 0.8, bottom: y + 0.8 });
