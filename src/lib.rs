@@ -14,5 +14,6 @@ pub mod number;
 pub mod paper;
 pub mod render;
 pub mod solve;
+pub mod study;
 pub mod table;
 pub mod unit;

@@ -21,6 +21,7 @@ mod preview;
 mod scene_input;
 mod sheet;
 mod solve;
+mod study;
 mod template_folder;
 mod text_file;
 mod write;
@@ -60,6 +61,7 @@ enum Command {
     Check(check::CheckArguments),
     Compare(Box<compare::CompareArguments>),
     Mark(Box<mark::MarkArguments>),
+    Study(study::StudyArguments),
 }
 
 /// Runs the command that the arguments name and reports what went wrong.
@@ -83,6 +85,7 @@ pub fn run() -> ExitCode {
         Command::Check(arguments) => check::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Mark(arguments) => mark::run(&arguments),
+        Command::Study(arguments) => study::run(&arguments),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
