@@ -9,7 +9,7 @@ use super::Notation;
 use super::page::{Printer, Wanted, list, nothing, plain};
 use crate::bank::EarnedFor;
 use crate::expr::{print, read_markup};
-use crate::mark::judging::Verdict;
+use crate::mark::judging::{Note, Verdict};
 use crate::mark::report::{Feedback, MarkedScript, MarkedUnder};
 use crate::mark::{Award, Cause, Examiner, KeyedMark, MarkedAnswer, MarkedLine, MarkedPart, Place};
 
@@ -73,7 +73,13 @@ impl Printer<'_> {
             .with("verdict", || plain(answer.judgement.verdict.name()))
             // Where nothing is noted the verdict says it all.
             .with("comment", || {
-                let is_noted = answer.judgement.note.is_some() && answer.judgement.verdict != Verdict::Blank;
+                // A mistake that was found out says better what a likeness to the right angle hints at.
+                let likeness = [Note::Complement, Note::Supplement, Note::Sign].map(Note::tag);
+                let is_noted = match answer.judgement.note {
+                    Some(note) if likeness.contains(&note) => answer.causes.is_empty(),
+                    Some(_) => answer.judgement.verdict != Verdict::Blank,
+                    None => false,
+                };
                 plain(if is_noted { &answer.judgement.feedback } else { "" })
             })
             .with("causes", || list(&answer.causes, |cause| self.cause(part, cause)))
