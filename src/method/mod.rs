@@ -25,7 +25,7 @@ pub use needs::{Need, Needs, Wanted};
 pub use select::{Numbers, Selection, figures};
 
 use crate::number::{Interval, Value};
-use answer::{certified, fractions, integers, letters, linear_forms, surd_field, surd_integers};
+use answer::{certified, fractions, integers, letters, linear_forms, polynomials, surd_field, surd_integers};
 use beside::{
     centre_of_mass, columns, cramer, double_double, elimination, float_intervals, from_integers, fused, interval,
     ratio, reduced_mass, single, textbook, two_equations,
@@ -137,6 +137,7 @@ pub const METHODS: &[&dyn Method] = &[
     &surd_integers::SurdIntegers,
     &linear_forms::LinearForms,
     &surd_field::SurdField,
+    &polynomials::Polynomials,
     &fractions::Fractions,
     &letters::Letters,
     &columns::Columns,

@@ -3,7 +3,7 @@
 //! The exercise that is written in surds and is rational after resolving needs fractions and no more. Each need is a
 //! thing that some cheaper model cannot do.
 
-use super::answer::{integers, linear_forms, matrix, surd_field, surd_integers};
+use super::answer::{integers, linear_forms, matrix, polynomials, surd_field, surd_integers};
 use super::{Geometry, Impact};
 use crate::number::Value;
 
@@ -28,6 +28,9 @@ pub enum Need {
     Factors,
     /// Some number is not `a + b√2 + c√3 + d√6`.
     OutsideField,
+    /// Masses, e or the line of centres have roots, a component has letters below the line, or there is more of them than fits
+    /// into machine words.
+    BeyondPolynomials,
     /// The numbers might not fit into machine integers.
     Large,
     /// A letter remains.
@@ -36,7 +39,7 @@ pub enum Need {
 
 impl Need {
     /// Every need.
-    pub const ALL: [Need; 11] = [
+    pub const ALL: [Need; 12] = [
         Need::MovingB,
         Need::Across,
         Need::Oblique,
@@ -46,6 +49,7 @@ impl Need {
         Need::ManyThings,
         Need::Factors,
         Need::OutsideField,
+        Need::BeyondPolynomials,
         Need::Large,
         Need::Letters,
     ];
@@ -62,6 +66,7 @@ impl Need {
             Need::ManyThings => "the velocities are not sums of at most four things with rational coefficients",
             Need::Factors => "e, the ratio of the masses or the direction of the line of centres is not rational",
             Need::OutsideField => "a number is more than a + b√2 + c√3 + d√6",
+            Need::BeyondPolynomials => "the numbers are no short polynomials in letters",
             Need::Large => "the numbers might outgrow machine integers",
             Need::Letters => "letters remain",
         }
@@ -79,6 +84,7 @@ impl Need {
             Need::ManyThings => "many-things",
             Need::Factors => "factors",
             Need::OutsideField => "outside-field",
+            Need::BeyondPolynomials => "beyond-polynomials",
             Need::Large => "large",
             Need::Letters => "letters",
         }
@@ -119,6 +125,7 @@ impl Needs {
             needs.add_if(Need::ManyThings, linear_forms::elements(impact).is_none());
         }
         needs.add_if(Need::OutsideField, !impact.numbers().all(in_field));
+        needs.add_if(Need::BeyondPolynomials, !polynomials::accepts(impact));
         needs.add_if(Need::Large, !needs.fits(impact));
         needs
     }

@@ -5,7 +5,7 @@
 //! scene or is wrong on a recorded one; to cross out a need anywhere breaks the first of these; and to add a need to a scene
 //! never lowers its tier.
 
-use super::answer::{fractions, integers, letters, linear_forms, surd_field, surd_integers};
+use super::answer::{fractions, integers, letters, linear_forms, polynomials, surd_field, surd_integers};
 use super::{Found, Geometry, Impact, Method, Need, Needs, Prepared, Skip, Wanted, method};
 use crate::number::{Decimal, Places, Value, round_certified};
 
@@ -39,6 +39,8 @@ pub enum Numbers {
     LinearForms,
     /// The field of √2 and √3 in machine integers.
     SurdField,
+    /// Short polynomials in letters, in machine integers.
+    Polynomials,
     /// Fractions of any size.
     Fractions,
     /// Exact values of every kind.
@@ -47,12 +49,13 @@ pub enum Numbers {
 
 impl Numbers {
     /// Every tier, the cheapest first.
-    pub const ALL: [Numbers; 7] = [
+    pub const ALL: [Numbers; 8] = [
         Numbers::Integers,
         Numbers::CertifiedFloat,
         Numbers::SurdIntegers,
         Numbers::LinearForms,
         Numbers::SurdField,
+        Numbers::Polynomials,
         Numbers::Fractions,
         Numbers::Letters,
     ];
@@ -65,6 +68,7 @@ impl Numbers {
             Numbers::SurdIntegers => &[Need::OtherThings, Need::Factors, Need::Large],
             Numbers::LinearForms => &[Need::ManyThings, Need::Factors, Need::Large],
             Numbers::SurdField => &[Need::OutsideField, Need::Large],
+            Numbers::Polynomials => &[Need::BeyondPolynomials],
             Numbers::Fractions => &[Need::Irrational, Need::Factors],
             Numbers::Letters => &[],
         }
@@ -83,6 +87,7 @@ impl Numbers {
             Numbers::SurdIntegers => "surd-integers",
             Numbers::LinearForms => "linear-forms",
             Numbers::SurdField => "surd-field",
+            Numbers::Polynomials => "polynomials",
             Numbers::Fractions => "fractions",
             Numbers::Letters => "letters",
         }
@@ -106,6 +111,7 @@ impl Numbers {
             Numbers::SurdIntegers => surd_integers::prepare(impacts, geometry),
             Numbers::LinearForms => linear_forms::prepare(impacts, geometry),
             Numbers::SurdField => surd_field::prepare(impacts, geometry),
+            Numbers::Polynomials => polynomials::prepare(impacts, geometry),
             Numbers::Fractions => fractions::prepare(impacts, geometry),
             Numbers::Letters => letters::prepare(impacts, geometry),
         }
@@ -123,6 +129,7 @@ impl Numbers {
                 "all components are sums of at most four things, such as cos α and sin α, and e and the ratio of the masses rational"
             }
             Numbers::SurdField => "all numbers are a + b√2 + c√3 + d√6",
+            Numbers::Polynomials => "masses, e and the line of centres are short polynomials in letters, and the components too but for roots",
             Numbers::Fractions => "all numbers are rational, of any size",
             Numbers::Letters => "everything can be written in letters and roots",
         }

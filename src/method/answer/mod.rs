@@ -6,5 +6,6 @@ pub(super) mod integers;
 pub(super) mod letters;
 pub(super) mod linear_forms;
 pub(super) mod matrix;
+pub(super) mod polynomials;
 pub(super) mod surd_field;
 pub(super) mod surd_integers;
