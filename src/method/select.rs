@@ -129,7 +129,9 @@ impl Numbers {
                 "all components are sums of at most four things, such as cos α and sin α, and e and the ratio of the masses rational"
             }
             Numbers::SurdField => "all numbers are a + b√2 + c√3 + d√6",
-            Numbers::Polynomials => "masses, e and the line of centres are short polynomials in letters, and the components too but for roots",
+            Numbers::Polynomials => {
+                "masses, e and the line of centres are short polynomials in letters, and the components too but for roots"
+            }
             Numbers::Fractions => "all numbers are rational, of any size",
             Numbers::Letters => "everything can be written in letters and roots",
         }

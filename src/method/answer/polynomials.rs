@@ -114,7 +114,8 @@ impl Symbols {
         }
         for (letter, exponent) in letters {
             let place = self.place(Symbol::Letter(*letter))?;
-            packed += u64::from(*exponent).checked_shl(8 * u32::try_from(place).ok()?).filter(|_| *exponent <= HIGHEST)?;
+            packed +=
+                u64::from(*exponent).checked_shl(8 * u32::try_from(place).ok()?).filter(|_| *exponent <= HIGHEST)?;
         }
         Some(packed)
     }
