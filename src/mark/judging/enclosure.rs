@@ -111,7 +111,7 @@ fn power(base: &Interval, exponent: &Expr, bits: usize) -> Option<Interval> {
             return Interval::integer(1, bits).checked_div(&power(base, inner, bits)?);
         }
         Expr::Quotient(above, below) => match (&**above, &**below) {
-            (Expr::Number(above), Expr::Number(below)) => (above / below).as_small()?,
+            (Expr::Number(above), Expr::Number(below)) => (above * &below.reciprocal()?).as_small()?,
             _ => return None,
         },
         _ => return None,
@@ -159,5 +159,12 @@ mod tests {
                 assert!(quick.overlaps(&call(function, &angle).unwrap()), "{function:?} at {point}");
             }
         }
+    }
+
+    #[test]
+    fn a_power_that_is_no_number_is_not_enclosed() {
+        let one = Expr::integer(1);
+        let nought = Expr::Quotient(Box::new(one.clone()), Box::new(Expr::integer(0)));
+        assert!(enclose(&Expr::Power(Box::new(one), Box::new(nought)), &[], 0, 96).is_none());
     }
 }

@@ -213,7 +213,7 @@ fn power(base: Spread, exponent: &Expr) -> Option<Spread> {
         },
         Expr::Negative(inner) => Spread::exactly(1.0).over(power(base, inner)?),
         Expr::Quotient(above, below) => match (&**above, &**below) {
-            (Expr::Number(above), Expr::Number(below)) => power(base, &Expr::Number(above / below)),
+            (Expr::Number(above), Expr::Number(below)) if !below.is_zero() => power(base, &Expr::Number(above / below)),
             _ => None,
         },
         _ => None,
