@@ -11,7 +11,7 @@ use carom::expr::Angles;
 use carom::mark::reading::{Vocabulary, read_answer};
 use carom::mark::slips::{self, Mistakes};
 use carom::mechanics::{
-    Axis, Carried, Datum, Derivation, Known, Moment, Quantity, Road, Scene, SceneText, Slip, Sphere, pose,
+    Axis, Carried, Datum, Derivation, Known, Moment, Quantity, Road, Scene, SceneText, Setting, Slip, Sphere, pose,
 };
 use carom::number::{Angle, Interval, Letter, Number, Range, Value};
 use serde_json::Value as Json;
@@ -135,7 +135,7 @@ fn what_is_carried_out_again_is_what_the_whole_derivation_gives() {
 #[test]
 fn every_slip_of_every_law_shows_somewhere() {
     let mut silent = Slip::all().to_vec();
-    let all = Quantity::all();
+    let all: Vec<Quantity> = Quantity::all().into_iter().filter(|quantity| quantity.is_in(Setting::Oblique)).collect();
     for exercise in ["1", "2", "5", "7", "8", "10", "12", "13", "14", "16", "challenge"] {
         let mut given = posed(&format!("Q{exercise}"));
         if let Some(sine) = given.number(Quantity::ContactSine) {
@@ -147,6 +147,11 @@ fn every_slip_of_every_law_shows_somewhere() {
             silent.retain(|owned| carried.again(&[*owned], &[], |_, trace| trace.slipped.is_empty()).unwrap_or(true));
         }
     }
+    let given = r#"{ "masses": { "A": "2" }, "before": { "A": ["3", "1"] }, "impulse": ["-8", "6"] }"#;
+    let scene = Scene::read(&serde_json::from_str::<SceneText>(given).unwrap(), &BTreeMap::new(), Angles::Radians);
+    let given = pose(&scene.unwrap()).unwrap();
+    let mut carried = Carried::on(Road::Shortest, &given, &[Quantity::Speed(Sphere::A, Moment::After)]);
+    silent.retain(|owned| carried.again(&[*owned], &[], |_, trace| trace.slipped.is_empty()).unwrap_or(true));
     assert_eq!(silent, []);
 }
 

@@ -84,6 +84,9 @@ fn a_number_that_nobody_refers_to_is_noticed() {
     assert_eq!(faults(&printed), ["nobody refers to (9)"]);
 }
 
+/// Folders of questions that are put in unit vectors.
+const IN_VECTORS: [&str; 3] = ["i-j/", "backwards/", "vector-impulse/"];
+
 #[test]
 fn the_working_speaks_of_unit_vectors_only_where_its_question_does() {
     let bank = Bank::shipped().unwrap_or_else(|faults| panic!("{}", render_all(&faults, false)));
@@ -95,7 +98,7 @@ fn the_working_speaks_of_unit_vectors_only_where_its_question_does() {
         let variant = reference(question).unwrap_or_else(|_| panic!("{}", question.id));
         let printed = compose(question, &variant, 1);
         let (vectors, id) = (printed.stem.iter().any(|text| says_bold(vec![text])), &question.id);
-        assert_eq!(vectors, id.starts_with("i-j/") || id.starts_with("backwards/"), "{id}");
+        assert_eq!(vectors, IN_VECTORS.iter().any(|folder| id.starts_with(folder)), "{id}");
         let lines = printed.parts.iter().flat_map(|part| &part.working).map(|line| &line.words).collect();
         assert!(vectors || !says_bold(lines), "{id} works with i or j");
     }

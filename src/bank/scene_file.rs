@@ -69,6 +69,8 @@ impl SceneFile {
             positions: walk.pair(&mut keys, "positions", Walk::vector),
             radii: walk.pair(&mut keys, "radii", Walk::word),
             impact_parameter: keys.get("impact_parameter").and_then(|value| walk.word("impact_parameter", value)),
+            wall: keys.get("wall").and_then(|value| walk.vector("wall", value)),
+            impulse: keys.get("impulse").and_then(|value| walk.vector("impulse", value)),
             e: keys.get("e").and_then(|value| walk.word("e", value)),
             symbols: keys.get("symbols").map_or_else(BTreeMap::new, |value| walk.symbols(value)),
             unknowns: walk.list(&mut keys, "unknowns"),
@@ -147,11 +149,13 @@ impl Walk<'_> {
     }
 
     fn velocity(&mut self, path: &str, value: &Spanned<DeValue>) -> Option<VelocityText<String>> {
-        if let DeValue::Array(_) = value.get_ref() {
-            return self.vector(path, value).map(VelocityText::Components);
+        match value.get_ref() {
+            DeValue::Array(_) => return self.vector(path, value).map(VelocityText::Components),
+            DeValue::String(_) => return self.word(path, value).map(VelocityText::Along),
+            _ => {}
         }
         let DeValue::Table(_) = value.get_ref() else {
-            let expected = "`[\"x\", \"y\"]` or `{ speed = …, angle_deg = … }`";
+            let expected = "`[\"x\", \"y\"]`, `{ speed = …, angle_deg = … }`, or `\"u\"` along one line";
             wrong_type(&format!("`{path}`"), expected, value.get_ref(), value.span(), self.faults);
             return None;
         };

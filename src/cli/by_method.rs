@@ -153,7 +153,7 @@ fn evaluated<N: Number>(
     // A step that does not exist in these numbers leaves the rest unknown.
     let _ = solution.derivation().evaluate_with(computed, &mut known);
     let mut quantities = BTreeMap::new();
-    for quantity in Quantity::all() {
+    for quantity in Quantity::all().into_iter().filter(|quantity| quantity.is_in(solution.scene().setting)) {
         let angle = || known.direction(quantity).and_then(|(y, x)| degrees(&y, &x));
         if let Some((value, error)) = known.number(quantity).map(|value| number(&value)).or_else(angle) {
             quantities.insert(quantity.to_string(), Decimal { value, error, unit: quantity.unit().plain() });

@@ -9,7 +9,7 @@ use super::failure::Failure;
 use super::output::{listed, print, print_json, say, table};
 use super::{by_method, scene_input};
 use crate::expr::{print as written, written as plainest, written_angle};
-use crate::mechanics::{Axis, Line, Moment, Quantity, Scene, Sphere, Velocity};
+use crate::mechanics::{Axis, Line, Moment, Quantity, Scene, Setting, Sphere, Velocity};
 use crate::number::{Angle, Letter, Range, Value};
 use crate::solve::{Answer, Solution, report, solve_all};
 
@@ -45,7 +45,8 @@ pub fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     let method = by_method::Chosen::named(&arguments.method)?;
     let scene = scene_input::scene(&arguments.scene)?;
     let wanted = wanted(&scene);
-    let asked = if arguments.json { Quantity::all() } else { wanted.clone() };
+    let mut asked = if arguments.json { Quantity::all() } else { wanted.clone() };
+    asked.retain(|quantity| quantity.is_in(scene.setting));
     let solutions = solve_all(&scene, &asked)?;
     open_ends(&solutions, &wanted)?;
     let Some(first) = solutions.first() else { return Ok(()) };
@@ -62,28 +63,38 @@ pub fn run(arguments: &SolveArguments) -> Result<(), Failure> {
 /// What a person wants to know of a scene: all that is not given.
 fn wanted(scene: &Scene) -> Vec<Quantity> {
     let mut wanted = Vec::new();
-    for sphere in Sphere::BOTH {
+    let spheres = if scene.setting.is_of_one() { &Sphere::BOTH[..1] } else { &Sphere::BOTH };
+    let direction = |sphere, moment| match scene.setting {
+        Setting::Oblique => vec![Quantity::AngleToLine(sphere, moment)],
+        Setting::Wall => vec![Quantity::AngleToWall(sphere, moment)],
+        // Along a line a speed has its sign besides; of a particle alone its components say it.
+        Setting::Direct | Setting::Impulse => Vec::new(),
+    };
+    for sphere in spheres.iter().copied() {
         if scene.mass(sphere).is_none() {
             wanted.push(Quantity::Mass(sphere));
         }
     }
-    if scene.contact.is_none() {
+    if scene.contact.is_none() && scene.setting != Setting::Impulse {
         wanted.extend([Quantity::Line(Axis::X), Quantity::Line(Axis::Y)]);
     }
-    if scene.restitution.is_none() {
+    if scene.restitution.is_none() && scene.setting != Setting::Impulse {
         wanted.push(Quantity::Restitution);
     }
     for moment in [Moment::Before, Moment::After] {
-        for sphere in Sphere::BOTH {
+        for sphere in spheres.iter().copied() {
             if scene.velocity(sphere, moment).is_some() {
                 continue;
             }
             let given = scene.velocity(sphere, if moment == Moment::Before { Moment::After } else { Moment::Before });
             let other = scene.velocity(sphere.other(), Moment::Before);
-            if [given, other].iter().flatten().any(|velocity| is_vector(velocity)) {
+            if scene.setting == Setting::Direct {
+                wanted.push(Quantity::Velocity(sphere, moment, Axis::X));
+            } else if [given, other].iter().flatten().any(|velocity| is_vector(velocity)) {
                 wanted.extend([Axis::X, Axis::Y].map(|axis| Quantity::Velocity(sphere, moment, axis)));
             }
-            wanted.extend([Quantity::Speed(sphere, moment), Quantity::AngleToLine(sphere, moment)]);
+            wanted.push(Quantity::Speed(sphere, moment));
+            wanted.extend(direction(sphere, moment));
         }
     }
     wanted.extend([Quantity::ImpulseMagnitude, Quantity::EnergyLost]);

@@ -1,5 +1,6 @@
 //! One line of working: words, and the equations that follow them.
 
+use super::Setting;
 use crate::expr::{Expr, Piece, Text, read_markup};
 
 /// One step of working: words and the equations that follow them.
@@ -34,6 +35,18 @@ impl Line {
             pieces.extend(replaced.unwrap_or_default().0.into_iter().map(without_second_unit));
         }
         Line { words: Text(pieces), equations, numbered: false }
+    }
+}
+
+impl Line {
+    /// The same line in the words of another setting.
+    pub fn said_of(mut self, setting: Setting) -> Line {
+        for piece in &mut self.words.0 {
+            if let Piece::Words(words) = piece {
+                *words = setting.say(words).into_owned();
+            }
+        }
+        self
     }
 }
 

@@ -1,4 +1,4 @@
-//! Mechanics of an oblique impact of two smooth spheres: scenes, laws, derivations, validity.
+//! Mechanics of an impact: scenes, laws, derivations, validity.
 
 mod again;
 mod backwards;
@@ -15,6 +15,7 @@ mod scene;
 mod scene_reader;
 mod scene_text;
 mod seen;
+mod setting;
 mod unknowns;
 mod validity;
 mod working;
@@ -31,5 +32,6 @@ pub use scene::{Condition, Contact, Given, Scene, Velocity};
 pub use scene_reader::SceneFault;
 pub use scene_text::{Pair, PolarText, SceneText, Sense, VelocityText};
 pub use seen::{Seen, Shape};
+pub use setting::Setting;
 pub use validity::{check, check_with};
 pub use working::Show;

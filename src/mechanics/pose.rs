@@ -6,6 +6,7 @@ use std::cmp::Ordering;
 use super::law::{Datum, Known};
 use super::refusal::Refusal;
 use super::scene::{Contact, Scene, Velocity};
+use super::setting::Setting;
 use super::{Axis, Derivation, Moment, Quantity, Sphere};
 use crate::number::Value;
 
@@ -44,10 +45,52 @@ pub fn pose(scene: &Scene) -> Result<Known<Value>, Refusal> {
         }
     }
     contact(scene, &mut known)?;
+    of_setting(scene, &mut known);
     if let (Some(Contact::Along(_, _, None)), None) = (&scene.contact, relative(scene)) {
         turn_to_approach(&mut known);
     }
     Ok(known)
+}
+
+/// What is known because of what the impact is between.
+fn of_setting(scene: &Scene, known: &mut Known<Value>) {
+    let nought = |known: &mut Known<Value>, quantity| put(known, quantity, &Value::ZERO);
+    match scene.setting {
+        Setting::Oblique => {}
+        // Along the line is along i, and nothing is across it.
+        Setting::Direct => {
+            for (sphere, moment) in Sphere::BOTH.into_iter().flat_map(|of| [(of, Moment::Before), (of, Moment::After)])
+            {
+                nought(known, Quantity::Velocity(sphere, moment, Axis::T));
+                nought(known, Quantity::Velocity(sphere, moment, Axis::Y));
+                if let Some(along) = known.number(Quantity::Velocity(sphere, moment, Axis::X)) {
+                    put(known, Quantity::Velocity(sphere, moment, Axis::N), &along);
+                }
+            }
+        }
+        Setting::Wall => {
+            for moment in [Moment::Before, Moment::After] {
+                nought(known, Quantity::Velocity(Sphere::B, moment, Axis::N));
+                nought(known, Quantity::Velocity(Sphere::B, moment, Axis::T));
+            }
+            without_energy_of_b(known);
+        }
+        Setting::Impulse => {
+            for (axis, given) in [Axis::X, Axis::Y].into_iter().zip(scene.impulse.iter().flatten()) {
+                put(known, Quantity::GivenImpulse(axis), &given.value);
+                put(known, Quantity::Impulse(Sphere::A, axis), &given.value);
+            }
+            without_energy_of_b(known);
+        }
+    }
+}
+
+/// What does not move has no kinetic energy, and loses none.
+fn without_energy_of_b(known: &mut Known<Value>) {
+    for moment in [Moment::Before, Moment::After] {
+        put(known, Quantity::KineticEnergy(Sphere::B, moment), &Value::ZERO);
+    }
+    put(known, Quantity::SphereEnergyLost(Sphere::B), &Value::ZERO);
 }
 
 /// Where no sense of the line of centres is given and a velocity before has first to be found, the line is turned

@@ -10,6 +10,7 @@ use std::fmt;
 use std::str::FromStr;
 use std::sync::OnceLock;
 
+use super::Setting;
 use crate::unit::Unit;
 
 /// One of the two spheres.
@@ -66,6 +67,10 @@ pub enum Quantity {
     TanToLine(Sphere, Moment),
     /// `A.after.t_over_n`: signed.
     TOverN(Sphere, Moment),
+    /// `A.after.angle_to_wall_deg`: acute, 0 to 90; with the wall, or the common tangent of two spheres.
+    AngleToWall(Sphere, Moment),
+    /// `A.after.tan_to_wall`: |n|/|t|.
+    TanToWall(Sphere, Moment),
     /// `A.deflection_deg`: 0 to 180.
     Deflection(Sphere),
     /// `A.deflection_signed_deg`: anticlockwise from before to after.
@@ -108,6 +113,8 @@ pub enum Quantity {
     Alpha,
     /// Not by name: the direction of a velocity as it was given.
     GivenDirection(Sphere, Moment),
+    /// Not by name: a component of the impulse as it was given.
+    GivenImpulse(Axis),
     /// Not by name: the sine of the angle from the path of A relative to B to the line of centres.
     ContactSine,
     /// Not by name: the equation of momentum along the line of centres.
@@ -154,6 +161,7 @@ impl Quantity {
                 all.extend([X, Y].map(|axis| SphereMomentum(sphere, moment, axis)));
                 all.extend([AngleToLine(sphere, moment), AngleFromN(sphere, moment), AngleFromI(sphere, moment)]);
                 all.extend([TanToLine(sphere, moment), TOverN(sphere, moment)]);
+                all.extend([AngleToWall(sphere, moment), TanToWall(sphere, moment)]);
             }
             all.extend([Deflection(sphere), SignedDeflection(sphere), DeflectionCross(sphere)]);
             all.extend([DeflectionDot(sphere), TanDeflection(sphere)]);
@@ -167,6 +175,14 @@ impl Quantity {
         all
     }
 
+    /// Does a scene of this setting have it? A wall is no sphere, and only a wall makes an angle with itself.
+    pub fn is_in(self, setting: Setting) -> bool {
+        match self {
+            Quantity::AngleToWall(..) | Quantity::TanToWall(..) => setting == Setting::Wall,
+            _ => !(setting.is_of_one() && self.sphere() == Some(B)),
+        }
+    }
+
     /// The unit in which it is stated.
     pub fn unit(self) -> Unit {
         use Quantity::*;
@@ -176,7 +192,7 @@ impl Quantity {
             KineticEnergy(..) | SphereEnergyLost(_) | TotalEnergy(_) | EnergyLost => Unit::Joule,
             SphereMomentum(..) | Impulse(..) | ImpulseMagnitude | TotalMomentum(_) => Unit::NewtonSecond,
             AngleToLine(..) | AngleFromN(..) | AngleFromI(..) | Deflection(_) | SignedDeflection(_) => Unit::Degree,
-            AngleBetween(_) | Alpha => Unit::Degree,
+            AngleToWall(..) | AngleBetween(_) | Alpha => Unit::Degree,
             _ => Unit::None,
         }
     }
@@ -232,6 +248,8 @@ impl fmt::Display for Quantity {
             AngleFromI(s, m) => write!(f, "{}.{m}.angle_from_i_deg", s.name()),
             TanToLine(s, m) => write!(f, "{}.{m}.tan_to_loc", s.name()),
             TOverN(s, m) => write!(f, "{}.{m}.t_over_n", s.name()),
+            AngleToWall(s, m) => write!(f, "{}.{m}.angle_to_wall_deg", s.name()),
+            TanToWall(s, m) => write!(f, "{}.{m}.tan_to_wall", s.name()),
             Deflection(s) => write!(f, "{}.deflection_deg", s.name()),
             SignedDeflection(s) => write!(f, "{}.deflection_signed_deg", s.name()),
             DeflectionCross(s) => write!(f, "{}.deflection_cross", s.name()),
@@ -253,6 +271,7 @@ impl fmt::Display for Quantity {
             AngleBetween(m) => write!(f, "angle_between_{m}_deg"),
             Alpha => f.write_str("alpha_deg"),
             GivenDirection(s, m) => write!(f, "direction of {} {m}", s.name()),
+            GivenImpulse(axis) => write!(f, "given impulse along {axis}"),
             ContactSine => f.write_str("offset over the sum of the radii"),
             MomentumEquation => f.write_str("equation of momentum"),
             RestitutionEquation => f.write_str("equation of restitution"),

@@ -1,6 +1,7 @@
 //! A scene that has been read: every expression evaluated, every letter with its range.
 
 use super::scene_text::Sense;
+use super::setting::Setting;
 use super::{Moment, Quantity, Sphere};
 use crate::expr::{Expr, Turn};
 use crate::number::{Letter, Value};
@@ -12,6 +13,13 @@ pub struct Given {
     pub value: Value,
     /// The form: `4`, `2*m`, `v*cos(theta)`.
     pub shown: Expr,
+}
+
+impl Given {
+    /// Nought.
+    pub fn nought() -> Given {
+        Given { value: Value::ZERO, shown: Expr::integer(0) }
+    }
 }
 
 /// A velocity as it was given.
@@ -59,9 +67,11 @@ pub struct Condition {
     pub right: Expr,
 }
 
-/// One impact of two smooth spheres, as far as it is given.
+/// One impact, as far as it is given: of two smooth spheres, of a sphere A with a wall, or an impulse on A alone.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
+    /// What the impact is between.
+    pub setting: Setting,
     /// Masses of A and B.
     pub masses: [Option<Given>; 2],
     /// Velocities before, of A and B.
@@ -70,6 +80,8 @@ pub struct Scene {
     pub after: [Option<Velocity>; 2],
     /// The line of centres.
     pub contact: Option<Contact>,
+    /// The impulse that A receives, where it is given.
+    pub impulse: Option<[Given; 2]>,
     /// The coefficient of restitution.
     pub restitution: Option<Given>,
     /// The letters, by name.

@@ -35,6 +35,12 @@ pub struct SceneText<S = String> {
     /// How far B's centre lies to the left of the path of A relative to B.
     #[serde(default = "none", skip_serializing_if = "Option::is_none")]
     pub impact_parameter: Option<S>,
+    /// A vector along a fixed smooth wall that A strikes, in place of B.
+    #[serde(default = "none", skip_serializing_if = "Option::is_none")]
+    pub wall: Option<[S; 2]>,
+    /// The impulse that A receives, where it is one particle by itself.
+    #[serde(default = "none", skip_serializing_if = "Option::is_none")]
+    pub impulse: Option<[S; 2]>,
     /// The coefficient of restitution, if it is given.
     #[serde(default = "none", skip_serializing_if = "Option::is_none")]
     pub e: Option<S>,
@@ -80,10 +86,12 @@ impl<T> Pair<T> {
     }
 }
 
-/// A velocity: by its components, or by a speed and a direction.
+/// A velocity: along the one line of a direct impact, by its components, or by a speed and a direction.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 #[serde(untagged)]
 pub enum VelocityText<S> {
+    /// `"u"`, signed, along the line from A to B, in which both spheres move.
+    Along(S),
     /// `["x", "y"]`, along i and j.
     Components([S; 2]),
     /// A speed and an angle anticlockwise from i, or the cosine and sine of that angle.

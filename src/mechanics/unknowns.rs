@@ -38,6 +38,7 @@ fn values_of(scene: &mut Scene) -> Vec<&mut Value> {
             Velocity::Polar { speed, cos, sin, .. } => values.extend([&mut speed.value, cos, sin]),
         }
     }
+    values.extend(scene.impulse.iter_mut().flatten().map(|given| &mut given.value));
     match &mut scene.contact {
         Some(Contact::Along(x, y, _)) => values.extend([x, y]),
         Some(Contact::Offset { offset, sum, .. }) => values.extend([&mut offset.value, &mut sum.value]),
@@ -66,6 +67,7 @@ pub(super) fn substituted(scene: &Scene, unknowns: &[Letter], values: &[Value]) 
         }
     };
     scene.masses.iter_mut().flatten().chain(&mut scene.restitution).for_each(shown);
+    scene.impulse.iter_mut().flatten().for_each(shown);
     for velocity in scene.before.iter_mut().chain(&mut scene.after).flatten() {
         match velocity {
             Velocity::Components(x, y) => [x, y].into_iter().for_each(shown),

@@ -62,6 +62,10 @@ fn masses(known: &Known<Value>) -> Result<(), Refusal> {
 /// A sphere whose velocity is given before and after, and is the same, was not struck.
 fn impulse_given(known: &Known<Value>) -> Result<(), Refusal> {
     for sphere in Sphere::BOTH {
+        // A wall has no mass, and stands still.
+        if !known.0.contains_key(&Quantity::Mass(sphere)) && known.0.contains_key(&Quantity::SphereEnergyLost(sphere)) {
+            continue;
+        }
         let at = |moment, axis| known.number(Quantity::Velocity(sphere, moment, axis));
         let change = |axis| Some(&at(Moment::After, axis)? - &at(Moment::Before, axis)?);
         if let (Some(x), Some(y)) = (change(Axis::X), change(Axis::Y))

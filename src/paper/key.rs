@@ -226,6 +226,7 @@ pub fn scene(scene: &SceneText, shown: &BTreeMap<String, Expr>) -> SceneText {
     };
     let pair = |[x, y]: &[String; 2]| [text(x), text(y)];
     let velocity = |velocity: &VelocityText<String>| match velocity {
+        VelocityText::Along(velocity) => VelocityText::Along(text(velocity)),
         VelocityText::Components(components) => VelocityText::Components(pair(components)),
         VelocityText::Polar(polar) => VelocityText::Polar(PolarText {
             speed: text(&polar.speed),
@@ -243,6 +244,8 @@ pub fn scene(scene: &SceneText, shown: &BTreeMap<String, Expr>) -> SceneText {
         positions: both(&scene.positions, pair),
         radii: both(&scene.radii, text),
         impact_parameter: scene.impact_parameter.as_ref().map(text),
+        wall: scene.wall.as_ref().map(pair),
+        impulse: scene.impulse.as_ref().map(pair),
         e: scene.e.as_ref().map(text),
         symbols: scene.symbols.clone(),
         unknowns: scene.unknowns.clone(),

@@ -8,7 +8,7 @@ use super::{SchemeRow, wording};
 use crate::bank::{Code, EarnedFor, Find, Mark};
 use crate::expr::{Expr, Piece, Text, read_markup};
 use crate::generate::Variant;
-use crate::mechanics::{Axis, Derivation, Known, Moment, Quantity, Rule, Scene, Show, Sphere, pose};
+use crate::mechanics::{Axis, Derivation, Known, Moment, Quantity, Rule, Scene, Setting, Show, Sphere, pose};
 use crate::number::{Places, Value};
 use crate::unit::Unit;
 
@@ -16,6 +16,7 @@ use crate::unit::Unit;
 pub fn rows(worked: &[WorkedPart], variant: &Variant, with_units: &[String]) -> Vec<SchemeRow> {
     let Some(here) = worked.last() else { return Vec::new() };
     let marks = &here.part.marks;
+    let setting = variant.scene.setting;
     let row = |(place, mark): (usize, &Mark)| {
         let before = marks[..place].iter().filter(|other| same_step(other, mark)).count();
         let (equation, rounded) = equation(mark, before, worked, variant, with_units);
@@ -24,9 +25,9 @@ pub fn rows(worked: &[WorkedPart], variant: &Variant, with_units: &[String]) -> 
         SchemeRow {
             id: mark.id.clone(),
             code: mark.code.name().to_owned(),
-            earned: earned.unwrap_or_else(|| usual_words(mark, here)),
+            earned: earned.unwrap_or_else(|| usual_words(mark, here, setting)),
             equation,
-            note: with_rounded(rounded, note.unwrap_or_else(|| usual_note(mark))),
+            note: with_rounded(rounded, note.unwrap_or_else(|| usual_note(mark, setting))),
             depends: mark.depends.clone(),
         }
     };
@@ -185,23 +186,23 @@ fn known_with(quantity: Quantity, here: &WorkedPart, scene: Option<&Scene>) -> O
 }
 
 /// What earns a mark, where the file does not say.
-fn usual_words(mark: &Mark, here: &WorkedPart) -> Text {
+fn usual_words(mark: &Mark, here: &WorkedPart, setting: Setting) -> Text {
     match &mark.earned_for {
         _ if mark.code == Code::A1Shown => Text::words("the printed result, with no errors seen"),
-        EarnedFor::Law(law, _) if mark.code.is_accuracy() => marked_up(law.accuracy()),
-        EarnedFor::Law(law, _) => marked_up(law.method().0),
+        EarnedFor::Law(law, _) if mark.code.is_accuracy() => marked_up(&setting.say(law.accuracy())),
+        EarnedFor::Law(law, _) => marked_up(&setting.say(law.method().0)),
         EarnedFor::Condition => Text::words("uses what is given of the motion after the impact"),
         EarnedFor::Unknown(_) => Text::words("correct value"),
         EarnedFor::Quantity(quantity) => {
             let answer = here.part.answers.iter().find(|answer| answer.find.quantities().contains(quantity));
-            answer.map_or_else(|| in_words(*quantity), |answer| answer.name.clone())
+            answer.map_or_else(|| in_words(*quantity, setting), |answer| answer.name.clone())
         }
     }
 }
 
-fn usual_note(mark: &Mark) -> Text {
+fn usual_note(mark: &Mark, setting: Setting) -> Text {
     match &mark.earned_for {
-        EarnedFor::Law(law, _) if !mark.code.is_accuracy() => marked_up(law.method().1),
+        EarnedFor::Law(law, _) if !mark.code.is_accuracy() => marked_up(&setting.say(law.method().1)),
         _ => Text::default(),
     }
 }
@@ -218,7 +219,7 @@ fn with_rounded(rounded: Option<(Expr, Unit)>, note: Text) -> Text {
 }
 
 /// A quantity in words.
-fn in_words(quantity: Quantity) -> Text {
+fn in_words(quantity: Quantity, setting: Setting) -> Text {
     let after = |moment| if moment == Moment::Before { " before" } else { "" };
     let words = match quantity {
         Quantity::Velocity(sphere, moment, axis) => {
@@ -244,7 +245,7 @@ fn in_words(quantity: Quantity) -> Text {
         Quantity::Restitution => "coefficient of restitution".to_owned(),
         other => other.to_string(),
     };
-    marked_up(&words)
+    marked_up(&setting.say(&words))
 }
 
 /// Words in the markup of the bank.

@@ -12,6 +12,7 @@ use crate::expr::{print, read_markup};
 use crate::mark::judging::{Note, Verdict};
 use crate::mark::report::{Feedback, MarkedScript, MarkedUnder};
 use crate::mark::{Award, Cause, Examiner, KeyedMark, MarkedAnswer, MarkedLine, MarkedPart, Place};
+use crate::mechanics::Setting;
 
 /// The most letters of what a student typed in one place.
 const LONGEST: usize = 300;
@@ -58,7 +59,7 @@ impl Printer<'_> {
             .with("available", || marked.awards.len().into())
             .with("responses", || list(&marked.answers, |answer| self.response(marked, answer)))
             .with("lines", || list(&lines, |(number, line)| self.written(*number, line)))
-            .with("awards", || list(&scheme, |(award, mark)| self.award(award, *mark)))
+            .with("awards", || list(&scheme, |(award, mark)| self.award(award, *mark, part.keyed.setting)))
             .with("followed", || list(&marked.followed, |line| self.line(line)))
             .value()
     }
@@ -107,7 +108,7 @@ impl Printer<'_> {
             .value()
     }
 
-    fn award(self, award: &Award, mark: Option<&KeyedMark>) -> Value {
+    fn award(self, award: &Award, mark: Option<&KeyedMark>, setting: Setting) -> Value {
         let equation = mark.and_then(|mark| mark.equation.as_ref());
         // What an answer earned stands below the answer; a line of working has to be named.
         let line = award.evidence.as_ref().and_then(|evidence| match evidence.place {
@@ -121,19 +122,20 @@ impl Printer<'_> {
             .with("reason", || self.typed(&award.feedback))
             .with("place", || line.map_or_else(|| plain(""), |(number, _)| plain(&format!("line {number}"))))
             .with("reading", || self.typed(line.map_or("", |(_, reading)| reading)))
-            .with("earned", || mark.map_or_else(nothing, |mark| self.earned(mark)))
+            .with("earned", || mark.map_or_else(nothing, |mark| self.earned(mark, setting)))
             .with("equation", || equation.map_or_else(nothing, |equation| self.formula(equation)))
             .value()
     }
 
     /// What a mark is for, in words, where its equation does not say it.
-    fn earned(self, mark: &KeyedMark) -> Value {
+    fn earned(self, mark: &KeyedMark, setting: Setting) -> Value {
         let words = match mark.earned_for {
             EarnedFor::Law(law, _) if !mark.code.is_accuracy() => law.method().0,
             EarnedFor::Law(law, _) if mark.equation.is_none() => law.accuracy(),
             EarnedFor::Condition if mark.equation.is_none() => "the condition used",
             _ => return nothing(),
         };
+        let words = &setting.say(words);
         let text = read_markup(words).map(|paragraphs| paragraphs.into_iter().next().unwrap_or_default());
         text.map_or_else(|_| plain(words), |text| self.text(&text))
     }

@@ -32,7 +32,11 @@ fn before() -> Vec<Quantity> {
 pub(super) fn answer_path(given: &Known<Value>) -> Option<AnswerPath> {
     let of_after = |quantity: &Quantity| {
         use Quantity::{GivenDirection, Speed, Velocity};
-        matches!(quantity, Velocity(_, Moment::After, _) | Speed(_, Moment::After) | GivenDirection(_, Moment::After))
+        // Of a direct impact it is given that nothing is across.
+        matches!(
+            quantity,
+            Velocity(_, Moment::After, Axis::X | Axis::N) | Speed(_, Moment::After) | GivenDirection(_, Moment::After)
+        )
     };
     if given.0.keys().any(of_after) {
         return None;

@@ -156,7 +156,7 @@ pub fn report(solution: &Solution) -> Report {
     }
     let (method, geometry, why) = method(solution);
     Report {
-        model: "two smooth spheres, oblique impact",
+        model: solution.scene().setting.model(),
         method,
         geometry,
         why,
@@ -186,7 +186,10 @@ fn method(solution: &Solution) -> (&'static str, &'static str, String) {
     match solution.selection() {
         Some(selection) => (selection.numbers.name(), selection.geometry.name(), selection.why()),
         None => {
-            let why = "not all that an impact starts from is given, so the steps of the derivation are the way";
+            let why = match solution.scene().setting.is_of_one() {
+                true => "one body moves: there is nothing to solve for but its own velocity",
+                false => "not all that an impact starts from is given, so the steps of the derivation are the way",
+            };
             ("derivation", "as given", why.to_owned())
         }
     }

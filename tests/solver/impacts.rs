@@ -60,6 +60,7 @@ fn impact(case: &Case) -> Option<Impact<Value>> {
     let at = |text: &String| value(text, &scene.symbols);
     let velocity = |velocity: &Option<VelocityText<String>>| {
         Some(match velocity.as_ref()? {
+            VelocityText::Along(along) => [at(along), Value::ZERO],
             VelocityText::Components(both) => both.each_ref().map(at),
             VelocityText::Polar(polar) => {
                 let speed = at(&polar.speed);

@@ -166,6 +166,8 @@ pub fn by_definition(quantity: Quantity, case: &Outcome<f64>) -> Option<f64> {
         AngleFromN(s, m) => times(v(s, m), t).atan2(times(v(s, m), n)).to_degrees(),
         AngleFromI(s, m) => v(s, m)[1].atan2(v(s, m)[0]).to_degrees(),
         TanToLine(s, m) => (times(v(s, m), t) / times(v(s, m), n)).abs(),
+        AngleToWall(s, m) => times(v(s, m), n).abs().atan2(times(v(s, m), t).abs()).to_degrees(),
+        TanToWall(s, m) => (times(v(s, m), n) / times(v(s, m), t)).abs(),
         TOverN(s, m) => times(v(s, m), t) / times(v(s, m), n),
         Deflection(s) => turned(path(s).0, path(s).1).abs().atan2(times(path(s).0, path(s).1)).to_degrees(),
         SignedDeflection(s) => turned(path(s).0, path(s).1).atan2(times(path(s).0, path(s).1)).to_degrees(),
@@ -174,7 +176,10 @@ pub fn by_definition(quantity: Quantity, case: &Outcome<f64>) -> Option<f64> {
         TanDeflection(s) => turned(path(s).0, path(s).1) / times(path(s).0, path(s).1),
         Impulse(s, axis) => mass(s) * along(less(path(s).1, path(s).0), axis),
         SphereEnergyLost(s) => energy(s, Moment::Before) - energy(s, Moment::After),
-        ImpulseMagnitude => mass(b) * times(less(path(b).1, path(b).0), n),
+        ImpulseMagnitude => {
+            let change = less(path(a).1, path(a).0);
+            mass(a) * change[0].hypot(change[1])
+        }
         Approach => times(relative, n),
         Separation => times(less(v(b, Moment::After), v(a, Moment::After)), n),
         Restitution => times(less(v(b, Moment::After), v(a, Moment::After)), n) / times(relative, n),
@@ -187,7 +192,7 @@ pub fn by_definition(quantity: Quantity, case: &Outcome<f64>) -> Option<f64> {
         TotalMomentum(axis) => Sphere::BOTH.into_iter().map(|s| mass(s) * along(v(s, Moment::Before), axis)).sum(),
         AngleBetween(m) => turned(v(a, m), v(b, m)).abs().atan2(times(v(a, m), v(b, m))).to_degrees(),
         Alpha => times(relative, t).abs().atan2(times(relative, n).abs()).to_degrees(),
-        GivenDirection(..) | ContactSine | MomentumEquation | RestitutionEquation => return None,
+        GivenDirection(..) | GivenImpulse(_) | ContactSine | MomentumEquation | RestitutionEquation => return None,
     })
 }
 

@@ -1,6 +1,7 @@
 //! The solver proved right: the exercises of the seed, laws that hold for every impact, methods that share no code.
 
 mod agreement;
+mod alone;
 mod backwards;
 mod impacts;
 mod judge;

@@ -15,6 +15,7 @@ use carom::number::{Fraction, Interval, Letter, Places, Range, Value};
 use carom::solve::Solution;
 
 use super::agreement::agree;
+use super::alone;
 use super::judge::{Outcome, approach, by_definition, judge, to_judge};
 use super::scenes::{Kind, generator, random};
 
@@ -31,6 +32,8 @@ const LEAST_VARIANTS: u64 = if cfg!(feature = "external") { 28_000 } else { 4_00
 #[derive(Debug, Default)]
 struct Tally {
     judged: u64,
+    /// Of one body, before a judge of its own.
+    alone: u64,
     in_fractions: u64,
     with_letters: u64,
     agreed: usize,
@@ -42,6 +45,7 @@ struct Tally {
 impl Tally {
     fn add(&mut self, other: &Tally) {
         self.judged += other.judged;
+        self.alone += other.alone;
         self.in_fractions += other.in_fractions;
         self.with_letters += other.with_letters;
         self.agreed += other.agreed;
@@ -111,8 +115,13 @@ fn sample(letter: Letter, number: i64) -> Interval {
     Interval::from_fraction(&value, 128)
 }
 
+/// A value in a sample of its letters, as a double.
+pub fn in_sample(value: &Value, number: i64) -> Option<f64> {
+    Some(value.enclose(128, &|letter| Some(sample(letter, number)))?.to_f64())
+}
+
 /// Is a printed decimal within half a unit of its last figure?
-fn rounds_to(printed: f64, places: &Places, value: f64) -> bool {
+pub fn rounds_to(printed: f64, places: &Places, value: f64) -> bool {
     let unit = match places {
         Places::SignificantFigures(count) => {
             let first = if value == 0.0 { 0.0 } else { value.abs().log10().floor() };
@@ -124,7 +133,7 @@ fn rounds_to(printed: f64, places: &Places, value: f64) -> bool {
     (printed - value).abs() <= unit / 2.0 + 1e-9 * value.abs().max(1.0)
 }
 
-fn near(found: f64, expected: f64) -> bool {
+pub fn near(found: f64, expected: f64) -> bool {
     (found - expected).abs() <= 1e-9 * expected.abs().max(1.0)
 }
 
@@ -193,7 +202,7 @@ fn check(solution: &Solution, asked: &[(Quantity, Accept)], tally: &mut Tally) -
     tally.with_letters += 1;
     let mut samples = 0;
     for number in 1..40 {
-        let float = |value: &Value| Some(value.enclose(128, &|letter| Some(sample(letter, number)))?.to_f64());
+        let float = |value: &Value| in_sample(value, number);
         // A path that misses, or an e too small for what is said, has no number.
         let Some(checked) = in_numbers(solution, &case, asked, &float, tally) else { continue };
         checked.map_err(|complaint| format!("{complaint} in sample {number}"))?;
@@ -272,21 +281,25 @@ fn walk(styles: &[(&Question, &Style)], next: &AtomicU64, counts: &Mutex<BTreeMa
     let mut portion = mine();
     let mut passed = 0;
     for (question, style) in styles {
-        let (asked, before) = (asked(question), tally.judged);
+        let (asked, before) = (asked(question), tally.judged + tally.alone);
         let examined = style.size().div_ceil(SHARE);
         while portion < passed + examined.div_ceil(PORTION) {
             let from = (portion - passed) * PORTION;
             for place in from..examined.min(from + PORTION) {
-                if let Ok(variant) = examine(question, style, place * SHARE)
-                    && let Err(complaint) = check(&variant.solution, &asked, &mut tally)
-                {
+                let Ok(variant) = examine(question, style, place * SHARE) else { continue };
+                let checked = match variant.scene.setting.is_of_one() {
+                    true => alone::check(&variant.solution, &asked).map(|()| tally.alone += 1),
+                    false => check(&variant.solution, &asked, &mut tally),
+                };
+                if let Err(complaint) = checked {
                     panic!("{complaint}: {}:{} {:?}", question.id, style.name, variant.parameters);
                 }
             }
             portion = mine();
         }
         passed += examined.div_ceil(PORTION);
-        *counts.lock().unwrap().entry(format!("{}:{}", question.id, style.name)).or_default() += tally.judged - before;
+        let judged = tally.judged + tally.alone - before;
+        *counts.lock().unwrap().entry(format!("{}:{}", question.id, style.name)).or_default() += judged;
     }
     let asked: Vec<_> = [Quantity::Speed(Sphere::B, Moment::After), Quantity::ImpulseMagnitude]
         .map(|quantity| (quantity, "awrt 3sf".parse().unwrap()))
@@ -321,7 +334,8 @@ fn carom_knows_its_variants_as_an_independent_judge_does() {
     let counts = counts.into_inner().unwrap();
     let variants: u64 = counts.values().sum();
     assert!(variants >= LEAST_VARIANTS, "{variants} variants: {counts:#?}");
-    assert_eq!(variants + RANDOM, total.judged, "{total:?}");
+    assert_eq!(variants + RANDOM, total.judged + total.alone, "{total:?}");
+    assert!(total.alone > 0, "{total:?}");
     assert!(total.judged >= LEAST, "{total:?}");
     let empty: Vec<&String> = counts.iter().filter(|(_, count)| **count == 0).map(|(name, _)| name).collect();
     assert!(empty.is_empty(), "not one variant of {empty:?}");

@@ -39,6 +39,12 @@ pub(super) fn choose<'c>(
         return Err(Failure::said("no question has this style"));
     }
     if arguments.reference {
+        // Of all questions those with an exercise behind them; of questions that are named, their own numbers.
+        if arguments.topic.is_none() && arguments.questions.is_empty() {
+            let (exercises, others): (Vec<&Heading>, Vec<&Heading>) =
+                offered.iter().partition(|heading| heading.mirrors.is_some());
+            return Ok(if exercises.is_empty() { others } else { exercises });
+        }
         return Ok(offered);
     }
     match (arguments.count.map(usize::from), arguments.marks) {

@@ -15,7 +15,7 @@ use super::slips::Mistakes;
 use super::working::Prepared;
 use crate::bank::{Code, EarnedFor, Find};
 use crate::expr::{Angles, Expr};
-use crate::mechanics::{Derivation, Known, Quantity, Scene, SceneText, pose};
+use crate::mechanics::{Derivation, Known, Quantity, Scene, SceneText, Setting, pose};
 use crate::number::{Letter, Value};
 use crate::paper::KeyQuestion;
 
@@ -64,6 +64,8 @@ pub struct KeyedQuestion {
 /// A part to be marked.
 #[derive(Clone, Debug)]
 pub struct KeyedPart {
+    /// What the impact is between.
+    pub setting: Setting,
     /// `a`, `b`, … or empty.
     pub label: String,
     /// What is to be filled in.

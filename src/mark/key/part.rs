@@ -35,7 +35,14 @@ impl KeyedPart {
         for blank in &mut blanks {
             blank.model.rebounds = rebounds(&blank.find, known);
         }
-        Ok(KeyedPart { label: part.label.clone(), blanks, scheme, derivation, known: known.clone() })
+        Ok(KeyedPart {
+            setting: scene.setting,
+            label: part.label.clone(),
+            blanks,
+            scheme,
+            derivation,
+            known: known.clone(),
+        })
     }
 
     /// How many marks it has.

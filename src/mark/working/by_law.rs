@@ -15,7 +15,7 @@ use crate::bank::Code;
 use crate::expr::Expr;
 use crate::mark::judging::{Note, judge};
 use crate::mark::reading::Reading;
-use crate::mechanics::{Axis, Datum, Known, Law, Moment, Quantity, Seen, Shape, Sphere};
+use crate::mechanics::{Axis, Datum, Known, Law, Moment, Quantity, Seen, Setting, Shape, Sphere};
 
 impl Working<'_> {
     /// A mark for the use of a law.
@@ -27,7 +27,7 @@ impl Working<'_> {
                 self.along_impulse(law)
             }
             Seen::Components => self.resolved(code),
-            Seen::Equation => self.restitution_from_components(),
+            Seen::Equation => self.restitution_from_components().or_else(|| self.rebound(code)),
             Seen::Value(quantities, shape) => {
                 let about =
                     |quantity: &&Quantity| sphere.is_none() || quantity.sphere().is_none_or(|of| Some(of) == sphere);
@@ -47,6 +47,27 @@ impl Working<'_> {
             }
             Seen::AlongLine | Seen::Unknown => None,
         }
+    }
+
+    /// Restitution at a wall gives the one component after at once. A method mark condones sine for cosine.
+    fn rebound(&self, code: Code) -> Option<Evidence> {
+        if self.prepared.setting != Setting::Wall {
+            return None;
+        }
+        let after = Quantity::Velocity(Sphere::A, Moment::After, Axis::N);
+        let exchanged = || {
+            let swapped = self.prepared.known.iter().map(|known| {
+                let across = known.number(Quantity::Velocity(Sphere::A, Moment::Before, Axis::T))?;
+                let mut swapped = known.clone();
+                swapped.0.insert(after, Datum::Number(known.number(Quantity::Restitution)? * across));
+                Some(swapped)
+            });
+            let swapped: Vec<Known<f64>> = swapped.collect::<Option<_>>()?;
+            self.line_that_is(&swapped, after)
+        };
+        let right = self.line_that_is(&self.prepared.known, after);
+        let line = right.or_else(|| if code.is_accuracy() { None } else { exchanged() })?;
+        Some(Evidence::given(line, "restitution"))
     }
 
     /// A line that comes to what the law gives: from right values, or from the student's own.

@@ -4,13 +4,15 @@ use super::pair::Laws;
 use super::points::{Points, sizes};
 use super::values::along_for;
 use crate::bank::{EarnedFor, Find};
-use crate::mechanics::{Axis, Datum, Derivation, Known, Moment, Quantity, Rule, Scene, Sphere, Velocity};
+use crate::mechanics::{Axis, Datum, Derivation, Known, Moment, Quantity, Rule, Scene, Setting, Sphere, Velocity};
 use crate::number::{Letter, Places, Value, round};
 use crate::solve::solve;
 
 /// A question made ready for the working of its students.
 #[derive(Clone, Debug)]
 pub struct Prepared {
+    /// What the impact is between.
+    pub(super) setting: Setting,
     pub(super) points: Points,
     /// Everything that a solution may touch on, at every point.
     pub(super) known: Vec<Known<f64>>,
@@ -60,7 +62,7 @@ impl Prepared {
             Velocity::Polar { .. } => false,
         });
         let laws = Laws::of(&known, in_components);
-        Prepared { points, known, given, laws, names, decimals, found, there }
+        Prepared { setting: scene.setting, points, known, given, laws, names, decimals, found, there }
     }
 }
 

@@ -17,6 +17,8 @@ pub const SEEN: Seen = Seen::Value(
         Quantity::AngleToLine(Sphere::B, Moment::After),
         Quantity::TOverN(Sphere::A, Moment::After),
         Quantity::TOverN(Sphere::B, Moment::After),
+        Quantity::AngleToWall(Sphere::A, Moment::After),
+        Quantity::TanToWall(Sphere::A, Moment::After),
     ],
     Shape::Tangent,
 );
@@ -57,6 +59,8 @@ const FROM_N: u8 = 1;
 const FROM_I: u8 = 2;
 const SIZE_OF_TANGENT: u8 = 3;
 const TANGENT: u8 = 4;
+const TO_WALL: u8 = 5;
+const TANGENT_TO_WALL: u8 = 6;
 
 pub fn rules() -> Vec<Rule> {
     let mut rules = Vec::new();
@@ -70,6 +74,8 @@ pub fn rules() -> Vec<Rule> {
             add(FROM_I, &x_y, Quantity::AngleFromI(sphere, moment));
             add(SIZE_OF_TANGENT, &n_t, Quantity::TanToLine(sphere, moment));
             add(TANGENT, &n_t, Quantity::TOverN(sphere, moment));
+            add(TO_WALL, &n_t, Quantity::AngleToWall(sphere, moment));
+            add(TANGENT_TO_WALL, &n_t, Quantity::TanToWall(sphere, moment));
         }
     }
     rules
@@ -77,14 +83,16 @@ pub fn rules() -> Vec<Rule> {
 
 pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
     let [x, y] = known.numbers([rule.needs[0], rule.needs[1]])?;
-    if rule.form <= FROM_I && x.is_nought() && y.is_nought() {
+    if matches!(rule.form, TO_LINE | FROM_N | FROM_I | TO_WALL) && x.is_nought() && y.is_nought() {
         // A sphere at rest has no direction.
         return None;
     }
     match rule.form {
         TO_LINE => Some(vec![Datum::Direction { y: y.size(), x: x.size() }]),
         FROM_N | FROM_I => Some(vec![Datum::Direction { y, x }]),
+        TO_WALL => Some(vec![Datum::Direction { y: x.size(), x: y.size() }]),
         SIZE_OF_TANGENT => number(y.size().over(&x.size())?),
+        TANGENT_TO_WALL => number(x.size().over(&y.size())?),
         _ => number(y.over(&x)?),
     }
 }
@@ -114,7 +122,7 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
             match rule.form {
                 _ if cross.is_nought() && dot.is_nought() => None,
                 // As it is: a deflection may be more than a right angle.
-                TO_LINE | FROM_N => Some(vec![Datum::Direction { y: cross, x: dot }]),
+                TO_LINE | FROM_N | TO_WALL => Some(vec![Datum::Direction { y: cross, x: dot }]),
                 _ => number(cross.over(&dot)?),
             }
         }
@@ -130,6 +138,8 @@ pub fn earning(rule: &Rule, show: &Show) -> Option<Expr> {
 pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
     match rule.gives[0] {
         Quantity::AngleToLine(sphere, moment) => angle_to_line(show, sphere, moment),
+        Quantity::AngleToWall(sphere, moment) => angle_to_wall(show, sphere, moment),
+        Quantity::TanToWall(sphere, moment) => tangent_to_wall(show, sphere, moment),
         Quantity::TOverN(sphere, moment) | Quantity::TanToLine(sphere, moment) => {
             tangent_of_direction(show, sphere, moment, rule.gives[0])
         }
@@ -158,6 +168,35 @@ fn angle_to_line(show: &Show, sphere: Sphere, moment: Moment) -> Vec<Line> {
     equations.extend(Show::approximate_angle(&left, &angle));
     let words = "The path of {A} makes an angle {b} with the line of centres, where";
     vec![Line::with(words, &[("A", name), ("b", left)], equations)]
+}
+
+/// The acute angle to the wall.
+fn angle_to_wall(show: &Show, sphere: Sphere, moment: Moment) -> Vec<Line> {
+    let Some(angle) = show.angle(Quantity::AngleToWall(sphere, moment)) else { return silent() };
+    let left = Expr::name("beta");
+    let mut equations = vec![wall_tangent(show, sphere, moment)];
+    equations.push(Expr::equation(left.clone(), Show::angle_expr(&angle)));
+    equations.extend(Show::approximate_angle(&left, &angle));
+    let words = "The path of {A} makes an angle {b} with the wall, where";
+    vec![Line::with(words, &[("A", Expr::name(sphere.name())), ("b", left)], equations)]
+}
+
+fn tangent_to_wall(show: &Show, sphere: Sphere, moment: Moment) -> Vec<Line> {
+    if moment == Moment::Before && !show.is_asked(Quantity::TanToWall(sphere, moment)) {
+        return silent();
+    }
+    let left = Expr::call(Function::Tan, Expr::name("beta"));
+    let found = Expr::equation(left, show.value(Quantity::TanToWall(sphere, moment)));
+    let words = "The path of {A} makes an angle {b} with the wall, where";
+    let formulas = [("A", Expr::name(sphere.name())), ("b", Expr::name("beta"))];
+    vec![Line::with(words, &formulas, vec![wall_tangent(show, sphere, moment), found])]
+}
+
+/// `tan β = v/p`, in numbers, β with the wall.
+fn wall_tangent(show: &Show, sphere: Sphere, moment: Moment) -> Expr {
+    let at = |axis| written(&show.worked(velocity(sphere, moment, axis)).absolute());
+    let quotient = Expr::Quotient(Box::new(at(N)), Box::new(at(T)));
+    Expr::equation(Expr::call(Function::Tan, Expr::name("beta")), quotient)
 }
 
 /// `tan β = p/v`, in numbers.

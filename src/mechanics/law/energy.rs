@@ -11,7 +11,7 @@ use crate::number::{Fraction, Value};
 use crate::mechanics::Axis::{N, X, Y};
 use crate::mechanics::Moment::{After, Before};
 use crate::mechanics::Sphere::{A, B};
-use crate::mechanics::{Quantity, Sphere};
+use crate::mechanics::{Quantity, Setting, Sphere};
 use crate::number::Number;
 
 pub const NAME: &str = "energy";
@@ -236,7 +236,7 @@ fn half(show: &Show, sphere: Sphere) -> Expr {
 
 /// The energy of both spheres at a moment, by their speeds.
 fn total(show: &Show, moment: Moment) -> Vec<Line> {
-    let terms = Sphere::BOTH.map(|sphere| times(half(show, sphere), square(show, sphere, moment)));
+    let terms = show.spheres().iter().map(|sphere| times(half(show, *sphere), square(show, *sphere, moment)));
     let (words, left) = match moment {
         Before => ("The kinetic energy before the impact, in joules, is", "E_1"),
         After => ("The kinetic energy after the impact, in joules, is", "E_2"),
@@ -253,7 +253,8 @@ fn square(show: &Show, sphere: Sphere, moment: Moment) -> Expr {
 /// What both spheres lose, by the components that change.
 fn lost(show: &Show) -> Vec<Line> {
     let along = show.given_along();
-    let terms = Sphere::BOTH.map(|sphere| {
+    let terms = show.spheres().iter().map(|sphere| {
+        let sphere = *sphere;
         let part = |moment| {
             if along {
                 squared(&show.worked(velocity(sphere, moment, N)))
@@ -268,7 +269,7 @@ fn lost(show: &Show) -> Vec<Line> {
     let left = Expr::name("L");
     let mut equations = Show::chain(left.clone(), [Expr::sum(terms), written(&value)]);
     equations.extend(Show::approximately(&left, &value));
-    let words = if along {
+    let words = if along && show.scene().setting != Setting::Direct {
         "The components perpendicular to the line of centres do not change, so the kinetic energy lost, in joules, is"
     } else {
         "The kinetic energy lost, in joules, is"

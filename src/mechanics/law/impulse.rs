@@ -7,7 +7,7 @@ use crate::expr::{Expr, Function, written};
 use crate::mechanics::formula::{difference, times};
 use crate::mechanics::Axis::{N, T, X, Y};
 use crate::mechanics::Moment::{After, Before};
-use crate::mechanics::{Quantity, Sphere};
+use crate::mechanics::{Moment, Quantity, Sphere};
 use crate::number::Number;
 
 pub const NAME: &str = "impulse";
@@ -63,6 +63,30 @@ pub const SLIPS: &[Slip] = &[
         also: &[],
         condoned: false,
     },
+    Slip {
+        place: 52,
+        tag: "impulse-mass-forgotten",
+        did: "added the impulse to the velocity without dividing it by the mass",
+        sentence: "An impulse is a change of momentum: divide it by the mass to get the change of velocity.",
+        also: &[],
+        condoned: false,
+    },
+    Slip {
+        place: 53,
+        tag: "impulse-taken-off",
+        did: "took the impulse off instead of adding it",
+        sentence: "The impulse is momentum after less momentum before: check on which side it stands.",
+        also: &[],
+        condoned: true,
+    },
+    Slip {
+        place: 54,
+        tag: "impulse-for-momentum",
+        did: "took the impulse for the momentum after",
+        sentence: "The impulse is only what is added to the momentum: the momentum before is there already.",
+        also: &[],
+        condoned: false,
+    },
 ];
 
 const OF_COMPONENT: u8 = 0;
@@ -72,6 +96,8 @@ const SIZE: u8 = 3;
 const SIZE_OF_VECTOR: u8 = 4;
 const COMPONENTS: u8 = 5;
 const ACROSS: u8 = 6;
+const AFTER_GIVEN: u8 = 7;
+const BEFORE_GIVEN: u8 = 8;
 
 pub fn rules() -> Vec<Rule> {
     let mut rules = Vec::new();
@@ -90,6 +116,14 @@ pub fn rules() -> Vec<Rule> {
         let line = [impulse(N), Quantity::Line(X), Quantity::Line(Y)];
         rules.push(rule(Law::Impulse, COMPONENTS, &line, &[impulse(X), impulse(Y)], 2));
         rules.push(rule(Law::Impulse, ACROSS, &[impulse(N)], &[impulse(T)], 1));
+    }
+    // Of a particle by itself, whose impulse is given.
+    let of_a = |moment| [X, Y].map(|axis| velocity(Sphere::A, moment, axis));
+    for (form, from, to) in [(AFTER_GIVEN, Before, After), (BEFORE_GIVEN, After, Before)] {
+        let mut needs = vec![Quantity::Mass(Sphere::A)];
+        needs.extend(of_a(from));
+        needs.extend([X, Y].map(Quantity::GivenImpulse));
+        rules.push(rule(Law::Impulse, form, &needs, &of_a(to), 2));
     }
     rules
 }
@@ -114,6 +148,13 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
         COMPONENTS => {
             let [size, x, y] = known.numbers([rule.needs[0], rule.needs[1], rule.needs[2]])?;
             Some(vec![Datum::Number(size.clone() * x), Datum::Number(size * y)])
+        }
+        AFTER_GIVEN | BEFORE_GIVEN => {
+            let n = &rule.needs;
+            let [mass, x, y, i, j] = known.numbers([n[0], n[1], n[2], n[3], n[4]])?;
+            let (along_x, along_y) = (i.over(&mass)?, j.over(&mass)?);
+            let (along_x, along_y) = if rule.form == AFTER_GIVEN { (along_x, along_y) } else { (-along_x, -along_y) };
+            Some(vec![Datum::Number(x + along_x), Datum::Number(y + along_y)])
         }
         _ => number(known.number(rule.needs[0])?.nought()),
     }
@@ -147,6 +188,20 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
                 _ => None,
             }
         }
+        (AFTER_GIVEN | BEFORE_GIVEN, Quantity::Mass(_)) => {
+            let [mass, x, _, i, j] = rule.needs[..] else { return None };
+            match slip {
+                "impulse-mass-forgotten" => with_inputs(rule, known, &[(mass, known.number(x)?.one())]),
+                "impulse-taken-off" => {
+                    with_inputs(rule, known, &[(i, -known.number(i)?), (j, -known.number(j)?)])
+                }
+                "impulse-for-momentum" if rule.form == AFTER_GIVEN => {
+                    let mass = known.number(mass)?;
+                    Some(vec![Datum::Number(known.number(i)?.over(&mass)?), Datum::Number(known.number(j)?.over(&mass)?)])
+                }
+                _ => None,
+            }
+        }
         (SIZE | SIZE_OF_VECTOR, Quantity::Impulse(sphere, _)) => match slip {
             "impulse-both-added" => {
                 let outcome = evaluate(rule, known)?;
@@ -175,6 +230,7 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
     match (rule.form, rule.gives[0]) {
         (OF_COMPONENT, Quantity::Impulse(sphere, _)) => along(show, sphere),
         (OF_VECTOR, Quantity::Impulse(sphere, _)) => vector(show, sphere),
+        (AFTER_GIVEN | BEFORE_GIVEN, Quantity::Velocity(sphere, moment, _)) => of_given(show, sphere, moment),
         (SIZE | SIZE_OF_VECTOR, _) => size(show),
         _ => silent(),
     }
@@ -198,6 +254,20 @@ fn vector(show: &Show, sphere: Sphere) -> Vec<Line> {
     let rights = [times(show.mass(sphere), change), Expr::Vector(at(X), at(Y))];
     let words = "The impulse on {A} is its change of momentum:";
     vec![Line::with(words, &[("A", Expr::name(sphere.name()))], Show::chain(Expr::name("vector.I"), rights))]
+}
+
+/// `m v = m u + I`, for the velocity that is not given.
+fn of_given(show: &Show, sphere: Sphere, moment: Moment) -> Vec<Line> {
+    let at = |axis| Box::new(show.value(Quantity::Impulse(sphere, axis)));
+    let impulse = Expr::Vector(at(X), at(Y));
+    let momentum = |of: Moment| match of == moment {
+        true => times(show.mass(sphere), Expr::name(show.vector_letter(sphere, moment))),
+        false => times(show.mass(sphere), show.vector(sphere, of)),
+    };
+    let equation = Expr::equation(impulse, difference(momentum(After), momentum(Before)));
+    let found = Expr::equation(Expr::name(show.vector_letter(sphere, moment)), show.vector(sphere, moment));
+    let words = "The impulse on {A} is its change of momentum:";
+    vec![Line::with(words, &[("A", Expr::name(sphere.name()))], vec![equation, found])]
 }
 
 /// The magnitude, with its decimal.

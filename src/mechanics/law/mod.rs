@@ -202,7 +202,8 @@ macro_rules! laws {
 
             /// The lines of working that a worked solution shows for it.
             pub fn lines(&self, show: &Show) -> Vec<Line> {
-                match self.law { $(Law::$law => $file::lines(self, show),)* }
+                let lines = match self.law { $(Law::$law => $file::lines(self, show),)* };
+                lines.into_iter().map(|line| line.said_of(show.setting())).collect()
             }
         }
     };

@@ -3,9 +3,9 @@
 //! `y - x = e (a - b)` for the components a, b before and x, y after, all positive from A to B.
 
 use super::{Seen, ALONG, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, components, first_equation, is_at_rest_before, number, rule, unresolved, with_inputs};
-use crate::expr::Expr;
-use crate::mechanics::{Moment, Quantity, Sphere};
-use crate::mechanics::formula::difference;
+use crate::expr::{Expr, written};
+use crate::mechanics::{Moment, Quantity, Setting, Sphere};
+use crate::mechanics::formula::{difference, times};
 use crate::number::Number;
 
 pub const NAME: &str = "restitution";
@@ -204,6 +204,9 @@ pub fn earning(rule: &Rule, show: &Show) -> Option<Expr> {
 }
 
 pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
+    if show.setting() == Setting::Wall {
+        return at_wall(rule, show);
+    }
     if rule.form == EQUATION {
         let equation = Expr::equation(show.separation(), show.e_times_approach());
         let words = "By Newton's law of restitution:";
@@ -218,4 +221,39 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
     }
     let equation = Expr::equation(show.separation(), show.e_times_approach());
     vec![Line::plain("By Newton's law of restitution:", vec![equation, Expr::equation(show.symbol(unknown), show.shown_value(unknown))])]
+}
+
+/// `v = e u` in sizes: towards the wall before, away from it after.
+fn at_wall(rule: &Rule, show: &Show) -> Vec<Line> {
+    let [a, _, x, _] = ALONG;
+    let size = |quantity| show.worked(quantity).absolute();
+    let unsigned = |expr: Expr| match expr {
+        Expr::Negative(inner) => *inner,
+        Expr::Number(number) if number.sign().is_lt() => Expr::Number(-number),
+        other => other,
+    };
+    let before = match rule.gives[0] == a {
+        true => show.symbol(a),
+        false => unsigned(show.along(Sphere::A, Moment::Before)),
+    };
+    let after = match show.scene().velocity(Sphere::A, Moment::After) {
+        Some(_) => unsigned(show.along(Sphere::A, Moment::After)),
+        None => show.symbol(x),
+    };
+    let unknown = rule.gives[0];
+    if unknown == Quantity::Restitution {
+        let quotient = Expr::Quotient(Box::new(after), Box::new(before));
+        let chain = Show::chain(Expr::name("e"), [quotient, show.shown_value(unknown)]);
+        return vec![Line::plain("By Newton's law of restitution, perpendicular to the wall:", chain)];
+    }
+    let equation = Expr::equation(after, times(show.restitution(), before));
+    let found = Expr::equation(show.symbol(unknown), written(&size(unknown)));
+    let words = if unknown == x {
+        "By Newton's law of restitution, with {v} the component perpendicular to the wall after the impact, away from it:"
+    } else {
+        "By Newton's law of restitution, perpendicular to the wall:"
+    };
+    let mut equations = vec![equation];
+    equations.extend(Some(found).filter(|found| found != &equations[0]));
+    vec![Line::with(words, &[("v", show.symbol(x))], equations)]
 }

@@ -4,13 +4,15 @@
 //! parallel to **i** or **j**, the direction of that unit vector, as one would work on paper. Momentum
 //! and restitution read the same either way.
 
+mod chain;
+
 use std::cmp::Ordering;
 
 use super::formula::{difference, multiple, times};
 use super::law::Known;
 use super::scene::{Contact, Scene, Velocity};
-use super::{Axis, Moment, Quantity, Sphere};
-use crate::expr::{Expr, Function, written, written_angle};
+use super::{Axis, Moment, Quantity, Setting, Sphere};
+use crate::expr::{Expr, Function, written};
 use crate::number::{Angle, Fraction, Value};
 
 /// What a solution shows of each quantity.
@@ -47,6 +49,16 @@ impl<'a> Show<'a> {
         Show { unit_vectors: Some(unit_vectors), ..self }
     }
 
+    /// What the impact is between.
+    pub fn setting(&self) -> Setting {
+        self.scene.setting
+    }
+
+    /// The spheres that move.
+    pub fn spheres(&self) -> &'static [Sphere] {
+        if self.setting().is_of_one() { &Sphere::BOTH[..1] } else { &Sphere::BOTH }
+    }
+
     /// Is the line of centres parallel to i or j?
     pub fn along_an_axis(&self) -> bool {
         self.axis.is_some()
@@ -73,6 +85,8 @@ impl<'a> Show<'a> {
         match self.axis {
             Some(Axis::X) if in_i_j => "in the direction of {i}",
             Some(_) if in_i_j => "in the direction of {j}",
+            _ if self.setting() == Setting::Wall && self.against_n => "away from the wall",
+            _ if self.setting() == Setting::Wall => "towards the wall",
             _ if self.against_n => "from *B* towards *A*",
             _ => "from *A* towards *B*",
         }
@@ -196,17 +210,25 @@ impl<'a> Show<'a> {
                 let given = if (axis == Axis::X) == along { x } else { y };
                 return given.shown.clone();
             }
-            (Some(Velocity::Polar { speed, angle, .. }), Some(_)) => {
-                let acute = Angle::acute(&at(Axis::T), &at(Axis::N));
-                let letter = angle.as_ref().map(|(_, shown)| shown).filter(|shown| matches!(shown, Expr::Name(_)));
+            (Some(Velocity::Polar { speed, angle, .. }), Some(axis)) => {
+                // An angle is measured from the line of centres, or from a wall.
+                let at_wall = self.setting() == Setting::Wall;
+                let (from, across) = if at_wall { (Axis::T, Axis::N) } else { (Axis::N, Axis::T) };
+                let acute = Angle::acute(&at(across), &at(from));
+                let letter = angle.as_ref().map(|(_, shown)| match shown {
+                    Expr::Negative(inner) if at_wall => inner,
+                    shown => shown,
+                });
+                let letter = letter.filter(|shown| matches!(shown, Expr::Name(_)));
+                let letter_axis = if at_wall { Axis::Y } else { Axis::X };
                 let degrees =
                     acute.as_ref().and_then(Angle::whole_degrees).map(|degrees| Expr::degrees(Expr::Number(degrees)));
-                let function = if along { Function::Cos } else { Function::Sin };
-                match (letter.cloned().or(degrees), self.axis) {
-                    (Some(Expr::Degrees(degrees)), _) if degrees.is_zero() || *degrees == Expr::integer(90) => {
+                let function = if along == at_wall { Function::Sin } else { Function::Cos };
+                match letter.cloned().or(degrees) {
+                    Some(Expr::Degrees(degrees)) if degrees.is_zero() || *degrees == Expr::integer(90) => {
                         speed.shown.clone()
                     }
-                    (Some(angle), Some(Axis::X)) | (Some(angle @ Expr::Degrees(_)), _) => {
+                    Some(angle) if axis == letter_axis || matches!(angle, Expr::Degrees(_)) => {
                         times(speed.shown.clone(), Expr::call(function, angle))
                     }
                     _ => {
@@ -354,42 +376,5 @@ impl<'a> Show<'a> {
     /// The name of the angle between the path of A and the line of centres.
     pub fn contact_angle(&self) -> &'static str {
         if self.taken("alpha") { "phi" } else { "alpha" }
-    }
-
-    /// Equations with one left side.
-    pub fn chain(left: Expr, rights: impl IntoIterator<Item = Expr>) -> Vec<Expr> {
-        let mut chain: Vec<Expr> = Vec::new();
-        for right in rights {
-            let equation = Expr::equation(left.clone(), right);
-            if chain.last() != Some(&equation) {
-                chain.push(equation);
-            }
-        }
-        chain
-    }
-
-    /// A value with its rounded decimal where it is no short fraction.
-    pub fn approximately(left: &Expr, value: &Value) -> Option<Expr> {
-        if value.as_fraction().is_some() || !value.is_constant() {
-            return None;
-        }
-        let rounded = value.rounded(&crate::number::Places::SignificantFigures(3)).ok()?;
-        let right = Box::new(Expr::Decimal(rounded.to_string()));
-        Some(Expr::Relation(Box::new(left.clone()), crate::expr::Relation::Approximately, right))
-    }
-
-    /// The same for an angle.
-    pub fn approximate_angle(left: &Expr, angle: &Angle) -> Option<Expr> {
-        if angle.whole_degrees().is_some() || !angle.letters().iter().all(|letter| letter.is_constant()) {
-            return None;
-        }
-        let rounded = angle.rounded(&crate::number::Places::SignificantFigures(3)).ok()?;
-        let right = Box::new(Expr::degrees(Expr::Decimal(rounded.to_string())));
-        Some(Expr::Relation(Box::new(left.clone()), crate::expr::Relation::Approximately, right))
-    }
-
-    /// An angle as an expression.
-    pub fn angle_expr(angle: &Angle) -> Expr {
-        written_angle(angle)
     }
 }

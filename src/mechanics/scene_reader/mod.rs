@@ -1,10 +1,13 @@
 //! Reads a scene: every expression evaluated, every fault kept with its field.
 
+mod contact;
+
 use std::collections::BTreeMap;
 
 use super::Sphere;
-use super::scene::{Condition, Contact, Given, Scene, Velocity};
-use super::scene_text::{Pair, SceneText, Sense, VelocityText};
+use super::scene::{Condition, Given, Scene, Velocity};
+use super::scene_text::{Pair, SceneText, VelocityText};
+use super::setting::Setting;
 use crate::expr::{Angles, Expr, Fault, Meaning, Relation, Span, Turn, degrees, number, read};
 use crate::number::{Angle, Letter, Range, Value};
 
@@ -58,12 +61,19 @@ impl Reader<'_> {
     fn scene<S: AsRef<str>>(&mut self, text: &SceneText<S>) -> Scene {
         self.declare(text);
         self.imply(text);
+        let setting = self.setting(text);
         let masses = [(&text.masses.a, Sphere::A), (&text.masses.b, Sphere::B)]
             .map(|(mass, sphere)| self.optional(mass.as_ref(), &format!("masses.{}", sphere.name())));
-        let before = self.velocities(&text.before, "before");
-        let after = self.velocities(&text.after, "after");
+        let mut before = self.velocities(&text.before, "before");
+        let mut after = self.velocities(&text.after, "after");
+        if setting == Setting::Wall {
+            // The wall stands in the place of B.
+            let at_rest = || Velocity::Components(Given::nought(), Given::nought());
+            (before[1], after[1]) = (Some(at_rest()), Some(at_rest()));
+        }
         let restitution = self.optional(text.e.as_ref(), "e");
-        let contact = self.contact(text);
+        let contact = self.contact(text, setting);
+        let impulse = text.impulse.as_ref().and_then(|impulse| self.pair(impulse, "impulse"));
         let unknowns = self.unknowns(text);
         let conditions = self.conditions(text);
         let maximise = text.maximise.as_ref().and_then(|name| {
@@ -79,7 +89,7 @@ impl Reader<'_> {
             found
         });
         let letters = self.letters.clone();
-        Scene { masses, before, after, contact, restitution, letters, unknowns, conditions, maximise }
+        Scene { setting, masses, before, after, contact, impulse, restitution, letters, unknowns, conditions, maximise }
     }
 
     fn fault(&mut self, field: &str, fault: Fault) {
@@ -170,6 +180,13 @@ impl Reader<'_> {
         self.value(text?.as_ref(), field)
     }
 
+    /// Two components.
+    fn pair<S: AsRef<str>>(&mut self, [x, y]: &[S; 2], field: &str) -> Option<[Given; 2]> {
+        let x = self.value(x.as_ref(), &format!("{field}[0]"));
+        let y = self.value(y.as_ref(), &format!("{field}[1]"));
+        Some([x?, y?])
+    }
+
     fn velocities<S: AsRef<str>>(&mut self, pair: &Pair<VelocityText<S>>, moment: &str) -> [Option<Velocity>; 2] {
         [(&pair.a, "A"), (&pair.b, "B")].map(|(velocity, sphere)| {
             let field = format!("{moment}.{sphere}");
@@ -179,10 +196,12 @@ impl Reader<'_> {
 
     fn velocity<S: AsRef<str>>(&mut self, text: &VelocityText<S>, field: &str) -> Option<Velocity> {
         let polar = match text {
-            VelocityText::Components([x, y]) => {
-                let x = self.value(x.as_ref(), &format!("{field}[0]"));
-                let y = self.value(y.as_ref(), &format!("{field}[1]"));
-                return Some(Velocity::Components(x?, y?));
+            VelocityText::Along(velocity) => {
+                return Some(Velocity::Components(self.value(velocity.as_ref(), field)?, Given::nought()));
+            }
+            VelocityText::Components(components) => {
+                let [x, y] = self.pair(components, field)?;
+                return Some(Velocity::Components(x, y));
             }
             VelocityText::Polar(polar) => polar,
         };
@@ -236,65 +255,6 @@ impl Reader<'_> {
                 None
             }
         }
-    }
-
-    fn contact<S: AsRef<str>>(&mut self, text: &SceneText<S>) -> Option<Contact> {
-        let ways = [text.line_of_centres.is_some(), !text.positions.is_none(), text.impact_parameter.is_some()];
-        if ways.iter().filter(|way| **way).count() > 1 {
-            let message = "the line of centres is given in more than one way";
-            let expected = "one of `line_of_centres`, `positions`, `impact_parameter`";
-            self.fault("line_of_centres", Fault::new(message, Span::default(), expected));
-            return None;
-        }
-        if let Some([x, y]) = &text.line_of_centres {
-            let x = self.value(x.as_ref(), "line_of_centres[0]");
-            let y_given = self.value(y.as_ref(), "line_of_centres[1]");
-            let (x, y_value) = (x?.value, y_given?.value);
-            if x.is_zero() && y_value.is_zero() {
-                self.whole_fault("line_of_centres[1]", y.as_ref(), "the vector nought has no direction:", "a vector");
-                return None;
-            }
-            let sense = text.sense.filter(|sense| *sense == Sense::FromAToB);
-            return Some(Contact::Along(x, y_value, sense));
-        }
-        if text.positions.is_none() && text.impact_parameter.is_none() {
-            return None;
-        }
-        let a = self.optional(text.radii.a.as_ref(), "radii.A");
-        let b = self.optional(text.radii.b.as_ref(), "radii.B");
-        if text.radii.a.is_none() || text.radii.b.is_none() {
-            self.fault("radii", Fault::new("the radii are missing", Span::default(), "`radii` of both A and B"));
-        }
-        let (a, b) = (a?, b?);
-        for (radius, field) in [(&a, "radii.A"), (&b, "radii.B")] {
-            if radius.value.sign().is_some_and(|sign| sign.is_le()) {
-                self.fault(field, Fault::new("a radius is not positive", Span::default(), "a length above 0"));
-            }
-        }
-        let sum = &a.value + &b.value;
-        let shown = if a.shown == b.shown {
-            Expr::product([Expr::integer(2), a.shown.clone()])
-        } else {
-            Expr::sum([a.shown.clone(), b.shown.clone()])
-        };
-        if let Some(offset) = &text.impact_parameter {
-            let offset = self.value(offset.as_ref(), "impact_parameter")?;
-            return Some(Contact::Offset { offset, radii: Box::new([a, b]), sum: Given { value: sum, shown } });
-        }
-        let mut place = |position: Option<&[S; 2]>, sphere: &str| -> Option<[Value; 2]> {
-            let Some([x, y]) = position else {
-                let message = format!("the position of {sphere} is missing");
-                self.fault("positions", Fault::new(message, Span::default(), "`positions` of both A and B"));
-                return None;
-            };
-            let x = self.value(x.as_ref(), &format!("positions.{sphere}[0]"));
-            let y = self.value(y.as_ref(), &format!("positions.{sphere}[1]"));
-            Some([x?.value, y?.value])
-        };
-        let a = place(text.positions.a.as_ref(), "A");
-        let b = place(text.positions.b.as_ref(), "B");
-        let ([a_x, a_y], [b_x, b_y]) = (a?, b?);
-        Some(Contact::Apart(&b_x - &a_x, &b_y - &a_y, sum))
     }
 
     /// Letters to be found.

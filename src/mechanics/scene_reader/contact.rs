@@ -1,0 +1,133 @@
+//! Where the spheres touch, and what they are: two spheres, a sphere and a wall, or one particle.
+
+use super::Reader;
+use crate::expr::{Expr, Fault, Span};
+use crate::mechanics::scene::{Contact, Given};
+use crate::mechanics::scene_text::{SceneText, Sense, VelocityText};
+use crate::mechanics::setting::Setting;
+use crate::number::Value;
+
+impl Reader<'_> {
+    /// What the impact is between, by what is given; what does not go together is a fault.
+    pub(super) fn setting<S: AsRef<str>>(&mut self, text: &SceneText<S>) -> Setting {
+        let velocities = [
+            ("before.A", &text.before.a),
+            ("before.B", &text.before.b),
+            ("after.A", &text.after.a),
+            ("after.B", &text.after.b),
+        ];
+        let given = || velocities.iter().filter_map(|(field, velocity)| Some((*field, velocity.as_ref()?)));
+        let is_direct = |velocity: &VelocityText<S>| matches!(velocity, VelocityText::Along(_));
+        let setting = if text.wall.is_some() {
+            Setting::Wall
+        } else if text.impulse.is_some() {
+            Setting::Impulse
+        } else if given().any(|(_, velocity)| is_direct(velocity)) {
+            Setting::Direct
+        } else {
+            return Setting::Oblique;
+        };
+        let mut refuse = |field: &str, message: &str, expected: &str| {
+            self.fault(field, Fault::new(message, Span::default(), expected));
+        };
+        for (field, velocity) in given() {
+            if is_direct(velocity) != (setting == Setting::Direct) {
+                let expected = "`\"u\"` for every velocity, along one line, or `[\"x\", \"y\"]` for every one";
+                refuse(field, "velocities along a line and in a plane are mixed", expected);
+            }
+        }
+        let alone = matches!(setting, Setting::Wall | Setting::Impulse);
+        if alone && (text.masses.b.is_some() || text.before.b.is_some() || text.after.b.is_some()) {
+            let field = if text.masses.b.is_some() { "masses.B" } else { "before.B" };
+            refuse(field, "there is no sphere B in this scene", "`A` alone, with a `wall` or an `impulse`");
+        }
+        let others = [
+            ("line_of_centres", text.line_of_centres.is_some()),
+            ("positions", !text.positions.is_none()),
+            ("impact_parameter", text.impact_parameter.is_some()),
+            ("impulse", setting != Setting::Impulse && text.impulse.is_some()),
+            ("e", setting == Setting::Impulse && text.e.is_some()),
+        ];
+        for (field, _) in others.into_iter().filter(|(_, given)| *given) {
+            let message = match setting {
+                Setting::Wall => "it is given beside a `wall`, which leaves no place for it",
+                Setting::Impulse => "it is given beside an `impulse`, which leaves no place for it",
+                _ => "it is given beside velocities along one line, which leave no place for it",
+            };
+            refuse(field, message, &format!("no `{field}`"));
+        }
+        setting
+    }
+
+    /// What is given of the line of centres; of a wall it is the line across it.
+    pub(super) fn contact<S: AsRef<str>>(&mut self, text: &SceneText<S>, setting: Setting) -> Option<Contact> {
+        match (setting, &text.wall) {
+            (Setting::Direct, _) => return Some(Contact::Along(Value::ONE, Value::ZERO, Some(Sense::FromAToB))),
+            (Setting::Wall, Some(wall)) => {
+                let [x, y] = self.pair(wall, "wall")?;
+                if x.value.is_zero() && y.value.is_zero() {
+                    self.whole_fault("wall[1]", wall[1].as_ref(), "the vector nought has no direction:", "a vector");
+                    return None;
+                }
+                return Some(Contact::Along(-y.value, x.value, None));
+            }
+            _ => {}
+        }
+        let ways = [text.line_of_centres.is_some(), !text.positions.is_none(), text.impact_parameter.is_some()];
+        if ways.iter().filter(|way| **way).count() > 1 {
+            let message = "the line of centres is given in more than one way";
+            let expected = "one of `line_of_centres`, `positions`, `impact_parameter`";
+            self.fault("line_of_centres", Fault::new(message, Span::default(), expected));
+            return None;
+        }
+        if let Some([x, y]) = &text.line_of_centres {
+            let x = self.value(x.as_ref(), "line_of_centres[0]");
+            let y_given = self.value(y.as_ref(), "line_of_centres[1]");
+            let (x, y_value) = (x?.value, y_given?.value);
+            if x.is_zero() && y_value.is_zero() {
+                self.whole_fault("line_of_centres[1]", y.as_ref(), "the vector nought has no direction:", "a vector");
+                return None;
+            }
+            let sense = text.sense.filter(|sense| *sense == Sense::FromAToB);
+            return Some(Contact::Along(x, y_value, sense));
+        }
+        if text.positions.is_none() && text.impact_parameter.is_none() {
+            return None;
+        }
+        let a = self.optional(text.radii.a.as_ref(), "radii.A");
+        let b = self.optional(text.radii.b.as_ref(), "radii.B");
+        if text.radii.a.is_none() || text.radii.b.is_none() {
+            self.fault("radii", Fault::new("the radii are missing", Span::default(), "`radii` of both A and B"));
+        }
+        let (a, b) = (a?, b?);
+        for (radius, field) in [(&a, "radii.A"), (&b, "radii.B")] {
+            if radius.value.sign().is_some_and(|sign| sign.is_le()) {
+                self.fault(field, Fault::new("a radius is not positive", Span::default(), "a length above 0"));
+            }
+        }
+        let sum = &a.value + &b.value;
+        let shown = if a.shown == b.shown {
+            Expr::product([Expr::integer(2), a.shown.clone()])
+        } else {
+            Expr::sum([a.shown.clone(), b.shown.clone()])
+        };
+        if let Some(offset) = &text.impact_parameter {
+            let offset = self.value(offset.as_ref(), "impact_parameter")?;
+            return Some(Contact::Offset { offset, radii: Box::new([a, b]), sum: Given { value: sum, shown } });
+        }
+        let mut place = |position: Option<&[S; 2]>, sphere: &str| -> Option<[Value; 2]> {
+            let Some([x, y]) = position else {
+                let message = format!("the position of {sphere} is missing");
+                self.fault("positions", Fault::new(message, Span::default(), "`positions` of both A and B"));
+                return None;
+            };
+            let x = self.value(x.as_ref(), &format!("positions.{sphere}[0]"));
+            let y = self.value(y.as_ref(), &format!("positions.{sphere}[1]"));
+            Some([x?.value, y?.value])
+        };
+        let a = place(text.positions.a.as_ref(), "A");
+        let b = place(text.positions.b.as_ref(), "B");
+        let ([a_x, a_y], [b_x, b_y]) = (a?, b?);
+        Some(Contact::Apart(&b_x - &a_x, &b_y - &a_y, sum))
+    }
+}

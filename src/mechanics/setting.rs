@@ -1,0 +1,179 @@
+//! What an impact is between, and how it is spoken of.
+//!
+//! The laws are those of two smooth spheres that strike obliquely, and so are their words. In another setting a law is
+//! the same and its words are not: what is the line of centres of two spheres is the perpendicular to a wall. So
+//! words are written once, for two spheres, and a setting says how it calls the same things.
+
+use std::borrow::Cow;
+
+/// What an impact is between.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
+pub enum Setting {
+    /// Two smooth spheres, at any angle to their line of centres.
+    #[default]
+    Oblique,
+    /// Two spheres that move along one line: nothing is across it.
+    Direct,
+    /// A sphere and a fixed smooth wall, which stands in the place of B and does not move.
+    Wall,
+    /// One particle that receives an impulse, which is given or to be found.
+    Impulse,
+}
+
+/// Words for two spheres, and the same for a wall. Longer ones come first, as they hold shorter ones.
+const AT_A_WALL: &[(&str, &str)] = &[
+    (
+        "Smooth spheres push each other along the line of centres alone",
+        "A smooth wall pushes perpendicular to itself alone",
+    ),
+    ("The spheres are smooth, so", "The wall is smooth, so"),
+    ("along the line of centres and perpendicular to it", "perpendicular to the wall and parallel to it"),
+    ("separation over approach along the line of centres", "speed after over speed before, perpendicular to the wall"),
+    (
+        "sine and cosine are exchanged: along the line of centres the component is u cos",
+        "sine and cosine are exchanged: look where the angle is measured from",
+    ),
+    (
+        "The angle is with the line of centres, so cosine gives the component along it and sine the one across, which does not change.",
+        "Look where the angle is measured from: with the wall, cosine gives the component parallel to it, which does not change, and sine the one perpendicular to it.",
+    ),
+    (
+        "e multiplies the speed of approach: the spheres part more slowly than they met.",
+        "e multiplies the speed towards the wall: the sphere leaves more slowly than it came.",
+    ),
+    (
+        "B is in front: it must move away from A, so the separation is the velocity of B less that of A.",
+        "After the impact the sphere moves away from the wall.",
+    ),
+    (
+        "The spheres do not stick together: the law of restitution says how fast they part.",
+        "The sphere does not stay at the wall: the law of restitution says how fast it leaves.",
+    ),
+    (
+        "That is the angle with the common tangent; the angle with the line of centres is 90° less that.",
+        "That is the angle with the perpendicular to the wall; the angle with the wall is 90° less that.",
+    ),
+    ("a direction is measured from the line of centres", "a direction is measured from the wall"),
+    (
+        "angle between them is not the sum of their angles with the line of centres",
+        "angle between them is not the difference of their angles with the wall",
+    ),
+    (
+        "tangent of the angle of *A* to the line of centres",
+        "tangent of the angle of *A* to the perpendicular to the wall",
+    ),
+    ("to the line of centres", "to the perpendicular to the wall"),
+    ("with the line of centres", "with the perpendicular to the wall"),
+    ("perpendicular to the line of centres", "parallel to the wall"),
+    ("Perpendicular to the line of centres", "Parallel to the wall"),
+    ("across the line of centres", "parallel to the wall"),
+    ("Across the line of centres", "Parallel to the wall"),
+    ("along the line of centres", "perpendicular to the wall"),
+    ("Along the line of centres", "Perpendicular to the wall"),
+    ("the part along the", "the part perpendicular to the"),
+    ("the line of centres", "the perpendicular to the wall"),
+    ("from *A* towards *B*", "towards the wall"),
+    ("from *B* towards *A*", "away from the wall"),
+    ("the impact the spheres", "the impact the sphere"),
+    ("difference of kinetic energies, both spheres", "difference of kinetic energies"),
+    ("difference of the kinetic energies, both spheres", "difference of the kinetic energies"),
+    ("The component across", "The component parallel to the wall"),
+    ("the component across", "the component parallel to the wall"),
+    ("components across", "components parallel to the wall"),
+];
+
+/// The same for a direct impact.
+const IN_A_LINE: &[(&str, &str)] = &[
+    ("; condone sign errors and sine for cosine;", "; condone sign errors;"),
+    ("condone sign errors and sine for cosine", "condone sign errors"),
+    ("the components of the velocities of", "the velocities of"),
+    (" after the impact along the line of centres, positive", " after the impact, positive"),
+    ("momentum along the line of centres", "momentum"),
+    ("Momentum along the line of centres", "Momentum"),
+    ("Momentum and restitution along the line of centres", "Momentum and restitution"),
+    ("component of the velocity of *A* along the line of centres", "velocity of *A*"),
+    ("component of the velocity of *B* along the line of centres", "velocity of *B*"),
+    ("is its change of momentum along the line of centres", "is its change of momentum"),
+    ("turns back along the line of centres", "turns back"),
+    ("turn back along the line of centres", "turn back"),
+    ("moves along the line of centres", "moves along the same line"),
+    ("has no velocity left along the line of centres", "is brought to rest"),
+    (", along the line of centres", ""),
+    (" along the line of centres", ""),
+    ("the components along", "the velocities along"),
+    ("for the two components", "for the two velocities"),
+    ("give the components before", "give the velocities before"),
+    ("solves the two equations for a component", "solves the two equations for a velocity"),
+    ("a correct component", "a correct velocity"),
+    ("squares of components may leave out the unchanged ones on both sides", "condone a slip in one term"),
+];
+
+/// The same for an impulse on one particle.
+const ON_A_PARTICLE: &[(&str, &str)] = &[
+    (
+        "Impulse is the change of velocity along the line of centres, times the mass, and not the change of speed.",
+        "Impulse is the change of velocity, as a vector, times the mass, and not the change of speed.",
+    ),
+    (
+        "angle between them is not the sum of their angles with the line of centres",
+        "angle between them is not the sum of their angles with {i}",
+    ),
+    ("impulse as the change of momentum of one sphere", "impulse as the change of momentum"),
+    ("a difference of momenta of one sphere, in either order", "a difference of momenta, in either order"),
+    ("difference of kinetic energies, both spheres", "difference of kinetic energies"),
+];
+
+impl Setting {
+    /// What is modelled, in words.
+    pub fn model(self) -> &'static str {
+        match self {
+            Setting::Oblique => "two smooth spheres, oblique impact",
+            Setting::Direct => "two spheres, direct impact",
+            Setting::Wall => "a smooth sphere and a fixed smooth wall",
+            Setting::Impulse => "a particle and an impulse",
+        }
+    }
+
+    /// Is one sphere the whole of what moves?
+    pub fn is_of_one(self) -> bool {
+        matches!(self, Setting::Wall | Setting::Impulse)
+    }
+
+    /// Words that are written for two spheres, as this setting says them.
+    pub fn say(self, words: &str) -> Cow<'_, str> {
+        let phrases = match self {
+            Setting::Oblique => return Cow::Borrowed(words),
+            Setting::Direct => IN_A_LINE,
+            Setting::Wall => AT_A_WALL,
+            Setting::Impulse => ON_A_PARTICLE,
+        };
+        let mut said = String::with_capacity(words.len());
+        let mut rest = words;
+        // Phrase by phrase, so that what is said already is not said again.
+        while let Some(first) = rest.chars().next() {
+            let (taken, here) = match phrases.iter().find(|(spheres, _)| rest.starts_with(spheres)) {
+                Some((spheres, here)) => (spheres.len(), *here),
+                None => (first.len_utf8(), &rest[..first.len_utf8()]),
+            };
+            said.push_str(here);
+            rest = &rest[taken..];
+        }
+        Cow::Owned(said)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_setting_has_its_words() {
+        let words = "By conservation of momentum along the line of centres:";
+        assert_eq!(Setting::Oblique.say(words), words);
+        assert_eq!(Setting::Direct.say(words), "By conservation of momentum:");
+        assert_eq!(
+            Setting::Wall.say("the component perpendicular to the line of centres does not change"),
+            "the component parallel to the wall does not change"
+        );
+    }
+}
