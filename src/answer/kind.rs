@@ -19,6 +19,8 @@ pub enum Kind {
     Expression,
     /// An equation between letters.
     Equation,
+    /// The values for which something holds, from one number to another: `1/3 < e <= 1`.
+    Range,
     /// The direction of a line, given by any vector along it.
     Line,
     /// A result that is printed in the question and is to be shown.
@@ -27,7 +29,7 @@ pub enum Kind {
 
 impl Kind {
     /// Every kind, in the order in which messages list them.
-    pub const ALL: [Kind; 9] = [
+    pub const ALL: [Kind; 10] = [
         Kind::Number,
         Kind::Angle,
         Kind::Vector,
@@ -35,19 +37,21 @@ impl Kind {
         Kind::Ratio,
         Kind::Expression,
         Kind::Equation,
+        Kind::Range,
         Kind::Line,
         Kind::Shown,
     ];
 
     /// Those that an answer of a question file can have: a question there asks for the size and the direction of a
     /// velocity one by one.
-    pub const IN_BANK: [Kind; 8] = [
+    pub const IN_BANK: [Kind; 9] = [
         Kind::Number,
         Kind::Angle,
         Kind::Vector,
         Kind::Ratio,
         Kind::Expression,
         Kind::Equation,
+        Kind::Range,
         Kind::Line,
         Kind::Shown,
     ];
@@ -62,6 +66,7 @@ impl Kind {
             Kind::Ratio => "ratio",
             Kind::Expression => "expression",
             Kind::Equation => "equation",
+            Kind::Range => "range",
             Kind::Line => "line",
             Kind::Shown => "shown",
         }

@@ -9,6 +9,7 @@ use serde_json::{Value as Json, json};
 use super::bank;
 use super::failure::{Failure, warn};
 use super::output::{count, print, print_json};
+use crate::answer::Kind;
 use crate::bank::{Question, Style, StyleName};
 use crate::diagnostic::{Diagnostic, Severity, render_all};
 use crate::examine::{Coverage, MarkCount, coverage};
@@ -201,6 +202,10 @@ fn again(question: &Question, key: &KeyQuestion) -> Option<String> {
                 .filter_map(|quantity| solution.exchange(quantity))
                 .map(|exact| written::plain(&exact))
                 .collect();
+            let found = match solution.range().filter(|_| answer.kind == Kind::Range) {
+                Some(values) => vec![written::plain(&values.written())],
+                None => found,
+            };
             let held: Vec<&str> = match &blank.exact {
                 Json::Array(list) => list.iter().filter_map(Json::as_str).collect(),
                 one => one.as_str().into_iter().collect(),

@@ -190,11 +190,19 @@ pub fn worked(lines: &[Line]) -> String {
 
 fn answers(solution: &Solution, asked: &[Quantity]) -> String {
     let mut rows = Vec::new();
+    if let Some(values) = solution.range() {
+        rows.push(vec![format!("  {}", values.letter.name()), written::unicode(&values.written())]);
+    }
     for (letter, exact) in found(solution) {
         rows.push(vec![format!("  {letter}"), exact]);
     }
-    let is_found =
-        |quantity: &Quantity| solution.found().iter().any(|(letter, _)| letter.name() == quantity.to_string());
+    let letters: Vec<&Letter> = solution
+        .found()
+        .iter()
+        .map(|(letter, _)| letter)
+        .chain(solution.range().map(|values| &values.letter))
+        .collect();
+    let is_found = |quantity: &Quantity| letters.iter().any(|letter| letter.name() == quantity.to_string());
     for quantity in asked.iter().filter(|quantity| !is_found(quantity)) {
         let (Some(answer), Some(exact)) = (Answer::of(solution, *quantity), solution.exact(*quantity)) else {
             continue;

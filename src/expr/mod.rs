@@ -19,7 +19,7 @@ mod written_tests;
 pub use evaluate::{Meaning, Names, degrees, evaluate, holds, number};
 pub use fault::Fault;
 pub(crate) use read::bare_in_degrees;
-pub use read::{Angles, Markup, read, read_as_written, read_markup};
+pub use read::{Angles, Markup, read, read_as_written, read_markup, read_range};
 pub use text::{Piece, Text};
 pub use tree::{Expr, Function, Name, Relation, Span};
 pub use turn::Turn;

@@ -1,5 +1,6 @@
 //! One set of numbers of a question, examined: everything that is required of it holds.
 
+use crate::answer::Kind;
 use crate::bank::{Find, Givens, Posed, Question, Style, StyleName, Unposed};
 use crate::expr::Expr;
 use crate::mechanics::{Because, Scene};
@@ -77,6 +78,7 @@ pub fn examine(question: &Question, style: &Style, index: u64) -> Result<Variant
     for (place, answer) in question.parts.iter().flat_map(|part| &part.answers).enumerate() {
         if let Some(places) = answer.accept.places() {
             let safe = match &answer.find {
+                _ if answer.kind == Kind::Range => range_rounds_safely(&posed.solution, places),
                 Find::Unknown(name) => found_rounds_safely(&posed.solution, name, places),
                 find => find.quantities().into_iter().all(|quantity| {
                     let number = posed.solution.number(quantity).map(|value| rounds_safely(&value, places));
@@ -90,6 +92,12 @@ pub fn examine(question: &Question, style: &Style, index: u64) -> Result<Variant
         }
     }
     Ok(variant(question, style, Some(index), parameters, posed))
+}
+
+/// Both ends of a range.
+fn range_rounds_safely(solution: &Solution, places: &Places) -> bool {
+    let ends = solution.range().into_iter().flat_map(|values| values.span.low.iter().chain(&values.span.high));
+    ends.into_iter().all(|end| rounds_safely(&end.value, places))
 }
 
 /// The value of a letter that was found; for an angle its degrees.

@@ -7,9 +7,10 @@
 use std::cmp::Ordering;
 
 use super::condition::{fault, name_of, put_back, residual, vanishes};
-use super::conditions_in_words::{condition_line, found_line, in_english};
+use super::conditions_in_words::{condition_line, found_line, in_english, no_roots};
 use super::law::Known;
 use super::line::Line;
+use super::range::{self, Values};
 use super::refusal::Refusal;
 use super::scene::{Condition, Scene};
 use super::scene_reader::meaning;
@@ -27,6 +28,8 @@ pub struct Found {
     pub scene: Scene,
     /// Each unknown with its value; of an angle the tangent.
     pub values: Vec<(Letter, Value)>,
+    /// The values that an unknown may have, where inequalities determine no single one; it stays a letter.
+    pub range: Option<Values>,
     /// How they were found.
     pub lines: Vec<Line>,
     /// Roots that were left out and why, and what the letters that remain must satisfy.
@@ -42,7 +45,7 @@ pub struct Found {
 pub fn backwards(scene: &Scene) -> Result<Vec<Found>, Refusal> {
     if scene.unknowns.is_empty() {
         if scene.conditions.is_empty() && scene.maximise.is_none() {
-            return Ok(vec![Found { scene: scene.clone(), values: vec![], lines: vec![], remarks: vec![] }]);
+            return Ok(vec![Found { scene: scene.clone(), values: vec![], range: None, lines: vec![], remarks: vec![] }]);
         }
         return Err(Refusal::underdetermined("there are conditions, but no unknown to be found from them")
             .try_this("name what is to be found in `unknowns`"));
@@ -57,6 +60,9 @@ pub fn backwards(scene: &Scene) -> Result<Vec<Found>, Refusal> {
         }
     }
     let posed = Posed::new(&scene)?;
+    if scene.conditions.iter().any(Condition::is_inequality) {
+        return Ok(vec![range::values(&posed)?]);
+    }
     let candidates = posed.candidates()?;
     let mut found = Vec::new();
     let mut left_out = Vec::new();
@@ -118,11 +124,11 @@ fn in_words(unknowns: &[Letter], values: &[Value]) -> String {
 }
 
 /// A scene derived forwards with its unknowns as letters.
-struct Posed<'a> {
-    scene: &'a Scene,
-    known: Known<Value>,
-    derivation: Derivation,
-    asked: Vec<Quantity>,
+pub(super) struct Posed<'a> {
+    pub(super) scene: &'a Scene,
+    pub(super) known: Known<Value>,
+    pub(super) derivation: Derivation,
+    pub(super) asked: Vec<Quantity>,
 }
 
 impl<'a> Posed<'a> {
@@ -250,7 +256,11 @@ impl<'a> Posed<'a> {
         Derivation::carry_out(&mut known, &self.asked);
         for condition in &self.scene.conditions {
             let put_back = |expr: &Expr| put_back(expr, unknowns, values);
-            let condition = Condition { left: put_back(&condition.left), right: put_back(&condition.right) };
+            let condition = Condition {
+                left: put_back(&condition.left),
+                relation: condition.relation,
+                right: put_back(&condition.right),
+            };
             let relation = Expr::equation(condition.left.clone(), condition.right.clone());
             let letters = |name: &str| {
                 let place = unknowns.iter().position(|unknown| unknown.name() == name);
@@ -282,7 +292,7 @@ impl<'a> Posed<'a> {
         }
         let values: Vec<(Letter, Value)> = unknowns.iter().copied().zip(values.iter().cloned()).collect();
         let lines = self.lines(&values);
-        Ok(Found { scene, values, lines, remarks })
+        Ok(Found { scene, values, range: None, lines, remarks })
     }
 
     /// The slope must fall through nought there.
@@ -349,18 +359,6 @@ impl Posed<'_> {
             |value: &Value| value.roots().iter().filter(|root| matches!(root, Root::Nested { .. })).count() > 1;
         let short = left.terms() <= MOST_SHOWN && right.terms() <= MOST_SHOWN && !nested(&left) && !nested(&right);
         short.then(|| Expr::equation(written(&left), written(&right)))
-    }
-}
-
-/// Why a system was not solved, in words.
-fn no_roots(reason: NoRoots) -> Refusal {
-    match reason {
-        NoRoots::Always => Refusal::underdetermined("the conditions hold whatever the unknowns are"),
-        NoRoots::Never => Refusal::impossible("the conditions contradict each other"),
-        NoRoots::Degree(degree) => Refusal::beyond(format!(
-            "the conditions lead to an equation of degree {degree}; only linear and quadratic ones, in an unknown or its square, are solved"
-        )),
-        NoRoots::TooLong => Refusal::beyond("the conditions lead to formulas too long to be solved exactly"),
     }
 }
 

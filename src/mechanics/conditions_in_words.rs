@@ -3,9 +3,10 @@
 use super::Line;
 use super::scene::Condition;
 use super::working::Show;
-use super::{Axis, Moment, Quantity, Sphere};
-use crate::expr::{Expr, written, written_angle};
-use crate::number::{Angle, Letter, Range, Value};
+use super::refusal::Refusal;
+use super::{Axis, Moment, Quantity, Setting, Sphere};
+use crate::expr::{Expr, Relation, written, written_angle};
+use crate::number::{Angle, Letter, NoRoots, Range, Value};
 
 /// The condition as a teacher says it.
 pub(super) fn condition_line(condition: &Condition) -> Line {
@@ -101,3 +102,50 @@ pub(super) fn found_line(letter: Letter, value: &Value) -> Line {
     }
     Line::plain("Solving for the unknown:", equations)
 }
+
+/// What must be so for something to happen, and the same in the unknown.
+pub(super) fn inequality_words(condition: &Condition, inequality: Expr, setting: Setting) -> Line {
+    let quantity_of = |expr: &Expr| match expr {
+        Expr::Name(name) => name.text.parse::<Quantity>().ok(),
+        _ => None,
+    };
+    let to_nought = condition.right.is_zero();
+    let must = match condition.relation {
+        Relation::Less if to_nought => "must be negative",
+        Relation::Greater if to_nought => "must be positive",
+        Relation::Less => "must be less than",
+        Relation::LessOrEqual => "must be at most",
+        Relation::Greater => "must be more than",
+        _ => "must be at least",
+    };
+    let formulas = [("r", in_symbols(&condition.right)), ("l", in_symbols(&condition.left))];
+    let named = |quantity| match (setting, quantity) {
+        (Setting::Direct, Quantity::Velocity(sphere, moment, Axis::X | Axis::N)) => {
+            format!("the velocity of *{}* {moment} the impact", sphere.name())
+        }
+        (_, Quantity::Velocity(sphere, moment, axis @ (Axis::X | Axis::Y))) => {
+            let along = if axis == Axis::X { "{i}" } else { "{j}" };
+            format!("the component of the velocity of *{}* along {along} {moment} the impact", sphere.name())
+        }
+        (_, Quantity::Restitution) => "the coefficient of restitution".to_owned(),
+        (_, other) => in_english(other),
+    };
+    let subject = quantity_of(&condition.left).map_or_else(|| "{l}".to_owned(), named);
+    let other = quantity_of(&condition.right).map_or_else(|| "{r}".to_owned(), named);
+    let short = to_nought && matches!(condition.relation, Relation::Less | Relation::Greater);
+    let words = if short { format!("For this {subject} {must}:") } else { format!("For this {subject} {must} {other}:") };
+    Line::with(&words, &formulas, vec![inequality]).said_of(setting)
+}
+
+/// Why a system was not solved, in words.
+pub(super) fn no_roots(reason: NoRoots) -> Refusal {
+    match reason {
+        NoRoots::Always => Refusal::underdetermined("the conditions hold whatever the unknowns are"),
+        NoRoots::Never => Refusal::impossible("the conditions contradict each other"),
+        NoRoots::Degree(degree) => Refusal::beyond(format!(
+            "the conditions lead to an equation of degree {degree}; only linear and quadratic ones, in an unknown or its square, are solved"
+        )),
+        NoRoots::TooLong => Refusal::beyond("the conditions lead to formulas too long to be solved exactly"),
+    }
+}
+

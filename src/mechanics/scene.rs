@@ -3,7 +3,7 @@
 use super::scene_text::Sense;
 use super::setting::Setting;
 use super::{Moment, Quantity, Sphere};
-use crate::expr::{Expr, Turn};
+use crate::expr::{Expr, Relation, Turn};
 use crate::number::{Letter, Value};
 
 /// A value with the form in which it was given, for working that shows what a student would write.
@@ -58,11 +58,13 @@ pub enum Contact {
     Apart(Value, Value, Value),
 }
 
-/// A condition that the scene must satisfy: an equation between quantities.
+/// A condition that the scene must satisfy: an equation between quantities, or an inequality.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Condition {
     /// The left side.
     pub left: Expr,
+    /// `=`, `<`, `<=`, `>` or `>=`.
+    pub relation: Relation,
     /// The right side.
     pub right: Expr,
 }

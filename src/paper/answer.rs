@@ -4,7 +4,7 @@ use crate::answer::Kind;
 use crate::bank::{Answer, Find};
 use crate::expr::{Expr, Meaning, Turn, evaluate, in_degrees, written, written_angle};
 use crate::generate::Variant;
-use crate::mechanics::{Quantity, Show};
+use crate::mechanics::{Quantity, Show, Values};
 use crate::number::{Angle, Decimal, Letter, Places, Range, Value};
 use crate::unit::Unit;
 
@@ -74,6 +74,10 @@ impl Size {
 /// What an answer comes to: one size, or the two components of a vector. Of a found letter that something is
 /// shown about, it is that which is shown.
 pub fn sizes(answer: &Answer, variant: &Variant) -> Vec<Size> {
+    if answer.kind == Kind::Range {
+        // From where to where is no size.
+        return Vec::new();
+    }
     match &answer.find {
         Find::Quantity(quantity) => Size::of(variant, *quantity).into_iter().collect(),
         Find::Vector(x, y) => [*x, *y].into_iter().filter_map(|quantity| Size::of(variant, quantity)).collect(),
@@ -110,6 +114,9 @@ fn found(variant: &Variant, name: &str) -> Option<Meaning> {
 
 /// The exact form of a whole answer; the direction of a line has whole components where it can.
 pub fn exact(answer: &Answer, variant: &Variant) -> Option<Expr> {
+    if answer.kind == Kind::Range {
+        return variant.solution.range().map(Values::written);
+    }
     if answer.kind == Kind::Line {
         let solution = &variant.solution;
         return Some(Show::new(solution.scene(), solution.known(), &[]).line_direction());
@@ -124,7 +131,7 @@ pub fn exact(answer: &Answer, variant: &Variant) -> Option<Expr> {
 /// The rounded form, where the answer may be given rounded and is not short already.
 pub fn rounded(answer: &Answer, variant: &Variant) -> Option<Expr> {
     let places = answer.accept.places()?;
-    if answer.kind == Kind::Line {
+    if matches!(answer.kind, Kind::Line | Kind::Range) {
         return None;
     }
     let sizes = sizes(answer, variant);

@@ -8,6 +8,7 @@ use serde_json::{Map, Value as Json, json};
 use super::answer::{self, Size};
 use super::working::{self, WorkedPart};
 use super::{PrintedPart, PrintedQuestion, Sheet, compose, scheme};
+use crate::answer::Kind;
 use crate::bank::{Answer, Find, Question};
 use crate::expr::{Angles, Expr, print, read};
 use crate::generate::Variant;
@@ -190,7 +191,10 @@ fn blank(answer: &Answer, variant: &Variant, with_units: &[String]) -> Blank {
         kind: answer.kind.name().to_owned(),
         accept: answer.accept.to_string(),
         reference: reference(&answer.find).map(str::to_owned),
-        exact: one_or_list(&sizes, |size| print::plain(&size.exchange()).into()),
+        exact: match (&answer.kind, answer::exact(answer, variant)) {
+            (Kind::Range, Some(range)) => print::plain(&range).into(),
+            _ => one_or_list(&sizes, |size| print::plain(&size.exchange()).into()),
+        },
         latex: answer::exact(answer, variant).as_ref().map(print::latex).unwrap_or_default(),
         decimal: decimal(&Places::SignificantFigures(15)),
         rounded: decimal(answer.accept.places().unwrap_or(&usual)),
@@ -200,6 +204,7 @@ fn blank(answer: &Answer, variant: &Variant, with_units: &[String]) -> Blank {
 
 fn one_or_list(sizes: &[Size], one: impl Fn(&Size) -> Json) -> Json {
     match sizes {
+        [] => Json::Null,
         [single] => one(single),
         several => several.iter().map(one).collect(),
     }
@@ -211,6 +216,7 @@ fn reference(find: &Find) -> Option<&'static str> {
         Find::Quantity(Quantity::AngleToLine(..) | Quantity::AngleFromN(..) | Quantity::Alpha) => {
             Some("line of centres")
         }
+        Find::Quantity(Quantity::AngleToWall(..)) => Some("wall"),
         Find::Quantity(Quantity::AngleFromI(..)) => Some("i"),
         Find::Quantity(Quantity::Deflection(_) | Quantity::SignedDeflection(_)) => Some("direction before"),
         _ => None,

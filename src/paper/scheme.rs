@@ -5,7 +5,8 @@ use std::collections::BTreeSet;
 use super::answer::{self, Size};
 use super::working::{WorkedPart, result};
 use super::{SchemeRow, wording};
-use crate::bank::{Code, EarnedFor, Find, Mark};
+use crate::answer::Kind;
+use crate::bank::{Answer, Code, EarnedFor, Find, Mark};
 use crate::expr::{Expr, Piece, Text, read_markup};
 use crate::generate::Variant;
 use crate::mechanics::{Axis, Derivation, Known, Moment, Quantity, Rule, Scene, Setting, Show, Sphere, pose};
@@ -37,6 +38,8 @@ pub fn rows(worked: &[WorkedPart], variant: &Variant, with_units: &[String]) -> 
 /// Names of the answers of a part to which a mark belongs: those that cannot be found without its step.
 pub fn answers_of(mark: &Mark, here: &WorkedPart) -> Vec<usize> {
     let answers = here.part.answers.iter().enumerate();
+    // What is found from conditions needs every step that leads to them.
+    let from_conditions = |answer: &Answer| matches!(answer.find, Find::Unknown(_)) || answer.kind == Kind::Range;
     let belongs = answers.filter(|(_, answer)| {
         let asked = answer.find.quantities();
         match &mark.earned_for {
@@ -46,13 +49,13 @@ pub fn answers_of(mark: &Mark, here: &WorkedPart) -> Vec<usize> {
                 let about = |asked: &Quantity| {
                     Sphere::BOTH.into_iter().all(|of| is_about(*asked, of) || !is_about(*quantity, of))
                 };
-                matches!(answer.find, Find::Unknown(_)) || asked.iter().any(about)
+                from_conditions(answer) || asked.iter().any(about)
             }
             EarnedFor::Unknown(name) => answer.find == Find::Unknown(name.clone()),
-            EarnedFor::Condition => matches!(answer.find, Find::Unknown(_)),
+            EarnedFor::Condition => from_conditions(answer),
             step => {
                 let steps = steps_to(&asked, &here.given);
-                matches!(answer.find, Find::Unknown(_)) || steps.iter().any(|rule| is_of(rule, step))
+                from_conditions(answer) || steps.iter().any(|rule| is_of(rule, step))
             }
         }
     });

@@ -8,7 +8,7 @@ pub use report::{Answer, Report, StepReport, report};
 use answer_path::answer_path;
 
 use crate::expr::{Expr, in_degrees, written, written_angle};
-use crate::mechanics::{Derivation, Known, Line, Quantity, Refusal, Scene, Show, backwards, check_with, pose};
+use crate::mechanics::{Derivation, Known, Line, Quantity, Refusal, Scene, Show, Values, backwards, check_with, pose};
 use crate::method::{Impact, Selection};
 use crate::number::{Angle, Letter, Value};
 
@@ -21,6 +21,7 @@ pub struct Solution {
     derivation: Derivation,
     path: Option<(Impact<Value>, Selection)>,
     found: Vec<(Letter, Value)>,
+    range: Option<Values>,
     finding: Vec<Line>,
     remarks: Vec<String>,
 }
@@ -63,6 +64,7 @@ pub fn solve_all(scene: &Scene, asked: &[Quantity]) -> Result<Vec<Solution>, Ref
             derivation,
             path: path.map(|path| (path.impact, path.selection)),
             found: root.values,
+            range: root.range,
             finding: root.lines,
             remarks: root.remarks,
         })
@@ -101,6 +103,11 @@ impl Solution {
     /// The unknowns of the scene and their values; of an angle the tangent.
     pub fn found(&self) -> &[(Letter, Value)] {
         &self.found
+    }
+
+    /// The values that an unknown may have, where inequalities leave it a letter.
+    pub fn range(&self) -> Option<&Values> {
+        self.range.as_ref()
     }
 
     /// How the unknowns were found.

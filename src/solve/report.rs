@@ -154,6 +154,10 @@ pub fn report(solution: &Solution) -> Report {
     for (letter, value) in solution.found() {
         quantities.insert(letter.name().to_string(), json!(found(*letter, value)));
     }
+    if let Some(values) = solution.range() {
+        let answer = Answer::from(&values.written(), &values.written(), None, None, "");
+        quantities.insert(values.letter.name().to_string(), json!(answer));
+    }
     let (method, geometry, why) = method(solution);
     Report {
         model: solution.scene().setting.model(),

@@ -7,6 +7,7 @@ use super::super::literal::Words;
 use super::super::posed::{Posed, Unposed};
 use super::super::question::{Question, Style};
 use super::super::scene_file::SceneFile;
+use crate::answer::Kind;
 use crate::expr::{Angles, Fault};
 use crate::mechanics::{Because, Quantity, Refusal, Scene};
 use crate::solve::solve;
@@ -19,7 +20,10 @@ pub fn solvable(question: &Question, file: &QuestionFile, faults: &mut Faults) {
         Err((name, fault)) => return given(&name, fault, question, file, faults),
     };
     match Posed::new(question, style, givens.clone()) {
-        Ok(posed) => requirements(&posed, style, file, faults),
+        Ok(posed) => {
+            requirements(&posed, style, file, faults);
+            ranges(&posed, question, file, faults);
+        }
         Err(Unposed::Given(name, fault)) => given(&name, fault, question, file, faults),
         Err(Unposed::Scene(found)) => {
             for fault in found {
@@ -27,6 +31,25 @@ pub fn solvable(question: &Question, file: &QuestionFile, faults: &mut Faults) {
             }
         }
         Err(Unposed::Refused(refusal)) => refused(&refusal, question, &givens, file, scene, faults),
+    }
+}
+
+/// What inequalities leave open is answered by a range, and nothing else is.
+fn ranges(posed: &Posed, question: &Question, file: &QuestionFile, faults: &mut Faults) {
+    let limited = posed.solution.range().map(|values| values.letter.name().to_owned());
+    let answers = question.parts.iter().flat_map(|part| &part.answers);
+    let written = file.parts.iter().flat_map(|part| &part.answers);
+    for (answer, written) in answers.zip(written) {
+        let Some(found) = written.find.first().map(|words| words.get_ref().clone()) else { continue };
+        let is_limited = limited.as_ref() == Some(&found);
+        let span = || written.kind.as_ref().or(written.find.first()).map_or(written.span.clone(), |words| words.span());
+        if answer.kind == Kind::Range && !is_limited {
+            let help = "add an inequality such as `conditions = [\"A.after.n < 0\"]` to `[scene]`, and name what it limits in `unknowns`";
+            faults.report_with_help(span(), format!("`{found}` has no range"), "no inequality of the scene limits it", help);
+        } else if answer.kind != Kind::Range && is_limited {
+            let message = format!("`{found}` has no single value");
+            faults.report_with_help(span(), message, "inequalities leave it a range", "write `kind = \"range\"`");
+        }
     }
 }
 

@@ -6,10 +6,12 @@ mod call;
 mod lexer;
 mod markup;
 mod parser;
+mod range;
 
 pub(crate) use call::in_degrees as bare_in_degrees;
 pub use markup::{Markup, read_markup};
 pub use parser::{Angles, read, read_as_written};
+pub use range::read_range;
 
 #[cfg(test)]
 mod markup_tests;

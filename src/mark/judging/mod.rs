@@ -16,6 +16,7 @@ mod line;
 mod model_text;
 mod note;
 mod number;
+mod range;
 mod ratio;
 mod shown;
 mod statements;
@@ -233,6 +234,7 @@ fn by_kind(model: &Model, reading: &Reading) -> Finding {
     match model.kind {
         Kind::Velocity => velocity::judge(model, reading),
         Kind::Equation => equation::judge(model, reading),
+        Kind::Range => range::judge(model, reading),
         Kind::Shown => shown::judge(model, reading),
         Kind::Number | Kind::Expression => {
             statements::judge(model, reading, &|said, label| number::judge(model, said, label))

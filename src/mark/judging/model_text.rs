@@ -1,7 +1,7 @@
 //! A model answer from its text: plain ASCII in radians, as the exchange formats have it.
 
 use crate::answer::{Accept, Kind};
-use crate::expr::{Angles, Expr, Fault, Function, Meaning, Relation, Span, evaluate, read};
+use crate::expr::{Angles, Expr, Fault, Function, Meaning, Relation, Span, evaluate, read, read_range};
 use crate::mark::reading::Vocabulary;
 use crate::mechanics::Quantity;
 use crate::number::{Letter, Places, Range};
@@ -46,6 +46,7 @@ impl Model {
     pub fn read(text: &str, options: &ModelOptions) -> Result<Model, Fault> {
         let value = match options.kind {
             Some(Kind::Velocity) => velocity(text)?,
+            Some(Kind::Range) => read_range(text, Angles::Radians)?,
             _ => read(text, Angles::Radians)?,
         };
         let whole = Span { start: 0, end: text.len() };
@@ -55,7 +56,7 @@ impl Model {
         let kind = options.kind.unwrap_or(inferred);
         fits(kind, inferred, whole)?;
         let lettered = letters.iter().any(|letter| value.names().iter().any(|name| name.text == letter.name()));
-        let accept = options.accept.clone().unwrap_or(match lettered || matches!(kind, Kind::Shown | Kind::Equation) {
+        let accept = options.accept.clone().unwrap_or(match lettered || matches!(kind, Kind::Shown | Kind::Equation | Kind::Range) {
             true => Accept::Exact,
             false => Accept::RoundsTo(Places::SignificantFigures(3)),
         });
@@ -107,7 +108,11 @@ fn declare(expr: &Expr, in_angle: bool, letters: &mut Vec<Letter>, whole: Span) 
 fn infer(value: &Expr, letters: &[Letter]) -> Result<Kind, Fault> {
     let names = |name: &str| exact::meaning_of(letters, name);
     if let Expr::Relation(left, relation, right) = value {
-        evaluate(left, &names)?;
+        match &**left {
+            // Two relations in a row, of a range.
+            Expr::Relation(low, _, middle) => evaluate(low, &names).and_then(|_| evaluate(middle, &names))?,
+            left => evaluate(left, &names)?,
+        };
         evaluate(right, &names)?;
         debug_assert!(!matches!(relation, Relation::Implies | Relation::Approximately), "these are never read");
         return Ok(Kind::Equation);
@@ -142,7 +147,7 @@ fn fits(kind: Kind, inferred: Kind, whole: Span) -> Result<(), Fault> {
         Kind::Angle => matches!(inferred, Kind::Angle | Kind::Number),
         Kind::Vector => inferred == Kind::Vector,
         Kind::Velocity | Kind::Ratio | Kind::Line => matches!(inferred, Kind::Vector | Kind::Number | Kind::Expression),
-        Kind::Equation => inferred == Kind::Equation,
+        Kind::Equation | Kind::Range => inferred == Kind::Equation,
         Kind::Shown => true,
     };
     if possible {
@@ -152,6 +157,7 @@ fn fits(kind: Kind, inferred: Kind, whole: Span) -> Result<(), Fault> {
     let expected = match kind {
         Kind::Vector => "a vector, such as `4*i + j`",
         Kind::Equation => "an equation, such as `v = 2*u`",
+        Kind::Range => "a range, such as `1/3 < e <= 1` or `k > 2`",
         Kind::Angle => "an angle, such as `atan(7)` or a number of degrees",
         _ => "a number or formula",
     };

@@ -77,6 +77,14 @@ notes! {
     DirectionWrong, "direction-wrong", "The size is right and the direction is not.";
     /// The model answer has no direction.
     DirectionUnchecked, "direction-unchecked", "The size is right; the direction is for a person to check.";
+    /// An end of a range counted in or out where it is not.
+    RangeEnd, "range-end", "The ends are right: look whether each of them belongs to the range.";
+    /// One end of a range that has two.
+    RangeHalf, "range-half", "Right as far as it goes: the range has another end.";
+    /// An inequality the wrong way round.
+    RangeTurned, "range-turned", "The number is right and the inequality is the wrong way round.";
+    /// A number where a range is asked for.
+    RangeWanted, "range-wanted", "That is where the range ends: say on which side of it the values lie.";
     /// Coordinates of a point in place of a vector.
     Coordinates, "coordinates", "Right, but a vector is written with i and j or as a column.";
     /// A number where a vector is asked.

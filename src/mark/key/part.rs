@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use super::{KeyFault, KeyedBlank, KeyedMark, KeyedPart};
 use crate::answer::{Accept, Kind};
 use crate::bank::{Code, EarnedFor, Find};
-use crate::expr::{Angles, read};
+use crate::expr::{Angles, read_range};
 use crate::mark::judging::{Model, ModelOptions};
 use crate::mechanics::{Axis, Derivation, Known, Quantity, Scene};
 use crate::number::Value;
@@ -140,7 +140,7 @@ impl KeyedMark {
         // What is only approximately equal proves nothing.
         let equation = match mark.equation.as_ref().filter(|text| !text.contains('~')) {
             Some(text) => {
-                Some(read(text, Angles::Radians).map_err(|fault| at("equation", fault.message, &fault.expected))?)
+                Some(read_range(text, Angles::Radians).map_err(|fault| at("equation", fault.message, &fault.expected))?)
             }
             None => None,
         };

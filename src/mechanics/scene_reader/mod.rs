@@ -283,14 +283,14 @@ impl Reader<'_> {
         for (index, condition) in text.conditions.iter().enumerate() {
             let field = format!("conditions[{index}]");
             match self.expression(condition.as_ref(), &field) {
-                Some(Expr::Relation(left, Relation::Equal, right)) => {
-                    conditions.push(Condition { left: *left, right: *right });
+                Some(Expr::Relation(left, relation, right)) if relation != Relation::NotEqual => {
+                    conditions.push(Condition { left: *left, relation, right: *right });
                 }
                 Some(_) => self.whole_fault(
                     &field,
                     condition.as_ref(),
-                    "no equation in",
-                    "two quantities with `=` between them",
+                    "no equation or inequality in",
+                    "two quantities with `=`, `<`, `<=`, `>` or `>=` between them",
                 ),
                 None => {}
             }
