@@ -6,6 +6,7 @@ mod backwards;
 mod impacts;
 mod judge;
 mod laws;
+mod ranges;
 mod scenes;
 mod seed;
 mod variants;

@@ -268,4 +268,6 @@ mod effort_tests;
 #[cfg(test)]
 mod kinds_tests;
 #[cfg(test)]
+mod range_tests;
+#[cfg(test)]
 mod tests;
