@@ -2,8 +2,6 @@
 
 use std::borrow::Cow;
 
-use csv::WriterBuilder;
-
 /// A cell as it is written. One that begins like a formula gets an apostrophe in front; a number keeps its sign.
 ///
 /// Characters that command a terminal or turn the direction of writing are left out; line breaks within a cell stay.
@@ -70,13 +68,27 @@ pub fn write<const N: usize>(header: [&str; N], rows: impl Iterator<Item = [Stri
 
 /// The rows of a table whose header is written already.
 pub fn append<const N: usize>(rows: impl Iterator<Item = [String; N]>) -> String {
-    let mut writer = WriterBuilder::new().from_writer(Vec::new());
+    let mut text = String::new();
     for row in rows {
-        // Writing to memory rows of one width cannot fail.
-        let _ = writer.write_record(row.iter().map(|cell| harmless(cell).into_owned()));
+        for (place, cell) in row.iter().enumerate() {
+            text.push_str(if place == 0 { "" } else { "," });
+            push_cell(&mut text, cell);
+        }
+        text.push('\n');
     }
-    let bytes = writer.into_inner().unwrap_or_default();
-    String::from_utf8(bytes).unwrap_or_default()
+    text
+}
+
+/// Adds a cell to a row of several: harmless, in quotes where it must be.
+pub fn push_cell(row: &mut String, cell: &str) {
+    let cell = harmless(cell);
+    if cell.contains([',', '"', '\n', '\r']) {
+        row.push('"');
+        row.push_str(&cell.replace('"', "\"\""));
+        row.push('"');
+    } else {
+        row.push_str(&cell);
+    }
 }
 
 /// A text on one line.

@@ -3,7 +3,7 @@
 use std::io::{self, BufRead, Read};
 
 /// About how many bytes a piece has.
-const PIECE: usize = 1 << 18;
+const PIECE: usize = 1 << 15;
 
 /// The longest record that is read; of a longer one only the beginning is kept.
 const LONGEST: usize = 1 << 20;
@@ -48,15 +48,23 @@ impl<R: BufRead> Pieces<R> {
         self.table = Some(delimiter);
     }
 
-    /// The first line that is not empty: its number and its bytes.
-    pub fn first(&mut self) -> io::Result<(usize, Vec<u8>)> {
+    /// The number of the line that comes next.
+    pub fn line(&self) -> usize {
+        self.line
+    }
+
+    /// The first line that is not empty: its number and its bytes. Of one that is too long the number alone.
+    pub fn first(&mut self) -> io::Result<Result<(usize, Vec<u8>), usize>> {
         loop {
             let mut record = Vec::new();
             let line = self.line;
             let read = self.record(&mut record)?;
             self.line += record.iter().filter(|byte| **byte == b'\n').count();
+            if matches!(read, Record::TooLong) {
+                return Ok(Err(line));
+            }
             if matches!(read, Record::End) || !record.trim_ascii().is_empty() {
-                return Ok((line, record));
+                return Ok(Ok((line, record)));
             }
         }
     }

@@ -8,7 +8,7 @@ mod not_marked;
 mod rows;
 mod summary;
 
-pub use bulk::in_bulk;
+pub use bulk::Bulk;
 pub use feedback::Feedback;
 pub use file_names::file_names;
 pub use json_lines::marks_jsonl;
