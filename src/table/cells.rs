@@ -13,6 +13,12 @@ use std::borrow::Cow;
 /// assert_eq!(harmless("-1.92u"), "'-1.92u");
 /// ```
 pub fn harmless(text: &str) -> Cow<'_, str> {
+    // As most cells are: letters, digits and signs that no spreadsheet minds.
+    let is_plain = |byte: u8| matches!(byte, b' '..=b'~');
+    let begins_plainly = !matches!(text.as_bytes().first(), Some(b' ' | b'=' | b'+' | b'-' | b'@'));
+    if begins_plainly && text.bytes().all(is_plain) {
+        return Cow::Borrowed(text);
+    }
     let is_shown = |c: char| !is_hidden(c) || c == '\n';
     let text = match text.chars().all(is_shown) {
         true => Cow::Borrowed(text),
@@ -93,5 +99,9 @@ pub fn push_cell(row: &mut String, cell: &str) {
 
 /// A text on one line.
 pub fn one_line(text: &str) -> String {
+    let is_plain = |byte: u8| matches!(byte, b' '..=b'~');
+    if text.bytes().all(is_plain) && !text.starts_with(' ') && !text.ends_with(' ') && !text.contains("  ") {
+        return text.to_owned();
+    }
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }

@@ -17,6 +17,8 @@ pub struct Pieces<R> {
     /// What parts the cells, if it is a table, in which a record may have several lines.
     table: Option<u8>,
     line: usize,
+    /// The record that is being read.
+    record: Vec<u8>,
 }
 
 /// Some records, and what is no text among them.
@@ -40,7 +42,7 @@ enum Record {
 impl<R: BufRead> Pieces<R> {
     /// Records that are lines; of a table once [`Pieces::is_table`] says so.
     pub fn new(input: R) -> Pieces<R> {
-        Pieces { input, table: None, line: 1 }
+        Pieces { input, table: None, line: 1, record: Vec::new() }
     }
 
     /// From here on a record may have line breaks in quotes, cells being parted by this sign.
@@ -72,8 +74,9 @@ impl<R: BufRead> Pieces<R> {
     /// The next piece; nothing at the end.
     pub fn next(&mut self) -> io::Result<Option<Piece>> {
         let mut piece = Piece { line: self.line, ..Piece::default() };
+        let mut record = std::mem::take(&mut self.record);
         while piece.text.len() < PIECE {
-            let mut record = Vec::new();
+            record.clear();
             let line = self.line;
             let read = self.record(&mut record)?;
             self.line += record.iter().filter(|byte| **byte == b'\n').count();
@@ -94,6 +97,7 @@ impl<R: BufRead> Pieces<R> {
                 }
             }
         }
+        self.record = record;
         Ok(Some(piece))
     }
 
@@ -113,6 +117,9 @@ impl<R: BufRead> Pieces<R> {
                 return Ok(Record::TooLong);
             }
             let Some(delimiter) = self.table else { return Ok(Record::Whole) };
+            if !in_quotes && !record[start..].contains(&b'"') {
+                return Ok(Record::Whole);
+            }
             for byte in &record[start..] {
                 // As in the tables of spreadsheets: a quote opens at the beginning of a cell, and two within are one.
                 let is_quote = *byte == b'"';

@@ -22,49 +22,35 @@ pub fn run(key: &AnswerKey, of: Digest, profile: &Profile, path: &Path, out: Opt
     let unread = |error| Failure::said(format!("`{name}` cannot be read: {error}"));
     let input: Box<dyn Read + Send> =
         if from_stdin { Box::new(io::stdin()) } else { Box::new(File::open(path).map_err(unread)?) };
-    let mut submissions = Submissions::begin(BufReader::with_capacity(1 << 16, input), &name)?;
-    let marking = Marking { key, profile, name: &name, as_table: submissions.stream.is_table() };
-    let entry = match out {
-        None => {
-            let mut stdout = io::stdout();
-            stdout.write_all(marking.header().as_bytes())?;
-            let entry = marking.rest(submissions, Entry::default(), |marks, _| Ok(stdout.write_all(marks.as_bytes())?))?;
-            stdout.flush()?;
-            entry
-        }
-        Some(folder) => {
-            let file = if marking.as_table { "marks.csv" } else { "marks.jsonl" };
-            let mut of = of;
-            of.feed(format!("{profile:?}").as_bytes());
-            let mut unfinished = Unfinished::open(folder, file, of.so_far())?;
-            let done = submissions.pass_over(&unfinished, &name)?;
-            unfinished.keep(done.blocks)?;
-            if done.blocks == 0 {
-                unfinished.write(&marking.header())?;
+    let mut input = BufReader::with_capacity(1 << 16, input);
+    let is_filter = from_stdin && out.is_none();
+    let is_empty = is_filter && input.fill_buf().map_err(unread)?.is_empty();
+    let marked = match is_empty {
+        true => Entry::default(),
+        false => {
+            let submissions = Submissions::begin(input, &name)?;
+            let marking = Marking { key, profile, name: &name, as_table: submissions.stream.is_table() };
+            match out {
+                None => marking.fill_pipe(submissions)?,
+                Some(folder) => marking.fill_folder(submissions, folder, of)?,
             }
-            let entry = marking.rest(submissions, done.last, |marks, entry| {
-                unfinished.write(marks)?;
-                Ok(entry.map_or(Ok(()), |entry| unfinished.enter(entry))?)
-            })?;
-            if entry.is_something() {
-                say(&format!("{} marked in `{}`", count(entry.scripts, "script"), unfinished.finish()?.display()));
-            } else {
-                unfinished.give_up();
-            }
-            entry
         }
     };
-    if !entry.is_something() {
-        return Err(Failure::with_help(
-            format!("`{name}` has no answers"),
-            "`carom mark --help` shows a table of some",
-        ));
-    }
-    if entry.aside > 0 {
-        let aside = count(entry.aside, "row");
-        say(&format!("warning: {name}: {aside} set aside; `not-marked` stands in their place, with the reason"));
+    match (marked.scripts, marked.aside) {
+        // What runs many filters side by side gives some of them nothing, and gets nothing.
+        (0, 0) if is_filter => say("warning: stdin has no answers"),
+        (0, 0) => return Err(no_answers(&name)),
+        (_, 0) => {}
+        (_, aside) => {
+            let aside = count(aside, "row");
+            say(&format!("warning: {name}: {aside} set aside; `not-marked` stands in their place, with the reason"));
+        }
     }
     Ok(())
+}
+
+fn no_answers(name: &str) -> Failure {
+    Failure::with_help(format!("`{name}` has no answers"), "`carom mark --help` shows a table of some")
 }
 
 /// What comes in, a block at a time.
@@ -137,19 +123,20 @@ impl<R: BufRead> Submissions<R> {
     /// Reads as much as an earlier run has marked, and says so.
     fn pass_over(&mut self, unfinished: &Unfinished, name: &str) -> Result<Done, Failure> {
         let mut done = Done { blocks: 0, last: Entry::default() };
-        let mut changed = None;
+        let mut is_changed = false;
         for entry in unfinished.entries() {
             let next = self.next().map_err(|error| Failure::said(format!("`{name}` cannot be read: {error}")))?;
-            let Some((piece, digest)) = next else {
-                changed = Some("end earlier");
-                break;
+            let piece = match next {
+                Some((piece, digest)) if digest.so_far() == entry.submissions => {
+                    self.digest = digest;
+                    piece
+                }
+                other => {
+                    self.waiting = other.map(|(piece, _)| piece);
+                    is_changed = true;
+                    break;
+                }
             };
-            if digest.so_far() != entry.submissions {
-                self.waiting = Some(piece);
-                changed = Some("are others from here on");
-                break;
-            }
-            self.digest = digest;
             self.rows(piece);
             done = Done { blocks: done.blocks + 1, last: entry };
         }
@@ -160,8 +147,8 @@ impl<R: BufRead> Submissions<R> {
             let scripts = count(done.last.scripts, "script");
             say(&format!("{scripts} marked by an earlier run that did not end; going on at line {}", done.last.line));
         }
-        if let Some(changed) = changed {
-            say(&format!("the submissions of that run {changed}: marked afresh from line {}", done.last.line.max(1)));
+        if is_changed {
+            say(&format!("the submissions have changed since: from line {} all is marked afresh", done.last.line.max(1)));
         }
         Ok(done)
     }
@@ -181,12 +168,6 @@ impl<R: BufRead> Submissions<R> {
     }
 }
 
-impl Entry {
-    fn is_something(&self) -> bool {
-        (self.scripts, self.aside) != (0, 0)
-    }
-}
-
 /// What answers are marked by, and what comes of it.
 struct Marking<'k> {
     key: &'k AnswerKey,
@@ -198,6 +179,42 @@ struct Marking<'k> {
 impl Marking<'_> {
     fn header(&self) -> String {
         if self.as_table { append([MARKS.map(str::to_owned)].into_iter()) } else { String::new() }
+    }
+
+    fn fill_pipe(&self, submissions: Submissions<impl BufRead + Send>) -> Result<Entry, Failure> {
+        let mut stdout = io::stdout();
+        stdout.write_all(self.header().as_bytes())?;
+        let marked = self.rest(submissions, Entry::default(), |marks, _| Ok(stdout.write_all(marks.as_bytes())?))?;
+        stdout.flush()?;
+        Ok(marked)
+    }
+
+    fn fill_folder(
+        &self,
+        mut submissions: Submissions<impl BufRead + Send>,
+        folder: &Path,
+        mut of: Digest,
+    ) -> Result<Entry, Failure> {
+        let file = if self.as_table { "marks.csv" } else { "marks.jsonl" };
+        of.feed(format!("{:?}", self.profile).as_bytes());
+        let mut unfinished = Unfinished::open(folder, file, of.so_far())?;
+        let done = submissions.pass_over(&unfinished, self.name)?;
+        unfinished.keep(done.blocks)?;
+        if done.blocks == 0 {
+            unfinished.write(&self.header())?;
+        }
+        let marked = self.rest(submissions, done.last, |marks, entry| {
+            unfinished.write(marks)?;
+            entry.map_or(Ok(()), |entry| unfinished.enter(entry))
+        })?;
+        match (marked.scripts, marked.aside) {
+            (0, 0) => unfinished.give_up(),
+            (scripts, _) => {
+                let place = unfinished.finish()?;
+                say(&format!("{} marked in `{}`", count(scripts, "script"), place.display()));
+            }
+        }
+        Ok(marked)
     }
 
     /// Marks all that is left. `write` gets the marks of each block, with the entry that follows them in the journal.

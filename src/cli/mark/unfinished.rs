@@ -147,7 +147,11 @@ impl Unfinished {
     }
 
     /// Keeps the marks of so many blocks and forgets the rest.
-    pub fn keep(&mut self, blocks: usize) -> io::Result<()> {
+    pub fn keep(&mut self, blocks: usize) -> Result<(), Failure> {
+        self.cut(blocks).map_err(|error| self.cannot(error))
+    }
+
+    fn cut(&mut self, blocks: usize) -> io::Result<()> {
         let kept = blocks.checked_sub(1).and_then(|last| self.entries.get(last));
         self.bytes = kept.map_or(0, |(_, whole)| whole.bytes);
         self.marks.set_len(self.bytes)?;
@@ -164,19 +168,24 @@ impl Unfinished {
     }
 
     /// Writes marks that are not yet those of a whole block.
-    pub fn write(&mut self, marks: &str) -> io::Result<()> {
-        self.marks.write_all(marks.as_bytes())?;
+    pub fn write(&mut self, marks: &str) -> Result<(), Failure> {
+        self.marks.write_all(marks.as_bytes()).map_err(|error| self.cannot(error))?;
         self.digest.feed(marks.as_bytes());
         self.bytes += marks.len() as u64;
         Ok(())
     }
 
     /// Says in the journal that the marks of a block are whole.
-    pub fn enter(&mut self, entry: Entry) -> io::Result<()> {
+    pub fn enter(&mut self, entry: Entry) -> Result<(), Failure> {
         let Entry { submissions, line, scripts, aside } = entry;
         let (bytes, digest) = (self.bytes, self.digest.so_far());
         let line = format!("{submissions:016x} {line} {scripts} {aside} {bytes} {digest:016x}\n");
-        self.journal.write_all(line.as_bytes())
+        self.journal.write_all(line.as_bytes()).map_err(|error| self.cannot(error))
+    }
+
+    fn cannot(&self, error: io::Error) -> Failure {
+        let message = format!("`{}` cannot be written: {error}", self.folder.join(UNFINISHED).display());
+        Failure::with_help(message, "what has been marked is kept: the same command goes on from there")
     }
 
     /// Moves the marks, which are whole, to their place.
@@ -192,9 +201,7 @@ impl Unfinished {
         let _ = fs::remove_dir(within);
         Ok(place)
     }
-}
 
-impl Unfinished {
     /// Forgets marks of nothing.
     pub fn give_up(self) {
         // What is left over is of no use, and in nobody's way.

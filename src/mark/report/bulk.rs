@@ -10,6 +10,7 @@ use serde_json::json;
 use super::json_lines::lines_of;
 use super::rows::cells_of;
 use super::{MARKS, marked};
+use crate::mark::marking::Memory;
 use crate::mark::profile::Profile;
 use crate::mark::submissions::{HandedIn, SetAside, Sorted};
 use crate::table::{append, one_line, push_cell};
@@ -29,6 +30,7 @@ pub struct Bulk<'p> {
     as_table: bool,
     /// For each script what follows the name of the student in each of its rows.
     remembered: HashMap<Box<[u8]>, Box<[Box<str>]>>,
+    answers: Memory,
     bytes: usize,
     /// The script that is looked for.
     sought: Vec<u8>,
@@ -37,7 +39,7 @@ pub struct Bulk<'p> {
 impl<'p> Bulk<'p> {
     /// Marks as rows of a table without its header, or as JSON lines.
     pub fn new(profile: &'p Profile, as_table: bool) -> Bulk<'p> {
-        Bulk { profile, as_table, remembered: HashMap::new(), bytes: 0, sought: Vec::new() }
+        Bulk { profile, as_table, remembered: HashMap::new(), answers: Memory::default(), bytes: 0, sought: Vec::new() }
     }
 
     /// The marks of scripts; then what was set aside, each with its line and the reason.
@@ -58,9 +60,10 @@ impl<'p> Bulk<'p> {
             // A string always makes JSON.
             false => name = serde_json::to_string(&script.script.student).unwrap_or_default(),
         }
+        let begins = if self.as_table { "" } else { JSON_BEGINS };
         let mut write = |rests: &[Box<str>]| {
             for rest in rests {
-                text.push_str(if self.as_table { "" } else { JSON_BEGINS });
+                text.push_str(begins);
                 text.push_str(&name);
                 text.push_str(rest);
             }
@@ -83,8 +86,8 @@ impl<'p> Bulk<'p> {
     }
 
     /// What follows the name in each row or line of a script.
-    fn rests(&self, script: &HandedIn, name: &str) -> Box<[Box<str>]> {
-        let script = marked(script, self.profile);
+    fn rests(&mut self, script: &HandedIn, name: &str) -> Box<[Box<str>]> {
+        let script = marked(script, self.profile, &mut self.answers);
         if self.as_table {
             let rest = |row: [String; MARKS.len()]| {
                 let mut rest = String::new();
