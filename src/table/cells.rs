@@ -105,3 +105,40 @@ pub fn one_line(text: &str) -> String {
     }
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cells_are_in_quotes_where_a_reader_of_tables_needs_them() {
+        let cells =
+            ["", "2.78", "a,b", "say \"b\"", "two\nlines", "=1+1", " =1", "'", "4√39/9", "\tx", "a  b", "x\u{202e}y"];
+        for one in cells {
+            for other in cells {
+                let row = [one.to_owned(), other.to_owned()];
+                let mut by_csv = csv::Writer::from_writer(Vec::new());
+                by_csv.write_record(row.each_ref().map(|cell| harmless(cell).into_owned())).unwrap();
+                let text = append(std::iter::once(row.clone()));
+                assert_eq!(text.as_bytes(), by_csv.into_inner().unwrap());
+                let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(text.as_bytes());
+                let read = reader.records().next().map(Result::unwrap).unwrap_or_default();
+                assert_eq!(read.iter().collect::<Vec<_>>(), row.each_ref().map(|cell| harmless(cell).into_owned()));
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_plain_is_left_as_it_is() {
+        for (text, line) in
+            [("a b", "a b"), (" a", "a"), ("a  b", "a b"), ("a\u{2003}b ", "a b"), ("", ""), ("~ ~", "~ ~")]
+        {
+            assert_eq!(one_line(text), line);
+        }
+        for (text, cell) in
+            [(" -1", "' -1"), (" -x", "' -x"), ("-1", "-1"), ("a\u{7f}", "a"), ("@", "'@"), ("＝", "'＝")]
+        {
+            assert_eq!(harmless(text), cell);
+        }
+    }
+}

@@ -3,6 +3,8 @@
 
 #[cfg(target_os = "linux")] // It says in a file how much memory a process has had.
 mod memory;
+#[cfg(unix)] // Its commands are for a shell.
+mod page;
 mod resume;
 #[cfg(feature = "external")]
 mod spark;
@@ -143,10 +145,7 @@ fn what_is_broken_is_told_of_in_its_place_and_the_rest_is_marked() {
 fn a_stream_that_is_wrong_as_a_whole_is_refused() {
     let folder = folder("wrong");
     let utf_16: Vec<u8> = "student,question,answer\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
-    for (input, said) in [
-        (&b"student,answer\nAda,1\n"[..], "no column `question`"),
-        (&utf_16, "UTF-16"),
-    ] {
+    for (input, said) in [(&b"student,answer\nAda,1\n"[..], "no column `question`"), (&utf_16, "UTF-16")] {
         let output = carom(&folder, &STREAM, input);
         assert_eq!(output.status.code(), Some(1), "{said}");
         assert!(text(&output.stderr).contains(said), "{}", text(&output.stderr));

@@ -66,7 +66,8 @@ mod tests {
             assert!((0..500).all(hand_on));
             Ok::<(), ()>(())
         };
-        let worker = || |work: usize| (0..(500 - work) * 50).fold(work, |sum, next| std::hint::black_box(sum ^ next ^ next));
+        let worker =
+            || |work: usize| (0..(500 - work) * 50).fold(work, |sum, next| std::hint::black_box(sum ^ next ^ next));
         in_order(bring, worker, |made| {
             taken.push(made);
             Ok(())

@@ -61,7 +61,7 @@ impl<R: BufRead> Pieces<R> {
             let mut record = Vec::new();
             let line = self.line;
             let read = self.record(&mut record)?;
-            self.line += record.iter().filter(|byte| **byte == b'\n').count();
+            self.line += lines(&record);
             if matches!(read, Record::TooLong) {
                 return Ok(Err(line));
             }
@@ -79,7 +79,7 @@ impl<R: BufRead> Pieces<R> {
             record.clear();
             let line = self.line;
             let read = self.record(&mut record)?;
-            self.line += record.iter().filter(|byte| **byte == b'\n').count();
+            self.line += lines(&record);
             let begins = |record: &[u8]| String::from_utf8_lossy(&record[..record.len().min(SHOWN)]).into_owned();
             match (read, std::str::from_utf8(&record)) {
                 (Record::End, _) if piece.text.is_empty() => return Ok(None),
@@ -135,6 +135,14 @@ impl<R: BufRead> Pieces<R> {
                 return Ok(Record::Whole);
             }
         }
+    }
+}
+
+/// How many lines a record ends; most have one, at their end.
+fn lines(record: &[u8]) -> usize {
+    match record.strip_suffix(b"\n") {
+        Some(line) if !line.contains(&b'\n') => 1,
+        _ => record.iter().filter(|byte| **byte == b'\n').count(),
     }
 }
 

@@ -28,7 +28,7 @@ pub fn run(key: &AnswerKey, of: Digest, profile: &Profile, path: &Path, out: Opt
     let marked = match is_empty {
         true => Entry::default(),
         false => {
-            let submissions = Submissions::begin(input, &name)?;
+            let submissions = Submissions::begin(input, &name, out.is_some())?;
             let marking = Marking { key, profile, name: &name, as_table: submissions.stream.is_table() };
             match out {
                 None => marking.fill_pipe(submissions)?,
@@ -59,7 +59,8 @@ struct Submissions<R> {
     stream: Stream,
     /// A block that has been read and not yet handed on.
     waiting: Option<Piece>,
-    digest: Digest,
+    /// Of all that has come so far, where a journal is kept.
+    digest: Option<Digest>,
 }
 
 /// What an earlier run has done.
@@ -76,17 +77,17 @@ struct Block {
 
 impl<R: BufRead> Submissions<R> {
     /// Reads the names of the columns, or the first line of JSON.
-    fn begin(input: R, name: &str) -> Result<Submissions<R>, Failure> {
+    fn begin(input: R, name: &str, is_entered: bool) -> Result<Submissions<R>, Failure> {
         let mut pieces = Pieces::new(input);
         let first = pieces.first().map_err(|error| Failure::said(format!("`{name}` cannot be read: {error}")))?;
         let (line, first) = first.map_err(|line| {
             let message = format!("line {line} of `{name}`, which is to name the columns, is too long to be read");
             Failure::with_help(message, "`carom mark --help` shows what a table of answers looks like")
         })?;
-        let text = decode(&first).map_err(|fault| Failure::with_help(format!("`{name}` {}", fault.message), fault.help))?;
+        let text =
+            decode(&first).map_err(|fault| Failure::with_help(format!("`{name}` {}", fault.message), fault.help))?;
         let stream = Stream::new(&Source::new(name, text))?;
-        let mut digest = Digest::default();
-        digest.feed(&first);
+        let digest = is_entered.then(|| Digest::of(&first));
         let mut waiting = None;
         if stream.is_table() {
             pieces.is_table(delimiter(text));
@@ -97,15 +98,17 @@ impl<R: BufRead> Submissions<R> {
     }
 
     /// The next block: its text, and where it ends.
-    fn next(&mut self) -> io::Result<Option<(Piece, Digest)>> {
+    fn next(&mut self) -> io::Result<Option<(Piece, Option<Digest>)>> {
         let next = match self.waiting.take() {
             Some(waiting) => Some(waiting),
             None => self.pieces.next()?,
         };
         Ok(next.map(|piece| {
             let mut digest = self.digest.clone();
-            digest.feed(piece.text.as_bytes());
-            digest.feed(format!("{} {:?}", piece.line, piece.broken).as_bytes());
+            if let Some(digest) = &mut digest {
+                digest.feed(piece.text.as_bytes());
+                digest.feed(format!("{} {:?}", piece.line, piece.broken).as_bytes());
+            }
             (piece, digest)
         }))
     }
@@ -127,7 +130,7 @@ impl<R: BufRead> Submissions<R> {
         for entry in unfinished.entries() {
             let next = self.next().map_err(|error| Failure::said(format!("`{name}` cannot be read: {error}")))?;
             let piece = match next {
-                Some((piece, digest)) if digest.so_far() == entry.submissions => {
+                Some((piece, digest)) if so_far(&digest) == entry.submissions => {
                     self.digest = digest;
                     piece
                 }
@@ -148,7 +151,10 @@ impl<R: BufRead> Submissions<R> {
             say(&format!("{scripts} marked by an earlier run that did not end; going on at line {}", done.last.line));
         }
         if is_changed {
-            say(&format!("the submissions have changed since: from line {} all is marked afresh", done.last.line.max(1)));
+            say(&format!(
+                "the submissions have changed since: from line {} all is marked afresh",
+                done.last.line.max(1)
+            ));
         }
         Ok(done)
     }
@@ -158,7 +164,7 @@ impl<R: BufRead> Submissions<R> {
         while let Some((piece, digest)) = self.next()? {
             self.digest = digest;
             let rows = self.rows(piece);
-            let end = Some((self.digest.so_far(), self.pieces.line()));
+            let end = Some((so_far(&self.digest), self.pieces.line()));
             if !hand_on(Block { rows, end }) {
                 return Ok(());
             }
@@ -166,6 +172,10 @@ impl<R: BufRead> Submissions<R> {
         hand_on(Block { rows: self.stream.end(), end: None });
         Ok(())
     }
+}
+
+fn so_far(digest: &Option<Digest>) -> u64 {
+    digest.as_ref().map_or(0, Digest::so_far)
 }
 
 /// What answers are marked by, and what comes of it.

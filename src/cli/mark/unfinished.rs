@@ -26,6 +26,13 @@ impl Default for Digest {
 }
 
 impl Digest {
+    /// The digest of these bytes.
+    pub fn of(bytes: &[u8]) -> Digest {
+        let mut digest = Digest::default();
+        digest.feed(bytes);
+        digest
+    }
+
     /// More bytes.
     pub fn feed(&mut self, bytes: &[u8]) {
         let next = |digest: u64, byte: &u8| (digest ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
@@ -83,9 +90,8 @@ impl Unfinished {
     /// What cannot be written, or another run that is writing it.
     pub fn open(folder: &Path, name: &'static str, of: u64) -> Result<Unfinished, Failure> {
         let within = folder.join(UNFINISHED);
-        let cannot = |path: &Path, error: io::Error| {
-            Failure::said(format!("`{}` cannot be written: {error}", path.display()))
-        };
+        let cannot =
+            |path: &Path, error: io::Error| Failure::said(format!("`{}` cannot be written: {error}", path.display()));
         let target = folder.join(name);
         if target.is_dir() {
             return Err(Failure::said(format!("`{}` cannot be written: it is a folder", target.display())));
@@ -106,7 +112,8 @@ impl Unfinished {
         let mut read = || -> io::Result<_> {
             let mut text = String::new();
             // A line that was not written to its end is none.
-            let whole = journal.read_to_string(&mut text).is_ok().then_some(&*text).and_then(|text| text.rsplit_once('\n'));
+            let whole =
+                journal.read_to_string(&mut text).is_ok().then_some(&*text).and_then(|text| text.rsplit_once('\n'));
             let mut lines = whole.map_or("", |(whole, _)| whole).lines();
             let is_ours = lines.next() == Some(&*first_line(name, of));
             let said: Vec<_> = if is_ours { lines.map_while(entry).collect() } else { Vec::new() };

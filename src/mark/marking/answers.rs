@@ -24,7 +24,8 @@ pub(super) fn judged(
     let mut together = match (unnamed, part.blanks.as_slice()) {
         (None, _) | (Some(_), [_]) => Vec::new(),
         (Some(answer), several) => {
-            let models: Vec<Model> = several.iter().map(|blank| in_profile(&blank.model, profile).into_owned()).collect();
+            let models: Vec<Model> =
+                several.iter().map(|blank| in_profile(&blank.model, profile).into_owned()).collect();
             judge_together(&models, &read_answer(answer, &together_vocabulary(&models)))
         }
     }

@@ -64,6 +64,9 @@ fn rounded(question: &KeyedQuestion, find: &Find, readings: &[Reading], examined
     let Find::Quantity(quantity) = find else { return None };
     let said = last_said(readings.first()?)?;
     let shown: Vec<_> = examined.theirs.0.iter().map(|(quantity, (_, written))| (*quantity, written.clone())).collect();
+    if shown.is_empty() && !question.mistakes().may_be_rounded(*quantity, said) {
+        return None;
+    }
     let found = early_rounding(&question.given, &question.letters, *quantity, &shown, said)?;
     Some(Cause { tag: EARLY_ROUNDING.to_owned(), sentence: found.sentence.to_owned(), probable: Vec::new() })
 }

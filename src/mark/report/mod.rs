@@ -59,7 +59,8 @@ impl<'k> MarkReport<'k> {
     /// Marks scripts, and lets a person have the last word.
     pub fn new(scripts: &[HandedIn<'k>], profile: &Profile, overrides: Vec<Override>) -> MarkReport<'k> {
         let mut memory = Memory::default();
-        let mut scripts: Vec<MarkedScript<'k>> = scripts.iter().map(|script| marked(script, profile, &mut memory)).collect();
+        let mut scripts: Vec<MarkedScript<'k>> =
+            scripts.iter().map(|script| marked(script, profile, &mut memory)).collect();
         let idle = overrides.iter().filter(|word| !obey(word, &overrides, &mut scripts)).cloned().collect();
         MarkReport { scripts, idle }
     }

@@ -83,6 +83,7 @@ pub fn read_rows(source: &Source) -> Result<Rows, Vec<Diagnostic>> {
     let needed = ["student", "question", "answer"];
     let table = table::read(source, &COLUMNS, &needed)?;
     let mut rows = Rows { warnings: table.warnings, ..Rows::default() };
+    rows.rows.reserve_exact(table.records.len());
     for record in table.records {
         let [student, question, part, blank, answer, working] = record.cells;
         let student = match table::meant(student.trim()) {

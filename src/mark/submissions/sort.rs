@@ -109,7 +109,7 @@ impl<'k> Gathered<'k> {
         }
         let mut parts: Vec<PartScript> = Vec::new();
         let mut handed: Vec<HandedPart> = Vec::new();
-        for (place, blank, row) in self.rows {
+        for (place, blank, mut row) in self.rows {
             let counts = last.iter().find(|(known, _)| *known == (place, blank)).map(|(_, line)| *line);
             if let Some(counts) = counts.filter(|line| row.line != *line && !row.answer.trim().is_empty()) {
                 let reason = format!("line {counts} answers the same, and the last answer counts");
@@ -124,7 +124,11 @@ impl<'k> Gathered<'k> {
             });
             handed[at].named |= blank.is_some();
             if !row.answer.trim().is_empty() {
-                let name = blank.map(|blank| part.blanks[blank].name.clone());
+                // As the key has it, and mostly the student too.
+                let name = blank.map(|blank| match &part.blanks[blank].name {
+                    name if *name == row.blank => std::mem::take(&mut row.blank),
+                    name => name.clone(),
+                });
                 parts[at].answers.push((name, row.answer));
             }
             // Working that stands beside each blank of a part is the working of the part, once.

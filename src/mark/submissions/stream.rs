@@ -72,6 +72,7 @@ impl Stream {
         let all = rows.rows.iter_mut().chain(rows.set_aside.iter_mut().map(|aside| &mut aside.row));
         all.for_each(|row| row.line = row.line + line - 1 - before);
         let mut whole = Rows { set_aside: rows.set_aside, ..Rows::default() };
+        whole.rows.reserve_exact(self.held.len() + rows.rows.len());
         for row in rows.rows {
             self.place(row, &mut whole);
         }
