@@ -184,6 +184,17 @@ fn what_has_changed_since_is_marked_afresh_and_said() {
 }
 
 #[test]
+fn what_a_table_left_is_not_in_the_way_of_json_lines() {
+    let folder = folder("kinds");
+    kill_after(&folder, &padded(50), 50_000, 1);
+    let line = r#"{"student": "Ada", "question": 2, "blank": "speed of A", "answer": "2.78"}"#;
+    let output = carom(&folder, &INTO, line.as_bytes());
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    assert!(fs::read_to_string(folder.join("marks/marks.jsonl")).unwrap().contains("\"correct\""));
+    assert_eq!(fs::read_dir(folder.join("marks")).unwrap().count(), 1);
+}
+
+#[test]
 fn two_runs_do_not_write_into_one_folder() {
     let folder = folder("two");
     let table = padded(50);

@@ -8,7 +8,7 @@ use super::super::failure::Failure;
 use super::super::output::{count, say};
 use super::in_order::{HandOn, in_order};
 use super::pieces::{Piece, Pieces};
-use super::unfinished::{Digest, Entry, Unfinished};
+use super::unfinished::{Digest, Entry, NAMES, Unfinished};
 use crate::diagnostic::Source;
 use crate::mark::report::{Bulk, MARKS};
 use crate::mark::submissions::{Row, Rows, SetAside, Stream, sort};
@@ -205,7 +205,7 @@ impl Marking<'_> {
         folder: &Path,
         mut of: Digest,
     ) -> Result<Entry, Failure> {
-        let file = if self.as_table { "marks.csv" } else { "marks.jsonl" };
+        let file = NAMES[usize::from(!self.as_table)];
         of.feed(format!("{:?}", self.profile).as_bytes());
         let mut unfinished = Unfinished::open(folder, file, of.so_far())?;
         let done = submissions.pass_over(&unfinished, self.name)?;

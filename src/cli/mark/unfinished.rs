@@ -15,6 +15,9 @@ use super::super::failure::Failure;
 /// The folder within that of the marks.
 const UNFINISHED: &str = "unfinished";
 
+/// What marks are called: of a table, and of JSON lines.
+pub const NAMES: [&str; 2] = ["marks.csv", "marks.jsonl"];
+
 /// A digest of bytes, FNV-1a: it finds what has changed, and is no lock against malice.
 #[derive(Clone)]
 pub struct Digest(u64);
@@ -148,6 +151,10 @@ impl Unfinished {
     }
 
     fn begin(&mut self, of: u64) -> io::Result<()> {
+        // What a run left that wrote another kind of marks.
+        for other in NAMES.iter().filter(|other| **other != self.name) {
+            let _ = fs::remove_file(self.folder.join(UNFINISHED).join(other));
+        }
         self.journal.set_len(0)?;
         self.journal.rewind()?;
         self.journal.write_all(format!("{}\n", first_line(self.name, of)).as_bytes())
@@ -199,12 +206,12 @@ impl Unfinished {
     pub fn finish(self) -> Result<PathBuf, Failure> {
         let within = self.folder.join(UNFINISHED);
         let place = self.folder.join(self.name);
-        self.marks
-            .sync_all()
-            .and_then(|()| fs::rename(within.join(self.name), &place))
+        self.marks.sync_all().map_err(|error| self.cannot(error))?;
+        fs::rename(within.join(self.name), &place)
             .map_err(|error| Failure::said(format!("`{}` cannot be written: {error}", place.display())))?;
         // What is left over is of no use any more, and in nobody's way.
         let _ = fs::remove_file(within.join("journal"));
+        drop(self);
         let _ = fs::remove_dir(within);
         Ok(place)
     }
@@ -214,7 +221,7 @@ impl Unfinished {
         // What is left over is of no use, and in nobody's way.
         let _ = fs::remove_dir_all(self.folder.join(UNFINISHED));
         if self.is_new {
-            let _ = fs::remove_dir(self.folder);
+            let _ = fs::remove_dir(&self.folder);
         }
     }
 }
