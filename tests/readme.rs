@@ -71,12 +71,13 @@ fn carom_finds_no_fault_in_the_question_that_it_shows() {
 }
 
 /// The pages that a person reads first.
-const PAGES: [&str; 8] = [
+const PAGES: [&str; 9] = [
     "README.md",
     "docs/architecture.md",
     "docs/design.md",
     "docs/exchange-formats.md",
     "docs/extending.md",
+    "docs/marking-in-bulk.md",
     "docs/marking.md",
     "question_bank/README.md",
     "templates/README.md",

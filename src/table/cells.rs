@@ -2,8 +2,6 @@
 
 use std::borrow::Cow;
 
-use csv::WriterBuilder;
-
 /// A cell as it is written. One that begins like a formula gets an apostrophe in front; a number keeps its sign.
 ///
 /// Characters that command a terminal or turn the direction of writing are left out; line breaks within a cell stay.
@@ -15,6 +13,12 @@ use csv::WriterBuilder;
 /// assert_eq!(harmless("-1.92u"), "'-1.92u");
 /// ```
 pub fn harmless(text: &str) -> Cow<'_, str> {
+    // As most cells are: letters, digits and signs that no spreadsheet minds.
+    let is_plain = |byte: u8| matches!(byte, b' '..=b'~');
+    let begins_plainly = !matches!(text.as_bytes().first(), Some(b' ' | b'=' | b'+' | b'-' | b'@'));
+    if begins_plainly && text.bytes().all(is_plain) {
+        return Cow::Borrowed(text);
+    }
     let is_shown = |c: char| !is_hidden(c) || c == '\n';
     let text = match text.chars().all(is_shown) {
         true => Cow::Borrowed(text),
@@ -70,16 +74,71 @@ pub fn write<const N: usize>(header: [&str; N], rows: impl Iterator<Item = [Stri
 
 /// The rows of a table whose header is written already.
 pub fn append<const N: usize>(rows: impl Iterator<Item = [String; N]>) -> String {
-    let mut writer = WriterBuilder::new().from_writer(Vec::new());
+    let mut text = String::new();
     for row in rows {
-        // Writing to memory rows of one width cannot fail.
-        let _ = writer.write_record(row.iter().map(|cell| harmless(cell).into_owned()));
+        for (place, cell) in row.iter().enumerate() {
+            text.push_str(if place == 0 { "" } else { "," });
+            push_cell(&mut text, cell);
+        }
+        text.push('\n');
     }
-    let bytes = writer.into_inner().unwrap_or_default();
-    String::from_utf8(bytes).unwrap_or_default()
+    text
+}
+
+/// Adds a cell to a row of several: harmless, in quotes where it must be.
+pub fn push_cell(row: &mut String, cell: &str) {
+    let cell = harmless(cell);
+    if cell.contains([',', '"', '\n', '\r']) {
+        row.push('"');
+        row.push_str(&cell.replace('"', "\"\""));
+        row.push('"');
+    } else {
+        row.push_str(&cell);
+    }
 }
 
 /// A text on one line.
 pub fn one_line(text: &str) -> String {
+    let is_plain = |byte: u8| matches!(byte, b' '..=b'~');
+    if text.bytes().all(is_plain) && !text.starts_with(' ') && !text.ends_with(' ') && !text.contains("  ") {
+        return text.to_owned();
+    }
     text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cells_are_in_quotes_where_a_reader_of_tables_needs_them() {
+        let cells =
+            ["", "2.78", "a,b", "say \"b\"", "two\nlines", "=1+1", " =1", "'", "4√39/9", "\tx", "a  b", "x\u{202e}y"];
+        for one in cells {
+            for other in cells {
+                let row = [one.to_owned(), other.to_owned()];
+                let mut by_csv = csv::Writer::from_writer(Vec::new());
+                by_csv.write_record(row.each_ref().map(|cell| harmless(cell).into_owned())).unwrap();
+                let text = append(std::iter::once(row.clone()));
+                assert_eq!(text.as_bytes(), by_csv.into_inner().unwrap());
+                let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(text.as_bytes());
+                let read = reader.records().next().map(Result::unwrap).unwrap_or_default();
+                assert_eq!(read.iter().collect::<Vec<_>>(), row.each_ref().map(|cell| harmless(cell).into_owned()));
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_plain_is_left_as_it_is() {
+        for (text, line) in
+            [("a b", "a b"), (" a", "a"), ("a  b", "a b"), ("a\u{2003}b ", "a b"), ("", ""), ("~ ~", "~ ~")]
+        {
+            assert_eq!(one_line(text), line);
+        }
+        for (text, cell) in
+            [(" -1", "' -1"), (" -x", "' -x"), ("-1", "-1"), ("a\u{7f}", "a"), ("@", "'@"), ("＝", "'＝")]
+        {
+            assert_eq!(harmless(text), cell);
+        }
+    }
 }

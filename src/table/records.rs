@@ -43,7 +43,8 @@ pub fn read<const N: usize>(
     // A text without any record has a header without names.
     next(&mut record);
     let header = Header::read(source, &record, columns, needed)?;
-    let mut records = Vec::new();
+    // About as many as there are, where rows are short.
+    let mut records = Vec::with_capacity(text.len() / 64);
     while next(&mut record) {
         if record.iter().all(|cell| cell.trim().is_empty()) {
             continue;
@@ -157,11 +158,11 @@ impl<const N: usize> Header<N> {
 
 /// A quote that is opened and never closed swallows all that follows.
 fn never_closed(rest: &str, record: &StringRecord) -> Option<String> {
-    let swallows = record.iter().any(|cell| cell.contains('\n'));
-    let is_odd = || rest.bytes().filter(|byte| *byte == b'"').count() % 2 == 1;
     // Only the last record reaches to the end of the text.
-    let length: usize = record.iter().map(str::len).sum();
-    (swallows && length + record.len() + 2 >= rest.trim_end().len() && is_odd())
+    let is_last = record.as_slice().len() + record.len() + 2 >= rest.trim_end().len();
+    let swallows = || record.as_slice().contains('\n');
+    let is_odd = || rest.bytes().filter(|byte| *byte == b'"').count() % 2 == 1;
+    (is_last && swallows() && is_odd())
         .then(|| "a quote is opened here and never closed, so that all rows below are part of it".to_owned())
 }
 

@@ -5,23 +5,25 @@ use std::path::Path;
 use super::super::failure::Failure;
 use super::super::json_places::{offset, place_of};
 use super::super::text_file;
+use super::unfinished::Digest;
 use crate::cli::sheet::from_code;
 use crate::diagnostic::{Diagnostic, Source};
 use crate::mark::{AnswerKey, KeyFault};
 use crate::paper::{CodeFault, Key, SheetCode};
 
-/// Reads a key; the code of a sheet in place of a file is the key of that sheet.
-pub fn read(path: &Path, bank: Option<&Path>) -> Result<AnswerKey, Failure> {
+/// Reads a key, and its digest; the code of a sheet in place of a file is the key of that sheet.
+pub fn read(path: &Path, bank: Option<&Path>) -> Result<(AnswerKey, Digest), Failure> {
     if let Some(code) = code(path) {
         let contents = super::super::bank::open(bank)?;
         let sheet = from_code(code, &contents)?;
         let json = serde_json::to_string(&Key::of_sheet(contents.name, None, &sheet));
         let json = json.map_err(|error| Failure::said(error.to_string()))?;
         let unread = |faults: Vec<KeyFault>| Failure::said(faults.first().map_or("", |fault| &fault.message));
-        return AnswerKey::read(&json).map_err(unread);
+        return AnswerKey::read(&json).map(|key| (key, Digest::of(json.as_bytes()))).map_err(unread);
     }
     let source = text_file::text(path)?;
     AnswerKey::read(&source.text)
+        .map(|key| (key, Digest::of(source.text.as_bytes())))
         .map_err(|faults| Failure::Faults(faults.into_iter().map(|fault| located(&source, fault)).collect()))
 }
 

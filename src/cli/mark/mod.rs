@@ -2,10 +2,12 @@
 
 mod feedback;
 
+mod in_order;
 mod key;
 mod pieces;
 mod stream;
 mod summary;
+mod unfinished;
 
 use std::path::{Path, PathBuf};
 
@@ -29,6 +31,7 @@ const AFTER: &str = "Examples:
   carom mark sheet/key.json submissions.csv --overrides overrides.csv
   carom mark sheet/key.json - --json < submissions.csv
   carom mark sheet/key.json - --stream < million.csv > marks.csv
+  carom mark sheet/key.json million.csv --stream --out national
   carom mark 5RXM-M7TX-G submissions.csv                  by the code of the sheet, if its key is lost
 
 SUBMISSIONS is a table, as `carom sheet` writes an empty one beside the key, saved as CSV in UTF-8:
@@ -59,9 +62,9 @@ pub struct MarkArguments {
     /// What was handed in, a table or JSON lines; `-` for stdin
     #[arg(value_name = "SUBMISSIONS")]
     submissions: PathBuf,
-    /// The folder for the files
-    #[arg(long, value_name = "DIR", default_value = "marks")]
-    out: PathBuf,
+    /// The folder for the files; `marks` if you do not say
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
     /// How strict to be: `carom`, `edexcel`, `ocr`, `mei`, `aqa`, or a TOML file of your own
     #[arg(long, value_name = "NAME|FILE.toml", default_value = "carom")]
     profile: String,
@@ -77,7 +80,8 @@ pub struct MarkArguments {
     /// A bank of your own, if a code is of a sheet from it
     #[arg(long, value_name = "DIR")]
     bank: Option<PathBuf>,
-    /// Print the marks as they come, in little memory, and write no files; the rows of a student stand together
+    /// Any number of answers in little memory, the rows of each student together: print the marks, or write them into
+    /// `--out DIR`, where a run that was interrupted goes on
     #[arg(long, conflicts_with_all = ["overrides", "json"])]
     stream: bool,
     /// Print the summary as JSON
@@ -89,10 +93,11 @@ pub struct MarkArguments {
 pub fn run(arguments: &MarkArguments) -> Result<(), Failure> {
     let feedback = FeedbackAsked::new(&arguments.feedback, arguments.templates.as_deref())?;
     let profile = profile(&arguments.profile)?;
-    let key = key::read(&arguments.key, arguments.bank.as_deref())?;
+    let (key, digest) = key::read(&arguments.key, arguments.bank.as_deref())?;
     if arguments.stream {
-        return stream::run(&key, &profile, &arguments.submissions);
+        return stream::run(&key, digest, &profile, &arguments.submissions, arguments.out.as_deref());
     }
+    let out = arguments.out.as_deref().unwrap_or(Path::new("marks"));
     let submissions = text_file::text(&arguments.submissions)?;
     let rows = read_rows(&submissions)?;
     warn(&rows.warnings);
@@ -115,12 +120,12 @@ pub fn run(arguments: &MarkArguments) -> Result<(), Failure> {
     let pages = feedback.pages(&report)?;
     let page_count = pages.len();
     files.extend(pages);
-    write_all(&arguments.out, &files)?;
+    write_all(out, &files)?;
 
     let summary = Summary::new(&report);
-    let out = arguments.out.display();
-    say(&format!("marks in `{out}`: `marks.csv`, `marks.jsonl`{}", also(page_count, set_aside.len())));
-    tell_of_old(&arguments.out, &files);
+    let place = out.display();
+    say(&format!("marks in `{place}`: `marks.csv`, `marks.jsonl`{}", also(page_count, set_aside.len())));
+    tell_of_old(out, &files);
     if arguments.json {
         print_json(&summary::as_json(&summary, set_aside.len()))
     } else {

@@ -3,7 +3,7 @@
 use std::io::{self, BufRead, Read};
 
 /// About how many bytes a piece has.
-const PIECE: usize = 1 << 18;
+const PIECE: usize = 1 << 15;
 
 /// The longest record that is read; of a longer one only the beginning is kept.
 const LONGEST: usize = 1 << 20;
@@ -17,6 +17,8 @@ pub struct Pieces<R> {
     /// What parts the cells, if it is a table, in which a record may have several lines.
     table: Option<u8>,
     line: usize,
+    /// The record that is being read.
+    record: Vec<u8>,
 }
 
 /// Some records, and what is no text among them.
@@ -40,7 +42,7 @@ enum Record {
 impl<R: BufRead> Pieces<R> {
     /// Records that are lines; of a table once [`Pieces::is_table`] says so.
     pub fn new(input: R) -> Pieces<R> {
-        Pieces { input, table: None, line: 1 }
+        Pieces { input, table: None, line: 1, record: Vec::new() }
     }
 
     /// From here on a record may have line breaks in quotes, cells being parted by this sign.
@@ -48,15 +50,23 @@ impl<R: BufRead> Pieces<R> {
         self.table = Some(delimiter);
     }
 
-    /// The first line that is not empty: its number and its bytes.
-    pub fn first(&mut self) -> io::Result<(usize, Vec<u8>)> {
+    /// The number of the line that comes next.
+    pub fn line(&self) -> usize {
+        self.line
+    }
+
+    /// The first line that is not empty: its number and its bytes. Of one that is too long the number alone.
+    pub fn first(&mut self) -> io::Result<Result<(usize, Vec<u8>), usize>> {
         loop {
             let mut record = Vec::new();
             let line = self.line;
             let read = self.record(&mut record)?;
-            self.line += record.iter().filter(|byte| **byte == b'\n').count();
+            self.line += lines(&record);
+            if matches!(read, Record::TooLong) {
+                return Ok(Err(line));
+            }
             if matches!(read, Record::End) || !record.trim_ascii().is_empty() {
-                return Ok((line, record));
+                return Ok(Ok((line, record)));
             }
         }
     }
@@ -64,11 +74,12 @@ impl<R: BufRead> Pieces<R> {
     /// The next piece; nothing at the end.
     pub fn next(&mut self) -> io::Result<Option<Piece>> {
         let mut piece = Piece { line: self.line, ..Piece::default() };
+        let mut record = std::mem::take(&mut self.record);
         while piece.text.len() < PIECE {
-            let mut record = Vec::new();
+            record.clear();
             let line = self.line;
             let read = self.record(&mut record)?;
-            self.line += record.iter().filter(|byte| **byte == b'\n').count();
+            self.line += lines(&record);
             let begins = |record: &[u8]| String::from_utf8_lossy(&record[..record.len().min(SHOWN)]).into_owned();
             match (read, std::str::from_utf8(&record)) {
                 (Record::End, _) if piece.text.is_empty() => return Ok(None),
@@ -86,6 +97,7 @@ impl<R: BufRead> Pieces<R> {
                 }
             }
         }
+        self.record = record;
         Ok(Some(piece))
     }
 
@@ -105,6 +117,9 @@ impl<R: BufRead> Pieces<R> {
                 return Ok(Record::TooLong);
             }
             let Some(delimiter) = self.table else { return Ok(Record::Whole) };
+            if !in_quotes && !record[start..].contains(&b'"') {
+                return Ok(Record::Whole);
+            }
             for byte in &record[start..] {
                 // As in the tables of spreadsheets: a quote opens at the beginning of a cell, and two within are one.
                 let is_quote = *byte == b'"';
@@ -120,6 +135,14 @@ impl<R: BufRead> Pieces<R> {
                 return Ok(Record::Whole);
             }
         }
+    }
+}
+
+/// How many lines a record ends; most have one, at their end.
+fn lines(record: &[u8]) -> usize {
+    match record.strip_suffix(b"\n") {
+        Some(line) if !line.contains(&b'\n') => 1,
+        _ => record.iter().filter(|byte| **byte == b'\n').count(),
     }
 }
 

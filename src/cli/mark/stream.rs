@@ -1,77 +1,260 @@
-//! `carom mark --stream`: rows in, marks out, in order and in little memory, on all processors.
+//! `carom mark --stream`: rows in, marks out, in order and in little memory, on all processors; to a pipe or into a folder.
 
 use std::fs::File;
-use std::io::{self, BufRead, BufReader, BufWriter, Read, Write};
+use std::io::{self, BufRead, BufReader, Read, Write};
 use std::path::Path;
 
 use super::super::failure::Failure;
-use super::super::output::say;
+use super::super::output::{count, say};
+use super::in_order::{HandOn, in_order};
 use super::pieces::{Piece, Pieces};
+use super::unfinished::{Digest, Entry, NAMES, Unfinished};
 use crate::diagnostic::Source;
-use crate::mark::report::{MARKS, in_bulk};
+use crate::mark::report::{Bulk, MARKS};
 use crate::mark::submissions::{Row, Rows, SetAside, Stream, sort};
 use crate::mark::{AnswerKey, Profile};
 use crate::table::{append, decode, delimiter};
 
-/// Marks a file, or stdin if it is called `-`, to stdout.
-pub fn run(key: &AnswerKey, profile: &Profile, path: &Path) -> Result<(), Failure> {
+/// Marks a file, or stdin if it is called `-`, to stdout, or into a folder. `of` is a digest of the key.
+pub fn run(key: &AnswerKey, of: Digest, profile: &Profile, path: &Path, out: Option<&Path>) -> Result<(), Failure> {
     let from_stdin = path == Path::new("-");
     let name = if from_stdin { "stdin".to_owned() } else { path.display().to_string() };
     let unread = |error| Failure::said(format!("`{name}` cannot be read: {error}"));
-    let input: Box<dyn Read> =
-        if from_stdin { Box::new(io::stdin().lock()) } else { Box::new(File::open(path).map_err(unread)?) };
-    let (marked, aside) = stream(key, profile, BufReader::new(input), io::stdout().lock(), &name)?;
-    match (marked, aside) {
-        (0, 0) => {
-            Err(Failure::with_help(format!("`{name}` has no answers"), "`carom mark --help` shows a table of some"))
+    let input: Box<dyn Read + Send> =
+        if from_stdin { Box::new(io::stdin()) } else { Box::new(File::open(path).map_err(unread)?) };
+    let mut input = BufReader::with_capacity(1 << 16, input);
+    let is_filter = from_stdin && out.is_none();
+    let is_empty = is_filter && input.fill_buf().map_err(unread)?.is_empty();
+    let marked = match is_empty {
+        true => Entry::default(),
+        false => {
+            let submissions = Submissions::begin(input, &name, out.is_some())?;
+            let marking = Marking { key, profile, name: &name, as_table: submissions.stream.is_table() };
+            match out {
+                None => marking.fill_pipe(submissions)?,
+                Some(folder) => marking.fill_folder(submissions, folder, of)?,
+            }
         }
-        (_, 0) => Ok(()),
+    };
+    match (marked.scripts, marked.aside) {
+        // What runs many filters side by side gives some of them nothing, and gets nothing.
+        (0, 0) if is_filter => say("warning: stdin has no answers"),
+        (0, 0) => return Err(no_answers(&name)),
+        (_, 0) => {}
         (_, aside) => {
-            say(&format!(
-                "warning: {name}: {aside} rows set aside; `not-marked` stands in their place, with the reason"
-            ));
-            Ok(())
+            let aside = count(aside, "row");
+            say(&format!("warning: {name}: {aside} set aside; `not-marked` stands in their place, with the reason"));
         }
     }
+    Ok(())
 }
 
-/// Marks what comes in; how many scripts were marked, and how many rows set aside.
-fn stream(
-    key: &AnswerKey,
-    profile: &Profile,
-    input: impl BufRead,
-    output: impl Write,
-    name: &str,
-) -> Result<(usize, usize), Failure> {
-    let unread = |error: io::Error| Failure::said(format!("`{name}` cannot be read: {error}"));
-    let mut output = BufWriter::new(output);
-    let mut pieces = Pieces::new(input);
-    let (line, first) = pieces.first().map_err(unread)?;
-    let text = decode(&first).map_err(|fault| Failure::with_help(format!("`{name}` {}", fault.message), fault.help))?;
-    let mut stream = Stream::new(&Source::new(name, text))?;
-    let mut counts = (0, 0);
-    let mut write = |rows: Rows, output: &mut dyn Write| -> Result<(), Failure> {
-        let sorted = sort(key, rows);
-        counts.0 += sorted.scripts.len();
-        counts.1 += sorted.set_aside.len();
-        Ok(output.write_all(in_bulk(&sorted, profile, !text.trim_start().starts_with('{')).as_bytes())?)
-    };
-    if stream.is_table() {
-        pieces.is_table(delimiter(text));
-        output.write_all(append([MARKS.map(str::to_owned)].into_iter()).as_bytes())?;
-    } else {
-        let rows = stream.take(text, line);
-        write(rows, &mut output)?;
+fn no_answers(name: &str) -> Failure {
+    Failure::with_help(format!("`{name}` has no answers"), "`carom mark --help` shows a table of some")
+}
+
+/// What comes in, a block at a time.
+struct Submissions<R> {
+    pieces: Pieces<R>,
+    stream: Stream,
+    /// A block that has been read and not yet handed on.
+    waiting: Option<Piece>,
+    /// Of all that has come so far, where a journal is kept.
+    digest: Option<Digest>,
+}
+
+/// What an earlier run has done.
+struct Done {
+    blocks: usize,
+    last: Entry,
+}
+
+/// The rows of a block, and where it ends; the rows that are left at the end of all are of no block.
+struct Block {
+    rows: Rows,
+    end: Option<(u64, usize)>,
+}
+
+impl<R: BufRead> Submissions<R> {
+    /// Reads the names of the columns, or the first line of JSON.
+    fn begin(input: R, name: &str, is_entered: bool) -> Result<Submissions<R>, Failure> {
+        let mut pieces = Pieces::new(input);
+        let first = pieces.first().map_err(|error| Failure::said(format!("`{name}` cannot be read: {error}")))?;
+        let (line, first) = first.map_err(|line| {
+            let message = format!("line {line} of `{name}`, which is to name the columns, is too long to be read");
+            Failure::with_help(message, "`carom mark --help` shows what a table of answers looks like")
+        })?;
+        let text =
+            decode(&first).map_err(|fault| Failure::with_help(format!("`{name}` {}", fault.message), fault.help))?;
+        let stream = Stream::new(&Source::new(name, text))?;
+        let digest = is_entered.then(|| Digest::of(&first));
+        let mut waiting = None;
+        if stream.is_table() {
+            pieces.is_table(delimiter(text));
+        } else {
+            waiting = Some(Piece { text: text.to_owned(), line, broken: None });
+        }
+        Ok(Submissions { pieces, stream, waiting, digest })
     }
-    while let Some(Piece { text, line, broken }) = pieces.next().map_err(unread)? {
-        let mut rows = stream.take(&text, line);
-        rows.set_aside.extend(broken.map(|(line, reason, answer)| {
+
+    /// The next block: its text, and where it ends.
+    fn next(&mut self) -> io::Result<Option<(Piece, Option<Digest>)>> {
+        let next = match self.waiting.take() {
+            Some(waiting) => Some(waiting),
+            None => self.pieces.next()?,
+        };
+        Ok(next.map(|piece| {
+            let mut digest = self.digest.clone();
+            if let Some(digest) = &mut digest {
+                digest.feed(piece.text.as_bytes());
+                digest.feed(format!("{} {:?}", piece.line, piece.broken).as_bytes());
+            }
+            (piece, digest)
+        }))
+    }
+
+    /// The rows of students who are over.
+    fn rows(&mut self, piece: Piece) -> Rows {
+        let mut rows = self.stream.take(&piece.text, piece.line);
+        rows.set_aside.extend(piece.broken.map(|(line, reason, answer)| {
             let row = Row { line, answer, ..Row::default() };
             SetAside { row, reason }
         }));
-        write(rows, &mut output)?;
+        rows
     }
-    write(stream.end(), &mut output)?;
-    output.flush()?;
-    Ok(counts)
+
+    /// Reads as much as an earlier run has marked, and says so.
+    fn pass_over(&mut self, unfinished: &Unfinished, name: &str) -> Result<Done, Failure> {
+        let mut done = Done { blocks: 0, last: Entry::default() };
+        let mut is_changed = false;
+        for entry in unfinished.entries() {
+            let next = self.next().map_err(|error| Failure::said(format!("`{name}` cannot be read: {error}")))?;
+            let piece = match next {
+                Some((piece, digest)) if so_far(&digest) == entry.submissions => {
+                    self.digest = digest;
+                    piece
+                }
+                other => {
+                    self.waiting = other.map(|(piece, _)| piece);
+                    is_changed = true;
+                    break;
+                }
+            };
+            self.rows(piece);
+            done = Done { blocks: done.blocks + 1, last: entry };
+        }
+        if unfinished.is_of_another() {
+            say("an earlier run that did not end had another key, profile or version of Carom: all is marked afresh");
+        }
+        if done.blocks > 0 {
+            let scripts = count(done.last.scripts, "script");
+            say(&format!("{scripts} marked by an earlier run that did not end; going on at line {}", done.last.line));
+        }
+        if is_changed {
+            say(&format!(
+                "the submissions have changed since: from line {} all is marked afresh",
+                done.last.line.max(1)
+            ));
+        }
+        Ok(done)
+    }
+
+    /// Hands all that is left to be marked on.
+    fn hand_on(mut self, hand_on: &HandOn<Block>) -> io::Result<()> {
+        while let Some((piece, digest)) = self.next()? {
+            self.digest = digest;
+            let rows = self.rows(piece);
+            let end = Some((so_far(&self.digest), self.pieces.line()));
+            if !hand_on(Block { rows, end }) {
+                return Ok(());
+            }
+        }
+        hand_on(Block { rows: self.stream.end(), end: None });
+        Ok(())
+    }
+}
+
+fn so_far(digest: &Option<Digest>) -> u64 {
+    digest.as_ref().map_or(0, Digest::so_far)
+}
+
+/// What answers are marked by, and what comes of it.
+struct Marking<'k> {
+    key: &'k AnswerKey,
+    profile: &'k Profile,
+    name: &'k str,
+    as_table: bool,
+}
+
+impl Marking<'_> {
+    fn header(&self) -> String {
+        if self.as_table { append([MARKS.map(str::to_owned)].into_iter()) } else { String::new() }
+    }
+
+    fn fill_pipe(&self, submissions: Submissions<impl BufRead + Send>) -> Result<Entry, Failure> {
+        let mut stdout = io::stdout();
+        stdout.write_all(self.header().as_bytes())?;
+        let marked = self.rest(submissions, Entry::default(), |marks, _| Ok(stdout.write_all(marks.as_bytes())?))?;
+        stdout.flush()?;
+        Ok(marked)
+    }
+
+    fn fill_folder(
+        &self,
+        mut submissions: Submissions<impl BufRead + Send>,
+        folder: &Path,
+        mut of: Digest,
+    ) -> Result<Entry, Failure> {
+        let file = NAMES[usize::from(!self.as_table)];
+        of.feed(format!("{:?}", self.profile).as_bytes());
+        let mut unfinished = Unfinished::open(folder, file, of.so_far())?;
+        let done = submissions.pass_over(&unfinished, self.name)?;
+        unfinished.keep(done.blocks)?;
+        if done.blocks == 0 {
+            unfinished.write(&self.header())?;
+        }
+        let marked = self.rest(submissions, done.last, |marks, entry| {
+            unfinished.write(marks)?;
+            entry.map_or(Ok(()), |entry| unfinished.enter(entry))
+        })?;
+        match (marked.scripts, marked.aside) {
+            (0, 0) => unfinished.give_up(),
+            (scripts, _) => {
+                let place = unfinished.finish()?;
+                say(&format!("{} marked in `{}`", count(scripts, "script"), place.display()));
+            }
+        }
+        Ok(marked)
+    }
+
+    /// Marks all that is left. `write` gets the marks of each block, with the entry that follows them in the journal.
+    fn rest<R: BufRead + Send>(
+        &self,
+        submissions: Submissions<R>,
+        done: Entry,
+        mut write: impl FnMut(&str, Option<Entry>) -> Result<(), Failure>,
+    ) -> Result<Entry, Failure> {
+        let unread = |error: io::Error| Failure::said(format!("`{}` cannot be read: {error}", self.name));
+        let worker = || {
+            let mut bulk = Bulk::new(self.profile, self.as_table);
+            move |block: Block| {
+                let sorted = sort(self.key, block.rows);
+                (bulk.marks(&sorted), sorted.scripts.len(), sorted.set_aside.len(), block.end)
+            }
+        };
+        let mut so_far = done;
+        in_order(
+            |hand_on| submissions.hand_on(hand_on).map_err(unread),
+            worker,
+            |(marks, scripts, aside, end)| {
+                so_far.scripts += scripts;
+                so_far.aside += aside;
+                if let Some((submissions, line)) = end {
+                    so_far = Entry { submissions, line, ..so_far };
+                }
+                write(&marks, end.map(|_| so_far))
+            },
+        )?;
+        Ok(so_far)
+    }
 }

@@ -1,57 +1,55 @@
 //! The blanks of a part judged, whether they were filled in one by one or all on one line.
 
+use std::borrow::Cow;
+use std::rc::Rc;
+
+use super::memory::{Judged, Memory};
 use crate::answer::{Accept, Kind};
 use crate::mark::award::MarkedAnswer;
 use crate::mark::judging::{Judgement, Model, Note, Verdict, judge, judge_together};
 use crate::mark::key::{KeyedBlank, KeyedPart};
 use crate::mark::profile::Profile;
-use crate::mark::reading::{Reading, Unreadable, read_answer};
+use crate::mark::reading::{Unreadable, read_answer};
 use crate::mark::script::PartScript;
 use crate::number::Places;
 
-/// A verdict for each blank, in the order of the key, and how each that was filled in by itself was read.
+/// A verdict for each blank, in the order of the key, and what was found of each answer that was given to it alone.
 pub(super) fn judged(
     part: &KeyedPart,
     script: &PartScript,
     profile: &Profile,
-) -> (Vec<MarkedAnswer>, Vec<Option<Vec<Reading>>>) {
-    let models: Vec<Model> = part.blanks.iter().map(|blank| in_profile(&blank.model, profile)).collect();
-    let named = |blank: &KeyedBlank| {
+    memory: &mut Memory,
+) -> (Vec<MarkedAnswer>, Vec<Rc<Judged>>) {
+    let unnamed = script.answers.iter().rev().find(|(name, _)| name.is_none()).map(|(_, answer)| answer.as_str());
+    let mut together = match (unnamed, part.blanks.as_slice()) {
+        (None, _) | (Some(_), [_]) => Vec::new(),
+        (Some(answer), several) => {
+            let models: Vec<Model> =
+                several.iter().map(|blank| in_profile(&blank.model, profile).into_owned()).collect();
+            judge_together(&models, &read_answer(answer, &together_vocabulary(&models)))
+        }
+    }
+    .into_iter();
+    let each = part.blanks.iter().map(|blank| {
         // The last word counts where a blank was filled in twice.
         let own =
             script.answers.iter().rev().find(|(name, _)| name.as_deref().is_some_and(|name| is_called(name, blank)));
-        own.map(|(_, answer)| answer.clone())
-    };
-    let unnamed = script.answers.iter().rev().find(|(name, _)| name.is_none()).map(|(_, answer)| answer.as_str());
-    let mut alone = None;
-    let together: Vec<Option<Judgement>> = match unnamed {
-        None => models.iter().map(|_| None).collect(),
-        Some(answer) => {
-            let readings = read_answer(answer, &together_vocabulary(&models));
-            match models.as_slice() {
-                [model] => {
-                    let judgement = judge(model, &readings);
-                    alone = readings.ok();
-                    vec![Some(judgement)]
-                }
-                several => judge_together(several, &readings).into_iter().map(Some).collect(),
-            }
-        }
-    };
-    let each = part.blanks.iter().zip(&models).zip(together);
-    each.map(|((blank, model), together)| {
-        let (typed, judgement, readings) = match (named(blank), together) {
-            (Some(answer), _) => {
-                let readings = read_answer(&answer, &model.vocabulary);
-                (Some(answer), judge(model, &readings), readings.ok())
-            }
-            (None, Some(judgement)) => (unnamed.map(str::to_owned), judgement, alone.take()),
-            (None, None) => (None, judge(model, &Err(Unreadable::Blank)), None),
+        let alone = own.map(|(_, answer)| answer.as_str()).or(unnamed.filter(|_| part.blanks.len() == 1));
+        let together = together.next();
+        let found = match (alone, together) {
+            (Some(answer), _) => memory.judged(blank, answer, || {
+                let model = in_profile(&blank.model, profile);
+                let readings = read_answer(answer, &model.vocabulary);
+                Judged::new(profiled(judge(&model, &readings), profile), readings.ok())
+            }),
+            (None, Some(together)) => Judged::new(profiled(together, profile), None),
+            (None, None) => Judged::new(judge(&blank.model, &Err(Unreadable::Blank)), None),
         };
-        let judgement = profiled(judgement, profile);
-        (MarkedAnswer { name: blank.name.clone(), typed, judgement, causes: Vec::new() }, readings)
-    })
-    .unzip()
+        let typed = alone.or(unnamed).map(str::to_owned);
+        let (name, judgement) = (blank.name.clone(), found.judgement.clone());
+        (MarkedAnswer { name, typed, judgement, causes: Vec::new() }, found)
+    });
+    each.unzip()
 }
 
 /// Is it the name of this blank, however it is spaced?
@@ -67,13 +65,12 @@ fn together_vocabulary(models: &[Model]) -> crate::mark::reading::Vocabulary {
 }
 
 /// The figures that a profile asks for where the key has the usual three.
-fn in_profile(model: &Model, profile: &Profile) -> Model {
-    let usual = Accept::RoundsTo(Places::SignificantFigures(3));
-    let accept = match &model.accept {
-        accept if *accept == usual => Accept::RoundsTo(Places::SignificantFigures(profile.figures)),
-        other => other.clone(),
-    };
-    Model { accept, ..model.clone() }
+fn in_profile<'m>(model: &'m Model, profile: &Profile) -> Cow<'m, Model> {
+    const USUAL: Accept = Accept::RoundsTo(Places::SignificantFigures(3));
+    if model.accept != USUAL || profile.figures == 3 {
+        return Cow::Borrowed(model);
+    }
+    Cow::Owned(Model { accept: Accept::RoundsTo(Places::SignificantFigures(profile.figures)), ..model.clone() })
 }
 
 /// A verdict that is right for this profile, though partly right for another.

@@ -1,9 +1,12 @@
 //! Why an answer is wrong: every mistake that leads to it, and what it would leave of the marks.
 
+use std::rc::Rc;
+
+use super::memory::Judged;
 use crate::bank::{EarnedFor, Find};
 use crate::mark::award::{Cause, MarkedAnswer};
 use crate::mark::judging::{Note, Verdict};
-use crate::mark::key::{KeyedPart, KeyedQuestion};
+use crate::mark::key::{KeyedBlank, KeyedPart, KeyedQuestion};
 use crate::mark::reading::{Reading, Said};
 use crate::mark::slips::{self, EARLY_ROUNDING, early_rounding};
 use crate::mark::working::Examined;
@@ -16,23 +19,39 @@ pub(super) fn name(
     question: &KeyedQuestion,
     part: &KeyedPart,
     answers: &mut [MarkedAnswer],
-    readings: &[Option<Vec<Reading>>],
+    judged: &[Rc<Judged>],
     examined: &Examined,
 ) {
-    for ((blank, answer), readings) in part.blanks.iter().zip(answers).zip(readings) {
+    for ((blank, answer), judged) in part.blanks.iter().zip(answers).zip(judged) {
         let near = answer.judgement.note == Some(Note::NearMiss.tag());
         let is_open = answer.judgement.verdict == Verdict::Wrong || near;
-        let asked = blank.find.quantities();
-        let Some(readings) = readings.as_ref().filter(|_| is_open && !asked.is_empty()) else { continue };
-        answer.causes = rounded(question, &blank.find, readings, examined).into_iter().collect();
-        for said in readings.iter().filter_map(last_said) {
-            let found = question.mistakes().causes(&asked, said);
-            if !found.is_empty() {
-                answer.causes.extend(found.iter().take(MOST).map(|cause| explained(cause, part)));
-                break;
-            }
-        }
+        let Some(readings) = judged.readings.as_ref().filter(|_| is_open) else { continue };
+        let behind = || behind(question, part, blank, readings, examined);
+        // Values on the way belong to a student, and so does what comes of rounding them.
+        answer.causes = match examined.theirs.0.is_empty() {
+            true => judged.causes.get_or_init(behind).clone(),
+            false => behind(),
+        };
     }
+}
+
+/// Every mistake behind an answer.
+fn behind(
+    question: &KeyedQuestion,
+    part: &KeyedPart,
+    blank: &KeyedBlank,
+    readings: &[Reading],
+    examined: &Examined,
+) -> Vec<Cause> {
+    let asked = blank.find.quantities();
+    if asked.is_empty() {
+        return Vec::new();
+    }
+    let mut causes: Vec<Cause> = rounded(question, &blank.find, readings, examined).into_iter().collect();
+    let each = readings.iter().filter_map(last_said).map(|said| question.mistakes().causes(&asked, said));
+    let found = each.into_iter().find(|found| !found.is_empty()).unwrap_or_default();
+    causes.extend(found.iter().take(MOST).map(|cause| explained(cause, part)));
+    causes
 }
 
 /// What the answer comes to in the end.
@@ -45,6 +64,9 @@ fn rounded(question: &KeyedQuestion, find: &Find, readings: &[Reading], examined
     let Find::Quantity(quantity) = find else { return None };
     let said = last_said(readings.first()?)?;
     let shown: Vec<_> = examined.theirs.0.iter().map(|(quantity, (_, written))| (*quantity, written.clone())).collect();
+    if shown.is_empty() && !question.mistakes().may_be_rounded(*quantity, said) {
+        return None;
+    }
     let found = early_rounding(&question.given, &question.letters, *quantity, &shown, said)?;
     Some(Cause { tag: EARLY_ROUNDING.to_owned(), sentence: found.sentence.to_owned(), probable: Vec::new() })
 }

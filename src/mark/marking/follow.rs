@@ -1,13 +1,14 @@
 //! Answers followed through: right for the values that the student found before.
 
 use std::collections::BTreeSet;
+use std::rc::Rc;
 
+use super::memory::Judged;
 use crate::bank::{Code, EarnedFor, Find};
 use crate::expr::{Expr, Meaning, Text, evaluate};
 use crate::mark::award::MarkedAnswer;
 use crate::mark::judging::{Judgement, Model, Verdict, judge};
 use crate::mark::key::{KeyedPart, KeyedQuestion};
-use crate::mark::reading::Reading;
 use crate::mark::working::Examined;
 use crate::mechanics::{Datum, Derivation, Line, Quantity, Show};
 use crate::number::{Fraction, Places, Value, round};
@@ -18,11 +19,11 @@ pub(super) fn answers(
     question: &KeyedQuestion,
     part: &KeyedPart,
     answers: &[MarkedAnswer],
-    readings: &[Option<Vec<Reading>>],
+    judged: &[Rc<Judged>],
     examined: &Examined,
 ) -> Vec<Option<Judgement>> {
-    let each = part.blanks.iter().zip(answers).zip(readings);
-    each.map(|((blank, answer), readings)| {
+    let each = part.blanks.iter().zip(answers).zip(judged);
+    each.map(|((blank, answer), judged)| {
         let Find::Quantity(quantity) = blank.find else { return None };
         let follows = part
             .scheme
@@ -30,13 +31,14 @@ pub(super) fn answers(
             .any(|mark| mark.code == Code::A1FollowThrough && mark.earned_for == EarnedFor::Quantity(quantity));
         let open = follows && answer.judgement.verdict != Verdict::Correct && !examined.theirs.0.is_empty();
         // A formula in letters is followed at points only, which is no proof.
-        let [known] = examined.followed.as_slice() else { return None };
-        let Some(Datum::Number(value)) = known.0.get(&quantity).filter(|_| open && question.letters.is_empty()) else {
+        if !open || !question.letters.is_empty() {
             return None;
-        };
+        }
+        let [known] = examined.followed(question) else { return None };
+        let Some(Datum::Number(value)) = known.0.get(&quantity) else { return None };
         let value = Expr::Decimal(format!("{:.12}", value.abs()));
         let model = Model { value, ..blank.model.clone() };
-        let judgement = judge(&model, &Ok(readings.clone()?));
+        let judgement = judge(&model, &Ok(judged.readings.clone()?));
         (judgement.verdict == Verdict::Correct).then_some(judgement)
     })
     .collect()

@@ -9,8 +9,10 @@ mod answers;
 mod causes;
 mod decide;
 mod follow;
+mod memory;
 mod overrule;
 
+pub(super) use memory::Memory;
 pub use overrule::{Word, overrule};
 
 use super::award::MarkedPart;
@@ -23,16 +25,26 @@ use super::working::{Theirs, examine};
 ///
 /// What the script has under a label that the question does not have is not looked at.
 pub fn mark(question: &KeyedQuestion, script: &Script, profile: &Profile) -> Vec<MarkedPart> {
+    mark_remembering(question, script, profile, &mut Memory::default())
+}
+
+/// The same by one who remembers what was found of the answers before, all of them by this profile.
+pub(super) fn mark_remembering(
+    question: &KeyedQuestion,
+    script: &Script,
+    profile: &Profile,
+    memory: &mut Memory,
+) -> Vec<MarkedPart> {
     let mut charged = decide::Charged::default();
     let mut theirs = Theirs::default();
     let mut marked = Vec::new();
     for part in &question.parts {
         let handed_in = together(script, &part.label);
-        let (mut answers, readings) = answers::judged(part, &handed_in, profile);
+        let (mut answers, judged) = answers::judged(part, &handed_in, profile, memory);
         let mut examined = examine(question, part, &handed_in.working, &theirs);
-        let followed = follow::answers(question, part, &answers, &readings, &examined);
+        let followed = follow::answers(question, part, &answers, &judged, &examined);
         follow::say(&mut answers, &followed);
-        causes::name(question, part, &mut answers, &readings, &examined);
+        causes::name(question, part, &mut answers, &judged, &examined);
         let by_working = std::mem::take(&mut examined.awards);
         let needed = question.needed(part);
         let found = decide::Findings { needed, answers: &answers, by_working, followed: &followed };
@@ -41,7 +53,7 @@ pub fn mark(question: &KeyedQuestion, script: &Script, profile: &Profile) -> Vec
         let all_right = awards.iter().all(|award| award.given);
         let solution = if all_right { Vec::new() } else { follow::solution(question, part, &examined) };
         theirs = examined.theirs;
-        theirs.take_answers(question, part, &readings);
+        theirs.take_answers(question, part, judged.iter().map(|judged| judged.readings.as_deref()));
         let (label, lines) = (part.label.clone(), examined.lines);
         marked.push(MarkedPart { label, answers, lines, awards, found, followed: solution });
     }

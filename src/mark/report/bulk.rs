@@ -1,34 +1,139 @@
-//! Marks in bulk: scripts marked on all processors, each at once in the form in which it is written, in their order.
+//! Marks in bulk: scripts marked one after another, each at once in the form in which it is written.
+//!
+//! Of thousands of students many write the same. Marks depend on the question, on what was handed in and on the profile, and
+//! on nothing else; so what was said of a script is said again of the next that is equal to it, under the other name.
 
-use std::num::NonZero;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread;
+use std::collections::HashMap;
 
 use serde_json::json;
 
 use super::json_lines::lines_of;
 use super::rows::cells_of;
 use super::{MARKS, marked};
+use crate::mark::marking::Memory;
 use crate::mark::profile::Profile;
 use crate::mark::submissions::{HandedIn, SetAside, Sorted};
-use crate::table::append;
+use crate::table::{append, one_line, push_cell};
 
 /// What the verdict of a row is that was not marked.
 const NOT_MARKED: &str = "not-marked";
 
-/// The marks of scripts as rows of a table without its header, or as JSON lines; then what was set aside, each with its
-/// line and the reason.
-pub fn in_bulk(sorted: &Sorted, profile: &Profile, as_table: bool) -> String {
-    let one = |script: &HandedIn| {
-        let script = marked(script, profile);
-        if as_table { append(script.rows().into_iter().map(cells_of)) } else { lines_of(&script) }
-    };
-    let mut text = on_all_processors(&sorted.scripts, &one).concat();
-    match as_table {
-        true => text.push_str(&append(sorted.set_aside.iter().map(row_aside))),
-        false => sorted.set_aside.iter().for_each(|aside| text.push_str(&line_aside(aside))),
+/// The most bytes of what is remembered. When there are more everything is forgotten.
+const MOST: usize = 1 << 23;
+
+/// The longest script that is remembered, in bytes: nobody writes a long one twice.
+const LONGEST: usize = 1 << 9;
+
+/// One who marks script after script, and remembers what was said of those before.
+pub struct Bulk<'p> {
+    profile: &'p Profile,
+    as_table: bool,
+    /// For each script what follows the name of the student in each of its rows.
+    remembered: HashMap<Box<[u8]>, Box<[Box<str>]>>,
+    answers: Memory,
+    bytes: usize,
+    /// The script that is looked for.
+    sought: Vec<u8>,
+}
+
+impl<'p> Bulk<'p> {
+    /// Marks as rows of a table without its header, or as JSON lines.
+    pub fn new(profile: &'p Profile, as_table: bool) -> Bulk<'p> {
+        Bulk { profile, as_table, remembered: HashMap::new(), answers: Memory::default(), bytes: 0, sought: Vec::new() }
     }
-    text
+
+    /// The marks of scripts; then what was set aside, each with its line and the reason.
+    pub fn marks(&mut self, sorted: &Sorted) -> String {
+        let mut text = String::new();
+        sorted.scripts.iter().for_each(|script| self.one(script, &mut text));
+        match self.as_table {
+            true => text.push_str(&append(sorted.set_aside.iter().map(row_aside))),
+            false => sorted.set_aside.iter().for_each(|aside| text.push_str(&line_aside(aside))),
+        }
+        text
+    }
+
+    fn one(&mut self, script: &HandedIn, text: &mut String) {
+        let mut name = String::new();
+        match self.as_table {
+            true => push_cell(&mut name, &one_line(&script.script.student)),
+            // A string always makes JSON.
+            false => name = serde_json::to_string(&script.script.student).unwrap_or_default(),
+        }
+        let begins = if self.as_table { "" } else { JSON_BEGINS };
+        let mut write = |rests: &[Box<str>]| {
+            for rest in rests {
+                text.push_str(begins);
+                text.push_str(&name);
+                text.push_str(rest);
+            }
+        };
+        identify(script, &mut self.sought);
+        if let Some(rests) = self.remembered.get(&*self.sought) {
+            return write(rests);
+        }
+        let rests = self.rests(script, &name);
+        write(&rests);
+        if self.sought.len() <= LONGEST {
+            let bytes = self.sought.len() + rests.iter().map(|rest| rest.len()).sum::<usize>();
+            self.bytes += bytes;
+            if self.bytes > MOST {
+                self.remembered.clear();
+                self.bytes = bytes;
+            }
+            self.remembered.insert(self.sought.as_slice().into(), rests);
+        }
+    }
+
+    /// What follows the name in each row or line of a script.
+    fn rests(&mut self, script: &HandedIn, name: &str) -> Box<[Box<str>]> {
+        let script = marked(script, self.profile, &mut self.answers);
+        if self.as_table {
+            let rest = |row: [String; MARKS.len()]| {
+                let mut rest = String::new();
+                for cell in &row[1..] {
+                    rest.push(',');
+                    push_cell(&mut rest, cell);
+                }
+                rest.push('\n');
+                rest.into_boxed_str()
+            };
+            return script.rows().into_iter().map(cells_of).map(rest).collect();
+        }
+        let begins = JSON_BEGINS.len() + name.len();
+        lines_of(&script).split_inclusive('\n').filter_map(|line| line.get(begins..)).map(Box::from).collect()
+    }
+}
+
+/// What stands before the name in a line of JSON.
+const JSON_BEGINS: &str = "{\"student\":";
+
+/// Everything on which the marks of a script depend, in bytes that only an equal script has.
+fn identify(handed: &HandedIn, bytes: &mut Vec<u8>) {
+    bytes.clear();
+    let number = |bytes: &mut Vec<u8>, number: usize| bytes.extend(number.to_le_bytes());
+    let word = |bytes: &mut Vec<u8>, word: &str| {
+        number(bytes, word.len());
+        bytes.extend(word.as_bytes());
+    };
+    // While it is marked by, a question stays where it is.
+    number(bytes, std::ptr::from_ref(handed.question).addr());
+    number(bytes, handed.parts.len());
+    for part in &handed.parts {
+        number(bytes, part.place);
+        bytes.push(u8::from(part.named));
+    }
+    for part in &handed.script.parts {
+        word(bytes, &part.label);
+        number(bytes, part.answers.len());
+        for (name, answer) in &part.answers {
+            bytes.push(u8::from(name.is_some()));
+            word(bytes, name.as_deref().unwrap_or_default());
+            word(bytes, answer);
+        }
+        number(bytes, part.working.len());
+        part.working.iter().for_each(|line| word(bytes, line));
+    }
 }
 
 fn row_aside(aside: &SetAside) -> [String; MARKS.len()] {
@@ -57,24 +162,4 @@ fn line_aside(aside: &SetAside) -> String {
         "line": row.line, "reason": aside.reason, "answer": row.answer, "working": row.working,
     });
     format!("{line}\n")
-}
-
-/// What workers on all processors make of each item, in the order of the items.
-fn on_all_processors<Item: Sync, Made: Send>(items: &[Item], work: &(dyn Fn(&Item) -> Made + Sync)) -> Vec<Made> {
-    let next = AtomicUsize::new(0);
-    let worker = || {
-        let places = std::iter::from_fn(|| Some(next.fetch_add(1, Ordering::Relaxed)));
-        places.map_while(|place| Some((place, work(items.get(place)?)))).collect::<Vec<_>>()
-    };
-    let workers = thread::available_parallelism().map_or(1, NonZero::get).min(items.len());
-    let mut made: Vec<(usize, Made)> = thread::scope(|scope| {
-        let workers: Vec<_> = (0..workers).map(|_| scope.spawn(worker)).collect();
-        // A panic in a worker is a bug in carom and is passed on as it is.
-        let join = |worker: thread::ScopedJoinHandle<'_, _>| {
-            worker.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
-        };
-        workers.into_iter().flat_map(join).collect()
-    });
-    made.sort_unstable_by_key(|(place, _)| *place);
-    made.into_iter().map(|(_, made)| made).collect()
 }

@@ -8,7 +8,7 @@ mod not_marked;
 mod rows;
 mod summary;
 
-pub use bulk::in_bulk;
+pub use bulk::Bulk;
 pub use feedback::Feedback;
 pub use file_names::file_names;
 pub use json_lines::marks_jsonl;
@@ -18,7 +18,7 @@ pub use summary::{Facility, Look, MarkWon, NoteCount, Summary};
 
 use super::award::MarkedPart;
 use super::key::{KeyedPaper, KeyedPart, KeyedQuestion};
-use super::marking::{Word, mark, overrule};
+use super::marking::{Memory, Word, mark_remembering, overrule};
 use super::profile::Profile;
 use super::submissions::{HandedIn, Override};
 
@@ -58,15 +58,17 @@ pub struct MarkedUnder<'k> {
 impl<'k> MarkReport<'k> {
     /// Marks scripts, and lets a person have the last word.
     pub fn new(scripts: &[HandedIn<'k>], profile: &Profile, overrides: Vec<Override>) -> MarkReport<'k> {
-        let mut scripts: Vec<MarkedScript<'k>> = scripts.iter().map(|script| marked(script, profile)).collect();
+        let mut memory = Memory::default();
+        let mut scripts: Vec<MarkedScript<'k>> =
+            scripts.iter().map(|script| marked(script, profile, &mut memory)).collect();
         let idle = overrides.iter().filter(|word| !obey(word, &overrides, &mut scripts)).cloned().collect();
         MarkReport { scripts, idle }
     }
 }
 
-fn marked<'k>(handed: &HandedIn<'k>, profile: &Profile) -> MarkedScript<'k> {
+fn marked<'k>(handed: &HandedIn<'k>, profile: &Profile, memory: &mut Memory) -> MarkedScript<'k> {
     let mut all: Vec<Option<MarkedPart>> =
-        mark(handed.question, &handed.script, profile).into_iter().map(Some).collect();
+        mark_remembering(handed.question, &handed.script, profile, memory).into_iter().map(Some).collect();
     let each = handed.parts.iter().filter_map(|part| {
         let marked = all.get_mut(part.place)?.take()?;
         Some(MarkedUnder { keyed: &handed.question.parts[part.place], named: part.named, marked })

@@ -115,6 +115,12 @@ impl Mistakes {
         ways.into_iter().map(|way| way.cause(&self.roads[way.road])).collect()
     }
 
+    /// May an answer come of rounding on the way, where no values on the way are shown? Most wrong ones are too far off.
+    pub(crate) fn may_be_rounded(&self, asked: Quantity, said: &Said) -> bool {
+        let right = self.roads.first().and_then(|road| road.known().0.get(&asked));
+        rounding::may_be_rounded(right, &self.letters, asked, said)
+    }
+
     /// The wrong values of an answer, each with the tags of what leads to it: of a vector its components; of an angle so
     /// many degrees. Where letters remain, with every speed, mass and length one.
     pub fn values(&self, answer: &[Quantity]) -> Vec<(Vec<&'static str>, Vec<f64>)> {

@@ -62,7 +62,7 @@ pub fn early_rounding(
             sentence: "The method is right; a value that was rounded on the way spoilt the last figures. Keep all the figures until the last line.",
         });
     }
-    let off = last.value.with(right, |last, right| (last.abs() - right.abs()).abs() / right.abs()).0[0];
+    let off = off(last, right);
     let figures = [2, 3]
         .into_iter()
         .find(|figures| off < NEAR && comes_of_rounding(&given_samples, letters, asked, last, *figures))?;
@@ -70,6 +70,19 @@ pub fn early_rounding(
         figures: Some(figures as u32),
         sentence: "This is what rounding on the way leads to: keep all the figures until the last line.",
     })
+}
+
+/// Is an answer so near the right one that it may come of rounding on the way, where no values on the way are shown? It
+/// spares most wrong answers the derivation.
+pub(super) fn may_be_rounded(right: Option<&Datum<Sample>>, letters: &[Letter], asked: Quantity, said: &Said) -> bool {
+    let Form::Value(last) = &said.form else { return false };
+    let both = read(asked, last, letters).zip(right.and_then(value));
+    both.is_none_or(|(last, right)| off(last, right) < 1.01 * NEAR)
+}
+
+/// By which part of it an answer is off.
+fn off(last: Written, right: Sample) -> f64 {
+    last.value.with(right, |last, right| (last.abs() - right.abs()).abs() / right.abs()).0[0]
 }
 
 /// A value as it was written; an angle in degrees.
@@ -88,11 +101,19 @@ fn from_shown(
 ) -> Option<bool> {
     let quantities: Vec<Quantity> = shown.iter().map(|(quantity, _)| *quantity).chain([asked]).collect();
     let mut entered = Vec::new();
-    let (_, truth) = Road::ALL
-        .map(|road| Carried::on(road, samples, &quantities))
-        .into_iter()
-        .map(|carried| (carried.missing().len(), carried.known().clone()))
-        .min_by_key(|(missing, _)| *missing)?;
+    // The first road on which least is missing; nearly always that is the first of all, and nothing is.
+    let mut truth: Option<Carried<Sample>> = None;
+    for road in Road::ALL {
+        let carried = Carried::on(road, samples, &quantities);
+        if truth.as_ref().is_none_or(|best| carried.missing().len() < best.missing().len()) {
+            truth = Some(carried);
+        }
+        if truth.as_ref().is_some_and(|best| best.missing().is_empty()) {
+            break;
+        }
+    }
+    let truth = truth?;
+    let truth = truth.known();
     for (quantity, expr) in shown {
         let written = read(*quantity, expr, letters)?;
         // What is no number on the way, an angle, is an answer by itself.

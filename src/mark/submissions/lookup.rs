@@ -24,6 +24,11 @@ pub(super) fn paper<'k>(key: &'k AnswerKey, student: &str) -> Result<&'k KeyedPa
 
 /// A question by its number on the sheet, with `Q` or without, or by its id: its place.
 pub(super) fn question(paper: &KeyedPaper, name: &str) -> Result<usize, String> {
+    // As most write it.
+    let is_number = |question: &KeyedQuestion| name.parse() == Ok(question.number) && !name.starts_with(['+', '0']);
+    if let Some(place) = paper.questions.iter().position(is_number) {
+        return Ok(place);
+    }
     let lower = name.trim().to_lowercase();
     let number = ["question", "q"].iter().find_map(|word| lower.strip_prefix(word)).unwrap_or(&lower);
     let number = number.trim().trim_end_matches('.').trim_end_matches(".0");
@@ -43,6 +48,9 @@ pub(super) fn question(paper: &KeyedPaper, name: &str) -> Result<usize, String> 
 
 /// A part by its label, with brackets or without: its place.
 pub(super) fn part(question: &KeyedQuestion, name: &str) -> Result<usize, String> {
+    if let Some(place) = question.parts.iter().position(|part| part.label == name) {
+        return Ok(place);
+    }
     let lower = name.trim().to_lowercase();
     let label = lower.strip_prefix("part").unwrap_or(&lower).trim().trim_matches(['(', ')', '.']);
     let found = question.parts.iter().position(|part| part.label.to_lowercase() == label);
@@ -61,6 +69,9 @@ pub(super) fn part(question: &KeyedQuestion, name: &str) -> Result<usize, String
 
 /// A blank by its name, however it is spaced: its place.
 pub(super) fn blank(part: &KeyedPart, name: &str) -> Result<usize, String> {
+    if let Some(place) = part.blanks.iter().position(|blank| blank.name == name) {
+        return Ok(place);
+    }
     let plain = |name: &str| name.split_whitespace().collect::<Vec<_>>().join(" ").to_lowercase();
     let found = part.blanks.iter().position(|blank| plain(&blank.name) == plain(name));
     found.ok_or_else(|| {

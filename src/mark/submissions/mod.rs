@@ -83,9 +83,13 @@ pub fn read_rows(source: &Source) -> Result<Rows, Vec<Diagnostic>> {
     let needed = ["student", "question", "answer"];
     let table = table::read(source, &COLUMNS, &needed)?;
     let mut rows = Rows { warnings: table.warnings, ..Rows::default() };
+    rows.rows.reserve_exact(table.records.len());
     for record in table.records {
         let [student, question, part, blank, answer, working] = record.cells;
-        let student = table::meant(student.trim()).to_owned();
+        let student = match table::meant(student.trim()) {
+            meant if meant.len() < student.len() => meant.to_owned(),
+            _ => student,
+        };
         let row = Row { line: record.line, student, question, part, blank, answer, working: lines_of(&working) };
         match record.fault {
             Some(reason) => rows.set_aside.push(SetAside { row, reason }),

@@ -64,11 +64,17 @@ pub fn sort<'k>(key: &'k AnswerKey, rows: Rows) -> Sorted<'k> {
         }
         match look_up(key, student, &row) {
             Ok((paper, question, part, blank)) => {
-                let place = *places.entry((student.to_owned(), question)).or_insert_with(|| {
-                    let question = &paper.questions[question];
-                    gathered.push(Gathered { paper, question, student: student.to_owned(), rows: Vec::new() });
-                    gathered.len() - 1
-                });
+                // Most rows follow one of the same student and question.
+                let place = question;
+                let question = &paper.questions[place];
+                let is_same = |last: &Gathered| std::ptr::eq(last.question, question) && last.student == student;
+                let place = match gathered.last() {
+                    Some(last) if is_same(last) => gathered.len() - 1,
+                    _ => *places.entry((student.to_owned(), place)).or_insert_with(|| {
+                        gathered.push(Gathered { paper, question, student: student.to_owned(), rows: Vec::new() });
+                        gathered.len() - 1
+                    }),
+                };
                 gathered[place].rows.push((part, blank, row));
             }
             Err(reason) => set_aside.push(SetAside { row, reason }),
@@ -94,14 +100,17 @@ fn look_up<'k>(key: &'k AnswerKey, student: &str, row: &Row) -> Result<Place<'k>
 impl<'k> Gathered<'k> {
     fn into_script(self, set_aside: &mut Vec<SetAside>) -> HandedIn<'k> {
         // The line of the answer that counts, where there are several.
-        let mut last: HashMap<(usize, Option<usize>), usize> = HashMap::new();
+        let mut last: Vec<((usize, Option<usize>), usize)> = Vec::with_capacity(self.rows.len().min(16));
         for (part, blank, row) in self.rows.iter().filter(|(_, _, row)| !row.answer.trim().is_empty()) {
-            last.insert((*part, *blank), row.line);
+            match last.iter_mut().find(|(place, _)| *place == (*part, *blank)) {
+                Some((_, line)) => *line = row.line,
+                None => last.push(((*part, *blank), row.line)),
+            }
         }
         let mut parts: Vec<PartScript> = Vec::new();
         let mut handed: Vec<HandedPart> = Vec::new();
-        for (place, blank, row) in self.rows {
-            let counts = last.get(&(place, blank)).copied();
+        for (place, blank, mut row) in self.rows {
+            let counts = last.iter().find(|(known, _)| *known == (place, blank)).map(|(_, line)| *line);
             if let Some(counts) = counts.filter(|line| row.line != *line && !row.answer.trim().is_empty()) {
                 let reason = format!("line {counts} answers the same, and the last answer counts");
                 set_aside.push(SetAside { row, reason });
@@ -115,7 +124,11 @@ impl<'k> Gathered<'k> {
             });
             handed[at].named |= blank.is_some();
             if !row.answer.trim().is_empty() {
-                let name = blank.map(|blank| part.blanks[blank].name.clone());
+                // As the key has it, and mostly the student too.
+                let name = blank.map(|blank| match &part.blanks[blank].name {
+                    name if *name == row.blank => std::mem::take(&mut row.blank),
+                    name => name.clone(),
+                });
                 parts[at].answers.push((name, row.answer));
             }
             // Working that stands beside each blank of a part is the working of the part, once.

@@ -13,6 +13,9 @@ use crate::diagnostic::{Diagnostic, Source};
 /// More rows of one student are set aside: no sheet has so many answers.
 const MOST: usize = 10_000;
 
+/// And more bytes in them: no student writes so much.
+const MOST_BYTES: usize = 1 << 23;
+
 /// A stream of rows.
 #[derive(Clone, Debug)]
 pub struct Stream {
@@ -20,6 +23,8 @@ pub struct Stream {
     header: Option<Source>,
     /// The rows of the student whose rows are coming.
     held: Vec<Row>,
+    /// How many bytes they have.
+    bytes: usize,
     /// The students whose rows have come.
     closed: HashSet<u64>,
 }
@@ -45,7 +50,7 @@ impl Stream {
             read_rows(first)?;
         }
         let header = is_table.then(|| Source::new(first.file.clone(), format!("{}\n", first.text.trim())));
-        Ok(Stream { header, held: Vec::new(), closed: HashSet::new() })
+        Ok(Stream { header, held: Vec::new(), bytes: 0, closed: HashSet::new() })
     }
 
     /// Is it a table?
@@ -67,6 +72,7 @@ impl Stream {
         let all = rows.rows.iter_mut().chain(rows.set_aside.iter_mut().map(|aside| &mut aside.row));
         all.for_each(|row| row.line = row.line + line - 1 - before);
         let mut whole = Rows { set_aside: rows.set_aside, ..Rows::default() };
+        whole.rows.reserve_exact(self.held.len() + rows.rows.len());
         for row in rows.rows {
             self.place(row, &mut whole);
         }
@@ -90,6 +96,7 @@ impl Stream {
             if let Some(last) = self.held.first() {
                 self.closed.insert(number(last.student.trim()));
                 whole.rows.append(&mut self.held);
+                self.bytes = 0;
             }
             if self.closed.contains(&number(student)) {
                 let reason = "other students stand between this row and the others of this student: in a stream all rows of \
@@ -98,10 +105,12 @@ impl Stream {
                 return;
             }
         }
-        if self.held.len() < MOST {
+        let bytes = row.answer.len() + row.working.iter().map(String::len).sum::<usize>();
+        if self.held.len() < MOST && self.bytes + bytes <= MOST_BYTES {
+            self.bytes += bytes;
             self.held.push(row);
         } else {
-            let reason = format!("the student has more than {MOST} rows");
+            let reason = format!("the student has more than {MOST} rows, or more than {MOST_BYTES} bytes in them");
             whole.set_aside.push(SetAside { row, reason });
         }
     }

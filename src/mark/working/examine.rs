@@ -1,5 +1,7 @@
 //! Which marks the lines of a part earn.
 
+use std::cell::OnceCell;
+
 use super::convention::take_as_laws;
 use super::evidence::Evidence as Shown;
 use super::line::{self, Line, ReadLine};
@@ -24,7 +26,14 @@ pub(crate) struct Examined {
     /// The values that the student found, in this part and before.
     pub(crate) theirs: Theirs,
     /// What follows from them, at every point.
-    pub(crate) followed: Vec<Known<f64>>,
+    followed: OnceCell<Vec<Known<f64>>>,
+}
+
+impl Examined {
+    /// What follows from the student's own values, at every point; found when it is first asked for.
+    pub(crate) fn followed(&self, question: &KeyedQuestion) -> &[Known<f64>] {
+        self.followed.get_or_init(|| follow(question.prepared(), &self.theirs))
+    }
 }
 
 /// A line with what it comes to.
@@ -62,6 +71,10 @@ pub(super) struct Working<'a> {
 
 /// Looks through the working of a part; `before` is what the student found in earlier parts.
 pub(crate) fn examine(question: &KeyedQuestion, part: &KeyedPart, working: &[String], before: &Theirs) -> Examined {
+    if working.is_empty() {
+        let awards = part.scheme.iter().map(|_| None).collect();
+        return Examined { awards, lines: Vec::new(), theirs: before.clone(), followed: OnceCell::new() };
+    }
     let prepared = question.prepared();
     let vectors = has_vectors(question);
     let read = line::read(working, &question.letters, vectors);
@@ -92,7 +105,7 @@ pub(crate) fn examine(question: &KeyedQuestion, part: &KeyedPart, working: &[Str
         role: studied.role.clone(),
     });
     let lines = lines.collect();
-    Examined { awards, lines, theirs: working.theirs, followed: working.followed }
+    Examined { awards, lines, theirs: working.theirs, followed: working.followed.into() }
 }
 
 fn has_vectors(question: &KeyedQuestion) -> bool {

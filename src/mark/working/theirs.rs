@@ -30,15 +30,15 @@ impl Theirs {
 
     /// Takes the answers that were read as numbers, for the parts that follow: right or not, the student goes on with
     /// them.
-    pub(crate) fn take_answers(
+    pub(crate) fn take_answers<'r>(
         &mut self,
         question: &KeyedQuestion,
         part: &KeyedPart,
-        answers: &[Option<Vec<Reading>>],
+        answers: impl Iterator<Item = Option<&'r [Reading]>>,
     ) {
         let prepared = question.prepared();
         for (blank, readings) in part.blanks.iter().zip(answers) {
-            let Some(reading) = readings.as_ref().and_then(|readings| readings.first()) else { continue };
+            let Some(reading) = readings.and_then(|readings| readings.first()) else { continue };
             let Some(said) = reading.statements.last().and_then(|statement| statement.said.last()) else { continue };
             match (&blank.find, &said.form) {
                 (Find::Quantity(quantity), Form::Value(expr)) if !quantity.is_angle() => {

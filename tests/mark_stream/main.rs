@@ -1,21 +1,30 @@
-//! `carom mark --stream`: the marks that `carom mark` gives, row by row, whatever comes down the pipe.
+//! `carom mark --stream`: the marks that `carom mark` gives, row by row, whatever comes down the pipe; and into a folder,
+//! whatever ends the run.
+
+#[cfg(target_os = "linux")] // It says in a file how much memory a process has had.
+mod memory;
+#[cfg(unix)] // Its commands are for a shell.
+mod page;
+mod resume;
+#[cfg(feature = "external")]
+mod spark;
 
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::{Child, Command, Output, Stdio};
 
 use serde_json::Value as Json;
 
+fn begin(folder: &Path, arguments: &[&str]) -> Child {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_carom"));
+    command.current_dir(folder).args(arguments);
+    command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    command.spawn().unwrap()
+}
+
 fn carom(folder: &Path, arguments: &[&str], input: &[u8]) -> Output {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_carom"))
-        .current_dir(folder)
-        .args(arguments)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
+    let mut child = begin(folder, arguments);
     let mut stdin = child.stdin.take().unwrap();
     // What comes out must be read while this is written, and a program that refuses its input may close it.
     let input = input.to_vec();
@@ -136,15 +145,19 @@ fn what_is_broken_is_told_of_in_its_place_and_the_rest_is_marked() {
 fn a_stream_that_is_wrong_as_a_whole_is_refused() {
     let folder = folder("wrong");
     let utf_16: Vec<u8> = "student,question,answer\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
-    for (input, said) in [
-        (&b""[..], "no columns"),
-        (b"student,question,answer\n", "has no answers"),
-        (b"student,answer\nAda,1\n", "no column `question`"),
-        (&utf_16, "UTF-16"),
-    ] {
+    for (input, said) in [(&b"student,answer\nAda,1\n"[..], "no column `question`"), (&utf_16, "UTF-16")] {
         let output = carom(&folder, &STREAM, input);
         assert_eq!(output.status.code(), Some(1), "{said}");
         assert!(text(&output.stderr).contains(said), "{}", text(&output.stderr));
+    }
+    // Nothing in, nothing out: what runs many filters gives some of them nothing. Of a file it is hardly meant.
+    for (input, printed) in [("", ""), ("student,question,answer\n", "student,question,part,blank,verdict")] {
+        let output = carom(&folder, &STREAM, input.as_bytes());
+        assert!(output.status.success() && text(&output.stdout).starts_with(printed));
+        assert!(text(&output.stderr).contains("warning: stdin has no answers"));
+        fs::write(folder.join("empty.csv"), input).unwrap();
+        let output = carom(&folder, &["mark", "sheet/key.json", "empty.csv", "--stream"], b"");
+        assert_eq!(output.status.code(), Some(1));
     }
     let both = carom(&folder, &["mark", "sheet/key.json", "-", "--stream", "--overrides", "x.csv"], b"");
     assert_eq!(both.status.code(), Some(2));

@@ -1,0 +1,60 @@
+//! Answers remembered: of thousands of students many write the same, and what was found of it once holds for all of them.
+
+use std::cell::OnceCell;
+use std::collections::HashMap;
+use std::rc::Rc;
+
+use crate::mark::award::Cause;
+use crate::mark::judging::Judgement;
+use crate::mark::key::KeyedBlank;
+use crate::mark::reading::Reading;
+
+/// How many answers are remembered at most; when there are more everything is forgotten.
+const MOST: usize = 1 << 13;
+
+/// The longest answer that is remembered, in bytes: nobody writes a long one twice.
+const LONGEST: usize = 64;
+
+/// What answers to blanks were read as and judged, by one profile.
+#[derive(Default)]
+pub(in crate::mark) struct Memory {
+    /// By blank, which stays where it is while it is marked by; then by what was typed.
+    judged: HashMap<usize, HashMap<Box<str>, Rc<Judged>>>,
+    count: usize,
+}
+
+/// What was found of an answer by itself.
+pub(super) struct Judged {
+    pub(super) judgement: Judgement,
+    /// How it was read; nothing if it was not, or if it does not stand for this blank alone.
+    pub(super) readings: Option<Vec<Reading>>,
+    /// The mistakes behind it, where the student shows no value of an own on the way.
+    pub(super) causes: OnceCell<Vec<Cause>>,
+}
+
+impl Judged {
+    pub(super) fn new(judgement: Judgement, readings: Option<Vec<Reading>>) -> Rc<Judged> {
+        Rc::new(Judged { judgement, readings, causes: OnceCell::new() })
+    }
+}
+
+impl Memory {
+    /// What was found of the answer, or is found now.
+    pub(super) fn judged(&mut self, blank: &KeyedBlank, typed: &str, judge: impl FnOnce() -> Rc<Judged>) -> Rc<Judged> {
+        if typed.len() > LONGEST {
+            return judge();
+        }
+        let blank = std::ptr::from_ref(blank).addr();
+        if let Some(known) = self.judged.get(&blank).and_then(|answers| answers.get(typed)) {
+            return known.clone();
+        }
+        let found = judge();
+        if self.count == MOST {
+            self.judged.clear();
+            self.count = 0;
+        }
+        self.count += 1;
+        self.judged.entry(blank).or_default().insert(typed.into(), found.clone());
+        found
+    }
+}
