@@ -16,6 +16,7 @@ mod posed;
 mod question;
 mod requirement;
 mod scene_file;
+mod schema;
 mod shipped;
 
 pub use check::read_question;
@@ -27,4 +28,5 @@ pub use posed::{Posed, Unposed};
 pub use question::{Answer, Code, EarnedFor, Find, Mark, Part, Question, Style, StyleName};
 pub use requirement::{Measure, Requirement};
 pub use scene_file::read_scene;
+pub use schema::question_schema;
 pub use shipped::shipped;

@@ -90,7 +90,7 @@ fn keep_showing(arguments: &PreviewArguments, subject: &Subject, numbers: &Numbe
     let watched = subject.watched()?;
     let page = if arguments.open { Some(Page::new(arguments.out.as_deref())?) } else { None };
     let on_terminal = io::stdout().is_terminal();
-    let colour = on_terminal && std::env::var_os("NO_COLOR").is_none();
+    let colour = console::colors_enabled();
     let mut opened = None;
     let mut first = true;
     // A window of another width is a change like any other.
