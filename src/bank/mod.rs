@@ -18,11 +18,12 @@ mod requirement;
 mod scene_file;
 mod schema;
 mod shipped;
+mod syntax;
 
 pub use check::read_question;
 pub use contents::{Contents, Heading};
 pub use domain::Domain;
-pub use folder::Bank;
+pub use folder::{Bank, read_source};
 pub use givens::Givens;
 pub use posed::{Posed, Unposed};
 pub use question::{Answer, Code, EarnedFor, Find, Mark, Part, Question, Style, StyleName};

@@ -148,6 +148,12 @@ impl Requirement {
         results.filter_map(|name| Quantity::from_str(&name.text).ok()).collect()
     }
 
+    /// Must the collision be solved before it can be tried? If it names a quantity, or a letter that is to be found.
+    pub fn is_on_results(&self, unknowns: &[String], is_given: &dyn Fn(&str) -> bool) -> bool {
+        let is_found = |name: &&Name| unknowns.contains(&name.text);
+        self.names().iter().any(is_found) || !self.quantities(is_given).is_empty()
+    }
+
     /// Does it hold? Not if that depends on letters, or if a name has no value.
     ///
     /// # Errors

@@ -185,24 +185,39 @@ fn scene() -> Json {
             ("masses", pair("The masses, in kg.", words("A number or formula."))),
             ("before", pair("The velocities immediately before the collision, in m/s.", shared("velocity"))),
             ("after", pair("Velocities immediately after it, where they are given.", shared("velocity"))),
-            ("line_of_centres", vector("A vector along the line of centres; [\"1\", \"0\"] for i. Any length will do.")),
-            ("sense", json!({
-                "description": "Which way it points: from A to B; or either, if that is to be found from the approach.",
-                "enum": ["A_to_B", "either"],
-            })),
-            ("positions", pair("Where the centres are at the collision, in place of the line of centres.", shared("vector"))),
+            (
+                "line_of_centres",
+                vector("A vector along the line of centres; [\"1\", \"0\"] for i. Any length will do."),
+            ),
+            (
+                "sense",
+                json!({
+                    "description": "Which way it points: from A to B; or either, if that is to be found from the approach.",
+                    "enum": ["A_to_B", "either"],
+                }),
+            ),
+            (
+                "positions",
+                pair("Where the centres are at the collision, in place of the line of centres.", shared("vector")),
+            ),
             ("radii", pair("The radii.", words("A number or formula."))),
             ("impact_parameter", words("How far B's centre lies to the left of A's path, as A moves relative to B.")),
             ("e", words("The coefficient of restitution.")),
-            ("symbols", json!({
-                "description": "Letters that stay letters, and what they may be.", "type": "object",
-                "propertyNames": {"pattern": NAME}, "additionalProperties": {"enum": ranges},
-            })),
+            (
+                "symbols",
+                json!({
+                    "description": "Letters that stay letters, and what they may be.", "type": "object",
+                    "propertyNames": {"pattern": NAME}, "additionalProperties": {"enum": ranges},
+                }),
+            ),
             ("unknowns", texts("Letters that are to be found from the conditions.")),
             ("conditions", texts("Equations that must hold, such as \"A.deflection_dot = 0\".")),
-            ("maximise", json!({
-                "description": "The quantity that is to be as large as possible.", "enum": quantities(),
-            })),
+            (
+                "maximise",
+                json!({
+                    "description": "The quantity that is to be as large as possible.", "enum": quantities(),
+                }),
+            ),
         ],
         &[],
     )
@@ -245,21 +260,30 @@ fn answer() -> Json {
         "One answer.",
         vec![
             ("name", words("What it is, in words: speed of *A*. Each answer of a part has a name of its own.")),
-            ("find", json!({
-                "description": "The quantity to find, such as A.after.speed; of a vector its two components; or a letter \
-                                among the scene's unknowns.",
-                "anyOf": [one_of(&quantities()), list_of(one_of(&quantities())), letter],
-            })),
-            ("kind", json!({
-                "description": "What sort of answer it is, where that does not follow from what is found.", "enum": kinds,
-            })),
-            ("accept", json!({
-                "description": "How near an answer must be; the exact value is accepted under every rule.",
-                "anyOf": [
-                    {"enum": ["exact", "awrt 3sf", "awrt 2sf", "3sf", "2dp", "1dp", "nearest 1", "nearest degree"]},
-                    {"type": "string", "pattern": ACCEPT},
-                ],
-            })),
+            (
+                "find",
+                json!({
+                    "description": "The quantity to find, such as A.after.speed; of a vector its two components; or a letter \
+                                    among the scene's unknowns.",
+                    "anyOf": [one_of(&quantities()), list_of(one_of(&quantities())), letter],
+                }),
+            ),
+            (
+                "kind",
+                json!({
+                    "description": "What sort of answer it is, where that does not follow from what is found.", "enum": kinds,
+                }),
+            ),
+            (
+                "accept",
+                json!({
+                    "description": "How near an answer must be; the exact value is accepted under every rule.",
+                    "anyOf": [
+                        {"enum": ["exact", "awrt 3sf", "awrt 2sf", "3sf", "2dp", "1dp", "nearest 1", "nearest degree"]},
+                        {"type": "string", "pattern": ACCEPT},
+                    ],
+                }),
+            ),
             ("phrase", words("Words that complete a direction, such as: to the line of centres.")),
             ("show", words("For 'show that': the left side of what is to be shown, such as tan(beta).")),
         ],
@@ -271,18 +295,29 @@ fn mark() -> Json {
     table(
         "One mark.",
         vec![
-            ("code", json!({
-                "description": "B1 stands alone; M1 is for method; A1 for accuracy, after its M1; dM1 needs earlier method \
-                                marks; A1ft follows through; A1* is for what is to be shown.",
-                "enum": Code::ALL.map(Code::name),
-            })),
-            ("for", json!({
-                "description": "The step that earns it, such as momentum or speed A, or what is found, such as A.after.speed.",
-                "anyOf": [one_of(&steps()), {"type": "string", "pattern": NAME}],
-            })),
+            (
+                "code",
+                json!({
+                    "description": "B1 stands alone; M1 is for method; A1 for accuracy, after its M1; dM1 needs earlier method \
+                                    marks; A1ft follows through; A1* is for what is to be shown.",
+                    "enum": Code::ALL.map(Code::name),
+                }),
+            ),
+            (
+                "for",
+                json!({
+                    "description": "The step that earns it, such as momentum or speed A, or what is found, such as A.after.speed.",
+                    "anyOf": [one_of(&steps()), {"type": "string", "pattern": NAME}],
+                }),
+            ),
             ("text", words("What earns it, if not in the usual words.")),
             ("note", words("What the marker condones or demands, if not as usual.")),
-            ("depends", texts("The marks without which it is not given, such as M1a and M1b: the first and second M1 of the part.")),
+            (
+                "depends",
+                texts(
+                    "The marks without which it is not given, such as M1a and M1b: the first and second M1 of the part.",
+                ),
+            ),
         ],
         &["code", "for"],
     )

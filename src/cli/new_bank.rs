@@ -54,9 +54,6 @@ pub fn run(arguments: &NewBankArguments) -> Result<(), Failure> {
 /// Can the bank be made there, and has its folder to be made? Only if nothing is there that could be lost.
 fn free(folder: &Path) -> Result<bool, Failure> {
     let shown = folder.display();
-    if folder.as_os_str().is_empty() {
-        return Err(Failure::with_help("the folder of the bank has no name", "`carom new-bank my-bank`"));
-    }
     if folder.is_file() {
         let help = format!("choose another name: `carom new-bank {}`", typed(&folder.with_extension("bank")));
         return Err(Failure::with_help(format!("`{shown}` is a file, and a bank is a folder"), help));

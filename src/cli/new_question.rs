@@ -13,7 +13,7 @@ use crate::bank::Contents;
 
 const AFTER: &str = "Examples:
   carom new-question my-bank/b-at-rest/impulse.toml
-  carom new-question my-bank/backwards.toml --like 5C-11   the question of the shipped bank that is nearest, to be changed";
+  carom new-question my-bank/backwards.toml --like 5C-11   a copy of a shipped one";
 
 /// Start a question: a commented file that works, or a copy of a question that there is
 ///
@@ -54,7 +54,11 @@ pub fn run(arguments: &NewQuestionArguments) -> Result<(), Failure> {
     create(file, &text)?;
     print(&format!("{}\n", file.display()))?;
     let bank = schema.map_or(folder.to_path_buf(), |(_, bank)| bank);
-    say(&format!("next: `carom preview {} --watch`, and when it is as you want it `carom check {}`", typed(file), typed(&bank)));
+    say(&format!(
+        "next: `carom preview {} --watch`, and when it is as you want it `carom check {}`",
+        typed(file),
+        typed(&bank)
+    ));
     Ok(())
 }
 
