@@ -66,3 +66,21 @@ fn one_slip_of_the_pen_is_one_fault() {
         assert!(faults <= allowed, "{}: {faults} faults", path.display());
     }
 }
+
+#[test]
+fn a_file_full_of_slips_is_told_a_page_of_them() {
+    let text = "u = = 1\n".repeat(20_000);
+    let faults = read_question("q", &Source::new("q.toml", text)).unwrap_err();
+    assert_eq!(faults.len(), 20);
+}
+
+#[test]
+fn what_is_no_text_file_is_not_read() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("no-text");
+    fs::create_dir_all(folder.join("folder.toml")).unwrap();
+    fs::write(folder.join("long.toml"), "#".repeat(1_000_001)).unwrap();
+    for (name, said) in [("folder", "is no file"), ("long", "longer than"), ("absent", "`carom new-question ")] {
+        let fault = read_source(&folder.join(format!("{name}.toml"))).unwrap_err().to_string();
+        assert!(fault.contains(said) && fault.contains("help:"), "{fault}");
+    }
+}

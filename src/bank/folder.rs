@@ -114,16 +114,28 @@ pub(super) fn read_files(folder: &Path) -> Result<(Vec<(String, Source)>, Vec<Di
 /// A fault if it cannot be read, or is not in UTF-8.
 pub fn read_source(path: &Path) -> Result<Source, Diagnostic> {
     let shown = path.display().to_string();
-    let bytes = std::fs::read(path).map_err(|error| {
-        let source = Source::new(shown.as_str(), "");
-        let fault = Diagnostic::new(format!("`{shown}` cannot be read: {error}"), &source, 0..0, "");
-        if error.kind() == io::ErrorKind::NotFound {
-            return fault.with_help(format!("`carom new-question {shown}` starts a question there"));
+    let fault = |message: String| Diagnostic::new(message, &Source::new(shown.as_str(), ""), 0..0, "");
+    let unreadable = |error: io::Error| {
+        let fault = fault(format!("`{shown}` cannot be read: {error}"));
+        match error.kind() {
+            io::ErrorKind::NotFound => fault.with_help(format!("`carom new-question {shown}` starts a question there")),
+            _ => fault,
         }
-        fault
-    })?;
-    decoded(&shown, &bytes)
+    };
+    // A pipe or a device may have no end.
+    let found = std::fs::metadata(path).map_err(unreadable)?;
+    if !found.is_file() {
+        return Err(fault(format!("`{shown}` is no file")).with_help("a question is a text file that ends in `.toml`"));
+    }
+    if found.len() > LONGEST {
+        let help = "a question is a page of text; is it another file under this name?";
+        return Err(fault(format!("`{shown}` is longer than {LONGEST} bytes")).with_help(help));
+    }
+    decoded(&shown, &std::fs::read(path).map_err(unreadable)?)
 }
+
+/// No question is longer than this.
+const LONGEST: u64 = 1_000_000;
 
 /// A text from its bytes.
 fn decoded(shown: &str, bytes: &[u8]) -> Result<Source, Diagnostic> {

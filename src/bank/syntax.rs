@@ -19,6 +19,9 @@ struct Told {
     is_last: bool,
 }
 
+/// No more than these are told of one file: whoever has so many sees what is amiss.
+const MOST: usize = 20;
+
 /// Reports why a text is no TOML.
 pub fn report(errors: &[Error], faults: &mut Faults) {
     let text = faults.source.text.clone();
@@ -27,17 +30,18 @@ pub fn report(errors: &[Error], faults: &mut Faults) {
     let mut last_line = None;
     for error in errors {
         let span = error.span().unwrap_or_default();
-        let line = text.get(..span.start).map(|before| before.matches('\n').count());
-        if last_line.is_some() && line == last_line {
+        let span = text.floor_char_boundary(span.start)..text.floor_char_boundary(span.end);
+        let line = text[..span.start].matches('\n').count();
+        if last_line == Some(line) {
             continue;
         }
-        last_line = line;
+        last_line = Some(line);
         let told = told(&text, span, error.message());
         faults.report(told.span, told.message, told.label);
         if let Some(fault) = faults.found.last_mut() {
             fault.help = told.help;
         }
-        if told.is_last {
+        if told.is_last || faults.found.len() >= MOST {
             return;
         }
     }
@@ -61,7 +65,7 @@ fn told(text: &str, span: Range<usize>, message: &str) -> Told {
         return never_ends(text, span.start);
     }
     if what == "invalid basic string" || what == "invalid literal string" {
-        return match text[span.start.min(text.len())..].chars().next() {
+        return match text[span.start..].chars().next() {
             None | Some('\n' | '\r') => one(
                 "a text in quotes does not end on its line",
                 &format!("expected {expected}"),
@@ -83,7 +87,7 @@ fn told(text: &str, span: Range<usize>, message: &str) -> Told {
         return one("a heading in brackets is not closed", &label, "close it as in `[scene]` or `[[part]]`");
     }
     if let Some((open, bracket)) = open_bracket(text, span.start)
-        && (found == "]" || found == "}" || begins_anew(text, span.start))
+        && (closes_another(bracket, &text[span.start..]) || begins_anew(text, span.start))
     {
         let (thing, close) = if bracket == '[' { ("a list", ']') } else { ("a table in braces", '}') };
         let line = text[..span.start].matches('\n').count() + 1;
@@ -134,6 +138,11 @@ fn told(text: &str, span: Range<usize>, message: &str) -> Told {
             )
         }
     }
+}
+
+/// Does a text go on with the bracket that closes something else?
+fn closes_another(open: char, text: &str) -> bool {
+    text.starts_with(if open == '[' { '}' } else { ']' })
 }
 
 fn column(text: &str, at: usize) -> usize {
