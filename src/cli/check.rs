@@ -21,7 +21,7 @@ use crate::solve::solve;
 
 const AFTER: &str = "Examples:
   carom check             the bank inside carom
-  carom check my-bank     a bank of your own: every fault with its line, and what each style can print";
+  carom check my-bank     a bank of your own: every fault with its line, and its variants";
 
 /// Examine a bank: every variant that it can print
 ///
