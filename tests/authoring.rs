@@ -242,6 +242,10 @@ fn the_schema_that_is_kept_is_the_one_that_the_types_give() {
 fn every_schema_that_is_kept_is_printed() {
     for entry in fs::read_dir("docs/schema").unwrap().map(|entry| entry.unwrap().path()) {
         let name = entry.file_name().unwrap().to_string_lossy().replace(".schema.json", "");
+        if name == "question" {
+            // It is made, and compared with what is kept above.
+            continue;
+        }
         assert_eq!(done(Path::new("."), &["schema", &name]).0, fs::read_to_string(&entry).unwrap(), "{name}");
     }
 }

@@ -202,6 +202,11 @@ fn scene() -> Json {
             ),
             ("radii", pair("The radii.", words("A number or formula."))),
             ("impact_parameter", words("How far B's centre lies to the left of A's path, as A moves relative to B.")),
+            (
+                "wall",
+                vector("A vector along a fixed smooth wall that A strikes, in place of B and the line of centres."),
+            ),
+            ("impulse", vector("The impulse that A receives, in N s, where it is one particle by itself.")),
             ("e", words("The coefficient of restitution.")),
             (
                 "symbols",
@@ -238,7 +243,8 @@ fn velocity() -> Json {
         {"required": ["angle_deg"], "not": {"anyOf": [{"required": ["cos"]}, {"required": ["sin"]}]}},
         {"required": ["cos", "sin"], "not": {"required": ["angle_deg"]}},
     ]);
-    json!({"anyOf": [shared("vector"), polar]})
+    let along = words("Along the one line of a direct impact: signed, positive from A to B.");
+    json!({"anyOf": [shared("vector"), polar, along]})
 }
 
 fn part() -> Json {
