@@ -188,8 +188,8 @@ pub fn near<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Op
 /// Two names without the parts up to a dot that both begin with: of `B.after.m` and `B.after.x`, `m` and `x`.
 fn without_shared_start<'n>(name: &'n str, other: &'n str) -> (&'n str, &'n str) {
     let shared = name.match_indices('.').map(|(at, _)| at + 1);
-    let shared = shared.filter(|at| other.get(..*at).is_some_and(|start| start.eq_ignore_ascii_case(&name[..*at])));
-    let at = shared.last().unwrap_or(0);
+    let mut shared = shared.filter(|at| other.get(..*at).is_some_and(|start| start.eq_ignore_ascii_case(&name[..*at])));
+    let at = shared.next_back().unwrap_or(0);
     (&name[at..], other.get(at..).unwrap_or_default())
 }
 

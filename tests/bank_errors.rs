@@ -20,7 +20,7 @@ fn faults_of(path: &Path) -> String {
     let name = path.file_stem().unwrap().to_string_lossy().into_owned();
     let faults = match read_source(path) {
         Ok(source) => read_question(&name, &Source::new(format!("{name}.toml"), source.text)).err().unwrap_or_default(),
-        Err(fault) => vec![fault],
+        Err(faults) => faults,
     };
     // The same picture wherever the tests are.
     let folder = format!("{}/", path.parent().unwrap().display());
@@ -80,7 +80,7 @@ fn what_is_no_text_file_is_not_read() {
     fs::create_dir_all(folder.join("folder.toml")).unwrap();
     fs::write(folder.join("long.toml"), "#".repeat(1_000_001)).unwrap();
     for (name, said) in [("folder", "is no file"), ("long", "longer than"), ("absent", "`carom new-question ")] {
-        let fault = read_source(&folder.join(format!("{name}.toml"))).unwrap_err().to_string();
+        let fault = read_source(&folder.join(format!("{name}.toml"))).unwrap_err()[0].to_string();
         assert!(fault.contains(said) && fault.contains("help:"), "{fault}");
     }
 }

@@ -7,7 +7,7 @@ use std::path::Path;
 
 use serde::Deserialize;
 
-use super::folder::read_files;
+use super::folder::{Files, read_files};
 use super::{Question, StyleName, read_question, shipped};
 use crate::diagnostic::{Diagnostic, Source};
 
@@ -69,9 +69,9 @@ impl Contents {
     ///
     /// If the folder or one of its files cannot be read, or if there is no question in it.
     pub fn read_folder(folder: &Path) -> Result<Contents, Vec<Diagnostic>> {
-        let (sources, faults) = read_files(folder)?;
-        if !faults.is_empty() {
-            return Err(faults);
+        let Files { sources, unreadable } = read_files(folder)?;
+        if !unreadable.is_empty() {
+            return Err(unreadable);
         }
         let headings = sources.into_iter().map(|(id, source)| heading(&id, source)).collect();
         Ok(Contents::of(&folder.display().to_string(), headings))

@@ -31,11 +31,11 @@ impl Bank {
     ///
     /// Every fault of every file, those that cannot be opened among them.
     pub fn read_folder(folder: &Path) -> Result<Bank, Vec<Diagnostic>> {
-        let (sources, faults) = read_files(folder)?;
+        let Files { sources, unreadable } = read_files(folder)?;
         match Bank::read(sources) {
-            Ok(bank) if faults.is_empty() => Ok(bank),
-            Ok(_) => Err(faults),
-            Err(more) => Err(faults.into_iter().chain(more).collect()),
+            Ok(bank) if unreadable.is_empty() => Ok(bank),
+            Ok(_) => Err(unreadable),
+            Err(more) => Err(unreadable.into_iter().chain(more).collect()),
         }
     }
 
@@ -69,12 +69,20 @@ impl Bank {
     }
 }
 
-/// The files of a bank by their ids, and a fault for each that cannot be read.
+/// The files of a bank.
+pub(super) struct Files {
+    /// By their ids.
+    pub sources: Vec<(String, Source)>,
+    /// A fault for each that cannot be read.
+    pub unreadable: Vec<Diagnostic>,
+}
+
+/// Reads the files of a bank.
 ///
 /// # Errors
 ///
 /// A fault if there is no such folder, or no question in it.
-pub(super) fn read_files(folder: &Path) -> Result<(Vec<(String, Source)>, Vec<Diagnostic>), Vec<Diagnostic>> {
+pub(super) fn read_files(folder: &Path) -> Result<Files, Vec<Diagnostic>> {
     let shown = folder.display();
     let nowhere = |message: String, help: String| {
         vec![Diagnostic::new(message, &Source::new(shown.to_string(), ""), 0..0, "").with_help(help)]
@@ -97,14 +105,14 @@ pub(super) fn read_files(folder: &Path) -> Result<(Vec<(String, Source)>, Vec<Di
         );
         return Err(nowhere(format!("no questions in `{shown}`"), help));
     }
-    let (mut sources, mut faults) = (Vec::new(), Vec::new());
+    let mut found = Files { sources: Vec::new(), unreadable: Vec::new() };
     for (id, path) in files {
         match read_source(&path) {
-            Ok(source) => sources.push((id, source)),
-            Err(fault) => faults.push(fault),
+            Ok(source) => found.sources.push((id, source)),
+            Err(faults) => found.unreadable.extend(faults),
         }
     }
-    Ok((sources, faults))
+    Ok(found)
 }
 
 /// The text of a question file, without the mark that some editors put at its beginning.
@@ -112,24 +120,25 @@ pub(super) fn read_files(folder: &Path) -> Result<(Vec<(String, Source)>, Vec<Di
 /// # Errors
 ///
 /// A fault if it cannot be read, or is not in UTF-8.
-pub fn read_source(path: &Path) -> Result<Source, Diagnostic> {
+pub fn read_source(path: &Path) -> Result<Source, Vec<Diagnostic>> {
     let shown = path.display().to_string();
     let fault = |message: String| Diagnostic::new(message, &Source::new(shown.as_str(), ""), 0..0, "");
     let unreadable = |error: io::Error| {
         let fault = fault(format!("`{shown}` cannot be read: {error}"));
-        match error.kind() {
+        vec![match error.kind() {
             io::ErrorKind::NotFound => fault.with_help(format!("`carom new-question {shown}` starts a question there")),
             _ => fault,
-        }
+        }]
     };
     // A pipe or a device may have no end.
     let found = std::fs::metadata(path).map_err(unreadable)?;
     if !found.is_file() {
-        return Err(fault(format!("`{shown}` is no file")).with_help("a question is a text file that ends in `.toml`"));
+        let help = "a question is a text file that ends in `.toml`";
+        return Err(vec![fault(format!("`{shown}` is no file")).with_help(help)]);
     }
     if found.len() > LONGEST {
         let help = "a question is a page of text; is it another file under this name?";
-        return Err(fault(format!("`{shown}` is longer than {LONGEST} bytes")).with_help(help));
+        return Err(vec![fault(format!("`{shown}` is longer than {LONGEST} bytes")).with_help(help)]);
     }
     decoded(&shown, &std::fs::read(path).map_err(unreadable)?)
 }
@@ -138,11 +147,11 @@ pub fn read_source(path: &Path) -> Result<Source, Diagnostic> {
 const LONGEST: u64 = 1_000_000;
 
 /// A text from its bytes.
-fn decoded(shown: &str, bytes: &[u8]) -> Result<Source, Diagnostic> {
+fn decoded(shown: &str, bytes: &[u8]) -> Result<Source, Vec<Diagnostic>> {
     let help = "save it as UTF-8: most editors ask for the encoding under 'Save as'";
     if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
         let message = format!("`{shown}` is saved as UTF-16");
-        return Err(Diagnostic::new(message, &Source::new(shown, ""), 0..0, "").with_help(help));
+        return Err(vec![Diagnostic::new(message, &Source::new(shown, ""), 0..0, "").with_help(help)]);
     }
     match std::str::from_utf8(bytes) {
         Ok(text) => Ok(Source::new(shown, text.strip_prefix('\u{feff}').unwrap_or(text))),
@@ -151,8 +160,8 @@ fn decoded(shown: &str, bytes: &[u8]) -> Result<Source, Diagnostic> {
             // What stands before is as long as it was.
             let at = error.valid_up_to();
             let span = at..at + char::REPLACEMENT_CHARACTER.len_utf8();
-            Err(Diagnostic::new("the file is not saved as UTF-8", &source, span, "expected a letter in UTF-8")
-                .with_help(help))
+            let fault = Diagnostic::new("the file is not saved as UTF-8", &source, span, "expected a letter in UTF-8");
+            Err(vec![fault.with_help(help)])
         }
     }
 }
@@ -188,8 +197,8 @@ mod tests {
         let read = |bytes: &[u8]| decoded("q.toml", bytes);
         assert_eq!(&*read(b"\xef\xbb\xbftitle = 'x'\n").unwrap().text, "title = 'x'\n");
         assert_eq!(&*read("α\r\n".as_bytes()).unwrap().text, "α\r\n");
-        let picture = read(b"a = 'x'\nb = 'r\xe9st'\n").unwrap_err().to_string();
+        let picture = read(b"a = 'x'\nb = 'r\xe9st'\n").unwrap_err()[0].to_string();
         assert!(picture.contains("q.toml:2:7") && picture.contains("UTF-8"), "{picture}");
-        assert!(read(b"\xff\xfea\0").unwrap_err().message.contains("UTF-16"));
+        assert!(read(b"\xff\xfea\0").unwrap_err()[0].message.contains("UTF-16"));
     }
 }

@@ -20,9 +20,9 @@ const AFTER: &str = "Examples:
   carom compare 'atan(7)' '81.9°'
   carom compare 'u*sqrt(1 - e^2*sin(a)^2)' 'u√(1-e²sin²a)' --symbols u=positive,e=unit,a=acute
 
-MODEL is plain ASCII with angles in radians, or in degrees with `deg`; ANSWER is what a student might type. With
-`--stream`, each line of stdin is a JSON object with `model` and `answer`, perhaps `kind`, `accept`, `symbols` and
-`find`, and earns one line of JSON.";
+MODEL is plain ASCII with angles in radians, or in degrees with `deg`; ANSWER is what a student
+might type. With `--stream`, each line of stdin is a JSON object with `model` and `answer`,
+perhaps `kind`, `accept`, `symbols` and `find`, and earns one line of JSON.";
 
 /// See how an answer would be marked, and why
 ///

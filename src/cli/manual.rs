@@ -10,7 +10,7 @@ use super::output::{print, say};
 use super::write::{OutputFile, write_all};
 
 const AFTER: &str = "Examples:
-  carom man                            pages in the folder `man`; read one by `man man/carom-sheet.1`
+  carom man                            pages in the folder `man`, such as `man/carom-sheet.1`
   carom man --out ~/.local/share/man/man1    where `man carom` finds them";
 
 /// Write the pages of the manual: one for carom and one for each command

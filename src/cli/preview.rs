@@ -23,7 +23,7 @@ use subject::{Subject, Written};
 const AFTER: &str = "Examples:
   carom preview 5C-2                             a question with fresh numbers
   carom preview rest/speeds --style friendly --seed 7
-  carom preview my-bank/rest/new.toml --watch    shows it again whenever the file is saved, faults in place
+  carom preview my-bank/rest/new.toml --watch    again at every save, with its faults
   carom preview my-bank/rest/new.toml --watch --open";
 
 /// Show one question with its worked solution, mark scheme and answers

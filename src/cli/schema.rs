@@ -7,11 +7,12 @@ use super::output::print;
 use crate::bank::question_schema;
 
 const AFTER: &str = "Examples:
-  carom schema question > my-bank/question.schema.json    for an editor, beside a bank of your own
-  carom schema key                                        what `key.json` holds, for other programs
+  carom schema question > my-bank/question.schema.json    for an editor
+  carom schema key                                        what `key.json` holds
 
-An editor that knows TOML (VS Code with 'Even Better TOML', or anything with taplo) completes keys, shows what each is for
-and underlines mistakes in a question whose first line names the schema: `#:schema question.schema.json`.";
+An editor that knows TOML (VS Code with 'Even Better TOML', or anything with taplo) completes
+keys, shows what each is for and underlines mistakes in a question whose first line names the
+schema: `#:schema question.schema.json`.";
 
 /// Print what may stand in a file, for editors and other programs
 ///

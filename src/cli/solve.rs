@@ -23,8 +23,9 @@ A scene, here in the file `scene.json`:
     \"before\": {\"A\": {\"speed\": \"6\", \"angle_deg\": \"10\"}, \"B\": [\"0\", \"0\"]},
     \"line_of_centres\": [\"1\", \"0\"], \"e\": \"1/2\" }
 
-A velocity is [x, y], or a speed with its angle in degrees anticlockwise from the x-axis. Give velocities `after`
-in place of `e` or of the line of centres to work backwards. Letters are declared: \"symbols\": {\"u\": \"positive\"}.";
+A velocity is [x, y], or a speed with its angle in degrees anticlockwise from the x-axis. Give
+velocities `after` in place of `e` or of the line of centres to work backwards. Letters are
+declared: \"symbols\": {\"u\": \"positive\"}.";
 
 /// Work out one collision
 ///

@@ -54,7 +54,7 @@ impl Subject {
     pub fn read(&self) -> Result<Written, Failure> {
         let source = match &self.text {
             Text::Shipped(source) => source.clone(),
-            Text::In(path) => read_source(path).map_err(|fault| Failure::Faults(vec![fault]))?,
+            Text::In(path) => read_source(path)?,
         };
         Ok(Written { source, templates: own_templates(self.templates.as_deref())? })
     }
