@@ -162,13 +162,35 @@ pub fn render_all(diagnostics: &[Diagnostic], colour: bool) -> String {
 /// assert_eq!(near("speed", ["momentum", "restitution"]), None);
 /// ```
 pub fn near<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let candidates: Vec<&str> = candidates.into_iter().collect();
     let wanted = name.to_lowercase();
     let distance = |candidate: &str| strsim::osa_distance(&wanted, &candidate.to_lowercase());
     let allowed = (wanted.chars().count() / 3).clamp(1, 4);
-    let nearest = candidates.into_iter().map(|candidate| (distance(candidate), candidate)).min_by_key(|pair| pair.0)?;
+    let (apart, nearest) =
+        candidates.iter().map(|candidate| (distance(candidate), *candidate)).min_by_key(|pair| pair.0)?;
     // A name of one letter is near every other such name, which helps nobody; but not if only the case differs.
-    let different = nearest.0 >= wanted.chars().count().max(nearest.1.chars().count());
-    (nearest.0 <= allowed && !different).then_some(nearest.1)
+    let (own, other) = without_shared_start(&wanted, nearest);
+    let different = apart >= own.chars().count().max(other.chars().count()).max(1);
+    if apart <= allowed && !different {
+        return Some(nearest);
+    }
+    // Only signs between letters differ, as in `AtoB`; or it is the beginning of one name and of no other.
+    let letters = |name: &str| name.to_lowercase().replace(['_', '-', ' ', '.'], "");
+    let same = candidates.iter().find(|candidate| letters(candidate) == letters(name));
+    let mut begun = candidates.iter().filter(|candidate| candidate.to_lowercase().starts_with(&wanted));
+    match (same, begun.next(), begun.next()) {
+        (Some(same), ..) => Some(same),
+        (None, Some(only), None) if wanted.chars().count() >= 3 => Some(only),
+        _ => None,
+    }
+}
+
+/// Two names without the parts up to a dot that both begin with: of `B.after.m` and `B.after.x`, `m` and `x`.
+fn without_shared_start<'n>(name: &'n str, other: &'n str) -> (&'n str, &'n str) {
+    let shared = name.match_indices('.').map(|(at, _)| at + 1);
+    let mut shared = shared.filter(|at| other.get(..*at).is_some_and(|start| start.eq_ignore_ascii_case(&name[..*at])));
+    let at = shared.next_back().unwrap_or(0);
+    (&name[at..], other.get(at..).unwrap_or_default())
 }
 
 #[cfg(test)]
@@ -226,6 +248,11 @@ help: did you mean `velocity_after.B`?";
         assert_eq!(near("E", names), Some("e"));
         assert_eq!(near("k", names), None);
         assert_eq!(near("momentum", names), None);
+        assert_eq!(near("A.after.m", ["A.after.x", "A.after.speed"]), None);
+        assert_eq!(near("AtoB", ["A_to_B", "either"]), Some("A_to_B"));
+        assert_eq!(near("angle", ["speed", "angle_deg"]), Some("angle_deg"));
+        assert_eq!(near("A.after", names), Some("A.after.speed"));
+        assert_eq!(near("A.after", ["A.after.x", "A.after.y"]), None);
         assert_eq!(near("x", []), None);
     }
 }

@@ -17,3 +17,8 @@ pub mod solve;
 pub mod study;
 pub mod table;
 pub mod unit;
+
+/// The guide for programmers: its example is run.
+#[cfg(doctest)]
+#[doc = include_str!("../docs/guides/programmer.md")]
+struct GuideForProgrammers;

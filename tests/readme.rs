@@ -71,12 +71,16 @@ fn carom_finds_no_fault_in_the_question_that_it_shows() {
 }
 
 /// The pages that a person reads first.
-const PAGES: [&str; 9] = [
+const PAGES: [&str; 13] = [
     "README.md",
     "docs/architecture.md",
     "docs/design.md",
     "docs/exchange-formats.md",
     "docs/extending.md",
+    "docs/guides/author.md",
+    "docs/guides/marker.md",
+    "docs/guides/programmer.md",
+    "docs/guides/teacher.md",
     "docs/marking-in-bulk.md",
     "docs/marking.md",
     "question_bank/README.md",

@@ -7,7 +7,7 @@ use std::path::Path;
 
 use serde::Deserialize;
 
-use super::folder::question_files;
+use super::folder::{Files, read_files};
 use super::{Question, StyleName, read_question, shipped};
 use crate::diagnostic::{Diagnostic, Source};
 
@@ -67,20 +67,14 @@ impl Contents {
     ///
     /// # Errors
     ///
-    /// A sentence if the folder or one of its files cannot be read, or if there is no question in it.
-    pub fn read_folder(folder: &Path) -> Result<Contents, String> {
-        let shown = folder.display();
-        let files = question_files(folder).map_err(|error| format!("the bank `{shown}` cannot be read: {error}"))?;
-        if files.is_empty() {
-            return Err(format!("no questions in `{shown}`: a question is a file `….toml`"));
+    /// If the folder or one of its files cannot be read, or if there is no question in it.
+    pub fn read_folder(folder: &Path) -> Result<Contents, Vec<Diagnostic>> {
+        let Files { sources, unreadable } = read_files(folder)?;
+        if !unreadable.is_empty() {
+            return Err(unreadable);
         }
-        let mut headings = Vec::new();
-        for (id, path) in files {
-            let text = std::fs::read_to_string(&path)
-                .map_err(|error| format!("`{}` cannot be read: {error}", path.display()))?;
-            headings.push(heading(&id, Source::new(path.display().to_string(), text)));
-        }
-        Ok(Contents::of(&shown.to_string(), headings))
+        let headings = sources.into_iter().map(|(id, source)| heading(&id, source)).collect();
+        Ok(Contents::of(&folder.display().to_string(), headings))
     }
 
     fn of(name: &str, mut headings: Vec<Heading>) -> Contents {

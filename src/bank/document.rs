@@ -6,6 +6,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::literal::{self, Words};
+use super::syntax;
 use crate::diagnostic::{Diagnostic, Source, near};
 use crate::expr::{Fault, Span};
 
@@ -77,28 +78,12 @@ impl Faults {
 /// The document as a table; `None`, and the faults reported, if it is no TOML.
 pub fn parse<'a>(text: &'a str, faults: &mut Faults) -> Option<Spanned<DeTable<'a>>> {
     let (table, errors) = DeTable::parse_recoverable(text);
-    for error in &errors {
-        let span = error.span().unwrap_or_default();
-        match error.message() {
-            "duplicate key" => {
-                let name = text.get(span.clone()).unwrap_or_default();
-                faults.report_with_help(
-                    span,
-                    format!("`{name}` stands here for the second time"),
-                    "it already has a value",
-                    "keep one of the two",
-                );
-            }
-            message => {
-                let (what, expected) = message.split_once(", expected ").unwrap_or((message, "readable TOML"));
-                let label = match expected {
-                    "nothing" => "expected nothing here".to_owned(),
-                    _ => format!("expected {expected}"),
-                };
-                faults.report(span, format!("this is no TOML: {what}"), label);
-            }
-        }
+    if errors.is_empty() && table.get_ref().is_empty() {
+        let help = "`carom new-question FILE` writes one to begin with";
+        faults.report_with_help(0..0, "nothing stands in this file", "expected a question", help);
+        return None;
     }
+    syntax::report(&errors, faults);
     errors.is_empty().then_some(table)
 }
 
@@ -109,12 +94,14 @@ pub struct Keys<'t, 'd> {
     table: &'t DeTable<'d>,
     span: Range<usize>,
     known: Vec<&'static str>,
+    /// Keys that must be there and are not, each with what to write.
+    missing: Vec<(&'static str, String)>,
 }
 
 impl<'t, 'd> Keys<'t, 'd> {
     /// The keys of a table.
     pub fn of(what: &'static str, table: &'t DeTable<'d>, span: Range<usize>) -> Keys<'t, 'd> {
-        Keys { what, table, span, known: Vec::new() }
+        Keys { what, table, span, known: Vec::new(), missing: Vec::new() }
     }
 
     /// The keys of a value that must be a table.
@@ -147,7 +134,7 @@ impl<'t, 'd> Keys<'t, 'd> {
 
     /// A string that must be there.
     pub fn required(&mut self, key: &'static str, example: &str, faults: &mut Faults) -> Option<Words> {
-        self.demand(key, example, faults);
+        self.demand(key, example);
         self.words(key, faults)
     }
 
@@ -167,20 +154,21 @@ impl<'t, 'd> Keys<'t, 'd> {
         items.iter().filter_map(|item| Keys::within(what, item, faults)).collect()
     }
 
-    /// Reports that a key is missing, if it is.
-    pub fn demand(&mut self, key: &'static str, example: &str, faults: &mut Faults) {
+    /// Notes that a key is missing, if it is; [`Keys::finish`] reports it.
+    pub fn demand(&mut self, key: &'static str, example: &str) {
         if !self.table.contains_key(key) {
-            let span = if self.span.start == 0 { 0..0 } else { self.span.clone() };
-            let help = format!("add `{example}`");
-            faults.report_with_help(span, format!("{} without `{key}`", self.what), "it is missing here", help);
+            self.missing.push((key, example.to_owned()));
         }
     }
 
-    /// Every key that nobody asked for is a fault.
+    /// Every key that nobody asked for is a fault, and so is every key that must be there and is not, unless it stands
+    /// there misspelt.
     pub fn finish(self, faults: &mut Faults) {
+        let mut meant: Vec<&str> = Vec::new();
         for key in self.table.keys() {
             let name: &str = key.get_ref();
             if !self.known.contains(&name) {
+                meant.extend(near(name, self.known.iter().copied()));
                 let message = format!("unknown key `{name}`");
                 let known = self.known.iter().copied();
                 let label = match near(name, known.clone()) {
@@ -189,6 +177,11 @@ impl<'t, 'd> Keys<'t, 'd> {
                 };
                 faults.unknown(key.span(), message, label, name, known);
             }
+        }
+        for (key, example) in self.missing.iter().filter(|(key, _)| !meant.contains(key)) {
+            let span = if self.span.start == 0 { 0..0 } else { self.span.clone() };
+            let help = format!("add `{example}`");
+            faults.report_with_help(span, format!("{} without `{key}`", self.what), "it is missing here", help);
         }
     }
 }
@@ -216,7 +209,7 @@ pub fn words(what: &str, value: &Spanned<DeValue>, faults: &mut Faults) -> Optio
     match value.get_ref() {
         DeValue::String(text) => Some(Spanned::new(value.span(), text.to_string())),
         other => {
-            wrong_type(what, "a string", other, value.span(), faults);
+            wrong_type(what, "text in quotes", other, value.span(), faults);
             None
         }
     }
@@ -227,7 +220,7 @@ pub fn list(what: &str, value: &Spanned<DeValue>, faults: &mut Faults) -> Vec<Wo
     match value.get_ref() {
         DeValue::Array(items) => items.iter().filter_map(|item| words(what, item, faults)).collect(),
         other => {
-            wrong_type(what, "a list of strings", other, value.span(), faults);
+            wrong_type(what, "a list of texts in quotes", other, value.span(), faults);
             Vec::new()
         }
     }
@@ -236,7 +229,7 @@ pub fn list(what: &str, value: &Spanned<DeValue>, faults: &mut Faults) -> Vec<Wo
 /// What was found where something else was expected.
 pub fn wrong_type(what: &str, expected: &str, found: &DeValue, span: Range<usize>, faults: &mut Faults) {
     let kind = match found {
-        DeValue::String(_) => "a string",
+        DeValue::String(_) => "a text",
         DeValue::Integer(_) | DeValue::Float(_) => "a bare number",
         DeValue::Boolean(_) => "true or false",
         DeValue::Datetime(_) => "a date",
@@ -247,11 +240,21 @@ pub fn wrong_type(what: &str, expected: &str, found: &DeValue, span: Range<usize
     let message = format!("{what} is {kind}");
     let label = format!("expected {expected}");
     match (found, expected) {
-        (DeValue::Integer(_) | DeValue::Float(_), "a string") => {
+        (DeValue::Integer(_) | DeValue::Float(_), "text in quotes") => {
             faults.report_with_help(span, message, label, format!("put it in quotes: `\"{written}\"`"));
         }
-        (DeValue::String(_), "a list of strings") => {
+        (DeValue::String(_), "a list of texts in quotes") => {
             faults.report_with_help(span, message, label, "put it in brackets: `[\"…\"]`");
+        }
+        (DeValue::Boolean(_) | DeValue::Datetime(_), "text in quotes") => {
+            faults.report_with_help(span, message, label, format!("put it in quotes, if it is meant: `\"{written}\"`"));
+        }
+        (DeValue::Array(_), "text in quotes") => {
+            faults.report_with_help(span, message, label, "write one text, without the brackets");
+        }
+        (_, "a table") => {
+            let help = "write `{ key = \"…\" }`, or a heading in brackets with the keys on lines below it";
+            faults.report_with_help(span, message, label, help);
         }
         _ => faults.report(span, message, label),
     }

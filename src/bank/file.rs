@@ -130,17 +130,17 @@ pub fn read(faults: &mut Faults) -> Option<QuestionFile> {
         lets: keys.get("let").map_or_else(Vec::new, |value| strings("`let`", value, faults)),
         ..QuestionFile::default()
     };
-    keys.demand("style", "[style.exact]", faults);
+    keys.demand("style", "[style.exact]");
     if let Some(value) = keys.get("style") {
         for (name, value) in document::pairs("`style`", value, faults) {
             file.styles.extend(style(name, value, faults));
         }
     }
-    keys.demand("scene", "[scene]", faults);
+    keys.demand("scene", "[scene]");
     file.scene = keys.get("scene").and_then(|value| SceneFile::read(value, faults));
-    keys.demand("part", "[[part]]", faults);
+    keys.demand("part", "[[part]]");
     file.parts = keys.tables("part", "a part", faults).into_iter().map(|keys| part(keys, faults)).collect();
-    keys.demand("reference", "[reference]", faults);
+    keys.demand("reference", "[reference]");
     if let Some(value) = keys.get("reference") {
         file.reference = strings("`reference`", value, faults);
         file.reference_span = Some(value.span());
@@ -208,7 +208,7 @@ fn part(mut keys: Keys, faults: &mut Faults) -> PartFile {
 
 fn answer(mut keys: Keys, faults: &mut Faults) -> AnswerFile {
     let name = keys.required("name", "name = \"speed of *A*\"", faults);
-    keys.demand("find", "find = \"A.after.speed\"", faults);
+    keys.demand("find", "find = \"A.after.speed\"");
     let find = match keys.get("find") {
         Some(value) if matches!(value.get_ref(), DeValue::Array(_)) => document::list("`find`", value, faults),
         Some(value) => document::words("`find`", value, faults).into_iter().collect(),

@@ -31,28 +31,11 @@ impl Bank {
     ///
     /// Every fault of every file, those that cannot be opened among them.
     pub fn read_folder(folder: &Path) -> Result<Bank, Vec<Diagnostic>> {
-        let unreadable = |path: &Path, error: &io::Error| {
-            let source = Source::new(path.display().to_string(), "");
-            Diagnostic::new(format!("`{}` cannot be read: {error}", path.display()), &source, 0..0, "")
-        };
-        let files = question_files(folder).map_err(|error| vec![unreadable(folder, &error)])?;
-        if files.is_empty() {
-            let source = Source::new(folder.display().to_string(), "");
-            let message = format!("no questions in `{}`", folder.display());
-            return Err(vec![Diagnostic::new(message, &source, 0..0, "").with_help("a question is a file `….toml`")]);
-        }
-        let mut faults = Vec::new();
-        let mut sources = Vec::new();
-        for (id, path) in files {
-            match std::fs::read_to_string(&path) {
-                Ok(text) => sources.push((id, Source::new(path.display().to_string(), text))),
-                Err(error) => faults.push(unreadable(&path, &error)),
-            }
-        }
+        let Files { sources, unreadable } = read_files(folder)?;
         match Bank::read(sources) {
-            Ok(bank) if faults.is_empty() => Ok(bank),
-            Ok(_) => Err(faults),
-            Err(more) => Err(faults.into_iter().chain(more).collect()),
+            Ok(bank) if unreadable.is_empty() => Ok(bank),
+            Ok(_) => Err(unreadable),
+            Err(more) => Err(unreadable.into_iter().chain(more).collect()),
         }
     }
 
@@ -86,6 +69,103 @@ impl Bank {
     }
 }
 
+/// The files of a bank.
+pub(super) struct Files {
+    /// By their ids.
+    pub sources: Vec<(String, Source)>,
+    /// A fault for each that cannot be read.
+    pub unreadable: Vec<Diagnostic>,
+}
+
+/// Reads the files of a bank.
+///
+/// # Errors
+///
+/// A fault if there is no such folder, or no question in it.
+pub(super) fn read_files(folder: &Path) -> Result<Files, Vec<Diagnostic>> {
+    let shown = folder.display();
+    let nowhere = |message: String, help: String| {
+        vec![Diagnostic::new(message, &Source::new(shown.to_string(), ""), 0..0, "").with_help(help)]
+    };
+    if folder.is_file() {
+        let message = format!("`{shown}` is a file, and a bank is a folder");
+        let help = format!("name the folder in which it is, or look at this one question: `carom preview {shown}`");
+        return Err(nowhere(message, help));
+    }
+    if !folder.exists() {
+        let message = format!("there is no folder `{shown}`");
+        return Err(nowhere(message, format!("`carom new-bank {shown}` starts a bank there")));
+    }
+    let files = question_files(folder).map_err(|error| {
+        nowhere(format!("`{shown}` cannot be read: {error}"), "may you read this folder?".to_owned())
+    })?;
+    if files.is_empty() {
+        let help = format!(
+            "a question is a file that ends in `.toml`: `carom new-question {shown}/my-question.toml` starts one"
+        );
+        return Err(nowhere(format!("no questions in `{shown}`"), help));
+    }
+    let mut found = Files { sources: Vec::new(), unreadable: Vec::new() };
+    for (id, path) in files {
+        match read_source(&path) {
+            Ok(source) => found.sources.push((id, source)),
+            Err(faults) => found.unreadable.extend(faults),
+        }
+    }
+    Ok(found)
+}
+
+/// The text of a question file, without the mark that some editors put at its beginning.
+///
+/// # Errors
+///
+/// A fault if it cannot be read, or is not in UTF-8.
+pub fn read_source(path: &Path) -> Result<Source, Vec<Diagnostic>> {
+    let shown = path.display().to_string();
+    let fault = |message: String| Diagnostic::new(message, &Source::new(shown.as_str(), ""), 0..0, "");
+    let unreadable = |error: io::Error| {
+        let fault = fault(format!("`{shown}` cannot be read: {error}"));
+        vec![match error.kind() {
+            io::ErrorKind::NotFound => fault.with_help(format!("`carom new-question {shown}` starts a question there")),
+            _ => fault,
+        }]
+    };
+    // A pipe or a device may have no end.
+    let found = std::fs::metadata(path).map_err(unreadable)?;
+    if !found.is_file() {
+        let help = "a question is a text file that ends in `.toml`";
+        return Err(vec![fault(format!("`{shown}` is no file")).with_help(help)]);
+    }
+    if found.len() > LONGEST {
+        let help = "a question is a page of text; is it another file under this name?";
+        return Err(vec![fault(format!("`{shown}` is longer than {LONGEST} bytes")).with_help(help)]);
+    }
+    decoded(&shown, &std::fs::read(path).map_err(unreadable)?)
+}
+
+/// No question is longer than this.
+const LONGEST: u64 = 1_000_000;
+
+/// A text from its bytes.
+fn decoded(shown: &str, bytes: &[u8]) -> Result<Source, Vec<Diagnostic>> {
+    let help = "save it as UTF-8: most editors ask for the encoding under 'Save as'";
+    if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
+        let message = format!("`{shown}` is saved as UTF-16");
+        return Err(vec![Diagnostic::new(message, &Source::new(shown, ""), 0..0, "").with_help(help)]);
+    }
+    match std::str::from_utf8(bytes) {
+        Ok(text) => Ok(Source::new(shown, text.strip_prefix('\u{feff}').unwrap_or(text))),
+        Err(error) => {
+            let source = Source::new(shown, String::from_utf8_lossy(bytes).into_owned());
+            // What stands before is as long as it was.
+            let at = error.valid_up_to();
+            let span = at..at + char::REPLACEMENT_CHARACTER.len_utf8();
+            let fault = Diagnostic::new("the file is not saved as UTF-8", &source, span, "expected a letter in UTF-8");
+            Err(vec![fault.with_help(help)])
+        }
+    }
+}
+
 /// Id and path of every question file in a folder and the folders in it, sorted by id.
 pub(crate) fn question_files(folder: &Path) -> io::Result<Vec<(String, PathBuf)>> {
     let mut found = Vec::new();
@@ -106,4 +186,19 @@ fn collect(folder: &Path, prefix: &str, found: &mut Vec<(String, PathBuf)>) -> i
         }
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_text_is_read_whatever_editor_saved_it_or_the_place_is_named() {
+        let read = |bytes: &[u8]| decoded("q.toml", bytes);
+        assert_eq!(&*read(b"\xef\xbb\xbftitle = 'x'\n").unwrap().text, "title = 'x'\n");
+        assert_eq!(&*read("α\r\n".as_bytes()).unwrap().text, "α\r\n");
+        let picture = read(b"a = 'x'\nb = 'r\xe9st'\n").unwrap_err()[0].to_string();
+        assert!(picture.contains("q.toml:2:7") && picture.contains("UTF-8"), "{picture}");
+        assert!(read(b"\xff\xfea\0").unwrap_err()[0].message.contains("UTF-16"));
+    }
 }

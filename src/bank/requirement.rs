@@ -1,4 +1,5 @@
-//! What a question demands of its numbers: `mA != mB`, `A.after.n > 0`, `denominator(A.after.speed) = 1`.
+//! What a question demands of its numbers: `mA != mB`, `A.after.n > 0`, `A.after.speed is an integer`,
+//! `denominator(A.after.speed) = 2`.
 
 use std::str::FromStr;
 
@@ -93,6 +94,9 @@ impl Requirement {
     ///
     /// A [`Fault`] with its place, if it cannot be read or is no relation.
     pub fn read(text: &str) -> Result<Requirement, Fault> {
+        if let Some((what, measures)) = in_words(text) {
+            return Requirement::all_one(text, what, measures);
+        }
         let mut plain = text.to_owned();
         let mut measured = Vec::new();
         while let Some((measure, start, open)) = next_measure(&plain) {
@@ -112,11 +116,22 @@ impl Requirement {
             return Err(Fault::new(
                 "a requirement without a relation",
                 span,
-                "expected `=`, `!=`, `<`, `<=`, `>` or `>=`",
+                "expected `=`, `!=`, `<`, `<=`, `>`, `>=`, `is an integer` or `is rational`",
             )
             .try_this(format!("write `{text} > 0`")));
         }
         Ok(Requirement { text: text.to_owned(), relation, measured })
+    }
+
+    /// That every one of these measures of a formula is one.
+    fn all_one(text: &str, what: &str, measures: &[Measure]) -> Result<Requirement, Fault> {
+        let inside = names_in_degrees(&read(what, Angles::Degrees)?);
+        let name = |place: usize| format!("Q{place}");
+        let names: Vec<String> = (0..measures.len()).map(name).collect();
+        // Each is at least one, so that all are if their product is.
+        let relation = read(&format!("{} = 1", names.join("*")), Angles::Degrees)?;
+        let measured = measures.iter().enumerate().map(|(place, measure)| (name(place), *measure, inside.clone()));
+        Ok(Requirement { text: text.to_owned(), relation, measured: measured.collect() })
     }
 
     /// Every name in it.
@@ -131,6 +146,12 @@ impl Requirement {
     pub fn quantities(&self, is_given: &dyn Fn(&str) -> bool) -> Vec<Quantity> {
         let results = self.names().into_iter().filter(|name| !is_given(&name.text));
         results.filter_map(|name| Quantity::from_str(&name.text).ok()).collect()
+    }
+
+    /// Must the collision be solved before it can be tried? If it names a quantity, or a letter that is to be found.
+    pub fn is_on_results(&self, unknowns: &[String], is_given: &dyn Fn(&str) -> bool) -> bool {
+        let is_found = |name: &&Name| unknowns.contains(&name.text);
+        self.names().iter().any(is_found) || !self.quantities(is_given).is_empty()
     }
 
     /// Does it hold? Not if that depends on letters, or if a name has no value.
@@ -165,6 +186,19 @@ impl Requirement {
             _ => false,
         }
     }
+}
+
+/// What is said to be an integer or rational, and the measures that are one of such a number.
+fn in_words(text: &str) -> Option<(&str, &'static [Measure])> {
+    let said: [(&str, &[Measure]); 3] = [
+        ("an integer", &[Measure::Denominator, Measure::Radicand]),
+        ("a whole number", &[Measure::Denominator, Measure::Radicand]),
+        ("rational", &[Measure::Radicand]),
+    ];
+    said.into_iter().find_map(|(words, measures)| {
+        let what = text.trim_end().strip_suffix(words)?.trim_end().strip_suffix(" is")?;
+        Some((what, measures))
+    })
 }
 
 /// The first measure in the text: which, where it begins, where its bracket opens.
@@ -225,6 +259,15 @@ mod tests {
             ("tan(alpha)^2 = 1/3", true),
             ("sin(2*alpha + 30) = 1", true),
             ("denominator(cos(alpha)) = 2", true),
+            ("A.after.n is an integer", true),
+            ("a is an integer", false),
+            ("12*a is a whole number", true),
+            ("b is an integer", false),
+            ("b^2 is an integer", true),
+            ("a + 5/12 is rational ", true),
+            ("c is rational", false),
+            ("alpha is an integer", true),
+            ("a - a is an integer", true),
         ];
         for (text, expected) in table {
             assert_eq!(Requirement::read(text).unwrap().holds(&value), Ok(expected), "{text}");

@@ -133,7 +133,7 @@ impl Walk<'_> {
     fn vector(&mut self, path: &str, value: &Spanned<DeValue>) -> Option<[String; 2]> {
         let DeValue::Array(items) = value.get_ref() else {
             let what = format!("`{path}`");
-            wrong_type(&what, "a list of two strings", value.get_ref(), value.span(), self.faults);
+            wrong_type(&what, "a list of two texts in quotes", value.get_ref(), value.span(), self.faults);
             return None;
         };
         if items.len() != 2 {
@@ -160,7 +160,7 @@ impl Walk<'_> {
             return None;
         };
         let mut keys = Keys::within("a velocity", value, self.faults)?;
-        keys.demand("speed", "speed = \"u\"", self.faults);
+        keys.demand("speed", "speed = \"u\"");
         let mut part = |key: &'static str| keys.get(key).and_then(|value| self.word(&format!("{path}.{key}"), value));
         let (speed, angle_deg, cos, sin) = (part("speed"), part("angle_deg"), part("cos"), part("sin"));
         if !matches!((&angle_deg, &cos, &sin), (Some(_), None, None) | (None, Some(_), Some(_))) {

@@ -11,7 +11,7 @@ use crate::diagnostic::near;
 pub fn open(folder: Option<&Path>) -> Result<Contents, Failure> {
     match folder {
         None => Ok(Contents::shipped()),
-        Some(folder) => Contents::read_folder(folder).map_err(Failure::said),
+        Some(folder) => Contents::read_folder(folder).map_err(Failure::from),
     }
 }
 

@@ -21,7 +21,7 @@ use crate::solve::solve;
 
 const AFTER: &str = "Examples:
   carom check             the bank inside carom
-  carom check my-bank     a bank of your own: every fault with its line, and how many variants each style has";
+  carom check my-bank     a bank of your own: every fault with its line, and its variants";
 
 /// Examine a bank: every variant that it can print
 ///

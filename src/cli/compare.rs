@@ -18,11 +18,11 @@ const AFTER: &str = "Examples:
   carom compare '4*sqrt(39)/9' '2.78 m/s'
   carom compare '4*i + j' '(4, 1)'
   carom compare 'atan(7)' '81.9°'
-  carom compare 'u*sqrt(cos(alpha)^2 + e^2*sin(alpha)^2)' 'u√(1-(1-e²)sin²α)' --symbols u=positive,e=unit,alpha=acute
+  carom compare 'u*sqrt(1 - e^2*sin(a)^2)' 'u√(1-e²sin²a)' --symbols u=positive,e=unit,a=acute
 
-MODEL is plain ASCII with angles in radians, or in degrees with `deg`; ANSWER is what a student might type. With
-`--stream`, each line of stdin is a JSON object with `model` and `answer`, perhaps `kind`, `accept`, `symbols` and
-`find`, and earns one line of JSON.";
+MODEL is plain ASCII with angles in radians, or in degrees with `deg`; ANSWER is what a student
+might type. With `--stream`, each line of stdin is a JSON object with `model` and `answer`,
+perhaps `kind`, `accept`, `symbols` and `find`, and earns one line of JSON.";
 
 /// See how an answer would be marked, and why
 ///

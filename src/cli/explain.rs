@@ -1,6 +1,8 @@
-//! `carom explain`: what a question varies, demands, asks and marks.
+//! `carom explain`: the whole story of a question: what it varies and demands, asks and marks, and where students go wrong.
 
-use std::collections::BTreeSet;
+mod as_json;
+mod mistakes;
+
 use std::path::PathBuf;
 
 use clap::Args;
@@ -8,22 +10,27 @@ use clap::Args;
 use super::bank;
 use super::check::{Progress, StyleCount, counts};
 use super::failure::Failure;
-use super::output::{count, print, table};
+use super::output::{count, print, print_json, table};
 use super::solve::worked;
 use crate::bank::{Domain, Question, Style};
 use crate::expr::print as written;
 use crate::generate::{Variant, reference};
-use crate::mechanics::{Law, Line};
-use crate::paper::{Dealer, PrintedQuestion, compose};
+use crate::mechanics::Line;
+use crate::paper::{Dealer, PrintedAnswer, PrintedQuestion, compose};
+use crate::solve::solve;
+use mistakes::{LawMistakes, mistakes};
 
 const AFTER: &str = "Examples:
   carom explain 5C-2
-  carom explain rest/speeds-and-directions";
+  carom explain rest/speeds-and-directions
+  carom explain 5C-2 --json                       the same for other programs
+  carom explain speeds --bank my-bank             a question of your own";
 
-/// Explain a question
+/// Explain a question: its numbers, its answers, its marks, and where students go wrong
 ///
 /// Its parameters and their values, what is required of them and how many sets of numbers each requirement turns
-/// away, the steps of its solution, its marks, the slips that students make with its laws, and an example.
+/// away, its reference numbers with their answers, the steps of its solution, its marks, the slips that students make and
+/// the wrong value that each leads to, and an example.
 #[derive(Args)]
 #[command(after_help = AFTER)]
 pub struct ExplainArguments {
@@ -33,6 +40,28 @@ pub struct ExplainArguments {
     /// A bank of your own
     #[arg(long, value_name = "DIR")]
     bank: Option<PathBuf>,
+    /// Print as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// A question with its reference numbers, as they are printed, and the mistakes that they invite.
+struct Reference {
+    variant: Variant,
+    printed: PrintedQuestion,
+    mistakes: Vec<LawMistakes>,
+}
+
+impl Reference {
+    fn of(question: &Question) -> Option<Reference> {
+        let variant = reference(question).ok()?;
+        let printed = compose(question, &variant, 1);
+        // What is only required has steps too, but a student need not take them.
+        let asked = solve(&variant.scene, &question.asked());
+        let variant = Variant { solution: asked.unwrap_or_else(|_| variant.solution.clone()), ..variant };
+        let mistakes = mistakes(question, &variant, &printed);
+        Some(Reference { variant, printed, mistakes })
+    }
 }
 
 /// Explains the question.
@@ -42,6 +71,11 @@ pub fn run(arguments: &ExplainArguments) -> Result<(), Failure> {
     let progress = Progress::new([&question]);
     let styles = counts(&question, &progress);
     progress.finish();
+
+    let known = Reference::of(&question);
+    if arguments.json {
+        return print_json(&as_json::story(&question, &styles, known.as_ref()));
+    }
 
     let mut text = format!("{}\n{}\n", question.title, question.id);
     if let Some(mirrors) = &question.mirrors {
@@ -54,10 +88,11 @@ pub fn run(arguments: &ExplainArguments) -> Result<(), Failure> {
     for (style, counted) in question.styles.iter().zip(&styles) {
         text.push_str(&style_in_words(&question, style, counted));
     }
-    if let Ok(variant) = reference(&question) {
-        text.push_str(&steps(&variant));
-        text.push_str(&marks(&compose(&question, &variant, 1)));
-        text.push_str(&slips(&question, &variant));
+    if let Some(known) = &known {
+        text.push_str(&reference_in_words(&question, &known.printed));
+        text.push_str(&steps(&known.variant));
+        text.push_str(&marks(&known.printed));
+        text.push_str(&mistakes::in_words(&known.mistakes));
     }
     if let Some(variant) = Dealer::new(1, None).next(&question) {
         let printed = compose(&question, &variant, 1);
@@ -91,12 +126,39 @@ fn style_in_words(question: &Question, style: &Style, counted: &StyleCount) -> S
 /// `1, 2, …, 6`, or the list.
 fn values(domain: &Domain) -> String {
     const SHOWN: u64 = 12;
-    let value = |index| written::unicode(&domain.value(index));
+    // As it is typed in a file, for that is where the reader goes next.
+    let value = |index| written::plain(&domain.value(index));
     let size = domain.size();
     if size <= SHOWN {
         return (0..size).map(value).collect::<Vec<_>>().join(", ");
     }
     format!("{}, {}, …, {} ({size} values)", value(0), value(1), value(size - 1))
+}
+
+/// The reference numbers, and what is found with them.
+fn reference_in_words(question: &Question, printed: &PrintedQuestion) -> String {
+    let numbers: Vec<String> =
+        question.reference.iter().map(|(name, value)| format!("{name} = {}", written::plain(value))).collect();
+    let mut rows = Vec::new();
+    for part in &printed.parts {
+        let label = if part.label.is_empty() { String::new() } else { format!("({})", part.label) };
+        for answer in &part.answers {
+            rows.push(vec![format!("  {label}"), written::text_unicode(&answer.name), value_in_words(answer)]);
+        }
+    }
+    format!("\nReference numbers: {}\n{}", numbers.join(", "), table(&rows))
+}
+
+/// `4√39/9 ≈ 2.78 m s⁻¹`
+fn value_in_words(answer: &PrintedAnswer) -> String {
+    let values: Vec<String> = [&answer.exact, &answer.rounded].into_iter().flatten().map(written::unicode).collect();
+    let unit = match answer.unit.plain() {
+        // A direction in words has neither value nor unit.
+        _ if values.is_empty() => String::new(),
+        "deg" => "°".to_owned(),
+        unit => format!(" {unit}"),
+    };
+    format!("{}{} {}", values.join(" ≈ "), unit.trim_end(), written::text_unicode(&answer.phrase)).trim().to_owned()
 }
 
 fn steps(variant: &Variant) -> String {
@@ -129,23 +191,6 @@ fn marks(printed: &PrintedQuestion) -> String {
         }
     }
     format!("\nMarks\n{}", table(&rows))
-}
-
-fn slips(question: &Question, variant: &Variant) -> String {
-    let mut laws: BTreeSet<Law> = variant.solution.derivation().steps.iter().map(|step| step.law).collect();
-    for mark in question.parts.iter().flat_map(|part| &part.marks) {
-        if let crate::bank::EarnedFor::Law(law, _) = mark.earned_for {
-            laws.insert(law);
-        }
-    }
-    let mut text = "\nSlips that students make\n".to_owned();
-    for law in laws.iter().filter(|law| !law.slips().is_empty()) {
-        text.push_str(&format!("  {}\n", law.name()));
-        for slip in law.slips() {
-            text.push_str(&format!("    {}: {}\n", slip.tag, slip.sentence));
-        }
-    }
-    text
 }
 
 fn example(printed: &PrintedQuestion) -> String {

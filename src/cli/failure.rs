@@ -1,6 +1,6 @@
 //! Why a command failed, and how a person is told.
 
-use std::io::{self, IsTerminal, Write};
+use std::io::{self, Write};
 
 use crate::diagnostic::{Diagnostic, render_all};
 use crate::mechanics::Refusal;
@@ -54,7 +54,7 @@ pub fn warn(warnings: &[Diagnostic]) {
 }
 
 fn is_coloured() -> bool {
-    io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none()
+    console::colors_enabled_stderr()
 }
 
 impl From<Vec<Diagnostic>> for Failure {

@@ -8,17 +8,22 @@ mod by_method;
 mod check;
 mod compare;
 mod compare_stream;
+mod completions;
 mod explain;
 mod failure;
 mod formats;
 mod json_places;
 mod json_scene;
 mod list;
+mod manual;
 mod mark;
+mod new_bank;
+mod new_question;
 mod output;
 mod pdf;
 mod preview;
 mod scene_input;
+mod schema;
 mod sheet;
 mod solve;
 mod study;
@@ -28,7 +33,7 @@ mod write;
 
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{Parser, Subcommand, ValueEnum};
 
 use failure::Failure;
 pub use template_folder::read_templates;
@@ -40,7 +45,9 @@ const AFTER: &str = "Begin with:
   carom sheet                    six questions with their mark scheme, in the folder `sheet`
   carom list                     the questions there are
   carom explain 5C-2             what one of them varies, asks and marks
-  carom mark sheet/key.json sheet/submissions.csv     what students have filled in, marked";
+  carom mark sheet/key.json sheet/submissions.csv     what students have filled in, marked
+  carom new-bank my-bank         questions of your own, begun with one that works
+`carom sheet --help` shows examples of that command, and so for each.";
 
 /// The arguments of carom.
 #[derive(Parser)]
@@ -49,6 +56,18 @@ const AFTER: &str = "Begin with:
 struct Arguments {
     #[command(subcommand)]
     command: Command,
+    /// Colours in messages; `auto` has them on a terminal, unless the variable NO_COLOR is set
+    #[arg(long, value_name = "WHEN", global = true, default_value = "auto", alias = "colour", hide_short_help = true)]
+    color: Colour,
+}
+
+/// When messages are coloured.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+#[value(rename_all = "lower")]
+enum Colour {
+    Auto,
+    Always,
+    Never,
 }
 
 #[derive(Subcommand)]
@@ -59,9 +78,15 @@ enum Command {
     Explain(explain::ExplainArguments),
     Preview(Box<preview::PreviewArguments>),
     Check(check::CheckArguments),
+    NewBank(new_bank::NewBankArguments),
+    NewQuestion(new_question::NewQuestionArguments),
     Compare(Box<compare::CompareArguments>),
     Mark(Box<mark::MarkArguments>),
     Study(study::StudyArguments),
+    Schema(schema::SchemaArguments),
+    Completions(completions::CompletionsArguments),
+    #[command(name = "man")]
+    Manual(manual::ManualArguments),
 }
 
 /// Runs the command that the arguments name and reports what went wrong.
@@ -76,6 +101,14 @@ pub fn run() -> ExitCode {
             return ExitCode::from(code);
         }
     };
+    match arguments.color {
+        // What `console` finds out of the terminal and of NO_COLOR.
+        Colour::Auto => {}
+        decided => {
+            console::set_colors_enabled(matches!(decided, Colour::Always));
+            console::set_colors_enabled_stderr(matches!(decided, Colour::Always));
+        }
+    }
     let outcome = match arguments.command {
         Command::Sheet(arguments) => sheet::run(&arguments),
         Command::Solve(arguments) => solve::run(&arguments),
@@ -83,9 +116,14 @@ pub fn run() -> ExitCode {
         Command::Explain(arguments) => explain::run(&arguments),
         Command::Preview(arguments) => preview::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
+        Command::NewBank(arguments) => new_bank::run(&arguments),
+        Command::NewQuestion(arguments) => new_question::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Mark(arguments) => mark::run(&arguments),
         Command::Study(arguments) => study::run(&arguments),
+        Command::Schema(arguments) => schema::run(&arguments),
+        Command::Completions(arguments) => completions::run(&arguments),
+        Command::Manual(arguments) => manual::run(&arguments),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

@@ -23,7 +23,7 @@ use subject::{Subject, Written};
 const AFTER: &str = "Examples:
   carom preview 5C-2                             a question with fresh numbers
   carom preview rest/speeds --style friendly --seed 7
-  carom preview my-bank/rest/new.toml --watch    shows it again whenever the file is saved, faults in place
+  carom preview my-bank/rest/new.toml --watch    again at every save, with its faults
   carom preview my-bank/rest/new.toml --watch --open";
 
 /// Show one question with its worked solution, mark scheme and answers
@@ -90,7 +90,7 @@ fn keep_showing(arguments: &PreviewArguments, subject: &Subject, numbers: &Numbe
     let watched = subject.watched()?;
     let page = if arguments.open { Some(Page::new(arguments.out.as_deref())?) } else { None };
     let on_terminal = io::stdout().is_terminal();
-    let colour = on_terminal && std::env::var_os("NO_COLOR").is_none();
+    let colour = console::colors_enabled();
     let mut opened = None;
     let mut first = true;
     // A window of another width is a change like any other.

@@ -13,14 +13,19 @@ use crate::mechanics::{Axis, Line, Moment, Quantity, Scene, Setting, Sphere, Vel
 use crate::number::{Angle, Letter, Range, Value};
 use crate::solve::{Answer, Solution, report, solve_all};
 
-const AFTER: &str = "Example, in a file `scene.json`:
+const AFTER: &str = "Examples:
+  carom solve scene.json
+  carom solve scene.json --json
+  carom solve scene.json --method elimination
+
+A scene, here in the file `scene.json`:
   { \"masses\": {\"A\": \"2\", \"B\": \"4\"},
     \"before\": {\"A\": {\"speed\": \"6\", \"angle_deg\": \"10\"}, \"B\": [\"0\", \"0\"]},
     \"line_of_centres\": [\"1\", \"0\"], \"e\": \"1/2\" }
-  carom solve scene.json
 
-A velocity is [x, y], or a speed with its angle in degrees anticlockwise from the x-axis. Give velocities `after`
-in place of `e` or of the line of centres to work backwards. Letters are declared: \"symbols\": {\"u\": \"positive\"}.";
+A velocity is [x, y], or a speed with its angle in degrees anticlockwise from the x-axis. Give
+velocities `after` in place of `e` or of the line of centres to work backwards. Letters are
+declared: \"symbols\": {\"u\": \"positive\"}.";
 
 /// Work out one collision
 ///

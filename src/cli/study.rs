@@ -13,7 +13,7 @@ use crate::diagnostic::Source;
 use crate::study::{Cost, Effort, Plan, Study, length, read_times, run as carry_out};
 
 const AFTER: &str = "Examples:
-  carom study --quick                    a look in a few seconds; then open study/methods.html in a browser
+  carom study --quick                    a quick look; then open study/methods.html
   carom study                            the same with times that vary less
   carom study --peers peers.csv          with other programs beside, timed by benches/peers.py
   carom study --times study/methods/times.csv   charts anew from times of before";

@@ -56,8 +56,8 @@ pub fn examine(question: &Question, style: &Style, index: u64) -> Result<Variant
     let parameters = style.parameters_at(index);
     let givens = Givens::new(style, &parameters, &question.scene).map_err(|_| Unfit::NoValue)?;
     for (place, requirement) in style.require.iter().enumerate() {
-        let on_givens = requirement.quantities(&|name| givens.contains(name)).is_empty();
-        if on_givens && !requirement.holds(&|name| givens.meaning(name)).unwrap_or(false) {
+        let on_results = requirement.is_on_results(&question.scene.unknowns, &|name| givens.contains(name));
+        if !on_results && !requirement.holds(&|name| givens.meaning(name)).unwrap_or(false) {
             return Err(Unfit::Givens(place));
         }
     }
@@ -70,8 +70,8 @@ pub fn examine(question: &Question, style: &Style, index: u64) -> Result<Variant
         },
     })?;
     for (place, requirement) in style.require.iter().enumerate() {
-        let on_givens = requirement.quantities(&|name| posed.givens.contains(name)).is_empty();
-        if !on_givens && !requirement.holds(&|name| posed.meaning(name)).unwrap_or(false) {
+        let on_results = requirement.is_on_results(&question.scene.unknowns, &|name| posed.givens.contains(name));
+        if on_results && !requirement.holds(&|name| posed.meaning(name)).unwrap_or(false) {
             return Err(Unfit::Results(place));
         }
     }

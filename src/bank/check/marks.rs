@@ -5,9 +5,9 @@ use super::super::file::MarkFile;
 use super::super::literal::Words;
 use super::super::question::{Code, EarnedFor, Mark};
 use super::names::NamesUsed;
+use super::quantities;
 use super::styles::line;
 use crate::diagnostic::near;
-use crate::mechanics::Quantity;
 
 /// The marks of a part.
 pub fn marks(written: &[MarkFile], unknowns: &[String], used: &mut NamesUsed, faults: &mut Faults) -> Vec<Mark> {
@@ -59,17 +59,15 @@ fn read_earned_for(words: &Words, unknowns: &[String], faults: &mut Faults) -> O
         return Some(found);
     }
     let laws = EarnedFor::names();
-    let quantities: Vec<String> = Quantity::all().iter().map(Quantity::to_string).collect();
-    let (label, candidates): (String, Vec<&str>) = if text.contains('.') {
-        ("no quantity of the collision has this name".to_owned(), quantities.iter().map(String::as_str).collect())
-    } else {
-        let label = match near(text, laws.iter().copied()) {
-            Some(_) => "no law has this name".to_owned(),
-            None => format!("expected a quantity, or a law: {}", listed(&laws)),
-        };
-        (label, laws)
+    if text.contains('.') {
+        quantities::unknown_at(words.span(), "step", text, &[], faults);
+        return None;
+    }
+    let label = match near(text, laws.iter().copied()) {
+        Some(_) => "no law has this name".to_owned(),
+        None => format!("expected a quantity, or a law: {}", listed(&laws)),
     };
-    faults.unknown(words.span(), format!("unknown step `{text}`"), label, text, candidates);
+    faults.unknown(words.span(), format!("unknown step `{text}`"), label, text, laws);
     None
 }
 

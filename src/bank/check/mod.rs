@@ -3,6 +3,7 @@
 mod marks;
 mod names;
 mod parts;
+mod quantities;
 mod reference;
 mod scene;
 mod solvable;

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use super::super::document::{Faults, listed};
 use super::super::literal::Words;
+use super::quantities;
 use crate::diagnostic::near;
 use crate::expr::{Expr, Name, Piece, Text};
 use crate::mechanics::Quantity;
@@ -127,7 +128,6 @@ impl NamesUsed {
                 known.push(given);
             }
         }
-        let quantities: Vec<String> = Quantity::all().iter().map(Quantity::to_string).collect();
         if name.contains('.') && used.also == Also::Nothing && name.parse::<Quantity>().is_ok() {
             let label = "not known before the collision is solved";
             let help = "use it in `require`, or in the `find` of an answer";
@@ -135,9 +135,7 @@ impl NamesUsed {
             return;
         }
         if used.also == Also::Quantities && name.contains('.') {
-            let near = near(name, quantities.iter().map(String::as_str)).map(str::to_owned);
-            let label = "no quantity of the collision has this name".to_owned();
-            faults.unknown(used.span.clone(), format!("unknown quantity `{name}`"), label, name, near.as_deref());
+            quantities::unknown_at(used.span.clone(), "quantity", name, &[], faults);
             return;
         }
         let label = match known.as_slice() {
@@ -146,11 +144,15 @@ impl NamesUsed {
                 format!("this question has {}", listed(&known))
             }
         };
-        let mut candidates = known.clone();
+        let mut candidates: Vec<String> = known.iter().map(|name| (*name).to_owned()).collect();
         if used.also == Also::Quantities {
-            candidates.extend(quantities.iter().map(String::as_str));
+            candidates.extend(Quantity::all().iter().map(Quantity::to_string));
         }
-        faults.unknown(used.span.clone(), format!("unknown name `{name}`"), label, name, candidates);
+        let help = match near(name, candidates.iter().map(String::as_str)) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => format!("give it values in `[parameters]`, as in `{name} = \"1..6\"`, or a formula in `[let]`"),
+        };
+        faults.report_with_help(used.span.clone(), format!("unknown name `{name}`"), label, help);
     }
 
     fn report_unused(&self, scopes: &[(String, Scope)], letters: &[&str], faults: &mut Faults) {

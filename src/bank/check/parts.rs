@@ -6,6 +6,7 @@ use super::super::literal::Words;
 use super::super::question::{Answer, Find, Part};
 use super::marks::marks;
 use super::names::{Also, NamesUsed};
+use super::quantities;
 use super::styles::line;
 use crate::answer::{Accept, Kind};
 use crate::expr::{Angles, Expr, Markup, Name, Piece, read, read_markup};
@@ -175,11 +176,7 @@ fn read_find(answer: &AnswerFile, unknowns: &[String], faults: &mut Faults) -> O
         let text = words.get_ref().as_str();
         let found = text.parse::<Quantity>().ok();
         if found.is_none() {
-            let mut names: Vec<String> = Quantity::all().iter().map(Quantity::to_string).collect();
-            names.extend(unknowns.iter().cloned());
-            let label = "no quantity of the collision has this name".to_owned();
-            let names = names.iter().map(String::as_str);
-            faults.unknown(words.span(), format!("unknown quantity `{text}`"), label, text, names);
+            quantities::unknown(words, unknowns, faults);
         }
         found
     };

@@ -3,7 +3,7 @@
 use super::super::document::{Faults, listed};
 use super::super::scene_file::SceneFile;
 use super::names::{Also, NamesUsed};
-use crate::diagnostic::near;
+use super::quantities;
 use crate::expr::{Angles, Expr, read};
 use crate::mechanics::Quantity;
 use crate::number::Range;
@@ -31,10 +31,7 @@ pub fn scene(file: &SceneFile, used: &mut NamesUsed, faults: &mut Faults) {
             }
             "maximise" => {
                 if text.parse::<Quantity>().is_err() {
-                    let names: Vec<String> = Quantity::all().iter().map(Quantity::to_string).collect();
-                    let label = "expected the quantity that is to be as large as possible".to_owned();
-                    let near = near(text, names.iter().map(String::as_str));
-                    faults.unknown(words.span(), format!("unknown quantity `{text}`"), label, text, near);
+                    quantities::unknown(words, &[], faults);
                 }
             }
             "conditions" => match read(text, Angles::Degrees) {

@@ -81,7 +81,8 @@ fn with_reference(words: &Words, fault: Fault, faults: &mut Faults) {
     let message = format!("with the reference numbers: {}", fault.message);
     let inside = fault.span.end <= words.get_ref().len();
     let span = if inside { fault.span } else { Default::default() };
-    faults.expression(words, Fault { message, span, ..fault });
+    let help = fault.help.or_else(|| Some("mend the formula, or take other numbers in `[reference]`".to_owned()));
+    faults.expression(words, Fault { message, span, help, ..fault });
 }
 
 /// Requirements must have a truth, if not hold, with the reference numbers.
@@ -133,7 +134,9 @@ fn refused(
     let span = label.clone().unwrap_or_else(|| scene.span.clone());
     faults.report(span, message, refusal.reason.clone());
     if let Some(diagnostic) = faults.found.last_mut() {
-        diagnostic.help = refusal.help.clone();
+        let other = "take numbers in `[reference]` for which you know the answers";
+        let is_impossible = refusal.because == Because::Impossible;
+        diagnostic.help = refusal.help.clone().or_else(|| is_impossible.then(|| other.to_owned()));
     }
 }
 

@@ -25,29 +25,32 @@ use crate::mark::submissions::{Rows, SetAside, Sorted, read_overrides, read_rows
 use crate::mark::{AnswerKey, Profile};
 
 const AFTER: &str = "Examples:
-  carom mark sheet/key.json submissions.csv               marks and a page for each student, in the folder `marks`
+  carom mark sheet/key.json submissions.csv               marks, and a page for each student
   carom mark sheet/key.json submissions.csv --profile edexcel
   carom mark sheet/key.json answers.jsonl --out monday --feedback html,latex
   carom mark sheet/key.json submissions.csv --overrides overrides.csv
   carom mark sheet/key.json - --json < submissions.csv
   carom mark sheet/key.json - --stream < million.csv > marks.csv
   carom mark sheet/key.json million.csv --stream --out national
-  carom mark 5RXM-M7TX-G submissions.csv                  by the code of the sheet, if its key is lost
+  carom mark 5RXM-M7TX-G submissions.csv                  by the code of the sheet
 
-SUBMISSIONS is a table, as `carom sheet` writes an empty one beside the key, saved as CSV in UTF-8:
+SUBMISSIONS is a table, as `carom sheet` writes an empty one beside the key, saved as CSV in
+UTF-8:
 
   student,question,part,blank,answer,working
   Ada,1,a,,4√39/9,
   Ben,1,a,speed of A,2.78 m/s,\"6cos10 = 5.91
   5.91 = v + w\"
 
-`part`, `blank` and `working` may be left out. Without a blank an answer says all that its part asks. Working has one line
-of it a line of the cell. Or each line is a JSON object with these fields.
+`part`, `blank` and `working` may be left out. Without a blank an answer says all that its part
+asks. Working has one line of it a line of the cell. Or each line is a JSON object with these
+fields.
 
-Written are `marks.csv`, `marks.jsonl` with every reading and reason, a page for each student in `feedback`, and
-`not-marked.csv` with what has no place in the key. Where you know better, say so in a table
-`student,question,part,mark,given,comment`, such as `Ada,1,a,M1a,1,method seen in the margin`, and mark again with
-`--overrides`: it has the last word, and the marks that depend on it follow.";
+Written are `marks.csv`, `marks.jsonl` with every reading and reason, a page for each student in
+`feedback`, and `not-marked.csv` with what has no place in the key. Where you know better, say
+so in a table `student,question,part,mark,given,comment`, such as `Ada,1,a,M1a,1,method seen in
+the margin`, and mark again with `--overrides`: it has the last word, and the marks that depend
+on it follow.";
 
 /// Mark what students handed in
 ///

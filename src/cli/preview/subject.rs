@@ -1,9 +1,8 @@
 //! What is previewed: the file of a question, and templates of one's own, read again as often as one likes.
 
-use std::fs;
 use std::path::{Component, Path, PathBuf};
 
-use crate::bank::Contents;
+use crate::bank::{Contents, read_source};
 use crate::cli::bank;
 use crate::cli::failure::Failure;
 use crate::cli::template_folder::own_templates;
@@ -55,12 +54,7 @@ impl Subject {
     pub fn read(&self) -> Result<Written, Failure> {
         let source = match &self.text {
             Text::Shipped(source) => source.clone(),
-            Text::In(path) => {
-                let shown = path.display().to_string();
-                let text = fs::read_to_string(path)
-                    .map_err(|error| Failure::said(format!("`{shown}` cannot be read: {error}")))?;
-                Source::new(shown, text)
-            }
+            Text::In(path) => read_source(path)?,
         };
         Ok(Written { source, templates: own_templates(self.templates.as_deref())? })
     }
@@ -75,7 +69,7 @@ impl Subject {
         let names: Vec<String> = file.into_iter().chain(folder).collect();
         if names.is_empty() {
             let message = format!("`{}` is inside carom: there is no file to watch", self.id);
-            let help = "copy a question file into a folder of your own and give its path, or watch `--templates DIR`";
+            let help = "copy it into a file of your own by `carom new-question FILE --like QUESTION`, or watch `--templates DIR`";
             return Err(Failure::with_help(message, help));
         }
         Ok(names.join(" and "))

@@ -24,19 +24,21 @@ use crate::paper::{Dealer, Edition, Key, Paper, Sheet, SheetCode};
 
 const AFTER: &str = "Examples:
   carom sheet                                   six questions from every topic
-  carom sheet 5C-2 --count 30                   one question thirty times, no two with the same numbers
+  carom sheet 5C-2 --count 30                   one question thirty times, no two alike
   carom sheet --topic 'i and j' --style friendly
   carom sheet --marks 40 --seed 2027            40 marks; the same seed gives the same sheet again
   carom sheet --reference                       the exercises with their own numbers
   carom sheet --format html,pdf                 pages for the screen, and pages to print
-  carom sheet --class class.csv --format pdf    another sheet for each student of a class, all in one file to print
+  carom sheet --class class.csv --format pdf    another sheet for each student, in one file
   carom sheet --code 5RXM-M7TX-G                the sheet with this code again
 
-A class is a table with a column `student`, a number or a name that nobody else in it has, and perhaps one `name`. All get
-the same questions, no two the same numbers, and none an easier sheet. `lock.json` beside the sheets records who got what;
-while it is there the same command prints the same sheets again, and fresh ones for students who are new.
+A class is a table with a column `student`, a number or a name that nobody else in it has, and
+perhaps one `name`. All get the same questions, no two the same numbers, and none an easier
+sheet. `lock.json` beside the sheets records who got what; while it is there the same command
+prints the same sheets again, and fresh ones for students who are new.
 
-PDF is made with what the machine has: pdflatex, lualatex or xelatex, else Chrome, Chromium or Edge without a window.
+PDF is made with what the machine has: pdflatex, lualatex or xelatex, else Chrome, Chromium or
+Edge without a window.
   CAROM_TEX          the TeX engine to take, by name or path; `none` leaves it to the browser
   CAROM_BROWSER      the browser to take, by name or path; `none` for no browser
   CAROM_PDF_SECONDS  how long one run of either may take, in place of 120 seconds";

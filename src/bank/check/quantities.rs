@@ -1,0 +1,37 @@
+//! A name that is no quantity of the collision: which was meant, or which there are.
+
+use super::super::document::{Faults, listed};
+use super::super::literal::Words;
+use crate::diagnostic::near;
+use crate::mechanics::Quantity;
+
+/// Reports a quantity that does not exist; `others` are names that may stand there too.
+pub fn unknown(words: &Words, others: &[String], faults: &mut Faults) {
+    unknown_at(words.span(), "quantity", words.get_ref(), others, faults);
+}
+
+/// As [`unknown`], at a place within a text; `what` is what the name was to be.
+pub fn unknown_at(span: std::ops::Range<usize>, what: &str, name: &str, others: &[String], faults: &mut Faults) {
+    let mut names: Vec<String> = Quantity::all().iter().map(Quantity::to_string).collect();
+    names.extend_from_slice(others);
+    let help = match near(name, names.iter().map(String::as_str)) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => siblings(name, &names),
+    };
+    let label = "no quantity of the collision has this name";
+    faults.report_with_help(span, format!("unknown {what} `{name}`"), label, help);
+}
+
+/// What may follow the part of a name that is right.
+fn siblings(name: &str, names: &[String]) -> String {
+    let mut stem = name;
+    while let Some((shorter, _)) = stem.rsplit_once('.') {
+        stem = shorter;
+        let start = format!("{stem}.");
+        let after: Vec<&str> = names.iter().filter_map(|name| name.strip_prefix(&start)).collect();
+        if !after.is_empty() {
+            return format!("after `{start}` may stand {}", listed(&after));
+        }
+    }
+    "quantities are `A.after.speed`, `B.before.n`, `impulse.magnitude`, `ke.lost`, `e` and others like them".to_owned()
+}

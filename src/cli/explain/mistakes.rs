@@ -1,0 +1,144 @@
+//! The slips that students make with the laws of a question, each with the wrong values to which it leads.
+
+use std::collections::BTreeSet;
+
+use crate::bank::{EarnedFor, Question};
+use crate::expr::print as written;
+use crate::generate::Variant;
+use crate::mark::KeyedQuestion;
+use crate::mechanics::{Law, Slip};
+use crate::paper::{PrintedQuestion, key_question};
+
+/// The slips of a law.
+pub struct LawMistakes {
+    /// The law.
+    pub law: Law,
+    /// Its slips, with what they lead to.
+    pub slips: Vec<Mistake>,
+}
+
+/// A slip with what it leads to.
+pub struct Mistake {
+    /// The slip.
+    pub slip: &'static Slip,
+    /// The answers that it changes.
+    pub leads_to: Vec<WrongAnswer>,
+}
+
+/// An answer that a slip changes.
+pub struct WrongAnswer {
+    /// The part: `a`, or empty.
+    pub part: String,
+    /// What the answer is called.
+    pub name: String,
+    /// The wrong value, one for each way to the answer on which the slip shows in its own way; of a vector its components.
+    /// None in letters: a slip changes the formula there.
+    pub values: Vec<Vec<f64>>,
+    /// Its unit, with the space before it.
+    pub unit: String,
+}
+
+/// Every slip of the laws in the solution of a question with its reference numbers, and of those that earn its marks.
+pub fn mistakes(question: &Question, variant: &Variant, printed: &PrintedQuestion) -> Vec<LawMistakes> {
+    let mut laws: BTreeSet<Law> = variant.solution.derivation().steps.iter().map(|step| step.law).collect();
+    for mark in question.parts.iter().flat_map(|part| &part.marks) {
+        if let EarnedFor::Law(law, _) = mark.earned_for {
+            laws.insert(law);
+        }
+    }
+    let keyed = KeyedQuestion::read(&key_question(question, variant, printed)).ok();
+    let wrong = |slip: &'static Slip| Mistake {
+        slip,
+        leads_to: keyed.as_ref().map_or_else(Vec::new, |keyed| led_to(slip, question, variant, printed, keyed)),
+    };
+    laws.into_iter()
+        .filter(|law| !law.slips().is_empty())
+        .map(|law| LawMistakes { law, slips: law.slips().iter().map(wrong).collect() })
+        .collect()
+}
+
+fn led_to(
+    slip: &Slip,
+    question: &Question,
+    variant: &Variant,
+    printed: &PrintedQuestion,
+    keyed: &KeyedQuestion,
+) -> Vec<WrongAnswer> {
+    // What is lettered has no wrong number, but a wrong formula.
+    let in_letters = !variant.scene.letters.is_empty();
+    let mut found = Vec::new();
+    for (part, shown) in question.parts.iter().zip(&printed.parts) {
+        for (answer, shown_answer) in part.answers.iter().zip(&shown.answers) {
+            let rows = keyed.mistaken_values(&answer.find.quantities());
+            let mut values: Vec<Vec<f64>> =
+                rows.into_iter().filter(|(tags, _)| *tags == [slip.tag]).map(|(_, values)| values).collect();
+            if values.is_empty() {
+                continue;
+            }
+            values.dedup();
+            let degrees = answer.find.quantities().iter().any(|quantity| quantity.is_angle());
+            let unit = shown_answer.unit.plain();
+            found.push(WrongAnswer {
+                part: shown.label.clone(),
+                name: written::text_unicode(&shown_answer.name),
+                values: if in_letters { Vec::new() } else { values },
+                unit: if degrees { "°".to_owned() } else { format!(" {unit}").trim_end().to_owned() },
+            });
+        }
+    }
+    found
+}
+
+/// As the command prints them.
+pub fn in_words(all: &[LawMistakes]) -> String {
+    let mut text = "\nSlips that students make, and what each leads to with the reference numbers\n".to_owned();
+    for LawMistakes { law, slips } in all {
+        text.push_str(&format!("  {}\n", law.name()));
+        for Mistake { slip, leads_to } in slips {
+            text.push_str(&format!("    {}: {}\n", slip.tag, slip.sentence));
+            let wrong: Vec<String> = leads_to.iter().map(wrong_in_words).collect();
+            let wrong = if wrong.is_empty() { "does not show here".to_owned() } else { wrong.join("; ") };
+            text.push_str(&format!("      → {wrong}\n"));
+        }
+    }
+    text
+}
+
+/// `(a) speed of A 3.46 m/s`
+fn wrong_in_words(wrong: &WrongAnswer) -> String {
+    let part = if wrong.part.is_empty() { String::new() } else { format!("({}) ", wrong.part) };
+    if wrong.values.is_empty() {
+        return format!("{part}another formula for {}", wrong.name);
+    }
+    let one = |value: &Vec<f64>| {
+        let numbers: Vec<String> = value.iter().map(|number| three_figures(*number)).collect();
+        match numbers.as_slice() {
+            [number] => format!("{number}{}", wrong.unit),
+            several => format!("({}){}", several.join(", "), wrong.unit),
+        }
+    };
+    let mut values: Vec<String> = wrong.values.iter().map(one).collect();
+    values.sort();
+    values.dedup();
+    format!("{part}{} {}", wrong.name, values.join(" or "))
+}
+
+/// A float to three significant figures, without an exponent.
+fn three_figures(value: f64) -> String {
+    let rounded: f64 = format!("{value:.2e}").parse().unwrap_or(value);
+    // No number is minus nought.
+    format!("{}", rounded + 0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::three_figures;
+
+    #[test]
+    fn wrong_values_have_three_figures() {
+        let table = [(2.7755, "2.78"), (46.10211, "46.1"), (-0.012345, "-0.0123"), (1234.5, "1230"), (-0.0, "0")];
+        for (value, words) in table {
+            assert_eq!(three_figures(value), words);
+        }
+    }
+}
