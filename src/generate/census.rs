@@ -42,7 +42,7 @@ impl Census {
     }
 
     /// The requirement that turns most sets away, in words, and how many.
-    pub fn dearest(&self, question: &Question, style: &Style) -> Option<(String, u64)> {
+    pub fn dearest(&self, style: &Style) -> Option<(String, u64)> {
         let required = self.unfit.iter().filter(|(reason, _)| reason.requirement().is_some());
         let (reason, count) = required.max_by_key(|(reason, count)| (**count, std::cmp::Reverse(*reason)))?;
         Some((requirement(reason, style), *count))
