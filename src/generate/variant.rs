@@ -162,11 +162,18 @@ fn found_rounds_safely(solution: &Solution, name: &str, places: &Places) -> bool
 ///
 /// Why they do not make a question, if the question was not made by [`crate::bank::read_question`].
 pub fn reference(question: &Question) -> Result<Variant, Unposed> {
-    let style = &question.styles[question.reference_style];
-    let givens = Givens::new(style, &question.reference, &question.scene)
-        .map_err(|(name, fault)| Unposed::Given(name, fault))?;
+    with_numbers(question, &question.styles[question.reference_style], &question.reference)
+}
+
+/// A question with any numbers, which need not lie in the domains or meet the requirements.
+///
+/// # Errors
+///
+/// Why they do not make a question.
+pub fn with_numbers(question: &Question, style: &Style, numbers: &[(String, Expr)]) -> Result<Variant, Unposed> {
+    let givens = Givens::new(style, numbers, &question.scene).map_err(|(name, fault)| Unposed::Given(name, fault))?;
     let posed = Posed::new(question, style, givens)?;
-    Ok(variant(question, style, None, question.reference.clone(), posed))
+    Ok(variant(question, style, None, numbers.to_vec(), posed))
 }
 
 fn variant(
