@@ -204,30 +204,34 @@ fn ill_written(expr: &Expr) -> Option<Ill> {
     found.or_else(|| expr.children().into_iter().find_map(ill_written))
 }
 
-/// Who is said to move towards *A* or *B* before the collision moves so, along the line of centres.
+/// Who is said to move towards *A* or *B*, or towards the other, moves so along the line of centres before the collision.
 fn towards(text: &Text, variant: &Variant, remarks: &mut Vec<Remark>) {
-    let pieces = &text.0;
-    for place in 0..pieces.len() {
-        let Piece::Words(words) = &pieces[place] else { continue };
-        // From the last full stop on, and only before the collision.
-        let after = (0..=place).rev().find_map(|place| match &pieces[place] {
-            Piece::Words(words) => words.contains("after").then_some(true).or(words.contains(". ").then_some(false)),
-            _ => None,
-        });
-        let Some(Piece::Formula(Expr::Name(target))) = pieces.get(place + 1) else { continue };
-        if !words.trim_end().ends_with("towards") || after == Some(true) {
-            continue;
-        }
-        let (moving, sense) = match target.text.as_str() {
-            "A" => (Sphere::B, -1.0),
-            "B" => (Sphere::A, 1.0),
-            _ => continue,
-        };
-        let along = component(variant, moving);
-        if along.is_some_and(|along| along * sense < -1e-9) {
-            let said = format!("{} moves towards {}", moving.name(), target.text);
-            let help = "turn its velocity round in `[scene]`, or say that it moves away";
-            remarks.push(remark("a direction that is not so", &said, help));
+    let mut is_after = false;
+    for (place, piece) in text.0.iter().enumerate() {
+        let Piece::Words(words) = piece else { continue };
+        for sentence in words.split_inclusive('.') {
+            is_after = is_after || sentence.contains("after the");
+            let target = match text.0.get(place + 1) {
+                Some(Piece::Formula(Expr::Name(name))) if sentence.trim_end().ends_with("towards") => {
+                    name.text.as_str()
+                }
+                _ if sentence.contains("towards each other") || sentence.contains("towards the other") => "the other",
+                _ => "",
+            };
+            let moving: &[(Sphere, f64)] = match target {
+                "A" => &[(Sphere::B, -1.0)],
+                "B" => &[(Sphere::A, 1.0)],
+                "the other" => &[(Sphere::A, 1.0), (Sphere::B, -1.0)],
+                _ => &[],
+            };
+            for (sphere, sense) in moving.iter().filter(|_| !is_after) {
+                if component(variant, *sphere).is_some_and(|along| along * sense < -1e-9) {
+                    let said = format!("{} moves towards {target}", sphere.name());
+                    let help = "turn its velocity round in `[scene]`, or say that it moves away";
+                    remarks.push(remark("a direction that is not so", &said, help));
+                }
+            }
+            is_after = is_after && !sentence.ends_with('.');
         }
     }
 }

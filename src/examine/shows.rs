@@ -157,27 +157,27 @@ fn are_one(one: f64, other: f64, accept: &Accept, is_exact: bool) -> bool {
 pub fn findings(question: &Question, styles: &[Slips], numbers: &dyn Fn(usize, u64) -> String) -> Vec<Finding> {
     let acting = styles.iter().fold(0, |acting, slips| acting | slips.acting());
     let mut findings = Vec::new();
-    let mut hidden: Vec<&str> = Vec::new();
+    let mut hidden: Vec<(&str, Vec<String>, String)> = Vec::new();
     for (place, slips) in styles.iter().enumerate() {
-        let style = &question.styles[place];
         for (tag, count, first) in slips.hidden(acting) {
-            hidden.push(tag);
-            if question.hidden.iter().any(|known| known == tag) {
-                continue;
+            let of = format!("{count} of {} variants of style `{}`", slips.variants(), question.styles[place].name);
+            match hidden.iter_mut().find(|(known, ..)| *known == tag) {
+                Some((_, all, _)) => all.push(of),
+                None => hidden.push((tag, vec![of], first.map_or_else(String::new, |first| numbers(place, first)))),
             }
-            let did = Slip::all().iter().find(|(_, slip)| slip.tag == tag).map_or("", |(_, slip)| slip.did);
-            let first = first.map_or_else(String::new, |first| format!(", first with {}", numbers(place, first)));
-            let message = format!(
-                "the slip `{tag}` does not show in {count} of {} variants of style `{}`{first}",
-                slips.variants(),
-                style.name
-            );
-            let label = format!("a student who {did} is marked right");
-            let help = format!("require other numbers, or say `hidden = [\"{tag}\"]`");
-            findings.push(Finding::new(message, format!("[style.{}]", style.name), label).with_help(help));
         }
     }
-    for tag in question.hidden.iter().filter(|tag| !hidden.contains(&tag.as_str())) {
+    for (tag, variants, first) in &hidden {
+        if question.hidden.iter().any(|known| known == tag) {
+            continue;
+        }
+        let did = Slip::all().iter().find(|(_, slip)| slip.tag == *tag).map_or("", |(_, slip)| slip.did);
+        let message = format!("the slip `{tag}` does not show in {}, first with {first}", variants.join(", "));
+        let label = format!("a student who {did} is marked right");
+        let help = format!("require other numbers, or add `\"{tag}\"` to the list `hidden = [ … ]` of the question");
+        findings.push(Finding::new(message, "[[part]]", label).with_help(help));
+    }
+    for tag in question.hidden.iter().filter(|tag| !hidden.iter().any(|(hidden, ..)| hidden == tag)) {
         let message = format!("the slip `{tag}` is declared hidden, and shows in every variant");
         let label = "not needed";
         findings.push(Finding::new(message, format!("\"{tag}\""), label).with_help("take it out of `hidden`"));

@@ -58,7 +58,7 @@ fn requirement(turned: &Turned) -> &str {
 }
 
 fn relaxed(turned: &Turned) -> String {
-    format!("without `{}` {} more", requirement(turned), count_of(turned.alone, "variant"))
+    format!("without `{}` {}", requirement(turned), count_of(turned.alone, "more variant"))
 }
 
 fn count_of(number: u64, thing: &str) -> String {

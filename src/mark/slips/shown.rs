@@ -79,7 +79,9 @@ fn carried_out(given: &Known<Sample>, answers: &[Vec<Quantity>]) -> Shown {
                 let acts = steps.iter().flat_map(|step| &step.gives).any(|given| carried.is_changed(*given, trace));
                 acts.then(|| all(carried.known()))
             });
-            outcomes.extend(found.flatten().map(|answers| Outcome { slip, answers }));
+            // A slip that leads to a dead end, as a sphere brought to rest that should have a direction, shows as well.
+            let found = found.unwrap_or_else(|| Some(vec![None; answers.len()]));
+            outcomes.extend(found.map(|answers| Outcome { slip, answers }));
         }
     }
     Shown { right, outcomes }
