@@ -27,6 +27,7 @@ pub struct MarkCount {
     /// The part: `a`, `b`, … or empty.
     pub part: String,
     /// The mark's id: `M1a`.
+    #[serde(rename = "mark")]
     pub id: String,
     /// How many won it.
     pub won: usize,

@@ -247,3 +247,42 @@ fn component(variant: &Variant, sphere: Sphere) -> Option<f64> {
     let [i, j] = [Axis::X, Axis::Y].map(|axis| number(Quantity::Line(axis)));
     Some(x? * i? + y? * j?)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::expr::read_markup;
+
+    #[test]
+    fn carom_knows_what_nobody_writes() {
+        let table = [
+            ("The spheres have masses {m} and {2*m}.", ""),
+            ("A mass of {2 kg} and {3/4} of {5 m/s}.", ""),
+            ("It rebounds {3} times and turns {1} corner.", ""),
+            ("Then {1} is the answer, and {1} gives it.", ""),
+            ("An {8 kg} mass and a {7 kg} mass, an {11} and a {1}.", ""),
+            ("At that instant it has moved so that that is so, and so on ...", ""),
+            ("The masses are {m} and {m}.", "m and m"),
+            ("The mass is {2/4} of it.", "2/4"),
+            ("The mass is {3/1} of it.", "3/1"),
+            ("The mass is {1*m}.", "1m"),
+            ("The speed is {0 m/s}.", "a quantity of nought"),
+            ("The speed is {-3 m/s}.", "below nought"),
+            ("The velocity is {[0, 0] m/s}.", "a vector of nought"),
+            ("It rebounds {1} times.", "1 times"),
+            ("After {2} second it stops.", "2 second"),
+            ("A {8 kg} mass, a {18 kg} mass.", "a 18 kg"),
+            ("An {7 kg} mass, an {7 kg} mass.", "an 7 kg"),
+            ("The the mass is {m} , they say.", "stray sign"),
+            ("It is the the mass.", "the the"),
+        ];
+        for (words, shown) in table {
+            let mut remarks = Vec::new();
+            for text in read_markup(words).unwrap() {
+                of_text(&text, &mut remarks);
+            }
+            let said = format!("{remarks:?}");
+            assert!(remarks.is_empty() == shown.is_empty() && said.contains(shown), "{words}: {said}");
+        }
+    }
+}

@@ -19,8 +19,8 @@ use crate::generate::{Deal, Unfit, reference};
 /// all variants of a question share.
 pub const MARKED: usize = 3;
 
-/// The most sets of numbers of one style that are examined. Nobody waits for more, and a style that has more is refused.
-pub const MOST_SETS: u64 = 2_000_000;
+/// The most sets of numbers of one style that are examined. Nobody waits for more; of a style that has more the first are.
+pub const MOST_SETS: u64 = 500_000;
 
 /// How many sets of numbers a thread takes at a time.
 const PORTION: u64 = 64;
@@ -165,7 +165,8 @@ fn unposed(question: &Question, style: &Style, tally: &Tally) -> Vec<Finding> {
     if census.size > MOST_SETS {
         let message = format!("style `{}` has {} sets of numbers, too many to examine", style.name, census.size);
         let label = format!("the first {MOST_SETS} have been examined");
-        findings.push(Finding::new(message, at.as_str(), label).with_help("give its parameters fewer values"));
+        let found = Finding::new(message, at.as_str(), label).with_help("give its parameters fewer values");
+        findings.push(Finding { severity: Severity::Warning, ..found });
     }
     if census.fit == 0 {
         let message = format!("style `{}` has no variant", style.name);
