@@ -216,3 +216,39 @@ fn tests_of_the_author_that_fail_and_marks_that_measure_nothing_are_named() {
         ],
     );
 }
+
+#[test]
+fn what_is_remembered_hides_no_fault() {
+    let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
+    let id = "rest-letters/direction-and-deflection";
+    let sound = fs::read_to_string(root.join(format!("question_bank/{id}.toml"))).expect(id);
+    let amiss = sound.replace("hidden = [\"rebound-missed\"]", "hidden = []");
+    assert_ne!(sound, amiss, "{id} hides no slip any more");
+    let folder = env::temp_dir().join(format!("carom-remembered-{}", std::process::id()));
+    fs::create_dir_all(folder.join("bank")).expect("a folder can be made");
+    let check = |text: &str, more: &[&str]| {
+        fs::write(folder.join("bank/question.toml"), text).expect("a file can be written");
+        let output = Command::new(env!("CARGO_BIN_EXE_carom"))
+            .args(["check", "bank"])
+            .args(more)
+            .current_dir(&folder)
+            .env("XDG_CACHE_HOME", folder.join("cache"))
+            .output()
+            .expect("carom runs");
+        (output.status.success(), String::from_utf8_lossy(&output.stdout).into_owned())
+    };
+    let entries = || fs::read_dir(folder.join("cache/carom/check")).map_or(0, Iterator::count);
+    assert!(!check(&amiss, &[]).0);
+    assert_eq!(entries(), 0, "nothing is remembered of a question with a finding");
+    let (is_sound, first) = check(&sound, &[]);
+    assert!(is_sound, "{first}");
+    assert_eq!(entries(), 1);
+    assert_eq!(check(&sound, &[]), (true, first.clone()), "what is remembered is printed alike");
+    assert_eq!(check(&sound, &["--fresh"]), (true, first));
+    assert!(!check(&amiss, &[]).0, "the fault is found again");
+    // A folder that is none does no harm.
+    fs::remove_dir_all(folder.join("cache")).expect("the folder is there");
+    fs::write(folder.join("cache"), "no folder").expect("a file can be written");
+    assert!(check(&sound, &[]).0);
+    fs::remove_dir_all(&folder).expect("the folder is there");
+}

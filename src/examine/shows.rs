@@ -145,7 +145,7 @@ fn are_one(one: f64, other: f64, accept: &Accept, is_exact: bool) -> bool {
         _ if is_exact => return false,
         None => return false,
         Some(Places::SignificantFigures(figures)) => {
-            10_f64.powi(size.log10().floor() as i32 + 1 - (*figures).max(1).min(15) as i32)
+            10_f64.powi(size.log10().floor() as i32 + 1 - (*figures).clamp(1, 15) as i32)
         }
         Some(Places::DecimalPlaces(places)) => 10_f64.powi(-((*places).min(15) as i32)),
         Some(Places::Nearest(step)) => step.decimal().to_string().parse().unwrap_or(1.0),
