@@ -12,6 +12,9 @@ const FEWER: [(&str, (&str, &str)); 3] = [
     ("both-moving/paths-at-right-angles", ("b     = \"3..7\"", "b     = \"3..7 step 2\"")),
 ];
 
+/// A name for the fault, the edits that plant it, and the words that must name it.
+type Planted<'t> = (&'t str, &'t [(&'t str, &'t str)], &'t str);
+
 /// What `carom check` says of a shipped question after edits, all of which must apply, and whether it is content.
 fn checked(name: &str, id: &str, edits: &[(&str, &str)]) -> (bool, String) {
     let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
@@ -35,7 +38,7 @@ fn checked(name: &str, id: &str, edits: &[(&str, &str)]) -> (bool, String) {
 }
 
 /// Each fault alone is found, and named in these words.
-fn found(id: &str, table: &[(&str, &[(&str, &str)], &str)]) {
+fn found(id: &str, table: &[Planted]) {
     for (name, edits, words) in table {
         let (is_sound, said) = checked(name, id, edits);
         assert!(said.contains(words), "{name}: no `{words}` in\n{said}");
