@@ -8,7 +8,9 @@ use std::process::{Command, Output, Stdio};
 use serde_json::Value as Json;
 
 fn carom(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_carom")).args(arguments).output().unwrap()
+    // What `check` remembers belongs beside the other files of these tests.
+    let cache = std::env::temp_dir().join(format!("carom-cli-cache-{}", std::process::id()));
+    Command::new(env!("CARGO_BIN_EXE_carom")).args(arguments).env("XDG_CACHE_HOME", cache).output().unwrap()
 }
 
 fn with_stdin(arguments: &[&str], input: &[u8]) -> Output {

@@ -38,6 +38,25 @@ pub struct QuestionFile {
     pub reference_span: Option<Range<usize>>,
     /// What was wrong with the exercise that it mirrors.
     pub erratum: Option<Words>,
+    /// Slips that some of its numbers hide.
+    pub hidden: Vec<Words>,
+    /// Slips that it cannot tell apart, each line `one = other`.
+    pub alike: Vec<Words>,
+    /// What the author has worked out.
+    pub tests: Vec<TestFile>,
+}
+
+/// Answers that the author has worked out, as written.
+#[derive(Clone, Debug)]
+pub struct TestFile {
+    /// Where they stand.
+    pub span: Range<usize>,
+    /// The style whose numbers they are; without it that of the reference numbers.
+    pub style: Option<Words>,
+    /// Numbers other than those of the reference.
+    pub numbers: Vec<(Words, Words)>,
+    /// What is asked, and what it comes to.
+    pub answers: Vec<(Words, Words)>,
 }
 
 /// The values that a parameter can take, as written.
@@ -148,8 +167,23 @@ pub fn read(faults: &mut Faults) -> Option<QuestionFile> {
             file.erratum = Some(file.reference.remove(index).1);
         }
     }
+    file.hidden = keys.list("hidden", faults);
+    file.alike = keys.list("alike", faults);
+    file.tests = keys.tables("test", "a test", faults).into_iter().map(|keys| test(keys, faults)).collect();
     keys.finish(faults);
     Some(file)
+}
+
+fn test(mut keys: Keys, faults: &mut Faults) -> TestFile {
+    keys.demand("answers", "answers = { \"A.after.speed\" = \"2.78\" }");
+    let test = TestFile {
+        span: keys.span(),
+        style: keys.words("style", faults),
+        numbers: keys.get("numbers").map_or_else(Vec::new, |value| strings("`numbers`", value, faults)),
+        answers: keys.get("answers").map_or_else(Vec::new, |value| strings("`answers`", value, faults)),
+    };
+    keys.finish(faults);
+    test
 }
 
 fn style(name: Words, value: &Spanned<DeValue>, faults: &mut Faults) -> Option<StyleFile> {

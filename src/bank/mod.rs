@@ -26,7 +26,7 @@ pub use domain::Domain;
 pub use folder::{Bank, read_source};
 pub use givens::Givens;
 pub use posed::{Posed, Unposed};
-pub use question::{Answer, Code, EarnedFor, Find, Mark, Part, Question, Style, StyleName};
+pub use question::{Answer, AuthorsTest, Code, EarnedFor, Find, Mark, Part, Question, Style, StyleName};
 pub use requirement::{Measure, Requirement};
 pub use scene_file::read_scene;
 pub use schema::question_schema;

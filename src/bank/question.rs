@@ -1,6 +1,7 @@
 //! A question whose file has been checked: everything read, every name known, nothing chosen yet.
 
 use std::fmt;
+use std::ops::Range;
 
 use super::{Domain, Requirement};
 use crate::answer::{Accept, Kind};
@@ -30,6 +31,25 @@ pub struct Question {
     pub reference_style: usize,
     /// What was wrong with the exercise that it mirrors.
     pub erratum: Option<String>,
+    /// Tags of slips that its author knows to be hidden by some of its numbers.
+    pub hidden: Vec<String>,
+    /// Pairs of tags of slips that its author knows it cannot tell apart.
+    pub alike: Vec<(String, String)>,
+    /// Answers that its author has worked out.
+    pub tests: Vec<AuthorsTest>,
+}
+
+/// Answers that the author of a question has worked out by hand.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct AuthorsTest {
+    /// Where it stands in the file.
+    pub span: Range<usize>,
+    /// The style whose numbers they are, by its place in `styles`.
+    pub style: usize,
+    /// The numbers.
+    pub numbers: Vec<(String, Expr)>,
+    /// The names of what is asked, as `find` has them, and the answers as a student would write them.
+    pub answers: Vec<(String, String)>,
 }
 
 impl Question {
@@ -150,6 +170,14 @@ pub enum Find {
 }
 
 impl Find {
+    /// Its name in a bank file: the quantity, of a vector that of its first component, or the letter.
+    pub fn name(&self) -> String {
+        match self {
+            Find::Quantity(quantity) | Find::Vector(quantity, _) => quantity.to_string(),
+            Find::Unknown(name) => name.clone(),
+        }
+    }
+
     /// The quantities that must be known.
     pub fn quantities(&self) -> Vec<Quantity> {
         match self {

@@ -40,6 +40,9 @@ pub fn question_schema() -> Json {
             ("scene", shared("scene")),
             ("part", several("part", "What is asked. One part has no letter; two are labelled (a) and (b).")),
             ("reference", reference()),
+            ("hidden", texts("Slips of students that some of the numbers hide, by their tags, such as e-taken-as-1.")),
+            ("alike", texts("Pairs of slips that no number tells apart, such as: speed-sum = speed-no-root.")),
+            ("test", several("test", "Answers that you have worked out yourself, to be compared with those of carom.")),
         ],
         &["title", "topic", "stem", "style", "scene", "part", "reference"],
     );
@@ -54,6 +57,7 @@ pub fn question_schema() -> Json {
         "part": part(),
         "answer": answer(),
         "mark": mark(),
+        "test": test(),
     });
     schema["definitions"] = definitions;
     // What an answer finds, and what a mark is for, may be a letter only where the scene has letters to find.
@@ -156,6 +160,18 @@ fn style() -> Json {
             ("let", shared("let")),
         ],
         &[],
+    )
+}
+
+fn test() -> Json {
+    table(
+        "Answers for one set of numbers: the reference numbers, but for those that `numbers` has.",
+        vec![
+            ("style", words("The style whose numbers these are.")),
+            ("numbers", free("Numbers in place of those of the reference.", words("A number, in quotes."))),
+            ("answers", free("Each quantity with its value.", words("A number or formula, or a rounded decimal."))),
+        ],
+        &["answers"],
     )
 }
 

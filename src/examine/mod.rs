@@ -1,147 +1,26 @@
-//! A question examined by students that Carom writes itself: right ones in many notations, ones that make a known mistake,
-//! ones that hand in nothing or nonsense. What each of them must earn is known, so a marker or a mark scheme that gives
-//! something else is found out. A mark that nobody wins, or nobody loses, measures nothing.
+//! A question examined, every variant of it: [`survey`] takes a whole bank through it on all processors.
+//!
+//! Of each set of numbers that a style allows it is found whether it is fit for print, and what turns it away: the
+//! [`Census`](crate::generate::Census). Each variant is then looked at as a careful teacher would: its words read, its
+//! answers have the form that its style promises and are told apart, every slip that students make shows. Then students
+//! whose marks are known hand it in, and what the author has worked out by hand is compared.
 
+mod again;
+mod apart;
+mod author;
+mod coverage;
+mod finding;
+mod given;
+mod promise;
+mod report;
+mod sentences;
+mod shows;
 mod students;
+mod survey;
+mod tally;
 
+pub use coverage::{Coverage, MarkCount, coverage};
+pub use finding::Finding;
+pub use report::{AnswerForms, Hidden, Report, StyleReport, Turned};
 pub use students::{Expected, Student, students};
-
-use crate::bank::Question;
-use crate::generate::Variant;
-use crate::mark::{AnswerKey, KeyedQuestion, MarkedPart, Profile, mark};
-use crate::paper::{Key, compose, key_question};
-
-/// How often each mark of a question was won and lost, and what was marked otherwise than it must be.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Coverage {
-    /// The marks of all parts, in the order of the scheme.
-    pub marks: Vec<MarkCount>,
-    /// How many scripts were marked.
-    pub scripts: usize,
-    /// Scripts that earned what they must not, or not what they must, each in a sentence.
-    pub faults: Vec<String>,
-}
-
-/// A mark with how it fared.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct MarkCount {
-    /// The part: `a`, `b`, … or empty.
-    pub part: String,
-    /// The mark's id: `M1a`.
-    pub id: String,
-    /// How many won it.
-    pub won: usize,
-    /// How many lost it.
-    pub lost: usize,
-}
-
-impl Coverage {
-    /// Marks that nobody won, or nobody lost.
-    pub fn idle(&self) -> impl Iterator<Item = &MarkCount> {
-        self.marks.iter().filter(|mark| mark.won == 0 || mark.lost == 0)
-    }
-
-    /// Adds what another variant of the same question showed.
-    pub fn add(&mut self, other: Coverage) {
-        if self.marks.is_empty() {
-            self.marks = other.marks;
-        } else {
-            for (own, other) in self.marks.iter_mut().zip(other.marks) {
-                own.won += other.won;
-                own.lost += other.lost;
-            }
-        }
-        self.scripts += other.scripts;
-        self.faults.extend(other.faults);
-    }
-}
-
-/// Marks every student of one variant of a question.
-pub fn coverage(question: &Question, variant: &Variant) -> Coverage {
-    let printed = compose(question, variant, 1);
-    let keyed = key_question(question, variant, &printed);
-    let text = serde_json::to_string(&Key::new(String::new(), None, vec![keyed.clone()])).unwrap_or_default();
-    let key = match AnswerKey::read(&text) {
-        Ok(key) => key,
-        Err(faults) => {
-            let faults = faults.into_iter().map(|fault| format!("the key cannot be read back: {}", fault.message));
-            return Coverage { faults: faults.collect(), ..Coverage::default() };
-        }
-    };
-    let mut coverage = Coverage::default();
-    for keyed_question in key.papers.iter().flat_map(|paper| &paper.questions) {
-        coverage.add(of_question(keyed_question, &students(&printed, &keyed, keyed_question)));
-    }
-    coverage
-}
-
-fn of_question(question: &KeyedQuestion, students: &[Student]) -> Coverage {
-    let profile = Profile::default();
-    let mut coverage = Coverage::default();
-    for part in &question.parts {
-        let count = |mark: &crate::mark::KeyedMark| MarkCount {
-            part: part.label.clone(),
-            id: mark.id.clone(),
-            won: 0,
-            lost: 0,
-        };
-        coverage.marks.extend(part.scheme.iter().map(count));
-    }
-    for student in students {
-        let marked = mark(question, &student.script, &profile);
-        let awards = marked.iter().flat_map(|part| &part.awards);
-        for (count, award) in coverage.marks.iter_mut().zip(awards) {
-            *(if award.given { &mut count.won } else { &mut count.lost }) += 1;
-        }
-        coverage.scripts += 1;
-        coverage.faults.extend(fault(student, &marked));
-    }
-    coverage
-}
-
-/// Is it marked as it must be?
-fn fault(student: &Student, marked: &[MarkedPart]) -> Option<String> {
-    let awards = || marked.iter().flat_map(|part| part.awards.iter().map(move |award| (part, award)));
-    let name = |part: &MarkedPart, id: &str| {
-        if part.label.is_empty() { id.to_owned() } else { format!("({}) {id}", part.label) }
-    };
-    let found = match &student.expected {
-        Expected::Everything => {
-            let lost: Vec<String> =
-                awards().filter(|(_, award)| !award.given).map(|(part, award)| name(part, &award.id)).collect();
-            (!lost.is_empty()).then(|| format!("does not earn {}", lost.join(", ")))
-        }
-        Expected::AllButShown => {
-            let lost: Vec<String> = awards()
-                .filter(|(part, award)| !award.given && !is_about_shown(part))
-                .map(|(part, award)| name(part, &award.id))
-                .collect();
-            (!lost.is_empty()).then(|| format!("does not earn {}", lost.join(", ")))
-        }
-        Expected::Nothing => {
-            let won: Vec<String> =
-                awards().filter(|(_, award)| award.given).map(|(part, award)| name(part, &award.id)).collect();
-            (!won.is_empty()).then(|| format!("earns {}", won.join(", ")))
-        }
-        Expected::Mistake { part, blank, tag } => {
-            let answer = &marked[*part].answers[*blank];
-            // A note says it too: of a wrong sign, or of an angle in radians.
-            let named = answer.causes.iter().any(|cause| cause.tag == *tag) || answer.judgement.note.is_some();
-            match answer.judgement.verdict {
-                crate::mark::judging::Verdict::Correct => Some("is taken for right".to_owned()),
-                _ if !named => Some("is not recognised".to_owned()),
-                _ => None,
-            }
-        }
-        Expected::FollowThrough { part, id } => {
-            let award = marked[*part].awards.iter().find(|award| award.id == *id);
-            award.is_none_or(|award| !award.given).then(|| format!("does not earn {id}"))
-        }
-    };
-    found.map(|found| format!("{} {found}: {}", student.who, student.wrote()))
-}
-
-/// Is the part one whose result is printed? Its marks are for the working.
-fn is_about_shown(part: &MarkedPart) -> bool {
-    part.awards.iter().any(|award| award.code == crate::bank::Code::A1Shown)
-}
+pub use survey::{MARKED, MOST_SETS, survey, work};

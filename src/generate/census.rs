@@ -5,7 +5,8 @@ use std::num::NonZero;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
 
-use super::variant::{Unfit, Variant, examine};
+use super::form::Form;
+use super::variant::{Unfit, Variant, examine_further};
 use crate::bank::{Question, Style};
 
 /// What became of every set of numbers of a question in a style.
@@ -17,6 +18,21 @@ pub struct Census {
     pub fit: u64,
     /// How many each reason turned away, in the order in which reasons are examined.
     pub unfit: BTreeMap<Unfit, u64>,
+    /// How many of these nothing else would have turned away.
+    pub alone: BTreeMap<Unfit, u64>,
+    /// The first set that each reason turned away.
+    pub first: BTreeMap<Unfit, u64>,
+    /// In how many variants each answer, in the order of the question, has which form.
+    pub forms: Vec<BTreeMap<Form, u64>>,
+}
+
+/// What would become of a style if one thing were not required of it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Relaxation {
+    /// What is required, in words.
+    pub without: String,
+    /// How many variants there would be more.
+    pub more: u64,
 }
 
 impl Census {
@@ -24,12 +40,90 @@ impl Census {
     pub fn funnel(&self, question: &Question, style: &Style) -> Vec<(String, u64)> {
         self.unfit.iter().map(|(reason, count)| (in_words(reason, question, style), *count)).collect()
     }
+
+    /// The requirement that turns most sets away, in words, and how many.
+    pub fn dearest(&self, style: &Style) -> Option<(String, u64)> {
+        let required = self.unfit.iter().filter(|(reason, _)| reason.requirement().is_some());
+        let (reason, count) = required.max_by_key(|(reason, count)| (**count, std::cmp::Reverse(*reason)))?;
+        Some((requirement(reason, style), *count))
+    }
+
+    /// The requirements by what each of them alone keeps out, the one that would give most variants first.
+    pub fn relaxations(&self, style: &Style) -> Vec<Relaxation> {
+        let alone = self.alone.iter().filter(|(reason, _)| reason.requirement().is_some());
+        let mut found: Vec<Relaxation> =
+            alone.map(|(reason, more)| Relaxation { without: requirement(reason, style), more: *more }).collect();
+        found.sort_by_key(|relaxation| std::cmp::Reverse(relaxation.more));
+        found
+    }
+
+    /// Counts one set.
+    pub fn count(&mut self, question: &Question, index: u64, examined: &Result<Variant, (Unfit, bool)>) {
+        match examined {
+            Ok(variant) => {
+                self.fit += 1;
+                let answers = question.parts.iter().flat_map(|part| &part.answers);
+                for (place, answer) in answers.enumerate() {
+                    if self.forms.len() <= place {
+                        self.forms.resize_with(place + 1, BTreeMap::new);
+                    }
+                    if let Some(form) = Form::of_answer(answer, &variant.solution) {
+                        *self.forms[place].entry(form).or_default() += 1;
+                    }
+                }
+            }
+            Err((reason, is_alone)) => {
+                *self.unfit.entry(reason.clone()).or_default() += 1;
+                if *is_alone {
+                    *self.alone.entry(reason.clone()).or_default() += 1;
+                }
+                let first = self.first.entry(reason.clone()).or_insert(index);
+                *first = index.min(*first);
+            }
+        }
+    }
+
+    /// Adds what was counted of other sets of the same style.
+    pub fn add(&mut self, other: Census) {
+        self.fit += other.fit;
+        add(&mut self.unfit, other.unfit);
+        add(&mut self.alone, other.alone);
+        for (reason, index) in other.first {
+            let first = self.first.entry(reason).or_insert(index);
+            *first = index.min(*first);
+        }
+        self.forms.resize_with(self.forms.len().max(other.forms.len()), BTreeMap::new);
+        for (own, other) in self.forms.iter_mut().zip(other.forms) {
+            add(own, other);
+        }
+    }
+}
+
+fn add<K: Ord>(own: &mut BTreeMap<K, u64>, other: BTreeMap<K, u64>) {
+    for (key, count) in other {
+        *own.entry(key).or_default() += count;
+    }
+}
+
+impl Unfit {
+    /// The place of the requirement that turned the set away, if one did.
+    pub fn requirement(&self) -> Option<usize> {
+        match self {
+            Unfit::Givens(place) | Unfit::Results(place) => Some(*place),
+            _ => None,
+        }
+    }
+}
+
+/// The requirement as it was written.
+fn requirement(reason: &Unfit, style: &Style) -> String {
+    let found = reason.requirement().and_then(|place| style.require.get(place));
+    found.map_or_else(String::new, |requirement| requirement.text.clone())
 }
 
 fn in_words(reason: &Unfit, question: &Question, style: &Style) -> String {
-    let requirement = |place: &usize| style.require.get(*place).map_or("", |requirement| requirement.text.as_str());
     match reason {
-        Unfit::Givens(place) | Unfit::Results(place) => format!("not `{}`", requirement(place)),
+        Unfit::Givens(_) | Unfit::Results(_) => format!("not `{}`", requirement(reason, style)),
         Unfit::NoValue => "a formula has no value".to_owned(),
         Unfit::Impossible => "cannot happen".to_owned(),
         Unfit::Underdetermined => "something is left open".to_owned(),
@@ -66,12 +160,10 @@ pub fn enumerate(
                 return census;
             }
             for index in from..size.min(from.saturating_add(PORTION)) {
-                match examine(question, style, index) {
-                    Ok(variant) => {
-                        census.fit += 1;
-                        visit(variant);
-                    }
-                    Err(reason) => *census.unfit.entry(reason).or_default() += 1,
+                let examined = examine_further(question, style, index);
+                census.count(question, index, &examined);
+                if let Ok(variant) = examined {
+                    visit(variant);
                 }
             }
             progress(size.min(from.saturating_add(PORTION)));
@@ -83,11 +175,7 @@ pub fn enumerate(
         let workers: Vec<_> = (0..threads).map(|_| scope.spawn(worker)).collect();
         for worker in workers {
             // A panic in a worker is a bug in carom and is passed on as it is.
-            let census = worker.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
-            total.fit += census.fit;
-            for (reason, count) in census.unfit {
-                *total.unfit.entry(reason).or_default() += count;
-            }
+            total.add(worker.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)));
         }
     });
     total

@@ -2,12 +2,14 @@
 
 mod census;
 mod deal;
+mod form;
 mod rounding;
 mod shuffle;
 mod variant;
 
-pub use census::{Census, enumerate};
+pub use census::{Census, Relaxation, enumerate};
 pub use deal::{Deal, End, PATIENCE};
+pub use form::Form;
 pub use rounding::{degrees_round_safely, rounds_safely};
 pub use shuffle::{Shuffle, below};
-pub use variant::{Unfit, Variant, examine, reference};
+pub use variant::{Unfit, Variant, answer_rounds_safely, examine, examine_further, reference, with_numbers};

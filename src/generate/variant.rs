@@ -1,7 +1,7 @@
 //! One set of numbers of a question, examined: everything that is required of it holds.
 
 use crate::answer::Kind;
-use crate::bank::{Find, Givens, Posed, Question, Style, StyleName, Unposed};
+use crate::bank::{Answer, Find, Givens, Posed, Question, Style, StyleName, Unposed};
 use crate::expr::Expr;
 use crate::mechanics::{Because, Scene};
 use crate::number::{Angle, Places, Range, Value};
@@ -53,45 +53,91 @@ pub enum Unfit {
 ///
 /// The first thing that makes it unfit.
 pub fn examine(question: &Question, style: &Style, index: u64) -> Result<Variant, Unfit> {
+    examined(question, style, index, false).map_err(|(reason, _)| reason)
+}
+
+/// As [`examine`], and of an unfit set whether it would be fit if only that one thing were not required of it.
+///
+/// # Errors
+///
+/// The first thing that makes it unfit, and whether it is the only one.
+pub fn examine_further(question: &Question, style: &Style, index: u64) -> Result<Variant, (Unfit, bool)> {
+    examined(question, style, index, true)
+}
+
+/// What has turned a set away so far.
+struct Turned {
+    first: Option<Unfit>,
+    goes_on: bool,
+}
+
+impl Turned {
+    /// A reason more. The second one settles it, and the first one too if nobody wants to know of a second.
+    fn away(&mut self, reason: Unfit) -> Result<(), (Unfit, bool)> {
+        match self.first.take() {
+            Some(first) => Err((first, false)),
+            None if self.goes_on => {
+                self.first = Some(reason);
+                Ok(())
+            }
+            None => Err((reason, false)),
+        }
+    }
+}
+
+fn examined(question: &Question, style: &Style, index: u64, goes_on: bool) -> Result<Variant, (Unfit, bool)> {
+    let mut turned = Turned { first: None, goes_on };
     let parameters = style.parameters_at(index);
-    let givens = Givens::new(style, &parameters, &question.scene).map_err(|_| Unfit::NoValue)?;
+    let givens = Givens::new(style, &parameters, &question.scene).map_err(|_| (Unfit::NoValue, false))?;
     for (place, requirement) in style.require.iter().enumerate() {
         let on_results = requirement.is_on_results(&question.scene.unknowns, &|name| givens.contains(name));
         if !on_results && !requirement.holds(&|name| givens.meaning(name)).unwrap_or(false) {
-            return Err(Unfit::Givens(place));
+            turned.away(Unfit::Givens(place))?;
         }
     }
-    let posed = Posed::new(question, style, givens).map_err(|reason| match reason {
+    // What cannot be posed is unfit whatever is required of it.
+    let first = turned.first.clone();
+    let posed = Posed::new(question, style, givens).map_err(|reason| (first.unwrap_or(unposed(&reason)), false))?;
+    for (place, requirement) in style.require.iter().enumerate() {
+        let on_results = requirement.is_on_results(&question.scene.unknowns, &|name| posed.givens.contains(name));
+        if on_results && !requirement.holds(&|name| posed.meaning(name)).unwrap_or(false) {
+            turned.away(Unfit::Results(place))?;
+        }
+    }
+    for (place, answer) in question.parts.iter().flat_map(|part| &part.answers).enumerate() {
+        if !answer_rounds_safely(answer, &posed.solution) {
+            turned.away(Unfit::Tie(place))?;
+        }
+    }
+    match turned.first {
+        Some(only) => Err((only, true)),
+        None => Ok(variant(question, style, Some(index), parameters, posed)),
+    }
+}
+
+fn unposed(reason: &Unposed) -> Unfit {
+    match reason {
         Unposed::Given(..) | Unposed::Scene(_) => Unfit::NoValue,
         Unposed::Refused(refusal) => match refusal.because {
             Because::Impossible => Unfit::Impossible,
             Because::Underdetermined => Unfit::Underdetermined,
             Because::BeyondMethods => Unfit::BeyondMethods,
         },
-    })?;
-    for (place, requirement) in style.require.iter().enumerate() {
-        let on_results = requirement.is_on_results(&question.scene.unknowns, &|name| posed.givens.contains(name));
-        if on_results && !requirement.holds(&|name| posed.meaning(name)).unwrap_or(false) {
-            return Err(Unfit::Results(place));
-        }
     }
-    for (place, answer) in question.parts.iter().flat_map(|part| &part.answers).enumerate() {
-        if let Some(places) = answer.accept.places() {
-            let safe = match &answer.find {
-                _ if answer.kind == Kind::Range => range_rounds_safely(&posed.solution, places),
-                Find::Unknown(name) => found_rounds_safely(&posed.solution, name, places),
-                find => find.quantities().into_iter().all(|quantity| {
-                    let number = posed.solution.number(quantity).map(|value| rounds_safely(&value, places));
-                    let angle = || posed.solution.angle(quantity).map(|angle| degrees_round_safely(&angle, places));
-                    number.or_else(angle).unwrap_or(true)
-                }),
-            };
-            if !safe {
-                return Err(Unfit::Tie(place));
-            }
-        }
+}
+
+/// Is an answer clear of a tie at the figures to which it may be rounded?
+pub fn answer_rounds_safely(answer: &Answer, solution: &Solution) -> bool {
+    let Some(places) = answer.accept.places() else { return true };
+    match &answer.find {
+        _ if answer.kind == Kind::Range => range_rounds_safely(solution, places),
+        Find::Unknown(name) => found_rounds_safely(solution, name, places),
+        find => find.quantities().into_iter().all(|quantity| {
+            let number = solution.number(quantity).map(|value| rounds_safely(&value, places));
+            let angle = || solution.angle(quantity).map(|angle| degrees_round_safely(&angle, places));
+            number.or_else(angle).unwrap_or(true)
+        }),
     }
-    Ok(variant(question, style, Some(index), parameters, posed))
 }
 
 /// Both ends of a range.
@@ -116,11 +162,18 @@ fn found_rounds_safely(solution: &Solution, name: &str, places: &Places) -> bool
 ///
 /// Why they do not make a question, if the question was not made by [`crate::bank::read_question`].
 pub fn reference(question: &Question) -> Result<Variant, Unposed> {
-    let style = &question.styles[question.reference_style];
-    let givens = Givens::new(style, &question.reference, &question.scene)
-        .map_err(|(name, fault)| Unposed::Given(name, fault))?;
+    with_numbers(question, &question.styles[question.reference_style], &question.reference)
+}
+
+/// A question with any numbers, which need not lie in the domains or meet the requirements.
+///
+/// # Errors
+///
+/// Why they do not make a question.
+pub fn with_numbers(question: &Question, style: &Style, numbers: &[(String, Expr)]) -> Result<Variant, Unposed> {
+    let givens = Givens::new(style, numbers, &question.scene).map_err(|(name, fault)| Unposed::Given(name, fault))?;
     let posed = Posed::new(question, style, givens)?;
-    Ok(variant(question, style, None, question.reference.clone(), posed))
+    Ok(variant(question, style, None, numbers.to_vec(), posed))
 }
 
 fn variant(

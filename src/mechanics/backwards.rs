@@ -45,7 +45,13 @@ pub struct Found {
 pub fn backwards(scene: &Scene) -> Result<Vec<Found>, Refusal> {
     if scene.unknowns.is_empty() {
         if scene.conditions.is_empty() && scene.maximise.is_none() {
-            return Ok(vec![Found { scene: scene.clone(), values: vec![], range: None, lines: vec![], remarks: vec![] }]);
+            return Ok(vec![Found {
+                scene: scene.clone(),
+                values: vec![],
+                range: None,
+                lines: vec![],
+                remarks: vec![],
+            }]);
         }
         return Err(Refusal::underdetermined("there are conditions, but no unknown to be found from them")
             .try_this("name what is to be found in `unknowns`"));

@@ -1,9 +1,9 @@
 //! The words in which a condition is stated and what was found from it is told.
 
 use super::Line;
+use super::refusal::Refusal;
 use super::scene::Condition;
 use super::working::Show;
-use super::refusal::Refusal;
 use super::{Axis, Moment, Quantity, Setting, Sphere};
 use crate::expr::{Expr, Relation, written, written_angle};
 use crate::number::{Angle, Letter, NoRoots, Range, Value};
@@ -133,7 +133,8 @@ pub(super) fn inequality_words(condition: &Condition, inequality: Expr, setting:
     let subject = quantity_of(&condition.left).map_or_else(|| "{l}".to_owned(), named);
     let other = quantity_of(&condition.right).map_or_else(|| "{r}".to_owned(), named);
     let short = to_nought && matches!(condition.relation, Relation::Less | Relation::Greater);
-    let words = if short { format!("For this {subject} {must}:") } else { format!("For this {subject} {must} {other}:") };
+    let words =
+        if short { format!("For this {subject} {must}:") } else { format!("For this {subject} {must} {other}:") };
     Line::with(&words, &formulas, vec![inequality]).said_of(setting)
 }
 
@@ -148,4 +149,3 @@ pub(super) fn no_roots(reason: NoRoots) -> Refusal {
         NoRoots::TooLong => Refusal::beyond("the conditions lead to formulas too long to be solved exactly"),
     }
 }
-

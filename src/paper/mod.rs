@@ -17,6 +17,7 @@ mod pool;
 mod scheme;
 mod sheet;
 mod wording;
+mod words;
 mod working;
 
 pub use choice::{choose_count, choose_marks};
@@ -29,6 +30,7 @@ pub use key::{Blank, Key, KeyMark, KeyPaper, KeyPart, KeyQuestion, key_question}
 pub use lock::{Lock, LockFault, Locked, LockedQuestion};
 pub use pool::{Alike, Candidate, Likeness, Motion, Pool};
 pub use sheet::Sheet;
+pub use words::{Words, words};
 
 use crate::diagram::Diagram;
 use crate::expr::{Expr, Text};

@@ -26,12 +26,12 @@ fn cases() -> Vec<(&'static str, Json, &'static str)> {
             direct("1", "1", ["4", "0"], json!("e"), &e, "e", "ke.fraction_lost <= 1/4"),
             "1/2*sqrt(2) <= e <= 1",
         ),
-        ("A goes on, masses km and m", direct("k*m", "m", ["u", "-u"], json!("1/2"), &k, "k", "A.after.x > 0"), "k > 2"),
         (
-            "both go A's way",
-            direct("k*m", "m", ["u", "-u"], json!("1/2"), &k, "k", "A.after.x >= 0"),
-            "k >= 2",
+            "A goes on, masses km and m",
+            direct("k*m", "m", ["u", "-u"], json!("1/2"), &k, "k", "A.after.x > 0"),
+            "k > 2",
         ),
+        ("both go A's way", direct("k*m", "m", ["u", "-u"], json!("1/2"), &k, "k", "A.after.x >= 0"), "k >= 2"),
         (
             "e is at most 1",
             json!({
@@ -102,7 +102,9 @@ fn carom_knows_that_it_happens_inside_and_not_outside() {
                 scene.as_object_mut().unwrap().remove(field);
             }
             for empty in ["masses", "e"] {
-                if scene[empty].is_null() || scene[empty].as_object().is_some_and(|masses| masses.values().all(Json::is_null)) {
+                if scene[empty].is_null()
+                    || scene[empty].as_object().is_some_and(|masses| masses.values().all(Json::is_null))
+                {
                     scene.as_object_mut().unwrap().remove(empty);
                 }
             }

@@ -1,5 +1,6 @@
 //! From a question file to a question, with every fault of the file.
 
+mod declared;
 mod marks;
 mod names;
 mod parts;
@@ -40,6 +41,7 @@ fn check(id: &str, file: &QuestionFile, faults: &mut Faults) -> Option<Question>
     }
     let parts = parts::parts(file, &mut used, faults);
     let (reference, reference_style) = reference::reference(file, &styles, &mut used, faults);
+    let declared = declared::declared(file, &styles, &parts, (&reference, reference_style), &mut used, faults);
     let letters = file.scene.as_ref().map(|scene| scene.letters()).unwrap_or_default();
     used.resolve(&scopes, &letters, faults);
     if !faults.found.is_empty() {
@@ -56,6 +58,9 @@ fn check(id: &str, file: &QuestionFile, faults: &mut Faults) -> Option<Question>
         reference,
         reference_style,
         erratum: file.erratum.as_ref().map(|words| words.get_ref().clone()),
+        hidden: declared.hidden,
+        alike: declared.alike,
+        tests: declared.tests,
     };
     solvable::solvable(&question, file, faults);
     Some(question)

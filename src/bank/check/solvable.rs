@@ -45,7 +45,12 @@ fn ranges(posed: &Posed, question: &Question, file: &QuestionFile, faults: &mut 
         let span = || written.kind.as_ref().or(written.find.first()).map_or(written.span.clone(), |words| words.span());
         if answer.kind == Kind::Range && !is_limited {
             let help = "add an inequality such as `conditions = [\"A.after.n < 0\"]` to `[scene]`, and name what it limits in `unknowns`";
-            faults.report_with_help(span(), format!("`{found}` has no range"), "no inequality of the scene limits it", help);
+            faults.report_with_help(
+                span(),
+                format!("`{found}` has no range"),
+                "no inequality of the scene limits it",
+                help,
+            );
         } else if answer.kind != Kind::Range && is_limited {
             let message = format!("`{found}` has no single value");
             faults.report_with_help(span(), message, "inequalities leave it a range", "write `kind = \"range\"`");

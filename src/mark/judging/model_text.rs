@@ -56,10 +56,12 @@ impl Model {
         let kind = options.kind.unwrap_or(inferred);
         fits(kind, inferred, whole)?;
         let lettered = letters.iter().any(|letter| value.names().iter().any(|name| name.text == letter.name()));
-        let accept = options.accept.clone().unwrap_or(match lettered || matches!(kind, Kind::Shown | Kind::Equation | Kind::Range) {
-            true => Accept::Exact,
-            false => Accept::RoundsTo(Places::SignificantFigures(3)),
-        });
+        let accept = options.accept.clone().unwrap_or(
+            match lettered || matches!(kind, Kind::Shown | Kind::Equation | Kind::Range) {
+                true => Accept::Exact,
+                false => Accept::RoundsTo(Places::SignificantFigures(3)),
+            },
+        );
         let vectors = matches!(kind, Kind::Vector | Kind::Line) || inferred == Kind::Vector;
         let vectors = vectors && kind != Kind::Velocity;
         let model = Model::new(value, kind, accept, Vocabulary { letters, vectors });

@@ -139,9 +139,9 @@ impl KeyedMark {
         });
         // What is only approximately equal proves nothing.
         let equation = match mark.equation.as_ref().filter(|text| !text.contains('~')) {
-            Some(text) => {
-                Some(read_range(text, Angles::Radians).map_err(|fault| at("equation", fault.message, &fault.expected))?)
-            }
+            Some(text) => Some(
+                read_range(text, Angles::Radians).map_err(|fault| at("equation", fault.message, &fault.expected))?,
+            ),
             None => None,
         };
         Ok(KeyedMark {

@@ -9,6 +9,7 @@ mod cause;
 mod last_step;
 mod rounding;
 mod sample;
+mod shown;
 mod table;
 #[cfg(test)]
 mod tests;
@@ -16,6 +17,7 @@ mod written;
 
 pub use cause::{Cause, StepMarks};
 pub use rounding::{EARLY_ROUNDING, EarlyRounding, early_rounding};
+pub use shown::{Figures, Outcome, Shown, acting, shown};
 
 use crate::expr::Expr;
 use crate::mark::reading::{Form, ReferenceLine, Said};

@@ -1,0 +1,54 @@
+//! Are the answers of a variant told apart? Of two that share a value nobody can see which of them a student has found.
+
+use super::tally::Remark;
+use crate::bank::{Answer, Question};
+use crate::generate::Variant;
+use crate::number::{Places, Value};
+
+/// Two figures are one if they round alike; formulas, and exact numbers, if they are equal.
+pub fn alike(question: &Question, variant: &Variant, remarks: &mut Vec<Remark>) {
+    let answers: Vec<&Answer> = question.parts.iter().flat_map(|part| &part.answers).collect();
+    for (place, one) in answers.iter().enumerate() {
+        for other in &answers[place + 1..] {
+            if one.find != other.find && one.kind == other.kind && share(one, other, variant) {
+                let what = format!("`{}` and `{}` have one value", one.find.name(), other.find.name());
+                let label = "a student who exchanges the two is marked right";
+                let help = format!("require `abs({} - {}) > 0`, or more", one.find.name(), other.find.name());
+                remarks.push(Remark::new(what, format!("\"{}\"", other.find.name()), label, help));
+            }
+        }
+    }
+}
+
+fn share(one: &Answer, other: &Answer, variant: &Variant) -> bool {
+    let (first, second) = (one.find.quantities(), other.find.quantities());
+    let solution = &variant.solution;
+    let is_pair = !first.is_empty() && first.len() == second.len();
+    is_pair
+        && first.iter().zip(&second).all(|(a, b)| {
+            if a.unit() != b.unit() {
+                return false;
+            }
+            match (solution.number(*a), solution.number(*b)) {
+                (Some(a), Some(b)) => round_alike(&a, &b, one.accept.places().or(other.accept.places())),
+                _ => match (solution.angle(*a), solution.angle(*b)) {
+                    (Some(a), Some(b)) => {
+                        let places = one.accept.places().unwrap_or(&Places::SignificantFigures(3));
+                        let known = a.letters().is_empty() && b.letters().is_empty();
+                        known && matches!((a.rounded(places), b.rounded(places)), (Ok(a), Ok(b)) if a == b)
+                    }
+                    _ => false,
+                },
+            }
+        })
+}
+
+fn round_alike(a: &Value, b: &Value, places: Option<&Places>) -> bool {
+    if a == b {
+        return true;
+    }
+    let (Some(places), true) = (places, a.is_constant() && b.is_constant()) else { return false };
+    // Most are far apart, and a certified rounding costs more than a glance.
+    let near = matches!((a.to_f64(), b.to_f64()), (Some(a), Some(b)) if (a - b).abs() <= 0.01 * a.abs().max(b.abs()));
+    near && matches!((a.rounded(places), b.rounded(places)), (Ok(a), Ok(b)) if a == b)
+}

@@ -1,0 +1,107 @@
+//! Does the question say all that its scene takes, and use every name that it declares?
+
+use std::collections::BTreeSet;
+
+use serde_json::Value as Json;
+
+use super::finding::Finding;
+use crate::bank::{Question, Style};
+use crate::expr::{Expr, Markup, Text};
+
+/// Numbers that are never said, and letters that are never used.
+pub fn unsaid(question: &Question) -> Vec<Finding> {
+    let scene = names_of_scene(question);
+    let mut findings = Vec::new();
+    for style in &question.styles {
+        let taken = origins(&scene, style);
+        let mut words = names_of(&style.stem);
+        words.extend(of_text(&style.note));
+        for part in &question.parts {
+            words.extend(names_of(&part.ask));
+        }
+        let said = origins(&words, style);
+        for (name, domain) in &style.parameters {
+            if domain.size() > 1 && taken.contains(name) && !said.contains(name) {
+                let message = format!("the words of style `{}` never give `{name}`", style.name);
+                let label = "the scene takes it, so a student must be told";
+                let found = Finding::new(message, format!("{name} "), label);
+                let help = format!("write it into the stem, as in `{{{name} kg}}`");
+                findings.push(found.with_help(help));
+            }
+        }
+    }
+    findings.extend(question.scene.symbols.keys().filter(|name| !is_used(name, question)).map(|name| {
+        let message = format!("nothing uses the letter `{name}`");
+        Finding::new(message, "[scene.symbols]", "declared here").with_help("take it out, or use it in the scene")
+    }));
+    findings
+}
+
+/// Every name in the formulas of the scene; its keys are no names.
+fn names_of_scene(question: &Question) -> BTreeSet<String> {
+    let mut scene = question.scene.clone();
+    scene.symbols.clear();
+    let mut found = BTreeSet::new();
+    let mut open: Vec<Json> = serde_json::to_value(&scene).into_iter().collect();
+    while let Some(value) = open.pop() {
+        match value {
+            Json::String(text) => found.extend(names_in(&text)),
+            Json::Array(items) => open.extend(items),
+            Json::Object(fields) => open.extend(fields.into_iter().map(|(_, value)| value)),
+            _ => {}
+        }
+    }
+    found
+}
+
+fn names_in(text: &str) -> BTreeSet<String> {
+    let is_name = |sign: char| sign.is_ascii_alphanumeric() || sign == '_';
+    text.split(|sign| !is_name(sign)).filter(|name| !name.is_empty()).map(str::to_owned).collect()
+}
+
+fn of_text(text: &Text) -> BTreeSet<String> {
+    text.names().iter().map(|name| name.text.clone()).collect()
+}
+
+fn names_of(words: &Markup) -> BTreeSet<String> {
+    words.iter().flat_map(of_text).collect()
+}
+
+fn names_of_expr(expr: &Expr) -> impl Iterator<Item = String> {
+    expr.names().into_iter().map(|name| name.text.clone()).collect::<Vec<_>>().into_iter()
+}
+
+/// The names with those from which they are derived.
+fn origins(names: &BTreeSet<String>, style: &Style) -> BTreeSet<String> {
+    let mut all = names.clone();
+    for (name, meaning) in style.lets.iter().rev() {
+        if all.contains(name) {
+            all.extend(names_of_expr(meaning));
+        }
+    }
+    all
+}
+
+/// Does a letter stand in the scene, in a parameter's values, in a formula of the words or of an answer?
+fn is_used(letter: &str, question: &Question) -> bool {
+    if names_of_scene(question).contains(letter) {
+        return true;
+    }
+    let in_expr = |expr: &Expr| expr.names().iter().any(|name| name.text == letter);
+    let in_style = |style: &Style| {
+        let values =
+            style.parameters.iter().flat_map(|(_, domain)| (0..domain.size().min(100)).map(|i| domain.value(i)));
+        names_of(&style.stem).contains(letter)
+            || of_text(&style.note).contains(letter)
+            || style.lets.iter().any(|(_, expr)| in_expr(expr))
+            || values.into_iter().any(|value| in_expr(&value))
+    };
+    let in_parts = question.parts.iter().any(|part| {
+        let shown = part.answers.iter().filter_map(|answer| answer.show.as_ref());
+        let names = part.answers.iter().flat_map(|answer| [&answer.name, &answer.phrase]);
+        names_of(&part.ask).contains(letter)
+            || shown.into_iter().any(in_expr)
+            || names.into_iter().any(|text| of_text(text).contains(letter))
+    });
+    in_parts || question.styles.iter().any(in_style)
+}

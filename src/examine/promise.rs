@@ -1,0 +1,74 @@
+//! Do the answers of a variant keep what the question promises of their form?
+//!
+//! A friendly or exact style promises numbers that can be written down exactly; so does the rule `exact` in every style.
+//! 'In terms of *m*' promises an answer with that letter in it.
+
+use super::tally::Remark;
+use crate::answer::{Accept, Kind};
+use crate::bank::{Answer, Question, StyleName};
+use crate::expr::{Expr, Piece, Text};
+use crate::generate::{Form, Variant};
+use crate::paper::Words;
+
+/// What the answers of a variant do not keep.
+pub fn broken(question: &Question, variant: &Variant, words: &Words, remarks: &mut Vec<Remark>) {
+    for answer in question.parts.iter().flat_map(|part| &part.answers).filter(|answer| answer.kind != Kind::Line) {
+        let is_angle = answer.find.quantities().iter().any(|quantity| variant.solution.angle(*quantity).is_some());
+        let promised = match (&answer.accept, variant.style) {
+            (Accept::Exact, _) => "the rule `exact` promises an exact value",
+            (_, StyleName::Friendly | StyleName::Exact) if !is_angle => "the style promises an exact value",
+            _ => continue,
+        };
+        if Form::of_answer(answer, &variant.solution) == Some(Form::Decimal) {
+            let what = format!("the answer `{}` has no short exact form", answer.find.name());
+            let help = "require simpler numbers, or move the style's numbers to `[style.calculator]` with `awrt 3sf`";
+            remarks.push(Remark::new(what, format!("\"{}\"", answer.find.name()), promised, help));
+        }
+    }
+    for (part, ask) in question.parts.iter().zip(&words.asks) {
+        in_terms(ask, &part.answers.iter().collect::<Vec<_>>(), variant, remarks);
+    }
+    let all: Vec<&Answer> = question.parts.iter().flat_map(|part| &part.answers).collect();
+    for paragraph in &words.stem {
+        in_terms(paragraph, &all, variant, remarks);
+    }
+}
+
+/// A letter after 'in terms of' must stand in one of the answers at least.
+fn in_terms(text: &Text, answers: &[&Answer], variant: &Variant, remarks: &mut Vec<Remark>) {
+    let mut is_listing = false;
+    for piece in &text.0 {
+        match piece {
+            Piece::Words(words) => {
+                let goes_on = matches!(words.trim(), "and" | "," | ", and");
+                is_listing = words.trim_end().ends_with("in terms of") || (is_listing && goes_on);
+            }
+            Piece::Formula(Expr::Name(name)) if is_listing && !matches!(name.text.as_str(), "i" | "j") => {
+                let has = |answer: &&Answer| letters(answer, variant).contains(&name.text);
+                if !answers.iter().any(has) {
+                    let what = format!("an answer is asked for in terms of `{}` and does not have it", name.text);
+                    let label = "no answer has the letter";
+                    let help = "take the letter out of the words, or give it in `[scene]`";
+                    remarks.push(Remark::new(what, "in terms of", label, help));
+                }
+            }
+            _ => is_listing = false,
+        }
+    }
+}
+
+/// The letters of an answer; of a letter that is to be found no more is known than that it has a value.
+fn letters(answer: &Answer, variant: &Variant) -> Vec<String> {
+    let solution = &variant.solution;
+    let mut found = Vec::new();
+    for quantity in answer.find.quantities() {
+        let number = solution.number(quantity).map(|value| value.letters());
+        let letters = number.or_else(|| solution.angle(quantity).map(|angle| angle.letters())).unwrap_or_default();
+        found.extend(letters.iter().map(|letter| letter.name().to_owned()));
+    }
+    if let crate::bank::Find::Unknown(name) = &answer.find {
+        let values = solution.found().iter().filter(|(letter, _)| letter.name() == name);
+        found.extend(values.flat_map(|(_, value)| value.letters()).map(|letter| letter.name().to_owned()));
+    }
+    found
+}

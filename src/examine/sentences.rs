@@ -1,0 +1,288 @@
+//! Do the words of a variant read as a person would write them, its numbers put in?
+//!
+//! What stands between the numbers is the author's; what goes wrong is mostly where the two meet: `2/4`, 'a 8 kg', 'masses
+//! m and m', '1 times', a sphere that is said to move towards the other and moves away.
+
+use super::tally::Remark;
+use crate::expr::{Expr, Piece, Text, print};
+use crate::generate::Variant;
+use crate::mechanics::{Axis, Moment, Quantity, Sphere};
+use crate::number::Fraction;
+use crate::paper::Words;
+use crate::unit::Unit;
+
+/// What does not read well.
+pub fn unreadable(words: &Words, variant: &Variant, remarks: &mut Vec<Remark>) {
+    for text in words.stem.iter().chain(&words.asks).chain(&words.said) {
+        of_text(text, remarks);
+    }
+    for paragraph in &words.stem {
+        towards(paragraph, variant, remarks);
+    }
+    for text in words.stem.iter().chain(&words.asks) {
+        let ends = match text.0.last() {
+            Some(Piece::Words(words)) => words.trim_end().ends_with(['.', '?', '!', ':', ']', ')']),
+            Some(Piece::Formula(_) | Piece::Quantity(..)) => false,
+            _ => true,
+        };
+        if !ends {
+            remarks.push(remark("a sentence without a full stop", &tail(text), "end it with a full stop"));
+        }
+    }
+}
+
+fn remark(what: &str, shown: &str, help: &str) -> Remark {
+    Remark::new(format!("a text that reads badly, {what}"), "", "", help).showing(shown)
+}
+
+/// Pieces in the order in which they are read, those in italics among them.
+fn in_order<'t>(pieces: &'t [Piece], found: &mut Vec<&'t Piece>) {
+    for piece in pieces {
+        match piece {
+            Piece::Italic(inner) => in_order(inner, found),
+            piece => found.push(piece),
+        }
+    }
+}
+
+fn of_text(text: &Text, remarks: &mut Vec<Remark>) {
+    let mut pieces = Vec::new();
+    in_order(&text.0, &mut pieces);
+    for (place, piece) in pieces.iter().enumerate() {
+        let after = match pieces.get(place + 1) {
+            Some(Piece::Words(words)) => words.as_str(),
+            _ => "",
+        };
+        match piece {
+            Piece::Words(words) => of_words(words, remarks),
+            Piece::Formula(expr) | Piece::Quantity(expr, _) | Piece::Display(expr) => {
+                let before = match place.checked_sub(1).and_then(|place| pieces.get(place)) {
+                    Some(Piece::Words(words)) => words.as_str(),
+                    _ => "",
+                };
+                of_number(expr, piece, before, after, remarks);
+                if after.trim() == "and" && pieces.get(place + 2) == Some(piece) && !matches!(expr, Expr::Vector(..)) {
+                    let one = shown(piece);
+                    let help = "say `each`, or require that the two differ";
+                    remarks.push(remark("the same thing said twice", &format!("{one} and {one}"), help));
+                }
+            }
+            Piece::Italic(_) => {}
+        }
+    }
+}
+
+fn shown(piece: &Piece) -> String {
+    print::text_unicode(&Text(vec![piece.clone()]))
+}
+
+/// The last few words.
+fn tail(text: &Text) -> String {
+    let whole = print::text_unicode(text);
+    let words: Vec<&str> = whole.split(' ').collect();
+    words[words.len().saturating_sub(6)..].join(" ")
+}
+
+/// Words alone: punctuation and doubled words.
+fn of_words(words: &str, remarks: &mut Vec<Remark>) {
+    for sign in [" .", " ,", " ;", "..", ",,", "( ", " )", "$", "\\"] {
+        if words.contains(sign) && !words.contains("...") {
+            remarks.push(remark("a stray sign", words.trim(), &format!("mend `{sign}`")));
+        }
+    }
+    let mut before = "";
+    for word in words.split(' ') {
+        if word.len() > 1 && word == before && word.chars().all(char::is_alphabetic) && word != "that" {
+            remarks.push(remark("a word said twice", &format!("{before} {word}"), "take one of them out"));
+        }
+        before = word;
+    }
+}
+
+/// A number or formula, with the words before and after it.
+fn of_number(expr: &Expr, piece: &Piece, before: &str, after: &str, remarks: &mut Vec<Remark>) {
+    if let Some(bad) = ill_written(expr) {
+        let (what, help) = match bad {
+            Ill::Unreduced => ("a fraction that is not in its lowest terms", "write the values in lowest terms"),
+            Ill::One => ("a factor of one", "derive the formula in `[let]`, which simplifies it"),
+            Ill::Signs => ("two signs in a row", "derive the formula in `[let]`, which simplifies it"),
+        };
+        remarks.push(remark(what, &shown(piece), help));
+    }
+    let value = constant(expr);
+    if let (Piece::Quantity(_, unit), Some(value)) = (piece, &value) {
+        if value.sign().is_lt() {
+            remarks.push(remark("a quantity below nought", &shown(piece), "say which way it is, and give its size"));
+        } else if value.is_zero() && *unit != Unit::Degree {
+            remarks.push(remark(
+                "a quantity of nought",
+                &shown(piece),
+                "say `at rest`, or require that it is not nought",
+            ));
+        }
+    }
+    if let (Piece::Quantity(..), Expr::Vector(x, y)) = (piece, expr)
+        && [x, y].iter().all(|component| constant(component).is_some_and(|value| value.is_zero()))
+    {
+        remarks.push(remark("a vector of nought", &shown(piece), "say `at rest`, or require that it is not nought"));
+    }
+    if let (Piece::Formula(Expr::Number(number)), false) = (piece, after.is_empty()) {
+        let next = after.strip_prefix(' ').and_then(|rest| rest.split([' ', ',', '.', ';', ')']).next()).unwrap_or("");
+        if *number == Fraction::ONE && is_plural(next) {
+            remarks.push(remark("one of several", &format!("1 {next}"), "require that the number is not one"));
+        } else if *number != Fraction::ONE && SINGULAR.contains(&next) {
+            let several = format!("{} {next}", shown(piece));
+            remarks.push(remark("several of one", &several, "write the word in the plural"));
+        }
+    }
+    article(piece, before, remarks);
+}
+
+/// Words for one thing that can be counted.
+const SINGULAR: [&str; 9] = ["second", "metre", "kilogram", "newton", "joule", "degree", "time", "sphere", "particle"];
+
+/// Words that end in s and count nothing.
+const NO_PLURALS: [&str; 12] =
+    ["is", "was", "has", "as", "its", "this", "thus", "less", "makes", "across", "does", "gives"];
+
+fn is_plural(word: &str) -> bool {
+    let ends = word.ends_with('s') && !word.ends_with("ss") && !word.ends_with("wards");
+    ends && word.chars().all(char::is_lowercase) && !NO_PLURALS.contains(&word)
+}
+
+/// 'a 4 kg sphere' and 'an 8 kg sphere'.
+fn article(piece: &Piece, before: &str, remarks: &mut Vec<Remark>) {
+    let article = before.strip_suffix(' ').and_then(|rest| rest.rsplit([' ', '(']).next()).unwrap_or("");
+    let number = match piece {
+        Piece::Quantity(expr, _) | Piece::Formula(expr) => constant(expr),
+        _ => None,
+    };
+    let Some(number) = number.filter(Fraction::is_integer) else { return };
+    let digits = number.to_string();
+    let is_an = digits.starts_with('8') || digits == "11" || digits == "18";
+    if (article == "a" && is_an) || (article == "an" && !is_an) {
+        let help = "put the number elsewhere in the sentence: `of mass 8 kg`";
+        remarks.push(remark("`a` or `an` before a number", &format!("{article} {}", shown(piece)), help));
+    }
+}
+
+/// The number that an expression of plain numbers is.
+fn constant(expr: &Expr) -> Option<Fraction> {
+    match expr {
+        Expr::Number(number) => Some(number.clone()),
+        Expr::Decimal(text) => text.parse().ok(),
+        Expr::Negative(inner) => constant(inner).map(|number| -number),
+        _ => None,
+    }
+}
+
+/// How a formula is written as nobody writes it.
+enum Ill {
+    Unreduced,
+    One,
+    Signs,
+}
+
+fn ill_written(expr: &Expr) -> Option<Ill> {
+    let found = match expr {
+        Expr::Quotient(above, below) => match (constant(above), constant(below)) {
+            (Some(above), Some(below)) if above.is_integer() && below.is_integer() => {
+                let lowest = below.reciprocal().map(|part| &above * &part);
+                let is_lowest = lowest.is_some_and(|lowest| Fraction::from(lowest.denominator()) == below);
+                (!is_lowest || below == Fraction::ONE).then_some(Ill::Unreduced)
+            }
+            (_, Some(below)) if below == Fraction::ONE => Some(Ill::One),
+            _ => None,
+        },
+        Expr::Product(factors) => {
+            let is_one = |factor: &Expr| constant(factor).is_some_and(|number| number.abs() == Fraction::ONE);
+            factors.iter().any(is_one).then_some(Ill::One)
+        }
+        Expr::Negative(inner) => matches!(**inner, Expr::Negative(_)).then_some(Ill::Signs),
+        _ => None,
+    };
+    found.or_else(|| expr.children().into_iter().find_map(ill_written))
+}
+
+/// Who is said to move towards *A* or *B*, or towards the other, moves so along the line of centres before the collision.
+fn towards(text: &Text, variant: &Variant, remarks: &mut Vec<Remark>) {
+    let mut is_after = false;
+    for (place, piece) in text.0.iter().enumerate() {
+        let Piece::Words(words) = piece else { continue };
+        for sentence in words.split_inclusive('.') {
+            is_after = is_after || sentence.contains("after the");
+            let target = match text.0.get(place + 1) {
+                Some(Piece::Formula(Expr::Name(name))) if sentence.trim_end().ends_with("towards") => {
+                    name.text.as_str()
+                }
+                _ if sentence.contains("towards each other") || sentence.contains("towards the other") => "the other",
+                _ => "",
+            };
+            let moving: &[(Sphere, f64)] = match target {
+                "A" => &[(Sphere::B, -1.0)],
+                "B" => &[(Sphere::A, 1.0)],
+                "the other" => &[(Sphere::A, 1.0), (Sphere::B, -1.0)],
+                _ => &[],
+            };
+            for (sphere, sense) in moving.iter().filter(|_| !is_after) {
+                if component(variant, *sphere).is_some_and(|along| along * sense < -1e-9) {
+                    let said = format!("{} moves towards {target}", sphere.name());
+                    let help = "turn its velocity round in `[scene]`, or say that it moves away";
+                    remarks.push(remark("a direction that is not so", &said, help));
+                }
+            }
+            is_after = is_after && !sentence.ends_with('.');
+        }
+    }
+}
+
+/// The component of a velocity before along the line of centres from A to B, roughly; none where it has letters.
+fn component(variant: &Variant, sphere: Sphere) -> Option<f64> {
+    let known = variant.solution.known();
+    if let Some(value) = known.number(Quantity::Velocity(sphere, Moment::Before, Axis::N)) {
+        return value.to_f64();
+    }
+    let number = |quantity| known.number(quantity)?.to_f64();
+    let [x, y] = [Axis::X, Axis::Y].map(|axis| number(Quantity::Velocity(sphere, Moment::Before, axis)));
+    let [i, j] = [Axis::X, Axis::Y].map(|axis| number(Quantity::Line(axis)));
+    Some(x? * i? + y? * j?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::expr::read_markup;
+
+    #[test]
+    fn carom_knows_what_nobody_writes() {
+        let table = [
+            ("The spheres have masses {m} and {2*m}.", ""),
+            ("A mass of {2 kg} and {3/4} of {5 m/s}.", ""),
+            ("It rebounds {3} times and turns {1} corner.", ""),
+            ("Then {1} is the answer, and {1} gives it.", ""),
+            ("An {8 kg} mass and a {7 kg} mass, an {11} and a {1}.", ""),
+            ("At that instant it has moved so that that is so, and so on ...", ""),
+            ("The masses are {m} and {m}.", "m and m"),
+            ("The mass is {2/4} of it.", "2/4"),
+            ("The mass is {3/1} of it.", "3/1"),
+            ("The mass is {1*m}.", "1m"),
+            ("The speed is {0 m/s}.", "a quantity of nought"),
+            ("The speed is {-3 m/s}.", "below nought"),
+            ("The velocity is {[0, 0] m/s}.", "a vector of nought"),
+            ("It rebounds {1} times.", "1 times"),
+            ("After {2} second it stops.", "2 second"),
+            ("A {8 kg} mass, a {18 kg} mass.", "a 18 kg"),
+            ("An {7 kg} mass, an {7 kg} mass.", "an 7 kg"),
+            ("The the mass is {m} , they say.", "stray sign"),
+            ("It is the the mass.", "the the"),
+        ];
+        for (words, shown) in table {
+            let mut remarks = Vec::new();
+            for text in read_markup(words).unwrap() {
+                of_text(&text, &mut remarks);
+            }
+            let said = format!("{remarks:?}");
+            assert!(remarks.is_empty() == shown.is_empty() && said.contains(shown), "{words}: {said}");
+        }
+    }
+}

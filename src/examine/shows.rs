@@ -1,0 +1,210 @@
+//! Do the slips that students make show in the numbers of a variant?
+//!
+//! A slip shows if some answer then comes out otherwise than it is, at the figures that are asked for. At 45 degrees a sine
+//! taken for a cosine changes nothing, and with equal masses nothing that is wrong with a mass does: whoever makes the slip is
+//! marked right. An author who means that, or cannot help it, names the slip in `hidden`.
+
+use super::finding::Finding;
+use crate::answer::Accept;
+use crate::bank::{Answer, Question};
+use crate::generate::Variant;
+use crate::mark::slips::{Figures, acting, shown};
+use crate::mechanics::{Quantity, Slip, pose};
+use crate::number::Places;
+
+/// Exact values that differ by less than this part are one.
+const SAME: f64 = 1e-7;
+
+/// Which slips act on the variants of a style, and which of them show.
+#[derive(Clone, Debug)]
+pub struct Slips {
+    /// Variants in which slips could be followed.
+    variants: u64,
+    /// Slips that change some value on the way, by their places.
+    acting: u128,
+    /// In how many variants each slip shows.
+    shown: Vec<u64>,
+    /// The first variant in which it does not.
+    first: Vec<Option<u64>>,
+    /// For each slip those that show in some variant beside it, and those that then give something else.
+    beside: Vec<u128>,
+    told: Vec<u128>,
+}
+
+impl Default for Slips {
+    fn default() -> Slips {
+        let count = Slip::all().len();
+        Slips {
+            variants: 0,
+            acting: 0,
+            shown: vec![0; count],
+            first: vec![None; count],
+            beside: vec![0; count],
+            told: vec![0; count],
+        }
+    }
+}
+
+impl Slips {
+    /// Follows every slip through one variant.
+    pub fn follow(&mut self, question: &Question, variant: &Variant) {
+        let answers: Vec<&Answer> = question.parts.iter().flat_map(|part| &part.answers).collect();
+        let asked: Vec<Vec<Quantity>> = answers.iter().map(|answer| answer.find.quantities()).collect();
+        if asked.iter().all(Vec::is_empty) {
+            return;
+        }
+        let Ok(given) = pose(variant.solution.scene()) else { return };
+        let Some(found) = shown(&given, &asked) else { return };
+        if self.variants == 0 {
+            for slip in acting(&given, &asked) {
+                self.acting |= 1 << slip;
+            }
+        }
+        self.variants += 1;
+        let is_exact = !variant.scene.letters.is_empty();
+        let differ = |one: &[Option<Figures>], other: &[Option<Figures>]| {
+            let each = one.iter().zip(other).zip(&answers);
+            each.into_iter().any(|((one, other), answer)| match (one, other) {
+                (Some(one), Some(other)) => {
+                    one.iter().zip(other).any(|(one, other)| !are_one(*one, *other, &answer.accept, is_exact))
+                }
+                _ => one.is_some() != other.is_some(),
+            })
+        };
+        // Of several roads the first on which it shows.
+        let mut showing: Vec<(usize, &[Option<Figures>])> = Vec::new();
+        for outcome in &found.outcomes {
+            self.acting |= 1 << outcome.slip;
+            let is_new = showing.last().is_none_or(|(slip, _)| *slip != outcome.slip);
+            if is_new && differ(&outcome.answers, &found.right) {
+                showing.push((outcome.slip, &outcome.answers));
+            }
+        }
+        for slip in 0..self.shown.len() {
+            if showing.iter().any(|(shows, _)| *shows == slip) {
+                self.shown[slip] += 1;
+            } else if let Some(index) = variant.index {
+                self.first[slip] = Some(self.first[slip].map_or(index, |first| first.min(index)));
+            }
+        }
+        for (place, (slip, answers)) in showing.iter().enumerate() {
+            for (other, others) in &showing[place + 1..] {
+                self.beside[*slip] |= 1 << other;
+                if self.told[*slip] >> other & 1 == 0 && differ(answers, others) {
+                    self.told[*slip] |= 1 << other;
+                }
+            }
+        }
+    }
+
+    /// Adds what was followed through other variants of the style.
+    pub fn add(&mut self, other: Slips) {
+        self.variants += other.variants;
+        self.acting |= other.acting;
+        for slip in 0..self.shown.len() {
+            self.shown[slip] += other.shown[slip];
+            self.first[slip] = self.first[slip].into_iter().chain(other.first[slip]).min();
+            self.beside[slip] |= other.beside[slip];
+            self.told[slip] |= other.told[slip];
+        }
+    }
+
+    /// The slips that act and do not show in every variant: tag, in how many they do not, and the first of these.
+    pub fn hidden(&self, acting: u128) -> Vec<(&'static str, u64, Option<u64>)> {
+        let slips = Slip::all().iter().enumerate();
+        let hidden = slips.filter(|(slip, _)| acting >> slip & 1 == 1 && self.shown[*slip] < self.variants);
+        hidden.map(|(place, (_, slip))| (slip.tag, self.variants - self.shown[place], self.first[place])).collect()
+    }
+
+    /// The slips that act.
+    pub fn acting(&self) -> u128 {
+        self.acting
+    }
+
+    /// The variants through which slips were followed.
+    pub fn variants(&self) -> u64 {
+        self.variants
+    }
+
+    /// Pairs that show beside each other and never come out otherwise than each other.
+    fn alike(&self) -> Vec<(&'static str, &'static str)> {
+        let all = Slip::all();
+        let pairs = (0..all.len()).flat_map(|one| (one + 1..all.len()).map(move |other| (one, other)));
+        let alike = pairs.filter(|(one, other)| (self.beside[*one] & !self.told[*one]) >> other & 1 == 1);
+        alike.map(|(one, other)| (all[one].1.tag, all[other].1.tag)).collect()
+    }
+}
+
+/// Would the two be written alike at the figures that are asked for?
+fn are_one(one: f64, other: f64, accept: &Accept, is_exact: bool) -> bool {
+    let size = one.abs().max(other.abs());
+    if (one - other).abs() <= SAME * size.max(1e-6) {
+        return true;
+    }
+    let unit = match accept.places() {
+        _ if is_exact => return false,
+        None => return false,
+        Some(Places::SignificantFigures(figures)) => {
+            10_f64.powi(size.log10().floor() as i32 + 1 - (*figures).clamp(1, 15) as i32)
+        }
+        Some(Places::DecimalPlaces(places)) => 10_f64.powi(-((*places).min(15) as i32)),
+        Some(Places::Nearest(step)) => step.decimal().to_string().parse().unwrap_or(1.0),
+    };
+    (one / unit).round() == (other / unit).round()
+}
+
+/// What a question's numbers hide and do not say, and what it says without need.
+pub fn findings(question: &Question, styles: &[Slips], numbers: &dyn Fn(usize, u64) -> String) -> Vec<Finding> {
+    let acting = styles.iter().fold(0, |acting, slips| acting | slips.acting());
+    let mut findings = Vec::new();
+    let mut hidden: Vec<(&str, Vec<String>, String)> = Vec::new();
+    for (place, slips) in styles.iter().enumerate() {
+        for (tag, count, first) in slips.hidden(acting) {
+            let of = format!("{count} of {} variants of style `{}`", slips.variants(), question.styles[place].name);
+            match hidden.iter_mut().find(|(known, ..)| *known == tag) {
+                Some((_, all, _)) => all.push(of),
+                None => hidden.push((tag, vec![of], first.map_or_else(String::new, |first| numbers(place, first)))),
+            }
+        }
+    }
+    for (tag, variants, first) in &hidden {
+        if question.hidden.iter().any(|known| known == tag) {
+            continue;
+        }
+        let did = Slip::all().iter().find(|(_, slip)| slip.tag == *tag).map_or("", |(_, slip)| slip.did);
+        let message = format!("the slip `{tag}` does not show in {}, first with {first}", variants.join(", "));
+        let label = format!("a student who {did} is marked right");
+        let help = format!("require other numbers, or add `\"{tag}\"` to the list `hidden = [ … ]` of the question");
+        findings.push(Finding::new(message, "[[part]]", label).with_help(help));
+    }
+    for tag in question.hidden.iter().filter(|tag| !hidden.iter().any(|(hidden, ..)| hidden == tag)) {
+        let message = format!("the slip `{tag}` is declared hidden, and shows in every variant");
+        let label = "not needed";
+        findings.push(Finding::new(message, format!("\"{tag}\""), label).with_help("take it out of `hidden`"));
+    }
+    let mut all = Slips::default();
+    for slips in styles {
+        all.add(slips.clone());
+    }
+    let alike = all.alike();
+    let is_pair = |pair: &(String, String), one: &str, other: &str| {
+        (pair.0 == one && pair.1 == other) || (pair.0 == other && pair.1 == one)
+    };
+    for (one, other) in &alike {
+        if !question.alike.iter().any(|pair| is_pair(pair, one, other)) {
+            let message = format!("the slips `{one}` and `{other}` come to the same in every variant");
+            let help = format!("ask for something more, or say `alike = [\"{one} = {other}\"]`");
+            let label = "a student who makes one is told of both";
+            findings.push(Finding::new(message, "[[part]]", label).with_help(help));
+        }
+    }
+    for (one, other) in &question.alike {
+        if !alike.iter().any(|(a, b)| is_pair(&(one.clone(), other.clone()), a, b)) {
+            let message =
+                format!("the slips `{one}` and `{other}` are declared alike, and some variant tells them apart");
+            let label = "not needed";
+            findings.push(Finding::new(message, one.as_str(), label).with_help("take the pair out of `alike`"));
+        }
+    }
+    findings
+}

@@ -1,0 +1,208 @@
+//! Questions examined, every set of numbers of every style, on all processors.
+
+use std::num::NonZero;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
+
+use super::coverage::{Coverage, MarkCount, coverage};
+use super::finding::Finding;
+use super::report::{Report, StyleReport};
+use super::shows;
+use super::tally::{Tally, numbers};
+use super::{again, author, given};
+use crate::bank::{Question, Style};
+use crate::diagnostic::Severity;
+use crate::generate::{Deal, Unfit, reference};
+
+/// How many variants of each style are marked as handed in by students whose marks are known, beside the reference
+/// numbers. To mark one costs as much as to examine hundreds, and what a student of theirs can show is in the scheme, which
+/// all variants of a question share.
+pub const MARKED: usize = 3;
+
+/// The most sets of numbers of one style that are examined. Nobody waits for more; of a style that has more the first are.
+pub const MOST_SETS: u64 = 500_000;
+
+/// How many sets of numbers a thread takes at a time.
+const PORTION: u64 = 64;
+
+/// A piece of the work, done by one thread.
+#[derive(Clone, Copy)]
+enum Piece {
+    /// Sets of numbers of a style, from one index up to another.
+    Sets { question: usize, style: usize, from: u64, to: u64 },
+    /// Students who hand in a variant of a style, or the reference numbers.
+    Students { question: usize, dealt: Option<(usize, usize)> },
+}
+
+/// How much there is to do, in the measure in which `progress` is told of it.
+pub fn work<'q>(questions: impl IntoIterator<Item = &'q Question>) -> u64 {
+    questions.into_iter().flat_map(|question| &question.styles).map(|style| style.size().min(MOST_SETS)).sum()
+}
+
+/// Examines questions; `progress` is told of each piece of [`work`] that is done.
+pub fn survey(questions: &[&Question], progress: &(dyn Fn(u64) + Sync)) -> Vec<Report> {
+    let pieces = pieces(questions);
+    let next = AtomicUsize::new(0);
+    let empty = || -> Vec<Done> { questions.iter().map(|question| Done::new(question)).collect() };
+    let worker = || {
+        let mut done = empty();
+        loop {
+            let Some(piece) = pieces.get(next.fetch_add(1, Ordering::Relaxed)) else { return done };
+            match *piece {
+                Piece::Sets { question, style, from, to } => {
+                    let tally = &mut done[question].tallies[style];
+                    for index in from..to {
+                        tally.examine(questions[question], &questions[question].styles[style], index);
+                    }
+                    progress(to - from);
+                }
+                Piece::Students { question, dealt } => {
+                    done[question].coverage.push((dealt, students(questions[question], dealt)));
+                }
+            }
+        }
+    };
+    let threads = thread::available_parallelism().map_or(1, NonZero::get);
+    let mut total = empty();
+    thread::scope(|scope| {
+        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(worker)).collect();
+        for worker in workers {
+            // A panic in a worker is a bug in carom and is passed on as it is.
+            let done = worker.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+            for (total, done) in total.iter_mut().zip(done) {
+                total.add(done);
+            }
+        }
+    });
+    questions.iter().zip(total).map(|(question, done)| done.report(question)).collect()
+}
+
+/// What takes longest comes first, so that no thread is left with it at the end.
+fn pieces(questions: &[&Question]) -> Vec<Piece> {
+    let mut pieces = Vec::new();
+    for (place, question) in questions.iter().enumerate() {
+        let dealt = (0..question.styles.len()).flat_map(|style| (0..MARKED).map(move |nth| Some((style, nth))));
+        pieces.extend(std::iter::once(None).chain(dealt).map(|dealt| Piece::Students { question: place, dealt }));
+    }
+    for (place, question) in questions.iter().enumerate() {
+        for (style, size) in question.styles.iter().map(Style::size).enumerate() {
+            let size = size.min(MOST_SETS);
+            let mut from = 0;
+            while from < size {
+                let to = size.min(from.saturating_add(PORTION));
+                pieces.push(Piece::Sets { question: place, style, from, to });
+                from = to;
+            }
+        }
+    }
+    pieces
+}
+
+fn students(question: &Question, dealt: Option<(usize, usize)>) -> Coverage {
+    match dealt {
+        None => reference(question).map(|variant| coverage(question, &variant)).unwrap_or_default(),
+        Some((style, nth)) => Deal::new(question, &question.styles[style], 1)
+            .nth(nth)
+            .map(|variant| coverage(question, &variant))
+            .unwrap_or_default(),
+    }
+}
+
+/// What has been seen of a question so far.
+struct Done {
+    tallies: Vec<Tally>,
+    coverage: Vec<(Option<(usize, usize)>, Coverage)>,
+}
+
+impl Done {
+    fn new(question: &Question) -> Done {
+        let tallies = question.styles.iter().map(|style| {
+            let mut tally = Tally::default();
+            tally.census.size = style.size();
+            tally
+        });
+        Done { tallies: tallies.collect(), coverage: Vec::new() }
+    }
+
+    fn add(&mut self, other: Done) {
+        for (own, other) in self.tallies.iter_mut().zip(other.tallies) {
+            own.add(other);
+        }
+        self.coverage.extend(other.coverage);
+    }
+
+    fn report(mut self, question: &Question) -> Report {
+        let mut findings = again::reference_faults(question);
+        findings.extend(author::disagreements(question));
+        findings.extend(given::unsaid(question));
+        for (style, tally) in question.styles.iter().zip(&self.tallies) {
+            findings.extend(unposed(question, style, tally));
+            findings.extend(tally.findings(style));
+        }
+        let slips: Vec<_> = self.tallies.iter().map(|tally| tally.slips.clone()).collect();
+        let shown = |place: usize, index| numbers(&question.styles[place], index);
+        findings.extend(shows::findings(question, &slips, &shown));
+        // Threads finish out of order.
+        self.coverage.sort_by_key(|(dealt, _)| *dealt);
+        let mut coverage = Coverage::default();
+        for (_, one) in self.coverage {
+            coverage.add(one);
+        }
+        findings.extend(idle(&coverage));
+        let acting = slips.iter().fold(0, |acting, slips| acting | slips.acting());
+        let styles = question.styles.iter().zip(&self.tallies);
+        let styles =
+            styles.map(|(style, tally)| StyleReport::new(question, style, &tally.census, &tally.slips, acting));
+        Report { styles: styles.collect(), findings, coverage }
+    }
+}
+
+/// A style without variants, and sets of numbers that no requirement turns away but mechanics.
+fn unposed(question: &Question, style: &Style, tally: &Tally) -> Vec<Finding> {
+    let census = &tally.census;
+    let at = format!("[style.{}]", style.name);
+    let mut findings = Vec::new();
+    if census.size > MOST_SETS {
+        let message = format!("style `{}` has {} sets of numbers, too many to examine", style.name, census.size);
+        let label = format!("the first {MOST_SETS} have been examined");
+        let found = Finding::new(message, at.as_str(), label).with_help("give its parameters fewer values");
+        findings.push(Finding { severity: Severity::Warning, ..found });
+    }
+    if census.fit == 0 {
+        let message = format!("style `{}` has no variant", style.name);
+        let help = format!("`carom explain {}` says what turns the numbers away", question.id);
+        findings.push(Finding::new(message, at.as_str(), "nothing of it can be printed").with_help(help));
+    }
+    for (reason, what) in [
+        (Unfit::Impossible, "cannot happen"),
+        (Unfit::Underdetermined, "leave something open"),
+        (Unfit::BeyondMethods, "need more than exam methods"),
+        (Unfit::NoValue, "give a formula no value"),
+    ] {
+        let (Some(count), Some(first)) = (census.unfit.get(&reason), census.first.get(&reason)) else { continue };
+        let message = format!(
+            "{count} of {} sets of numbers of style `{}` meet the requirements on what is given and {what}, first {}",
+            census.size,
+            style.name,
+            numbers(style, *first)
+        );
+        let found = Finding::new(message, at.as_str(), "they are never dealt, and every deal has to try them");
+        let help = "require what makes the collision possible, in `require`";
+        findings.push(Finding { severity: Severity::Warning, ..found.with_help(help) });
+    }
+    findings
+}
+
+/// Marks that measure nothing, and students who earn what is not due.
+fn idle(coverage: &Coverage) -> Vec<Finding> {
+    let name = |mark: &MarkCount| match mark.part.as_str() {
+        "" => format!("the mark {}", mark.id),
+        part => format!("the mark {} of part ({part})", mark.id),
+    };
+    let marks = coverage.idle().map(|mark| match mark.won {
+        0 => format!("{} is never won, not even by the model solution", name(mark)),
+        _ => format!("{} is never lost, not even by a student who hands in nothing", name(mark)),
+    });
+    let faults = coverage.faults.iter().map(|fault| format!("a student who writes {fault}"));
+    marks.chain(faults).map(|message| Finding::new(message, "", "")).collect()
+}

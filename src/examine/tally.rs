@@ -1,0 +1,120 @@
+//! What was seen of some sets of numbers of one style; the tallies of all threads are added up.
+
+use std::collections::BTreeMap;
+
+use super::finding::Finding;
+use super::shows::Slips;
+use super::{apart, promise, sentences};
+use crate::bank::{Question, Style};
+use crate::expr::print;
+use crate::generate::{Census, examine_further};
+use crate::paper::words;
+
+/// Something amiss with one variant; of others with the same words only the first is told, and how many there are.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Remark {
+    what: String,
+    at: String,
+    label: String,
+    help: String,
+    shown: String,
+}
+
+impl Remark {
+    /// What it is; what stands in the file at its place; what was expected there; one thing to try.
+    pub fn new(what: impl Into<String>, at: impl Into<String>, label: &str, help: impl Into<String>) -> Remark {
+        let (what, at, help) = (what.into(), at.into(), help.into());
+        Remark { what, at, label: label.to_owned(), help, shown: String::new() }
+    }
+
+    /// With what stands on the page of this variant.
+    pub fn showing(self, shown: &str) -> Remark {
+        Remark { shown: shown.to_owned(), ..self }
+    }
+}
+
+/// A remark in how many variants, and what the first of them shows.
+#[derive(Clone, Debug)]
+struct Seen {
+    count: u64,
+    first: u64,
+    remark: Remark,
+}
+
+/// The count of some sets of a style.
+#[derive(Clone, Debug, Default)]
+pub struct Tally {
+    /// Fit and unfit.
+    pub census: Census,
+    /// Slips followed.
+    pub slips: Slips,
+    seen: BTreeMap<String, Seen>,
+}
+
+impl Tally {
+    /// Examines one set of numbers, and looks at it if it is fit for print.
+    pub fn examine(&mut self, question: &Question, style: &Style, index: u64) {
+        let examined = examine_further(question, style, index);
+        self.census.count(question, index, &examined);
+        let Ok(variant) = examined else { return };
+        let mut remarks = Vec::new();
+        let words = words(question, style, &variant);
+        sentences::unreadable(&words, &variant, &mut remarks);
+        promise::broken(question, &variant, &words, &mut remarks);
+        apart::alike(question, &variant, &mut remarks);
+        self.slips.follow(question, &variant);
+        remarks.sort();
+        remarks.dedup_by(|one, other| one.what == other.what);
+        for remark in remarks {
+            self.see(Seen { count: 1, first: index, remark });
+        }
+    }
+
+    fn see(&mut self, seen: Seen) {
+        match self.seen.get_mut(&seen.remark.what) {
+            None => {
+                self.seen.insert(seen.remark.what.clone(), seen);
+            }
+            Some(known) => {
+                known.count += seen.count;
+                if seen.first < known.first {
+                    (known.first, known.remark) = (seen.first, seen.remark);
+                }
+            }
+        }
+    }
+
+    /// Adds what was seen of other sets.
+    pub fn add(&mut self, other: Tally) {
+        self.census.add(other.census);
+        self.slips.add(other.slips);
+        for seen in other.seen.into_values() {
+            self.see(seen);
+        }
+    }
+
+    /// What was seen amiss, each with the first variant that has it.
+    pub fn findings(&self, style: &Style) -> Vec<Finding> {
+        let found = |seen: &Seen| {
+            let Remark { what, at, label, help, shown } = &seen.remark;
+            let shown = if shown.is_empty() { String::new() } else { format!(": `{shown}`") };
+            let message = format!(
+                "{what}{shown}, in {} of {} variants of style `{}`, first with {}",
+                seen.count,
+                self.census.fit,
+                style.name,
+                numbers(style, seen.first)
+            );
+            let at = if at.is_empty() { format!("[style.{}]", style.name) } else { at.clone() };
+            Finding::new(message, at, label.as_str()).with_help(help.as_str())
+        };
+        self.seen.values().map(found).collect()
+    }
+}
+
+/// The numbers of a set: `mA = 1, mB = 2`.
+pub fn numbers(style: &Style, index: u64) -> String {
+    let all = style.parameters_at(index);
+    let each = all.iter().map(|(name, value)| format!("{name} = {}", print::plain(value)));
+    each.collect::<Vec<_>>().join(", ")
+}

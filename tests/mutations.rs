@@ -1,0 +1,257 @@
+//! `carom check` finds what it is there to find: each kind of fault is planted in a copy of a shipped question, by an edit
+//! of its text, and must be named.
+
+use std::path::PathBuf;
+use std::process::Command;
+use std::{env, fs};
+
+/// Fewer numbers for questions that have many, so that a fault is found sooner.
+const FEWER: [(&str, (&str, &str)); 3] = [
+    ("rest/speeds-and-directions", ("alpha = \"15..75\"", "alpha = \"15..75 step 10\"")),
+    ("rest/speeds-and-directions", ("u     = \"2..8\"", "u     = \"2..8 step 2\"")),
+    ("both-moving/paths-at-right-angles", ("b     = \"3..7\"", "b     = \"3..7 step 2\"")),
+];
+
+/// A name for the fault, the edits that plant it, and the words that must name it.
+type Planted<'t> = (&'t str, &'t [(&'t str, &'t str)], &'t str);
+
+/// What `carom check` says of a shipped question after edits, all of which must apply, and whether it is content.
+fn checked(name: &str, id: &str, edits: &[(&str, &str)]) -> (bool, String) {
+    let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
+    let mut text = fs::read_to_string(root.join(format!("question_bank/{id}.toml"))).expect(id);
+    for (from, to) in edits.iter().chain(FEWER.iter().filter(|(of, ..)| *of == id).map(|(_, edit)| edit)) {
+        assert!(text.contains(from), "{name}: `{from}` no longer stands in {id}");
+        text = text.replace(from, to);
+    }
+    let folder = env::temp_dir().join(format!("carom-mutations-{}-{name}", std::process::id()));
+    fs::create_dir_all(folder.join("bank")).expect("a folder can be made");
+    fs::write(folder.join("bank/question.toml"), text).expect("a file can be written");
+    let output = Command::new(env!("CARGO_BIN_EXE_carom"))
+        .args(["check", "bank"])
+        .current_dir(&folder)
+        .env("XDG_CACHE_HOME", folder.join("cache"))
+        .output()
+        .expect("carom runs");
+    let said = [output.stdout, output.stderr].map(|text| String::from_utf8_lossy(&text).into_owned()).concat();
+    fs::remove_dir_all(&folder).expect("the folder is there");
+    (output.status.success(), said)
+}
+
+/// Each fault alone is found, and named in these words.
+fn found(id: &str, table: &[Planted]) {
+    for (name, edits, words) in table {
+        let (is_sound, said) = checked(name, id, edits);
+        assert!(said.contains(words), "{name}: no `{words}` in\n{said}");
+        let is_warning = said.contains("warning:") && !said.contains("error:");
+        assert!(!is_sound || is_warning, "{name} is named, and carom is content:\n{said}");
+    }
+}
+
+#[test]
+fn unedited_questions_are_sound() {
+    for id in ["rest-letters/direction-and-deflection", "both-moving/paths-at-right-angles"] {
+        let (is_sound, said) = checked(&format!("sound-{}", id.len()), id, &[]);
+        assert!(is_sound && said.contains("0 findings"), "{id}: {said}");
+    }
+}
+
+#[test]
+fn faults_of_the_numbers_are_named() {
+    found(
+        "rest-letters/turned-through-a-right-angle",
+        &[
+            (
+                "impossible",
+                &[("  \"q > p\",\n", ""), ("\"restitution*q > p\", ", "")],
+                "meet the requirements on what is given and cannot happen",
+            ),
+            ("no-variant", &[("\"q > p\"", "\"q > 100*p\"")], "style `friendly` has no variant"),
+            (
+                "too-many",
+                &[
+                    ("\"1..5\"", "\"1..50000\""),
+                    ("\"2..8\"", "\"2..50000\""),
+                    ("\"q > p\"", "\"q < 0\""),
+                    ("\"denominator(p/q) = q\"", "\"p < 0\""),
+                ],
+                "too many to examine",
+            ),
+        ],
+    );
+    found(
+        "rest/speeds-and-directions",
+        &[
+            (
+                "promise",
+                &[("alpha = [\"30\", \"60\"]", "alpha = [\"30\", \"50\"]")],
+                "the answer `A.after.speed` has no short exact form",
+            ),
+            (
+                "tie",
+                &[("u     = \"4\"\n", "u     = \"9\"\n")],
+                "`A.after.speed` of the reference is too near a tie to be rounded",
+            ),
+            (
+                "one-value",
+                &[("  \"abs(A.after.speed - B.after.speed) > B.after.speed/50\",\n", "")],
+                "`A.after.speed` and `B.after.speed` have one value",
+            ),
+        ],
+    );
+}
+
+#[test]
+fn slips_that_cannot_show_are_named_and_so_is_what_is_declared_without_need() {
+    found(
+        "rest/speeds-and-directions",
+        &[
+            (
+                "sine-for-cosine",
+                &[("alpha = [\"30\", \"60\"]", "alpha = [\"45\", \"60\"]")],
+                "the slip `sincos-swap` does not show in",
+            ),
+            ("equal-masses", &[("  \"mA != mB\",\n", "")], "the slip `masses-swapped` does not show in"),
+            (
+                "needless",
+                &[("[parameters]\n", "hidden = [\"sincos-swap\"]\n\n[parameters]\n")],
+                "the slip `sincos-swap` is declared hidden, and shows in every variant",
+            ),
+            (
+                "not-alike",
+                &[("[parameters]\n", "alike = [\"speed-sum = speed-no-root\"]\n\n[parameters]\n")],
+                "the slips `speed-sum` and `speed-no-root` are declared alike",
+            ),
+            (
+                "unknown-slip",
+                &[("[parameters]\n", "hidden = [\"sincos-swop\"]\n\n[parameters]\n")],
+                "unknown slip `sincos-swop`",
+            ),
+        ],
+    );
+    found(
+        "both-moving/paths-at-right-angles",
+        &[(
+            "alike",
+            &[("\"approach-subtracted = restitution-reversed\"", "\"speed-sum = speed-no-root\"")],
+            "the slips `approach-subtracted` and `restitution-reversed` come to the same in every variant",
+        )],
+    );
+}
+
+#[test]
+fn texts_that_read_badly_are_named() {
+    let id = "rest-letters/direction-and-deflection";
+    found(
+        id,
+        &[
+            ("unreduced", &[("\"1/2\", \"2/3\"", "\"2/4\", \"2/3\"")], "not in its lowest terms: `2/4`"),
+            ("twice", &[("of mass {mB}, which", "of masses {mB} and {mB}, which")], "the same thing said twice"),
+            ("word-twice", &[("the spheres is {", "the the spheres is {")], "a word said twice: `the the`"),
+            ("stray", &[("{restitution}.", "{restitution} .")], "a stray sign"),
+            ("full-stop", &[("line of centres.\n'''", "line of centres\n'''")], "a sentence without a full stop"),
+            ("plural", &[("on the plane. The", "{q} times on the plane. The")], "one of several: `1 times`"),
+            (
+                "factor",
+                &[
+                    ("of mass {mB}, which", "of mass {k}, which"),
+                    ("q           = \"1..6\"", "q           = \"1..6\"\nk           = [\"1*m\", \"2*m\"]"),
+                    ("restitution = \"e\"\n", "restitution = \"e\"\nk           = \"2*m\"\n"),
+                ],
+                "a factor of one",
+            ),
+            (
+                "unused",
+                &[("delta = \"acute\"", "delta = \"acute\"\nw     = \"positive\"")],
+                "nothing uses the letter `w`",
+            ),
+            ("missing", &[("of mass {mA} is moving", "is moving"), ("of mass {mB}, which", "which")], "never give `p`"),
+            ("in-terms", &[("ask = \"Show that", "ask = \"Show, in terms of {v}, that")], "in terms of `v`"),
+        ],
+    );
+    found(
+        "both-moving/paths-at-right-angles",
+        &[
+            (
+                "not-in-terms",
+                &[
+                    ("speed = [\"v\"]", "speed = [\"1\"]"),
+                    ("\"denominator(A.after.n/v) <= 4\", ", ""),
+                    ("\"denominator(A.after.n/v) <= 12\", ", ""),
+                ],
+                "in terms of `v` and does not have it",
+            ),
+            ("article", &[("masses {mA kg} and", "masses an {mA kg} and")], "`a` or `an` before a number"),
+            (
+                "away",
+                &[
+                    ("B = [\"-uB\", \"0\"]", "B = [\"uB\", \"0\"]"),
+                    ("A = [\"0\", \"uA\"]", "A = [\"10*uB\", \"uA\"]"),
+                    ("  \"q > e*p\",\n", ""),
+                    ("\"denominator(A.after.n/v) <= 4\", ", ""),
+                    ("\"denominator(A.after.n/v) <= 12\", ", ""),
+                ],
+                "a direction that is not so: `B moves towards A`",
+            ),
+        ],
+    );
+}
+
+#[test]
+fn tests_of_the_author_that_fail_and_marks_that_measure_nothing_are_named() {
+    found(
+        "rest-letters/direction-and-deflection",
+        &[(
+            "idle",
+            &[("  { code = \"B1\", for = \"perpendicular\" },\n", "  { code = \"B1\", for = \"impulse\" },\n")],
+            "is never won, not even by the model solution",
+        )],
+    );
+    found(
+        "rest/speeds-and-directions",
+        &[
+            (
+                "test",
+                &[("\"A.after.speed\" = \"4*sqrt(39)/9\"", "\"A.after.speed\" = \"2.87\"")],
+                "test 1 fails: `A.after.speed` is `2.87` in it, and comes to `4√39/9`",
+            ),
+            ("test-numbers", &[("[[test]]\n", "[[test]]\nnumbers = { e = \"0\" }\n")], "test 1 fails: "),
+            ("test-name", &[("\"A.after.speed\" = \"4", "\"A.after.sped\" = \"4")], "`A.after.sped` is not asked for"),
+        ],
+    );
+}
+
+#[test]
+fn what_is_remembered_hides_no_fault() {
+    let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
+    let id = "rest-letters/direction-and-deflection";
+    let sound = fs::read_to_string(root.join(format!("question_bank/{id}.toml"))).expect(id);
+    let amiss = sound.replace("hidden = [\"rebound-missed\"]", "hidden = []");
+    assert_ne!(sound, amiss, "{id} hides no slip any more");
+    let folder = env::temp_dir().join(format!("carom-remembered-{}", std::process::id()));
+    fs::create_dir_all(folder.join("bank")).expect("a folder can be made");
+    let check = |text: &str, more: &[&str]| {
+        fs::write(folder.join("bank/question.toml"), text).expect("a file can be written");
+        let output = Command::new(env!("CARGO_BIN_EXE_carom"))
+            .args(["check", "bank"])
+            .args(more)
+            .current_dir(&folder)
+            .env("XDG_CACHE_HOME", folder.join("cache"))
+            .output()
+            .expect("carom runs");
+        (output.status.success(), String::from_utf8_lossy(&output.stdout).into_owned())
+    };
+    let entries = || fs::read_dir(folder.join("cache/carom/check")).map_or(0, Iterator::count);
+    assert!(!check(&amiss, &[]).0);
+    assert_eq!(entries(), 0, "nothing is remembered of a question with a finding");
+    let (is_sound, first) = check(&sound, &[]);
+    assert!(is_sound, "{first}");
+    assert_eq!(entries(), 1);
+    assert_eq!(check(&sound, &[]), (true, first.clone()), "what is remembered is printed alike");
+    assert_eq!(check(&sound, &["--fresh"]), (true, first));
+    assert!(!check(&amiss, &[]).0, "the fault is found again");
+    // A folder that is none does no harm.
+    fs::remove_dir_all(folder.join("cache")).expect("the folder is there");
+    fs::write(folder.join("cache"), "no folder").expect("a file can be written");
+    assert!(check(&sound, &[]).0);
+    fs::remove_dir_all(&folder).expect("the folder is there");
+}
