@@ -44,6 +44,8 @@ pub struct KeyedQuestion {
     pub id: String,
     /// Its number on the sheet.
     pub number: usize,
+    /// The exercise that it mirrors.
+    pub mirrors: Option<String>,
     /// The collision as it was given, unknown letters left as letters.
     pub scene: Scene,
     /// What the scene gives.
@@ -231,12 +233,14 @@ impl KeyedQuestion {
             let below = |fault: KeyFault| fault.below(&format!("parts[{place}]"));
             parts.push(KeyedPart::read(part, &scene, &mut known).map_err(below)?);
         }
-        let (id, number, decimals) = (question.id.clone(), question.number, decimals(question));
+        let (id, number, mirrors) = (question.id.clone(), question.number, question.mirrors.clone());
+        let decimals = decimals(question);
         let given_letters = given_letters(question, &letters);
         let (prepared, mistakes, needed) = Default::default();
         Ok(KeyedQuestion {
             id,
             number,
+            mirrors,
             scene,
             given,
             letters,
