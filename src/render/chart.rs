@@ -29,7 +29,7 @@ pub(super) fn columns(counts: &[usize; 10]) -> String {
         let anchor = if place == 0 { "start" } else { "middle" };
         body.push_str(&text(left, floor + 14, anchor, &(10 * place).to_string()));
     }
-    body.push_str(&text(WIDTH, floor + 14, "end", "100 %"));
+    body.push_str(&text(WIDTH, floor + 14, "end", "100"));
     body.push_str(&format!(r#"<path d="M0 {floor}H{WIDTH}" stroke="currentColor"/>"#));
     let students: usize = counts.iter().sum();
     let words = format!("Columns: how many of {students} students earned how much of the paper, in tenths of it");
@@ -96,7 +96,8 @@ mod tests {
 
     /// The numbers of an attribute, in order.
     fn all(picture: &str, attribute: &str) -> Vec<usize> {
-        let pieces = picture.split(&format!(" {attribute}=\"")).skip(1);
+        let opening = format!(" {attribute}=\"");
+        let pieces = picture.split(&opening).skip(1);
         pieces.map(|rest| rest.split('"').next().unwrap().parse().unwrap()).collect()
     }
 

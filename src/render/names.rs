@@ -100,7 +100,16 @@ pub(super) const NAMES: [(&str, &[(&str, Kind)]); 26] = [
             ("marks", Kind::Plain),
         ],
     ),
-    ("answer", &[("name", Kind::Plain), ("exact", Kind::Plain), ("rounded", Kind::Plain), ("phrase", Kind::Plain)]),
+    (
+        "answer",
+        &[
+            ("name", Kind::Plain),
+            ("exact", Kind::Plain),
+            ("rounded", Kind::Plain),
+            ("asked", Kind::Plain),
+            ("phrase", Kind::Plain),
+        ],
+    ),
     ("line", &[("words", Kind::Plain), ("equations", Kind::Things("equation")), ("label", Kind::Plain)]),
     ("equation", &[("whole", Kind::Plain), ("left", Kind::Plain), ("relation", Kind::Plain), ("right", Kind::Plain)]),
     (

@@ -172,3 +172,76 @@ fn first<T>(all: &[T]) -> &[T] {
 fn beyond<T>(all: &[T]) -> usize {
     all.len() - first(all).len()
 }
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use super::super::names::tests::{below, gather};
+    use super::*;
+    use crate::mark::report::{Discrimination, Made};
+
+    /// A class of one with something of everything.
+    fn class() -> ClassReport {
+        let discrimination = Discrimination::FewStudents;
+        let (part, id, code) = ("a".to_owned(), "M1a".to_owned(), "M1".to_owned());
+        let mark = MarkFigures { part: part.clone(), id, code, won: 1, discrimination };
+        let question = QuestionFigures {
+            label: "1".into(),
+            number: 1,
+            id: "rest/x".into(),
+            mirrors: String::new(),
+            scripts: 1,
+            marks: 3,
+            available: 4,
+            unreadable: 0,
+            scheme: vec![mark],
+        };
+        let (student, place) = (0, String::new());
+        let mistake = Mistake {
+            tag: "masses-omitted",
+            did: "left the masses out",
+            students: vec![student],
+            places: vec![Made { student, question: 0, part: part.clone() }],
+        };
+        let named = |name: &str| StudentMarks {
+            id: name.to_owned(),
+            name: name.to_owned(),
+            marks: 3,
+            available: 4,
+            questions: vec![Some(3)],
+        };
+        ClassReport {
+            names: Names::Shown,
+            students: vec![named("Ada")],
+            available: 4,
+            questions: vec![question],
+            slips: vec![mistake.clone()],
+            accuracy: vec![mistake],
+            notes: Vec::new(),
+            findings: vec![Finding { tag: "hard", question: 0, sentence: "It is hard.".into() }],
+            look: vec![Look { student, question: 1, part, place, typed: "Ada".into(), reason: "Unclear.".into() }],
+            not_marked: 2,
+        }
+    }
+
+    #[test]
+    fn carom_knows_the_names_of_a_report() {
+        let context = page(&class(), Notation::Html, &Wanted::new(None));
+        let mut found = BTreeMap::new();
+        gather("report", &serde_json::to_value(context.get("report").unwrap()).unwrap(), &mut found);
+        assert_eq!(found, below("report"));
+    }
+
+    #[test]
+    fn a_class_of_any_size_has_a_page_and_what_is_left_out_is_counted() {
+        let one = class();
+        let students = vec![one.students[0].clone(); LONGEST + 5];
+        let mistake = Mistake { students: (0..NAMED + 3).collect(), ..one.slips[0].clone() };
+        let many = ClassReport { students, slips: vec![mistake], ..one };
+        let context = page(&many, Notation::Html, &Wanted::new(None));
+        let report = serde_json::to_value(context.get("report").unwrap()).unwrap();
+        assert_eq!((report["rows"].as_array().unwrap().len(), &report["more_rows"]), (LONGEST, &5.into()));
+        assert_eq!((&report["slips"][0]["count"], &report["slips"][0]["more"]), (&(NAMED + 3).into(), &3.into()));
+    }
+}

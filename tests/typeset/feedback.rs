@@ -1,9 +1,11 @@
-//! The page that a student gets back, set by three engines and shown by a browser, whatever the student typed.
+//! The page that a student gets back, set by three engines and shown by a browser, whatever the student typed; and the
+//! report on the class.
 
+use carom::mark::report::Names;
 use carom::render::{Formats, RenderedFile};
 
 use super::browser::seen;
-use super::class::pages;
+use super::class::{pages, report};
 use super::engine::{PDFLATEX, set_fully};
 use super::{folder, on_both};
 
@@ -36,5 +38,17 @@ fn carom_knows_feedback_that_fits_on_a_phone() {
             assert!(seen.reach <= seen.window, "{}: {seen:?}", page.name);
             assert!(seen.faults.is_empty(), "{}: {seen:?}", page.name);
         }
+    }
+}
+
+#[test]
+fn carom_knows_a_report_that_fits_on_a_phone() {
+    for names in [Names::Shown, Names::LeftOut] {
+        report(names, |class| {
+            let page = Formats::shipped().unwrap().report("html", class).unwrap().unwrap();
+            for seen in seen(&folder("report"), &page) {
+                assert!(seen.reach <= seen.window, "{seen:?}");
+            }
+        });
     }
 }

@@ -12,7 +12,7 @@ const TOLD: usize = 3;
 
 /// The report as JSON; the mean is in marks, facilities are in per cent, and discrimination is from -1 to 1.
 pub fn as_json(report: &ClassReport) -> Json {
-    let name = |student: &usize| report.students[*student].name.as_str();
+    let name = |student: &usize| report.students[*student].id.as_str();
     let notes: Vec<Json> = report.notes.iter().map(|one| json!({"note": one.note, "count": one.count})).collect();
     let mistake = |mistake: &Mistake| {
         let students: Vec<&str> = mistake.students.iter().map(name).collect();

@@ -26,7 +26,8 @@ pub(super) struct Column<'r> {
 
 /// A student.
 pub(super) struct Entry<'r> {
-    /// As the report calls the student.
+    /// As the student handed in, and as the report calls the student.
+    pub id: String,
     pub name: String,
     /// What was handed in, by question.
     pub scripts: Vec<Option<&'r MarkedScript<'r>>>,
@@ -59,12 +60,17 @@ impl<'r> Class<'r> {
             handed.into_iter().for_each(|(place, script)| scripts[order[place]] = Some(script));
             scripts
         };
-        let entry = |(name, handed): (&str, _)| Entry { name: name.to_owned(), scripts: by_question(handed) };
+        let entry = |(id, handed): (&str, Vec<(usize, &'r MarkedScript<'r>)>)| Entry {
+            id: id.to_owned(),
+            name: shown(id, &handed),
+            scripts: by_question(handed),
+        };
         let mut entries: Vec<Entry> = entries.into_iter().map(entry).collect();
         if names == Names::LeftOut {
             entries.sort_by_cached_key(|entry| (Reverse(entry.marks()), entry.traits()));
             for (number, entry) in (1..).zip(&mut entries) {
                 entry.name = format!("Student {number}");
+                entry.id.clone_from(&entry.name);
             }
         }
         Class { columns: columns.into_iter().map(|(column, _)| column).collect(), entries }
@@ -74,6 +80,12 @@ impl<'r> Class<'r> {
     pub fn scripts(&self, column: usize) -> impl Iterator<Item = (usize, &'r MarkedScript<'r>)> {
         self.entries.iter().enumerate().filter_map(move |(student, entry)| Some((student, entry.scripts[column]?)))
     }
+}
+
+/// A student by name, if the key has one, and by what the school calls the student.
+fn shown(id: &str, handed: &[(usize, &MarkedScript)]) -> String {
+    let name = handed.first().map_or("", |(_, script)| script.paper.name.as_str());
+    if name.is_empty() { id.to_owned() } else { format!("{name} ({id})") }
 }
 
 /// Which time on its sheet a question stands there: the same question may be asked twice, with other numbers.
@@ -103,6 +115,7 @@ impl Entry<'_> {
         let paper = self.scripts.iter().flatten().map(|script| script.paper).next();
         let parts = paper.into_iter().flat_map(|paper| &paper.questions).flat_map(|question| &question.parts);
         StudentMarks {
+            id: self.id.clone(),
             name: self.name.clone(),
             marks: self.marks(),
             available: parts.map(|part| part.available()).sum(),

@@ -63,7 +63,9 @@ pub struct ClassReport {
 /// What a student earned.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StudentMarks {
-    /// The name, or `Student 1`.
+    /// As the student handed in, or `Student 1`.
+    pub id: String,
+    /// The same with the name, where the key of a class has both: `Ada Lovelace (1001)`.
     pub name: String,
     /// All marks earned.
     pub marks: usize,

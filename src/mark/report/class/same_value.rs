@@ -62,7 +62,9 @@ pub(super) fn all(class: &Class, question: usize, least: usize) -> Vec<SameValue
         .into_iter()
         .filter(|(_, (students, ..))| students.len() >= least)
         .map(|(Given { part, blank, right, .. }, (students, ways, cause))| {
-            let value = ways.into_iter().max_by_key(|(_, count)| *count).map(|(value, _)| value).unwrap_or_default();
+            // As most wrote it; of equally many the shortest.
+            let way = ways.into_iter().max_by_key(|(value, count)| (*count, Reverse(value.len())));
+            let value = way.map(|(value, _)| value).unwrap_or_default();
             SameValue { part, blank, value, right, students: students.len(), cause }
         })
         .collect();

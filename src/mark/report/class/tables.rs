@@ -11,7 +11,7 @@ pub fn students_table(report: &ClassReport) -> String {
         let sums = [student.marks, student.available, student.per_cent()].map(Some).into_iter();
         let cells = sums.chain(student.questions.iter().copied());
         let cells = cells.map(|cell| cell.map(|marks| marks.to_string()).unwrap_or_default());
-        std::iter::once(one_line(&student.name)).chain(cells).collect()
+        std::iter::once(one_line(&student.id)).chain(cells).collect()
     });
     append(std::iter::once(head.collect::<Vec<String>>()).chain(rows))
 }
@@ -38,7 +38,7 @@ pub fn mistakes_table(report: &ClassReport) -> String {
     let head = ["tag", "did", "student", "question", "part"].map(str::to_owned).to_vec();
     let rows = report.slips.iter().chain(&report.accuracy).flat_map(|mistake: &Mistake| {
         mistake.places.iter().map(|made| {
-            let student = one_line(&report.students[made.student].name);
+            let student = one_line(&report.students[made.student].id);
             let question = report.questions[made.question].label.clone();
             vec![mistake.tag.to_owned(), mistake.did.to_owned(), student, question, made.part.clone()]
         })
