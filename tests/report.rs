@@ -53,7 +53,10 @@ fn twelve() -> String {
     let row = |student: usize| match student {
         1..=6 => format!("S{student:02},2,,,{SECOND},\nS{student:02},3,,,{THIRD},\n"),
         7..=9 => format!("S{student:02},2,,speed of A,2.31,\nS{student:02},3,,,{THIRD},\n"),
-        _ => format!("S{student:02},2,,speed of A,2.310 m/s,\nS{student:02},3,,speed of A,100,\n"),
+        // 4/√3 again, written in other ways.
+        10 => format!("S{student:02},2,,speed of A,2.309,\nS{student:02},3,,speed of A,100,\n"),
+        11 => format!("S{student:02},2,,speed of A,2.31 m/s,\nS{student:02},3,,speed of A,100,\n"),
+        _ => format!("S{student:02},2,,speed of A,4/√3,\nS{student:02},3,,speed of A,100,\n"),
     };
     HEAD.to_owned() + &(1..=12).map(row).collect::<String>()
 }

@@ -49,7 +49,8 @@ fn level(question: &QuestionFigures) -> Option<(&'static str, String)> {
         return None;
     }
     if facility <= HARD {
-        return Some(("hard", format!("Only {facility} % of its marks were won: is it too hard, or is it misread?")));
+        let won = if question.marks == 0 { "None".to_owned() } else { format!("Only {facility} %") };
+        return Some(("hard", format!("{won} of its marks were won: is it too hard, or is it misread?")));
     }
     let is_easy = facility >= EASY;
     is_easy.then(|| ("easy", format!("{facility} % of its marks were won: it tells nobody from anybody.")))

@@ -4,6 +4,7 @@ use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::entries::Class;
+use crate::answer::Kind;
 use crate::expr::print;
 use crate::mark::award::MarkedAnswer;
 use crate::mark::judging::Verdict;
@@ -36,6 +37,9 @@ struct Given {
     value: String,
 }
 
+/// More of a question are not told.
+const MOST: usize = 3;
+
 /// The wrong values of a question that so many students gave, the most frequent first.
 pub(super) fn all(class: &Class, question: usize, least: usize) -> Vec<SameValue> {
     let mut found: BTreeMap<Given, (BTreeSet<usize>, BTreeMap<String, usize>, String)> = BTreeMap::new();
@@ -47,7 +51,7 @@ pub(super) fn all(class: &Class, question: usize, least: usize) -> Vec<SameValue
             }
             for (blank, answer) in part.keyed.blanks.iter().zip(&part.marked.answers) {
                 let Some((value, printed)) = value(blank, answer) else { continue };
-                let right = print::unicode(&blank.model.value);
+                let right = right(blank);
                 let given = Given { part: part.marked.label.clone(), blank: blank.name.clone(), right, value };
                 let (students, ways, cause) = found.entry(given).or_default();
                 students.insert(student);
@@ -69,12 +73,23 @@ pub(super) fn all(class: &Class, question: usize, least: usize) -> Vec<SameValue
         })
         .collect();
     all.sort_by_key(|same| Reverse(same.students));
+    all.truncate(MOST);
     all
+}
+
+/// What would have been right; an angle as a student would write it.
+fn right(blank: &KeyedBlank) -> String {
+    let degrees = || value_at_first_point(&blank.model.value, &[]);
+    match (blank.model.kind == Kind::Angle).then(degrees).flatten() {
+        Some(degrees) => format!("{degrees:.1}°"),
+        None => print::unicode(&blank.model.value),
+    }
 }
 
 /// A wrong answer as a value to three figures, and as it was written without its unit.
 fn value(blank: &KeyedBlank, answer: &MarkedAnswer) -> Option<(String, String)> {
-    if answer.judgement.verdict != Verdict::Wrong {
+    // A result that is printed in the question is no wrong value, only not enough.
+    if answer.judgement.verdict != Verdict::Wrong || blank.model.kind == Kind::Shown {
         return None;
     }
     let readings = read_answer(answer.typed.as_deref()?, &blank.model.vocabulary).ok()?;
