@@ -166,3 +166,43 @@ fn names_that_a_student_cannot_be_told_by_are_one_student_in_a_class_list() {
         refused(&folder, &["sheet", "5C-2", "--class", "list.csv"], &["is in the list twice", "list.csv:3"]);
     }
 }
+
+#[test]
+fn what_a_key_calls_its_questions_is_harmless_too() {
+    let folder = folder("ids");
+    let key: Json = serde_json::from_str(&fs::read_to_string(folder.join("sheet/key.json")).unwrap()).unwrap();
+    let nasty = format!("=<script>\u{202e}\0{}", "x".repeat(10_000));
+    // Two sheets with the question under different numbers, so that it goes by its id.
+    let paper = |student: &str, number: usize| {
+        let mut question = key["questions"][1].clone();
+        question["id"] = nasty.as_str().into();
+        question["mirrors"] = nasty.as_str().into();
+        question["number"] = number.into();
+        serde_json::json!({"student": student, "name": nasty, "code": nasty, "questions": [question]})
+    };
+    let class = serde_json::json!({"papers": [paper("Ada", 1), paper("Ben", 2)]});
+    fs::write(folder.join("sheet/key.json"), class.to_string()).unwrap();
+    fs::write(folder.join("rows.csv"), "student,question,blank,answer\nAda,1,speed of A,2.8\nBen,2,speed of A,1\n")
+        .unwrap();
+    let output = carom(&folder, &MARK);
+    let said = String::from_utf8(output.stdout.clone()).unwrap() + &stderr(&output);
+    assert!(output.status.success(), "{said}");
+    assert!(said.lines().all(|line| line.chars().count() <= 80) && !said.contains(['\0', '\u{202e}']), "{said}");
+    for file in tree(&folder.join("marks")).iter().filter(|path| path.is_file()) {
+        let text = fs::read_to_string(file).unwrap();
+        // Lines of JSON have everything as it was typed, each character that is no letter as a number.
+        if file.extension().is_some_and(|ending| ending == "jsonl") {
+            continue;
+        }
+        assert!(
+            !text.contains(['\0', '\u{202e}']) && !text.contains("\n=") && !text.contains(",="),
+            "{}",
+            file.display()
+        );
+        assert!(
+            file.extension().is_some_and(|ending| ending == "csv") || !text.contains("<script"),
+            "{}",
+            file.display()
+        );
+    }
+}

@@ -132,7 +132,7 @@ pub fn run(arguments: &MarkArguments) -> Result<(), Failure> {
     write_all(out, &files)?;
 
     let place = out.display();
-    say(&format!("marks in `{place}`: `marks.csv`, `marks.jsonl`{}", also(page_count, set_aside.len())));
+    say(&format!("marks in `{place}`: `marks.csv`, `marks.jsonl`, `report.html`{}", also(page_count, set_aside.len())));
     tell_of_old(out, &files);
     if arguments.json { print_json(&summary::as_json(&class)) } else { print(&summary::in_words(&class)) }
 }

@@ -111,9 +111,8 @@ fn questions(report: &ClassReport) -> String {
     let heads = ["Question", "scripts", "mean mark", "won", "won least often"];
     let mut rows = vec![heads.map(str::to_owned).to_vec()];
     rows.extend(shown.iter().map(|question| {
-        let label = if question.label.len() > 8 { &question.id } else { &question.label };
         vec![
-            format!("{label:>8}"),
+            format!("{:>8}", short(&question.label, LABEL)),
             format!("{:>7}", question.scripts),
             format!("{:>4} of {}", tenths(question.mean_in_tenths()), question.available),
             format!("{:>3}%", question.facility()),
@@ -132,7 +131,7 @@ fn least_won(question: &QuestionFigures) -> String {
     let least = question.scheme.iter().min_by_key(|mark| mark.won);
     least.map_or_else(String::new, |mark| {
         let part = if mark.part.is_empty() { String::new() } else { format!("({}) ", mark.part) };
-        format!("{part}{}: {} of {}", mark.id, mark.won, question.scripts)
+        format!("{}: {} of {}", short(&format!("{part}{}", mark.id), LABEL), mark.won, question.scripts)
     })
 }
 
@@ -144,6 +143,9 @@ fn looked_at(report: &ClassReport, look: &Look) -> String {
     let student = short(&report.students[look.student].name, LONGEST);
     format!("{student}, question {}{part}{place}{said}", look.question)
 }
+
+/// The longest name of a question or of a mark.
+const LABEL: usize = 20;
 
 /// The longest name, and the longest answer, of which more is told than one reads.
 const LONGEST: usize = 40;

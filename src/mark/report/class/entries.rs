@@ -94,6 +94,9 @@ fn time(script: &MarkedScript) -> usize {
     script.paper.questions.iter().filter(|question| same(&question.id, question.number)).count()
 }
 
+/// Of a question the marks, which of them are lost, and what was typed.
+type Traits = (Reverse<usize>, Vec<bool>, Vec<Option<String>>);
+
 impl Entry<'_> {
     /// All marks earned.
     pub fn marks(&self) -> usize {
@@ -101,7 +104,7 @@ impl Entry<'_> {
     }
 
     /// What was earned and typed, which orders students of equal marks without a word of their names.
-    fn traits(&self) -> Vec<(Reverse<usize>, Vec<bool>, Vec<Option<String>>)> {
+    fn traits(&self) -> Vec<Traits> {
         let each = self.scripts.iter().map(|script| {
             let parts = script.iter().flat_map(|script| &script.parts);
             let lost = parts.clone().flat_map(|part| &part.marked.awards).map(|award| !award.given).collect();

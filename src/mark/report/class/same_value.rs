@@ -37,12 +37,20 @@ struct Given {
     value: String,
 }
 
+/// Who gave it, how they wrote it and how often, and the mistake that leads there.
+#[derive(Default)]
+struct By {
+    students: BTreeSet<usize>,
+    ways: BTreeMap<String, usize>,
+    cause: String,
+}
+
 /// More of a question are not told.
 const MOST: usize = 3;
 
 /// The wrong values of a question that so many students gave, the most frequent first.
 pub(super) fn all(class: &Class, question: usize, least: usize) -> Vec<SameValue> {
-    let mut found: BTreeMap<Given, (BTreeSet<usize>, BTreeMap<String, usize>, String)> = BTreeMap::new();
+    let mut found: BTreeMap<Given, By> = BTreeMap::new();
     for (student, script) in class.scripts(question) {
         for part in &script.parts {
             // A line for several blanks gives no single value.
@@ -53,19 +61,19 @@ pub(super) fn all(class: &Class, question: usize, least: usize) -> Vec<SameValue
                 let Some((value, printed)) = value(blank, answer) else { continue };
                 let right = right(blank);
                 let given = Given { part: part.marked.label.clone(), blank: blank.name.clone(), right, value };
-                let (students, ways, cause) = found.entry(given).or_default();
-                students.insert(student);
-                *ways.entry(printed).or_default() += 1;
-                if let Some(first) = answer.causes.first().filter(|_| cause.is_empty()) {
-                    cause.clone_from(&first.tag);
+                let by = found.entry(given).or_default();
+                by.students.insert(student);
+                *by.ways.entry(printed).or_default() += 1;
+                if let Some(first) = answer.causes.first().filter(|_| by.cause.is_empty()) {
+                    by.cause.clone_from(&first.tag);
                 }
             }
         }
     }
     let mut all: Vec<SameValue> = found
         .into_iter()
-        .filter(|(_, (students, ..))| students.len() >= least)
-        .map(|(Given { part, blank, right, .. }, (students, ways, cause))| {
+        .filter(|(_, by)| by.students.len() >= least)
+        .map(|(Given { part, blank, right, .. }, By { students, ways, cause })| {
             // As most wrote it; of equally many the shortest.
             let way = ways.into_iter().max_by_key(|(value, count)| (*count, Reverse(value.len())));
             let value = way.map(|(value, _)| value).unwrap_or_default();
