@@ -237,6 +237,8 @@ fn nasty() -> Vec<String> {
         "Ada\u{202e}ecalevoL",
         "Zoë 中文 𝒜",
         "'quoted'",
+        "\t=1+1",
+        "nul\0l",
     ];
     names.into_iter().map(str::to_owned).chain(["long ".repeat(2000), "x".repeat(10_000)]).collect()
 }

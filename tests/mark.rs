@@ -449,7 +449,10 @@ fn a_summary_says_how_hard_it_was_and_what_to_look_at() {
     let said: Json = serde_json::from_str(&stdout(&output)).unwrap();
     assert_eq!((&said["students"], &said["marks"], &said["not_marked"]), (&json!(2), &json!(19), &json!(1)));
     assert_eq!((&said["mean"], &said["questions"][0]["facility"]), (&json!(9.5), &json!(86)));
-    assert_eq!(said["questions"][0]["scheme"][0], json!({"part": "", "id": "B1a", "code": "B1", "won": 2}));
+    assert_eq!(
+        said["questions"][0]["scheme"][0],
+        json!({"part": "", "id": "B1a", "code": "B1", "won": 2, "facility": 100, "discrimination": null})
+    );
     assert_eq!(said["look"].as_array().unwrap().len(), 1);
     assert_eq!((&said["look"][0]["student"], &said["look"][0]["typed"]), (&json!("Ben"), &json!("who knows")));
     let notes: Vec<&str> =

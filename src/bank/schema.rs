@@ -369,12 +369,12 @@ mod tests {
 
     /// A question in which an unknown key can be put into each table.
     const QUESTION: &str = "TOP\n[style.exact]\nSTYLE\n[scene]\nmasses = { PAIR }\nbefore = { A = { VELOCITY } }\nSCENE\n\
-                            [[part]]\nPART\nanswers = [{ ANSWER }]\nmarks = [{ MARK }]\n[reference]\n";
+                            [[part]]\nPART\nanswers = [{ ANSWER }]\nmarks = [{ MARK }]\n[reference]\n[[test]]\nTEST\n";
 
     /// The keys that the reader asks a table for: those that it names beside one that it does not know.
     fn asked_for(place: &str) -> Vec<String> {
         let mut text = QUESTION.to_owned();
-        for other in ["TOP", "STYLE", "SCENE", "PAIR", "VELOCITY", "PART", "ANSWER", "MARK"] {
+        for other in ["TOP", "STYLE", "SCENE", "PAIR", "VELOCITY", "PART", "ANSWER", "MARK", "TEST"] {
             text = text.replace(other, if other == place { "qqqqqqq = '1'" } else { "" });
         }
         let faults = read_question("q", &Source::new("q.toml", text.as_str())).unwrap_err();
@@ -397,6 +397,7 @@ mod tests {
             ("PART", &definitions["part"]),
             ("ANSWER", &definitions["answer"]),
             ("MARK", &definitions["mark"]),
+            ("TEST", &definitions["test"]),
         ];
         for (place, table) in tables {
             let mut keys: Vec<String> = table["properties"].as_object().unwrap().keys().cloned().collect();

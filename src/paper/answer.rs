@@ -1,7 +1,7 @@
 //! The answers of a question: what was found, exact and rounded, as a paper prints it and as the key holds it.
 
-use crate::answer::Kind;
-use crate::bank::{Answer, Find};
+use crate::answer::{Accept, Kind};
+use crate::bank::{Answer, Find, StyleName};
 use crate::expr::{Expr, Meaning, Turn, evaluate, in_degrees, written, written_angle};
 use crate::generate::Variant;
 use crate::mechanics::{Quantity, Show, Values};
@@ -145,6 +145,14 @@ pub fn rounded(answer: &Answer, variant: &Variant) -> Option<Expr> {
         (x, Some(y)) => Some(Expr::Vector(Box::new(x), Box::new(y?))),
         (one, None) => Some(one),
     }
+}
+
+/// Does the question ask for the exact form? Where its numbers are surds it does, but for an angle, which nobody would
+/// write as an inverse tangent.
+pub fn asks_exact(answer: &Answer, variant: &Variant) -> bool {
+    let is_number = |size: &Size| matches!(size, Size::Number(_));
+    answer.accept == Accept::Exact
+        || (variant.style == StyleName::Exact && sizes(answer, variant).iter().all(is_number))
 }
 
 /// The unit in which the answer is stated: none where its letters were given without.

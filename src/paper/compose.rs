@@ -74,6 +74,7 @@ fn printed_answer(answer: &Answer, variant: &Variant, with_units: &[String]) -> 
         name: name(answer, variant),
         rounded: exact.as_ref().and_then(|_| answer::rounded(answer, variant)),
         exact,
+        asks_exact: answer::asks_exact(answer, variant),
         unit: answer::unit(answer, variant, with_units),
         phrase,
     }

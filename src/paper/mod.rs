@@ -112,6 +112,8 @@ pub struct PrintedAnswer {
     pub exact: Option<Expr>,
     /// The certified decimal, if the answer is not already short and exact: `2.78`.
     pub rounded: Option<Expr>,
+    /// Does the question ask for the exact form?
+    pub asks_exact: bool,
     /// Unit of both.
     pub unit: Unit,
     /// Words that complete a direction, such as `to the line of centres`; may be empty.

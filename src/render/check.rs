@@ -45,6 +45,7 @@ pub(super) fn check(
             Sees::Paper => Scope::page(),
             Sees::Class => Scope::only("class"),
             Sees::Feedback => Scope::only("feedback"),
+            Sees::Report => Scope::only("report"),
         };
         walk.template(document, scope);
     }

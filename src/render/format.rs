@@ -8,9 +8,9 @@ use super::check::{Checked, check};
 use super::engine::Templates;
 use super::manifest::{Document, Manifest, Sees};
 use super::page::{self, Wanted};
-use super::{Notation, RenderFault, RenderedFile, feedback, plain_text};
+use super::{Notation, RenderFault, RenderedFile, feedback, plain_text, report};
 use crate::diagnostic::{Diagnostic, Source, near};
-use crate::mark::report::Feedback;
+use crate::mark::report::{ClassReport, Feedback};
 use crate::paper::Paper;
 
 /// A format whose templates have been read and whose names have been checked.
@@ -93,8 +93,17 @@ impl Format {
         };
         let context = feedback::page(feedback, self.manifest.notation, &self.wanted);
         let contents = self.fill(template, &context, self.manifest.line_length)?;
-        let ending = template.rsplit_once('.').map_or("txt", |(_, ending)| ending);
-        Ok(Some(RenderedFile { name: format!("{}.{ending}", feedback.file), contents }))
+        Ok(Some(RenderedFile { name: format!("{}.{}", feedback.file, ending(template)), contents }))
+    }
+
+    /// The report on a class; nothing if the format has no such page.
+    pub fn report(&self, class: &ClassReport) -> Result<Option<RenderedFile>, RenderFault> {
+        let Some(template) = self.manifest.report.as_ref().map(|template| template.get_ref()) else {
+            return Ok(None);
+        };
+        let context = report::page(class, self.manifest.notation, &self.wanted);
+        let contents = self.fill(template, &context, self.manifest.line_length)?;
+        Ok(Some(RenderedFile { name: format!("report.{}", ending(template)), contents }))
     }
 
     fn context(&self, paper: &Paper) -> Context {
@@ -112,6 +121,11 @@ impl Format {
             Notation::Latex | Notation::Html => filled,
         })
     }
+}
+
+/// The ending of a template's name, which its pages have too.
+fn ending(template: &str) -> &str {
+    template.rsplit_once('.').map_or("txt", |(_, ending)| ending)
 }
 
 /// Reads the templates of a folder; all plain words that they print are escaped for the notation.

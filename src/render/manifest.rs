@@ -28,6 +28,8 @@ pub(super) struct Manifest {
     pub preview: Option<Spanned<String>>,
     /// The template of the page that a student gets back.
     pub feedback: Option<Spanned<String>>,
+    /// The template of the report on a class.
+    pub report: Option<Spanned<String>>,
     /// The files that a paper becomes.
     pub documents: Vec<Document>,
     /// The files that the papers of a class become, all of them in each.
@@ -44,6 +46,8 @@ pub(super) enum Sees {
     Class,
     /// The one name `feedback`.
     Feedback,
+    /// The one name `report`.
+    Report,
 }
 
 /// One file that a paper becomes.
@@ -90,7 +94,8 @@ impl Manifest {
         let of_paper = self.documents.iter().map(|document| &document.template).chain(&self.preview);
         let of_class = self.class.iter().map(|document| (&document.template, Sees::Class));
         let of_script = self.feedback.iter().map(|template| (template, Sees::Feedback));
-        of_paper.map(|template| (template, Sees::Paper)).chain(of_class).chain(of_script)
+        let of_marks = self.report.iter().map(|template| (template, Sees::Report));
+        of_paper.map(|template| (template, Sees::Paper)).chain(of_class).chain(of_script).chain(of_marks)
     }
 
     /// Reads a manifest and holds it to the files of its folder.

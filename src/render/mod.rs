@@ -18,6 +18,7 @@
 //! Templates hold words and layout: every formula arrives printed in the notation of the format, so they do no
 //! arithmetic. The names they may use are listed in `templates/README.md`. The room never touches the disk.
 
+mod chart;
 mod check;
 mod code;
 mod engine;
@@ -31,6 +32,7 @@ mod names;
 mod notation;
 mod page;
 mod plain_text;
+mod report;
 mod scope;
 mod shipped;
 
@@ -40,7 +42,7 @@ pub use fault::RenderFault;
 pub use notation::Notation;
 
 use crate::diagnostic::{Diagnostic, Severity, Source, near};
-use crate::mark::report::Feedback;
+use crate::mark::report::{ClassReport, Feedback};
 use crate::paper::Paper;
 use format::Format;
 
@@ -185,6 +187,11 @@ impl Formats {
     /// The page that a student gets back; `None` if the format's manifest names no template for it.
     pub fn feedback(&self, format: &str, feedback: &Feedback) -> Result<Option<RenderedFile>, RenderFault> {
         self.named(format)?.feedback(feedback)
+    }
+
+    /// The report on a class; `None` if the format's manifest names no template for it.
+    pub fn report(&self, format: &str, class: &ClassReport) -> Result<Option<RenderedFile>, RenderFault> {
+        self.named(format)?.report(class)
     }
 
     fn named(&self, format: &str) -> Result<&Format, RenderFault> {

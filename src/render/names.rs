@@ -36,7 +36,7 @@ impl Kind {
 }
 
 /// What a page has, under no name, and what each thing has.
-pub(super) const NAMES: [(&str, &[(&str, Kind)]); 17] = [
+pub(super) const NAMES: [(&str, &[(&str, Kind)]); 26] = [
     (
         "",
         &[
@@ -100,7 +100,16 @@ pub(super) const NAMES: [(&str, &[(&str, Kind)]); 17] = [
             ("marks", Kind::Plain),
         ],
     ),
-    ("answer", &[("name", Kind::Plain), ("exact", Kind::Plain), ("rounded", Kind::Plain), ("phrase", Kind::Plain)]),
+    (
+        "answer",
+        &[
+            ("name", Kind::Plain),
+            ("exact", Kind::Plain),
+            ("rounded", Kind::Plain),
+            ("asked", Kind::Plain),
+            ("phrase", Kind::Plain),
+        ],
+    ),
     ("line", &[("words", Kind::Plain), ("equations", Kind::Things("equation")), ("label", Kind::Plain)]),
     ("equation", &[("whole", Kind::Plain), ("left", Kind::Plain), ("relation", Kind::Plain), ("right", Kind::Plain)]),
     (
@@ -171,6 +180,93 @@ pub(super) const NAMES: [(&str, &[(&str, Kind)]); 17] = [
             ("reading", Kind::Plain),
             ("earned", Kind::Plain),
             ("equation", Kind::Plain),
+        ],
+    ),
+    (
+        "report",
+        &[
+            ("students", Kind::Plain),
+            ("has_names", Kind::Plain),
+            ("mean", Kind::Plain),
+            ("available", Kind::Plain),
+            ("per_cent", Kind::Plain),
+            ("least", Kind::Plain),
+            ("most", Kind::Plain),
+            ("wide", Kind::Plain),
+            ("totals", Kind::Plain),
+            ("bands", Kind::Things("band")),
+            ("facilities", Kind::Plain),
+            ("questions", Kind::Things("item")),
+            ("rows", Kind::Things("row")),
+            ("more_rows", Kind::Plain),
+            ("slips", Kind::Things("mistake")),
+            ("accuracy", Kind::Things("mistake")),
+            ("findings", Kind::Things("finding")),
+            ("looks", Kind::Things("look")),
+            ("more_looks", Kind::Plain),
+            ("not_marked", Kind::Plain),
+        ],
+    ),
+    ("band", &[("range", Kind::Plain), ("students", Kind::Plain)]),
+    (
+        "item",
+        &[
+            ("label", Kind::Plain),
+            ("id", Kind::Plain),
+            ("mirrors", Kind::Plain),
+            ("scripts", Kind::Plain),
+            ("mean", Kind::Plain),
+            ("available", Kind::Plain),
+            ("facility", Kind::Plain),
+            ("scheme", Kind::Things("tally")),
+        ],
+    ),
+    (
+        "tally",
+        &[
+            ("part", Kind::Plain),
+            ("id", Kind::Plain),
+            ("code", Kind::Plain),
+            ("won", Kind::Plain),
+            ("facility", Kind::Plain),
+            ("bar", Kind::Plain),
+            ("discrimination", Kind::Plain),
+            ("why_not", Kind::Plain),
+        ],
+    ),
+    (
+        "row",
+        &[
+            ("student", Kind::Plain),
+            ("marks", Kind::Plain),
+            ("available", Kind::Plain),
+            ("per_cent", Kind::Plain),
+            ("cells", Kind::Things("cell")),
+        ],
+    ),
+    ("cell", &[("label", Kind::Plain), ("marks", Kind::Plain), ("available", Kind::Plain), ("handed_in", Kind::Plain)]),
+    (
+        "mistake",
+        &[
+            ("tag", Kind::Plain),
+            ("did", Kind::Plain),
+            ("count", Kind::Plain),
+            ("times", Kind::Plain),
+            ("questions", Kind::Plain),
+            ("students", Kind::Plains),
+            ("more", Kind::Plain),
+        ],
+    ),
+    ("finding", &[("question", Kind::Plain), ("sentence", Kind::Plain)]),
+    (
+        "look",
+        &[
+            ("student", Kind::Plain),
+            ("question", Kind::Plain),
+            ("part", Kind::Plain),
+            ("place", Kind::Plain),
+            ("typed", Kind::Plain),
+            ("reason", Kind::Plain),
         ],
     ),
 ];

@@ -190,6 +190,12 @@ impl<'p> Printer<'p> {
                 (Some(_), Some(rounded)) => quantity(rounded),
                 _ => nothing(),
             })
+            .with("asked", || match (&answer.exact, &answer.rounded) {
+                (None, _) => self.text(&answer.phrase),
+                (Some(_), Some(rounded)) if !answer.asks_exact => quantity(rounded),
+                (Some(exact @ Expr::Degrees(_)), _) if answer.unit == Unit::Degree => formula(exact),
+                (Some(exact), _) => quantity(exact),
+            })
             .with("phrase", || self.text(&answer.phrase))
             .value()
     }
@@ -288,6 +294,7 @@ mod tests {
                 name: Text::words("speed"),
                 exact: Some(Expr::integer(2)),
                 rounded: None,
+                asks_exact: false,
                 unit: Unit::MetrePerSecond,
                 phrase: Text::default(),
             }],
@@ -350,7 +357,8 @@ mod tests {
         let answer = |exact: Expr, rounded: Option<&str>, unit| {
             let rounded = rounded.map(|digits| Expr::Decimal(digits.into()));
             let exact = Some(exact);
-            let answer = PrintedAnswer { name: Text::default(), exact, rounded, unit, phrase: Text::default() };
+            let (name, phrase) = Default::default();
+            let answer = PrintedAnswer { name, exact, rounded, asks_exact: false, unit, phrase };
             printed(&as_json(|printer| printer.answer(&answer), Notation::Latex), ["exact", "rounded"])
         };
         let speed = |rounded| answer(Expr::integer(2), rounded, Unit::MetrePerSecond);

@@ -23,8 +23,8 @@ impl<'t> Scope<'t> {
         Scope::of(names_of("").iter().copied().collect())
     }
 
-    /// Where nothing has been set yet on a page that has one name, of which all others are: `class`, or `feedback` on what
-    /// a student gets back.
+    /// Where nothing has been set yet on a page that has one name, of which all others are: `class`, `feedback` on what a
+    /// student gets back, `report` on how a class did.
     pub fn only(thing: &'static str) -> Scope<'t> {
         Scope::of(BTreeMap::from([(thing, Kind::Thing(thing))]))
     }

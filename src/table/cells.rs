@@ -72,11 +72,11 @@ pub fn write<const N: usize>(header: [&str; N], rows: impl Iterator<Item = [Stri
     append(std::iter::once(header.map(str::to_owned)).chain(rows))
 }
 
-/// The rows of a table whose header is written already.
-pub fn append<const N: usize>(rows: impl Iterator<Item = [String; N]>) -> String {
+/// The rows of a table, all of one width, whose header is written already or is the first of them.
+pub fn append(rows: impl Iterator<Item = impl AsRef<[String]>>) -> String {
     let mut text = String::new();
     for row in rows {
-        for (place, cell) in row.iter().enumerate() {
+        for (place, cell) in row.as_ref().iter().enumerate() {
             text.push_str(if place == 0 { "" } else { "," });
             push_cell(&mut text, cell);
         }

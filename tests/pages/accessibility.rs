@@ -7,6 +7,7 @@ use std::process::Command;
 use carom::bank::Bank;
 use carom::diagnostic::render_all;
 use carom::generate::reference;
+use carom::mark::report::Names;
 use carom::paper::{Dealer, Edition, Paper, compose};
 use carom::render::{Formats, RenderedFile};
 
@@ -141,6 +142,22 @@ fn carom_knows_pages_of_feedback_that_axe_finds_no_fault_in() {
             }
         }
     });
+}
+
+#[test]
+fn carom_knows_reports_and_pages_of_a_class_that_axe_finds_no_fault_in() {
+    let formats = Formats::shipped().unwrap();
+    let mut pages = formats.class("html", &super::class()).unwrap().unwrap();
+    assert_eq!(pages.len(), 4);
+    for names in [Names::Shown, Names::LeftOut] {
+        super::class::report(names, |class| pages.extend(formats.report("html", class).unwrap()));
+    }
+    for page in pages {
+        for look in [DESK, DESK_AT_NIGHT, PHONE, PHONE_AT_NIGHT] {
+            let found = faults(&folder("class"), &page.contents, look);
+            assert!(found.is_empty(), "{} {look:?}: {}", page.name, found.join("\n"));
+        }
+    }
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! A small class, marked: a script with a mistake of each kind, explained and followed through, and one as nasty as they come.
 
 use carom::expr::{Angles, Text, read};
-use carom::mark::report::{Feedback, MarkReport};
+use carom::mark::report::{ClassReport, Feedback, MarkReport, Names};
 use carom::mark::submissions::{read_overrides, read_rows, sort};
 use carom::mark::{AnswerKey, Award, Cause, Evidence, Examiner, MarkedLine, MarkedPart, Place, Profile};
 use carom::paper::{Key, WorkingLine, compose, key_question};
@@ -78,6 +78,15 @@ fn explained(part: &mut MarkedPart) {
 
 /// Calls with each page of a small class.
 pub fn pages(look: impl FnOnce(&[Feedback])) {
+    marked(|report| look(&Feedback::of(report)));
+}
+
+/// Calls with the report on it.
+pub fn report(names: Names, look: impl FnOnce(&ClassReport)) {
+    marked(|report| look(&ClassReport::new(report, 1, names)));
+}
+
+fn marked(look: impl FnOnce(&MarkReport)) {
     let key = key();
     let rows = ROWS.replace("LONG", &"9".repeat(5000));
     let sorted = sort(&key, read_rows(&Source::new("submissions.csv", rows.as_str())).unwrap());
@@ -97,5 +106,5 @@ pub fn pages(look: impl FnOnce(&[Feedback])) {
         }
     }
     explained(&mut report.scripts[0].parts[0].marked);
-    look(&Feedback::of(&report));
+    look(&report);
 }

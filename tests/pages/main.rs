@@ -8,6 +8,7 @@ mod class;
 mod families;
 mod feedback;
 mod paper;
+mod report;
 
 use std::fs;
 use std::path::{Path, PathBuf};

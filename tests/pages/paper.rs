@@ -202,6 +202,7 @@ fn answer(name: &str, exact: &str, rounded: &str, unit: Unit, phrase: &str) -> P
         name: words(name),
         exact: Some(formula(exact)),
         rounded: Some(decimal(rounded)).filter(|_| !rounded.is_empty()),
+        asks_exact: unit == MetrePerSecond,
         unit,
         phrase: words(phrase),
     }

@@ -1,10 +1,13 @@
-//! The page that a student gets back, set by three engines and shown by a browser, whatever the student typed.
+//! The page that a student gets back, set by three engines and shown by a browser, whatever the student typed; and the
+//! report on the class.
 
+use carom::mark::report::{ClassReport, Names, QuestionFigures, StudentMarks};
 use carom::render::{Formats, RenderedFile};
 
 use super::browser::seen;
-use super::class::pages;
+use super::class::{pages, report};
 use super::engine::{PDFLATEX, set_fully};
+use super::screen::on_a4;
 use super::{folder, on_both};
 
 /// The page of each student of a small class.
@@ -35,6 +38,37 @@ fn carom_knows_feedback_that_fits_on_a_phone() {
         for seen in seen(&folder(&format!("feedback/{}", page.name)), &page) {
             assert!(seen.reach <= seen.window, "{}: {seen:?}", page.name);
             assert!(seen.faults.is_empty(), "{}: {seen:?}", page.name);
+        }
+    }
+}
+
+/// The same class with so many questions, and a student with a name as long as they come.
+fn with_questions(class: &ClassReport, count: usize) -> ClassReport {
+    let question = |place: usize| QuestionFigures { label: (place + 1).to_string(), ..class.questions[0].clone() };
+    let student = |student: &StudentMarks| StudentMarks { questions: vec![Some(11); count], ..student.clone() };
+    let mut many = ClassReport {
+        questions: (0..count).map(question).collect(),
+        students: class.students.iter().map(student).collect(),
+        ..class.clone()
+    };
+    many.students[0].name = "Wolfeschlegelsteinhausenbergerdorff".repeat(3);
+    many
+}
+
+#[test]
+fn carom_knows_a_report_that_fits_on_a_phone_a_desk_and_a_sheet_of_paper() {
+    for names in [Names::Shown, Names::LeftOut] {
+        for count in [2, 12, 18, 19, 60] {
+            report(names, |class| {
+                let class = with_questions(class, count);
+                let page = Formats::shipped().unwrap().report("html", &class).unwrap().unwrap();
+                let all = seen(&folder(&format!("report/{count}")), &page);
+                for seen in &all {
+                    assert!(seen.reach <= seen.window, "{count} questions: {seen:?}");
+                }
+                let found = on_a4(&format!("report/{count}/printed"), &page, &all[0].margins);
+                assert!(found.is_empty(), "{count} questions: {found:?}");
+            });
         }
     }
 }

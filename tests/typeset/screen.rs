@@ -64,7 +64,7 @@ fn on_screen(paper: &Paper, page: &RenderedFile, all: &[Seen]) -> Vec<String> {
 }
 
 /// Words of the printed page beyond the margins at its sides, and pages without any.
-fn on_a4(name: &str, page: &RenderedFile, margins: &[String; 4]) -> Vec<String> {
+pub fn on_a4(name: &str, page: &RenderedFile, margins: &[String; 4]) -> Vec<String> {
     let points = |length: &String| {
         let millimetres: f64 = length.strip_suffix("mm").and_then(|number| number.parse().ok()).expect("millimetres");
         millimetres / 25.4 * 72.0

@@ -1,15 +1,18 @@
-//! The pages that students get back, in the formats asked for.
+//! The pages that students get back, in the formats asked for, and the report on the class.
 
 use std::path::Path;
 
 use super::super::failure::{Failure, warn};
 use super::super::template_folder::own_templates;
 use super::super::write::OutputFile;
-use crate::mark::report::{Feedback, MarkReport};
+use crate::mark::report::{ClassReport, Feedback, MarkReport, marks_table, mistakes_table, students_table};
 use crate::render::{Formats, RenderFault};
 
 /// What `--feedback` calls no pages at all.
 const NONE: &str = "none";
+
+/// The format of the report.
+const REPORT: &str = "html";
 
 /// Formats that there are, and those of them that are asked for.
 pub struct FeedbackAsked {
@@ -37,6 +40,19 @@ impl FeedbackAsked {
             }
         }
         Ok(FeedbackAsked { formats, names: asked })
+    }
+
+    /// The report on the class: a page, and its figures as tables.
+    pub fn report(&self, class: &ClassReport) -> Result<Vec<OutputFile>, Failure> {
+        let table =
+            |name: &str, contents: String| OutputFile { name: name.to_owned(), contents: contents.into_bytes() };
+        let mut files = vec![
+            table("report.csv", students_table(class)),
+            table("report-marks.csv", marks_table(class)),
+            table("report-mistakes.csv", mistakes_table(class)),
+        ];
+        files.extend(self.formats.report(REPORT, class)?.map(OutputFile::from));
+        Ok(files)
     }
 
     /// A page for each student in each format, in the folder `feedback`.

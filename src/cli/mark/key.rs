@@ -48,5 +48,8 @@ fn located(source: &Source, fault: KeyFault) -> Diagnostic {
     let message = if fault.path.is_empty() { fault.message } else { format!("`{}`: {}", fault.path, fault.message) };
     let whole = fault.path.is_empty();
     let diagnostic = Diagnostic::new(message, source, span, format!("expected {}", fault.expected));
+    if !fault.help.is_empty() {
+        return diagnostic.with_help(fault.help);
+    }
     if whole { diagnostic.with_help("`carom mark KEY.json SUBMISSIONS` takes the key first") } else { diagnostic }
 }

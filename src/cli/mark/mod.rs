@@ -20,7 +20,7 @@ use super::output::{count, listed, print, print_json, say};
 use super::text_file;
 use super::write::{OutputFile, write_all};
 use crate::diagnostic::near;
-use crate::mark::report::{MarkReport, Summary, marks_csv, marks_jsonl, not_marked_csv};
+use crate::mark::report::{ClassReport, MarkReport, Names, marks_csv, marks_jsonl, not_marked_csv};
 use crate::mark::submissions::{Rows, SetAside, Sorted, read_overrides, read_rows, sort};
 use crate::mark::{AnswerKey, Profile};
 
@@ -29,6 +29,7 @@ const AFTER: &str = "Examples:
   carom mark sheet/key.json submissions.csv --profile edexcel
   carom mark sheet/key.json answers.jsonl --out monday --feedback html,latex
   carom mark sheet/key.json submissions.csv --overrides overrides.csv
+  carom mark sheet/key.json submissions.csv --without-names   a report that can be passed on
   carom mark sheet/key.json - --json < submissions.csv
   carom mark sheet/key.json - --stream < million.csv > marks.csv
   carom mark sheet/key.json million.csv --stream --out national
@@ -47,10 +48,12 @@ asks. Working has one line of it a line of the cell. Or each line is a JSON obje
 fields.
 
 Written are `marks.csv`, `marks.jsonl` with every reading and reason, a page for each student in
-`feedback`, and `not-marked.csv` with what has no place in the key. Where you know better, say
-so in a table `student,question,part,mark,given,comment`, such as `Ada,1,a,M1a,1,method seen in
-the margin`, and mark again with `--overrides`: it has the last word, and the marks that depend
-on it follow.";
+`feedback`, and `not-marked.csv` with what has no place in the key. `report.html` says how the
+class did: marks by student and by question, how hard each mark was, which mistakes were made and
+by whom, what looks wrong with a question. Its figures are in `report.csv`, `report-marks.csv` and
+`report-mistakes.csv`. Where you know better, say so in a table
+`student,question,part,mark,given,comment`, such as `Ada,1,a,M1a,1,method seen in the margin`, and
+mark again with `--overrides`: it has the last word, and the marks that depend on it follow.";
 
 /// Mark what students handed in
 ///
@@ -87,7 +90,10 @@ pub struct MarkArguments {
     /// `--out DIR`, where a run that was interrupted goes on
     #[arg(long, conflicts_with_all = ["overrides", "json"])]
     stream: bool,
-    /// Print the summary as JSON
+    /// Leave students' names out of the report and out of what is printed; the marks and the pages have them
+    #[arg(long, conflicts_with = "stream")]
+    without_names: bool,
+    /// Print the report as JSON
     #[arg(long)]
     json: bool,
 }
@@ -105,7 +111,7 @@ pub fn run(arguments: &MarkArguments) -> Result<(), Failure> {
     let rows = read_rows(&submissions)?;
     warn(&rows.warnings);
     let Sorted { scripts, set_aside, unfilled } = sort(&key, Rows { warnings: Vec::new(), ..rows });
-    tell(&set_aside, &submissions.file);
+    tell(&set_aside, &submissions.file, arguments.without_names);
     if scripts.is_empty() {
         return Err(nothing(&set_aside, unfilled, &submissions.file));
     }
@@ -120,20 +126,18 @@ pub fn run(arguments: &MarkArguments) -> Result<(), Failure> {
     if !set_aside.is_empty() {
         files.push(text("not-marked.csv", not_marked_csv(&set_aside)));
     }
+    let names = if arguments.without_names { Names::LeftOut } else { Names::Shown };
+    let class = ClassReport::new(&report, set_aside.len(), names);
+    files.extend(feedback.report(&class)?);
     let pages = feedback.pages(&report)?;
     let page_count = pages.len();
     files.extend(pages);
     write_all(out, &files)?;
 
-    let summary = Summary::new(&report);
     let place = out.display();
-    say(&format!("marks in `{place}`: `marks.csv`, `marks.jsonl`{}", also(page_count, set_aside.len())));
+    say(&format!("marks in `{place}`: `marks.csv`, `marks.jsonl`, `report.html`{}", also(page_count, set_aside.len())));
     tell_of_old(out, &files);
-    if arguments.json {
-        print_json(&summary::as_json(&summary, set_aside.len()))
-    } else {
-        print(&summary::in_words(&summary))
-    }
+    if arguments.json { print_json(&summary::as_json(&class)) } else { print(&summary::in_words(&class)) }
 }
 
 fn also(pages: usize, set_aside: usize) -> String {
@@ -165,7 +169,12 @@ fn tell_of_old(out: &Path, files: &[OutputFile]) {
 /// The most rows that are told of one by one.
 const TOLD: usize = 10;
 
-fn tell(set_aside: &[SetAside], file: &str) {
+fn tell(set_aside: &[SetAside], file: &str, without_names: bool) {
+    if without_names && !set_aside.is_empty() {
+        // A reason repeats what was typed.
+        say(&format!("warning: {file}: {} not marked; `not-marked.csv` says why", count(set_aside.len(), "row")));
+        return;
+    }
     for SetAside { row, reason } in set_aside.iter().take(TOLD) {
         say(&format!("warning: {file}, line {}: {reason}", row.line));
     }

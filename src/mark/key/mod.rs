@@ -4,8 +4,9 @@
 //! again and its expressions are read again; nothing else is taken from anywhere.
 
 mod part;
+mod version;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::OnceLock;
 
 use serde::Deserialize;
@@ -24,6 +25,8 @@ use crate::paper::KeyQuestion;
 pub struct AnswerKey {
     /// The papers: one without a student's name, or one for each student of a class.
     pub papers: Vec<KeyedPaper>,
+    /// The place of each student's paper.
+    places: HashMap<String, usize>,
 }
 
 /// A paper of a key.
@@ -31,6 +34,8 @@ pub struct AnswerKey {
 pub struct KeyedPaper {
     /// For whom it was printed; nobody if all have the same.
     pub student: Option<String>,
+    /// The student's name, where the school calls the student something else; empty if that is all there is.
+    pub name: String,
     /// The code at the foot of its pages.
     pub code: String,
     /// Its questions in the order of the sheet.
@@ -44,6 +49,8 @@ pub struct KeyedQuestion {
     pub id: String,
     /// Its number on the sheet.
     pub number: usize,
+    /// The exercise that it mirrors.
+    pub mirrors: Option<String>,
     /// The collision as it was given, unknown letters left as letters.
     pub scene: Scene,
     /// What the scene gives.
@@ -124,6 +131,8 @@ pub struct KeyFault {
     pub message: String,
     /// What was expected.
     pub expected: String,
+    /// One thing to try; empty if there is nothing but to look.
+    pub help: String,
     /// Line and column in the text, where that is all that is known.
     pub place: Option<(usize, usize)>,
 }
@@ -140,6 +149,8 @@ struct KeyText {
 struct PaperText {
     student: String,
     #[serde(default)]
+    name: String,
+    #[serde(default)]
     code: String,
     questions: Vec<KeyQuestion>,
 }
@@ -149,24 +160,34 @@ impl AnswerKey {
     ///
     /// # Errors
     ///
-    /// Every fault of the key, each with its place.
+    /// Every fault of the key, each with its place. A key that a later version wrote is not read, since it may say what
+    /// this one would pass over; one of an earlier version is, as far as it can be.
     pub fn read(text: &str) -> Result<AnswerKey, Vec<KeyFault>> {
+        let other = version::other(text);
+        if let Some(later) = other.as_ref().filter(|other| other.is_later()) {
+            return Err(vec![later.fault()]);
+        }
+        AnswerKey::of_any_version(text)
+            .map_err(|faults| other.map(|other| other.fault()).into_iter().chain(faults).collect())
+    }
+
+    fn of_any_version(text: &str) -> Result<AnswerKey, Vec<KeyFault>> {
         let text: KeyText = serde_json::from_str(text).map_err(|error| vec![KeyFault::unreadable(&error)])?;
         let mut faults = Vec::new();
-        let mut read = |student, code, questions: &[KeyQuestion], path: &str| {
+        let mut read = |student, name, code, questions: &[KeyQuestion], path: &str| {
             let each = questions.iter().enumerate();
             let questions = each.filter_map(|(place, question)| {
                 let path = format!("{path}questions[{place}]");
                 KeyedQuestion::read(question).map_err(|fault| faults.push(fault.below(&path))).ok()
             });
-            KeyedPaper { student, code, questions: questions.collect() }
+            KeyedPaper { student, name, code, questions: questions.collect() }
         };
         let papers: Vec<KeyedPaper> = match (text.questions, text.papers) {
-            (Some(questions), None) => vec![read(None, text.code, &questions, "")],
+            (Some(questions), None) => vec![read(None, String::new(), text.code, &questions, "")],
             (None, Some(papers)) => {
                 let each = papers.into_iter().enumerate();
                 let path = |place| format!("papers[{place}].");
-                each.map(|(place, paper)| read(Some(paper.student), paper.code, &paper.questions, &path(place)))
+                each.map(|(at, paper)| read(Some(paper.student), paper.name, paper.code, &paper.questions, &path(at)))
                     .collect()
             }
             _ => {
@@ -174,19 +195,37 @@ impl AnswerKey {
                 return Err(vec![KeyFault::new(message, "the `key.json` that `carom sheet` writes")]);
             }
         };
-        if faults.is_empty() { Ok(AnswerKey { papers }) } else { Err(faults) }
+        if !faults.is_empty() {
+            return Err(faults);
+        }
+        let mut places = HashMap::new();
+        for (place, student) in
+            papers.iter().enumerate().filter_map(|(place, paper)| Some((place, paper.student.clone()?)))
+        {
+            if places.insert(student, place).is_some() {
+                let fault = KeyFault::new("there is another paper for the same student", "a paper for each student");
+                return Err(vec![fault.below(&format!("papers[{place}].student"))]);
+            }
+        }
+        Ok(AnswerKey { papers, places })
     }
 
     /// The paper of a student: the student's own, or the one that all have.
     pub fn paper(&self, student: &str) -> Option<&KeyedPaper> {
-        let own = |paper: &&KeyedPaper| paper.student.as_deref().is_none_or(|name| name == student);
-        self.papers.iter().find(own)
+        let of_all = || self.papers.first().filter(|paper| paper.student.is_none());
+        self.places.get(student).map(|place| &self.papers[*place]).or_else(of_all)
     }
 }
 
 impl KeyFault {
     fn new(message: impl Into<String>, expected: impl Into<String>) -> KeyFault {
-        KeyFault { path: String::new(), message: message.into(), expected: expected.into(), place: None }
+        KeyFault {
+            path: String::new(),
+            message: message.into(),
+            expected: expected.into(),
+            help: String::new(),
+            place: None,
+        }
     }
 
     fn unreadable(error: &serde_json::Error) -> KeyFault {
@@ -231,12 +270,14 @@ impl KeyedQuestion {
             let below = |fault: KeyFault| fault.below(&format!("parts[{place}]"));
             parts.push(KeyedPart::read(part, &scene, &mut known).map_err(below)?);
         }
-        let (id, number, decimals) = (question.id.clone(), question.number, decimals(question));
+        let (id, number, mirrors) = (question.id.clone(), question.number, question.mirrors.clone());
+        let decimals = decimals(question);
         let given_letters = given_letters(question, &letters);
         let (prepared, mistakes, needed) = Default::default();
         Ok(KeyedQuestion {
             id,
             number,
+            mirrors,
             scene,
             given,
             letters,

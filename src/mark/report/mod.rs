@@ -1,20 +1,23 @@
 //! Reports: scripts marked, and what is told of them, as tables, as JSON lines, in a summary and for each student.
 
 mod bulk;
+mod class;
 mod feedback;
 mod file_names;
 mod json_lines;
 mod not_marked;
 mod rows;
-mod summary;
 
 pub use bulk::Bulk;
+pub use class::{
+    ClassReport, Discrimination, Finding, Look, Made, MarkFigures, Mistake, Names, NoteCount, QuestionFigures,
+    StudentMarks, marks_table, mistakes_table, students_table,
+};
 pub use feedback::Feedback;
 pub use file_names::file_names;
 pub use json_lines::marks_jsonl;
 pub use not_marked::not_marked_csv;
 pub use rows::{MARKS, MarkRow, marks_csv};
-pub use summary::{Facility, Look, MarkWon, NoteCount, Summary};
 
 use super::award::MarkedPart;
 use super::key::{KeyedPaper, KeyedPart, KeyedQuestion};

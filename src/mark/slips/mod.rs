@@ -281,6 +281,11 @@ fn sampled(given: &Known<Value>) -> Option<Known<Sample>> {
     Some(known)
 }
 
+/// What an expression comes to at the first of the points: to see whether two students wrote the same wrong value.
+pub(super) fn value_at_first_point(expr: &Expr, letters: &[Letter]) -> Option<f64> {
+    Written::of(expr, letters).map(|written| written.value.0[0])
+}
+
 /// A mistake as the documentation lists it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Listed {

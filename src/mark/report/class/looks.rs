@@ -1,0 +1,57 @@
+//! What a person must look at: unreadable answers, and lines that cannot be read where marks are missing.
+
+use super::entries::Class;
+use crate::mark::judging::Verdict;
+use crate::mark::report::{MarkedScript, MarkedUnder};
+
+/// What a person must look at.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Look {
+    /// The student's place among all.
+    pub student: usize,
+    /// The number of the question on the student's sheet.
+    pub question: usize,
+    /// The label of the part.
+    pub part: String,
+    /// The name of the blank, or the line of working.
+    pub place: String,
+    /// What was typed.
+    pub typed: String,
+    /// Why the marker does not decide.
+    pub reason: String,
+}
+
+/// All of it, by student.
+pub(super) fn all(class: &Class) -> Vec<Look> {
+    let students = class.entries.iter().enumerate();
+    let scripts = students.flat_map(|(student, entry)| entry.scripts.iter().flatten().map(move |s| (student, *s)));
+    scripts.flat_map(|(student, script)| of_script(student, script)).collect()
+}
+
+fn of_script<'r>(student: usize, script: &'r MarkedScript<'r>) -> impl Iterator<Item = Look> + 'r {
+    script.parts.iter().flat_map(move |part| {
+        let look = move |place: String, typed: &str, reason: &str| Look {
+            student,
+            question: script.question.number,
+            part: part.marked.label.clone(),
+            place,
+            typed: typed.to_owned(),
+            reason: reason.to_owned(),
+        };
+        let answers = part.marked.answers.iter().filter(|answer| answer.judgement.verdict == Verdict::Unreadable);
+        // An answer to all blanks together is one answer.
+        let answers = answers.take(if part.named { usize::MAX } else { 1 }).map(move |answer| {
+            let place = if part.named { answer.name.clone() } else { String::new() };
+            look(place, answer.typed.as_deref().unwrap_or_default(), &answer.judgement.feedback)
+        });
+        let lines = (1..).zip(&part.marked.lines).filter(|(_, line)| line.reading.is_none() && !is_full(part));
+        let lines = lines.map(move |(number, line)| {
+            look(format!("line {number}"), &line.typed, "This line of working cannot be read.")
+        });
+        answers.chain(lines)
+    })
+}
+
+fn is_full(part: &MarkedUnder) -> bool {
+    part.marked.awards.iter().all(|award| award.given)
+}

@@ -1,0 +1,209 @@
+//! Files that are not what they should be, wherever one may stand: a class list, submissions, a key, a folder. Each is refused
+//! in words that say what was found, and nothing is written.
+//!
+//! What stands in rows and names is in `class.rs`, `mark.rs`, `mark_stream.rs` and `report.rs`.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use serde_json::Value as Json;
+
+fn carom(folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_carom")).current_dir(folder).args(arguments).output().unwrap()
+}
+
+fn stderr(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).unwrap()
+}
+
+const ROWS: &str = "student,question,blank,answer\nAda,2,speed of A,2.78\n";
+
+/// An empty folder of this test's own, with the sheet of the reference exercises and something that was handed in.
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("hostile-{name}"));
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    let made = carom(&folder, &["sheet", "--reference", "--format", "text", "--out", "sheet"]);
+    assert!(made.status.success(), "{}", stderr(&made));
+    fs::write(folder.join("rows.csv"), ROWS).unwrap();
+    fs::write(folder.join("class.csv"), "student\nAda\n").unwrap();
+    folder
+}
+
+/// Everything below a folder.
+fn tree(folder: &Path) -> Vec<PathBuf> {
+    let mut all = Vec::new();
+    for entry in fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
+        if entry.is_dir() {
+            all.extend(tree(&entry));
+        }
+        all.push(entry);
+    }
+    all.sort();
+    all
+}
+
+/// A command that is refused with these words and leaves everything as it was.
+fn refused(folder: &Path, arguments: &[&str], words: &[&str]) {
+    let before = tree(folder);
+    let output = carom(folder, arguments);
+    let said = stderr(&output);
+    assert_eq!(output.status.code(), Some(1), "{arguments:?}: {said}");
+    assert!(output.stdout.is_empty(), "{arguments:?}");
+    words.iter().for_each(|words| assert!(said.contains(words), "{arguments:?}: {words} in\n{said}"));
+    assert!(said.len() < 2000 && !said.contains(['\0', '\u{202e}']), "{said}");
+    assert_eq!(tree(folder), before, "{arguments:?}");
+}
+
+const MARK: [&str; 3] = ["mark", "sheet/key.json", "rows.csv"];
+
+#[test]
+fn a_folder_in_place_of_a_file_is_named() {
+    let folder = folder("folders");
+    fs::create_dir(folder.join("empty")).unwrap();
+    let words = ["`empty` cannot be read: it is a folder"];
+    refused(&folder, &["mark", "empty", "rows.csv"], &words);
+    refused(&folder, &["mark", "sheet/key.json", "empty"], &words);
+    refused(&folder, &["mark", "sheet/key.json", "empty", "--stream"], &["`empty` cannot be read"]);
+    refused(&folder, &["mark", "sheet/key.json", "rows.csv", "--overrides", "empty"], &words);
+    refused(&folder, &["sheet", "--class", "empty"], &words);
+}
+
+#[test]
+fn an_output_folder_that_cannot_be_is_named_and_what_stands_in_its_place_is_kept() {
+    let folder = folder("output");
+    fs::write(folder.join("file"), "mine").unwrap();
+    for out in ["file", "file/below", "rows.csv/marks"] {
+        refused(&folder, &[&MARK[..], &["--out", out]].concat(), &[&format!("the folder `{out}` cannot be made")]);
+        refused(&folder, &["sheet", "5C-2", "--class", "class.csv", "--out", out], &[out, "cannot be"]);
+    }
+    assert_eq!(fs::read_to_string(folder.join("file")).unwrap(), "mine");
+    // A folder where one of the files is to be: none of the others is written either.
+    fs::create_dir_all(folder.join("marks/report.html")).unwrap();
+    refused(&folder, &MARK, &["`marks/report.html` cannot be written: it is a folder"]);
+    fs::create_dir_all(folder.join("other")).unwrap();
+    fs::write(folder.join("other/feedback"), "mine").unwrap();
+    refused(&folder, &[&MARK[..], &["--out", "other"]].concat(), &["feedback/ada.html` cannot be written"]);
+}
+
+#[test]
+fn a_key_is_read_in_utf_8_with_a_mark_or_without_and_in_nothing_else() {
+    let folder = folder("encodings");
+    let key = fs::read_to_string(folder.join("sheet/key.json")).unwrap();
+    let utf_16: Vec<u8> = key.encode_utf16().flat_map(u16::to_le_bytes).collect();
+    let latin_1: Vec<u8> = key.replace("Carom", "C").bytes().chain(*b"\xeb").collect();
+    let cases: [(&[u8], &[&str]); 7] = [
+        (&utf_16, &["`bad.json` is in UTF-16"]),
+        (&latin_1, &["`bad.json` is not in UTF-8"]),
+        (b"", &["this is no key", "bad.json"]),
+        (b"\0\0\0\0", &["bad.json"]),
+        (b"null", &["this is no key"]),
+        (b"[[[[[[[[", &["this is no key"]),
+        (ROWS.as_bytes(), &["this is no key", "takes the key first"]),
+    ];
+    for (bytes, words) in cases {
+        fs::write(folder.join("bad.json"), bytes).unwrap();
+        refused(&folder, &["mark", "bad.json", "rows.csv"], words);
+    }
+    fs::write(folder.join("bad.json"), "[".repeat(100_000)).unwrap();
+    refused(&folder, &["mark", "bad.json", "rows.csv"], &["this is no key"]);
+    fs::write(folder.join("bom.json"), format!("\u{feff}{key}")).unwrap();
+    assert!(carom(&folder, &["mark", "bom.json", "rows.csv"]).status.success());
+}
+
+#[test]
+fn a_key_of_another_version_is_refused_if_it_is_later_and_explained_if_it_cannot_be_read() {
+    let folder = folder("version");
+    let key = fs::read_to_string(folder.join("sheet/key.json")).unwrap();
+    let own = env!("CARGO_PKG_VERSION");
+    let mut json: Json = serde_json::from_str(&key).unwrap();
+    json["carom"] = "999.3.0".into();
+    json["code"] = "5RXM-M7TX-G".into();
+    let write = |json: &Json| fs::write(folder.join("key.json"), json.to_string()).unwrap();
+    write(&json);
+    let said = format!("this key was written by carom 999.3.0, and this is carom {own}");
+    let mark = ["mark", "key.json", "rows.csv"];
+    refused(&folder, &mark, &[&said, "key.json:", "get carom 999.3.0, or", "`carom mark 5RXM-M7TX-G SUBMISSIONS`"]);
+    json["code"] = "".into();
+    write(&json);
+    refused(&folder, &mark, &[&said, "`lock.json`"]);
+    // An earlier one is read as far as it can be.
+    json["carom"] = "0.0.1".into();
+    json["questions"][0]["parts"][0]["blanks"][0]["kind"] = "numbre".into();
+    write(&json);
+    refused(
+        &folder,
+        &mark,
+        &["was written by carom 0.0.1", "mark with carom 0.0.1", "unknown kind of answer `numbre`"],
+    );
+    json["questions"][0]["parts"][0]["blanks"][0]["kind"] = "number".into();
+    write(&json);
+    let output = carom(&folder, &mark);
+    assert!(output.status.success(), "{}", stderr(&output));
+}
+
+#[test]
+fn a_key_with_two_papers_for_one_student_is_refused() {
+    let folder = folder("two-papers");
+    let made = carom(&folder, &["sheet", "5C-2", "--class", "class.csv", "--format", "text", "--out", "class"]);
+    assert!(made.status.success(), "{}", stderr(&made));
+    let mut key: Json = serde_json::from_str(&fs::read_to_string(folder.join("class/key.json")).unwrap()).unwrap();
+    let again = key["papers"][0].clone();
+    key["papers"].as_array_mut().unwrap().push(again);
+    fs::write(folder.join("key.json"), key.to_string()).unwrap();
+    let words = ["`papers[1].student`: there is another paper for the same student"];
+    refused(&folder, &["mark", "key.json", "rows.csv"], &words);
+}
+
+#[test]
+fn names_that_a_student_cannot_be_told_by_are_one_student_in_a_class_list() {
+    let folder = folder("names");
+    for list in
+        ["student\nAda\n\"\tAda\"\n", "student\nAda\nA\0da\n", "student\nAda\n\u{200f}Ada\n", "student\n=1\n'=1\n"]
+    {
+        fs::write(folder.join("list.csv"), list).unwrap();
+        refused(&folder, &["sheet", "5C-2", "--class", "list.csv"], &["is in the list twice", "list.csv:3"]);
+    }
+}
+
+#[test]
+fn what_a_key_calls_its_questions_is_harmless_too() {
+    let folder = folder("ids");
+    let key: Json = serde_json::from_str(&fs::read_to_string(folder.join("sheet/key.json")).unwrap()).unwrap();
+    let nasty = format!("=<script>\u{202e}\0{}", "x".repeat(10_000));
+    // Two sheets with the question under different numbers, so that it goes by its id.
+    let paper = |student: &str, number: usize| {
+        let mut question = key["questions"][1].clone();
+        question["id"] = nasty.as_str().into();
+        question["mirrors"] = nasty.as_str().into();
+        question["number"] = number.into();
+        serde_json::json!({"student": student, "name": nasty, "code": nasty, "questions": [question]})
+    };
+    let class = serde_json::json!({"papers": [paper("Ada", 1), paper("Ben", 2)]});
+    fs::write(folder.join("sheet/key.json"), class.to_string()).unwrap();
+    fs::write(folder.join("rows.csv"), "student,question,blank,answer\nAda,1,speed of A,2.8\nBen,2,speed of A,1\n")
+        .unwrap();
+    let output = carom(&folder, &MARK);
+    let said = String::from_utf8(output.stdout.clone()).unwrap() + &stderr(&output);
+    assert!(output.status.success(), "{said}");
+    let printed = String::from_utf8(output.stdout).unwrap();
+    assert!(printed.lines().all(|line| line.chars().count() <= 80) && !said.contains(['\0', '\u{202e}']), "{said}");
+    for file in tree(&folder.join("marks")).iter().filter(|path| path.is_file()) {
+        let text = fs::read_to_string(file).unwrap();
+        // Lines of JSON have everything as it was typed, each character that is no letter as a number.
+        if file.extension().is_some_and(|ending| ending == "jsonl") {
+            continue;
+        }
+        assert!(
+            !text.contains(['\0', '\u{202e}']) && !text.contains("\n=") && !text.contains(",="),
+            "{}",
+            file.display()
+        );
+        assert!(
+            file.extension().is_some_and(|ending| ending == "csv") || !text.contains("<script"),
+            "{}",
+            file.display()
+        );
+    }
+}
