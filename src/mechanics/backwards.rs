@@ -7,7 +7,8 @@
 use std::cmp::Ordering;
 
 use super::condition::{fault, name_of, put_back, residual, vanishes};
-use super::conditions_in_words::{condition_line, found_line, in_english, no_roots};
+use super::conditions_in_words::{condition_line, found_line, no_roots};
+use super::extreme;
 use super::law::Known;
 use super::line::Line;
 use super::range::{self, Values};
@@ -19,7 +20,7 @@ use super::validity::{broken_laws, check};
 use super::working::Show;
 use super::{Derivation, Quantity, pose};
 use crate::expr::{Expr, Meaning, Turn, evaluate, holds, print, written, written_angle};
-use crate::number::{Angle, Letter, NoRoots, Range, Root, Value, solve_system};
+use crate::number::{Angle, Letter, Range, Root, Value, solve_system};
 
 /// One solution for the unknowns of a scene.
 #[derive(Clone, Debug)]
@@ -79,7 +80,7 @@ pub fn backwards(scene: &Scene) -> Result<Vec<Found>, Refusal> {
         }
     }
     if let Some(quantity) = scene.maximise {
-        only_largest(&mut found, quantity);
+        extreme::only_largest(&mut found, quantity);
     }
     if found.is_empty() {
         let reasons = if left_out.is_empty() { "it has no real solution".to_string() } else { left_out.join("; ") };
@@ -89,32 +90,6 @@ pub fn backwards(scene: &Scene) -> Result<Vec<Found>, Refusal> {
         one.remarks.extend(left_out.iter().cloned());
     }
     Ok(found)
-}
-
-/// Of several places where a quantity may be largest, those that no other surpasses.
-fn only_largest(found: &mut Vec<Found>, quantity: Quantity) {
-    let sizes: Vec<Option<Known<Value>>> = found
-        .iter()
-        .map(|one| {
-            let mut known = pose(&one.scene).ok()?;
-            Derivation::carry_out(&mut known, &[quantity]);
-            Some(known)
-        })
-        .collect();
-    let surpasses = |one: &Known<Value>, other: &Known<Value>| match (one.number(quantity), other.number(quantity)) {
-        (Some(a), Some(b)) => (&a - &b).sign() == Some(Ordering::Greater),
-        // Angles from 0 to 180 degrees, by their vectors.
-        _ => one
-            .direction(quantity)
-            .zip(other.direction(quantity))
-            .is_some_and(|((y, x), (v, u))| (&(&y * &u) - &(&x * &v)).sign() == Some(Ordering::Greater)),
-    };
-    let kept: Vec<bool> = sizes
-        .iter()
-        .map(|size| !size.iter().any(|one| sizes.iter().flatten().any(|other| surpasses(other, one))))
-        .collect();
-    let mut kept = kept.into_iter();
-    found.retain(|_| kept.next().unwrap_or(true));
 }
 
 /// `e = 1/2`, or for an angle `theta = 30°`.
@@ -194,56 +169,6 @@ impl<'a> Posed<'a> {
         solve_system(&equations, unknowns).map_err(no_roots)
     }
 
-    /// Where the rate of change is nought, and the ends of a range that has them.
-    fn extremes(&self, quantity: Quantity) -> Result<Vec<Vec<Value>>, Refusal> {
-        let slopes = self.stationary(quantity)?;
-        let unknown = self.scene.unknowns[0];
-        let mut candidates = match slopes.as_slice() {
-            [slope] if slope.is_zero() => {
-                let name = in_english(quantity).replace('*', "");
-                return Err(Refusal::underdetermined(format!("{name} is the same whatever {} is", unknown.name())));
-            }
-            [slope] if slope.letters().contains(&unknown) => match solve_system(&slopes, &[unknown]) {
-                Err(NoRoots::Never) => Vec::new(),
-                outcome => outcome.map_err(no_roots)?,
-            },
-            _ => Vec::new(),
-        };
-        if unknown.range() == Range::Unit {
-            for end in [Value::ZERO, Value::ONE] {
-                if !candidates.iter().any(|candidate| candidate[0].equals(&end)) {
-                    candidates.push(vec![end]);
-                }
-            }
-        } else if candidates.is_empty() {
-            let name = in_english(quantity).replace('*', "");
-            return Err(Refusal::impossible(format!(
-                "{name} has no largest value: its rate of change with {} is never nought",
-                unknown.name()
-            )));
-        }
-        Ok(candidates)
-    }
-
-    /// The rate of change of what is to be as large as possible. A square root is largest where its
-    /// square is.
-    fn stationary(&self, quantity: Quantity) -> Result<Vec<Value>, Refusal> {
-        let [unknown] = self.scene.unknowns.as_slice() else {
-            return Err(Refusal::beyond("a quantity is made as large as possible by one unknown only"));
-        };
-        let value = match self.known.number(quantity) {
-            Some(value) => value,
-            None => match self.known.direction(quantity).and_then(|(y, x)| y.divided_by(&x)) {
-                Some(tangent) => tangent,
-                None => return Err(Refusal::beyond(format!("`{quantity}` cannot be made as large as possible"))),
-            },
-        };
-        let slope = value.derivative(*unknown).or_else(|| (&value * &value).derivative(*unknown));
-        slope
-            .map(|slope| vec![slope])
-            .ok_or_else(|| Refusal::beyond(format!("the largest `{quantity}` is beyond the methods used here")))
-    }
-
     /// What the laws demand beyond the derivation, where more is given than it needs.
     fn broken_laws(&self) -> Vec<Value> {
         broken_laws(&self.known).into_iter().map(|(_, difference)| difference).collect()
@@ -301,26 +226,6 @@ impl<'a> Posed<'a> {
         Ok(Found { scene, values, range: None, lines, remarks })
     }
 
-    /// The slope must fall through nought there.
-    fn is_maximum(&self, quantity: Quantity, values: &[Value]) -> Result<(), String> {
-        let is_end = |value: &Value| value.is_zero() || value.equals(&Value::ONE);
-        if self.scene.unknowns[0].range() == Range::Unit && values.first().is_some_and(is_end) {
-            return Ok(());
-        }
-        let (Some(slope), [unknown], [value]) = (
-            self.stationary(quantity).ok().and_then(|mut slopes| slopes.pop()),
-            self.scene.unknowns.as_slice(),
-            values,
-        ) else {
-            return Ok(());
-        };
-        let second = slope.derivative(*unknown).and_then(|second| second.substitute(*unknown, value));
-        match second.and_then(|second| second.sign()) {
-            Some(Ordering::Greater) => Err(format!("`{quantity}` is smallest there, not largest")),
-            _ => Ok(()),
-        }
-    }
-
     /// The forward derivation in letters, the condition, and what follows from it.
     fn lines(&self, values: &[(Letter, Value)]) -> Vec<Line> {
         let show = Show::new(self.scene, &self.known, &self.asked);
@@ -331,10 +236,7 @@ impl<'a> Posed<'a> {
             lines.push(line);
         }
         if let Some(quantity) = self.scene.maximise {
-            lines.push(Line::plain(
-                &format!("At the largest value of {} its rate of change is nought.", in_english(quantity)),
-                vec![],
-            ));
+            lines.push(self.slope_line(quantity));
         }
         for (letter, value) in values {
             lines.push(found_line(*letter, value));
@@ -344,7 +246,7 @@ impl<'a> Posed<'a> {
 }
 
 /// Longer equations would not help a reader.
-const MOST_SHOWN: usize = 8;
+pub(super) const MOST_SHOWN: usize = 8;
 
 impl Posed<'_> {
     /// The condition with what was derived put in, where that is short: of angles their tangents.

@@ -5,6 +5,7 @@ mod backwards;
 mod condition;
 mod conditions_in_words;
 mod derivation;
+mod extreme;
 mod formula;
 mod law;
 mod line;
