@@ -171,7 +171,9 @@ pub fn near<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Op
     // A name of one letter is near every other such name, which helps nobody; but not if only the case differs.
     let (own, other) = without_shared_start(&wanted, nearest);
     let different = apart >= own.chars().count().max(other.chars().count()).max(1);
-    if apart <= allowed && !different {
+    // What several names begin with is none of them more than the others.
+    let begins = candidates.iter().filter(|candidate| candidate.to_lowercase().starts_with(&wanted)).count();
+    if apart <= allowed && !different && begins < 2 {
         return Some(nearest);
     }
     // Only signs between letters differ, as in `AtoB`; or it is the beginning of one name and of no other.

@@ -216,7 +216,7 @@ fn scene() -> Json {
                 "positions",
                 pair("Where the centres are at the collision, in place of the line of centres.", shared("vector")),
             ),
-            ("radii", pair("The radii.", words("A number or formula."))),
+            ("radii", pair("The radii of both spheres, in metres.", words("A number or formula."))),
             ("impact_parameter", words("How far B's centre lies to the left of A's path, as A moves relative to B.")),
             (
                 "wall",

@@ -265,7 +265,7 @@ mod tests {
             ("The masses are {m} and {m}.", "m and m"),
             ("The mass is {2/4} of it.", "2/4"),
             ("The mass is {3/1} of it.", "3/1"),
-            ("The mass is {1*m}.", "1m"),
+            ("The mass is {1*m}.", "a factor of one"),
             ("The speed is {0 m/s}.", "a quantity of nought"),
             ("The speed is {-3 m/s}.", "below nought"),
             ("The velocity is {[0, 0] m/s}.", "a vector of nought"),

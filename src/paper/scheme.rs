@@ -52,7 +52,8 @@ pub fn answers_of(mark: &Mark, here: &WorkedPart) -> Vec<usize> {
                 from_conditions(answer) || asked.iter().any(about)
             }
             EarnedFor::Unknown(name) => answer.find == Find::Unknown(name.clone()),
-            EarnedFor::Condition => from_conditions(answer),
+            // Where no answer is what was found, each follows from it.
+            EarnedFor::Condition => from_conditions(answer) || !here.part.answers.iter().any(from_conditions),
             step => {
                 let steps = steps_to(&asked, &here.given);
                 from_conditions(answer) || steps.iter().any(|rule| is_of(rule, step))
