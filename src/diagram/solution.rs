@@ -83,7 +83,7 @@ impl View<'_> {
         for sphere in Sphere::BOTH {
             let along = match moment {
                 Moment::Before => self.component(sphere, Axis::N, positive),
-                Moment::After => Some(arrow(self.show.after(sphere), positive)),
+                Moment::After => self.after(sphere, positive),
             };
             let unchanged = self.component(sphere, Axis::T, across);
             let motions: Vec<Motion> = along.into_iter().chain(unchanged).collect();
@@ -92,6 +92,20 @@ impl View<'_> {
         }
         let apart = self.scene.setting == Setting::Direct;
         Some(Spheres { line, apart, named: false, bodies, axes: self.manner.vectors, positive: Some(positive) })
+    }
+
+    /// A component after the impact: one that is given in its own direction, an unknown one in the positive.
+    fn after(&self, sphere: Sphere, positive: Point) -> Option<Motion> {
+        let shown = self.show.after(sphere);
+        if self.scene.velocity(sphere, Moment::After).is_none() {
+            return Some(arrow(shown, positive));
+        }
+        let value = self.show.worked(Quantity::Velocity(sphere, Moment::After, Axis::N));
+        if value.is_zero() {
+            return None;
+        }
+        let negative = measure(&value).is_some_and(|size| size < 0.0);
+        Some(if negative { arrow(shown.negated(), -positive) } else { arrow(shown, positive) })
     }
 
     /// A component before the impact, drawn in its own direction; none if it is nought.
