@@ -7,7 +7,7 @@ use super::wall::AtWall;
 use super::words::{at_wall_in_words, in_words, particle_in_words};
 use super::{Diagram, Manner, Point, contact, formula};
 use crate::expr::{Expr, Text, written, written_angle};
-use crate::mechanics::{Axis, Contact, Known, Moment, Quantity, Scene, Setting, Sphere, Velocity, pose};
+use crate::mechanics::{self, Axis, Contact, Known, Moment, Quantity, Scene, Setting, Sphere, Velocity, pose};
 use crate::number::{Angle, Value};
 use crate::unit::Unit;
 
@@ -133,7 +133,7 @@ impl Given<'_> {
             || (self.scene.setting == Setting::Impulse && matches!(velocity, Velocity::Components(..)));
         let motions = if in_vectors {
             let vector = match velocity {
-                Velocity::Components(x, y) => Expr::Vector(Box::new(x.shown.clone()), Box::new(y.shown.clone())),
+                Velocity::Components(x, y) => vector(x, y),
                 Velocity::Polar { .. } => Expr::Vector(Box::new(written(&x)), Box::new(written(&y))),
             };
             vec![motion(self.manner.quantity(&vector, Unit::MetrePerSecond), None)]
@@ -167,10 +167,19 @@ impl Given<'_> {
     }
 }
 
+/// A vector as its components are given; letters in them as one would write them down.
+fn vector(x: &mechanics::Given, y: &mechanics::Given) -> Expr {
+    let shown = |given: &mechanics::Given| match given.value.is_constant() {
+        true => given.shown.clone(),
+        false => written(&given.value),
+    };
+    Expr::Vector(Box::new(shown(x)), Box::new(shown(y)))
+}
+
 /// The direction of the impulse as it is given, and the impulse.
 fn given_impulse(scene: &Scene, manner: Manner) -> Option<(Point, Text)> {
     let [x, y] = scene.impulse.as_ref()?;
-    let vector = Expr::Vector(Box::new(x.shown.clone()), Box::new(y.shown.clone()));
+    let vector = vector(x, y);
     Some((direction(&x.value, &y.value)?, manner.quantity(&vector, Unit::NewtonSecond)))
 }
 
