@@ -41,5 +41,7 @@ pub fn in_arc(centre: Point, radius: f64, line: Point, arrow: Point) -> Vec<Spot
         let off = [0.0, 1.2, 2.4].map(|step| Spot::new(centre + ray * (radius + step) + away.unit() * 1.2, away));
         near.into_iter().chain(off)
     });
-    within.into_iter().chain(outside).collect()
+    // A long one: beyond all else.
+    let far = [4.0, 5.4, 6.8].map(|step| Spot::new(centre + middle * (radius + step), middle));
+    within.into_iter().chain(outside).chain(far).collect()
 }
