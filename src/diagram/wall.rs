@@ -42,7 +42,7 @@ impl AtWall {
         for motion in &self.body.motions {
             self.draw_motion(motion, &mut canvas);
         }
-        let along = self.from_where();
+        let along = self.arrows_side();
         canvas.label(formula(Expr::name("A")), inside(centre, RADIUS, -along, -self.inward));
         for motion in &self.body.motions {
             canvas.label(motion.label.clone(), self.beside_arrow(motion));
@@ -93,7 +93,7 @@ impl AtWall {
     }
 
     /// The direction parallel to the wall on whose side the arrows stand.
-    fn from_where(&self) -> Point {
+    fn arrows_side(&self) -> Point {
         let along = self.inward.turned();
         let leans = |motion: &&Motion| along.dot(motion.heading).abs() > 1e-9;
         self.body.motions.iter().find(leans).map_or(along, |motion| self.parallel(side(motion)))
@@ -105,7 +105,7 @@ impl AtWall {
         let far = if motion.leaving { to } else { from };
         let end = Spot::new(far, side);
         // First the side of the arrow that faces away from the wall, or from where the other arrow is.
-        let away = if self.inward.dot(side).abs() > 0.9 { -self.from_where() } else { -self.inward };
+        let away = if self.inward.dot(side).abs() > 0.9 { -self.arrows_side() } else { -self.inward };
         let beyond = [0.8, 1.6, 2.4].map(|step| Spot::new(far + side * step, side));
         let raised = [1.2, 2.4, 3.6].map(|step| Spot::new(far + away * step, away));
         [end].into_iter().chain(beside(from, to, away)).chain(beyond).chain(raised).collect()
