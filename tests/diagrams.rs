@@ -181,6 +181,82 @@ fn nothing_is_covered_in_the_triangle_of_the_centres() {
     assert!(examine(scenes) > 180);
 }
 
+#[test]
+fn nothing_is_covered_at_a_wall_at_any_angle_and_whichever_way_it_runs() {
+    let mut scenes = Vec::new();
+    // Every angle with a wall that is parallel to i, from either side; then walls that slant.
+    for (wall, normal) in [(["1", "0"], -90), (["0", "1"], 0), (["3", "4"], 143), (["-1", "2"], 27), (["5", "-1"], 79)]
+    {
+        for degrees in (-89..=89).step_by(if normal == -90 { 1 } else { 7 }) {
+            let before = polar("2*sqrt(3)", normal + degrees);
+            let text = json!({ "masses": { "A": "12" }, "before": { "A": before }, "wall": wall, "e": "1/2" });
+            scenes.push((text, false));
+        }
+    }
+    let lines = [["1", "0"], ["-1", "0"], ["0", "1"], ["3", "4"], ["-1", "2"], ["5", "-1"], ["-1", "-1"]];
+    for (wall, [x, y]) in lines.iter().flat_map(|wall| (0..49).map(move |k| (wall, [k / 7 - 3, k % 7 - 3]))) {
+        let [p, q] = wall.map(|part| part.parse::<i32>().unwrap());
+        if x * q - y * p != 0 {
+            let before = [x, y].map(|part| part.to_string());
+            let text = json!({ "masses": { "A": "2" }, "before": { "A": before }, "wall": wall, "e": "1/2" });
+            scenes.extend([true, false].map(|vectors| (text.clone(), vectors)));
+        }
+    }
+    let letters = json!({ "masses": { "A": "2*m" }, "before": { "A": ["u*cos(alpha)", "-u*sin(alpha)"] }, "wall": ["1", "0"], "e": "e",
+                          "symbols": { "m": "positive", "u": "positive", "alpha": "acute", "e": "unit" } });
+    scenes.push((letters, false));
+    assert!(examine(scenes) > 2000);
+}
+
+#[test]
+fn nothing_is_covered_in_a_direct_impact_whatever_the_velocities() {
+    let mut scenes = Vec::new();
+    let (masses, speeds) =
+        (["2", "km", "0.25", "3*m/2"], ["5", "-1", "0", "-7/2", "sqrt(2)", "2*u", "u*(1 + e)/4", "-13.75"]);
+    for (mass, a, b) in (0..masses.len() * 64).map(|k| (masses[k / 64], speeds[k / 8 % 8], speeds[k % 8])) {
+        let scene = |after: Json| {
+            let symbols = json!({ "m": "positive", "km": "positive", "u": "positive", "e": "unit" });
+            let mut scene =
+                json!({ "masses": { "A": mass, "B": "3" }, "before": { "A": a, "B": b }, "symbols": symbols });
+            if after.is_null() {
+                scene["e"] = json!("2/3");
+            } else {
+                scene["after"] = after;
+            }
+            scene
+        };
+        let texts = [scene(Json::Null), scene(json!({ "A": b })), scene(json!({ "A": b, "B": a }))];
+        scenes.extend(texts.into_iter().filter(|text| a != b && can_be_posed(text)).map(|text| (text, false)));
+    }
+    assert!(examine(scenes) > 500);
+}
+
+fn can_be_posed(text: &Json) -> bool {
+    carom::mechanics::pose(&scene(text)).is_ok()
+}
+
+#[test]
+fn nothing_is_covered_around_a_particle_and_in_its_triangle_of_momenta() {
+    let mut scenes = Vec::new();
+    let around: Vec<[i32; 2]> = (0..81).map(|k| [k / 9 - 4, k % 9 - 4]).filter(|[x, y]| (*x, *y) != (0, 0)).collect();
+    for velocity in [[3, 0], [0, -2], [2, 1], [-12, 5], [0, 0]] {
+        for [p, q] in &around {
+            let text = |v: [i32; 2]| v.map(|part| part.to_string());
+            let body = json!({ "masses": { "A": "1/2" }, "before": { "A": text(velocity) } });
+            let mut pushed = body.clone();
+            pushed["impulse"] = json!(text([*p, *q]));
+            let mut found = body;
+            found["after"] = json!({ "A": text([*p, *q]) });
+            scenes.extend([(pushed, true), (found, true)]);
+        }
+    }
+    let letters = json!({ "masses": { "A": "m" }, "before": { "A": ["3", "1"] }, "impulse": ["k", "2*k"],
+                          "symbols": { "m": "positive", "k": "positive" } });
+    let backwards = json!({ "masses": { "A": "2" }, "after": { "A": ["3", "1"] }, "impulse": ["7", "-4"] });
+    scenes.extend([(letters, true), (backwards, true)]);
+    assert!(examine(scenes) > 1000);
+}
+
 fn labels(diagram: &Diagram) -> Vec<String> {
     let mut labels: Vec<String> = diagram.drawing.labels.iter().map(|label| print::text_unicode(&label.text)).collect();
     labels.sort();
@@ -194,8 +270,17 @@ fn a_question_shows_what_is_given_and_nothing_else() {
     let offset = json!({ "masses": { "A": "1", "B": "2" }, "before": { "A": ["3", "0"], "B": ["0", "0"] }, "radii": { "A": "1/2", "B": "1/2" },
                          "impact_parameter": "-3/5", "e": "1/3" });
     let backwards = json!({ "masses": { "A": "1", "B": "2" }, "before": { "A": ["3", "1"], "B": ["0", "0"] }, "after": { "A": ["1", "-1"] } });
+    let wall = json!({ "masses": { "A": "2" }, "before": { "A": polar("10", -30) }, "wall": ["1", "0"], "e": "1/2" });
+    let direct = json!({ "masses": { "A": "2*m", "B": "k*m" }, "before": { "A": "3*u", "B": "-u" }, "after": { "A": "u" },
+                         "symbols": { "m": "positive", "u": "positive", "k": "positive" } });
+    let pushed = json!({ "masses": { "A": "2" }, "before": { "A": ["3", "1"] }, "impulse": ["-8", "6"] });
+    let changed = json!({ "masses": { "A": "2" }, "before": { "A": ["3", "1"] }, "after": { "A": ["-1", "4"] } });
     type Case<'a> = (Json, bool, &'a [&'a str]);
-    let cases: [Case; 6] = [
+    let cases: [Case; 10] = [
+        (wall, false, &["10 m s⁻¹", "2 kg", "30°", "A"]),
+        (direct, false, &["2m", "3u", "A", "B", "km", "u", "2m", "A", "B", "km", "u"]),
+        (pushed, true, &["(3i + j) m s⁻¹", "(−8i + 6j) N s", "2 kg", "A", "i", "j"]),
+        (changed, true, &["(3i + j) m s⁻¹", "2 kg", "A", "i", "j", "(−i + 4j) m s⁻¹", "2 kg", "A", "i", "j"]),
         (
             impact(polar("6", 30), json!(["0", "0"]), ["1", "0"]),
             false,
@@ -227,9 +312,17 @@ fn the_words_of_a_figure_tell_all_that_is_written_in_it() {
     let mut scenes = vec![(impact(json!(["4", "-1"]), json!(["-3", "2"]), ["0", "1"]), true)];
     scenes.extend((0..=90).step_by(15).map(|b| (impact(polar("7", 25), polar("2", 180 - b), ["1", "0"]), false)));
     scenes.push((impact(json!(["4", "5"]), json!(["-2", "0"]), ["1", "0"]), false));
+    scenes.push((
+        json!({ "masses": { "A": "2" }, "before": { "A": polar("10", -30) }, "wall": ["1", "0"], "e": "1/2" }),
+        false,
+    ));
+    scenes
+        .push((json!({ "masses": { "A": "2" }, "before": { "A": ["7", "1"] }, "wall": ["3", "4"], "e": "1/2" }), true));
+    scenes.push((json!({ "masses": { "A": "2", "B": "3" }, "before": { "A": "5", "B": "-1" }, "e": "1/2" }), false));
+    scenes.push((json!({ "masses": { "A": "2" }, "before": { "A": ["3", "1"] }, "impulse": ["-8", "6"] }), true));
     for (text, vectors) in scenes {
-        for figure in given(&scene(&text), Manner { vectors, with_units: &[] }) {
-            for label in labels(&figure) {
+        for figure in drawn(&text, vectors) {
+            for label in labels(&figure).into_iter().filter(|label| label != "positive") {
                 assert!(figure.words.contains(&label), "{text}: `{label}` is not in: {}", figure.words);
             }
         }

@@ -8,6 +8,8 @@ use crate::expr::{Text, print};
 const CLEARANCE: f64 = 0.12;
 /// Length and half the width of an arrowhead.
 const HEAD: (f64, f64) = (0.72, 0.24);
+/// Length of the head of a hollow arrow, half its width, and half the width of the shaft.
+const HOLLOW: (f64, f64, f64) = (0.9, 0.46, 0.2);
 /// The handle of a quarter of a circle of radius 1.
 const QUARTER: f64 = 0.552_285;
 
@@ -96,6 +98,28 @@ impl Canvas {
         let notch = to - along * (HEAD.0 * 0.75);
         let pieces = [base + side, notch, base - side, to].map(Section::Line).to_vec();
         self.stroke(Style::Filled, to, pieces);
+    }
+
+    /// An arrow of another kind: its outline.
+    pub fn hollow_arrow(&mut self, from: Point, to: Point) {
+        let along = (to - from).unit();
+        let side = along.turned();
+        let (length, wide, narrow) = HOLLOW;
+        let neck = to - along * length;
+        let outline = [
+            from + side * narrow,
+            neck + side * narrow,
+            neck + side * wide,
+            to,
+            neck - side * wide,
+            neck - side * narrow,
+            from - side * narrow,
+        ];
+        let corners: Vec<Point> = outline.into_iter().chain([outline[0]]).collect();
+        for pair in corners.windows(2) {
+            self.obstacles.push(Obstacle::Line(pair[0], pair[1]));
+        }
+        self.stroke(Style::Thin, corners[0], corners[1..].iter().copied().map(Section::Line).collect());
     }
 
     /// A whole circle.

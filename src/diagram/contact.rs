@@ -4,7 +4,7 @@ use super::canvas::{Canvas, Spot};
 use super::drawing::{Point, Style};
 use super::given::{components, mass, speed};
 use super::illustration::{direction, measure};
-use super::spheres::inside;
+use super::spots::{around, beside, inside};
 use super::words::towards;
 use super::{Diagram, Manner, formula};
 use crate::expr::{Expr, Text, print};
@@ -94,10 +94,10 @@ pub fn path(
     names([(a, -side), (b, -side)], path, &mut canvas);
     for (centre, mass, first) in [(a, &mass_a, side), (b, &mass_b, -side)] {
         if let Some(mass) = mass {
-            canvas.label(mass.clone(), around(centre, first, path));
+            canvas.label(mass.clone(), around(centre, RADIUS, first, path));
         }
     }
-    canvas.label(Text::words("at rest"), around(b, -side, path));
+    canvas.label(Text::words("at rest"), around(b, RADIUS, -side, path));
     let words = format!(
         "Two spheres seen from above, before they touch. {} is at rest. {} moves {} with speed {} along a straight line. The \
          perpendicular distance from the centre of B to the line along which the centre of A moves is {}. The radius of A is \
@@ -196,22 +196,4 @@ fn names(centres: [(Point, Point); 2], along: Point, canvas: &mut Canvas) {
     for (name, (centre, side)) in ["A", "B"].into_iter().zip(centres) {
         canvas.label(formula(Expr::name(name)), inside(centre, RADIUS, side, along));
     }
-}
-
-/// Spots on both sides of a line, first on the side to which a direction shows.
-fn beside(from: Point, to: Point, first: Point) -> Vec<Spot> {
-    let across = (to - from).unit().turned();
-    let first = if across.dot(first) >= 0.0 { across } else { -across };
-    let at = [0.5, 0.65, 0.35, 0.8, 1.0].map(|share| from + (to - from) * share);
-    [first, -first].into_iter().flat_map(|side| at.map(|point| Spot::new(point, side))).collect()
-}
-
-/// Spots around a sphere.
-fn around(centre: Point, first: Point, along: Point) -> Vec<Spot> {
-    let leaning = [first, -first]
-        .into_iter()
-        .flat_map(|side| [0.0, 0.5, -0.5, 1.0, -1.0, 2.0].map(|share| (side + along * share).unit()));
-    let near = leaning.map(|out| Spot::new(centre + out * RADIUS, out));
-    let far = [first, -first].map(|side| Spot::new(centre + side * (RADIUS + 1.3), side));
-    near.chain(far).collect()
 }

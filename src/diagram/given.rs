@@ -1,34 +1,186 @@
 //! The figure of a question: what is given, and nothing else.
 
 use super::illustration::{direction, measure};
+use super::particle::Particle;
 use super::spheres::{Body, Motion, Spheres};
-use super::words::in_words;
+use super::wall::AtWall;
+use super::words::{at_wall_in_words, in_words, particle_in_words};
 use super::{Diagram, Manner, Point, contact, formula};
 use crate::expr::{Expr, Text, written, written_angle};
-use crate::mechanics::{Axis, Contact, Known, Moment, Quantity, Scene, Sphere, Velocity, pose};
+use crate::mechanics::{self, Axis, Contact, Known, Moment, Quantity, Scene, Setting, Sphere, Velocity, pose};
 use crate::number::{Angle, Value};
 use crate::unit::Unit;
 
-/// The pictures of what a scene gives: the spheres as they touch, or the path of A and its distance from B. There are
-/// none where the line of centres is to be found: to draw it would be to give it away.
+/// The pictures of what a scene gives: the spheres as they touch, or the path of A and its distance from B; spheres on one
+/// line; a sphere at a wall; a particle with its impulse. There are none where the line of centres is to be found: to
+/// draw it would be to give it away. What is given after the impact has a picture of its own.
 pub fn given(scene: &Scene, manner: Manner) -> Vec<Diagram> {
     let Ok(known) = pose(scene) else { return Vec::new() };
-    let diagram = match &scene.contact {
-        Some(Contact::Along(..)) => touching(scene, &known, manner),
-        Some(Contact::Offset { offset, radii, .. }) => contact::path(scene, &known, offset, radii, manner),
-        _ => None,
+    let given = Given { scene, known: &known, manner };
+    // What stands in the place of B is no sphere with a velocity.
+    let spheres = if scene.setting.is_of_one() { &Sphere::BOTH[..1] } else { &Sphere::BOTH };
+    let is_given = |moment| spheres.iter().any(|sphere| scene.velocity(*sphere, moment).is_some());
+    let each = |picture: &dyn Fn(Moment) -> Option<Diagram>| {
+        let both: Vec<Moment> =
+            [Moment::Before, Moment::After].into_iter().filter(|moment| is_given(*moment)).collect();
+        match &both[..] {
+            [Moment::Before] => picture(Moment::Before).into_iter().collect(),
+            several => several.iter().filter_map(|moment| Some(titled(*moment, picture(*moment)?))).collect(),
+        }
     };
-    diagram.into_iter().collect()
+    match (scene.setting, &scene.contact) {
+        (Setting::Direct, _) => each(&|moment| given.in_line(moment)),
+        (Setting::Wall, _) => each(&|moment| given.at_wall(moment)),
+        (Setting::Impulse, _) => given.particle(),
+        (Setting::Oblique, Some(Contact::Along(..))) => given.touching().into_iter().collect(),
+        (Setting::Oblique, Some(Contact::Offset { offset, radii, .. })) => {
+            contact::path(scene, &known, offset, radii, manner).into_iter().collect()
+        }
+        (Setting::Oblique, _) => Vec::new(),
+    }
 }
 
-fn touching(scene: &Scene, known: &Known<Value>, manner: Manner) -> Option<Diagram> {
-    let line = line_of_centres(known)?;
-    let mut bodies = [Body::default(), Body::default()];
-    for sphere in Sphere::BOTH {
-        bodies[sphere as usize] = Body { mass: mass(scene, sphere, manner), ..moving(scene, known, sphere, manner)? };
+/// A picture with the moment above it.
+pub fn titled(moment: Moment, diagram: Diagram) -> Diagram {
+    let title = if moment == Moment::Before { "Before" } else { "After" };
+    Diagram { title: title.to_owned(), ..diagram }
+}
+
+/// A scene as its question gives it.
+struct Given<'a> {
+    scene: &'a Scene,
+    known: &'a Known<Value>,
+    manner: Manner<'a>,
+}
+
+impl Given<'_> {
+    fn touching(&self) -> Option<Diagram> {
+        let line = line_of_centres(self.known)?;
+        let mut bodies = [Body::default(), Body::default()];
+        for sphere in Sphere::BOTH {
+            bodies[sphere as usize] = self.body(sphere, Moment::Before)?;
+        }
+        let spheres = Spheres { line, apart: false, named: true, bodies, axes: self.manner.vectors, positive: None };
+        let words = in_words(&spheres, Moment::Before);
+        Some(Diagram { title: String::new(), drawing: spheres.draw(), words })
     }
-    let spheres = Spheres { line, named: true, bodies, axes: manner.vectors, positive: None };
-    Some(Diagram { title: String::new(), drawing: spheres.draw(), words: in_words(&spheres, Moment::Before) })
+
+    /// Two spheres that move along one line.
+    fn in_line(&self, moment: Moment) -> Option<Diagram> {
+        let right = Point::new(1.0, 0.0);
+        let mut bodies = [Body::default(), Body::default()];
+        for sphere in Sphere::BOTH {
+            let mut body = Body { mass: mass(self.scene, sphere, self.manner), ..Body::default() };
+            if let Some(Velocity::Components(along, _)) = self.scene.velocity(sphere, moment) {
+                body.at_rest = along.value.is_zero();
+                if !body.at_rest {
+                    let backwards = measure(&along.value)? < 0.0;
+                    let shown = if backwards { along.shown.clone().negated() } else { along.shown.clone() };
+                    let heading = if backwards { -right } else { right };
+                    let label = self.manner.quantity(&shown, Unit::MetrePerSecond);
+                    body.motions = vec![Motion { heading, label, angle: None, component: true, leaving: false }];
+                }
+            }
+            bodies[sphere as usize] = body;
+        }
+        let spheres = Spheres { line: right, apart: true, named: false, bodies, axes: false, positive: None };
+        let words = in_words(&spheres, moment);
+        Some(Diagram { title: String::new(), drawing: spheres.draw(), words })
+    }
+
+    fn at_wall(&self, moment: Moment) -> Option<Diagram> {
+        let inward = line_of_centres(self.known)?;
+        let picture = AtWall { inward, body: self.body(Sphere::A, moment)?, axes: self.manner.vectors };
+        let words = at_wall_in_words(&picture, moment);
+        Some(Diagram { title: String::new(), drawing: picture.draw(), words })
+    }
+
+    /// The particle with its velocity and its impulse; its velocity after, where that is given, by itself.
+    fn particle(&self) -> Vec<Diagram> {
+        let picture = |moment, impulse: Option<(Point, Text)>| {
+            let body = self.body(Sphere::A, moment)?;
+            if body.motions.is_empty() && !body.at_rest && impulse.is_none() {
+                return None;
+            }
+            let picture = Particle { body, impulse, axes: self.manner.vectors };
+            let words = particle_in_words(&picture, moment);
+            Some(Diagram { title: String::new(), drawing: picture.draw(), words })
+        };
+        let before = picture(Moment::Before, given_impulse(self.scene, self.manner));
+        let Some(after) = picture(Moment::After, None) else { return before.into_iter().collect() };
+        let is_moving = self.scene.velocity(Sphere::A, Moment::Before).is_some();
+        let title = if is_moving { "Before" } else { "The impulse" };
+        let before = before.map(|diagram| Diagram { title: title.to_owned(), ..diagram });
+        before.into_iter().chain([titled(Moment::After, after)]).collect()
+    }
+
+    /// A sphere with its mass and its velocity, as they are given.
+    fn body(&self, sphere: Sphere, moment: Moment) -> Option<Body> {
+        let mass = mass(self.scene, sphere, self.manner);
+        Some(Body { mass, ..self.moving(sphere, moment)? })
+    }
+
+    fn moving(&self, sphere: Sphere, moment: Moment) -> Option<Body> {
+        let Some(velocity) = self.scene.velocity(sphere, moment) else { return Some(Body::default()) };
+        let (x, y) = components(velocity);
+        if x.is_zero() && y.is_zero() {
+            return Some(Body { at_rest: true, ..Body::default() });
+        }
+        let heading = direction(&x, &y)?;
+        let leaving = moment == Moment::After;
+        let motion = |label, angle| Motion { heading, label, angle, component: false, leaving };
+        let in_vectors = self.manner.vectors
+            || (self.scene.setting == Setting::Impulse && matches!(velocity, Velocity::Components(..)));
+        let motions = if in_vectors {
+            let vector = match velocity {
+                Velocity::Components(x, y) => vector(x, y),
+                Velocity::Polar { .. } => Expr::Vector(Box::new(written(&x)), Box::new(written(&y))),
+            };
+            vec![motion(self.manner.quantity(&vector, Unit::MetrePerSecond), None)]
+        } else if let (Setting::Impulse, Velocity::Polar { speed, .. }) = (self.scene.setting, velocity) {
+            vec![motion(self.manner.quantity(&speed.shown, Unit::MetrePerSecond), None)]
+        } else {
+            let at = |axis| self.known.number(Quantity::Line(axis));
+            let (n_x, n_y) = (at(Axis::X)?, at(Axis::Y)?);
+            let along = &(&x * &n_x) + &(&y * &n_y);
+            let across = &(&y * &n_x) - &(&x * &n_y);
+            // With the line of centres, or with the wall, which lies across it.
+            let angle = match self.scene.setting {
+                Setting::Wall => Angle::acute(&along, &across)?,
+                _ => Angle::acute(&across, &along)?,
+            };
+            let angle = written_angle(&angle);
+            let slants = !across.is_zero() && (self.scene.setting != Setting::Wall || !along.is_zero());
+            match speed(velocity, &x, &y, &angle) {
+                Some(speed) => {
+                    let label = self.manner.quantity(&speed, Unit::MetrePerSecond);
+                    vec![motion(label, Some(formula(angle)).filter(|_| slants))]
+                }
+                None => {
+                    let motions =
+                        by_components(velocity, [&along, &across], line_of_centres(self.known)?, self.manner)?;
+                    motions.into_iter().map(|motion| Motion { leaving, ..motion }).collect()
+                }
+            }
+        };
+        Some(Body { motions, ..Body::default() })
+    }
+}
+
+/// A vector as its components are given; letters in them as one would write them down.
+fn vector(x: &mechanics::Given, y: &mechanics::Given) -> Expr {
+    let shown = |given: &mechanics::Given| match given.value.is_constant() {
+        true => given.shown.clone(),
+        false => written(&given.value),
+    };
+    Expr::Vector(Box::new(shown(x)), Box::new(shown(y)))
+}
+
+/// The direction of the impulse as it is given, and the impulse.
+fn given_impulse(scene: &Scene, manner: Manner) -> Option<(Point, Text)> {
+    let [x, y] = scene.impulse.as_ref()?;
+    let vector = vector(x, y);
+    Some((direction(&x.value, &y.value)?, manner.quantity(&vector, Unit::NewtonSecond)))
 }
 
 /// The unit vector from A to B, as it is drawn.
@@ -39,41 +191,6 @@ pub fn line_of_centres(known: &Known<Value>) -> Option<Point> {
 /// The mass of a sphere, as it is given.
 pub fn mass(scene: &Scene, sphere: Sphere, manner: Manner) -> Option<Text> {
     Some(manner.quantity(&scene.mass(sphere)?.shown, Unit::Kilogram))
-}
-
-/// A sphere with its velocity before the impact, as it is given.
-fn moving(scene: &Scene, known: &Known<Value>, sphere: Sphere, manner: Manner) -> Option<Body> {
-    let velocity = match scene.velocity(sphere, Moment::Before) {
-        Some(velocity) => velocity,
-        None => return Some(Body::default()),
-    };
-    let (x, y) = components(velocity);
-    if x.is_zero() && y.is_zero() {
-        return Some(Body { at_rest: true, ..Body::default() });
-    }
-    let heading = direction(&x, &y)?;
-    let motion = |heading, label, angle| Motion { heading, label, angle, component: false, leaving: false };
-    let motions = if manner.vectors {
-        let vector = match velocity {
-            Velocity::Components(x, y) => Expr::Vector(Box::new(x.shown.clone()), Box::new(y.shown.clone())),
-            Velocity::Polar { .. } => Expr::Vector(Box::new(written(&x)), Box::new(written(&y))),
-        };
-        vec![motion(heading, manner.quantity(&vector, Unit::MetrePerSecond), None)]
-    } else {
-        let at = |axis| known.number(Quantity::Line(axis));
-        let (n_x, n_y) = (at(Axis::X)?, at(Axis::Y)?);
-        let along = &(&x * &n_x) + &(&y * &n_y);
-        let across = &(&y * &n_x) - &(&x * &n_y);
-        let angle = written_angle(&Angle::acute(&across, &along)?);
-        match speed(velocity, &x, &y, &angle) {
-            Some(speed) => {
-                let label = manner.quantity(&speed, Unit::MetrePerSecond);
-                vec![motion(heading, label, Some(formula(angle)).filter(|_| !across.is_zero()))]
-            }
-            None => by_components(velocity, [&along, &across], line_of_centres(known)?, manner)?,
-        }
-    };
-    Some(Body { motions, ..Body::default() })
 }
 
 /// The speed, where the question gives that: as such, or by components that are its products with a sine and a cosine.

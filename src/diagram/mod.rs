@@ -13,11 +13,14 @@ mod drawing;
 mod geometry;
 mod given;
 mod illustration;
+mod particle;
 mod solution;
 mod source;
 mod spheres;
+mod spots;
 mod svg;
 mod tikz;
+mod wall;
 mod words;
 
 pub use drawing::{Drawing, Label, Point, Section, Stroke, Style};

@@ -1,32 +1,41 @@
 //! The pictures of a worked solution: before and after, with what the working calls each component.
 
 use super::drawing::Point;
-use super::given::{line_of_centres, mass};
+use super::given::{line_of_centres, mass, titled};
 use super::illustration::{direction, measure};
+use super::particle::Momenta;
 use super::spheres::{Body, Motion, Spheres};
-use super::words::in_words;
+use super::wall::AtWall;
+use super::words::{at_wall_in_words, in_words};
 use super::{Diagram, Manner, contact, formula};
-use crate::expr::Expr;
-use crate::mechanics::{Axis, Contact, Derivation, Known, Moment, Quantity, Scene, Show, Sphere, pose};
+use crate::expr::{Expr, print, written};
+use crate::mechanics::{Axis, Contact, Derivation, Known, Moment, Quantity, Scene, Setting, Show, Sphere, pose};
 use crate::number::Value;
 use crate::unit::Unit;
 
+/// How wide a momentum may be that is written out.
+const WIDEST: f64 = 13.0;
+
 /// The pictures of a solution. Where the line of centres is given: the components along it and across it, the unknown ones
-/// as letters in the positive direction. Where it is found: the velocities as vectors.
+/// as letters in the positive direction; at a wall, perpendicular and parallel to it. Where the line is found: the
+/// velocities as vectors. For an impulse: the triangle of momenta.
 pub fn solution(scene: &Scene, manner: Manner) -> Vec<Diagram> {
     let Ok(mut known) = pose(scene) else { return Vec::new() };
-    let mut needed = vec![Quantity::Line(Axis::X), Quantity::Line(Axis::Y)];
-    needed.extend(
-        Sphere::BOTH
-            .into_iter()
-            .flat_map(|sphere| [Axis::N, Axis::T].map(|axis| Quantity::Velocity(sphere, Moment::Before, axis))),
-    );
-    if scene.contact.is_none() {
+    let spheres = if scene.setting.is_of_one() { &Sphere::BOTH[..1] } else { &Sphere::BOTH };
+    let velocities = |moment, axes: [Axis; 2]| {
+        spheres.iter().flat_map(move |sphere| axes.map(|axis| Quantity::Velocity(*sphere, moment, axis)))
+    };
+    let mut needed = vec![];
+    if scene.setting == Setting::Impulse {
         needed.extend(
-            Sphere::BOTH
-                .into_iter()
-                .flat_map(|sphere| [Axis::X, Axis::Y].map(|axis| Quantity::Velocity(sphere, Moment::After, axis))),
+            [Moment::Before, Moment::After].into_iter().flat_map(|moment| velocities(moment, [Axis::X, Axis::Y])),
         );
+    } else {
+        needed.extend([Quantity::Line(Axis::X), Quantity::Line(Axis::Y)]);
+        needed.extend(velocities(Moment::Before, [Axis::N, Axis::T]));
+        if scene.contact.is_none() {
+            needed.extend(velocities(Moment::After, [Axis::X, Axis::Y]));
+        }
     }
     let geometry = match &scene.contact {
         Some(Contact::Offset { offset, sum, .. }) => contact::triangle(scene, &known, offset, sum),
@@ -34,17 +43,20 @@ pub fn solution(scene: &Scene, manner: Manner) -> Vec<Diagram> {
     };
     Derivation::carry_out(&mut known, &needed);
     let view = View { scene, known: &known, show: Show::new(scene, &known, &[]), manner };
-    let both = [Moment::Before, Moment::After].map(|moment| match scene.contact {
-        Some(_) => view.components(moment),
-        None => view.vectors(moment),
+    if scene.setting == Setting::Impulse {
+        return view.momenta().into_iter().collect();
+    }
+    let both = [Moment::Before, Moment::After].map(|moment| match (scene.setting, &scene.contact) {
+        (Setting::Wall, _) => view.at_wall(moment),
+        (_, Some(_)) => Some(pictured(&view.components(moment)?, moment)),
+        (_, None) => Some(pictured(&view.vectors(moment)?, moment)),
     });
     let [Some(before), Some(after)] = both else { return geometry.into_iter().collect() };
-    geometry.into_iter().chain([(Moment::Before, before), (Moment::After, after)].map(titled)).collect()
+    geometry.into_iter().chain([titled(Moment::Before, before), titled(Moment::After, after)]).collect()
 }
 
-fn titled((moment, spheres): (Moment, Spheres)) -> Diagram {
-    let title = if moment == Moment::Before { "Before" } else { "After" };
-    Diagram { title: title.to_owned(), drawing: spheres.draw(), words: in_words(&spheres, moment) }
+fn pictured(spheres: &Spheres, moment: Moment) -> Diagram {
+    Diagram { title: String::new(), drawing: spheres.draw(), words: in_words(spheres, moment) }
 }
 
 struct View<'a> {
@@ -71,14 +83,29 @@ impl View<'_> {
         for sphere in Sphere::BOTH {
             let along = match moment {
                 Moment::Before => self.component(sphere, Axis::N, positive),
-                Moment::After => Some(arrow(self.show.after(sphere), positive)),
+                Moment::After => self.after(sphere, positive),
             };
             let unchanged = self.component(sphere, Axis::T, across);
             let motions: Vec<Motion> = along.into_iter().chain(unchanged).collect();
             let mass = mass(self.scene, sphere, self.manner);
             bodies[sphere as usize] = Body { mass, at_rest: motions.is_empty(), motions };
         }
-        Some(Spheres { line, named: false, bodies, axes: self.manner.vectors, positive: Some(positive) })
+        let apart = self.scene.setting == Setting::Direct;
+        Some(Spheres { line, apart, named: false, bodies, axes: self.manner.vectors, positive: Some(positive) })
+    }
+
+    /// A component after the impact: one that is given in its own direction, an unknown one in the positive.
+    fn after(&self, sphere: Sphere, positive: Point) -> Option<Motion> {
+        let shown = self.show.after(sphere);
+        if self.scene.velocity(sphere, Moment::After).is_none() {
+            return Some(arrow(shown, positive));
+        }
+        let value = self.show.worked(Quantity::Velocity(sphere, Moment::After, Axis::N));
+        if value.is_zero() {
+            return None;
+        }
+        let negative = measure(&value).is_some_and(|size| size < 0.0);
+        Some(if negative { arrow(shown.negated(), -positive) } else { arrow(shown, positive) })
     }
 
     /// A component before the impact, drawn in its own direction; none if it is nought.
@@ -93,6 +120,63 @@ impl View<'_> {
         };
         let negative = measure(&value).is_some_and(|size| size < 0.0);
         Some(if negative { arrow(shown.negated(), -positive) } else { arrow(shown, positive) })
+    }
+
+    /// The components of A perpendicular and parallel to the wall, as sizes at arrows that have their directions.
+    fn at_wall(&self, moment: Moment) -> Option<Diagram> {
+        let inward = line_of_centres(self.known)?;
+        let leaving = moment == Moment::After;
+        let arrow = |label, heading| Motion { leaving, ..arrow(label, heading) };
+        let size = |axis, shown: Expr| {
+            let negative = self.show.worked(Quantity::Velocity(Sphere::A, moment, axis));
+            Some(if measure(&negative)? < 0.0 { shown.negated() } else { shown })
+        };
+        let mut motions = Vec::new();
+        match (moment, self.scene.velocity(Sphere::A, Moment::After)) {
+            (Moment::Before, _) => {
+                motions.push(arrow(size(Axis::N, self.show.along(Sphere::A, Moment::Before))?, inward));
+            }
+            (Moment::After, Some(_)) => motions.push(arrow(size(Axis::N, self.show.after(Sphere::A))?, -inward)),
+            (Moment::After, None) => motions.push(arrow(self.show.after(Sphere::A), -inward)),
+        }
+        // The component parallel to the wall is the same after as before.
+        let parallel = self.show.exact(Quantity::Velocity(Sphere::A, Moment::Before, Axis::T));
+        if !parallel.is_zero() {
+            let along = inward.turned();
+            let heading = if measure(&parallel)? < 0.0 { -along } else { along };
+            let worked = self.show.worked(Quantity::Velocity(Sphere::A, Moment::Before, Axis::T));
+            let shown = self.show.across(Sphere::A, Moment::Before);
+            motions.push(arrow(if measure(&worked)? < 0.0 { shown.negated() } else { shown }, heading));
+        }
+        let body = Body { mass: mass(self.scene, Sphere::A, self.manner), at_rest: false, motions };
+        let picture = AtWall { inward, body, axes: self.manner.vectors };
+        let words = at_wall_in_words(&picture, moment);
+        Some(Diagram { title: String::new(), drawing: picture.draw(), words })
+    }
+
+    /// The triangle of momenta: before, impulse, after.
+    fn momenta(&self) -> Option<Diagram> {
+        let mass = self.known.number(Quantity::Mass(Sphere::A))?;
+        let momentum = |moment| {
+            let at = |axis| self.known.number(Quantity::Velocity(Sphere::A, moment, axis));
+            Some([&mass * &at(Axis::X)?, &mass * &at(Axis::Y)?])
+        };
+        let (before, after) = (momentum(Moment::Before)?, momentum(Moment::After)?);
+        let impulse = [&after[0] - &before[0], &after[1] - &before[1]];
+        let point = |pair: &[Value; 2]| Some(Point::new(measure(&pair[0])?, measure(&pair[1])?));
+        // Short vectors are written out; long ones, with letters over letters, only have their names.
+        let label = |name: Expr, pair: &[Value; 2]| {
+            let vector = Expr::Vector(Box::new(written(&pair[0])), Box::new(written(&pair[1])));
+            let whole = formula(Expr::equation(name.clone(), vector));
+            if print::extent(&whole).0 < WIDEST { whole } else { formula(name) }
+        };
+        let of = |moment| self.show.named_momentum(Sphere::A, moment);
+        let labels = [
+            label(of(Moment::Before), &before),
+            label(Expr::name("vector.I"), &impulse),
+            label(of(Moment::After), &after),
+        ];
+        Momenta { steps: [point(&before)?, point(&impulse)?], labels, axes: self.manner.vectors }.triangle()
     }
 
     /// The velocities as vectors.
@@ -114,7 +198,7 @@ impl View<'_> {
             bodies[sphere as usize] = Body { mass, at_rest: motions.is_empty(), motions };
         }
         let named = moment == Moment::Before;
-        Some(Spheres { line, named, bodies, axes: named, positive: None })
+        Some(Spheres { line, apart: false, named, bodies, axes: named, positive: None })
     }
 }
 

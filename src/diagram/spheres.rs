@@ -1,9 +1,11 @@
-//! Two spheres that touch, with their velocities: the picture that most questions need.
+//! Two spheres with their velocities: the picture that most questions need. They touch, or stand apart on the line along
+//! which both move.
 
 use super::canvas::{Canvas, Spot};
 use super::drawing::{Drawing, Point, Style};
 use super::formula;
 use super::geometry::Frame;
+use super::spots::{in_arc, inside};
 use crate::expr::{Expr, Text};
 use crate::mechanics::Sphere;
 
@@ -14,16 +16,20 @@ const ARROW: f64 = 3.2;
 const COMPONENT: f64 = 2.2;
 /// How far the line of centres goes beyond the spheres.
 const BEYOND: f64 = 2.3;
+/// Half of what is between spheres that stand apart.
+const APART: f64 = 0.9;
 /// How far an arc runs outside its sphere.
 const ARC: f64 = 0.9;
 /// The corner that marks a right angle.
 const CORNER: f64 = 0.45;
 
-/// What a picture of two touching spheres shows.
+/// What a picture of two spheres shows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spheres {
     /// The unit vector from A to B.
     pub line: Point,
+    /// Do they stand apart, both moving along one line, so that no line of centres is spoken of?
+    pub apart: bool,
     /// Is the line of centres called by its name?
     pub named: bool,
     /// A, then B.
@@ -77,23 +83,28 @@ impl Spheres {
         let mut canvas = Canvas::default();
         let turned = self.line.turned();
         let above = if turned.y > 1e-9 || (turned.y.abs() <= 1e-9 && turned.x > 0.0) { turned } else { -turned };
+        let half = if self.apart { RADIUS + APART } else { RADIUS };
         let placed = |sphere: Sphere| {
             let outward = if sphere == Sphere::A { -self.line } else { self.line };
-            Placed { sphere, body: &self.bodies[sphere as usize], centre: outward * RADIUS, outward, above }
+            Placed { sphere, body: &self.bodies[sphere as usize], centre: outward * half, outward, above }
         };
         let both = Sphere::BOTH.map(placed);
         let [far_a, far_b] = both.each_ref().map(|placed| placed.centre + placed.outward * (RADIUS + placed.beyond()));
-        canvas.line(Style::Centres, far_a, far_b);
+        if !self.apart {
+            canvas.line(Style::Centres, far_a, far_b);
+        }
         for placed in &both {
             canvas.circle(Style::Rim, placed.centre, RADIUS);
-            canvas.dot(placed.centre);
+            if !self.apart {
+                canvas.dot(placed.centre);
+            }
         }
         for placed in &both {
             placed.body.motions.iter().for_each(|motion| placed.arrow(motion, &mut canvas));
         }
         let arcs = both.each_ref().map(|placed| placed.arcs(&mut canvas));
         for placed in &both {
-            placed.name(&mut canvas);
+            placed.name(self.apart, &mut canvas);
         }
         for (placed, arcs) in both.iter().zip(arcs) {
             placed.labels(&arcs, &mut canvas);
@@ -160,31 +171,37 @@ impl Placed<'_> {
         }
     }
 
-    /// The arc of each motion whose angle is given: its middle direction.
-    fn arcs(&self, canvas: &mut Canvas) -> Vec<Option<Point>> {
+    /// The arc of each motion whose angle is given; a right angle has a corner and no arc.
+    fn arcs(&self, canvas: &mut Canvas) -> Vec<bool> {
         let arc = |motion: &Motion, canvas: &mut Canvas| {
-            motion.angle.as_ref()?;
+            if motion.angle.is_none() {
+                return false;
+            }
             let (side, _) = self.side(motion);
             if side.dot(self.outward) < 1e-9 {
                 let (along, across) = (self.outward * CORNER, side * CORNER);
                 canvas.line(Style::Thin, self.centre + along, self.centre + along + across);
                 canvas.line(Style::Thin, self.centre + across, self.centre + along + across);
-                return None;
+                return false;
             }
-            Some(canvas.arc(self.centre, RADIUS + ARC, self.outward, side))
+            canvas.arc(self.centre, RADIUS + ARC, self.outward, side);
+            true
         };
         self.body.motions.iter().map(|motion| arc(motion, canvas)).collect()
     }
 
-    fn name(&self, canvas: &mut Canvas) {
-        canvas.label(formula(Expr::name(self.sphere.name())), inside(self.centre, RADIUS, -self.above, self.outward));
+    fn name(&self, apart: bool, canvas: &mut Canvas) {
+        let beside_the_centre = inside(self.centre, RADIUS, -self.above, self.outward);
+        let middle = apart.then(|| Spot::over(self.centre));
+        canvas.label(formula(Expr::name(self.sphere.name())), middle.into_iter().chain(beside_the_centre));
     }
 
-    fn labels(&self, arcs: &[Option<Point>], canvas: &mut Canvas) {
+    fn labels(&self, arcs: &[bool], canvas: &mut Canvas) {
         for (motion, arc) in self.body.motions.iter().zip(arcs) {
             canvas.label(motion.label.clone(), self.beside_arrow(motion));
-            if let (Some(angle), Some(middle)) = (&motion.angle, arc) {
-                canvas.label(angle.clone(), self.beside_arc(motion, *middle));
+            if let (Some(angle), true) = (&motion.angle, *arc) {
+                let (side, _) = self.side(motion);
+                canvas.label(angle.clone(), in_arc(self.centre, RADIUS + ARC, self.outward, side));
             }
         }
         if let Some(mass) = &self.body.mass {
@@ -244,32 +261,6 @@ impl Placed<'_> {
         }
         spots
     }
-
-    fn beside_arc(&self, motion: &Motion, middle: Point) -> Vec<Spot> {
-        let (side, _) = self.side(motion);
-        let radius = RADIUS + ARC;
-        let within =
-            [0.0, 0.5, 1.0, 1.6, 2.2, 2.8].map(|step| Spot::new(self.centre + middle * (radius + step), middle));
-        // Beside a narrow angle: beyond the line of centres, or beyond the arrow.
-        let off_line = side - self.outward * side.dot(self.outward);
-        let off_arrow = self.outward - side * side.dot(self.outward);
-        let outside = [(self.outward, -off_line), (side, -off_arrow)].into_iter().flat_map(|(ray, away)| {
-            let near = [0.0, 0.7, -0.5, 1.4].map(|step| Spot::new(self.centre + ray * (radius + step), away));
-            let off =
-                [0.0, 1.2, 2.4].map(|step| Spot::new(self.centre + ray * (radius + step) + away.unit() * 1.2, away));
-            near.into_iter().chain(off)
-        });
-        within.into_iter().chain(outside).collect()
-    }
-}
-
-/// Spots within a sphere, clear of its centre, the first between two directions.
-pub fn inside(centre: Point, radius: f64, first: Point, second: Point) -> impl Iterator<Item = Spot> {
-    let leaning = [0.5, -0.5, 1.0, -1.0, 0.0, 2.0, -2.0];
-    let ways = [first, -first].into_iter().flat_map(move |side| leaning.map(|share| (side + second * share).unit()));
-    let near = ways.clone().map(move |way| Spot::over(centre + way * (radius * 0.5)));
-    let far = ways.map(move |way| Spot::over(centre + way * (radius * 0.58)));
-    near.chain(far)
 }
 
 /// The positive direction, outside of everything else.
@@ -285,7 +276,7 @@ fn draw_positive(positive: Point, canvas: &mut Canvas) {
 }
 
 /// The unit vectors, outside of everything else.
-fn draw_axes(canvas: &mut Canvas) {
+pub fn draw_axes(canvas: &mut Canvas) {
     let Frame { low, .. } = canvas.frame();
     let origin = Point::new(low.x - 3.6, low.y + 0.4);
     for (unit, step) in [("i", Point::new(1.7, 0.0)), ("j", Point::new(0.0, 1.7))] {

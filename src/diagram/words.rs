@@ -1,22 +1,28 @@
 //! Pictures in words, for a reader who does not see them: the same givens, and no more.
 
+use super::particle::Particle;
 use super::spheres::{Body, Motion, Spheres};
+use super::wall::AtWall;
 use super::{Point, Text};
 use crate::expr::{Expr, print};
 use crate::mechanics::{Moment, Sphere};
 
-/// Two touching spheres in words.
+const UNIT_VECTORS: &str = " The unit vector i points to the right and j up the page.";
+
+/// Two spheres in words.
 pub fn in_words(spheres: &Spheres, moment: Moment) -> String {
-    let mut words = format!(
-        "Two spheres seen from above as they touch. The line of centres runs {}, from A to B.",
-        towards(spheres.line)
-    );
+    let mut words = if spheres.apart {
+        "Two spheres on one straight line, A to the left of B.".to_owned()
+    } else {
+        let line = towards(spheres.line);
+        format!("Two spheres seen from above as they touch. The line of centres runs {line}, from A to B.")
+    };
     if spheres.axes {
-        words.push_str(" The unit vector i points to the right and j up the page.");
+        words.push_str(UNIT_VECTORS);
     }
     for sphere in Sphere::BOTH {
-        words.push(' ');
-        words.push_str(&body(sphere, &spheres.bodies[sphere as usize], moment));
+        let sentence = body(sphere, &spheres.bodies[sphere as usize], moment, "impact", "the line of centres");
+        words.extend([" ", &sentence].into_iter().filter(|_| !sentence.is_empty()));
     }
     if let Some(positive) = spheres.positive {
         words.push_str(&format!(" The positive direction is {}.", towards(positive)));
@@ -24,11 +30,47 @@ pub fn in_words(spheres: &Spheres, moment: Moment) -> String {
     words
 }
 
-fn body(sphere: Sphere, body: &Body, moment: Moment) -> String {
+/// A sphere at a wall in words.
+pub fn at_wall_in_words(picture: &AtWall, moment: Moment) -> String {
+    let wall = picture.inward.turned();
+    let runs = match (wall.x * wall.y, wall.x.abs() < 1e-9) {
+        (_, true) => "up the page",
+        (slope, _) if slope.abs() < 1e-9 => "from left to right",
+        (slope, _) if slope > 0.0 => "from the left up to the right",
+        _ => "from the left down to the right",
+    };
+    let mut words = format!(
+        "A sphere touches a fixed wall, seen from above. The wall runs {runs}; from the sphere it lies {}.",
+        towards(picture.inward)
+    );
+    if picture.axes {
+        words.push_str(UNIT_VECTORS);
+    }
+    let sentence = body(Sphere::A, &picture.body, moment, "impact", "the wall");
+    words.extend([" ", &sentence].into_iter().filter(|_| !sentence.is_empty()));
+    words
+}
+
+/// A particle in words, with the impulse that it receives.
+pub fn particle_in_words(picture: &Particle, moment: Moment) -> String {
+    let mut words = "A particle A seen from above.".to_owned();
+    if picture.axes {
+        words.push_str(UNIT_VECTORS);
+    }
+    let sentence = body(Sphere::A, &picture.body, moment, "impulse", "its old path");
+    words.extend([" ", &sentence].into_iter().filter(|_| !sentence.is_empty()));
+    if let Some((direction, label)) = &picture.impulse {
+        words.push_str(&format!(" The impulse on A is {} {}.", print::text_unicode(label), towards(*direction)));
+    }
+    words
+}
+
+/// What happens to one body: immediately before or after what, and with what its angles are.
+fn body(sphere: Sphere, body: &Body, moment: Moment, event: &str, reference: &str) -> String {
     let name = sphere.name();
     let mass = body.mass.as_ref().map(|mass| format!(", of mass {},", print::text_unicode(mass))).unwrap_or_default();
     let when = if moment == Moment::Before { "before" } else { "after" };
-    let subject = format!("Immediately {when} the impact {name}{mass}");
+    let subject = format!("Immediately {when} the {event} {name}{mass}");
     if body.at_rest {
         return format!("{subject} is at rest.");
     }
@@ -40,7 +82,7 @@ fn body(sphere: Sphere, body: &Body, moment: Moment) -> String {
             format!("{subject} has velocity {}.", parts.join(" and "))
         }
         motions => {
-            let parts: Vec<String> = motions.iter().map(whole).collect();
+            let parts: Vec<String> = motions.iter().map(|motion| whole(motion, reference)).collect();
             format!("{subject} moves {}.", parts.join(" and "))
         }
     }
@@ -50,8 +92,8 @@ fn component(motion: &Motion) -> String {
     format!("{} {}", print::text_unicode(&motion.label), towards(motion.heading))
 }
 
-fn whole(motion: &Motion) -> String {
-    let angle = |angle: &Text| format!(", at an angle of {} to the line of centres", print::text_unicode(angle));
+fn whole(motion: &Motion, reference: &str) -> String {
+    let angle = |angle: &Text| format!(", at an angle of {} to {reference}", print::text_unicode(angle));
     format!(
         "with {} {} {}{}",
         if motion.angle.is_some() || !is_vector(&motion.label) { "speed" } else { "velocity" },

@@ -66,6 +66,12 @@ pub(super) fn in_english(quantity: Quantity) -> String {
     match quantity {
         Speed(s, m) => format!("the speed of *{}* {} the impact", s.name(), when(m)),
         AngleToLine(s, m) => format!("the angle of *{}* to the line of centres {} the impact", s.name(), when(m)),
+        AngleToWall(s, m) => {
+            format!("the angle in degrees of the path of *{}* with the wall {} the impact", s.name(), when(m))
+        }
+        TanToWall(s, m) => {
+            format!("the tangent of the angle of the path of *{}* with the wall {} the impact", s.name(), when(m))
+        }
         Deflection(s) | SignedDeflection(s) => {
             format!("the angle in degrees through which *{}* is deflected", s.name())
         }

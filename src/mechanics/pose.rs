@@ -62,8 +62,9 @@ fn of_setting(scene: &Scene, known: &mut Known<Value>) {
             for (sphere, moment) in Sphere::BOTH.into_iter().flat_map(|of| [(of, Moment::Before), (of, Moment::After)])
             {
                 nought(known, Quantity::Velocity(sphere, moment, Axis::T));
-                nought(known, Quantity::Velocity(sphere, moment, Axis::Y));
-                if let Some(along) = known.number(Quantity::Velocity(sphere, moment, Axis::X)) {
+                // No vectors: what is along i is the velocity itself.
+                known.0.remove(&Quantity::Velocity(sphere, moment, Axis::Y));
+                if let Some(Datum::Number(along)) = known.0.remove(&Quantity::Velocity(sphere, moment, Axis::X)) {
                     put(known, Quantity::Velocity(sphere, moment, Axis::N), &along);
                 }
             }

@@ -87,6 +87,8 @@ pub enum Quantity {
     SphereEnergyLost(Sphere),
     /// `impulse.magnitude`
     ImpulseMagnitude,
+    /// `impulse.angle_to_i_deg`: acute, 0 to 90; of the impulse on A, or on B, with i.
+    ImpulseAngle,
     /// `approach`: speed of approach along the line of centres.
     Approach,
     /// `separation`: speed of separation along the line of centres.
@@ -168,7 +170,7 @@ impl Quantity {
             all.extend([X, Y, N, T].map(|axis| Impulse(sphere, axis)));
             all.push(SphereEnergyLost(sphere));
         }
-        all.extend([ImpulseMagnitude, Approach, Separation, Restitution, MassRatio]);
+        all.extend([ImpulseMagnitude, ImpulseAngle, Approach, Separation, Restitution, MassRatio]);
         all.extend([Line(X), Line(Y), Tangent(X), Tangent(Y)]);
         all.extend([TotalEnergy(Before), TotalEnergy(After), EnergyLost, FractionLost]);
         all.extend([TotalMomentum(X), TotalMomentum(Y), AngleBetween(Before), AngleBetween(After), Alpha]);
@@ -192,7 +194,7 @@ impl Quantity {
             KineticEnergy(..) | SphereEnergyLost(_) | TotalEnergy(_) | EnergyLost => Unit::Joule,
             SphereMomentum(..) | Impulse(..) | ImpulseMagnitude | TotalMomentum(_) => Unit::NewtonSecond,
             AngleToLine(..) | AngleFromN(..) | AngleFromI(..) | Deflection(_) | SignedDeflection(_) => Unit::Degree,
-            AngleToWall(..) | AngleBetween(_) | Alpha => Unit::Degree,
+            AngleToWall(..) | AngleBetween(_) | Alpha | ImpulseAngle => Unit::Degree,
             _ => Unit::None,
         }
     }
@@ -258,6 +260,7 @@ impl fmt::Display for Quantity {
             Impulse(s, axis) => write!(f, "{}.impulse.{axis}", s.name()),
             SphereEnergyLost(s) => write!(f, "{}.ke_lost", s.name()),
             ImpulseMagnitude => f.write_str("impulse.magnitude"),
+            ImpulseAngle => f.write_str("impulse.angle_to_i_deg"),
             Approach => f.write_str("approach"),
             Separation => f.write_str("separation"),
             Restitution => f.write_str("e"),

@@ -62,6 +62,8 @@ const AT_A_WALL: &[(&str, &str)] = &[
         "tangent of the angle of *A* to the line of centres",
         "tangent of the angle of *A* to the perpendicular to the wall",
     ),
+    ("the angle to the common tangent, 90° minus", "the angle to the perpendicular to the wall, 90° minus"),
+    ("to the common tangent", "to the wall"),
     ("to the line of centres", "to the perpendicular to the wall"),
     ("with the line of centres", "with the perpendicular to the wall"),
     ("perpendicular to the line of centres", "parallel to the wall"),
@@ -77,6 +79,8 @@ const AT_A_WALL: &[(&str, &str)] = &[
     ("the impact the spheres", "the impact the sphere"),
     ("difference of kinetic energies, both spheres", "difference of kinetic energies"),
     ("difference of the kinetic energies, both spheres", "difference of the kinetic energies"),
+    ("the change of momentum of one sphere", "the change of momentum"),
+    ("a difference of momenta of one sphere", "a difference of momenta"),
     ("The component across", "The component parallel to the wall"),
     ("the component across", "the component parallel to the wall"),
     ("components across", "components parallel to the wall"),
@@ -121,6 +125,7 @@ const ON_A_PARTICLE: &[(&str, &str)] = &[
     ("impulse as the change of momentum of one sphere", "impulse as the change of momentum"),
     ("a difference of momenta of one sphere, in either order", "a difference of momenta, in either order"),
     ("difference of kinetic energies, both spheres", "difference of kinetic energies"),
+    ("the impact", "the impulse"),
 ];
 
 impl Setting {

@@ -216,8 +216,8 @@ fn reference(find: &Find) -> Option<&'static str> {
         Find::Quantity(Quantity::AngleToLine(..) | Quantity::AngleFromN(..) | Quantity::Alpha) => {
             Some("line of centres")
         }
+        Find::Quantity(Quantity::AngleFromI(..) | Quantity::ImpulseAngle) => Some("i"),
         Find::Quantity(Quantity::AngleToWall(..)) => Some("wall"),
-        Find::Quantity(Quantity::AngleFromI(..)) => Some("i"),
         Find::Quantity(Quantity::Deflection(_) | Quantity::SignedDeflection(_)) => Some("direction before"),
         _ => None,
     }

@@ -4,6 +4,7 @@ use super::code::{CodeFault, SheetCode, digest};
 use super::{KeyQuestion, LockedQuestion, PrintedQuestion, compose, key_question};
 use crate::bank::{Contents, Question};
 use crate::generate::Variant;
+use crate::mechanics::Setting;
 
 /// A sheet, before anything is said of its heading or of who gets it.
 #[derive(Clone, Debug)]
@@ -16,6 +17,8 @@ pub struct Sheet {
     pub dealt: Vec<LockedQuestion>,
     /// The code.
     pub code: SheetCode,
+    /// What its questions are about, for a sheet that has no title of its own.
+    pub heading: &'static str,
 }
 
 impl Sheet {
@@ -46,7 +49,8 @@ impl Sheet {
         });
         let dealt = dealt.collect();
         let code = SheetCode::of(contents, &questions, digest(&printed, &keyed));
-        Sheet { printed, keyed, dealt, code }
+        let heading = heading(questions.iter().map(|(_, variant)| variant.scene.setting));
+        Sheet { printed, keyed, dealt, code, heading }
     }
 
     /// The sheet that a code holds.
@@ -63,5 +67,42 @@ impl Sheet {
     /// Marks of all questions together.
     pub fn marks(&self) -> usize {
         self.printed.iter().map(PrintedQuestion::marks).sum()
+    }
+}
+
+/// What questions in these settings are about.
+fn heading(settings: impl IntoIterator<Item = Setting>) -> &'static str {
+    let settings: Vec<Setting> = settings.into_iter().collect();
+    let all = |setting: Setting| settings.iter().all(|other| *other == setting);
+    match settings[..] {
+        _ if all(Setting::Oblique) => "Oblique impacts of smooth spheres",
+        _ if all(Setting::Direct) => "Direct impacts of two spheres",
+        _ if all(Setting::Wall) => "Impacts with a wall",
+        _ if all(Setting::Impulse) => "Impulses on a particle",
+        _ if settings.contains(&Setting::Impulse) => "Impulses and collisions",
+        _ => "Impacts and collisions",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sheet_is_headed_by_what_is_on_it() {
+        use Setting::{Direct, Impulse, Oblique, Wall};
+        let cases: [(&[Setting], &str); 8] = [
+            (&[], "Oblique impacts of smooth spheres"),
+            (&[Oblique, Oblique], "Oblique impacts of smooth spheres"),
+            (&[Wall, Wall], "Impacts with a wall"),
+            (&[Direct], "Direct impacts of two spheres"),
+            (&[Impulse, Impulse], "Impulses on a particle"),
+            (&[Oblique, Wall], "Impacts and collisions"),
+            (&[Direct, Wall, Oblique], "Impacts and collisions"),
+            (&[Wall, Impulse], "Impulses and collisions"),
+        ];
+        for (settings, expected) in cases {
+            assert_eq!(heading(settings.iter().copied()), expected, "{settings:?}");
+        }
     }
 }

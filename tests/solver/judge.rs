@@ -180,6 +180,10 @@ pub fn by_definition(quantity: Quantity, case: &Outcome<f64>) -> Option<f64> {
             let change = less(path(a).1, path(a).0);
             mass(a) * change[0].hypot(change[1])
         }
+        ImpulseAngle => {
+            let change = less(path(a).1, path(a).0);
+            change[1].abs().atan2(change[0].abs()).to_degrees()
+        }
         Approach => times(relative, n),
         Separation => times(less(v(b, Moment::After), v(a, Moment::After)), n),
         Restitution => times(less(v(b, Moment::After), v(a, Moment::After)), n) / times(relative, n),

@@ -83,9 +83,9 @@ pub struct SheetArguments {
     /// The sheet that has this code
     #[arg(long, value_name = "CODE", conflicts_with_all = ["questions", "count", "marks", "topic", "seed", "style", "reference", "class"])]
     code: Option<String>,
-    /// The heading of the sheet
-    #[arg(long, value_name = "TITLE", default_value = "Oblique impacts of smooth spheres")]
-    title: String,
+    /// The heading of the sheet; without it, what the questions are about
+    #[arg(long, value_name = "TITLE")]
+    title: Option<String>,
     /// A date, as it is to be printed
     #[arg(long, value_name = "DATE", default_value = "")]
     date: String,
@@ -175,7 +175,7 @@ fn write_sheet(
 /// What is printed of a sheet, under the heading that the arguments give.
 fn paper(arguments: &SheetArguments, sheet: &Sheet, student: String, seed: Option<u64>) -> Paper {
     Paper {
-        title: arguments.title.clone(),
+        title: arguments.title.clone().unwrap_or_else(|| sheet.heading.to_owned()),
         school: arguments.school.clone(),
         date: arguments.date.clone(),
         student,

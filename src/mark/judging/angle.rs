@@ -121,7 +121,8 @@ impl<'a> Stated<'a> {
 /// The line from which the model is measured.
 fn own_line(model: &Model) -> ReferenceLine {
     match model.quantity {
-        Some(Quantity::AngleFromI(..)) => ReferenceLine::I,
+        Some(Quantity::AngleFromI(..) | Quantity::ImpulseAngle) => ReferenceLine::I,
+        Some(Quantity::AngleToWall(..)) => ReferenceLine::CommonTangent,
         Some(Quantity::Deflection(_) | Quantity::SignedDeflection(_)) => ReferenceLine::OriginalDirection,
         _ => ReferenceLine::LineOfCentres,
     }
@@ -133,7 +134,7 @@ fn expected(right: &Enclosed, own: ReferenceLine, named: Option<ReferenceLine>) 
     let Some(named) = named else { return Some(Cow::Borrowed(right)) };
     match (own, named) {
         (own, named) if own == named => Some(Cow::Borrowed(right)),
-        (LineOfCentres, CommonTangent) | (I, J) => right.from(90).map(Cow::Owned),
+        (LineOfCentres, CommonTangent) | (CommonTangent, LineOfCentres) | (I, J) => right.from(90).map(Cow::Owned),
         _ => None,
     }
 }

@@ -118,6 +118,25 @@ fn a_vector_is_right_in_both_components_or_not_at_all() {
 }
 
 #[test]
+fn an_angle_with_a_wall_may_be_told_from_the_perpendicular_and_one_with_i_from_j() {
+    let rows = [
+        ("A.after.angle_to_wall_deg", "16.1", None, "correct"),
+        ("A.after.angle_to_wall_deg", "16.1", Some(CommonTangent), "correct"),
+        ("A.after.angle_to_wall_deg", "73.9", Some(LineOfCentres), "correct"),
+        ("A.after.angle_to_wall_deg", "73.9", None, "wrong complement"),
+        ("A.after.angle_to_wall_deg", "16.1", Some(LineOfCentres), "wrong reference-wrong"),
+        ("impulse.angle_to_i_deg", "16.1", Some(I), "correct"),
+        ("impulse.angle_to_i_deg", "73.9", Some(ReferenceLine::J), "correct"),
+        ("impulse.angle_to_i_deg", "73.9", Some(I), "wrong complement"),
+    ];
+    for (quantity, typed, reference, expected) in rows {
+        let model = asked("atan(sqrt(3)/6)/deg", None, quantity);
+        let angle = Said { reference, unit: degrees(), ..value(typed) };
+        assert_eq!(earns(&model, None, vec![angle]), expected, "{quantity}: {typed} {reference:?}");
+    }
+}
+
+#[test]
 fn a_velocity_needs_its_size_and_its_direction() {
     let across = model("6*sin(10*deg) perpendicular to the line of centres", Some(Kind::Velocity), "");
     let oblique = model("[5/2, 3*sqrt(3)/2]", Some(Kind::Velocity), "");

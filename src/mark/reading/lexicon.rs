@@ -139,7 +139,7 @@ pub(super) const CENTRES: [&str; 22] = [
 ];
 
 /// The common tangent.
-pub(super) const TANGENT: [&str; 9] = [
+pub(super) const TANGENT: [&str; 15] = [
     "common tangent",
     "tangent",
     "common tangent plane",
@@ -149,6 +149,12 @@ pub(super) const TANGENT: [&str; 9] = [
     "tangent at contact",
     "tangent at point of contact",
     "common tangent at point of contact",
+    "wall",
+    "smooth wall",
+    "vertical wall",
+    "plane of wall",
+    "line of wall",
+    "surface",
 ];
 
 /// The line of centres from B to A.

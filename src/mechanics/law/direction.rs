@@ -1,4 +1,5 @@
-//! The direction of a velocity, by its components along and across the line of centres or along i and j.
+//! The direction of a velocity, by its components along and across the line of centres or along i and j; and that of
+//! an impulse, along i and j.
 //!
 //! `tan β = v_t/v_n`. The angle *to* the line is acute, 0 to 90 degrees; the angle *from* n or i is
 //! signed, anticlockwise.
@@ -19,6 +20,7 @@ pub const SEEN: Seen = Seen::Value(
         Quantity::TOverN(Sphere::B, Moment::After),
         Quantity::AngleToWall(Sphere::A, Moment::After),
         Quantity::TanToWall(Sphere::A, Moment::After),
+        Quantity::ImpulseAngle,
     ],
     Shape::Tangent,
 );
@@ -61,9 +63,11 @@ const SIZE_OF_TANGENT: u8 = 3;
 const TANGENT: u8 = 4;
 const TO_WALL: u8 = 5;
 const TANGENT_TO_WALL: u8 = 6;
+const OF_IMPULSE: u8 = 7;
 
 pub fn rules() -> Vec<Rule> {
-    let mut rules = Vec::new();
+    let of_impulse = [X, Y].map(|axis| Quantity::Impulse(Sphere::A, axis));
+    let mut rules = vec![rule(Law::Direction, OF_IMPULSE, &of_impulse, &[Quantity::ImpulseAngle], 1)];
     for sphere in Sphere::BOTH {
         for moment in [Moment::Before, Moment::After] {
             let n_t = [velocity(sphere, moment, N), velocity(sphere, moment, T)];
@@ -83,12 +87,12 @@ pub fn rules() -> Vec<Rule> {
 
 pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
     let [x, y] = known.numbers([rule.needs[0], rule.needs[1]])?;
-    if matches!(rule.form, TO_LINE | FROM_N | FROM_I | TO_WALL) && x.is_nought() && y.is_nought() {
+    if matches!(rule.form, TO_LINE | FROM_N | FROM_I | TO_WALL | OF_IMPULSE) && x.is_nought() && y.is_nought() {
         // A sphere at rest has no direction.
         return None;
     }
     match rule.form {
-        TO_LINE => Some(vec![Datum::Direction { y: y.size(), x: x.size() }]),
+        TO_LINE | OF_IMPULSE => Some(vec![Datum::Direction { y: y.size(), x: x.size() }]),
         FROM_N | FROM_I => Some(vec![Datum::Direction { y, x }]),
         TO_WALL => Some(vec![Datum::Direction { y: x.size(), x: y.size() }]),
         SIZE_OF_TANGENT => number(y.size().over(&x.size())?),
@@ -98,12 +102,12 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
 }
 
 pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
+    if slip == "angle-complement" {
+        let [x, y] = known.numbers([rule.needs[0], rule.needs[1]])?;
+        return with_inputs(rule, known, &[(rule.needs[0], y), (rule.needs[1], x)]);
+    }
     let Quantity::Velocity(sphere, moment, _) = rule.needs[0] else { return None };
     match slip {
-        "angle-complement" => {
-            let [x, y] = known.numbers([rule.needs[0], rule.needs[1]])?;
-            with_inputs(rule, known, &[(rule.needs[0], y), (rule.needs[1], x)])
-        }
         "perpendicular-dropped" if rule.form != FROM_I && moment == Moment::After => {
             with_inputs(rule, known, &[(rule.needs[1], known.number(rule.needs[1])?.nought())])
         }
@@ -140,6 +144,7 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
         Quantity::AngleToLine(sphere, moment) => angle_to_line(show, sphere, moment),
         Quantity::AngleToWall(sphere, moment) => angle_to_wall(show, sphere, moment),
         Quantity::TanToWall(sphere, moment) => tangent_to_wall(show, sphere, moment),
+        Quantity::ImpulseAngle => angle_of_impulse(show),
         Quantity::TOverN(sphere, moment) | Quantity::TanToLine(sphere, moment) => {
             tangent_of_direction(show, sphere, moment, rule.gives[0])
         }
@@ -168,6 +173,18 @@ fn angle_to_line(show: &Show, sphere: Sphere, moment: Moment) -> Vec<Line> {
     equations.extend(Show::approximate_angle(&left, &angle));
     let words = "The path of {A} makes an angle {b} with the line of centres, where";
     vec![Line::with(words, &[("A", name), ("b", left)], equations)]
+}
+
+/// The acute angle of an impulse with i.
+fn angle_of_impulse(show: &Show) -> Vec<Line> {
+    let Some(angle) = show.angle(Quantity::ImpulseAngle) else { return silent() };
+    let left = Expr::name("beta");
+    let at = |axis| Box::new(written(&show.exact(Quantity::Impulse(Sphere::A, axis)).absolute()));
+    let tangent = Expr::Quotient(at(Y), at(X));
+    let mut equations = vec![Expr::equation(Expr::call(Function::Tan, left.clone()), tangent)];
+    equations.push(Expr::equation(left.clone(), Show::angle_expr(&angle)));
+    equations.extend(Show::approximate_angle(&left, &angle));
+    vec![Line::with("The impulse makes an acute angle {b} with {i}, where", &[("b", left)], equations)]
 }
 
 /// The acute angle to the wall.

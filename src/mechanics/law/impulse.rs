@@ -8,7 +8,7 @@ use crate::mechanics::formula::{difference, times};
 use crate::mechanics::Axis::{N, T, X, Y};
 use crate::mechanics::Moment::{After, Before};
 use crate::mechanics::{Moment, Quantity, Sphere};
-use crate::number::Number;
+use crate::number::{Number, Value};
 
 pub const NAME: &str = "impulse";
 
@@ -231,7 +231,8 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
         (OF_COMPONENT, Quantity::Impulse(sphere, _)) => along(show, sphere),
         (OF_VECTOR, Quantity::Impulse(sphere, _)) => vector(show, sphere),
         (AFTER_GIVEN | BEFORE_GIVEN, Quantity::Velocity(sphere, moment, _)) => of_given(show, sphere, moment),
-        (SIZE | SIZE_OF_VECTOR, _) => size(show),
+        (SIZE, _) => size(show, None),
+        (SIZE_OF_VECTOR, _) => size(show, Some([X, Y].map(|axis| show.exact(Quantity::Impulse(Sphere::A, axis))))),
         _ => silent(),
     }
 }
@@ -270,11 +271,15 @@ fn of_given(show: &Show, sphere: Sphere, moment: Moment) -> Vec<Line> {
     vec![Line::with(words, &[("A", Expr::name(sphere.name()))], vec![equation, found])]
 }
 
-/// The magnitude, with its decimal.
-fn size(show: &Show) -> Vec<Line> {
+/// The magnitude, of a vector by Pythagoras, with its decimal.
+fn size(show: &Show, vector: Option<[Value; 2]>) -> Vec<Line> {
     let value = show.exact(Quantity::ImpulseMagnitude);
     let left = Expr::call(Function::Abs, Expr::name("I"));
-    let mut equations = vec![Expr::equation(left.clone(), written(&value))];
+    let root = vector.filter(|sides| sides.iter().all(|side| !side.is_zero())).map(|sides| {
+        let squares = sides.iter().map(|side| written(&side.absolute()).to_the(2));
+        Expr::call(Function::Sqrt, Expr::sum(squares))
+    });
+    let mut equations = Show::chain(left.clone(), root.into_iter().chain([written(&value)]));
     equations.extend(Show::approximately(&left, &value));
     vec![Line::plain("So the magnitude of the impulse, in newton seconds, is", equations)]
 }

@@ -7,8 +7,8 @@ use crate::expr::print::plain;
 use crate::expr::{Expr, written};
 use crate::mechanics::Axis::T;
 use crate::mechanics::Moment::{After, Before};
-use crate::mechanics::{Quantity, Sphere};
-use crate::number::{Number, Value};
+use crate::mechanics::{Moment, Quantity, Setting, Sphere};
+use crate::number::Number;
 
 pub const NAME: &str = "perpendicular";
 
@@ -100,12 +100,17 @@ pub fn earning(rule: &Rule, show: &Show) -> Option<Expr> {
     let Quantity::Velocity(sphere, moment, _) = rule.gives[0] else { return None };
     let known = if moment == After { Before } else { After };
     let value = show.worked(rule.needs[0]);
-    if value.is_zero() { None } else { Some(component(show.across(sphere, known), &value)) }
+    if value.is_zero() { None } else { Some(component(show, sphere, known)) }
 }
 
 /// The component as a student first writes it, and its value where that is another form.
-fn component(shown: Expr, value: &Value) -> Expr {
-    let exact = written(value);
+fn component(show: &Show, sphere: Sphere, known: Moment) -> Expr {
+    let value = show.worked(velocity(sphere, known, T));
+    if show.setting() == Setting::Wall && !show.along_an_axis() {
+        // Along a wall that slants it counts in the sense in which the sphere moves.
+        return written(&value.absolute());
+    }
+    let (shown, exact) = (show.across(sphere, known), written(&value));
     // `(2v) sin α` is no other form than `2v sin α`.
     if plain(&shown) == plain(&exact) { exact } else { Expr::equation(shown, exact) }
 }
@@ -119,7 +124,7 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
         let words = "{A} has no velocity perpendicular to the line of centres, and none is given to it: it moves along the line of centres.";
         return vec![Line::with(words, &[("A", name)], vec![])];
     }
-    let component = component(show.across(sphere, known), &value);
+    let component = component(show, sphere, known);
     if sphere == Sphere::B && !show.worked(velocity(Sphere::A, moment, T)).is_zero() {
         // A's line has just said why.
         let words = "In the same way that of {A} does not change: it is {p m/s}.";

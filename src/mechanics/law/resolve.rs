@@ -7,8 +7,8 @@ use super::{Seen, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, rule, sile
 use crate::expr::{Expr, Function, written};
 use crate::mechanics::Axis::{N, T, X, Y};
 use crate::mechanics::formula::times;
-use crate::mechanics::{Moment, Quantity, Sphere};
-use crate::number::Number;
+use crate::mechanics::{Moment, Quantity, Setting, Sphere};
+use crate::number::{Number, Value};
 
 pub const NAME: &str = "resolve";
 
@@ -127,6 +127,9 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
         // Along an axis there is nothing to resolve.
         // A sphere at rest has nothing to resolve either.
         FROM_I_J if !show.along_an_axis() && !is_at_rest(show, sphere, moment) => {
+            if show.setting() == Setting::Wall {
+                return at_a_slanted_wall(show, moment);
+            }
             let component = Expr::name(show.letter_of(velocity(sphere, moment, N)));
             // The first of them says what n is.
             let n = match (sphere, moment) {
@@ -148,6 +151,39 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
         }
         _ => silent(),
     }
+}
+
+/// Both components at a wall that is parallel to neither i nor j, by scalar products with its unit vectors.
+fn at_a_slanted_wall(show: &Show, moment: Moment) -> Vec<Line> {
+    let unit = |n: bool| {
+        let [x, y] = [X, Y].map(|axis| show.exact(Quantity::Line(axis)));
+        // Along the wall, in the sense in which the sphere moves.
+        let backwards = show.exact(velocity(Sphere::A, moment, T)).sign().is_some_and(|sign| sign.is_lt());
+        match (n, backwards) {
+            (true, _) => [x, y],
+            (false, true) => [y, -x],
+            (false, false) => [-y, x],
+        }
+    };
+    let [n, t] = [true, false].map(unit);
+    let vector = |[x, y]: &[Value; 2]| Expr::Vector(Box::new(written(x)), Box::new(written(y)));
+    let product = |unit: &[Value; 2]| {
+        let terms = [X, Y].into_iter().zip(unit);
+        Expr::sum(terms.map(|(axis, unit)| times(show.value(velocity(Sphere::A, moment, axis)), written(unit))))
+    };
+    let at = |axis| written(&show.exact(velocity(Sphere::A, moment, axis)).absolute());
+    let part = |words: &str, unit: &[Value; 2], left: &str, axis| {
+        let rights = match axis {
+            N if moment == Moment::After => [product(unit), written(&show.exact(velocity(Sphere::A, moment, N)))],
+            _ => [product(unit), at(axis)],
+        };
+        Line::with(words, &[("n", vector(unit))], Show::chain(Expr::name(left), rights))
+    };
+    let when = format!("of the velocity of *A* {moment} the impact");
+    let towards = format!("The unit vector perpendicular to the wall, towards it, is {{n}}. The component along it {when} is");
+    let parallel = format!("The unit vector parallel to the wall is {{n}}. The component along it {when} is");
+    let perpendicular = if moment == Moment::Before { "u_A" } else { "v_A" };
+    vec![part(&towards, &n, perpendicular, N), part(&parallel, &t, "p", T)]
 }
 
 /// `u cos α` and `u sin α` for a sphere that strikes one at rest.

@@ -20,7 +20,7 @@ impl Reader<'_> {
         let is_direct = |velocity: &VelocityText<S>| matches!(velocity, VelocityText::Along(_));
         let setting = if text.wall.is_some() {
             Setting::Wall
-        } else if text.impulse.is_some() {
+        } else if text.impulse.is_some() || is_of_one_particle(text) {
             Setting::Impulse
         } else if given().any(|(_, velocity)| is_direct(velocity)) {
             Setting::Direct
@@ -130,4 +130,15 @@ impl Reader<'_> {
         let ([a_x, a_y], [b_x, b_y]) = (a?, b?);
         Some(Contact::Apart(&b_x - &a_x, &b_y - &a_y, sum))
     }
+}
+
+/// Is nothing given but one body, before and after? Then its impulse is to be found.
+fn is_of_one_particle<S: AsRef<str>>(text: &SceneText<S>) -> bool {
+    let in_a_plane = |velocity: &Option<VelocityText<S>>| !matches!(velocity, None | Some(VelocityText::Along(_)));
+    let of_b = text.masses.b.is_some() || text.before.b.is_some() || text.after.b.is_some();
+    let of_an_impact = text.e.is_some()
+        || text.line_of_centres.is_some()
+        || !text.positions.is_none()
+        || text.impact_parameter.is_some();
+    in_a_plane(&text.before.a) && in_a_plane(&text.after.a) && !of_b && !of_an_impact
 }

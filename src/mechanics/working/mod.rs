@@ -314,6 +314,11 @@ impl<'a> Show<'a> {
         Expr::Vector(at(Axis::X), at(Axis::Y))
     }
 
+    /// `m v` as a vector, by the name of the velocity.
+    pub fn named_momentum(&self, sphere: Sphere, moment: Moment) -> Expr {
+        times(self.mass(sphere), Expr::name(self.vector_letter(sphere, moment)))
+    }
+
     /// The name of an unknown velocity vector.
     pub fn vector_letter(&self, sphere: Sphere, moment: Moment) -> &'static str {
         match (moment, sphere) {
