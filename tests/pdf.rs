@@ -237,7 +237,8 @@ fn an_error_of_tex_is_told_by_line_and_template_and_not_as_a_log() {
         let script = format!("/bin/cat <<'END'\nThis is pdfTeX (./sheet.tex)\n{log}\nEND\nexit 1");
         let machine =
             of_two_lines(Machine::new(&format!("log-{number}")).with("pdflatex", &script)).with("chromium", PRINTS);
-        let output = machine.sheet(&["--format", "html,pdf", "--templates", "mine"]);
+        let title = "Oblique impacts of smooth spheres";
+        let output = machine.sheet(&["--format", "html,pdf", "--templates", "mine", "--title", title]);
         assert_eq!(code(&output), 1);
         let told = fault(&output);
         assert!(told.starts_with(expected), "{told}\nis not\n{expected}");

@@ -115,7 +115,9 @@ fn a_code_gives_back_every_question_in_every_style_and_every_sheet() {
         again(&sheet(&contents, count, 11));
     }
     let numbers: Vec<Variant> = all.iter().map(|question| reference(question).unwrap()).collect();
-    again(&Sheet::new(&contents, all.iter().zip(&numbers)));
+    for (some, numbers) in all.chunks(6).zip(numbers.chunks(6)) {
+        again(&Sheet::new(&contents, some.iter().zip(numbers)));
+    }
 }
 
 #[test]

@@ -81,7 +81,7 @@ fn examples(help: &str) -> Vec<String> {
 }
 
 /// What is in an example that is not run here, and why.
-const NOT_RUN: [(&str, &str); 11] = [
+const NOT_RUN: [(&str, &str); 10] = [
     ("--watch", "goes on until it is stopped; tests/preview.rs runs it"),
     ("pdf", "needs TeX or a browser; tests/pdf.rs makes them"),
     ("carom study", "takes minutes; tests/study.rs runs it"),
@@ -90,7 +90,6 @@ const NOT_RUN: [(&str, &str); 11] = [
     ("--overrides", "needs marks that were given; the guide for markers has some, and is run"),
     ("answers.jsonl", "needs answers; tests/mark.rs has some"),
     ("carom check  ", "the shipped bank; .ci/run examines it"),
-    ("my-bank/rest/new.toml", "a question of one's own; the guide for authors shows how to begin one"),
     ("carom preview rest/speeds", "the beginning of a name, which may come to fit several questions"),
     ("5C-2 --count 30", "the same with fewer is run by the guide for teachers"),
 ];

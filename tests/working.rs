@@ -84,8 +84,9 @@ fn a_number_that_nobody_refers_to_is_noticed() {
     assert_eq!(faults(&printed), ["nobody refers to (9)"]);
 }
 
-/// Folders of questions that are put in unit vectors.
-const IN_VECTORS: [&str; 3] = ["i-j/", "backwards/", "vector-impulse/"];
+/// Questions that are put in unit vectors, or whole folders of them.
+const IN_VECTORS: [&str; 5] =
+    ["i-j/", "backwards/", "vector-impulse/", "walls/velocity-in-i-and-j", "walls/wall-along-a-vector"];
 
 #[test]
 fn the_working_speaks_of_unit_vectors_only_where_its_question_does() {
