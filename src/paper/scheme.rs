@@ -39,7 +39,14 @@ pub fn rows(worked: &[WorkedPart], variant: &Variant, with_units: &[String]) -> 
 pub fn answers_of(mark: &Mark, here: &WorkedPart) -> Vec<usize> {
     let answers = here.part.answers.iter().enumerate();
     // What is found from conditions needs every step that leads to them.
-    let from_conditions = |answer: &Answer| matches!(answer.find, Find::Unknown(_)) || answer.kind == Kind::Range;
+    let from_conditions = |answer: &Answer| match answer.find {
+        Find::Unknown(_) => true,
+        // These are quantities of every impact, and letters to be found where a part has a finding.
+        Find::Quantity(Quantity::Restitution | Quantity::Mass(_)) => {
+            answer.kind == Kind::Range || !here.finding.is_empty()
+        }
+        _ => answer.kind == Kind::Range,
+    };
     let belongs = answers.filter(|(_, answer)| {
         let asked = answer.find.quantities();
         match &mark.earned_for {

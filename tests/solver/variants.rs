@@ -9,9 +9,11 @@ use carom::answer::Accept;
 use carom::bank::{Bank, Question, Style};
 use carom::expr::print;
 use carom::generate::examine;
-use carom::mechanics::{Axis, Contact, Datum, Derivation, Known, Moment, Quantity, Scene, Sphere, Velocity, pose};
+use carom::mechanics::{
+    Axis, Contact, Datum, Derivation, Known, Moment, Quantity, Scene, Sphere, Values, Velocity, pose,
+};
 use carom::method::{Found, Impact, METHODS, Promise, method, solve_once};
-use carom::number::{Fraction, Interval, Letter, Places, Range, Value};
+use carom::number::{End, Fraction, Interval, Letter, Places, Range, Value};
 use carom::solve::Solution;
 
 use super::agreement::agree;
@@ -115,6 +117,19 @@ fn sample(letter: Letter, number: i64) -> Interval {
     Interval::from_fraction(&value, 128)
 }
 
+/// The same; a letter of which a range was found lies in it.
+fn in_range(value: &Value, number: i64, range: Option<&Values>) -> Option<f64> {
+    let end = |end: &Option<End>| end.as_ref().and_then(|end| end.value.to_f64());
+    let within = |letter: Letter| {
+        let values = range.filter(|values| values.letter == letter)?;
+        let low = end(&values.span.low).unwrap_or(0.0);
+        let high = end(&values.span.high).unwrap_or(low + 5.0);
+        let value = Fraction::from_f64(low + (high - low) * number as f64 / 41.0)?;
+        Some(Interval::from_fraction(&value, 128))
+    };
+    Some(value.enclose(128, &|letter| within(letter).or_else(|| Some(sample(letter, number))))?.to_f64())
+}
+
 /// A value in a sample of its letters, as a double.
 pub fn in_sample(value: &Value, number: i64) -> Option<f64> {
     Some(value.enclose(128, &|letter| Some(sample(letter, number)))?.to_f64())
@@ -202,13 +217,8 @@ fn check(solution: &Solution, asked: &[(Quantity, Accept)], tally: &mut Tally) -
     tally.with_letters += 1;
     let mut samples = 0;
     for number in 1..40 {
-        let float = |value: &Value| in_sample(value, number);
+        let float = |value: &Value| in_range(value, number, solution.range());
         // A path that misses, or an e too small for what is said, has no number.
-        // Nor has a letter outside of the range in which the impact can happen.
-        let is_possible = float(&case.e).is_some_and(|e| (0.0..=1.0).contains(&e));
-        if solution.range().is_some() && !is_possible {
-            continue;
-        }
         let Some(checked) = in_numbers(solution, &case, asked, &float, tally) else { continue };
         checked.map_err(|complaint| format!("{complaint} in sample {number}"))?;
         samples += 1;

@@ -141,6 +141,8 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
             let rights = [scalar_product(show, sphere, moment), show.along(sphere, moment)];
             vec![Line::with(&words, &formulas, Show::chain(component, rights))]
         }
+        // In one line a velocity is a number.
+        TO_I_J if show.setting() == Setting::Direct => silent(),
         TO_I_J if show.is_asked(rule.gives[0]) || show.is_asked(rule.gives[1]) => {
             let vector = show.vector(sphere, moment);
             vec![Line::with(
