@@ -169,7 +169,15 @@ fn test() -> Json {
         vec![
             ("style", words("The style whose numbers these are.")),
             ("numbers", free("Numbers in place of those of the reference.", words("A number, in quotes."))),
-            ("answers", free("Each quantity with its value.", words("A number or formula, or a rounded decimal."))),
+            (
+                "answers",
+                json!({
+                    "description": "Each quantity with its value.",
+                    "type": "object",
+                    "minProperties": 1,
+                    "additionalProperties": words("A number or formula, or a rounded decimal."),
+                }),
+            ),
         ],
         &["answers"],
     )
