@@ -86,8 +86,8 @@ function ink(svg) {
   const strokes = [...svg.querySelectorAll('path, line, circle, ellipse, rect, polyline, polygon')];
   const lines = strokes.filter(stroke => !stroke.closest('defs')).map(stroke => {
     const [length, turned] = [stroke.getTotalLength(), stroke.getScreenCTM()];
-    return Array.from({ length: 513 }, (_, step) => {
-      const at = stroke.getPointAtLength(length * step / 512).matrixTransform(turned);
+    return Array.from({ length: 257 }, (_, step) => {
+      const at = stroke.getPointAtLength(length * step / 256).matrixTransform(turned);
       return share(at.x, at.y);
     });
   });
