@@ -124,6 +124,15 @@ fn carom_takes_the_best_that_a_machine_has_and_says_what() {
 }
 
 #[test]
+fn a_browser_that_falls_over_in_starting_is_asked_once_more() {
+    let falls = r#"[ -e fallen ] || { : > fallen; kill -s SEGV $$; }"#;
+    let machine = Machine::new("falls").with("chromium", &format!("{falls}\n{PRINTS}"));
+    let output = machine.sheet(&["--format", "pdf"]);
+    assert_eq!(code(&output), 0, "{}", said(&output));
+    assert!(machine.written(".pdf") >= 2, "{:?}", machine.files());
+}
+
+#[test]
 fn carom_prints_each_latex_document_beside_the_formats_asked_for() {
     let machine = Machine::new("beside").with("pdflatex", PRINTS);
     assert_eq!(code(&machine.sheet(&["--format", "latex,html,pdf,html,pdf"])), 0);

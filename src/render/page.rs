@@ -190,11 +190,18 @@ impl<'p> Printer<'p> {
                 (Some(_), Some(rounded)) => quantity(rounded),
                 _ => nothing(),
             })
-            .with("asked", || match (&answer.exact, &answer.rounded) {
-                (None, _) => self.text(&answer.phrase),
-                (Some(_), Some(rounded)) if !answer.asks_exact => quantity(rounded),
-                (Some(exact @ Expr::Degrees(_)), _) if answer.unit == Unit::Degree => formula(exact),
-                (Some(exact), _) => quantity(exact),
+            .with("asked", || {
+                // An angle shows that it is one; other units are those of the question.
+                let bare = |value: &Expr| match value {
+                    Expr::Degrees(_) => formula(value),
+                    _ if answer.unit == Unit::Degree => quantity(value),
+                    _ => formula(value),
+                };
+                match (&answer.exact, &answer.rounded) {
+                    (None, _) => self.text(&answer.phrase),
+                    (Some(_), Some(rounded)) if !answer.asks_exact => bare(rounded),
+                    (Some(exact), _) => bare(exact),
+                }
             })
             .with("phrase", || self.text(&answer.phrase))
             .value()

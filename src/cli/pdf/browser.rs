@@ -35,31 +35,42 @@ fn one(
     scratch: &Scratch,
     limit: Duration,
 ) -> Result<OutputFile, Failure> {
-    let name = format!("{stem}.pdf");
-    let pdf = scratch.folder().join(&name);
+    let pdf = scratch.folder().join(format!("{stem}.pdf"));
+    let mut said = String::new();
+    // A browser may fall over in starting, on a machine that has much to do; it is asked once more.
+    for attempt in 1..=2 {
+        let profile = scratch.folder().join(format!("profile-{stem}-{attempt}"));
+        let browser = command(program, file, &profile, &pdf, scratch);
+        (_, said) = run(program, browser, &file.name, limit)?;
+        // Browsers exit with 0 and without a page, and the other way round: what counts is the page.
+        if let Some(mut contents) = finished(&pdf) {
+            leave_out_the_time(&mut contents);
+            return Ok(OutputFile { name: format!("{stem}.pdf"), contents });
+        }
+    }
+    Err(nothing_came(program, &file.name, &said))
+}
+
+/// The browser and what it is to do.
+fn command(program: &Path, file: &RenderedFile, profile: &Path, pdf: &Path, scratch: &Scratch) -> Command {
     let mut browser = Command::new(program);
     browser.current_dir(scratch.folder());
     browser.args(["--headless", "--disable-gpu", "--disable-dev-shm-usage", "--no-first-run"]);
     browser.args(["--disable-background-networking", "--disable-component-update", "--disable-sync"]);
+    // Its reporter of crashes outlives it, with a hand on the profile.
+    browser.args(["--disable-breakpad", "--disable-crash-reporter"]);
     // The second name is that of older browsers; each passes over the other's.
     browser.args(["--no-pdf-header-footer", "--print-to-pdf-no-header"]);
-    // A profile of its own, or it would hand the page to a browser that is open already, and be gone.
-    browser.arg(with_path("--user-data-dir=", &scratch.folder().join("profile")));
-    browser.arg(with_path("--print-to-pdf=", &pdf));
+    // A profile of its own, or it would hand the page to a browser that is open already, and be gone; one that printed
+    // the document before may not have let go of its own yet.
+    browser.arg(with_path("--user-data-dir=", profile));
+    browser.arg(with_path("--print-to-pdf=", pdf));
     if is_root(scratch) {
         // The sandbox refuses to work for root, who is the user in most containers.
         browser.arg("--no-sandbox");
     }
     browser.arg(address(&scratch.folder().join(&file.name)));
-    let (_, said) = run(program, browser, &file.name, limit)?;
-    // Browsers exit with 0 and without a page, and the other way round: what counts is the page.
-    match finished(pdf) {
-        Some(mut contents) => {
-            leave_out_the_time(&mut contents);
-            Ok(OutputFile { name, contents })
-        }
-        None => Err(nothing_came(program, &file.name, &said)),
-    }
+    browser
 }
 
 fn nothing_came(program: &Path, file: &str, said: &str) -> Failure {

@@ -15,7 +15,7 @@ mod tex_log;
 use std::env;
 use std::fs;
 use std::io::Read;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Duration;
 
 use super::failure::Failure;
@@ -92,14 +92,14 @@ fn run(program: &Path, command: std::process::Command, file: &str, limit: Durati
 const MOST_BYTES: u64 = 256 << 20;
 
 /// The PDF that an engine has left at a path, if it is one, and whole.
-fn finished(path: PathBuf) -> Option<Vec<u8>> {
+fn finished(path: &Path) -> Option<Vec<u8>> {
     // A link would lead to somebody else's file.
-    let data = fs::symlink_metadata(&path).ok()?;
+    let data = fs::symlink_metadata(path).ok()?;
     if !data.is_file() || data.len() > MOST_BYTES {
         return None;
     }
     let mut pdf = Vec::with_capacity(data.len() as usize);
-    fs::File::open(&path).ok()?.take(MOST_BYTES).read_to_end(&mut pdf).ok()?;
+    fs::File::open(path).ok()?.take(MOST_BYTES).read_to_end(&mut pdf).ok()?;
     let end = &pdf[pdf.len().saturating_sub(1024)..];
     let whole = pdf.starts_with(b"%PDF-") && end.windows(5).any(|word| word == b"%%EOF");
     whole.then_some(pdf)

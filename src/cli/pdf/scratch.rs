@@ -5,6 +5,8 @@ use std::fs::{self, DirBuilder};
 use std::hash::BuildHasher;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
+use std::thread;
+use std::time::Duration;
 
 /// A new empty folder that nobody else has or can guess. Removed with all that is in it when it goes out of use.
 #[derive(Debug)]
@@ -58,14 +60,15 @@ fn for_us_alone() -> DirBuilder {
 
 impl Drop for Scratch {
     fn drop(&mut self) {
-        // A browser that has just been stopped may still be writing its profile.
+        // A browser that is gone may have left a helper, out of our reach, that is still writing its profile; on a
+        // machine with much to do that takes its time. Ten waits, each twice the one before, are four seconds.
+        let mut wait = Duration::from_millis(4);
         for _ in 0..TRIES {
             match fs::remove_dir_all(&self.folder) {
-                Err(error) if error.kind() != ErrorKind::NotFound => {
-                    std::thread::sleep(std::time::Duration::from_millis(20))
-                }
+                Err(error) if error.kind() != ErrorKind::NotFound => thread::sleep(wait),
                 _ => return,
             }
+            wait *= 2;
         }
     }
 }

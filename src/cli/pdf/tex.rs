@@ -68,7 +68,7 @@ impl Press<'_> {
             before = Some(after);
         }
         let name = format!("{stem}.pdf");
-        match finished(folder.join(&name)) {
+        match finished(&folder.join(&name)) {
             Some(contents) => Ok(OutputFile { name, contents }),
             None => Err(Failure::with_help(
                 format!("`{engine}` made no PDF of `{}`, and did not say why", file.name),
