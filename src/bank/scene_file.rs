@@ -10,7 +10,7 @@ use super::document::{self, Faults, Keys, wrong_type};
 use super::literal::Words;
 use crate::diagnostic::{Diagnostic, Source};
 use crate::expr::Angles;
-use crate::mechanics::{Pair, PolarText, Scene, SceneText, Sense, VelocityText};
+use crate::mechanics::{Pair, PolarText, Scene, SceneText, Sense, ThenText, VelocityText};
 
 /// A scene as written, and where each of its strings stands.
 #[derive(Clone, Debug)]
@@ -76,6 +76,7 @@ impl SceneFile {
             unknowns: walk.list(&mut keys, "unknowns"),
             conditions: walk.list(&mut keys, "conditions"),
             maximise: keys.get("maximise").and_then(|value| walk.word("maximise", value)),
+            then: walk.then(&mut keys),
         };
         let places = walk.places;
         keys.finish(faults);
@@ -173,6 +174,30 @@ impl Walk<'_> {
         }
         keys.finish(self.faults);
         Some(VelocityText::Polar(PolarText { speed: speed?, angle_deg, cos, sin }))
+    }
+
+    fn then(&mut self, keys: &mut Keys) -> Vec<ThenText> {
+        let tables = keys.tables("then", "a later impact", self.faults);
+        tables.into_iter().enumerate().map(|(index, keys)| self.one_of_then(&format!("then[{index}]"), keys)).collect()
+    }
+
+    fn one_of_then(&mut self, path: &str, mut keys: Keys) -> ThenText {
+        let path = |key: &str| format!("{path}.{key}");
+        keys.demand("of", "of = [\"A\", \"B\"]");
+        let of = keys.list("of", self.faults);
+        let then = ThenText {
+            of: of.iter().map(|words| words.get_ref().clone()).collect(),
+            mass: keys.get("mass").and_then(|value| self.word(&path("mass"), value)),
+            before: keys.get("before").and_then(|value| self.velocity(&path("before"), value)),
+            line_of_centres: keys.get("line_of_centres").and_then(|value| self.vector(&path("line_of_centres"), value)),
+            sense: keys.get("sense").and_then(|value| self.sense(value)),
+            wall: keys.get("wall").and_then(|value| self.vector(&path("wall"), value)),
+            e: keys.get("e").and_then(|value| self.word(&path("e"), value)),
+        };
+        let named = of.into_iter().enumerate().map(|(index, words)| (path(&format!("of[{index}]")), words));
+        self.places.extend(named);
+        keys.finish(self.faults);
+        then
     }
 
     fn sense(&mut self, value: &Spanned<DeValue>) -> Option<Sense> {

@@ -8,7 +8,7 @@ use serde_json::{Map, Value as Json, json};
 
 use super::question::{Code, EarnedFor, StyleName};
 use crate::answer::Kind;
-use crate::mechanics::{Quantity, Sphere};
+use crate::mechanics::{LATER, Quantity, Sphere};
 use crate::number::Range;
 
 /// A name that a person gives: a letter, then letters, digits or `_`.
@@ -54,6 +54,7 @@ pub fn question_schema() -> Json {
         "scene": scene(),
         "vector": vector("Two components: along i and along j."),
         "velocity": velocity(),
+        "later_impact": later_impact(),
         "part": part(),
         "answer": answer(),
         "mark": mark(),
@@ -63,8 +64,8 @@ pub fn question_schema() -> Json {
     // What an answer finds, and what a mark is for, may be a letter only where the scene has letters to find.
     schema["if"] = json!({"properties": {"scene": {"required": ["unknowns"]}}});
     schema["else"] = json!({"properties": {"part": {"items": {"properties": {
-        "answers": {"items": {"properties": {"find": either(&[one_of(&quantities()), list_of(one_of(&quantities()))])}}},
-        "marks": {"items": {"properties": {"for": one_of(&steps())}}},
+        "answers": {"items": {"properties": {"find": either(&[quantity(), list_of(quantity())])}}},
+        "marks": {"items": {"properties": {"for": either(&[one_of(&steps()), of_later()])}}},
     }}}}});
     let mut whole = Map::new();
     whole.insert("$schema".to_owned(), "http://json-schema.org/draft-07/schema#".into());
@@ -247,8 +248,38 @@ fn scene() -> Json {
                     "description": "The quantity that is to be as large as possible.", "enum": quantities(),
                 }),
             ),
+            ("then", several("later_impact", "The impacts that come later, in their order.")),
         ],
         &[],
+    )
+}
+
+fn later_impact() -> Json {
+    let spheres = Sphere::ALL.map(Sphere::name);
+    table(
+        "An impact that comes after another. Masses and velocities are those that the spheres have by then.",
+        vec![
+            (
+                "of",
+                json!({
+                    "description": "Who meets, along one line in their order on it; one alone strikes a wall.",
+                    "type": "array", "minItems": 1, "maxItems": 2, "items": {"enum": spheres},
+                }),
+            ),
+            ("mass", words("The mass of the one that takes part for the first time, in kg.")),
+            ("before", shared("velocity")),
+            ("line_of_centres", vector("A vector along the line of centres, where the spheres are not in one line.")),
+            (
+                "sense",
+                json!({
+                    "description": "Which way it points: from the first to the second; or either, as they approach.",
+                    "enum": ["A_to_B", "either"],
+                }),
+            ),
+            ("wall", vector("A vector along a fixed smooth wall.")),
+            ("e", words("The coefficient of restitution.")),
+        ],
+        &["of"],
     )
 }
 
@@ -295,7 +326,7 @@ fn answer() -> Json {
                 json!({
                     "description": "The quantity to find, such as A.after.speed; of a vector its two components; or a letter \
                                     among the scene's unknowns.",
-                    "anyOf": [one_of(&quantities()), list_of(one_of(&quantities())), letter],
+                    "anyOf": [quantity(), list_of(quantity()), letter],
                 }),
             ),
             (
@@ -351,6 +382,16 @@ fn mark() -> Json {
         ],
         &["code", "for"],
     )
+}
+
+/// A quantity by its name, of the first impact or of a later one.
+fn quantity() -> Json {
+    either(&[one_of(&quantities()), of_later()])
+}
+
+/// `second.B.after.speed`.
+fn of_later() -> Json {
+    json!({"type": "string", "pattern": format!("^({})\\.[A-Za-z_.]+$", LATER.join("|"))})
 }
 
 fn quantities() -> Vec<String> {

@@ -7,7 +7,7 @@ use serde_json::{Map, Value as Json, json};
 use super::failure::Failure;
 use super::output::{listed, print, print_json, table};
 use crate::diagnostic::near;
-use crate::mechanics::{ALONG, Datum, Known, Quantity, pose};
+use crate::mechanics::{ALONG, Datum, Known, pose};
 use crate::method::{After, Found, METHODS, Method, method, solve_once};
 use crate::number::{Fraction, Interval, Number, Value};
 use crate::solve::{Solution, report};
@@ -153,7 +153,7 @@ fn evaluated<N: Number>(
     // A step that does not exist in these numbers leaves the rest unknown.
     let _ = solution.derivation().evaluate_with(computed, &mut known);
     let mut quantities = BTreeMap::new();
-    for quantity in Quantity::all().into_iter().filter(|quantity| quantity.is_in(solution.scene().setting)) {
+    for quantity in solution.scene().quantities() {
         let angle = || known.direction(quantity).and_then(|(y, x)| degrees(&y, &x));
         if let Some((value, error)) = known.number(quantity).map(|value| number(&value)).or_else(angle) {
             quantities.insert(quantity.to_string(), Decimal { value, error, unit: quantity.unit().plain() });

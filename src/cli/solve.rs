@@ -50,8 +50,7 @@ pub fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     let method = by_method::Chosen::named(&arguments.method)?;
     let scene = scene_input::scene(&arguments.scene)?;
     let wanted = wanted(&scene);
-    let mut asked = if arguments.json { Quantity::all() } else { wanted.clone() };
-    asked.retain(|quantity| quantity.is_in(scene.setting));
+    let asked = if arguments.json { scene.quantities() } else { wanted.clone() };
     let solutions = solve_all(&scene, &asked)?;
     open_ends(&solutions, &wanted)?;
     let Some(first) = solutions.first() else { return Ok(()) };
@@ -65,8 +64,24 @@ pub fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     print(&format!("{}\nMethod\n  {}\n", on_terminal(&solutions, &asked), by_method::in_words(first, by)))
 }
 
-/// What a person wants to know of a scene: all that is not given.
+/// What a person wants to know of a scene: all that is not given, impact by impact.
 fn wanted(scene: &Scene) -> Vec<Quantity> {
+    let mut wanted = wanted_of_one(scene);
+    let axes: &[Axis] = if scene.setting == Setting::Direct { &[Axis::X] } else { &[Axis::X, Axis::Y] };
+    for then in &scene.then {
+        let spheres = if then.scene.setting.is_of_one() { &Sphere::BOTH[..1] } else { &Sphere::BOTH };
+        let mut here = Vec::new();
+        for sphere in spheres.iter().copied() {
+            here.extend(axes.iter().map(|axis| Quantity::Velocity(sphere, Moment::After, *axis)));
+            here.push(Quantity::Speed(sphere, Moment::After));
+        }
+        here.extend([Quantity::ImpulseMagnitude, Quantity::EnergyLost]);
+        wanted.extend(here.into_iter().map(|quantity| then.meeting.quantity(quantity)));
+    }
+    wanted
+}
+
+fn wanted_of_one(scene: &Scene) -> Vec<Quantity> {
     let mut wanted = Vec::new();
     let spheres = if scene.setting.is_of_one() { &Sphere::BOTH[..1] } else { &Sphere::BOTH };
     let direction = |sphere, moment| match scene.setting {

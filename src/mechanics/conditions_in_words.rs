@@ -1,6 +1,7 @@
 //! The words in which a condition is stated and what was found from it is told.
 
 use super::Line;
+use super::later;
 use super::refusal::Refusal;
 use super::scene::Condition;
 use super::working::Show;
@@ -82,6 +83,8 @@ pub(super) fn in_english(quantity: Quantity) -> String {
         Velocity(s, m, Axis::N) => {
             format!("the component of *{}* along the line of centres {} the impact", s.name(), when(m))
         }
+        // As the second impact calls it.
+        Later(quantity) => later::numbered(quantity.number(), &in_english(quantity.quantity())),
         other => other.to_string().replace('_', " "),
     }
 }

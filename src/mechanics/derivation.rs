@@ -6,8 +6,8 @@
 use std::borrow::Cow;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
-use std::sync::OnceLock;
 
+use super::later::Meeting;
 use super::law::{Known, Outcome, Rule, all_rules};
 use super::{Quantity, Sphere};
 use crate::number::Number;
@@ -55,11 +55,6 @@ impl Road {
     }
 }
 
-fn rules() -> &'static [Rule] {
-    static RULES: OnceLock<Vec<Rule>> = OnceLock::new();
-    RULES.get_or_init(all_rules)
-}
-
 impl Derivation {
     /// The cheapest derivation of those asked quantities that follow from the given ones, without the
     /// banned rules; and the asked quantities that do not follow.
@@ -94,7 +89,7 @@ impl Derivation {
         asked: &[Quantity],
         banned: &[Rule],
     ) -> (Derivation, Vec<Quantity>) {
-        let rules = rules();
+        let rules = all_rules(&Meeting::all(given));
         let mut best: BTreeMap<Quantity, (u32, Option<usize>)> =
             given.iter().map(|quantity| (*quantity, (0, None))).collect();
         let mut changed = true;

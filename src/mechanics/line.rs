@@ -39,14 +39,19 @@ impl Line {
 }
 
 impl Line {
-    /// The same line in the words of another setting.
-    pub fn said_of(mut self, setting: Setting) -> Line {
+    /// The same line in other words.
+    pub(super) fn said_by(mut self, say: &impl Fn(&str) -> String) -> Line {
         for piece in &mut self.words.0 {
             if let Piece::Words(words) = piece {
-                *words = setting.say(words).into_owned();
+                *words = say(words);
             }
         }
         self
+    }
+
+    /// The same line in the words of another setting.
+    pub fn said_of(self, setting: Setting) -> Line {
+        self.said_by(&|words| setting.say(words).into_owned())
     }
 }
 

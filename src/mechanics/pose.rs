@@ -3,19 +3,64 @@
 
 use std::cmp::Ordering;
 
+use super::later::Meeting;
 use super::law::{Datum, Known};
 use super::refusal::Refusal;
-use super::scene::{Contact, Scene, Velocity};
+use super::scene::{Contact, Given, Scene, Then, Velocity};
 use super::setting::Setting;
 use super::{Axis, Derivation, Moment, Quantity, Sphere};
+use crate::expr::written;
 use crate::number::Value;
 
-/// The quantities that a scene gives.
+/// The quantities that a scene gives, of all its impacts.
 ///
 /// # Errors
 ///
 /// Spheres that do not approach, that miss each other, or that overlap from the start.
 pub fn pose(scene: &Scene) -> Result<Known<Value>, Refusal> {
+    let mut known = one(scene)?;
+    if scene.setting == Setting::Direct && !scene.then.is_empty() {
+        put(&mut known, Quantity::InALine, &Value::ONE);
+    }
+    for then in &scene.then {
+        later(then, scene.setting == Setting::Direct, &mut known).map_err(|refusal| refusal.at(then.meeting))?;
+    }
+    Ok(known)
+}
+
+/// Adds what a later impact gives. Which way its line of centres points depends on the velocities that the earlier ones
+/// left, so these are derived for that; they are known only by being carried over.
+fn later(then: &Then, in_a_line: bool, known: &mut Known<Value>) -> Result<(), Refusal> {
+    let meeting = then.meeting;
+    let mut derived = known.clone();
+    let mut scene = then.scene.clone();
+    let carried: Vec<Sphere> = Sphere::BOTH.into_iter().filter(|part| scene.before[*part as usize].is_none()).collect();
+    for part in &carried {
+        let sphere = meeting.sphere(*part);
+        let Some(last) = meeting.last_of(sphere, &Meeting::all(known.0.keys())) else { continue };
+        let there = last.part(sphere).unwrap_or(*part);
+        let left = [Axis::X, Axis::Y].map(|axis| last.quantity(Quantity::Velocity(there, Moment::After, axis)));
+        Derivation::carry_out(&mut derived, &left);
+        let given = |value: Value| Given { shown: written(&value), value };
+        let left = derived.numbers(left).map(|[x, y]| Velocity::Components(given(x), given(y)));
+        scene.before[*part as usize] = left;
+    }
+    let mut here = one(&scene)?;
+    if in_a_line && scene.setting == Setting::Wall {
+        along_one_line(&mut here);
+    }
+    for part in carried {
+        for axis in [Axis::X, Axis::Y, Axis::N] {
+            here.0.remove(&Quantity::Velocity(part, Moment::Before, axis));
+        }
+    }
+    known.0.insert(Quantity::Meeting(meeting), Datum::Number(Value::ONE));
+    known.0.extend(here.0.into_iter().map(|(quantity, datum)| (meeting.quantity(quantity), datum)));
+    Ok(())
+}
+
+/// The quantities that one impact gives.
+fn one(scene: &Scene) -> Result<Known<Value>, Refusal> {
     let mut known = Known::default();
     for sphere in Sphere::BOTH {
         if let Some(mass) = scene.mass(sphere) {
@@ -57,18 +102,7 @@ fn of_setting(scene: &Scene, known: &mut Known<Value>) {
     let nought = |known: &mut Known<Value>, quantity| put(known, quantity, &Value::ZERO);
     match scene.setting {
         Setting::Oblique => {}
-        // Along the line is along i, and nothing is across it.
-        Setting::Direct => {
-            for (sphere, moment) in Sphere::BOTH.into_iter().flat_map(|of| [(of, Moment::Before), (of, Moment::After)])
-            {
-                nought(known, Quantity::Velocity(sphere, moment, Axis::T));
-                // No vectors: what is along i is the velocity itself.
-                known.0.remove(&Quantity::Velocity(sphere, moment, Axis::Y));
-                if let Some(Datum::Number(along)) = known.0.remove(&Quantity::Velocity(sphere, moment, Axis::X)) {
-                    put(known, Quantity::Velocity(sphere, moment, Axis::N), &along);
-                }
-            }
-        }
+        Setting::Direct => along_one_line(known),
         Setting::Wall => {
             for moment in [Moment::Before, Moment::After] {
                 nought(known, Quantity::Velocity(Sphere::B, moment, Axis::N));
@@ -82,6 +116,19 @@ fn of_setting(scene: &Scene, known: &mut Known<Value>) {
                 put(known, Quantity::Impulse(Sphere::A, axis), &given.value);
             }
             without_energy_of_b(known);
+        }
+    }
+}
+
+/// Along the line is along i, and nothing is across it.
+fn along_one_line(known: &mut Known<Value>) {
+    for (sphere, moment) in Sphere::BOTH.into_iter().flat_map(|of| [(of, Moment::Before), (of, Moment::After)]) {
+        put(known, Quantity::Velocity(sphere, moment, Axis::T), &Value::ZERO);
+        // No vectors: what is along i is the velocity itself.
+        known.0.remove(&Quantity::Velocity(sphere, moment, Axis::Y));
+        if let Some(Datum::Number(along)) = known.0.remove(&Quantity::Velocity(sphere, moment, Axis::X)) {
+            let n = known.number(Quantity::Line(Axis::X)).unwrap_or(Value::ONE);
+            put(known, Quantity::Velocity(sphere, moment, Axis::N), &(&along * &n));
         }
     }
 }

@@ -11,15 +11,18 @@ use std::str::FromStr;
 use std::sync::OnceLock;
 
 use super::Setting;
+use super::later::{Later, Meeting};
 use crate::unit::Unit;
 
-/// One of the two spheres.
+/// A sphere. A law knows two, A and B; in an impact that comes later a third may have their parts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Sphere {
     /// The sphere from which `n` points.
     A,
     /// The sphere to which `n` points.
     B,
+    /// A sphere that is struck later.
+    C,
 }
 
 /// Immediately before or immediately after the impact.
@@ -123,29 +126,36 @@ pub enum Quantity {
     MomentumEquation,
     /// Not by name: the equation of restitution.
     RestitutionEquation,
+    /// `second.B.after.speed`: a quantity of a later impact.
+    Later(Later),
+    /// Not by name: that an impact comes later, and between whom.
+    Meeting(Meeting),
+    /// Not by name: that all of it happens along one line, which is that of i.
+    InALine,
 }
 
 use Axis::{N, T, X, Y};
 use Moment::{After, Before};
-use Sphere::{A, B};
+use Sphere::{A, B, C};
 
 impl Sphere {
-    /// Both spheres.
+    /// Both spheres of an impact.
     pub const BOTH: [Sphere; 2] = [A, B];
 
-    /// The other sphere.
+    /// Every sphere that a scene may have.
+    pub const ALL: [Sphere; 3] = [A, B, C];
+
+    /// The other sphere of an impact between A and B.
     pub fn other(self) -> Sphere {
-        match self {
-            A => B,
-            B => A,
-        }
+        if self == A { B } else { A }
     }
 
-    /// `A` or `B`.
+    /// `A`, `B` or `C`.
     pub fn name(self) -> &'static str {
         match self {
             A => "A",
             B => "B",
+            C => "C",
         }
     }
 }
@@ -153,9 +163,14 @@ impl Sphere {
 impl Quantity {
     /// Every quantity that has a name, in the order in which `solve` lists them.
     pub fn all() -> Vec<Quantity> {
+        Quantity::named(&Sphere::BOTH)
+    }
+
+    /// The same of other spheres.
+    pub(super) fn named(spheres: &[Sphere]) -> Vec<Quantity> {
         use Quantity::*;
         let mut all = Vec::new();
-        for sphere in Sphere::BOTH {
+        for sphere in spheres.iter().copied() {
             all.push(Mass(sphere));
             for moment in [Before, After] {
                 all.extend([X, Y, N, T].map(|axis| Velocity(sphere, moment, axis)));
@@ -177,6 +192,45 @@ impl Quantity {
         all
     }
 
+    /// Every quantity of one impact, those without a name after the others.
+    pub(super) fn of_an_impact() -> Vec<Quantity> {
+        use Quantity::*;
+        let mut all = Quantity::named(&Sphere::ALL);
+        for sphere in Sphere::ALL {
+            all.extend([Before, After].map(|moment| GivenDirection(sphere, moment)));
+        }
+        all.extend([GivenImpulse(X), GivenImpulse(Y), ContactSine, MomentumEquation, RestitutionEquation]);
+        all
+    }
+
+    /// The same quantity with other spheres in their parts.
+    pub(super) fn with_spheres(self, of: impl Fn(Sphere) -> Sphere) -> Quantity {
+        use Quantity::*;
+        match self {
+            Mass(s) => Mass(of(s)),
+            Velocity(s, moment, axis) => Velocity(of(s), moment, axis),
+            Speed(s, moment) => Speed(of(s), moment),
+            KineticEnergy(s, moment) => KineticEnergy(of(s), moment),
+            SphereMomentum(s, moment, axis) => SphereMomentum(of(s), moment, axis),
+            AngleToLine(s, moment) => AngleToLine(of(s), moment),
+            AngleFromN(s, moment) => AngleFromN(of(s), moment),
+            AngleFromI(s, moment) => AngleFromI(of(s), moment),
+            TanToLine(s, moment) => TanToLine(of(s), moment),
+            TOverN(s, moment) => TOverN(of(s), moment),
+            AngleToWall(s, moment) => AngleToWall(of(s), moment),
+            TanToWall(s, moment) => TanToWall(of(s), moment),
+            Deflection(s) => Deflection(of(s)),
+            SignedDeflection(s) => SignedDeflection(of(s)),
+            DeflectionCross(s) => DeflectionCross(of(s)),
+            DeflectionDot(s) => DeflectionDot(of(s)),
+            TanDeflection(s) => TanDeflection(of(s)),
+            Impulse(s, axis) => Impulse(of(s), axis),
+            SphereEnergyLost(s) => SphereEnergyLost(of(s)),
+            GivenDirection(s, moment) => GivenDirection(of(s), moment),
+            other => other,
+        }
+    }
+
     /// Does a scene of this setting have it? A wall is no sphere, and only a wall makes an angle with itself.
     pub fn is_in(self, setting: Setting) -> bool {
         match self {
@@ -189,6 +243,7 @@ impl Quantity {
     pub fn unit(self) -> Unit {
         use Quantity::*;
         match self {
+            Later(later) => later.quantity().unit(),
             Mass(_) => Unit::Kilogram,
             Velocity(..) | Speed(..) | Approach | Separation => Unit::MetrePerSecond,
             KineticEnergy(..) | SphereEnergyLost(_) | TotalEnergy(_) | EnergyLost => Unit::Joule,
@@ -201,16 +256,17 @@ impl Quantity {
 
     /// Is it an equation for two unknowns rather than a quantity with a value?
     pub fn is_equation(self) -> bool {
-        matches!(self, Quantity::MomentumEquation | Quantity::RestitutionEquation)
+        match self {
+            Quantity::Later(later) => later.quantity().is_equation(),
+            _ => matches!(self, Quantity::MomentumEquation | Quantity::RestitutionEquation),
+        }
     }
 
     /// The sphere of which it is a quantity, if it is of one.
     pub fn sphere(self) -> Option<Sphere> {
-        match self.to_string().split('.').next() {
-            Some("A") => Some(A),
-            Some("B") => Some(B),
-            _ => None,
-        }
+        let name = self.to_string();
+        let first = name.split('.').next();
+        Sphere::ALL.into_iter().find(|sphere| first == Some(sphere.name()))
     }
 
     /// Is it an angle?
@@ -278,6 +334,9 @@ impl fmt::Display for Quantity {
             ContactSine => f.write_str("offset over the sum of the radii"),
             MomentumEquation => f.write_str("equation of momentum"),
             RestitutionEquation => f.write_str("equation of restitution"),
+            Later(later) => later.fmt(f),
+            Meeting(meeting) => meeting.fmt(f),
+            InALine => f.write_str("all of it along one line"),
         }
     }
 }
@@ -293,7 +352,7 @@ impl FromStr for Quantity {
         static NAMES: OnceLock<HashMap<String, Quantity>> = OnceLock::new();
         let names = NAMES
             .get_or_init(|| Quantity::all().into_iter().map(|quantity| (quantity.to_string(), quantity)).collect());
-        names.get(name).copied().ok_or(UnknownQuantity)
+        names.get(name).copied().or_else(|| Later::named(name).map(Quantity::Later)).ok_or(UnknownQuantity)
     }
 }
 

@@ -7,6 +7,7 @@
 use super::backwards::{Found, Posed};
 use super::condition::residual;
 use super::conditions_in_words::{inequality_words, no_roots};
+use super::later::Meeting;
 use super::line::Line;
 use super::refusal::Refusal;
 use super::scene::{Condition, Scene};
@@ -129,18 +130,24 @@ fn lines(posed: &Posed, shown: Vec<Expr>, values: &Values) -> Vec<Line> {
 impl Posed<'_> {
     /// What must hold for there to be a collision at all, as far as it depends on the unknown.
     fn physical(&self) -> Vec<(Value, Demand)> {
-        let demands = [
+        let of_one = [
             (Quantity::Approach, Demand::Positive),
             (Quantity::Separation, Demand::NotNegative),
             (Quantity::Restitution, Demand::NotNegative),
         ];
+        let mut demands = of_one.to_vec();
+        for meeting in Meeting::all(self.known.0.keys()) {
+            demands.extend(of_one.map(|(quantity, demand)| (meeting.quantity(quantity), demand)));
+        }
+        let asked: Vec<Quantity> = demands.iter().map(|(quantity, _)| *quantity).collect();
         let mut known = self.known.clone();
-        Derivation::carry_out(&mut known, &demands.map(|(quantity, _)| quantity));
+        Derivation::carry_out(&mut known, &asked);
         let mut found = Vec::new();
         let open = |value: &Value| value.letters().iter().any(|letter| self.scene.unknowns.contains(letter));
         for (quantity, demand) in demands {
             let Some(value) = known.number(quantity).filter(open) else { continue };
-            if quantity == Quantity::Restitution {
+            let is_e = |quantity| matches!(quantity, Quantity::Restitution);
+            if is_e(quantity) || matches!(quantity, Quantity::Later(later) if is_e(later.quantity())) {
                 found.push((&Value::ONE - &value, Demand::NotNegative));
             }
             found.push((value, demand));

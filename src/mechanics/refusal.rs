@@ -2,6 +2,9 @@
 
 use std::fmt;
 
+use super::Sphere;
+use super::later::{Meeting, ordinal};
+
 /// The kind of a refusal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Because {
@@ -38,6 +41,19 @@ impl Refusal {
     /// A scene that needs more than the exam's methods.
     pub fn beyond(reason: impl Into<String>) -> Refusal {
         Refusal { because: Because::BeyondMethods, reason: reason.into(), help: None }
+    }
+
+    /// The refusal of a later impact, in which its spheres have the parts of A and B.
+    pub(super) fn at(self, meeting: Meeting) -> Refusal {
+        let [a, b] = meeting.of.map(Sphere::name);
+        let who = match (a, b) {
+            ("A", _) if meeting.with_wall => String::new(),
+            _ if meeting.with_wall => format!(", of {a} as A"),
+            ("A", "B") => String::new(),
+            _ => format!(", of {a} and {b} as A and B"),
+        };
+        let reason = format!("at the {} impact{who}: {}", ordinal(meeting.number), self.reason);
+        Refusal { reason, ..self }
     }
 
     /// The refusal with one thing to try.

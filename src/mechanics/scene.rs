@@ -1,5 +1,6 @@
 //! A scene that has been read: every expression evaluated, every letter with its range.
 
+use super::later::Meeting;
 use super::scene_text::Sense;
 use super::setting::Setting;
 use super::{Moment, Quantity, Sphere};
@@ -94,9 +95,44 @@ pub struct Scene {
     pub conditions: Vec<Condition>,
     /// Or what they make largest.
     pub maximise: Option<Quantity>,
+    /// The impacts that come later, in their order.
+    pub then: Vec<Then>,
+}
+
+/// An impact that comes after another.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Then {
+    /// Who meets.
+    pub meeting: Meeting,
+    /// The impact by itself, with A and B for who has their parts; velocities that are carried over are not in it.
+    pub scene: Scene,
 }
 
 impl Scene {
+    /// The scene of an impact: this one, or a later one.
+    pub fn of_impact(&self, number: u8) -> Option<&Scene> {
+        if number == 0 {
+            return Some(self);
+        }
+        self.then.iter().find(|then| then.meeting.number == number).map(|then| &then.scene)
+    }
+
+    /// Every quantity that it has and that has a name, impact by impact.
+    pub fn quantities(&self) -> Vec<Quantity> {
+        let all = Quantity::all();
+        let later = self.then.iter().flat_map(|then| all.iter().map(|quantity| then.meeting.quantity(*quantity)));
+        let mut here: Vec<Quantity> = all.iter().copied().chain(later).collect();
+        here.retain(|quantity| self.has(*quantity));
+        here
+    }
+
+    /// Does it have the quantity? A wall is no sphere, and who does not take part in an impact has no velocity after it.
+    pub fn has(&self, quantity: Quantity) -> bool {
+        let Quantity::Later(later) = quantity else { return quantity.is_in(self.setting) };
+        let then = self.then.iter().find(|then| then.meeting.number == later.number());
+        then.is_some_and(|then| then.meeting.in_law(quantity).is_some_and(|in_law| in_law.is_in(then.scene.setting)))
+    }
+
     /// The mass of a sphere.
     pub fn mass(&self, sphere: Sphere) -> Option<&Given> {
         self.masses[sphere as usize].as_ref()

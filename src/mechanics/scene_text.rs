@@ -56,6 +56,35 @@ pub struct SceneText<S = String> {
     /// A quantity that the unknown makes as large as possible.
     #[serde(default = "none", skip_serializing_if = "Option::is_none")]
     pub maximise: Option<S>,
+    /// The impacts that come later, in their order.
+    #[serde(default = "Vec::new", skip_serializing_if = "Vec::is_empty")]
+    pub then: Vec<ThenText<S>>,
+}
+
+/// An impact that comes after another. Masses and velocities are those that the spheres have by then.
+#[derive(Clone, Debug, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Deserialize<'de>"))]
+pub struct ThenText<S = String> {
+    /// Who meets: two of `A`, `B` and `C`, along one line in their order on it; one alone strikes a wall.
+    pub of: Vec<S>,
+    /// The mass of the one that takes part for the first time.
+    #[serde(default = "none", skip_serializing_if = "Option::is_none")]
+    pub mass: Option<S>,
+    /// Its velocity before.
+    #[serde(default = "none", skip_serializing_if = "Option::is_none")]
+    pub before: Option<VelocityText<S>>,
+    /// A vector along the line of centres, of any length.
+    #[serde(default = "none", skip_serializing_if = "Option::is_none")]
+    pub line_of_centres: Option<[S; 2]>,
+    /// Whether that vector points from the first to the second; else it is turned so that they approach.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sense: Option<Sense>,
+    /// A vector along a fixed smooth wall.
+    #[serde(default = "none", skip_serializing_if = "Option::is_none")]
+    pub wall: Option<[S; 2]>,
+    /// The coefficient of restitution, if it is given.
+    #[serde(default = "none", skip_serializing_if = "Option::is_none")]
+    pub e: Option<S>,
 }
 
 fn none<T>() -> Option<T> {

@@ -1,6 +1,7 @@
 //! A scene with letters in the place of what is to be found, and with what was found in the place of letters.
 
 use super::scene::{Contact, Given, Scene, Velocity};
+use super::{Setting, Sphere};
 use crate::expr::{Expr, Turn, written, written_angle};
 use crate::number::{Angle, Letter, Value};
 
@@ -22,6 +23,17 @@ pub(super) fn with_letters(scene: &Scene) -> Scene {
         }
         if !scene.letters.contains(&letter) {
             scene.letters.push(letter);
+        }
+    }
+    let (masses, letters) = (scene.masses.clone(), scene.letters.clone());
+    for then in &mut scene.then {
+        then.scene.letters.clone_from(&letters);
+        for (part, sphere) in Sphere::BOTH.into_iter().zip(then.meeting.of) {
+            let mass = masses.get(sphere as usize).cloned().flatten();
+            let own = &mut then.scene.masses[part as usize];
+            // A wall has the part of a sphere, and no mass.
+            let is_wall = then.scene.setting == Setting::Wall && part == Sphere::B;
+            *own = own.take().or(mass.filter(|_| !is_wall));
         }
     }
     scene
@@ -49,7 +61,8 @@ fn values_of(scene: &mut Scene) -> Vec<&mut Value> {
 }
 
 pub(super) fn mentions(scene: &Scene, letter: Letter) -> bool {
-    values_of(&mut scene.clone()).iter().any(|value| value.letters().contains(&letter))
+    let in_one = values_of(&mut scene.clone()).iter().any(|value| value.letters().contains(&letter));
+    in_one || scene.then.iter().any(|then| mentions(&then.scene, letter))
 }
 
 /// The scene with unknowns replaced; `None` if a value does not exist there.
@@ -82,6 +95,9 @@ pub(super) fn substituted(scene: &Scene, unknowns: &[Letter], values: &[Value]) 
     }
     if let Some(Contact::Offset { offset, sum, .. }) = &mut scene.contact {
         [offset, sum].into_iter().for_each(shown);
+    }
+    for then in &mut scene.then {
+        then.scene = substituted(&then.scene, unknowns, values)?;
     }
     scene.letters.retain(|letter| !unknowns.contains(letter));
     scene.unknowns.clear();

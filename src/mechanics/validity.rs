@@ -5,6 +5,7 @@
 
 use std::cmp::Ordering;
 
+use super::later::Meeting;
 use super::law::{ALONG, Known, MASSES};
 use super::refusal::Refusal;
 use super::{Axis, Derivation, Moment, Quantity, Sphere};
@@ -28,12 +29,23 @@ pub fn check(known: &Known<Value>) -> Result<(), Refusal> {
 pub fn check_with(known: &Known<Value>, computed: &Known<Value>) -> Result<Known<Value>, Refusal> {
     let mut all = known.clone();
     Derivation::carry_out_with(&mut all, computed, &sides());
-    masses(&all)?;
-    impulse_given(&all)?;
-    approach(&all)?;
-    restitution(&all)?;
-    kept(&all)?;
+    one(&all)?;
+    for meeting in Meeting::all(known.0.keys()) {
+        let sides: Vec<Quantity> = sides().into_iter().map(|quantity| meeting.quantity(quantity)).collect();
+        let mut there = known.clone();
+        Derivation::carry_out_with(&mut there, &all, &sides);
+        one(&meeting.known(&there)).map_err(|refusal| refusal.at(meeting))?;
+    }
     Ok(all)
+}
+
+/// One impact.
+fn one(known: &Known<Value>) -> Result<(), Refusal> {
+    masses(known)?;
+    impulse_given(known)?;
+    approach(known)?;
+    restitution(known)?;
+    kept(known)
 }
 
 fn sign(known: &Known<Value>, quantity: Quantity) -> Option<Ordering> {

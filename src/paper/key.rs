@@ -12,7 +12,7 @@ use crate::answer::Kind;
 use crate::bank::{Answer, Find, Question};
 use crate::expr::{Angles, Expr, print, read};
 use crate::generate::Variant;
-use crate::mechanics::{Pair, PolarText, Quantity, SceneText, VelocityText};
+use crate::mechanics::{Pair, PolarText, Quantity, SceneText, ThenText, VelocityText};
 use crate::number::Places;
 
 /// A whole key: of one sheet, or of a class in which each student has a sheet of their own.
@@ -212,13 +212,12 @@ fn one_or_list(sizes: &[Size], one: impl Fn(&Size) -> Json) -> Json {
 
 /// The line from which an angle is measured.
 fn reference(find: &Find) -> Option<&'static str> {
-    match find {
-        Find::Quantity(Quantity::AngleToLine(..) | Quantity::AngleFromN(..) | Quantity::Alpha) => {
-            Some("line of centres")
-        }
-        Find::Quantity(Quantity::AngleFromI(..) | Quantity::ImpulseAngle) => Some("i"),
-        Find::Quantity(Quantity::AngleToWall(..)) => Some("wall"),
-        Find::Quantity(Quantity::Deflection(_) | Quantity::SignedDeflection(_)) => Some("direction before"),
+    let Find::Quantity(quantity) = find else { return None };
+    match quantity.of_its_impact() {
+        Quantity::AngleToLine(..) | Quantity::AngleFromN(..) | Quantity::Alpha => Some("line of centres"),
+        Quantity::AngleFromI(..) | Quantity::ImpulseAngle => Some("i"),
+        Quantity::AngleToWall(..) => Some("wall"),
+        Quantity::Deflection(_) | Quantity::SignedDeflection(_) => Some("direction before"),
         _ => None,
     }
 }
@@ -257,6 +256,19 @@ pub fn scene(scene: &SceneText, shown: &BTreeMap<String, Expr>) -> SceneText {
         unknowns: scene.unknowns.clone(),
         conditions: scene.conditions.iter().map(text).collect(),
         maximise: scene.maximise.clone(),
+        then: scene
+            .then
+            .iter()
+            .map(|then| ThenText {
+                of: then.of.clone(),
+                mass: then.mass.as_ref().map(text),
+                before: then.before.as_ref().map(velocity),
+                line_of_centres: then.line_of_centres.as_ref().map(pair),
+                sense: then.sense,
+                wall: then.wall.as_ref().map(pair),
+                e: then.e.as_ref().map(text),
+            })
+            .collect(),
     }
 }
 

@@ -17,8 +17,9 @@ use crate::unit::Unit;
 pub fn rows(worked: &[WorkedPart], variant: &Variant, with_units: &[String]) -> Vec<SchemeRow> {
     let Some(here) = worked.last() else { return Vec::new() };
     let marks = &here.part.marks;
-    let setting = variant.scene.setting;
     let row = |(place, mark): (usize, &Mark)| {
+        let setting =
+            variant.scene.of_impact(impact_of(mark, here)).map_or(variant.scene.setting, |scene| scene.setting);
         let before = marks[..place].iter().filter(|other| same_step(other, mark)).count();
         let (equation, rounded) = equation(mark, before, worked, variant, with_units);
         let earned = mark.text.as_ref().map(|text| wording::sentence(text, variant, None));
@@ -35,6 +36,15 @@ pub fn rows(worked: &[WorkedPart], variant: &Variant, with_units: &[String]) -> 
     marks.iter().enumerate().map(row).collect()
 }
 
+/// Of which impact the step is that earns a mark.
+fn impact_of(mark: &Mark, here: &WorkedPart) -> u8 {
+    let steps = here.steps.iter().chain(&here.behind).filter(|step| is_of(&step.rule, &mark.earned_for));
+    match mark.earned_for {
+        EarnedFor::Quantity(quantity) => quantity.impact(),
+        _ => steps.map(|step| step.rule.impact()).max().unwrap_or(0),
+    }
+}
+
 /// Names of the answers of a part to which a mark belongs: those that cannot be found without its step.
 pub fn answers_of(mark: &Mark, here: &WorkedPart) -> Vec<usize> {
     let answers = here.part.answers.iter().enumerate();
@@ -42,7 +52,7 @@ pub fn answers_of(mark: &Mark, here: &WorkedPart) -> Vec<usize> {
     let from_conditions = |answer: &Answer| match answer.find {
         Find::Unknown(_) => true,
         // These are quantities of every impact, and letters to be found where a part has a finding.
-        Find::Quantity(Quantity::Restitution | Quantity::Mass(_)) => {
+        Find::Quantity(quantity) if matches!(quantity.of_its_impact(), Quantity::Restitution | Quantity::Mass(_)) => {
             answer.kind == Kind::Range || !here.finding.is_empty()
         }
         _ => answer.kind == Kind::Range,
@@ -54,7 +64,7 @@ pub fn answers_of(mark: &Mark, here: &WorkedPart) -> Vec<usize> {
             // A step on the way to every answer about its sphere, and to those about both.
             EarnedFor::Quantity(quantity) => {
                 let about = |asked: &Quantity| {
-                    Sphere::BOTH.into_iter().all(|of| is_about(*asked, of) || !is_about(*quantity, of))
+                    Sphere::ALL.into_iter().all(|of| is_about(*asked, of) || !is_about(*quantity, of))
                 };
                 from_conditions(answer) || asked.iter().any(about)
             }
@@ -87,8 +97,7 @@ fn is_of(rule: &Rule, step: &EarnedFor) -> bool {
 
 /// Is the quantity one of this sphere, or of no sphere?
 fn is_about(quantity: Quantity, sphere: Sphere) -> bool {
-    let name = quantity.to_string();
-    !name.starts_with(&format!("{}.", sphere.other().name()))
+    quantity.of_its_impact().sphere().is_none_or(|of| of == sphere)
 }
 
 /// Is it another equation of the same law for accuracy?
@@ -142,7 +151,7 @@ fn value(
     with_units: &[String],
 ) -> (Option<Expr>, Option<(Expr, Unit)>) {
     let answer = here.part.answers.iter().find(|answer| answer.find.quantities().contains(&quantity));
-    let along = matches!(quantity, Quantity::Velocity(_, Moment::After, Axis::N));
+    let along = matches!(quantity.of_its_impact(), Quantity::Velocity(_, Moment::After, Axis::N));
     if let Some(answer) = answer.filter(|_| !along) {
         let rounded = answer::rounded(answer, variant);
         let unit = answer::unit(answer, variant, with_units);
@@ -151,36 +160,35 @@ fn value(
     let found_first = !here.finding.is_empty();
     let scene = if found_first { &variant.scene } else { variant.solution.scene() };
     let Some(known) = known_with(quantity, here, found_first.then_some(scene)) else { return (None, None) };
-    let show = Show::new(scene, &known, &here.asked);
-    let exact = match quantity {
-        Quantity::Velocity(_, Moment::After, Axis::N) => {
-            Expr::equation(show.symbol(quantity), show.shown_value(quantity))
-        }
-        Quantity::Velocity(_, Moment::After, axis @ (Axis::X | Axis::Y)) if show.along_an_axis() => {
+    let size = known.number(quantity).map(Size::Number);
+    let Some((show, in_law)) = Show::new(scene, &known, &here.asked).of(quantity) else { return (None, None) };
+    let exact = match in_law {
+        Quantity::Velocity(_, Moment::After, Axis::N) => Expr::equation(show.symbol(in_law), show.shown_value(in_law)),
+        Quantity::Velocity(sphere, moment @ Moment::After, axis @ (Axis::X | Axis::Y)) if show.along_an_axis() => {
             // Along the axis of the line of centres the working has its letters.
-            let Quantity::Velocity(sphere, moment, _) = quantity else { return (None, None) };
             let along = Quantity::Velocity(sphere, moment, Axis::N);
-            let is_along = known.number(Quantity::Line(axis)).is_some_and(|component| !component.is_zero());
-            if is_along { Expr::equation(show.symbol(along), show.value(quantity)) } else { show.value(quantity) }
+            let is_along = !show.exact(Quantity::Line(axis)).is_zero();
+            if is_along { Expr::equation(show.symbol(along), show.value(in_law)) } else { show.value(in_law) }
         }
         Quantity::Velocity(sphere, moment, Axis::X | Axis::Y) => {
-            let known = known_with(Quantity::Velocity(sphere, moment, Axis::Y), here, None).unwrap_or(known.clone());
+            let both = |axis| quantity.along(axis);
+            let known = known_with(both(Axis::Y), here, None).unwrap_or(known.clone());
             let show = Show::new(variant.solution.scene(), &known, &here.asked);
+            let Some((show, _)) = show.of(quantity) else { return (None, None) };
             let vector = Expr::equation(Expr::name(show.vector_letter(sphere, moment)), show.vector(sphere, moment));
-            return (Some(vector), None);
+            return (Some(show.named(&vector)), None);
         }
-        Quantity::TOverN(..) | Quantity::TanToLine(..) => tangent("beta", show.value(quantity), here),
-        Quantity::TanDeflection(_) => tangent("delta", show.value(quantity), here),
-        _ => match show.angle(quantity) {
+        Quantity::TOverN(..) | Quantity::TanToLine(..) => tangent("beta", show.value(in_law), here),
+        Quantity::TanDeflection(_) => tangent("delta", show.value(in_law), here),
+        _ => match show.angle(in_law) {
             Some(angle) => Show::angle_expr(&angle),
-            None => show.value(quantity),
+            None => show.value(in_law),
         },
     };
-    let size = known.number(quantity).map(Size::Number);
     let places = Places::SignificantFigures(3);
     let rounded = size.filter(|size| !size.is_short(&places)).and_then(|size| size.rounded(&places));
     let rounded = rounded.map(|rounded| (Expr::Decimal(rounded.to_string()), Unit::None));
-    (Some(exact), rounded)
+    (Some(show.named(&exact)), rounded)
 }
 
 fn tangent(letter: &str, value: Expr, here: &WorkedPart) -> Expr {
@@ -232,7 +240,7 @@ fn with_rounded(rounded: Option<(Expr, Unit)>, note: Text) -> Text {
 /// A quantity in words.
 fn in_words(quantity: Quantity, setting: Setting) -> Text {
     let after = |moment| if moment == Moment::Before { " before" } else { "" };
-    let words = match quantity {
+    let words = match quantity.of_its_impact() {
         Quantity::Velocity(sphere, moment, axis) => {
             let along = match axis {
                 Axis::N => "along the line of centres",

@@ -146,7 +146,7 @@ pub(super) fn found_in_words(letter: Letter, value: &Value) -> String {
 /// The report of a solution.
 pub fn report(solution: &Solution) -> Report {
     let mut quantities = Map::new();
-    for quantity in Quantity::all() {
+    for quantity in solution.scene().quantities() {
         if let Some(answer) = Answer::of(solution, quantity) {
             quantities.insert(quantity.to_string(), json!(answer));
         }

@@ -5,7 +5,7 @@ use super::super::scene_file::SceneFile;
 use super::names::{Also, NamesUsed};
 use super::quantities;
 use crate::expr::{Angles, Expr, read};
-use crate::mechanics::Quantity;
+use crate::mechanics::{Quantity, Sphere};
 use crate::number::Range;
 
 /// Reads every formula of the scene.
@@ -32,6 +32,13 @@ pub fn scene(file: &SceneFile, used: &mut NamesUsed, faults: &mut Faults) {
             "maximise" => {
                 if text.parse::<Quantity>().is_err() {
                     quantities::unknown(words, &[], faults);
+                }
+            }
+            "then" if path.contains("].of[") => {
+                let names = Sphere::ALL.map(Sphere::name);
+                if !names.contains(&text) {
+                    let label = format!("expected {}", listed(&names));
+                    faults.unknown(words.span(), format!("unknown sphere `{text}`"), label, text, names);
                 }
             }
             "conditions" => match read(text, Angles::Degrees) {

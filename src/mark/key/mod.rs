@@ -3,6 +3,7 @@
 //! A key is enough to mark with, since the bank may have changed since the paper was printed. So its scene is posed
 //! again and its expressions are read again; nothing else is taken from anywhere.
 
+mod impact;
 mod part;
 mod version;
 

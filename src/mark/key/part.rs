@@ -8,7 +8,7 @@ use crate::answer::{Accept, Kind};
 use crate::bank::{Code, EarnedFor, Find};
 use crate::expr::{Angles, read_range};
 use crate::mark::judging::{Model, ModelOptions};
-use crate::mechanics::{Axis, Derivation, Known, Quantity, Scene};
+use crate::mechanics::{Derivation, Known, Quantity, Scene};
 use crate::number::Value;
 use crate::paper::{Blank, KeyMark, KeyPart};
 
@@ -35,8 +35,10 @@ impl KeyedPart {
         for blank in &mut blanks {
             blank.model.rebounds = rebounds(&blank.find, known);
         }
+        let last = derivation.steps.iter().map(|step| step.impact()).max();
+        let impact = last.and_then(|number| scene.of_impact(number)).unwrap_or(scene);
         Ok(KeyedPart {
-            setting: scene.setting,
+            setting: impact.setting,
             label: part.label.clone(),
             blanks,
             scheme,
@@ -104,8 +106,8 @@ impl KeyedBlank {
 
 /// Does the sphere whose direction is asked move from B towards A?
 fn rebounds(find: &Find, known: &Known<Value>) -> Option<bool> {
-    let Find::Quantity(Quantity::AngleToLine(sphere, moment)) = find else { return None };
-    let along = known.number(Quantity::Velocity(*sphere, *moment, Axis::N))?;
+    let Find::Quantity(quantity) = find else { return None };
+    let along = known.number(quantity.along_the_line().filter(|_| quantity.is_angle())?)?;
     along.sign().map(Ordering::is_lt)
 }
 

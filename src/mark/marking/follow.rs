@@ -5,13 +5,13 @@ use std::rc::Rc;
 
 use super::memory::Judged;
 use crate::bank::{Code, EarnedFor, Find};
-use crate::expr::{Expr, Meaning, Text, evaluate};
+use crate::expr::{Expr, Text};
 use crate::mark::award::MarkedAnswer;
 use crate::mark::judging::{Judgement, Model, Verdict, judge};
 use crate::mark::key::{KeyedPart, KeyedQuestion};
 use crate::mark::working::Examined;
 use crate::mechanics::{Datum, Derivation, Line, Quantity, Show};
-use crate::number::{Fraction, Places, Value, round};
+use crate::number::{Fraction, Places, round};
 use crate::paper::WorkingLine;
 
 /// For each blank the verdict against what follows from the student's own values, where the scheme follows through.
@@ -61,7 +61,7 @@ pub(super) fn solution(question: &KeyedQuestion, part: &KeyedPart, examined: &Ex
     let mut known = question.given.clone();
     let mut own = Vec::new();
     for (quantity, written) in examined.theirs.wrong(question) {
-        let Some(value) = exact(question, written) else { continue };
+        let Some(value) = question.exact(written) else { continue };
         known.0.insert(quantity, Datum::Number(value));
         own.push((quantity, written.clone()));
     }
@@ -87,7 +87,14 @@ pub(super) fn solution(question: &KeyedQuestion, part: &KeyedPart, examined: &Ex
     if lines.is_empty() {
         return lines;
     }
-    let equations = own.into_iter().map(|(quantity, written)| Expr::equation(show.symbol(quantity), written));
+    let equation = |(quantity, written): (Quantity, Expr)| {
+        let symbol = match Show::new(&question.scene, &known, &asked).of(quantity) {
+            Some((show, in_law)) => show.named(&show.symbol(in_law)),
+            None => show.symbol(quantity),
+        };
+        Expr::equation(symbol, written)
+    };
+    let equations = own.into_iter().map(equation);
     let words = Text::words("You found:");
     lines.insert(0, WorkingLine { words, equations: equations.collect(), label: None });
     lines
@@ -112,15 +119,4 @@ fn in_decimals(expr: &Expr) -> Expr {
         is_exact.then(|| Expr::Decimal(decimal.trim_end_matches('0').to_owned()))
     });
     short.unwrap_or_else(|| expr.map_children(&mut in_decimals))
-}
-
-fn exact(question: &KeyedQuestion, written: &Expr) -> Option<Value> {
-    let letter = |name: &str| {
-        let letter = question.letters.iter().find(|letter| letter.name() == name)?;
-        Some(Meaning::Number(Value::letter(*letter)))
-    };
-    match evaluate(written, &letter).ok()? {
-        Meaning::Number(value) => Some(value),
-        _ => None,
-    }
 }

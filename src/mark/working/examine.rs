@@ -15,7 +15,7 @@ use crate::bank::{Code, EarnedFor};
 use crate::expr::Expr;
 use crate::mark::award::{Award, Evidence, Examiner, MarkedLine, Place};
 use crate::mark::key::{KeyedMark, KeyedPart, KeyedQuestion};
-use crate::mechanics::{Axis, Known, Law, Moment, Quantity, Seen, Sphere};
+use crate::mechanics::{Axis, Known, Law, Meeting, Moment, Quantity, Seen, Sphere};
 
 /// What looking through the working of a part found.
 pub(crate) struct Examined {
@@ -30,6 +30,31 @@ pub(crate) struct Examined {
 }
 
 impl Examined {
+    /// Before anything has been looked at.
+    fn nothing(part: &KeyedPart, working: &[String], before: &Theirs) -> Examined {
+        let awards = part.scheme.iter().map(|_| None).collect();
+        let line = |typed: &String| MarkedLine { typed: typed.clone(), reading: None, role: String::new() };
+        let lines = working.iter().map(line).collect();
+        Examined { awards, lines, theirs: before.clone(), followed: OnceCell::new() }
+    }
+
+    /// With what was found in the same lines as working of another impact: a mark that is earned there is earned.
+    fn join(&mut self, later: Examined) {
+        for (award, other) in self.awards.iter_mut().zip(later.awards) {
+            let is_given = |award: &Option<Award>| award.as_ref().map(|award| award.given);
+            if is_given(&other) > is_given(award) {
+                *award = other;
+            }
+        }
+        for (line, other) in self.lines.iter_mut().zip(later.lines) {
+            if line.reading.is_none() || line.role.is_empty() {
+                *line = other;
+            }
+        }
+        self.theirs = later.theirs;
+        self.followed = OnceCell::new();
+    }
+
     /// What follows from the student's own values, at every point; found when it is first asked for.
     pub(crate) fn followed(&self, question: &KeyedQuestion) -> &[Known<f64>] {
         self.followed.get_or_init(|| follow(question.prepared(), &self.theirs))
@@ -75,6 +100,46 @@ pub(crate) fn examine(question: &KeyedQuestion, part: &KeyedPart, working: &[Str
         let awards = part.scheme.iter().map(|_| None).collect();
         return Examined { awards, lines: Vec::new(), theirs: before.clone(), followed: OnceCell::new() };
     }
+    if question.scene.then.is_empty() {
+        return examine_one(question, part, working, before);
+    }
+    let impacts = part.impacts();
+    let mut all = match impacts.first() {
+        None | Some(0) => examine_one(question, part, working, before),
+        Some(_) => Examined::nothing(part, working, before),
+    };
+    for meeting in impacts.into_iter().filter_map(|number| question.meeting(number)) {
+        if let Some(later) = examine_later(question, part, working, &all.theirs, meeting) {
+            all.join(later);
+        }
+    }
+    all
+}
+
+/// A part looked through as working of a later impact, in which the student goes on from what was found before.
+fn examine_later(
+    question: &KeyedQuestion,
+    part: &KeyedPart,
+    working: &[String],
+    before: &Theirs,
+    meeting: Meeting,
+) -> Option<Examined> {
+    let impact = question.impact(meeting, before)?;
+    let typed: Vec<String> = working.iter().map(|line| meeting.in_law_names(line)).collect();
+    let here = before.0.iter().filter_map(|(quantity, own)| Some((meeting.in_law(*quantity)?, own.clone())));
+    let examined = examine_one(&impact, &part.of_impact(meeting), &typed, &Theirs(here.collect()));
+    let own = examined.theirs.0.into_iter().map(|(quantity, own)| (meeting.quantity(quantity), own));
+    let theirs = Theirs(before.0.clone().into_iter().chain(own).collect());
+    let lines = examined.lines.into_iter().zip(working).map(|(line, typed)| MarkedLine {
+        typed: typed.clone(),
+        role: line.role.parse().map_or(line.role, |quantity| meeting.quantity(quantity).to_string()),
+        ..line
+    });
+    Some(Examined { lines: lines.collect(), theirs, followed: OnceCell::new(), ..examined })
+}
+
+/// Looks through the working of one impact.
+fn examine_one(question: &KeyedQuestion, part: &KeyedPart, working: &[String], before: &Theirs) -> Examined {
     let prepared = question.prepared();
     let vectors = has_vectors(question);
     let read = line::read(working, &question.letters, vectors);

@@ -4,7 +4,9 @@ use super::pair::Laws;
 use super::points::{Points, sizes};
 use super::values::along_for;
 use crate::bank::{EarnedFor, Find};
-use crate::mechanics::{Axis, Datum, Derivation, Known, Moment, Quantity, Rule, Scene, Setting, Sphere, Velocity};
+use crate::mechanics::{
+    Axis, Datum, Derivation, Known, Meeting, Moment, Quantity, Rule, Scene, Setting, Sphere, Velocity,
+};
 use crate::number::{Letter, Places, Value, round};
 use crate::solve::solve;
 
@@ -94,7 +96,7 @@ impl Prepared {
         };
         let is_step = |rule: &Rule, quantity: Quantity| match step {
             EarnedFor::Law(law, sphere) => {
-                let about = rule.gives.first().and_then(|gives| gives.sphere());
+                let about = rule.gives.first().and_then(|gives| gives.of_its_impact().sphere());
                 rule.law == *law && (sphere.is_none() || about.is_none() || about == *sphere)
             }
             EarnedFor::Quantity(own) => quantity == *own || Some(quantity) == along,
@@ -144,7 +146,11 @@ fn changed(datum: Datum<f64>, place: usize) -> Datum<f64> {
 /// All that follows from what is known.
 pub(super) fn complete(known: &Known<f64>) -> Known<f64> {
     let mut all = known.clone();
-    Derivation::carry_out(&mut all, &wanted());
+    let mut asked = wanted();
+    for meeting in Meeting::all(known.0.keys()) {
+        asked.extend(wanted().into_iter().map(|quantity| meeting.quantity(quantity)));
+    }
+    Derivation::carry_out(&mut all, &asked);
     all
 }
 

@@ -3,10 +3,14 @@
 //! A law is a room of its own: the [`Rule`]s by which it leads from known quantities to others, their
 //! evaluation in any kind of number, the words and equations of a worked solution, and the slips that
 //! students make with it. To add a law, write its file and add its line to the list below.
+//!
+//! A rule of a later impact is a rule of a law with other names for what it needs and gives; see [`Meeting`].
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
-use std::sync::OnceLock;
+use std::sync::{Mutex, OnceLock, PoisonError};
 
+use super::later::Meeting;
 use super::line::Line;
 use super::seen::{Seen, Shape};
 use super::working::Show;
@@ -27,6 +31,67 @@ pub struct Rule {
     pub gives: Vec<Quantity>,
     /// How much it adds to a solution, to choose between derivations: about one a line of working.
     pub cost: u32,
+    /// Of a later impact: which, and the rule as the law has it, which says the same of A and B.
+    pub later: Option<(Meeting, &'static Rule)>,
+}
+
+impl Rule {
+    /// The same rule in a later impact. It needs that there is such an impact.
+    fn of_later(&'static self, meeting: Meeting) -> Rule {
+        let said = |quantities: &[Quantity]| quantities.iter().map(|quantity| meeting.quantity(*quantity)).collect();
+        let mut needs: Vec<Quantity> = said(&self.needs);
+        needs.push(Quantity::Meeting(meeting));
+        Rule { needs, gives: said(&self.gives), later: Some((meeting, self)), ..self.clone() }
+    }
+
+    /// The rule as its law has it, of A and B.
+    pub fn in_law(&self) -> &Rule {
+        self.later.map_or(self, |(_, rule)| rule)
+    }
+
+    /// How many impacts come before the one that it is of.
+    pub fn impact(&self) -> u8 {
+        self.gives.first().map_or(0, |quantity| quantity.impact())
+    }
+
+    /// What is known, as the law has it.
+    fn in_its_words<'k, N: Number>(&self, known: &'k Known<N>) -> Cow<'k, Known<N>> {
+        match self.later {
+            Some((meeting, _)) => Cow::Owned(meeting.known(known)),
+            None => Cow::Borrowed(known),
+        }
+    }
+
+    /// What it gives from what is known; `None` where one of it does not exist, as the direction of a sphere at rest
+    /// does not.
+    pub fn evaluate<N: Number>(&self, known: &Known<N>) -> Outcome<N> {
+        self.in_law().evaluated(&self.in_its_words(known))
+    }
+
+    /// The same with a slip in place of the law; `None` if the slip changes nothing that this rule does.
+    pub fn slipped<N: Number>(&self, slip: &str, known: &Known<N>) -> Outcome<N> {
+        self.in_law().evaluated_with(slip, &self.in_its_words(known))
+    }
+
+    /// The equation, as a student first writes it, that a mark for accuracy is given for.
+    pub fn equation(&self, show: &Show) -> Option<Expr> {
+        match self.later {
+            Some((meeting, rule)) => {
+                let show = show.of_later(meeting)?;
+                rule.earning(&show).map(|equation| show.named(&equation))
+            }
+            None => self.earning(show),
+        }
+    }
+
+    /// The lines of working that a worked solution shows for it.
+    pub fn lines(&self, show: &Show) -> Vec<Line> {
+        let said = |rule: &Rule, show: &Show| rule.shown(show).into_iter().map(|line| show.said(line)).collect();
+        match self.later {
+            Some((meeting, rule)) => show.of_later(meeting).map_or_else(silent, |show| said(rule, &show)),
+            None => said(self, show),
+        }
+    }
 }
 
 /// What is known of a quantity.
@@ -183,33 +248,28 @@ macro_rules! laws {
         }
 
         impl Rule {
-            /// The equation, as a student first writes it, that a mark for accuracy is given for.
-            pub fn equation(&self, show: &Show) -> Option<Expr> {
+            fn earning(&self, show: &Show) -> Option<Expr> {
                 match self.law { $(Law::$law => $file::earning(self, show),)* }
             }
 
-            /// The quantities it gives, in any kind of number; `None` where one does not exist, as
-            /// the direction of a sphere at rest does not.
-            pub fn evaluate<N: Number>(&self, known: &Known<N>) -> Outcome<N> {
+            fn evaluated<N: Number>(&self, known: &Known<N>) -> Outcome<N> {
                 match self.law { $(Law::$law => $file::evaluate(self, known),)* }
             }
 
-            /// The same with a slip in place of the law; `None` if the slip changes nothing that this
-            /// rule does.
-            pub fn slipped<N: Number>(&self, slip: &str, known: &Known<N>) -> Outcome<N> {
+            fn evaluated_with<N: Number>(&self, slip: &str, known: &Known<N>) -> Outcome<N> {
                 match self.law { $(Law::$law => $file::slipped(slip, self, known),)* }
             }
 
-            /// The lines of working that a worked solution shows for it.
-            pub fn lines(&self, show: &Show) -> Vec<Line> {
-                let lines = match self.law { $(Law::$law => $file::lines(self, show),)* };
-                lines.into_iter().map(|line| line.said_of(show.setting())).collect()
+            fn shown(&self, show: &Show) -> Vec<Line> {
+                match self.law { $(Law::$law => $file::lines(self, show),)* }
             }
         }
     };
 }
 
 laws! {
+    /// A velocity that one impact leaves is that with which the next begins.
+    Carried in carried;
     /// Where the spheres touch: the line of centres from positions or from the offset of a path.
     Contact in contact;
     /// Components of a velocity.
@@ -240,13 +300,26 @@ laws! {
     Relative in relative;
 }
 
-/// All rules of all laws, in the order of the list.
-pub fn all_rules() -> Vec<Rule> {
-    Law::ALL.iter().flat_map(|law| law.rules()).collect()
+/// All rules of all laws, in the order of the list, for a scene with these later impacts.
+pub fn all_rules(meetings: &[Meeting]) -> &'static [Rule] {
+    static OF_ONE: OnceLock<Vec<Rule>> = OnceLock::new();
+    static OF_SEVERAL: Mutex<BTreeMap<Vec<Meeting>, &'static [Rule]>> = Mutex::new(BTreeMap::new());
+    let of_one = OF_ONE.get_or_init(|| Law::ALL.iter().flat_map(|law| law.rules()).collect());
+    if meetings.is_empty() {
+        return of_one;
+    }
+    // There are few ways in which three spheres can meet, and a bank uses very few of them.
+    let mut known = OF_SEVERAL.lock().unwrap_or_else(PoisonError::into_inner);
+    known.entry(meetings.to_vec()).or_insert_with(|| {
+        let mut rules = of_one.clone();
+        rules.extend(carried::between(meetings));
+        rules.extend(meetings.iter().flat_map(|meeting| of_one.iter().map(|rule| rule.of_later(*meeting))));
+        rules.leak()
+    })
 }
 
 fn rule(law: Law, form: u8, needs: &[Quantity], gives: &[Quantity], cost: u32) -> Rule {
-    Rule { law, form, needs: needs.to_vec(), gives: gives.to_vec(), cost }
+    Rule { law, form, needs: needs.to_vec(), gives: gives.to_vec(), cost, later: None }
 }
 
 fn number<N>(value: N) -> Outcome<N> {

@@ -1,6 +1,7 @@
 //! Reads a scene: every expression evaluated, every fault kept with its field.
 
 mod contact;
+mod then;
 
 use std::collections::BTreeMap;
 
@@ -89,7 +90,23 @@ impl Reader<'_> {
             found
         });
         let letters = self.letters.clone();
-        Scene { setting, masses, before, after, contact, impulse, restitution, letters, unknowns, conditions, maximise }
+        let then = Vec::new();
+        let mut scene = Scene {
+            setting,
+            masses,
+            before,
+            after,
+            contact,
+            impulse,
+            restitution,
+            letters,
+            unknowns,
+            conditions,
+            maximise,
+            then,
+        };
+        scene.then = self.then(&text.then, &scene);
+        scene
     }
 
     fn fault(&mut self, field: &str, fault: Fault) {

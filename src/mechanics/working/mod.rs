@@ -6,10 +6,13 @@
 
 mod chain;
 
+use std::borrow::Cow;
 use std::cmp::Ordering;
 
 use super::formula::{difference, multiple, times};
+use super::later::{self, Meeting};
 use super::law::Known;
+use super::line::Line;
 use super::scene::{Contact, Scene, Velocity};
 use super::{Axis, Moment, Quantity, Setting, Sphere};
 use crate::expr::{Expr, Function, written};
@@ -18,8 +21,14 @@ use crate::number::{Angle, Fraction, Value};
 /// What a solution shows of each quantity.
 pub struct Show<'a> {
     scene: &'a Scene,
-    known: &'a Known<Value>,
-    asked: &'a [Quantity],
+    known: Cow<'a, Known<Value>>,
+    asked: Cow<'a, [Quantity]>,
+    /// Which impact it is of.
+    meeting: Meeting,
+    /// Do others come before it or after it?
+    one_of_several: bool,
+    /// How many numbered equations the earlier ones have.
+    numbered_before: usize,
     /// The axis of i and j that the line of centres is parallel to.
     axis: Option<Axis>,
     /// Is the positive direction of the working against n?
@@ -31,6 +40,31 @@ pub struct Show<'a> {
 impl<'a> Show<'a> {
     /// The view of a solved scene in which some quantities are asked for.
     pub fn new(scene: &'a Scene, known: &'a Known<Value>, asked: &'a [Quantity]) -> Show<'a> {
+        let one_of_several = !scene.then.is_empty();
+        Show { one_of_several, ..Show::of_one(scene, Cow::Borrowed(known), Cow::Borrowed(asked)) }
+    }
+
+    /// The view of a later impact, in which its spheres have the parts of A and B.
+    pub fn of_later(&self, meeting: Meeting) -> Option<Show<'a>> {
+        let scene = self.scene.of_impact(meeting.number)?;
+        let asked: Vec<Quantity> = self.asked.iter().filter_map(|quantity| meeting.in_law(*quantity)).collect();
+        let show = Show::of_one(scene, Cow::Owned(meeting.known(&self.known)), Cow::Owned(asked));
+        let is_earlier =
+            |quantity: &&Quantity| quantity.of_its_impact().is_equation() && quantity.impact() < meeting.number;
+        let numbered_before = self.known.0.keys().filter(is_earlier).count();
+        Some(Show { meeting, one_of_several: true, numbered_before, unit_vectors: self.unit_vectors, ..show })
+    }
+
+    /// The view of the impact that a quantity is of, and what the laws call the quantity there.
+    pub fn of(self, quantity: Quantity) -> Option<(Show<'a>, Quantity)> {
+        if quantity.impact() == 0 {
+            return Some((self, quantity));
+        }
+        let then = self.scene.then.iter().find(|then| then.meeting.number == quantity.impact())?;
+        Some((self.of_later(then.meeting)?, then.meeting.in_law(quantity)?))
+    }
+
+    fn of_one(scene: &'a Scene, known: Cow<'a, Known<Value>>, asked: Cow<'a, [Quantity]>) -> Show<'a> {
         let component = |axis| known.number(Quantity::Line(axis));
         let zero = |axis| component(axis).is_some_and(|value| value.is_zero());
         let axis = if zero(Axis::Y) {
@@ -41,7 +75,42 @@ impl<'a> Show<'a> {
             None
         };
         let against_n = axis.and_then(component).is_some_and(|value| value.sign() == Some(Ordering::Less));
-        Show { scene, known, asked, axis, against_n, unit_vectors: None }
+        let meeting = Meeting::FIRST;
+        Show {
+            scene,
+            known,
+            asked,
+            meeting,
+            one_of_several: false,
+            numbered_before: 0,
+            axis,
+            against_n,
+            unit_vectors: None,
+        }
+    }
+
+    /// A line of a law as it is said here: of this setting, of this impact, and of who takes part in it.
+    pub fn said(&self, line: Line) -> Line {
+        let line = line.said_by(&|words| {
+            let words = self.setting().say(words);
+            if self.one_of_several { later::numbered(self.meeting.number, &words) } else { words.into_owned() }
+        });
+        if self.meeting.number == 0 {
+            return line;
+        }
+        let [one, two] = [1, 2].map(|number| format!("({})", self.numbered_before + number));
+        let line = line.said_by(&|words| words.replace("(2)", &two).replace("(1)", &one));
+        let words = line.words.map_formulas(&mut |expr| Ok::<_, ()>(self.named(expr))).unwrap_or(line.words);
+        let equations = line.equations.iter().map(|equation| self.named(equation)).collect();
+        Line { words, equations, ..line }
+    }
+
+    /// A formula of the laws with the names of who takes part here.
+    pub fn named(&self, expr: &Expr) -> Expr {
+        if self.meeting.of == Meeting::FIRST.of {
+            return expr.clone();
+        }
+        expr.substitute(&|name| self.meeting.name(name).map(Expr::name))
     }
 
     /// The same view for a question whose words have unit vectors or have none: the working speaks as they do.
@@ -136,6 +205,9 @@ impl<'a> Show<'a> {
         use Moment::{After, Before};
         use Sphere::{A, B};
         let plain = !self.taken("v") && !self.taken("w");
+        if let (Quantity::Velocity(sphere @ (A | B), After, Axis::N), number @ 1..) = (quantity, self.meeting.number) {
+            return self.letter_of_later(sphere, number);
+        }
         match quantity {
             Quantity::Velocity(A, After, Axis::N) => {
                 if plain {
@@ -159,6 +231,16 @@ impl<'a> Show<'a> {
             Quantity::ImpulseMagnitude => "I",
             _ => "x",
         }
+    }
+
+    /// A component after a later impact: every impact has two letters of its own.
+    fn letter_of_later(&self, sphere: Sphere, number: u8) -> &'static str {
+        const LETTERS: [[&str; 2]; 3] = [["x", "y"], ["p", "q"], ["r", "s"]];
+        const WHERE_TAKEN: [[&str; 2]; 3] = [["X", "Y"], ["P", "Q"], ["R", "S"]];
+        let place = usize::from(number - 1) % LETTERS.len();
+        let taken = LETTERS[place].iter().any(|letter| self.taken(letter));
+        let letters = if taken { WHERE_TAKEN[place] } else { LETTERS[place] };
+        letters[usize::from(sphere == Sphere::B)]
     }
 
     /// The same as an expression.
@@ -321,11 +403,11 @@ impl<'a> Show<'a> {
 
     /// The name of an unknown velocity vector.
     pub fn vector_letter(&self, sphere: Sphere, moment: Moment) -> &'static str {
-        match (moment, sphere) {
-            (Moment::Before, Sphere::A) => "vector.u_A",
-            (Moment::Before, Sphere::B) => "vector.u_B",
-            (Moment::After, Sphere::A) => "vector.v_A",
-            (Moment::After, Sphere::B) => "vector.v_B",
+        match (moment, sphere == Sphere::A) {
+            (Moment::Before, true) => "vector.u_A",
+            (Moment::Before, false) => "vector.u_B",
+            (Moment::After, true) => "vector.v_A",
+            (Moment::After, false) => "vector.v_B",
         }
     }
 

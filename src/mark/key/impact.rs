@@ -1,0 +1,118 @@
+//! A later impact of a question by itself, with A and B for who meets in it: so its working is looked through as that of
+//! any impact is.
+
+use std::cmp::Ordering;
+
+use super::{KeyedMark, KeyedPart, KeyedQuestion};
+use crate::bank::{EarnedFor, Find};
+use crate::expr::{Expr, Meaning, evaluate};
+use crate::mark::working::Theirs;
+use crate::mechanics::{Axis, Datum, Derivation, Meeting, Moment, Quantity, Sphere};
+use crate::number::Value;
+
+impl KeyedQuestion {
+    /// Who meets in a later impact.
+    pub(in crate::mark) fn meeting(&self, number: u8) -> Option<Meeting> {
+        self.scene.then.iter().map(|then| then.meeting).find(|meeting| meeting.number == number)
+    }
+
+    /// A later impact as the student comes to it, with the velocities that the student has found for what came before.
+    pub(in crate::mark) fn impact(&self, meeting: Meeting, own: &Theirs) -> Option<KeyedQuestion> {
+        let then = self.scene.then.iter().find(|then| then.meeting == meeting)?;
+        let mut known = self.given.clone();
+        for (quantity, written) in own.wrong(self).filter(|(quantity, _)| quantity.impact() < meeting.number) {
+            if let Some(value) = self.exact(written) {
+                let (quantity, value) = self.with_sign(quantity, value);
+                known.0.insert(quantity, Datum::Number(value));
+            }
+        }
+        let in_a_line = known.0.contains_key(&Quantity::InALine);
+        let axes: &[Axis] = if in_a_line { &[Axis::N] } else { &[Axis::X, Axis::Y] };
+        let begins = |part| axes.iter().map(move |axis| Quantity::Velocity(part, Moment::Before, *axis));
+        let begins: Vec<Quantity> = Sphere::BOTH.into_iter().flat_map(begins).collect();
+        let wanted: Vec<Quantity> = begins.iter().map(|quantity| meeting.quantity(*quantity)).collect();
+        let mut derived = known.clone();
+        Derivation::carry_out(&mut derived, &wanted);
+        let mut given = meeting.known(&known);
+        for (quantity, later) in begins.into_iter().zip(&wanted) {
+            if let Some(datum) = derived.0.get(later) {
+                given.0.entry(quantity).or_insert_with(|| datum.clone());
+            }
+        }
+        Some(KeyedQuestion {
+            id: self.id.clone(),
+            number: self.number,
+            mirrors: self.mirrors.clone(),
+            scene: then.scene.clone(),
+            given,
+            letters: self.letters.clone(),
+            given_letters: self.given_letters.clone(),
+            parts: Vec::new(),
+            decimals: self.decimals.clone(),
+            prepared: Default::default(),
+            mistakes: Default::default(),
+            needed: Default::default(),
+        })
+    }
+
+    /// Along one line a speed after an impact is the velocity there, with the sign that it should have.
+    fn with_sign(&self, quantity: Quantity, value: Value) -> (Quantity, Value) {
+        let along = quantity.along_the_line().filter(|_| self.given.0.contains_key(&Quantity::InALine));
+        let right = |along: &Quantity| self.parts.iter().find_map(|part| part.known.number(*along));
+        match along.and_then(|along| Some((along, right(&along)?.sign()?))) {
+            Some((along, Ordering::Less)) => (along, -value),
+            Some((along, _)) => (along, value),
+            None => (quantity, value),
+        }
+    }
+
+    /// A value as it was written, in the letters of the question.
+    pub(in crate::mark) fn exact(&self, written: &Expr) -> Option<Value> {
+        let letter = |name: &str| {
+            let letter = self.letters.iter().find(|letter| letter.name() == name)?;
+            Some(Meaning::Number(Value::letter(*letter)))
+        };
+        match evaluate(written, &letter).ok()? {
+            Meaning::Number(value) => Some(value),
+            _ => None,
+        }
+    }
+}
+
+impl KeyedPart {
+    /// The impacts of which it has steps, each once, in their order.
+    pub(in crate::mark) fn impacts(&self) -> Vec<u8> {
+        let mut impacts: Vec<u8> = self.derivation.steps.iter().map(|step| step.impact()).collect();
+        impacts.sort_unstable();
+        impacts.dedup();
+        impacts
+    }
+
+    /// The part as far as it is about a later impact, in the words of the laws.
+    pub(in crate::mark) fn of_impact(&self, meeting: Meeting) -> KeyedPart {
+        let in_law = |quantity: &Quantity| meeting.in_law(*quantity).unwrap_or(*quantity);
+        let mut part = self.clone();
+        for blank in &mut part.blanks {
+            blank.find = match &blank.find {
+                Find::Quantity(quantity) => Find::Quantity(in_law(quantity)),
+                Find::Vector(x, y) => Find::Vector(in_law(x), in_law(y)),
+                other => other.clone(),
+            };
+        }
+        let mark = |mark: &KeyedMark| KeyedMark {
+            earned_for: match &mark.earned_for {
+                EarnedFor::Quantity(quantity) => EarnedFor::Quantity(in_law(quantity)),
+                other => other.clone(),
+            },
+            // What is stated of a quantity was worked out under its other name.
+            stated: Default::default(),
+            ..mark.clone()
+        };
+        part.scheme = self.scheme.iter().map(mark).collect();
+        let here = self.derivation.steps.iter().filter_map(|step| step.later);
+        let rules = here.filter(|(other, _)| *other == meeting).map(|(_, rule)| rule);
+        part.derivation = Derivation { steps: rules.collect() };
+        part.known = meeting.known(&self.known);
+        part
+    }
+}

@@ -1,0 +1,310 @@
+//! Impacts that come later: a sphere that was struck strikes another, or a wall.
+//!
+//! No law is written twice for them. A quantity of a later impact is a quantity of an impact with the number of the
+//! impact before it, `second.B.after.speed`, and is said of the sphere by its own name; a [`Meeting`] says which spheres
+//! have the parts of A and B there. So a rule of a later impact is the rule of a law with other names for what it needs
+//! and gives, and between two impacts stands the one rule that velocities are carried over.
+
+use std::collections::HashMap;
+use std::fmt;
+use std::sync::OnceLock;
+
+use super::law::Known;
+use super::{Axis, Moment, Quantity, Sphere};
+use crate::number::Number;
+
+/// How impacts after the first are called, in the order in which they come.
+pub const LATER: [&str; 3] = ["second", "third", "fourth"];
+
+/// An impact that comes later, and between whom.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Meeting {
+    /// How many impacts come before it; at least one.
+    pub number: u8,
+    /// Who has the part of A in the laws, and who that of B.
+    pub of: [Sphere; 2],
+    /// Is it a wall that has the part of B? Then the second name stands for it, and not for a sphere.
+    pub with_wall: bool,
+}
+
+/// A quantity of a later impact.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Later {
+    number: u8,
+    /// The place of the quantity among those of an impact: so the whole is as small as a quantity of the first.
+    place: u8,
+}
+
+struct Table {
+    quantities: Vec<Quantity>,
+    places: HashMap<Quantity, u8>,
+    names: HashMap<String, u8>,
+}
+
+fn table() -> &'static Table {
+    static TABLE: OnceLock<Table> = OnceLock::new();
+    TABLE.get_or_init(|| {
+        let quantities = Quantity::of_an_impact();
+        let numbered = || quantities.iter().zip(0..=u8::MAX);
+        let places = numbered().map(|(quantity, place)| (*quantity, place)).collect();
+        let named = Quantity::named(&Sphere::ALL).len();
+        let names = numbered().take(named).map(|(quantity, place)| (quantity.to_string(), place)).collect();
+        Table { quantities, places, names }
+    })
+}
+
+impl Later {
+    /// A quantity of one impact, said of a later one; `None` of what is no quantity of one impact.
+    pub fn new(number: u8, quantity: Quantity) -> Option<Later> {
+        Some(Later { number, place: *table().places.get(&quantity)? })
+    }
+
+    /// By its name, `second.B.after.speed`.
+    pub fn named(name: &str) -> Option<Later> {
+        let (ordinal, rest) = name.split_once('.')?;
+        let number = LATER.iter().position(|word| *word == ordinal)? as u8 + 1;
+        Some(Later { number, place: *table().names.get(rest)? })
+    }
+
+    /// How many impacts come before.
+    pub fn number(self) -> u8 {
+        self.number
+    }
+
+    /// The quantity, of the spheres by their own names.
+    pub fn quantity(self) -> Quantity {
+        table().quantities[usize::from(self.place)]
+    }
+}
+
+impl fmt::Display for Later {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}.{}", ordinal(self.number), self.quantity())
+    }
+}
+
+impl fmt::Debug for Later {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+/// `first`, `second`, …
+pub fn ordinal(number: u8) -> &'static str {
+    match usize::from(number) {
+        0 => "first",
+        number => LATER.get(number - 1).copied().unwrap_or("later"),
+    }
+}
+
+/// Words that speak of the impact, with its number.
+pub fn numbered(number: u8, words: &str) -> String {
+    words.replace("the impact", &format!("the {} impact", ordinal(number)))
+}
+
+impl Meeting {
+    /// The first impact.
+    pub const FIRST: Meeting = Meeting { number: 0, of: Sphere::BOTH, with_wall: false };
+
+    /// The last impact before this one in which the sphere took part.
+    pub fn last_of(self, sphere: Sphere, meetings: &[Meeting]) -> Option<Meeting> {
+        let earlier = meetings.iter().filter(|meeting| meeting.number < self.number);
+        let last = earlier.filter(|meeting| meeting.part(sphere).is_some()).max_by_key(|meeting| meeting.number);
+        last.copied().or_else(|| Meeting::FIRST.part(sphere).map(|_| Meeting::FIRST))
+    }
+
+    /// A quantity as the laws have it, of A and B, said of this impact and of who meets in it.
+    pub fn quantity(self, quantity: Quantity) -> Quantity {
+        if self.number == 0 {
+            return quantity;
+        }
+        let own = quantity.with_spheres(|part| self.sphere(part));
+        Later::new(self.number, own).map_or(quantity, Quantity::Later)
+    }
+
+    /// Who has the part of A, or of B.
+    pub fn sphere(self, part: Sphere) -> Sphere {
+        self.of[usize::from(part != Sphere::A)]
+    }
+
+    /// Which part a sphere has here, if it is one of the two.
+    pub fn part(self, sphere: Sphere) -> Option<Sphere> {
+        match self.of {
+            [first, _] if first == sphere => Some(Sphere::A),
+            [_, second] if second == sphere && !self.with_wall => Some(Sphere::B),
+            _ => None,
+        }
+    }
+
+    /// What the laws call a quantity of this impact; `None` of any other.
+    pub fn in_law(self, quantity: Quantity) -> Option<Quantity> {
+        let Quantity::Later(later) = quantity else { return None };
+        let own = later.quantity();
+        let is_here = later.number == self.number && own.sphere().is_none_or(|sphere| self.of.contains(&sphere));
+        let part = |sphere| if sphere == self.of[0] { Sphere::A } else { Sphere::B };
+        is_here.then(|| own.with_spheres(part))
+    }
+
+    /// What is known of this impact, as the laws call it.
+    pub fn known<N: Number>(self, known: &Known<N>) -> Known<N> {
+        let here = known.0.iter().filter_map(|(quantity, datum)| Some((self.in_law(*quantity)?, datum.clone())));
+        Known(here.collect())
+    }
+
+    /// A name of the laws, `B`, `m_B` or `vector.v_B`, with the name of who has the part here; `None` of other names.
+    pub fn name(self, name: &str) -> Option<String> {
+        let (stem, part) = match name.rsplit_once('_') {
+            Some((stem, part)) => (format!("{stem}_"), part),
+            None => (String::new(), name),
+        };
+        let part = Sphere::BOTH.into_iter().find(|sphere| sphere.name() == part)?;
+        Some(format!("{stem}{}", self.sphere(part).name()))
+    }
+
+    /// What a student typed, with the names that the laws have for who takes part: `v_C` is `v_B` where C has the part
+    /// of B. A letter is a sphere's name where it ends a name, as in `v_B`, `v_{B}` and `mB`.
+    pub fn in_law_names(self, typed: &str) -> String {
+        if self.of == Meeting::FIRST.of {
+            return typed.to_owned();
+        }
+        let mut signs = typed.chars().peekable();
+        let mut before = ' ';
+        let mut said = String::with_capacity(typed.len());
+        while let Some(sign) = signs.next() {
+            let ends = !signs.peek().is_some_and(|next| next.is_alphanumeric());
+            let begun = before == '_' || before == '{' || before.is_lowercase();
+            let sphere = Sphere::ALL.into_iter().find(|sphere| ends && begun && sphere.name().starts_with(sign));
+            match sphere.and_then(|sphere| self.part(sphere)) {
+                Some(part) => said.push_str(part.name()),
+                None => said.push(sign),
+            }
+            before = sign;
+        }
+        said
+    }
+
+    /// Every later impact, of what is known or given.
+    pub fn all<'q>(given: impl IntoIterator<Item = &'q Quantity>) -> Vec<Meeting> {
+        let meeting = |quantity: &Quantity| match quantity {
+            Quantity::Meeting(meeting) => Some(*meeting),
+            _ => None,
+        };
+        given.into_iter().filter_map(meeting).collect()
+    }
+}
+
+impl Quantity {
+    /// What it is, whichever impact it is of.
+    pub fn of_its_impact(self) -> Quantity {
+        match self {
+            Quantity::Later(later) => later.quantity(),
+            quantity => quantity,
+        }
+    }
+
+    /// How many impacts come before the one that it is of.
+    pub fn impact(self) -> u8 {
+        match self {
+            Quantity::Later(later) => later.number,
+            _ => 0,
+        }
+    }
+
+    /// Of an angle to the line of centres, or of a speed: the component along that line.
+    pub fn along_the_line(self) -> Option<Quantity> {
+        match self {
+            Quantity::AngleToLine(sphere, moment) | Quantity::Speed(sphere, moment) => {
+                Some(Quantity::Velocity(sphere, moment, Axis::N))
+            }
+            Quantity::Later(later) => Later::new(later.number, later.quantity().along_the_line()?).map(Quantity::Later),
+            _ => None,
+        }
+    }
+
+    /// Of a component of a velocity: the same velocity along another axis.
+    pub fn along(self, axis: Axis) -> Quantity {
+        match self {
+            Quantity::Velocity(sphere, moment, _) => Quantity::Velocity(sphere, moment, axis),
+            Quantity::Later(later) => {
+                Later::new(later.number, later.quantity().along(axis)).map_or(self, Quantity::Later)
+            }
+            other => other,
+        }
+    }
+
+    /// Of a velocity after an impact: the same before it.
+    pub(super) fn before(self) -> Quantity {
+        match self {
+            Quantity::Velocity(sphere, _, axis) => Quantity::Velocity(sphere, Moment::Before, axis),
+            Quantity::Later(later) => Later::new(later.number, later.quantity().before()).map_or(self, Quantity::Later),
+            other => other,
+        }
+    }
+}
+
+impl fmt::Display for Meeting {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let second = if self.with_wall { "a wall" } else { self.of[1].name() };
+        write!(f, "{} impact of {} and {second}", ordinal(self.number), self.of[0].name())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_quantity_of_a_later_impact_is_found_by_its_name() {
+        for name in ["second.B.after.speed", "third.e", "second.C.before.n", "fourth.ke.lost"] {
+            let quantity: Quantity = name.parse().unwrap();
+            assert_eq!(quantity.to_string(), name);
+        }
+        for name in [
+            "first.e",
+            "second",
+            "second.second.e",
+            "fifth.e",
+            "second.D.mass",
+            "C.mass",
+            "second.equation of momentum",
+        ] {
+            assert!(name.parse::<Quantity>().is_err(), "{name}");
+        }
+    }
+
+    #[test]
+    fn who_meets_has_the_parts_of_the_laws() {
+        let meeting = Meeting { number: 1, of: [Sphere::B, Sphere::C], with_wall: false };
+        for quantity in Quantity::all() {
+            let later = meeting.quantity(quantity);
+            assert_eq!(later.to_string().parse(), Ok(later));
+            assert_eq!(meeting.in_law(later), Some(quantity));
+            assert_eq!(later.unit(), quantity.unit());
+            assert_eq!(Meeting { number: 2, ..meeting }.in_law(later), None);
+        }
+        assert_eq!(meeting.quantity(Quantity::Mass(Sphere::B)).to_string(), "second.C.mass");
+    }
+
+    #[test]
+    fn what_is_typed_of_spheres_is_said_of_the_parts_that_they_have() {
+        let meeting = Meeting { number: 1, of: [Sphere::B, Sphere::C], with_wall: false };
+        for (typed, said) in [
+            ("2v_B + 3v_C = 6", "2v_A + 3v_B = 6"),
+            (r"m_{C} = 3, mB = 2", r"m_{B} = 3, mA = 2"),
+            ("A: CoM gives xB", "A: CoM gives xA"),
+            ("Before", "Before"),
+        ] {
+            assert_eq!(meeting.in_law_names(typed), said);
+        }
+    }
+
+    #[test]
+    fn a_sphere_comes_from_the_last_impact_that_it_had_a_part_in() {
+        let wall = Meeting { number: 1, of: [Sphere::B, Sphere::A], with_wall: true };
+        let again = Meeting { number: 2, of: [Sphere::A, Sphere::B], with_wall: false };
+        let all = [wall, again];
+        assert_eq!(again.last_of(Sphere::A, &all), Some(Meeting::FIRST));
+        assert_eq!(again.last_of(Sphere::B, &all), Some(wall));
+        assert_eq!(again.last_of(Sphere::C, &all), None);
+    }
+}
