@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use super::Setting;
+
 /// The kind of a refusal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Because {
@@ -44,6 +46,12 @@ impl Refusal {
     pub fn try_this(mut self, help: impl Into<String>) -> Refusal {
         self.help = Some(help.into());
         self
+    }
+
+    /// The same refusal in the words of another setting.
+    pub fn said_of(self, setting: Setting) -> Refusal {
+        let say = |words: String| setting.say(&words).into_owned();
+        Refusal { reason: say(self.reason), help: self.help.map(say), ..self }
     }
 }
 
