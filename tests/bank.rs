@@ -156,3 +156,20 @@ fn carom_deals_variants_of_every_shipped_question_in_every_style() {
         }
     }
 }
+
+#[test]
+fn carom_condones_beside_a_scalar_product_what_can_go_wrong_in_one() {
+    let bank = carom::bank::Bank::shipped().unwrap_or_else(|faults| panic!("{}", render_all(&faults, false)));
+    let mut found = 0;
+    for question in &bank.questions {
+        let printed = carom::paper::compose(question, &reference(question).unwrap(), 1);
+        for row in printed.parts.iter().flat_map(|part| &part.scheme) {
+            let (earned, note) = (print::text_unicode(&row.earned), print::text_unicode(&row.note));
+            if earned.contains("scalar product") && !earned.contains("difference") {
+                assert!(!note.contains("difference"), "{}: {earned} [{note}]", question.id);
+                found += 1;
+            }
+        }
+    }
+    assert!(found > 1, "{found}");
+}

@@ -425,6 +425,34 @@ fn a_fault_in_a_scene_is_under_its_caret() {
 }
 
 #[test]
+fn what_a_scene_leaves_no_place_for_is_a_fault_at_its_own_field() {
+    let wall = r#"{"before": {"A": ["3", "-4"]}, "wall": ["1", "0"], "e": "1/2", MORE}"#;
+    let direct = r#"{"masses": {"A": "1", "B": "2"}, "before": {"A": "3", "B": "0"}, "e": "1/2", MORE}"#;
+    let impulse = r#"{"masses": {"A": "1"}, "before": {"A": ["3", "-4"]}, "impulse": ["1", "0"], MORE}"#;
+    let sense = r#""sense": "A_to_B""#;
+    let radii = r#""radii": {"A": "1", "B": "1"}"#;
+    for (scene, more, words) in [
+        (wall, sense, "it is given beside a `wall`"),
+        (wall, radii, "it is given beside a `wall`"),
+        (direct, sense, "it is given beside velocities along one line"),
+        (direct, radii, "it is given beside velocities along one line"),
+        (impulse, sense, "it is given beside an `impulse`"),
+        (impulse, radii, "it is given beside an `impulse`"),
+        (wall, r#""after": {"B": ["1", "0"]}"#, "there is no sphere B"),
+    ] {
+        let text = scene.replace("MORE", more);
+        let output = with_stdin(&["solve", "-"], text.as_bytes());
+        assert_eq!(code(&output), 1, "{text}");
+        let said = stderr(&output);
+        assert!(said.contains(words), "{said}");
+        // The caret stands below what is given there, and not below another field.
+        let value = text.find(more).unwrap() + more.find(": ").unwrap();
+        let column = said.split("stdin:1:").nth(1).unwrap().split_whitespace().next().unwrap();
+        assert!(column.parse::<usize>().unwrap() > value, "{said}");
+    }
+}
+
+#[test]
 fn a_bank_of_ones_own_is_listed_explained_and_checked() {
     let folder = folder("bank");
     let shipped = Path::new(env!("CARGO_MANIFEST_DIR")).join("question_bank/rest-letters");

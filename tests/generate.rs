@@ -2,11 +2,12 @@
 
 use std::collections::BTreeSet;
 use std::sync::Mutex;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use carom::bank::{Question, StyleName, read_question};
 use carom::diagnostic::{Source, render_all};
 use carom::expr::print;
-use carom::generate::{Deal, End, Unfit, Variant, enumerate, examine, reference};
+use carom::generate::{Deal, End, MOST_SETS, Unfit, Variant, enumerate, examine, out_of, reference};
 
 const HEAD_ON: &str = r#"
 title = "A strikes B at rest"
@@ -90,6 +91,7 @@ fn carom_finds_exactly_the_variants_that_the_requirements_allow() {
     assert_eq!(found, fit_by_hand());
     assert_eq!(census.fit, found.len() as u64);
     assert_eq!(census.fit + census.unfit.values().sum::<u64>(), census.size);
+    assert_eq!(census.examined, census.size);
     // A comes to rest or turns back whenever m <= e (m + 1).
     let turned_back = (1..=4).flat_map(|m| [0, 1, 2].map(|e| (m, e))).filter(|(m, e)| 2 * m <= e * (m + 1)).count();
     assert_eq!(census.unfit.get(&Unfit::Results(1)), Some(&(turned_back as u64 * 12)));
@@ -152,6 +154,23 @@ fn carom_gives_up_on_a_style_that_nothing_fits() {
     let mut deal = Deal::new(&question, style, 1);
     assert!(deal.next().is_none());
     assert_eq!(deal.end(), Some(End::GaveUp));
+}
+
+#[test]
+fn carom_says_of_how_many_sets_of_numbers_it_has_examined_the_first() {
+    // Turned away by what is given alone, so that half a million are soon examined.
+    let text = HEAD_ON.replace("u = \"1..6\"", "u = \"1..900000\"").replace("\"m != k\"", "\"u < 0\"");
+    let question = question(&text);
+    let style = question.style(StyleName::Friendly).unwrap();
+    let told = AtomicU64::new(0);
+    let census = enumerate(&question, style, &|_| {}, &|done| {
+        told.fetch_max(done, Ordering::Relaxed);
+    });
+    assert_eq!((census.size, census.examined), (900_000 * 24, MOST_SETS));
+    assert_eq!(census.fit + census.unfit.values().sum::<u64>(), MOST_SETS);
+    assert_eq!(told.into_inner(), MOST_SETS);
+    assert_eq!(out_of(census.examined, census.size), "the first 500000 of 21600000");
+    assert_eq!(out_of(144, 144), "144");
 }
 
 #[test]

@@ -85,6 +85,51 @@ fn carom_documents_every_room_in_the_order_of_import() {
 }
 
 #[test]
+fn carom_says_which_files_name_a_setting() {
+    let page = fs::read_to_string(root().join("docs/extending.md")).unwrap();
+    let section = page.split("\n## ").find(|section| section.starts_with("A setting")).unwrap();
+    // A law stands there by its name, a folder of pictures by its path, any other file by its own.
+    let is_said = |path: &str| {
+        let law = path.strip_prefix("src/mechanics/law/").map(|file| file.trim_end_matches(".rs"));
+        let file = path.trim_start_matches("src/mechanics/").rsplit('/').next().unwrap_or(path);
+        let file = if file == "mod.rs" { path.trim_start_matches("src/mechanics/") } else { file };
+        law.is_some_and(|law| section.contains(law))
+            || (path.starts_with("src/diagram/") && section.contains("src/diagram/"))
+            || section.contains(&format!("{file}`"))
+    };
+    let names = |text: &str| {
+        let code = without_comments(text);
+        let used = ["Oblique", "Direct", "Wall", "Impulse"].map(|setting| format!("Setting::{setting}"));
+        used.iter().any(|setting| code.contains(setting.as_str())) || code.contains("Setting::{")
+    };
+    let mut found = 0;
+    for path in tree(&["src"]) {
+        if path.ends_with(".rs") && names(&fs::read_to_string(root().join(&path)).unwrap()) {
+            assert!(is_said(&path), "{path} names a setting, and docs/extending.md does not say so");
+            found += 1;
+        }
+    }
+    assert!(found > 10, "{found}");
+}
+
+#[test]
+fn carom_says_what_is_in_each_folder_of_its_bank() {
+    let page = fs::read_to_string(root().join("question_bank/README.md")).unwrap();
+    let rows = page.lines().filter_map(|line| line.strip_prefix("| `")?.split_once("/` | ")).map(|(folder, _)| folder);
+    let mut rows: Vec<String> = rows.map(str::to_owned).collect();
+    let folders = fs::read_dir(root().join("question_bank")).unwrap().map(|entry| entry.unwrap());
+    let folders = folders.filter(|entry| entry.path().is_dir()).map(|entry| entry.file_name().into_string().unwrap());
+    let mut folders: Vec<String> = folders.collect();
+    rows.sort();
+    folders.sort();
+    assert_eq!(rows, folders, "question_bank/README.md has a row for each folder");
+    for key in ["unknowns", "conditions", "maximise", "kind", "phrase", "positions", "radii", "impact_parameter"] {
+        assert!(page.contains(&format!("`{key}")), "question_bank/README.md does not say what `{key}` is");
+    }
+    assert!(page.contains("`carom schema question`"));
+}
+
+#[test]
 fn carom_says_what_each_dependency_earns_its_place_with() {
     let manifest = fs::read_to_string(root().join("Cargo.toml")).unwrap();
     let under = |heading: &'static str| {

@@ -197,6 +197,31 @@ fn texts_that_read_badly_are_named() {
 }
 
 #[test]
+fn a_number_that_is_never_said_is_named_at_its_key() {
+    let edits = [
+        ("The coefficient of restitution between the spheres is {e}.", "The spheres do not stick together."),
+        ("*A*, of mass {mA kg}, is", "*A* is"),
+        ("the speed of *A* is {u m/s} and", "*A* is fast and"),
+    ];
+    let (is_sound, said) = checked("unsaid", "rest/speeds-and-directions", &edits);
+    assert!(!is_sound, "{said}");
+    // Of style friendly: `e` and `mA` stand among the parameters of all styles, `u` among its own.
+    for (key, help) in
+        [("e  = [\"1/4\"", "`{e}`"), ("mA = \"1..6\"", "`{mA kg}`"), ("u     = [\"5\", \"10\"", "`{u m/s}`")]
+    {
+        let name = key.split(' ').next().unwrap();
+        let message = format!("the words of style `friendly` never give `{name}`");
+        let picture =
+            said.split("error:").find(|picture| picture.contains(&message)).unwrap_or_else(|| panic!("{said}"));
+        let mut lines = picture.lines().skip_while(|line| !line.contains(&format!("| {key}")));
+        assert!(lines.next().is_some(), "{picture}");
+        let carets = format!("| {} the scene takes it", "^".repeat(name.len()));
+        assert!(lines.next().is_some_and(|line| line.contains(&carets)), "{picture}");
+        assert!(picture.contains(&format!("write it into the stem, as in {help}")), "{picture}");
+    }
+}
+
+#[test]
 fn tests_of_the_author_that_fail_and_marks_that_measure_nothing_are_named() {
     found(
         "rest-letters/direction-and-deflection",

@@ -6,7 +6,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::literal::{self, Words};
-use super::syntax;
+use super::{StyleName, syntax};
 use crate::diagnostic::{Diagnostic, Source, near};
 use crate::expr::{Fault, Span};
 
@@ -85,6 +85,18 @@ pub fn parse<'a>(text: &'a str, faults: &mut Faults) -> Option<Spanned<DeTable<'
     }
     syntax::report(&errors, faults);
     errors.is_empty().then_some(table)
+}
+
+/// Where the key of a parameter stands: among those of the style, or among those of all styles.
+pub fn parameter_span(text: &str, style: StyleName, name: &str) -> Option<Range<usize>> {
+    let (document, _) = DeTable::parse_recoverable(text);
+    let styles = || document.get_ref().get("style")?.get_ref().as_table();
+    let own = || styles()?.get(style.name())?.get_ref().as_table()?.get("parameters");
+    let of = |parameters: &Spanned<DeValue>| {
+        let mut keys = parameters.get_ref().as_table()?.keys();
+        keys.find(|key| key.get_ref() == name).map(Spanned::span)
+    };
+    own().and_then(of).or_else(|| document.get_ref().get("parameters").and_then(of))
 }
 
 /// One table of the document while its keys are asked for one by one.

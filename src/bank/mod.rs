@@ -22,6 +22,7 @@ mod syntax;
 
 pub use check::read_question;
 pub use contents::{Contents, Heading};
+pub use document::parameter_span;
 pub use domain::Domain;
 pub use folder::{Bank, read_source};
 pub use givens::Givens;

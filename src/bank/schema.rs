@@ -241,7 +241,12 @@ fn scene() -> Json {
                 }),
             ),
             ("unknowns", texts("Letters that are to be found from the conditions.")),
-            ("conditions", texts("Equations that must hold, such as \"A.deflection_dot = 0\".")),
+            (
+                "conditions",
+                texts(
+                    "What must hold: an equation such as \"A.deflection_dot = 0\", or an inequality such as \"A.after.x < 0\".",
+                ),
+            ),
             (
                 "maximise",
                 json!({

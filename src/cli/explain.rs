@@ -14,7 +14,7 @@ use super::output::{count, print, print_json, table};
 use super::solve::worked;
 use crate::bank::{Domain, Question, Style};
 use crate::expr::print as written;
-use crate::generate::{Variant, reference};
+use crate::generate::{Variant, out_of, reference};
 use crate::mechanics::Line;
 use crate::paper::{Dealer, PrintedAnswer, PrintedQuestion, compose};
 use crate::solve::solve;
@@ -103,7 +103,8 @@ pub fn run(arguments: &ExplainArguments) -> Result<(), Failure> {
 
 fn style_in_words(question: &Question, style: &Style, counted: &StyleCount) -> String {
     let census = &counted.census;
-    let mut text = format!("\nStyle {}: {} of {} sets of numbers\n", style.name, census.fit, census.size);
+    let all = out_of(census.examined, census.size);
+    let mut text = format!("\nStyle {}: {} of {all} sets of numbers\n", style.name, census.fit);
     let mut rows: Vec<Vec<String>> =
         style.parameters.iter().map(|(name, domain)| vec![format!("  {name}"), values(domain)]).collect();
     rows.extend(style.lets.iter().map(|(name, expr)| vec![format!("  {name}"), format!("= {}", written::plain(expr))]));

@@ -45,8 +45,7 @@ pub fn run(arguments: &ListArguments) -> Result<(), Failure> {
     let mut listed = Vec::new();
     for question in &questions {
         let styles = counts(question, &progress);
-        let variants: Vec<String> =
-            styles.iter().map(|StyleCount { style, census }| format!("{} {style}", census.fit)).collect();
+        let variants: Vec<String> = styles.iter().map(in_words).collect();
         listed.push(json!({
             "id": question.id, "title": question.title, "mirrors": question.mirrors, "topic": question.topic,
             "marks": question.marks(), "styles": styles.iter().map(StyleCount::json).collect::<Vec<_>>(),
@@ -66,4 +65,10 @@ pub fn run(arguments: &ListArguments) -> Result<(), Failure> {
         print(&format!("{}{}\n", table(&rows), count(questions.len(), "question")))?;
     }
     if faults.is_empty() { Ok(()) } else { Err(Failure::Faults(faults)) }
+}
+
+/// `60 exact`; of very many sets of numbers the last are not examined.
+fn in_words(StyleCount { style, census }: &StyleCount) -> String {
+    let or_more = if census.examined < census.size { " or more" } else { "" };
+    format!("{}{or_more} {style}", census.fit)
 }

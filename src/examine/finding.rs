@@ -1,5 +1,6 @@
 //! What is amiss with a question.
 
+use crate::bank::{StyleName, parameter_span};
 use crate::diagnostic::{Diagnostic, Severity, Source};
 
 /// Something amiss, with all that a person needs to mend it.
@@ -11,6 +12,8 @@ pub struct Finding {
     pub message: String,
     /// What stands in the file at the place where it can be mended; empty if no place is better than another.
     pub at: String,
+    /// Or the parameter, as a style has it, at whose key it can be mended.
+    pub parameter: Option<(StyleName, String)>,
     /// What was expected there.
     pub label: String,
     /// One thing to try.
@@ -21,7 +24,12 @@ impl Finding {
     /// A finding that must be mended.
     pub fn new(message: impl Into<String>, at: impl Into<String>, label: impl Into<String>) -> Finding {
         let (message, at, label) = (message.into(), at.into(), label.into());
-        Finding { severity: Severity::Error, message, at, label, help: None }
+        Finding { severity: Severity::Error, message, at, parameter: None, label, help: None }
+    }
+
+    /// A finding at the key of a parameter, which must be mended.
+    pub fn at_parameter(message: impl Into<String>, style: StyleName, name: &str, label: &str) -> Finding {
+        Finding { parameter: Some((style, name.to_owned())), ..Finding::new(message, "", label) }
     }
 
     /// With one thing to try.
@@ -31,10 +39,11 @@ impl Finding {
 
     /// The finding in the file of its question.
     pub fn diagnostic(&self, id: &str, source: &Source) -> Diagnostic {
-        let found = if self.at.is_empty() { None } else { source.text.find(&self.at) };
-        let span = found.map_or(0..0, |start| start..start + self.at.len());
-        let label = if found.is_some() { self.label.as_str() } else { "" };
-        let fault = Diagnostic::new(format!("`{id}`: {}", self.message), source, span, label);
+        let key = self.parameter.as_ref().and_then(|(style, name)| parameter_span(&source.text, *style, name));
+        let found = || source.text.find(&self.at).filter(|_| !self.at.is_empty());
+        let span = key.or_else(|| found().map(|start| start..start + self.at.len()));
+        let label = if span.is_some() { self.label.as_str() } else { "" };
+        let fault = Diagnostic::new(format!("`{id}`: {}", self.message), source, span.unwrap_or(0..0), label);
         Diagnostic { severity: self.severity, help: self.help.clone(), ..fault }
     }
 }

@@ -7,6 +7,8 @@ use serde_json::Value as Json;
 use super::finding::Finding;
 use crate::bank::{Question, Style};
 use crate::expr::{Expr, Markup, Text};
+use crate::mechanics::{SceneText, VelocityText};
+use crate::unit::Unit;
 
 /// Numbers that are never said, and letters that are never used.
 pub fn unsaid(question: &Question) -> Vec<Finding> {
@@ -24,8 +26,10 @@ pub fn unsaid(question: &Question) -> Vec<Finding> {
             if domain.size() > 1 && taken.contains(name) && !said.contains(name) {
                 let message = format!("the words of style `{}` never give `{name}`", style.name);
                 let label = "the scene takes it, so a student must be told";
-                let found = Finding::new(message, format!("{name} "), label);
-                let help = format!("write it into the stem, as in `{{{name} kg}}`");
+                let found = Finding::at_parameter(message, style.name, name, label);
+                let unit = unit_of(name, &question.scene).plain();
+                let space = if unit.is_empty() { "" } else { " " };
+                let help = format!("write it into the stem, as in `{{{name}{space}{unit}}}`");
                 findings.push(found.with_help(help));
             }
         }
@@ -35,6 +39,35 @@ pub fn unsaid(question: &Question) -> Vec<Finding> {
         Finding::new(message, "[scene.symbols]", "declared here").with_help("take it out, or use it in the scene")
     }));
     findings
+}
+
+/// The unit of a number that the scene takes as it is; of one that stands in a formula there it is open.
+fn unit_of(name: &str, scene: &SceneText) -> Unit {
+    let is = |given: Option<&String>| given.is_some_and(|given| given == name);
+    let both = |pair: &[String; 2]| pair.iter().any(|given| given == name);
+    let velocities = [&scene.before.a, &scene.before.b, &scene.after.a, &scene.after.b].into_iter().flatten();
+    let (mut speed, mut angle) = (false, false);
+    for velocity in velocities {
+        match velocity {
+            VelocityText::Along(along) => speed |= along == name,
+            VelocityText::Components(components) => speed |= both(components),
+            VelocityText::Polar(polar) => {
+                speed |= polar.speed == name;
+                angle |= is(polar.angle_deg.as_ref());
+            }
+        }
+    }
+    if is(scene.masses.a.as_ref()) || is(scene.masses.b.as_ref()) {
+        Unit::Kilogram
+    } else if speed {
+        Unit::MetrePerSecond
+    } else if angle {
+        Unit::Degree
+    } else if scene.impulse.as_ref().is_some_and(both) {
+        Unit::NewtonSecond
+    } else {
+        Unit::None
+    }
 }
 
 /// Every name in the formulas of the scene; its keys are no names.

@@ -23,4 +23,4 @@ pub use coverage::{Coverage, MarkCount, coverage};
 pub use finding::Finding;
 pub use report::{AnswerForms, Hidden, Report, StyleReport, Turned};
 pub use students::{Expected, Student, students};
-pub use survey::{MARKED, MOST_SETS, survey, work};
+pub use survey::{MARKED, survey, work};

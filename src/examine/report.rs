@@ -27,6 +27,8 @@ pub struct StyleReport {
     pub style: String,
     /// How many sets of numbers its parameters have.
     pub sets: u64,
+    /// How many of them have been examined: all, but of very many.
+    pub examined: u64,
     /// How many of them are fit for print.
     pub variants: u64,
     /// What turns the others away, in the order in which that is examined.
@@ -87,6 +89,7 @@ impl StyleReport {
         StyleReport {
             style: style.name.name().to_owned(),
             sets: census.size,
+            examined: census.examined,
             variants: census.fit,
             turned_away: turned_away.collect(),
             forms: forms.collect(),

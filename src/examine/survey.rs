@@ -12,15 +12,12 @@ use super::tally::{Tally, numbers};
 use super::{again, author, given};
 use crate::bank::{Question, Style};
 use crate::diagnostic::Severity;
-use crate::generate::{Deal, Unfit, reference};
+use crate::generate::{Deal, MOST_SETS, Unfit, out_of, reference};
 
 /// How many variants of each style are marked as handed in by students whose marks are known, beside the reference
 /// numbers. To mark one costs as much as to examine hundreds, and what a student of theirs can show is in the scheme, which
 /// all variants of a question share.
 pub const MARKED: usize = 3;
-
-/// The most sets of numbers of one style that are examined. Nobody waits for more; of a style that has more the first are.
-pub const MOST_SETS: u64 = 500_000;
 
 /// How many sets of numbers a thread takes at a time.
 const PORTION: u64 = 64;
@@ -182,7 +179,7 @@ fn unposed(question: &Question, style: &Style, tally: &Tally) -> Vec<Finding> {
         let (Some(count), Some(first)) = (census.unfit.get(&reason), census.first.get(&reason)) else { continue };
         let message = format!(
             "{count} of {} sets of numbers of style `{}` meet the requirements on what is given and {what}, first {}",
-            census.size,
+            out_of(census.examined, census.size),
             style.name,
             numbers(style, *first)
         );

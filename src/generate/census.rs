@@ -14,6 +14,8 @@ use crate::bank::{Question, Style};
 pub struct Census {
     /// How many sets there are.
     pub size: u64,
+    /// How many of them have been examined: all, unless there are more than [`MOST_SETS`].
+    pub examined: u64,
     /// How many are fit for print.
     pub fit: u64,
     /// How many each reason turned away, in the order in which reasons are examined.
@@ -26,13 +28,12 @@ pub struct Census {
     pub forms: Vec<BTreeMap<Form, u64>>,
 }
 
-/// What would become of a style if one thing were not required of it.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Relaxation {
-    /// What is required, in words.
-    pub without: String,
-    /// How many variants there would be more.
-    pub more: u64,
+/// The most sets of numbers of one style that are examined. Nobody waits for more; of a style that has more the first are.
+pub const MOST_SETS: u64 = 500_000;
+
+/// Out of how many sets something was counted: `144`, or `the first 500000 of 900000`.
+pub fn out_of(examined: u64, size: u64) -> String {
+    if examined < size { format!("the first {examined} of {size}") } else { size.to_string() }
 }
 
 impl Census {
@@ -41,24 +42,9 @@ impl Census {
         self.unfit.iter().map(|(reason, count)| (in_words(reason, question, style), *count)).collect()
     }
 
-    /// The requirement that turns most sets away, in words, and how many.
-    pub fn dearest(&self, style: &Style) -> Option<(String, u64)> {
-        let required = self.unfit.iter().filter(|(reason, _)| reason.requirement().is_some());
-        let (reason, count) = required.max_by_key(|(reason, count)| (**count, std::cmp::Reverse(*reason)))?;
-        Some((requirement(reason, style), *count))
-    }
-
-    /// The requirements by what each of them alone keeps out, the one that would give most variants first.
-    pub fn relaxations(&self, style: &Style) -> Vec<Relaxation> {
-        let alone = self.alone.iter().filter(|(reason, _)| reason.requirement().is_some());
-        let mut found: Vec<Relaxation> =
-            alone.map(|(reason, more)| Relaxation { without: requirement(reason, style), more: *more }).collect();
-        found.sort_by_key(|relaxation| std::cmp::Reverse(relaxation.more));
-        found
-    }
-
     /// Counts one set.
     pub fn count(&mut self, question: &Question, index: u64, examined: &Result<Variant, (Unfit, bool)>) {
+        self.examined += 1;
         match examined {
             Ok(variant) => {
                 self.fit += 1;
@@ -85,6 +71,7 @@ impl Census {
 
     /// Adds what was counted of other sets of the same style.
     pub fn add(&mut self, other: Census) {
+        self.examined += other.examined;
         self.fit += other.fit;
         add(&mut self.unfit, other.unfit);
         add(&mut self.alone, other.alone);
@@ -140,7 +127,7 @@ fn in_words(reason: &Unfit, question: &Question, style: &Style) -> String {
 /// How many sets a thread takes at a time.
 const PORTION: u64 = 64;
 
-/// Examines every set of numbers of a style, on all processors.
+/// Examines every set of numbers of a style, or the first [`MOST_SETS`], on all processors.
 ///
 /// `visit` sees every variant that is fit, in no particular order, and `progress` is told now and then how many
 /// sets have been examined.
@@ -151,22 +138,23 @@ pub fn enumerate(
     progress: &(dyn Fn(u64) + Sync),
 ) -> Census {
     let size = style.size();
+    let most = size.min(MOST_SETS);
     let next = AtomicU64::new(0);
     let worker = || {
         let mut census = Census { size, ..Census::default() };
         loop {
             let from = next.fetch_add(PORTION, Ordering::Relaxed);
-            if from >= size {
+            if from >= most {
                 return census;
             }
-            for index in from..size.min(from.saturating_add(PORTION)) {
+            for index in from..most.min(from.saturating_add(PORTION)) {
                 let examined = examine_further(question, style, index);
                 census.count(question, index, &examined);
                 if let Ok(variant) = examined {
                     visit(variant);
                 }
             }
-            progress(size.min(from.saturating_add(PORTION)));
+            progress(most.min(from.saturating_add(PORTION)));
         }
     };
     let threads = thread::available_parallelism().map_or(1, NonZero::get);

@@ -7,7 +7,7 @@ mod rounding;
 mod shuffle;
 mod variant;
 
-pub use census::{Census, Relaxation, enumerate};
+pub use census::{Census, MOST_SETS, enumerate, out_of};
 pub use deal::{Deal, End, PATIENCE};
 pub use form::Form;
 pub use rounding::{degrees_round_safely, rounds_safely};

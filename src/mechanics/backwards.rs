@@ -231,17 +231,18 @@ impl<'a> Posed<'a> {
         let show = Show::new(self.scene, &self.known, &self.asked);
         let mut lines: Vec<Line> = self.derivation.steps.iter().flat_map(|step| step.lines(&show)).collect();
         for condition in &self.scene.conditions {
-            let mut line = condition_line(condition).said_of(self.scene.setting);
+            let mut line = condition_line(condition, self.scene);
             line.equations.extend(self.condition_in_unknowns(condition));
             lines.push(line);
         }
         if let Some(quantity) = self.scene.maximise {
-            lines.push(self.slope_line(quantity));
+            let values: Vec<Value> = values.iter().map(|(_, value)| value.clone()).collect();
+            lines.push(self.largest_line(quantity, &values));
         }
         for (letter, value) in values {
             lines.push(found_line(*letter, value));
         }
-        lines
+        lines.into_iter().map(Line::with_masses_in_symbols).collect()
     }
 }
 

@@ -3,20 +3,18 @@
 use super::Line;
 use super::later;
 use super::refusal::Refusal;
-use super::scene::Condition;
+use super::scene::{Condition, Scene};
 use super::working::Show;
 use super::{Axis, Moment, Quantity, Setting, Sphere};
 use crate::expr::{Expr, Relation, written, written_angle};
 use crate::number::{Angle, Letter, NoRoots, Range, Value};
 
 /// The condition as a teacher says it.
-pub(super) fn condition_line(condition: &Condition) -> Line {
-    let quantity_of = |expr: &Expr| match expr {
-        Expr::Name(name) => name.text.parse::<Quantity>().ok(),
-        _ => None,
-    };
+pub(super) fn condition_line(condition: &Condition, scene: &Scene) -> Line {
+    let setting = scene.setting;
     let (quantity, other) = (quantity_of(&condition.left), quantity_of(&condition.right));
-    match quantity {
+    let symbols = Symbols::of(condition, scene);
+    let line = match quantity {
         Some(Quantity::DeflectionDot(sphere)) if condition.right.is_zero() => Line::with(
             "The path of {A} turns through a right angle, so the scalar product of its velocities before and after is nought.",
             &[("A", Expr::name(sphere.name()))],
@@ -28,65 +26,180 @@ pub(super) fn condition_line(condition: &Condition) -> Line {
             vec![],
         ),
         Some(quantity) if other.is_some() => {
-            let other = other.map_or_else(String::new, in_english);
-            Line::plain(&format!("It is given that {} is equal to {other}.", in_english(quantity)), vec![])
+            let other = other.map_or_else(String::new, |other| in_english(other, setting));
+            Line::plain(&format!("It is given that {} is equal to {other}.", in_english(quantity, setting)), vec![])
         }
-        Some(quantity) => Line::with(
-            &format!("It is given that {} is {{r}}.", in_english(quantity)),
-            &[("r", in_symbols(&condition.right))],
+        Some(quantity) => symbols.line(
+            &format!("It is given that {} is {{r}}", in_english(quantity, setting)),
+            ".",
+            &[("r", &condition.right)],
             vec![],
         ),
-        None => Line::with(
-            "It is given that {l}.",
-            &[("l", Expr::equation(in_symbols(&condition.left), in_symbols(&condition.right)))],
+        None => symbols.line(
+            "It is given that {l}",
+            ".",
+            &[("l", &Expr::equation(condition.left.clone(), condition.right.clone()))],
             vec![],
         ),
+    };
+    line.said_of(setting)
+}
+
+/// The quantity that is the whole of a formula.
+fn quantity_of(expr: &Expr) -> Option<Quantity> {
+    match expr {
+        Expr::Name(name) => name.text.parse().ok(),
+        _ => None,
     }
 }
 
-/// Names of quantities as symbols, for a formula in a sentence.
-fn in_symbols(expr: &Expr) -> Expr {
-    expr.substitute(&|name| {
-        let quantity: Quantity = name.parse().ok()?;
-        Some(Expr::name(match quantity {
-            Quantity::Speed(Sphere::A, Moment::After) => "v_A",
-            Quantity::Speed(Sphere::B, Moment::After) => "v_B",
-            Quantity::Speed(Sphere::A, Moment::Before) => "u_A",
-            Quantity::Speed(Sphere::B, Moment::Before) => "u_B",
-            Quantity::Mass(Sphere::A) => "m_A",
-            Quantity::Mass(Sphere::B) => "m_B",
-            _ => return None,
-        }))
+/// Symbols for the quantities that stand within the formulas of a condition: a name such as `A.after.ke` is for files.
+struct Symbols {
+    found: Vec<(Quantity, String)>,
+    setting: Setting,
+}
+
+impl Symbols {
+    fn of(condition: &Condition, scene: &Scene) -> Symbols {
+        let is_letter = |name: &str| scene.letters.iter().any(|letter| letter.name() == name);
+        let mut found: Vec<(Quantity, String)> = Vec::new();
+        for side in [&condition.left, &condition.right].into_iter().filter(|side| quantity_of(side).is_none()) {
+            for name in side.names() {
+                let Some(quantity) = name.text.parse().ok().filter(|_| !is_letter(&name.text)) else { continue };
+                if found.iter().any(|(other, _)| *other == quantity) {
+                    continue;
+                }
+                let is_free = |symbol: &&str| !is_letter(symbol) && !found.iter().any(|(_, other)| other == symbol);
+                let symbol = usual(quantity).into_iter().chain(["p", "q", "r", "s", "w", "x", "y", "z"]).find(is_free);
+                found.extend(symbol.map(|symbol| (quantity, symbol.to_owned())));
+            }
+        }
+        Symbols { found, setting: scene.setting }
+    }
+
+    /// A sentence with formulas in symbols, and what the symbols mean.
+    fn line(&self, words: &str, end: &str, formulas: &[(&str, &Expr)], equations: Vec<Expr>) -> Line {
+        let meant: Vec<String> = self
+            .found
+            .iter()
+            .map(|(quantity, symbol)| format!("{{{symbol}}} is {}", in_english(*quantity, self.setting)))
+            .collect();
+        let meant = if meant.is_empty() { String::new() } else { format!(", where {}", meant.join(" and ")) };
+        let formulas: Vec<(&str, Expr)> = formulas.iter().map(|(name, expr)| (*name, self.put_in(expr))).collect();
+        Line::with(&format!("{words}{meant}{end}"), &formulas, equations)
+    }
+
+    fn put_in(&self, expr: &Expr) -> Expr {
+        expr.substitute(&|name| {
+            let quantity: Quantity = name.parse().ok()?;
+            let (_, symbol) = self.found.iter().find(|(other, _)| *other == quantity)?;
+            Some(Expr::name(symbol))
+        })
+    }
+}
+
+/// The symbol that a quantity usually has.
+fn usual(quantity: Quantity) -> Option<&'static str> {
+    Some(match quantity {
+        Quantity::Speed(Sphere::A, Moment::After) => "v_A",
+        Quantity::Speed(Sphere::B, Moment::After) => "v_B",
+        Quantity::Speed(Sphere::A, Moment::Before) => "u_A",
+        Quantity::Speed(Sphere::B, Moment::Before) => "u_B",
+        Quantity::Mass(Sphere::A) => "m_A",
+        Quantity::Mass(Sphere::B) => "m_B",
+        Quantity::Restitution => "e",
+        _ => return None,
     })
 }
 
 /// A quantity in words, as a sentence names it.
-pub(super) fn in_english(quantity: Quantity) -> String {
+pub(super) fn in_english(quantity: Quantity, setting: Setting) -> String {
     use Quantity::*;
-    let when = |moment| if moment == Moment::Before { "before" } else { "after" };
+    let along = |axis| match axis {
+        Axis::X => "along {i}",
+        Axis::Y => "along {j}",
+        Axis::N => "along the line of centres",
+        Axis::T => "perpendicular to the line of centres",
+    };
+    // In a direct impact what is along the line is the whole.
+    let whole = |axis| setting == Setting::Direct && matches!(axis, Axis::X | Axis::N);
     match quantity {
-        Speed(s, m) => format!("the speed of *{}* {} the impact", s.name(), when(m)),
-        AngleToLine(s, m) => format!("the angle of *{}* to the line of centres {} the impact", s.name(), when(m)),
+        Mass(s) => format!("the mass of *{}*", s.name()),
+        Velocity(s, m, axis) if whole(axis) => format!("the velocity of *{}* {m} the impact", s.name()),
+        Velocity(s, m, axis) => {
+            format!("the component of the velocity of *{}* {} {m} the impact", s.name(), along(axis))
+        }
+        Speed(s, m) => format!("the speed of *{}* {m} the impact", s.name()),
+        KineticEnergy(s, m) => format!("the kinetic energy of *{}* {m} the impact", s.name()),
+        SphereMomentum(s, m, axis) if whole(axis) => format!("the momentum of *{}* {m} the impact", s.name()),
+        SphereMomentum(s, m, axis) => {
+            format!("the component of the momentum of *{}* {} {m} the impact", s.name(), along(axis))
+        }
+        AngleToLine(s, m) => format!("the angle of *{}* to the line of centres {m} the impact", s.name()),
+        AngleFromN(s, m) => {
+            format!(
+                "the angle in degrees, anticlockwise, from the line of centres to the velocity of *{}* {m} the impact",
+                s.name()
+            )
+        }
+        AngleFromI(s, m) => {
+            format!("the angle in degrees, anticlockwise, from {{i}} to the velocity of *{}* {m} the impact", s.name())
+        }
+        TanToLine(s, m) => format!("the tangent of the angle of *{}* to the line of centres {m} the impact", s.name()),
+        TOverN(s, m) => {
+            format!(
+                "the component of *{}* perpendicular to the line of centres over the one along it, {m} the impact,",
+                s.name()
+            )
+        }
         AngleToWall(s, m) => {
-            format!("the angle in degrees of the path of *{}* with the wall {} the impact", s.name(), when(m))
+            format!("the angle in degrees of the path of *{}* with the wall {m} the impact", s.name())
         }
         TanToWall(s, m) => {
-            format!("the tangent of the angle of the path of *{}* with the wall {} the impact", s.name(), when(m))
+            format!("the tangent of the angle of the path of *{}* with the wall {m} the impact", s.name())
         }
         Deflection(s) | SignedDeflection(s) => {
             format!("the angle in degrees through which *{}* is deflected", s.name())
         }
-        TanDeflection(s) => format!("the tangent of the deflection of *{}*", s.name()),
-        EnergyLost => "the kinetic energy lost".to_string(),
-        FractionLost => "the fraction of the kinetic energy lost".to_string(),
-        ImpulseMagnitude => "the magnitude of the impulse".to_string(),
-        Velocity(s, m, Axis::N) => {
-            format!("the component of *{}* along the line of centres {} the impact", s.name(), when(m))
+        DeflectionCross(s) => {
+            format!("the cross product of the velocities of *{}* before and after the impact", s.name())
         }
+        DeflectionDot(s) => {
+            format!("the scalar product of the velocities of *{}* before and after the impact", s.name())
+        }
+        TanDeflection(s) => format!("the tangent of the deflection of *{}*", s.name()),
+        Impulse(s, axis) if whole(axis) => format!("the impulse on *{}*", s.name()),
+        Impulse(s, axis) => format!("the component of the impulse on *{}* {}", s.name(), along(axis)),
+        SphereEnergyLost(s) => format!("the kinetic energy lost by *{}*", s.name()),
+        ImpulseMagnitude => "the magnitude of the impulse".to_owned(),
+        ImpulseAngle => "the acute angle in degrees of the impulse with {i}".to_owned(),
+        Approach => "the speed of approach along the line of centres".to_owned(),
+        Separation => "the speed of separation along the line of centres".to_owned(),
+        Restitution => "the coefficient of restitution".to_owned(),
+        MassRatio => "the mass of *B* over that of *A*".to_owned(),
+        Line(axis) => format!("the component {} of the unit vector from *A* to *B*", along(axis)),
+        Tangent(axis) => format!("the component {} of the unit vector across the line of centres", along(axis)),
+        TotalEnergy(m) => format!("the total kinetic energy {m} the impact"),
+        EnergyLost => "the kinetic energy lost".to_owned(),
+        FractionLost => "the fraction of the kinetic energy lost".to_owned(),
+        TotalMomentum(axis) => format!("the component of the total momentum {}", along(axis)),
+        AngleBetween(m) => format!("the angle in degrees between the velocities of *A* and *B* {m} the impact"),
+        Alpha => "the angle in degrees of the line of centres with the velocity of *A* relative to *B*".to_owned(),
+        // No condition can name these.
+        GivenDirection(s, m) => format!("the direction of *{}* {m} the impact", s.name()),
+        GivenImpulse(axis) => format!("the component of the given impulse {}", along(axis)),
+        ContactSine => "the sine of the angle of the line of centres with the path of *A*".to_owned(),
+        MomentumEquation => "the equation of momentum".to_owned(),
+        RestitutionEquation => "the equation of restitution".to_owned(),
         // As the second impact calls it.
-        Later(quantity) => later::numbered(quantity.number(), &in_english(quantity.quantity())),
-        other => other.to_string().replace('_', " "),
+        Later(quantity) => later::numbered(quantity.number(), &in_english(quantity.quantity(), setting)),
+        Meeting(_) | InALine => quantity.to_string(),
     }
+}
+
+/// Words for a place that prints no markup.
+pub(super) fn without_markup(words: &str) -> String {
+    words.replace(['*', '{', '}'], "")
 }
 
 /// `tan² θ = (2e - 1)/3` where the unknown is a root, then the unknown itself.
@@ -113,11 +226,7 @@ pub(super) fn found_line(letter: Letter, value: &Value) -> Line {
 }
 
 /// What must be so for something to happen, and the same in the unknown.
-pub(super) fn inequality_words(condition: &Condition, inequality: Expr, setting: Setting) -> Line {
-    let quantity_of = |expr: &Expr| match expr {
-        Expr::Name(name) => name.text.parse::<Quantity>().ok(),
-        _ => None,
-    };
+pub(super) fn inequality_words(condition: &Condition, inequality: Expr, scene: &Scene) -> Line {
     let to_nought = condition.right.is_zero();
     let must = match condition.relation {
         Relation::Less if to_nought => "must be negative",
@@ -127,24 +236,14 @@ pub(super) fn inequality_words(condition: &Condition, inequality: Expr, setting:
         Relation::Greater => "must be more than",
         _ => "must be at least",
     };
-    let formulas = [("r", in_symbols(&condition.right)), ("l", in_symbols(&condition.left))];
-    let named = |quantity| match (setting, quantity) {
-        (Setting::Direct, Quantity::Velocity(sphere, moment, Axis::X | Axis::N)) => {
-            format!("the velocity of *{}* {moment} the impact", sphere.name())
-        }
-        (_, Quantity::Velocity(sphere, moment, axis @ (Axis::X | Axis::Y))) => {
-            let along = if axis == Axis::X { "{i}" } else { "{j}" };
-            format!("the component of the velocity of *{}* along {along} {moment} the impact", sphere.name())
-        }
-        (_, Quantity::Restitution) => "the coefficient of restitution".to_owned(),
-        (_, other) => in_english(other),
+    let said = |side: &Expr, formula: &str| {
+        quantity_of(side).map_or_else(|| formula.to_owned(), |quantity| in_english(quantity, scene.setting))
     };
-    let subject = quantity_of(&condition.left).map_or_else(|| "{l}".to_owned(), named);
-    let other = quantity_of(&condition.right).map_or_else(|| "{r}".to_owned(), named);
+    let (subject, other) = (said(&condition.left, "{l}"), said(&condition.right, "{r}"));
     let short = to_nought && matches!(condition.relation, Relation::Less | Relation::Greater);
-    let words =
-        if short { format!("For this {subject} {must}:") } else { format!("For this {subject} {must} {other}:") };
-    Line::with(&words, &formulas, vec![inequality]).said_of(setting)
+    let words = if short { format!("For this {subject} {must}") } else { format!("For this {subject} {must} {other}") };
+    let formulas = [("r", &condition.right), ("l", &condition.left)];
+    Symbols::of(condition, scene).line(&words, ":", &formulas, vec![inequality]).said_of(scene.setting)
 }
 
 /// Why a system was not solved, in words.

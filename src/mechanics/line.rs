@@ -39,6 +39,19 @@ impl Line {
 }
 
 impl Line {
+    /// The same line with `m_A` and `m_B` for masses that are to be found: their letters have the names that files use.
+    pub fn with_masses_in_symbols(mut self) -> Line {
+        let symbol = |name: &str| match name {
+            "A.mass" => Some(Expr::name("m_A")),
+            "B.mass" => Some(Expr::name("m_B")),
+            _ => None,
+        };
+        let words = self.words.map_formulas(&mut |expr: &Expr| Ok::<_, ()>(expr.substitute(&symbol)));
+        self.words = words.unwrap_or_default();
+        self.equations = self.equations.iter().map(|equation| equation.substitute(&symbol)).collect();
+        self
+    }
+
     /// The same line in other words.
     pub(super) fn said_by(mut self, say: &impl Fn(&str) -> String) -> Line {
         for piece in &mut self.words.0 {

@@ -1,8 +1,8 @@
 //! For which values of an unknown something happens: 'the set of values of e for which A turns back'.
 //!
 //! The collision is derived forwards with the unknown as a letter. Each condition is then an inequality in it, and so is
-//! everything without which there is no collision: the spheres approach, they do not pass through each other, and e lies
-//! between 0 and 1.
+//! everything without which there is no collision: the masses are positive, the spheres approach, they do not pass through
+//! each other, and e lies between 0 and 1.
 
 use super::backwards::{Found, Posed};
 use super::condition::residual;
@@ -12,10 +12,11 @@ use super::line::Line;
 use super::refusal::Refusal;
 use super::scene::{Condition, Scene};
 use super::scene_reader::meaning;
+use super::validity::broken_laws;
 use super::working::Show;
-use super::{Derivation, Quantity};
+use super::{Derivation, Quantity, Sphere, pose};
 use crate::expr::{Expr, Relation, print, written};
-use crate::number::{Demand, Letter, Range, Span, Value, solve_inequalities};
+use crate::number::{Demand, End, Letter, Range, Span, Value, solve_inequalities};
 
 /// The values of an unknown for which the conditions hold.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,8 +63,8 @@ impl Condition {
 ///
 /// # Errors
 ///
-/// More than one unknown, equations beside inequalities, values that are not from one number to another, none or all of
-/// them, or inequalities beyond the methods of an exam.
+/// More than one unknown, equations beside inequalities, more given than the impact needs, values that are not from one
+/// number to another, none or all of them, or inequalities beyond the methods of an exam.
 pub(super) fn values(posed: &Posed) -> Result<Found, Refusal> {
     let scene = posed.scene;
     let [unknown] = scene.unknowns.as_slice() else {
@@ -75,7 +76,8 @@ pub(super) fn values(posed: &Posed) -> Result<Found, Refusal> {
     if unknown.range() == Range::Acute {
         return Err(Refusal::beyond("a range of angles is not found here").try_this("ask for a range of its tangent"));
     }
-    let mut demands = posed.physical();
+    not_determined_already(posed, *unknown)?;
+    let mut stated = Vec::new();
     let mut shown = Vec::new();
     for condition in &scene.conditions {
         let letters = |name: &str| meaning(&scene.letters, name);
@@ -85,13 +87,15 @@ pub(super) fn values(posed: &Posed) -> Result<Found, Refusal> {
                 .try_this("compare their tangents, as `A.after.tan_to_loc`"));
         }
         shown.push(Expr::Relation(Box::new(written(&gap.value)), condition.relation, Box::new(Expr::integer(0))));
-        demands.push(match condition.relation {
+        stated.push(match condition.relation {
             Relation::Greater => (gap.value, Demand::Positive),
             Relation::GreaterOrEqual => (gap.value, Demand::NotNegative),
             Relation::Less => (-gap.value, Demand::Positive),
             _ => (-gap.value, Demand::NotNegative),
         });
     }
+    let physical = posed.physical();
+    let demands: Vec<(Value, Demand)> = physical.iter().map(Physical::demanded).chain(stated.iter().cloned()).collect();
     let mut spans = solve_inequalities(&demands, *unknown).map_err(no_roots)?;
     let name = unknown.name();
     match spans.len() {
@@ -107,51 +111,140 @@ pub(super) fn values(posed: &Posed) -> Result<Found, Refusal> {
         }
     }
     let values = Values { letter: *unknown, span: spans.remove(0) };
-    let lines = lines(posed, shown, &values);
+    let lines = lines(posed, shown, &stated, &physical, &values);
     // The letter stays one: what else is asked is asked in it.
     let scene = Scene { unknowns: Vec::new(), conditions: Vec::new(), ..scene.clone() };
     Ok(Found { scene, values: Vec::new(), range: Some(values), lines, remarks: Vec::new() })
 }
 
-/// The forward derivation in letters, each condition as an inequality, and what follows.
-fn lines(posed: &Posed, shown: Vec<Expr>, values: &Values) -> Vec<Line> {
-    let show = Show::new(posed.scene, &posed.known, &posed.asked);
-    let mut lines: Vec<Line> = posed.derivation.steps.iter().flat_map(|step| step.lines(&show)).collect();
-    for (condition, inequality) in posed.scene.conditions.iter().zip(shown) {
-        lines.push(inequality_words(condition, inequality, posed.scene.setting));
+/// Where more is given than an impact needs, a law determines the unknown by itself, and there is no range of it.
+fn not_determined_already(posed: &Posed, unknown: Letter) -> Result<(), Refusal> {
+    let broken = broken_laws(&posed.known);
+    if broken.iter().any(|(_, difference)| difference.letters().contains(&unknown)) {
+        let name = unknown.name();
+        return Err(Refusal::beyond(format!("more is given than the impact needs: the laws alone determine {name}"))
+            .try_this(format!(
+                "leave out the inequality, and {name} is found; or leave out a velocity after the impact"
+            )));
     }
-    let at_most_1 = values.letter.range() == Range::Unit
-        && values.span.high.as_ref().is_some_and(|high| high.included && high.value.equals(&Value::ONE));
-    let words = if at_most_1 { "A coefficient of restitution is at most 1, so" } else { "So" };
+    match broken.into_iter().next() {
+        Some((reason, _)) => Err(Refusal::impossible(reason)),
+        None => Ok(()),
+    }
+}
+
+/// Something without which there is no collision.
+struct Physical {
+    /// Of what it is demanded.
+    quantity: Quantity,
+    value: Value,
+    /// From which side of this number the value must lie.
+    bound: Value,
+    relation: Relation,
+}
+
+impl Physical {
+    fn demanded(&self) -> (Value, Demand) {
+        match self.relation {
+            Relation::Greater => (&self.value - &self.bound, Demand::Positive),
+            Relation::LessOrEqual => (&self.bound - &self.value, Demand::NotNegative),
+            _ => (&self.value - &self.bound, Demand::NotNegative),
+        }
+    }
+
+    /// Is it what ends the range there?
+    fn ends_at(&self, letter: Letter, end: &End) -> bool {
+        let (value, demand) = self.demanded();
+        ends_at(&value, demand, letter, end)
+    }
+
+    /// What it is, and the inequality that it leads to.
+    fn line(&self) -> Line {
+        let words = match (self.quantity, self.relation) {
+            (Quantity::Mass(Sphere::A), _) => "The mass of *A* is positive:",
+            (Quantity::Mass(Sphere::B), _) => "The mass of *B* is positive:",
+            (Quantity::MassRatio, _) => "Both masses are positive, and so is the mass of *B* over that of *A*:",
+            (Quantity::Approach, _) => {
+                "The spheres approach each other before the impact, so the speed of approach is positive:"
+            }
+            (Quantity::Restitution, Relation::LessOrEqual) => "The coefficient of restitution is at most 1:",
+            (Quantity::Restitution, _) => "The coefficient of restitution is not negative:",
+            _ => "The spheres do not pass through each other, so the speed of separation is not negative:",
+        };
+        let inequality = Expr::Relation(Box::new(written(&self.value)), self.relation, Box::new(written(&self.bound)));
+        Line::plain(words, vec![inequality])
+    }
+}
+
+fn ends_at(value: &Value, demand: Demand, letter: Letter, end: &End) -> bool {
+    let allows = demand == Demand::NotNegative || !end.included;
+    allows && value.substitute(letter, &end.value).is_some_and(|there| there.is_zero())
+}
+
+/// The forward derivation in letters, each condition as an inequality, what else ends the range, and what follows.
+fn lines(
+    posed: &Posed,
+    shown: Vec<Expr>,
+    stated: &[(Value, Demand)],
+    physical: &[Physical],
+    values: &Values,
+) -> Vec<Line> {
+    // What a letter may be at all needs no reason.
+    let domain = Span::of(values.letter.range());
+    let is_of_letter = |end: &End| domain.low.iter().chain(&domain.high).any(|other| other.value.equals(&end.value));
+    let ends = values.span.low.iter().chain(&values.span.high).filter(|end| !is_of_letter(end));
+    let because = ends.filter_map(|end| {
+        let is_stated = stated.iter().any(|(value, demand)| ends_at(value, *demand, values.letter, end));
+        physical.iter().find(|physical| !is_stated && physical.ends_at(values.letter, end))
+    });
+    let because: Vec<&Physical> = because.collect();
+    // What a line speaks of is derived first, even if no condition speaks of it.
+    let asked: Vec<Quantity> = posed.asked.iter().copied().chain(because.iter().map(|one| one.quantity)).collect();
+    let mut known = pose(posed.scene).unwrap_or_default();
+    let (derivation, _) = Derivation::carry_out(&mut known, &asked);
+    let show = Show::new(posed.scene, &known, &asked);
+    let mut lines: Vec<Line> = derivation.steps.iter().flat_map(|step| step.lines(&show)).collect();
+    for (condition, inequality) in posed.scene.conditions.iter().zip(shown) {
+        lines.push(inequality_words(condition, inequality, posed.scene));
+    }
+    lines.extend(because.into_iter().map(|one| one.line().said_of(posed.scene.setting)));
+    let is_end = |end: &Option<End>, at: &Value| end.as_ref().is_some_and(|end| end.included && end.value.equals(at));
+    let of_e = values.letter.range() == Range::Unit;
+    let words = if of_e && is_end(&values.span.high, &Value::ONE) {
+        "A coefficient of restitution is at most 1, so"
+    } else if of_e && is_end(&values.span.low, &Value::ZERO) {
+        "A coefficient of restitution is not negative, so"
+    } else {
+        "So"
+    };
     lines.push(Line::plain(words, vec![values.written()]));
-    lines
+    lines.into_iter().map(Line::with_masses_in_symbols).collect()
 }
 
 impl Posed<'_> {
     /// What must hold for there to be a collision at all, as far as it depends on the unknown.
-    fn physical(&self) -> Vec<(Value, Demand)> {
+    fn physical(&self) -> Vec<Physical> {
         let of_one = [
-            (Quantity::Approach, Demand::Positive),
-            (Quantity::Separation, Demand::NotNegative),
-            (Quantity::Restitution, Demand::NotNegative),
+            (Quantity::Mass(Sphere::A), Relation::Greater, Value::ZERO),
+            (Quantity::Mass(Sphere::B), Relation::Greater, Value::ZERO),
+            (Quantity::MassRatio, Relation::Greater, Value::ZERO),
+            (Quantity::Approach, Relation::Greater, Value::ZERO),
+            (Quantity::Restitution, Relation::GreaterOrEqual, Value::ZERO),
+            (Quantity::Restitution, Relation::LessOrEqual, Value::ONE),
+            (Quantity::Separation, Relation::GreaterOrEqual, Value::ZERO),
         ];
         let mut demands = of_one.to_vec();
         for meeting in Meeting::all(self.known.0.keys()) {
-            demands.extend(of_one.map(|(quantity, demand)| (meeting.quantity(quantity), demand)));
+            let later = of_one.iter().map(|(quantity, relation, bound)| (meeting.quantity(*quantity), *relation, bound.clone()));
+            demands.extend(later);
         }
-        let asked: Vec<Quantity> = demands.iter().map(|(quantity, _)| *quantity).collect();
         let mut known = self.known.clone();
-        Derivation::carry_out(&mut known, &asked);
-        let mut found = Vec::new();
+        Derivation::carry_out(&mut known, &demands.iter().map(|(quantity, ..)| *quantity).collect::<Vec<_>>());
         let open = |value: &Value| value.letters().iter().any(|letter| self.scene.unknowns.contains(letter));
-        for (quantity, demand) in demands {
-            let Some(value) = known.number(quantity).filter(open) else { continue };
-            let is_e = |quantity| matches!(quantity, Quantity::Restitution);
-            if is_e(quantity) || matches!(quantity, Quantity::Later(later) if is_e(later.quantity())) {
-                found.push((&Value::ONE - &value, Demand::NotNegative));
-            }
-            found.push((value, demand));
-        }
-        found
+        let one = |(quantity, relation, bound)| {
+            let value = known.number(quantity).filter(open)?;
+            Some(Physical { quantity, value, bound, relation })
+        };
+        demands.into_iter().filter_map(one).collect()
     }
 }

@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use super::Sphere;
 use super::later::{Meeting, ordinal};
+use super::{Setting, Sphere};
 
 /// The kind of a refusal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,6 +60,12 @@ impl Refusal {
     pub fn try_this(mut self, help: impl Into<String>) -> Refusal {
         self.help = Some(help.into());
         self
+    }
+
+    /// The same refusal in the words of another setting.
+    pub fn said_of(self, setting: Setting) -> Refusal {
+        let say = |words: String| setting.say(&words).into_owned();
+        Refusal { reason: say(self.reason), help: self.help.map(say), ..self }
     }
 }
 

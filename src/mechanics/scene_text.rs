@@ -50,7 +50,7 @@ pub struct SceneText<S = String> {
     /// Letters to be found from the conditions.
     #[serde(default = "Vec::new", skip_serializing_if = "Vec::is_empty")]
     pub unknowns: Vec<S>,
-    /// Equations between quantities.
+    /// Equations between quantities, or inequalities for a range of the unknown.
     #[serde(default = "Vec::new", skip_serializing_if = "Vec::is_empty")]
     pub conditions: Vec<S>,
     /// A quantity that the unknown makes as large as possible.

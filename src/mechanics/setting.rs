@@ -53,6 +53,33 @@ const AT_A_WALL: &[(&str, &str)] = &[
         "That is the angle with the common tangent; the angle with the line of centres is 90° less that.",
         "That is the angle with the perpendicular to the wall; the angle with the wall is 90° less that.",
     ),
+    (
+        "the velocities of A and B have equal components along the line of centres: the spheres do not approach, so there is no impact",
+        "the sphere moves parallel to the wall: it does not strike it, so there is no impact",
+    ),
+    (
+        "the spheres have equal velocities along the line of centres: they do not approach, so there is no impact",
+        "the sphere moves parallel to the wall: it does not strike it, so there is no impact",
+    ),
+    (
+        "A and B have the same velocity before, so neither approaches the other: there is no impact",
+        "the sphere is at rest before, so it does not strike the wall: there is no impact",
+    ),
+    ("A would still be moving into B", "A would still be moving into the wall"),
+    ("the separation along the line of centres is", "the velocity of A away from the wall is"),
+    ("but e times the approach is", "but e times its velocity towards the wall is"),
+    ("the spheres would pass through each other", "the sphere would pass through the wall"),
+    ("but smooth spheres exert no force that way", "but a smooth wall exerts no force that way"),
+    (
+        "The spheres approach each other before the impact, so the speed of approach is positive:",
+        "The sphere moves towards the wall before the impact, so its speed towards the wall is positive:",
+    ),
+    (
+        "The spheres do not pass through each other, so the speed of separation is not negative:",
+        "The sphere does not pass through the wall, so its speed away from the wall is not negative:",
+    ),
+    ("the speed of approach along the line of centres", "the speed towards the wall"),
+    ("the speed of separation along the line of centres", "the speed away from the wall"),
     ("a direction is measured from the line of centres", "a direction is measured from the wall"),
     (
         "angle between them is not the sum of their angles with the line of centres",
@@ -125,6 +152,7 @@ const ON_A_PARTICLE: &[(&str, &str)] = &[
     ("impulse as the change of momentum of one sphere", "impulse as the change of momentum"),
     ("a difference of momenta of one sphere, in either order", "a difference of momenta, in either order"),
     ("difference of kinetic energies, both spheres", "difference of kinetic energies"),
+    ("no impulse acted, so there was no impact", "no impulse acted"),
     ("the impact", "the impulse"),
 ];
 

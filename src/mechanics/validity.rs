@@ -28,10 +28,11 @@ pub fn check(known: &Known<Value>) -> Result<(), Refusal> {
 /// The first reason found.
 pub fn check_with(known: &Known<Value>, computed: &Known<Value>) -> Result<Known<Value>, Refusal> {
     let mut all = known.clone();
-    Derivation::carry_out_with(&mut all, computed, &sides());
+    Derivation::carry_out_with(&mut all, computed, &sides(known));
     one(&all)?;
     for meeting in Meeting::all(known.0.keys()) {
-        let sides: Vec<Quantity> = sides().into_iter().map(|quantity| meeting.quantity(quantity)).collect();
+        let sides = sides(&meeting.known(known)).into_iter().map(|quantity| meeting.quantity(quantity));
+        let sides: Vec<Quantity> = sides.collect();
         let mut there = known.clone();
         Derivation::carry_out_with(&mut there, &all, &sides);
         one(&meeting.known(&there)).map_err(|refusal| refusal.at(meeting))?;
@@ -71,16 +72,15 @@ fn masses(known: &Known<Value>) -> Result<(), Refusal> {
     Ok(())
 }
 
-/// A sphere whose velocity is given before and after, and is the same, was not struck.
+/// A sphere whose velocity is given before and after, and is the same, was not struck; and an impulse changes no velocity
+/// against itself.
 fn impulse_given(known: &Known<Value>) -> Result<(), Refusal> {
     for sphere in Sphere::BOTH {
         // A wall has no mass, and stands still.
         if !known.0.contains_key(&Quantity::Mass(sphere)) && known.0.contains_key(&Quantity::SphereEnergyLost(sphere)) {
             continue;
         }
-        let at = |moment, axis| known.number(Quantity::Velocity(sphere, moment, axis));
-        let change = |axis| Some(&at(Moment::After, axis)? - &at(Moment::Before, axis)?);
-        if let (Some(x), Some(y)) = (change(Axis::X), change(Axis::Y))
+        if let Some([x, y]) = change(known, sphere)
             && x.is_zero()
             && y.is_zero()
         {
@@ -90,7 +90,26 @@ fn impulse_given(known: &Known<Value>) -> Result<(), Refusal> {
             )));
         }
     }
+    if let (Some([p, q]), Some([x, y])) = (given_impulse(known), change(known, Sphere::A))
+        && (&(&p * &x) + &(&q * &y)).sign() == Some(Ordering::Less)
+    {
+        return Err(Refusal::impossible(
+            "the impulse is opposite to the change of the velocity of A: no positive mass does that",
+        ));
+    }
     Ok(())
+}
+
+/// The impulse as it is given, along i and j.
+fn given_impulse(known: &Known<Value>) -> Option<[Value; 2]> {
+    known.numbers([Axis::X, Axis::Y].map(Quantity::GivenImpulse))
+}
+
+/// The change of a sphere's velocity, along i and j.
+fn change(known: &Known<Value>, sphere: Sphere) -> Option<[Value; 2]> {
+    let at = |moment, axis| known.number(Quantity::Velocity(sphere, moment, axis));
+    let along = |axis| Some(&at(Moment::After, axis)? - &at(Moment::Before, axis)?);
+    Some([along(Axis::X)?, along(Axis::Y)?])
 }
 
 fn approach(known: &Known<Value>) -> Result<(), Refusal> {
@@ -150,7 +169,7 @@ fn kept(derived: &Known<Value>) -> Result<(), Refusal> {
 /// For each law of which everything is known and which is not kept: what is wrong, and by how much.
 pub fn broken_laws(known: &Known<Value>) -> Vec<(String, Value)> {
     let mut all = known.clone();
-    Derivation::carry_out(&mut all, &sides());
+    Derivation::carry_out(&mut all, &sides(known));
     broken(&all)
 }
 
@@ -163,7 +182,30 @@ fn broken(known: &Known<Value>) -> Vec<(String, Value)> {
             broken.push((reason(), difference));
         }
     };
-    for sphere in Sphere::BOTH {
+    // Of a given impulse the line of centres is only the direction: it, and not the line, says what changes.
+    let is_given = given_impulse(known).is_some();
+    for (axis, name) in [(Axis::X, "i"), (Axis::Y, "j")] {
+        let at = |moment| Quantity::Velocity(Sphere::A, moment, axis);
+        let needs = [Quantity::GivenImpulse(axis), MASSES[0], at(Moment::Before), at(Moment::After)];
+        if let Some([impulse, mass, before, after]) = known.numbers(needs) {
+            let change = &mass * &(&after - &before);
+            compare(&impulse, &change, &|| {
+                format!(
+                    "along {name} the impulse is {}, but the momentum of A changes by {}",
+                    show(&impulse),
+                    show(&change)
+                )
+            });
+        }
+    }
+    if let (None, Some([p, q]), Some([x, y])) =
+        (known.number(MASSES[0]), given_impulse(known), change(known, Sphere::A))
+    {
+        compare(&(&p * &y), &(&q * &x), &|| {
+            "the impulse is not parallel to the change of the velocity of A".to_owned()
+        });
+    }
+    for sphere in Sphere::BOTH.into_iter().filter(|_| !is_given) {
         let at = |moment| known.number(Quantity::Velocity(sphere, moment, Axis::T));
         if let (Some(before), Some(after)) = (at(Moment::Before), at(Moment::After)) {
             compare(&before, &after, &|| {
@@ -203,12 +245,18 @@ fn broken(known: &Known<Value>) -> Vec<(String, Value)> {
 }
 
 /// What the laws speak of.
-fn sides() -> Vec<Quantity> {
+fn sides(known: &Known<Value>) -> Vec<Quantity> {
+    let moments = [Moment::Before, Moment::After];
     let mut asked = vec![Quantity::Approach, Quantity::Separation, Quantity::Restitution, MASSES[0], MASSES[1]];
     asked.push(Quantity::MassRatio);
     asked.extend(ALONG);
     for sphere in Sphere::BOTH {
-        asked.extend([Moment::Before, Moment::After].map(|moment| Quantity::Velocity(sphere, moment, Axis::T)));
+        asked.extend(moments.map(|moment| Quantity::Velocity(sphere, moment, Axis::T)));
+    }
+    if given_impulse(known).is_some() {
+        for axis in [Axis::X, Axis::Y] {
+            asked.extend(moments.map(|moment| Quantity::Velocity(Sphere::A, moment, axis)));
+        }
     }
     asked
 }

@@ -1,11 +1,12 @@
 //! The values of a letter for which inequalities hold.
 //!
-//! A value changes its sign only where it is nought, or where its reciprocal is. Between two such places one number
-//! tells for all, and its sign is decided exactly. So the set that is found is the whole set, ends included or not.
+//! A value changes its sign only where it is nought, where its reciprocal is, or where a square root in it begins to exist.
+//! Between two such places one number tells for all, and its sign is decided exactly. So the set that is found is the whole
+//! set, ends included or not.
 
 use std::cmp::Ordering;
 
-use super::{Fraction, Letter, NoRoots, Range, Value, solve_system};
+use super::{Fraction, Letter, NoRoots, Range, Root, Value, solve_system};
 
 /// What is demanded of a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -101,7 +102,10 @@ pub fn solve_inequalities(demands: &[(Value, Demand)], letter: Letter) -> Result
 fn places(demands: &[(Value, Demand)], letter: Letter, domain: &Span) -> Result<Vec<End>, NoRoots> {
     let mut found: Vec<End> = domain.low.iter().chain(&domain.high).cloned().collect();
     for (value, _) in demands.iter().filter(|(value, _)| value.letters().contains(&letter)) {
-        for of in [Some(value.clone()), value.reciprocal()].into_iter().flatten() {
+        let mut all = vec![value.clone()];
+        radicands(value, &mut all);
+        let reciprocals: Vec<Value> = all.iter().filter_map(Value::reciprocal).collect();
+        for of in all.into_iter().chain(reciprocals) {
             if !of.letters().contains(&letter) {
                 continue;
             }
@@ -132,6 +136,17 @@ fn places(demands: &[(Value, Demand)], letter: Letter, domain: &Span) -> Result<
         })
     });
     if unordered { Err(NoRoots::TooLong) } else { Ok(found) }
+}
+
+/// What square roots are taken of in a value, unless it can be seen that it is never negative.
+fn radicands(value: &Value, found: &mut Vec<Value>) {
+    for root in value.roots() {
+        let Root::Nested { radicand, .. } = root else { continue };
+        radicands(&radicand, found);
+        if radicand.sign().is_none() && radicand.square_root_of_square().is_none() && !found.contains(&radicand) {
+            found.push(radicand);
+        }
+    }
 }
 
 /// Are all demands met there? A value that does not exist meets none.

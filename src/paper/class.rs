@@ -134,7 +134,7 @@ fn too_few(
     let style = styles.iter().copied().max_by_key(|style| left(*style)).unwrap_or(StyleName::Friendly);
     let costliest = question.style(style).zip(pools.get(&(id, style))).and_then(|(style, pool)| {
         let (reason, count) = pool.census.funnel(question, style).into_iter().max_by_key(|(_, count)| *count)?;
-        Some((reason, count, pool.census.size))
+        Some((reason, count, pool.census.examined))
     });
     TooFew { question: question.id.clone(), style, left: left(style), needed, costliest }
 }

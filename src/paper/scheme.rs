@@ -36,13 +36,18 @@ pub fn rows(worked: &[WorkedPart], variant: &Variant, with_units: &[String]) -> 
     marks.iter().enumerate().map(row).collect()
 }
 
-/// Of which impact the step is that earns a mark.
-fn impact_of(mark: &Mark, here: &WorkedPart) -> u8 {
-    let steps = here.steps.iter().chain(&here.behind).filter(|step| is_of(&step.rule, &mark.earned_for));
-    match mark.earned_for {
-        EarnedFor::Quantity(quantity) => quantity.impact(),
-        _ => steps.map(|step| step.rule.impact()).max().unwrap_or(0),
+/// Of which impact the step is that earns a mark: where the part uses a law more than once, one mark after another.
+fn impact_of(place: usize, here: &WorkedPart) -> u8 {
+    let marks = &here.part.marks;
+    let mark = &marks[place];
+    if let EarnedFor::Quantity(quantity) = mark.earned_for {
+        return quantity.impact();
     }
+    let steps = here.behind.iter().chain(&here.steps).filter(|step| is_of(&step.rule, &mark.earned_for));
+    let mut impacts: Vec<u8> = steps.map(|step| step.rule.impact()).collect();
+    impacts.dedup();
+    let earlier = marks[..place].iter().filter(|other| other.earned_for == mark.earned_for && other.code == mark.code);
+    impacts.get(earlier.count()).or(impacts.last()).copied().unwrap_or(0)
 }
 
 /// Names of the answers of a part to which a mark belongs: those that cannot be found without its step.

@@ -49,7 +49,15 @@ pub fn solve(scene: &Scene, asked: &[Quantity]) -> Result<Solution, Refusal> {
 
 /// Every solution of a scene, with those of the quantities asked that are determined. There is more
 /// than one only where the scene has unknowns that its conditions leave more than one value.
+///
+/// # Errors
+///
+/// As for [`solve`], but for what is left open.
 pub fn solve_all(scene: &Scene, asked: &[Quantity]) -> Result<Vec<Solution>, Refusal> {
+    all_solutions(scene, asked).map_err(|refusal| refusal.said_of(scene.setting))
+}
+
+fn all_solutions(scene: &Scene, asked: &[Quantity]) -> Result<Vec<Solution>, Refusal> {
     let roots = backwards(scene)?;
     let one = |root: crate::mechanics::Found| -> Result<Solution, Refusal> {
         let mut known = pose(&root.scene)?;
@@ -155,7 +163,8 @@ impl Solution {
     /// The worked solution, once the unknowns are found.
     pub fn lines(&self) -> Vec<Line> {
         let show = Show::new(&self.scene, &self.known, &self.asked);
-        self.derivation.steps.iter().flat_map(|step| step.lines(&show)).collect()
+        // Of a range the unknown is still a letter here.
+        self.derivation.steps.iter().flat_map(|step| step.lines(&show)).map(Line::with_masses_in_symbols).collect()
     }
 
     fn found_in_words(&self) -> String {

@@ -141,3 +141,78 @@ fn carom_knows_that_this_judge_complains_of_a_broken_law() {
     path.after = [Value::from(2), Value::from(2)];
     assert_eq!(judge(&scene, &path, &Known::default()), Err("the component along the wall changes".to_owned()));
 }
+
+fn refusal(scene: serde_json::Value) -> String {
+    let refusal = carom::solve::solve(&super::scenes::read(&scene), &[]).map(drop).unwrap_err();
+    [refusal.reason, refusal.help.unwrap_or_default()].join("; ")
+}
+
+#[test]
+fn carom_knows_that_an_impulse_is_the_change_of_momentum() {
+    use serde_json::json;
+    let along = json!({
+        "masses": { "A": "2" }, "before": { "A": ["1", "0"] }, "after": { "A": ["5", "0"] }, "impulse": ["1", "0"]
+    });
+    assert_eq!(refusal(along), "along i the impulse is 1, but the momentum of A changes by 8; ");
+    let across = json!({
+        "masses": { "A": "2" }, "before": { "A": ["1", "0"] }, "after": { "A": ["5", "3"] }, "impulse": ["8", "5"]
+    });
+    assert_eq!(refusal(across), "along j the impulse is 5, but the momentum of A changes by 6; ");
+    let by_angle = json!({
+        "masses": { "A": "2" }, "before": { "A": ["0", "0"] }, "after": { "A": { "speed": "2", "angle_deg": "30" } },
+        "impulse": ["2", "2"]
+    });
+    assert_eq!(refusal(by_angle), "along i the impulse is 2, but the momentum of A changes by 2√3; ");
+    let no_mass = json!({ "before": { "A": ["1", "0"] }, "after": { "A": ["5", "3"] }, "impulse": ["8", "5"] });
+    assert_eq!(refusal(no_mass), "the impulse is not parallel to the change of the velocity of A; ");
+    let backwards = json!({ "before": { "A": ["1", "0"] }, "after": { "A": ["5", "3"] }, "impulse": ["-8", "-6"] });
+    assert_eq!(
+        refusal(backwards),
+        "the impulse is opposite to the change of the velocity of A: no positive mass does that; "
+    );
+    let kept = json!({
+        "masses": { "A": "2" }, "before": { "A": ["1", "0"] }, "after": { "A": ["5", "3"] }, "impulse": ["8", "6"]
+    });
+    assert!(carom::solve::solve(&super::scenes::read(&kept), &[]).is_ok());
+}
+
+#[test]
+fn carom_refuses_an_impact_with_a_wall_in_words_for_a_wall() {
+    use serde_json::json;
+    let at_wall = |before: Option<[&str; 2]>, after: Option<[&str; 2]>, e: Option<&str>| {
+        let mut scene = json!({ "wall": ["1", "0"] });
+        for (field, velocity) in [("before", before), ("after", after)] {
+            if let Some(velocity) = velocity {
+                scene[field] = json!({ "A": velocity });
+            }
+        }
+        if let Some(e) = e {
+            scene["e"] = json!(e);
+        }
+        refusal(scene)
+    };
+    let down = Some(["3", "-4"]);
+    let table = [
+        (at_wall(Some(["3", "0"]), None, Some("1/2")), "the sphere moves parallel to the wall: it does not strike it"),
+        (at_wall(None, Some(["3", "0"]), Some("1/2")), "the sphere moves parallel to the wall: it does not strike it"),
+        (at_wall(Some(["0", "0"]), None, Some("1/2")), "the sphere is at rest before, so it does not strike the wall"),
+        (
+            at_wall(down, Some(["3", "-2"]), None),
+            "A would still be moving into the wall: the velocity of A away from the wall is −2",
+        ),
+        (at_wall(down, Some(["3", "-2"]), None), "the sphere would pass through the wall, though kinetic energy falls"),
+        (at_wall(down, None, Some("-1/2")), "the sphere would pass through the wall"),
+        (at_wall(down, Some(["2", "2"]), None), "A's velocity parallel to the wall would change from"),
+        (at_wall(down, Some(["2", "2"]), None), "but a smooth wall exerts no force that way"),
+        (
+            at_wall(down, Some(["3", "3"]), Some("1/2")),
+            "the velocity of A away from the wall is 3, but e times its velocity towards the wall is 2",
+        ),
+    ];
+    for (said, expected) in table {
+        assert!(said.contains(expected), "{said}");
+        for of_two in ["spheres", "line of centres", "approach", "separation", "B"] {
+            assert!(!said.contains(of_two), "{said}");
+        }
+    }
+}

@@ -4,11 +4,12 @@
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
-use carom::expr::{Angles, Expr, Meaning, Relation, Turn, holds, read as read_expr};
+use carom::expr::{Angles, Expr, Meaning, Relation, Turn, holds, print, read as read_expr};
 use carom::mechanics::{Because, Quantity, Refusal, Scene, SceneText};
 use carom::number::{Letter, Range, Value};
 use carom::solve::{Solution, solve_all};
 use serde::Deserialize;
+use serde_json::json;
 
 use super::impacts::{turn, value};
 use super::scenes::read;
@@ -131,4 +132,94 @@ fn carom_knows_questions_that_run_backwards() {
         table.scene.iter().filter_map(|case| Some(format!("{}: {}", case.name, complaint(case)?))).collect();
     assert!(table.scene.len() >= 100, "a table of {}", table.scene.len());
     assert!(complaints.is_empty(), "\n{}\n", complaints.join("\n"));
+}
+
+/// A name of a file, such as `A.after.ke`, where there should be words.
+fn name_in(text: &str) -> Option<String> {
+    let is_name = |word: &&str| {
+        let parts: Vec<&str> = word.trim_end_matches(['.', ',', ':']).split('.').collect();
+        parts.len() > 1 && parts.iter().all(|part| part.starts_with(|c: char| c.is_ascii_alphabetic()))
+    };
+    text.split(|c: char| !c.is_ascii_alphanumeric() && c != '.').find(is_name).map(str::to_owned)
+}
+
+/// Everything that a worked solution says, finding of the unknowns and all.
+fn said(solution: &Solution) -> String {
+    let mut text = String::new();
+    for line in solution.finding().iter().chain(&solution.lines()) {
+        text.push_str(&print::text_unicode(&line.words));
+        for equation in &line.equations {
+            text.push_str(&format!("\n{}", print::unicode(equation)));
+        }
+        text.push('\n');
+    }
+    text
+}
+
+#[test]
+fn carom_speaks_of_every_quantity_in_words() {
+    assert_eq!(name_in("the speed of A. Then 2.5 m/s: A.deflection dot"), Some("A.deflection".to_owned()));
+    assert_eq!(name_in("the speed of A. Then 2.5 m/s"), None);
+    let table: Table = toml::from_str(include_str!("../data/backwards.toml")).unwrap();
+    let mut tried = 0;
+    for case in &table.scene {
+        for solution in solve_all(&scene(case), &spoken_of(case)).unwrap_or_default() {
+            let text = said(&solution);
+            assert_eq!(name_in(&text), None, "{}:\n{text}", case.name);
+            tried += 1;
+        }
+    }
+    let bank = carom::bank::Bank::shipped().unwrap();
+    for question in &bank.questions {
+        for style in &question.styles {
+            for variant in carom::generate::Deal::new(question, style, 3).take(3) {
+                let text = said(&variant.solution);
+                assert_eq!(name_in(&text), None, "{}:\n{text}", question.id);
+                tried += 1;
+            }
+        }
+    }
+    assert!(tried > 200, "{tried}");
+    // Every quantity that a condition can name, in each setting that has it.
+    let direct = json!({
+        "masses": { "A": "2", "B": "3" }, "before": { "A": "5", "B": "1" }, "e": "e", "symbols": { "e": "unit" }
+    });
+    let oblique = json!({
+        "masses": { "A": "2", "B": "3" }, "before": { "A": ["5", "1"], "B": ["0", "2"] }, "line_of_centres": ["1", "0"],
+        "sense": "A_to_B", "e": "e", "symbols": { "e": "unit" }
+    });
+    let wall = json!({
+        "masses": { "A": "2" }, "before": { "A": ["5", "-3"] }, "wall": ["1", "0"], "e": "e", "symbols": { "e": "unit" }
+    });
+    let mut named = 0;
+    for quantity in Quantity::all() {
+        for scene in [&direct, &oblique, &wall] {
+            for condition in
+                [format!("{quantity} + e > 1/3"), format!("{quantity} > 1/3"), format!("{quantity} < 7/3*{quantity}")]
+            {
+                let mut scene = scene.clone();
+                scene["unknowns"] = json!(["e"]);
+                scene["conditions"] = json!([condition]);
+                for solution in solve_all(&read(&scene), &[]).unwrap_or_default() {
+                    let text = said(&solution);
+                    assert_eq!(name_in(&text), None, "{condition}:\n{text}");
+                    assert!(!text.contains('_') || text.contains("_A") || text.contains("_B"), "{condition}:\n{text}");
+                    named += 1;
+                }
+            }
+        }
+    }
+    assert!(named > 40, "{named}");
+}
+
+#[test]
+fn carom_says_what_the_symbols_of_a_condition_mean() {
+    let scene = json!({
+        "masses": { "A": "1", "B": "1" }, "before": { "A": ["4", "2"], "B": ["0", "0"] }, "line_of_centres": ["1", "0"],
+        "sense": "A_to_B", "unknowns": ["e"], "conditions": ["B.after.ke = A.before.ke/2"]
+    });
+    let text = said(&solve_all(&read(&scene), &[]).unwrap()[0]);
+    let expected =
+        "the kinetic energy of B after the impact is p/2, where p is the kinetic energy of A before the impact.";
+    assert!(text.contains(expected), "{text}");
 }

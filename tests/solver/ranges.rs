@@ -50,6 +50,15 @@ fn cases() -> Vec<(&'static str, Json, &'static str)> {
             "1/2 < e <= 1",
         ),
         (
+            "B has a mass",
+            json!({
+                "masses": { "A": "m", "B": null }, "before": { "A": "k*u", "B": "0" }, "after": { "A": "2*u", "B": "3*u" },
+                "symbols": k, "unknowns": ["k"], "conditions": ["e <= 1"]
+            }),
+            "k > 2",
+        ),
+        ("A has a mass", direct("3-k", "1", ["2", "0"], json!("1/2"), &k, "k", "A.after.x < 0"), "5/2 < k < 3"),
+        (
             "a wall",
             json!({
                 "before": { "A": ["3", "-4"] }, "wall": ["1", "0"], "e": "e", "symbols": e, "unknowns": ["e"],
@@ -94,8 +103,12 @@ fn carom_knows_that_it_happens_inside_and_not_outside() {
                     *text_of = parts.join(&text).into();
                 }
             };
-            for part in ["A", "B"] {
-                put(&mut scene["masses"][part]);
+            for (field, part) in
+                ["masses", "before", "after"].into_iter().flat_map(|field| [(field, "A"), (field, "B")])
+            {
+                if let Some(given) = scene.get_mut(field).and_then(|pair| pair.get_mut(part)) {
+                    put(given);
+                }
             }
             put(&mut scene["e"]);
             for field in ["unknowns", "conditions"] {
@@ -156,4 +169,118 @@ fn carom_says_why_there_is_no_range() {
     assert_eq!(refusal("A.after.x < 10"), "the conditions hold whatever e is");
     assert_eq!(refusal("A.after.x > 10"), "the conditions hold for no value of e");
     assert!(refusal("A.after.angle_to_loc_deg > 10").contains("angle"), "{}", refusal("A.after.angle_to_loc_deg > 10"));
+    // Momentum alone makes k = 1.
+    let over = |condition: &str| {
+        json!({
+            "masses": { "A": "k", "B": "1" }, "before": { "A": "2", "B": "0" }, "after": { "A": "1/2", "B": "3/2" },
+            "symbols": { "k": "positive" }, "unknowns": ["k"], "conditions": [condition]
+        })
+    };
+    for condition in ["ke.after > 1", "ke.after > 100", "ke.after < 2"] {
+        let refusal = solve(&read(&over(condition)), &[]).unwrap_err();
+        assert!(refusal.reason.contains("more is given than the impact needs"), "{condition}: {refusal}");
+        assert!(refusal.help.is_some_and(|help| help.contains("leave out the inequality")), "{condition}");
+    }
+}
+
+/// A scene with e to be found from a condition.
+fn with_e(condition: &str) -> Json {
+    json!({
+        "masses": { "A": "2", "B": "3" }, "before": { "A": "5", "B": "0" }, "e": "e", "symbols": { "e": "unit" },
+        "unknowns": ["e"], "conditions": [condition]
+    })
+}
+
+#[test]
+fn carom_knows_that_a_set_may_end_where_a_square_root_does() {
+    for (condition, expected) in [
+        ("A.after.x < 20 + sqrt(1 - 4*e)", "0 <= e <= 1/4"),
+        ("A.after.x < 20 + sqrt(4*e - 1)", "1/4 <= e <= 1"),
+        ("A.after.x < 1 + sqrt(1 - 2*e)", "0 < e <= 1/2"),
+    ] {
+        let solution = solve(&read(&with_e(condition)), &[]).unwrap_or_else(|refusal| panic!("{condition}: {refusal}"));
+        assert_eq!(print::plain(&solution.range().unwrap().written()), expected, "{condition}");
+    }
+}
+
+/// The working by which an unknown was found, as one text.
+fn said(scene: &Json) -> String {
+    let solution = solve(&read(scene), &[]).unwrap_or_else(|refusal| panic!("{scene}: {refusal}"));
+    let mut text = String::new();
+    for line in solution.finding() {
+        text.push_str(&print::text_unicode(&line.words));
+        text.push('\n');
+        for equation in &line.equations {
+            text.push_str(&format!("    {}\n", print::unicode(equation)));
+        }
+    }
+    text
+}
+
+#[test]
+fn carom_says_what_each_end_of_a_range_comes_from() {
+    let k = json!({ "k": "positive", "m": "positive", "u": "positive" });
+    let given_after = |condition: &str| {
+        json!({
+            "masses": { "A": "k*m", "B": "m" }, "before": { "A": "5*u", "B": "0" }, "after": { "A": "2*u" },
+            "symbols": k, "unknowns": ["k"], "conditions": [condition]
+        })
+    };
+    // The other end is that of the condition, and is not said twice.
+    let text = said(&given_after("e <= 1"));
+    assert!(text.contains("The coefficient of restitution is not negative:\n    (3k − 2)/5 ≥ 0\n"), "{text}");
+    assert_eq!(text.matches("at most 1").count(), 1, "{text}");
+    // e is derived, though no condition speaks of it.
+    let text = said(&given_after("B.after.x > 3*u"));
+    assert!(text.contains("The coefficient of restitution is at most 1:\n    (3k − 2)/5 ≤ 1\n"), "{text}");
+    assert!(text.contains("    e = (3k − 2)/5\n"), "{text}");
+    assert!(!text.contains("not negative"), "{text}");
+    let text = said(&json!({
+        "masses": { "A": "3-k", "B": "1" }, "before": { "A": "2", "B": "0" }, "e": "1/2", "symbols": { "k": "positive" },
+        "unknowns": ["k"], "conditions": ["A.after.x < 0"]
+    }));
+    assert!(text.contains("The mass of A is positive:\n    3 − k > 0\n"), "{text}");
+    // What a letter may be at all needs no line of its own.
+    let text = said(&with_e("A.after.x < 0"));
+    assert!(!text.contains("The coefficient of restitution is"), "{text}");
+    assert!(text.contains("A coefficient of restitution is at most 1, so\n    2/3 < e ≤ 1\n"), "{text}");
+    let text = said(&with_e("A.after.x >= 0"));
+    assert!(text.contains("A coefficient of restitution is not negative, so\n    0 ≤ e ≤ 2/3\n"), "{text}");
+}
+
+#[test]
+fn carom_says_that_a_quantity_is_largest_at_an_end() {
+    let at_most = |e: Json, maximise: &str, masses: [&str; 2]| {
+        json!({
+            "masses": { "A": masses[0], "B": masses[1] }, "before": { "A": ["4", "1"], "B": ["0", "0"] },
+            "line_of_centres": ["1", "0"], "sense": "A_to_B", "e": e, "symbols": { "e": "unit" }, "unknowns": ["e"],
+            "maximise": maximise
+        })
+    };
+    // It grows with e all the way: w = 4(1 + e)/3.
+    let text = said(&at_most(json!("e"), "B.after.speed", ["1", "2"]));
+    assert!(text.contains("The rate of change of the speed of B after the impact with e is positive"), "{text}");
+    assert!(text.contains("so it is largest at the end e = 1 of the range:\n    4/3 > 0\n"), "{text}");
+    // 4(1 - 2e)/3 falls all the way.
+    let text = said(&at_most(json!("e"), "A.after.n", ["1", "2"]));
+    assert!(text.contains("is negative, so it is largest at the end e = 0 of the range:\n    −8/3 < 0\n"), "{text}");
+    // What is left of the energy is 17/2 - 16(1 - e^2)/3; at e = 0 alone it does not grow.
+    let text = said(&at_most(json!("e"), "ke.after", ["1", "2"]));
+    assert!(
+        text.contains("is never negative, so it is largest at the end e = 1 of the range:\n    32e/3 ≥ 0\n"),
+        "{text}"
+    );
+    // The energy lost is largest where its rate of change is nought indeed, though that is an end as well.
+    let text = said(&at_most(json!("e"), "ke.lost", ["1", "2"]));
+    assert!(text.contains("its rate of change is nought"), "{text}");
+    // The component of A, 4(2 - 3e)/5, is nought in between: its speed falls and grows again.
+    let text = said(&at_most(json!("e"), "A.after.speed", ["2", "3"]));
+    let words = "Where its rate of change with e is nought, and at the ends of the range, the speed of A after the impact is \
+                 1 for e = 2/3, √89/5 for e = 0, √41/5 for e = 1.";
+    assert!(text.contains(words), "{text}");
+    // Neither is nought there.
+    for maximise in ["B.after.speed", "A.after.speed", "A.after.n", "ke.after"] {
+        let text = said(&at_most(json!("e"), maximise, ["2", "3"]));
+        assert!(!text.contains("its rate of change is nought"), "{text}");
+    }
 }

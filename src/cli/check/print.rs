@@ -6,6 +6,7 @@ use super::Examined;
 use crate::cli::output::{count, table};
 use crate::diagnostic::{Diagnostic, Severity, render_all};
 use crate::examine::{StyleReport, Turned};
+use crate::generate::out_of;
 
 /// A line for each style, with all of its funnel if that is wanted; then how much was found.
 pub fn in_words(examined: &[Examined], findings: usize, with_census: bool) -> String {
@@ -22,7 +23,7 @@ pub fn in_words(examined: &[Examined], findings: usize, with_census: bool) -> St
         }
     }
     let of_styles = || examined.iter().flat_map(|one| &one.report.styles);
-    let sets: u64 = of_styles().map(|style| style.sets).sum();
+    let sets = out_of(of_styles().map(|style| style.examined).sum(), of_styles().map(|style| style.sets).sum());
     let variants: u64 = of_styles().map(|style| style.variants).sum();
     let coverage = || examined.iter().map(|one| &one.report.coverage);
     let scripts: usize = coverage().map(|coverage| coverage.scripts).sum();
@@ -46,7 +47,7 @@ fn row(style: &StyleReport) -> Vec<String> {
     let dearest = dearest.map_or_else(String::new, |(text, count)| format!("`{text}` turns away {count}"));
     vec![
         format!("  {}", style.style),
-        format!("{} of {} sets", style.variants, style.sets),
+        format!("{} of {} sets", style.variants, out_of(style.examined, style.sets)),
         forms(&style.all_forms()),
         dearest,
         style.relaxation().map_or_else(String::new, relaxed),
@@ -73,7 +74,7 @@ fn forms(forms: &[(String, u64)]) -> String {
 /// The whole funnel of a style: what is left after each thing that turns sets away, and how many there would be more
 /// without it; then the form of each answer.
 pub fn census(style: &StyleReport) -> String {
-    let mut left = style.sets;
+    let mut left = style.examined;
     let mut rows = vec![vec![format!("    {left}"), "sets of numbers".to_owned()]];
     for turned in &style.turned_away {
         left -= turned.count.min(left);

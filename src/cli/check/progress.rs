@@ -53,7 +53,8 @@ pub struct StyleCount {
 impl StyleCount {
     /// As `--json` has it.
     pub fn json(&self) -> Json {
-        json!({"style": self.style.name(), "sets": self.census.size, "variants": self.census.fit})
+        let Census { size, examined, fit, .. } = self.census;
+        json!({"style": self.style.name(), "sets": size, "examined": examined, "variants": fit})
     }
 }
 
@@ -62,7 +63,7 @@ pub fn counts(question: &Question, progress: &Progress) -> Vec<StyleCount> {
     let one = |style: &Style| {
         let before = progress.bar.position();
         let census = enumerate(question, style, &|_| (), &|done| progress.at(before, done));
-        progress.bar.set_position(before + style.size());
+        progress.bar.set_position(before + census.examined);
         StyleCount { style: style.name, census }
     };
     question.styles.iter().map(one).collect()

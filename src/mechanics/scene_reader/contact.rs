@@ -37,12 +37,18 @@ impl Reader<'_> {
             }
         }
         let alone = matches!(setting, Setting::Wall | Setting::Impulse);
-        if alone && (text.masses.b.is_some() || text.before.b.is_some() || text.after.b.is_some()) {
-            let field = if text.masses.b.is_some() { "masses.B" } else { "before.B" };
+        let of_b = [
+            ("masses.B", text.masses.b.is_some()),
+            ("before.B", text.before.b.is_some()),
+            ("after.B", text.after.b.is_some()),
+        ];
+        if let Some((field, _)) = of_b.into_iter().find(|(_, given)| alone && *given) {
             refuse(field, "there is no sphere B in this scene", "`A` alone, with a `wall` or an `impulse`");
         }
         let others = [
             ("line_of_centres", text.line_of_centres.is_some()),
+            ("sense", text.sense.is_some()),
+            ("radii", !text.radii.is_none()),
             ("positions", !text.positions.is_none()),
             ("impact_parameter", text.impact_parameter.is_some()),
             ("impulse", setting != Setting::Impulse && text.impulse.is_some()),
