@@ -164,25 +164,30 @@ pub fn render_all(diagnostics: &[Diagnostic], colour: bool) -> String {
 pub fn near<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let candidates: Vec<&str> = candidates.into_iter().collect();
     let wanted = name.to_lowercase();
+    let length = wanted.chars().count();
+    let allowed = (length / 3).clamp(1, 4);
+    // As many letters must differ as one name has more than the other: what somebody pasted is not compared with each.
+    let is_about_as_long = |candidate: &str| candidate.chars().count().abs_diff(length) <= allowed;
     let distance = |candidate: &str| strsim::osa_distance(&wanted, &candidate.to_lowercase());
-    let allowed = (wanted.chars().count() / 3).clamp(1, 4);
-    let (apart, nearest) =
-        candidates.iter().map(|candidate| (distance(candidate), *candidate)).min_by_key(|pair| pair.0)?;
-    // A name of one letter is near every other such name, which helps nobody; but not if only the case differs.
-    let (own, other) = without_shared_start(&wanted, nearest);
-    let different = apart >= own.chars().count().max(other.chars().count()).max(1);
+    let about_as_long = candidates.iter().filter(|candidate| is_about_as_long(candidate));
+    let nearest = about_as_long.map(|candidate| (distance(candidate), *candidate)).min_by_key(|pair| pair.0);
     // What several names begin with is none of them more than the others.
-    let begins = candidates.iter().filter(|candidate| candidate.to_lowercase().starts_with(&wanted)).count();
-    if apart <= allowed && !different && begins < 2 {
-        return Some(nearest);
+    let begun: Vec<&str> =
+        candidates.iter().copied().filter(|candidate| candidate.to_lowercase().starts_with(&wanted)).collect();
+    if let Some((apart, nearest)) = nearest {
+        // A name of one letter is near every other such name, which helps nobody; but not if only the case differs.
+        let (own, other) = without_shared_start(&wanted, nearest);
+        let different = apart >= own.chars().count().max(other.chars().count()).max(1);
+        if apart <= allowed && !different && begun.len() < 2 {
+            return Some(nearest);
+        }
     }
     // Only signs between letters differ, as in `AtoB`; or it is the beginning of one name and of no other.
     let letters = |name: &str| name.to_lowercase().replace(['_', '-', ' ', '.'], "");
-    let same = candidates.iter().find(|candidate| letters(candidate) == letters(name));
-    let mut begun = candidates.iter().filter(|candidate| candidate.to_lowercase().starts_with(&wanted));
-    match (same, begun.next(), begun.next()) {
-        (Some(same), ..) => Some(same),
-        (None, Some(only), None) if wanted.chars().count() >= 3 => Some(only),
+    let wanted = letters(name);
+    match (candidates.iter().find(|candidate| letters(candidate) == wanted), begun.as_slice()) {
+        (Some(same), _) => Some(same),
+        (None, [only]) if length >= 3 => Some(only),
         _ => None,
     }
 }
@@ -256,5 +261,13 @@ help: did you mean `velocity_after.B`?";
         assert_eq!(near("A.after", names), Some("A.after.speed"));
         assert_eq!(near("A.after", ["A.after.x", "A.after.y"]), None);
         assert_eq!(near("x", []), None);
+    }
+
+    #[test]
+    fn what_is_far_longer_than_a_name_is_near_none_of_them() {
+        // Compared letter by letter this would take for ever.
+        let (long, longer) = ("x".repeat(1 << 20), "x".repeat(1 << 21));
+        assert_eq!(near(&longer, [long.as_str(), "speed"]), None);
+        assert_eq!(near(&long, [longer.as_str(), "speed"]), Some(longer.as_str()), "it is the beginning of that alone");
     }
 }

@@ -1,7 +1,7 @@
 //! Files that are not what they should be, wherever one may stand: a class list, submissions, a key, a folder. Each is refused
 //! in words that say what was found, and nothing is written.
 //!
-//! What stands in rows and names is in `class.rs`, `mark.rs`, `mark_stream.rs` and `report.rs`.
+//! What stands in rows and names is in `class.rs`, `mark.rs`, `mark_stream` and `report.rs`.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -162,6 +162,19 @@ fn a_report_without_names_cannot_be_traced_by_its_order() {
 }
 
 #[test]
+fn students_who_differ_in_their_working_alone_cannot_be_told_apart_by_the_file() {
+    let folder = folder("nameless-working");
+    let kim = "Kim,2,,speed of A,1,\"4v + ) = 3 ]\nv = 3\"\n";
+    let lee = "Lee,2,,speed of A,1,\"v = 3\n4v + ) = 3 ]\"\n";
+    let reports = [[kim, lee], [lee, kim]].map(|rows| {
+        mark(&folder, &format!("{HEAD}{}", rows.concat()), &["--without-names"]);
+        REPORT.map(|name| read(&folder, name))
+    });
+    assert!(reports[0].concat().contains("line 2: "), "a line of each is for a person to read");
+    assert_eq!(reports[0], reports[1]);
+}
+
+#[test]
 fn what_is_printed_fits_on_a_screen_however_much_there_is_to_tell() {
     let folder = folder("screen");
     let empty = fs::read_to_string(folder.join("sheet/submissions.csv")).unwrap();
@@ -204,7 +217,7 @@ fn a_nasty_name_is_harmless_in_every_table_and_page_of_the_report() {
         assert!(records.len() > names.len());
         for cell in records.iter().flatten() {
             assert!(
-                !cell.trim_start().starts_with(['=', '+', '@']) && !cell.contains(['\0', '\u{202e}', '\n']),
+                !cell.trim_start().starts_with(['=', '+', '-', '@']) && !cell.contains(['\0', '\u{202e}', '\n']),
                 "{cell}"
             );
         }

@@ -86,7 +86,7 @@ const NOT_RUN: [(&str, &str); 10] = [
     ("pdf", "needs TeX or a browser; tests/pdf.rs makes them"),
     ("carom study", "takes minutes; tests/study.rs runs it"),
     ("5RXM-M7TX-G", "stands for the code of a sheet of one's own; tests/sheet_codes.rs has real ones"),
-    ("million.csv", "stands for a file too long to keep; tests/mark_stream.rs makes one"),
+    ("million.csv", "stands for a file too long to keep; tests/mark_stream makes one"),
     ("--overrides", "needs marks that were given; the guide for markers has some, and is run"),
     ("answers.jsonl", "needs answers; tests/mark.rs has some"),
     ("carom check  ", "the shipped bank; .ci/run examines it"),

@@ -48,7 +48,7 @@ pub fn run(arguments: &StudyArguments) -> Result<(), Failure> {
         peers: arguments.peers.as_deref().map(table).transpose()?.unwrap_or_default(),
     };
     let bar = ProgressBar::new(length(&plan));
-    if let Ok(style) = ProgressStyle::with_template("{bar:40} {percent} %, {msg}") {
+    if let Ok(style) = ProgressStyle::with_template("{bar:40} {percent}%, {msg}") {
         bar.set_style(style);
     }
     let begun = Instant::now();

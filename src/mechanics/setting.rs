@@ -89,7 +89,6 @@ const AT_A_WALL: &[(&str, &str)] = &[
         "tangent of the angle of *A* to the line of centres",
         "tangent of the angle of *A* to the perpendicular to the wall",
     ),
-    ("the angle to the common tangent, 90° minus", "the angle to the perpendicular to the wall, 90° minus"),
     ("to the common tangent", "to the wall"),
     ("to the line of centres", "to the perpendicular to the wall"),
     ("with the line of centres", "with the perpendicular to the wall"),

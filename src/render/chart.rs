@@ -32,7 +32,9 @@ pub(super) fn columns(counts: &[usize; 10]) -> String {
     body.push_str(&text(WIDTH, floor + 14, "end", "100"));
     body.push_str(&format!(r#"<path d="M0 {floor}H{WIDTH}" stroke="currentColor"/>"#));
     let students: usize = counts.iter().sum();
-    let words = format!("Columns: how many of {students} students earned how much of the paper, in tenths of it");
+    let plural = if students == 1 { "" } else { "s" };
+    let words =
+        format!("Columns: how many of {students} student{plural} earned how much of the paper, in tenths of it");
     picture(&words, floor + 20, &body)
 }
 
@@ -47,7 +49,7 @@ pub(super) fn bars(rows: &[(&str, usize)]) -> String {
         let width = room * (*per_cent).min(100) / 100;
         body.push_str(&text(left - 6, top + 13, "end", &shortened(label, 12)));
         body.push_str(&rectangle(left, top + 3, width, ROW - 6));
-        body.push_str(&text(left + width + 5, top + 13, "start", &format!("{per_cent} %")));
+        body.push_str(&text(left + width + 5, top + 13, "start", &format!("{per_cent}%")));
     }
     let bottom = rows.len() * ROW;
     body.push_str(&format!(r#"<path d="M{left} 0V{bottom}" stroke="currentColor"/>"#));
@@ -107,6 +109,7 @@ mod tests {
         assert_eq!(all(&picture, "height"), [27, 55, 110]);
         assert!(picture.contains("of 7 students") && picture.contains(">4</text>"));
         assert_eq!(all(&columns(&[0; 10]), "height"), [0; 0]);
+        assert!(columns(&[0, 0, 0, 1, 0, 0, 0, 0, 0, 0]).contains("of 1 student earned"));
     }
 
     #[test]

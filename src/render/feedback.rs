@@ -57,20 +57,20 @@ impl Printer<'_> {
             .with("verdict", || plain(part.verdict().name()))
             .with("marks", || marked.marks().into())
             .with("available", || marked.awards.len().into())
-            .with("responses", || list(&marked.answers, |answer| self.response(marked, answer, part.keyed.setting)))
+            .with("responses", || list(&marked.answers, |answer| self.response(marked, answer)))
             .with("lines", || list(&lines, |(number, line)| self.written(*number, line)))
             .with("awards", || list(&scheme, |(award, mark)| self.award(award, *mark, part.keyed.setting)))
             .with("followed", || list(&marked.followed, |line| self.line(line)))
             .value()
     }
 
-    fn response(self, part: &MarkedPart, answer: &MarkedAnswer, setting: Setting) -> Value {
+    fn response(self, part: &MarkedPart, answer: &MarkedAnswer) -> Value {
         let typed = answer.typed.as_deref().unwrap_or_default();
         let reading = answer.judgement.reading.as_deref().unwrap_or_default();
         self.thing("response")
             .with("name", || plain(&answer.name))
             .with("typed", || self.typed(typed))
-            .with("reading", || self.typed(&setting.say(reading)))
+            .with("reading", || self.typed(reading))
             .with("verdict", || plain(answer.judgement.verdict.name()))
             // Where nothing is noted the verdict says it all.
             .with("comment", || {
@@ -81,8 +81,7 @@ impl Printer<'_> {
                     Some(_) => answer.judgement.verdict != Verdict::Blank,
                     None => false,
                 };
-                let words = if is_noted { &answer.judgement.feedback } else { "" };
-                plain(&setting.say(words))
+                plain(if is_noted { &answer.judgement.feedback } else { "" })
             })
             .with("causes", || list(&answer.causes, |cause| self.cause(part, cause)))
             .value()

@@ -145,7 +145,14 @@ fn what_is_broken_is_told_of_in_its_place_and_the_rest_is_marked() {
 fn a_stream_that_is_wrong_as_a_whole_is_refused() {
     let folder = folder("wrong");
     let utf_16: Vec<u8> = "student,question,answer\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
-    for (input, said) in [(&b"student,answer\nAda,1\n"[..], "no column `question`"), (&utf_16, "UTF-16")] {
+    let returns = "student,question,answer\r".to_owned() + &"Ada,2,2.78\r".repeat(9);
+    let long = "student,question,answer\r".to_owned() + &"Ada,2,2.78\r".repeat(1 << 17);
+    for (input, said) in [
+        (&b"student,answer\nAda,1\n"[..], "no column `question`"),
+        (&utf_16, "UTF-16"),
+        (returns.as_bytes(), "carriage returns alone"),
+        (long.as_bytes(), "carriage returns alone"),
+    ] {
         let output = carom(&folder, &STREAM, input);
         assert_eq!(output.status.code(), Some(1), "{said}");
         assert!(text(&output.stderr).contains(said), "{}", text(&output.stderr));
@@ -159,6 +166,29 @@ fn a_stream_that_is_wrong_as_a_whole_is_refused() {
         let output = carom(&folder, &["mark", "sheet/key.json", "empty.csv", "--stream"], b"");
         assert_eq!(output.status.code(), Some(1));
     }
-    let both = carom(&folder, &["mark", "sheet/key.json", "-", "--stream", "--overrides", "x.csv"], b"");
-    assert_eq!(both.status.code(), Some(2));
+    // It makes no pages.
+    for option in [["--overrides", "x.csv"], ["--feedback", "html"], ["--templates", "own"]] {
+        let both = carom(&folder, &[&["mark", "sheet/key.json", "-", "--stream"], &option[..]].concat(), b"");
+        assert_eq!(both.status.code(), Some(2), "{option:?}");
+    }
+}
+
+#[test]
+fn what_was_hardly_meant_and_what_is_of_an_earlier_marking_is_told_of() {
+    let folder = folder("told");
+    let table = "student,question,blank,answer,workings\nAda,2,speed of A,2.78,\nBen,99,,1,\n";
+    fs::write(folder.join("table.csv"), table).unwrap();
+    assert!(carom(&folder, &["mark", "sheet/key.json", "table.csv"], b"").status.success());
+    let output = carom(&folder, &["mark", "sheet/key.json", "-", "--stream", "--out", "marks"], table.as_bytes());
+    let said = text(&output.stderr);
+    assert!(output.status.success());
+    assert_eq!(said.matches("nobody looks at the column `workings`").count(), 1, "{said}");
+    for old in ["marks.jsonl", "not-marked.csv", "report.html", "report.csv", "report-marks.csv", "report-mistakes.csv"]
+    {
+        let old = Path::new("marks").join(old);
+        assert!(said.contains(&format!("`{}` is of an earlier marking", old.display())), "{said}");
+    }
+    assert!(said.contains("1 file in `marks"), "{said}");
+    let new = Path::new("marks").join("marks.csv");
+    assert!(!said.contains(&format!("`{}` is of", new.display())), "{said}");
 }

@@ -9,6 +9,7 @@ mod stream;
 mod summary;
 mod unfinished;
 
+use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -88,7 +89,7 @@ pub struct MarkArguments {
     bank: Option<PathBuf>,
     /// Any number of answers in little memory, the rows of each student together: print the marks, or write them into
     /// `--out DIR`, where a run that was interrupted goes on
-    #[arg(long, conflicts_with_all = ["overrides", "json"])]
+    #[arg(long, conflicts_with_all = ["overrides", "json", "feedback", "templates"])]
     stream: bool,
     /// Leave students' names out of the report and out of what is printed; the marks and the pages have them
     #[arg(long, conflicts_with = "stream")]
@@ -100,12 +101,12 @@ pub struct MarkArguments {
 
 /// Marks.
 pub fn run(arguments: &MarkArguments) -> Result<(), Failure> {
-    let feedback = FeedbackAsked::new(&arguments.feedback, arguments.templates.as_deref())?;
     let profile = profile(&arguments.profile)?;
     let (key, digest) = key::read(&arguments.key, arguments.bank.as_deref())?;
     if arguments.stream {
         return stream::run(&key, digest, &profile, &arguments.submissions, arguments.out.as_deref());
     }
+    let feedback = FeedbackAsked::new(&arguments.feedback, arguments.templates.as_deref())?;
     let out = arguments.out.as_deref().unwrap_or(Path::new("marks"));
     let submissions = text_file::text(&arguments.submissions)?;
     let rows = read_rows(&submissions)?;
@@ -136,7 +137,7 @@ pub fn run(arguments: &MarkArguments) -> Result<(), Failure> {
 
     let place = out.display();
     say(&format!("marks in `{place}`: `marks.csv`, `marks.jsonl`, `report.html`{}", also(page_count, set_aside.len())));
-    tell_of_old(out, &files);
+    tell_of_old(out, &files.iter().map(|file| file.name.as_str()).collect::<Vec<_>>());
     if arguments.json { print_json(&summary::as_json(&class)) } else { print(&summary::in_words(&class)) }
 }
 
@@ -151,13 +152,23 @@ fn also(pages: usize, set_aside: usize) -> String {
     words
 }
 
-/// Says of each file in the folder that only an earlier marking can have written.
-fn tell_of_old(out: &Path, files: &[OutputFile]) {
-    let is_new = |name: &str| files.iter().any(|file| file.name == name);
-    if !is_new("not-marked.csv") && out.join("not-marked.csv").is_file() {
-        say(&format!("`{}` is of an earlier marking", out.join("not-marked.csv").display()));
+/// What a marking writes beside the pages for students.
+const FILES: [&str; 7] = [
+    "marks.csv",
+    "marks.jsonl",
+    "not-marked.csv",
+    "report.html",
+    "report.csv",
+    "report-marks.csv",
+    "report-mistakes.csv",
+];
+
+/// Says of each file in the folder that only an earlier marking can have written, as these are the new ones.
+fn tell_of_old(out: &Path, new: &[&str]) {
+    let new: HashSet<&str> = new.iter().copied().collect();
+    for name in FILES.iter().filter(|name| !new.contains(**name) && out.join(name).is_file()) {
+        say(&format!("`{}` is of an earlier marking", out.join(name).display()));
     }
-    let new: std::collections::HashSet<&str> = files.iter().map(|file| file.name.as_str()).collect();
     let there = std::fs::read_dir(out.join("feedback")).into_iter().flatten().flatten();
     let old = there.filter(|entry| !new.contains(format!("feedback/{}", entry.file_name().to_string_lossy()).as_str()));
     let old = old.count();

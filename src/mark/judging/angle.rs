@@ -34,7 +34,7 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Findin
                 _ => Finding::WRONG,
             };
         }
-        Form::Direction => return direction(&right.turn, said.reference),
+        Form::Direction => return direction(&right.turn, own_line(model), said.reference),
         _ => return Finding::WRONG,
     };
     if let Some(Expr::Call(function, _)) = label.and_then(|label| label.expr.as_ref()) {
@@ -151,11 +151,13 @@ fn from_b_to_a(model: &Model, stated: &Stated, right: &Enclosed, radians: bool) 
     }
 }
 
-/// An angle told by words alone.
-fn direction(right: &Turn, named: Option<ReferenceLine>) -> Finding {
-    let degrees = match named {
-        Some(ReferenceLine::AlongLineOfCentres) => 0,
-        Some(ReferenceLine::AlongCommonTangent) => 90,
+/// An angle told by words alone: along the line from which it is measured, or across it. How any other line lies to that
+/// one nobody but a person can tell.
+fn direction(right: &Turn, own: ReferenceLine, named: Option<ReferenceLine>) -> Finding {
+    use ReferenceLine::{AlongCommonTangent, AlongLineOfCentres, CommonTangent, LineOfCentres};
+    let degrees = match (own, named) {
+        (LineOfCentres, Some(AlongLineOfCentres)) | (CommonTangent, Some(AlongCommonTangent)) => 0,
+        (LineOfCentres, Some(AlongCommonTangent)) | (CommonTangent, Some(AlongLineOfCentres)) => 90,
         _ => return Finding::unreadable(Note::CannotBeCompared),
     };
     if right.is_degrees(&Fraction::from(degrees)) { Finding::EXACT } else { Finding::WRONG }

@@ -3,7 +3,7 @@
 use super::tests::{expr, model, named, reading, said};
 use super::*;
 use crate::expr::print;
-use crate::mark::reading::{Form, Notation, ReferenceLine, Said, SaidUnit};
+use crate::mark::reading::{Form, Notation, ReferenceLine, Said, SaidUnit, read_answer};
 use ReferenceLine::{AlongCommonTangent, AlongLineOfCentres, CommonTangent, FromBToA, I, LineOfCentres};
 
 fn unit(typed: &str, dimension: [i8; 4], scale: &str) -> Option<SaidUnit> {
@@ -133,6 +133,33 @@ fn an_angle_with_a_wall_may_be_told_from_the_perpendicular_and_one_with_i_from_j
         let model = asked("atan(sqrt(3)/6)/deg", None, quantity);
         let angle = Said { reference, unit: degrees(), ..value(typed) };
         assert_eq!(earns(&model, None, vec![angle]), expected, "{quantity}: {typed} {reference:?}");
+    }
+}
+
+#[test]
+fn an_angle_in_words_lies_along_its_own_line_or_across_it() {
+    let rows = [
+        ("A.after.angle_to_loc_deg", "0", AlongLineOfCentres, "correct"),
+        ("A.after.angle_to_loc_deg", "90", AlongCommonTangent, "correct"),
+        ("A.after.angle_to_loc_deg", "0", AlongCommonTangent, "wrong"),
+        ("A.after.angle_to_wall_deg", "0", AlongCommonTangent, "correct"),
+        ("A.after.angle_to_wall_deg", "90", AlongLineOfCentres, "correct"),
+        ("A.after.angle_to_wall_deg", "0", AlongLineOfCentres, "wrong"),
+        ("A.after.angle_to_wall_deg", "90", AlongCommonTangent, "wrong"),
+        ("impulse.angle_to_i_deg", "0", AlongLineOfCentres, "unreadable cannot-be-compared"),
+        ("A.after.angle_from_i_deg", "90", AlongCommonTangent, "unreadable cannot-be-compared"),
+        ("A.deflection_deg", "0", AlongLineOfCentres, "unreadable cannot-be-compared"),
+        ("A.deflection_deg", "90", AlongCommonTangent, "unreadable cannot-be-compared"),
+    ];
+    for (quantity, right, words, expected) in rows {
+        let model = asked(right, Some(Kind::Angle), quantity);
+        let told = Said { reference: Some(words), ..said(Form::Direction) };
+        assert_eq!(earns(&model, None, vec![told]), expected, "{quantity} {right}: {words:?}");
+    }
+    // As students write it.
+    for (right, words) in [("0", "parallel to the wall"), ("90", "perpendicular to the wall")] {
+        let model = asked(right, Some(Kind::Angle), "A.after.angle_to_wall_deg");
+        assert_eq!(named(&judge(&model, &read_answer(words, &model.vocabulary))), "correct", "{words}");
     }
 }
 

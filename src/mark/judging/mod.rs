@@ -26,7 +26,7 @@ mod velocity;
 
 use crate::answer::{Accept, Kind};
 use crate::expr::Expr;
-use crate::mechanics::Quantity;
+use crate::mechanics::{Quantity, Setting};
 use crate::unit::Unit;
 
 use super::reading::{Reading, Statement, Unreadable, Vocabulary};
@@ -105,6 +105,17 @@ pub struct Judgement {
     pub note: Option<&'static str>,
     /// What a teacher would say.
     pub feedback: String,
+}
+
+impl Judgement {
+    /// The same in the words of a setting: what is the common tangent of two spheres is a wall for one.
+    pub(crate) fn in_setting(self, setting: Setting) -> Judgement {
+        let said = |words: &str| setting.say(words).into_owned();
+        match setting {
+            Setting::Oblique => self,
+            _ => Judgement { reading: self.reading.as_deref().map(said), feedback: said(&self.feedback), ..self },
+        }
+    }
 }
 
 /// Judges an answer where one thing is asked.

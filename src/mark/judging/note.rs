@@ -58,7 +58,7 @@ notes! {
     /// A multiple of the unit, converted.
     UnitConverted, "unit-converted", "Right once converted to the usual unit.";
     /// The complement without the line from which it would be right.
-    Complement, "complement", "That is the angle to the common tangent, 90° minus the one asked for.";
+    Complement, "complement", "That is 90° minus the angle asked for: check the line from which it is measured.";
     /// The supplement.
     Supplement, "supplement", "That is 180° minus the angle asked for: check which way the sphere moves.";
     /// The number is that from another line.
@@ -83,8 +83,10 @@ notes! {
     RangeHalf, "range-half", "Right as far as it goes: the range has another end.";
     /// An inequality the wrong way round.
     RangeTurned, "range-turned", "The number is right and the inequality is the wrong way round.";
-    /// A number where a range is asked for.
+    /// An end of a range in place of the range.
     RangeWanted, "range-wanted", "That is where the range ends: say on which side of it the values lie.";
+    /// Another number where a range is asked for.
+    NotARange, "not-a-range", "A range is asked for: write it with an inequality sign.";
     /// Coordinates of a point in place of a vector.
     Coordinates, "coordinates", "Right, but a vector is written with i and j or as a column.";
     /// A number where a vector is asked.

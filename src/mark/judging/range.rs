@@ -1,7 +1,9 @@
 //! Ranges of a letter: `1/3 < e ≤ 1`, `e > 1/3`, `3e > 1`, two inequalities in a row or one after the other.
 //!
 //! An end that is only what the letter can be anyway, as `e ≤ 1` is, may be given or left out, and may be counted in or
-//! out. Any other end must be there, at the right number, with its own value counted in or out as it should be.
+//! out. Any other end must be there, at the right number, with its own value counted in or out as it should be. What else
+//! is said must follow from the ends: the same again, or less. A number beside a range is another answer, unless it is an
+//! end.
 
 use std::cmp::Ordering;
 
@@ -41,46 +43,68 @@ pub(super) fn judge(model: &Model, reading: &Reading) -> Finding {
         }
     }
     let ends: Vec<&Bound> = right.iter().filter(|bound| !is_natural(bound, letter)).collect();
-    if own.is_empty() {
+    let all_are = |ends: &[&Bound]| {
         let is_end = |value: &Expr| ends.iter().any(|end| at(model, end, value).is_credited());
-        let named = !bare.is_empty() && bare.iter().all(is_end);
-        return if named { Finding::partial(Note::RangeWanted) } else { Finding::wrong(Note::RangeWanted) };
+        !bare.is_empty() && bare.iter().all(is_end)
+    };
+    if own.is_empty() {
+        return match (all_are(&ends), all_are(&right.iter().collect::<Vec<_>>())) {
+            (true, _) => Finding::partial(Note::RangeWanted),
+            (false, true) => Finding::wrong(Note::RangeWanted),
+            (false, false) => Finding::wrong(Note::NotARange),
+        };
     }
     if own.iter().any(|relation| exact::unknown_letter(relation, letters).is_some()) {
         return Finding::wrong(Note::UnknownLetter);
     }
     let Some(own) = bounds(&own, letter, letters) else { return Finding::unreadable(Note::CannotBeCompared) };
-    against(model, &ends, &own, letter)
+    let finding = against(model, &ends, &own, letter);
+    match bare.is_empty() {
+        true => finding,
+        // `k > 2, k = 2`: whether that is a step on the way or counts the end in, nobody can tell.
+        false if all_are(&ends) => finding.spoilt_by(Note::RangeEnd),
+        false if finding.is_credited() => Finding::wrong(Note::RivalAnswers),
+        false => finding,
+    }
 }
 
 /// The bounds of a student against the ends that must be there.
 fn against(model: &Model, ends: &[&Bound], own: &[Bound], letter: Letter) -> Finding {
     let mut worst = Finding::EXACT;
-    let mut used = vec![false; own.len()];
     let mut missing = 0;
     for end in ends {
-        let near = |bound: &&Bound| at(model, end, &bound.shown).is_credited();
-        let Some(place) = own.iter().position(|bound| bound.above == end.above && near(&bound)) else {
-            if own.iter().any(|bound| bound.above != end.above && near(&bound)) {
+        let near: Vec<&Bound> = own.iter().filter(|bound| is_near(model, bound, end)).collect();
+        // Said twice, what is nearest counts, as in a chain of equals signs.
+        match near.iter().map(|bound| at(model, end, &bound.shown)).reduce(Finding::or_better) {
+            Some(finding) => worst = worst.and(finding),
+            None if own.iter().any(|bound| at(model, end, &bound.shown).is_credited()) => {
                 return Finding::wrong(Note::RangeTurned);
             }
-            missing += 1;
-            continue;
-        };
-        used[place] = true;
-        worst = worst.and(at(model, end, &own[place].shown));
-        if own[place].included != end.included {
+            None => missing += 1,
+        }
+        if near.iter().any(|bound| bound.included != end.included) {
             worst = worst.spoilt_by(Note::RangeEnd);
         }
     }
-    // What else is said must be no more than what the letter is anyway.
-    let idle = own.iter().zip(&used).filter(|(_, used)| !**used).all(|(bound, _)| is_natural(bound, letter));
-    match (missing, ends.len()) {
-        (0, _) if idle => worst,
-        (0, _) => Finding::WRONG,
-        (missing, all) if missing < all && idle => worst.at_most_partial(Note::RangeHalf),
+    let follows = |bound: &Bound| {
+        is_natural(bound, letter) || ends.iter().any(|end| is_no_tighter(bound, end) || is_near(model, bound, end))
+    };
+    match (missing, own.iter().all(follows)) {
+        (0, true) => worst,
+        (missing, true) if missing < ends.len() => worst.at_most_partial(Note::RangeHalf),
         _ => Finding::WRONG,
     }
+}
+
+/// Is the bound the end, as near as the model's rule of acceptance wants it?
+fn is_near(model: &Model, bound: &Bound, end: &Bound) -> bool {
+    bound.above == end.above && at(model, end, &bound.shown).is_credited()
+}
+
+/// Does the bound lie outside the end, or on it, so that it says nothing more?
+fn is_no_tighter(bound: &Bound, end: &Bound) -> bool {
+    let order = (&bound.value - &end.value).sign();
+    bound.above == end.above && order.is_some_and(if end.above { Ordering::is_le } else { Ordering::is_ge })
 }
 
 /// A bound as it is written against an end, by the model's rule of acceptance.

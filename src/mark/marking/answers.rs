@@ -40,9 +40,9 @@ pub(super) fn judged(
             (Some(answer), _) => memory.judged(blank, answer, || {
                 let model = in_profile(&blank.model, profile);
                 let readings = read_answer(answer, &model.vocabulary);
-                Judged::new(profiled(judge(&model, &readings), profile), readings.ok())
+                Judged::new(profiled(judge(&model, &readings), profile).in_setting(part.setting), readings.ok())
             }),
-            (None, Some(together)) => Judged::new(profiled(together, profile), None),
+            (None, Some(together)) => Judged::new(profiled(together, profile).in_setting(part.setting), None),
             (None, None) => Judged::new(judge(&blank.model, &Err(Unreadable::Blank)), None),
         };
         let typed = alone.or(unnamed).map(str::to_owned);

@@ -39,7 +39,7 @@ pub(super) fn answers(
         let value = Expr::Decimal(format!("{:.12}", value.abs()));
         let model = Model { value, ..blank.model.clone() };
         let judgement = judge(&model, &Ok(judged.readings.clone()?));
-        (judgement.verdict == Verdict::Correct).then_some(judgement)
+        (judgement.verdict == Verdict::Correct).then(|| judgement.in_setting(part.setting))
     })
     .collect()
 }

@@ -100,6 +100,12 @@ pub fn read_rows(source: &Source) -> Result<Rows, Vec<Diagnostic>> {
 }
 
 impl Row {
+    /// How many bytes its cells have.
+    fn bytes(&self) -> usize {
+        let cells = [&self.student, &self.question, &self.part, &self.blank, &self.answer];
+        cells.into_iter().chain(&self.working).map(String::len).sum()
+    }
+
     /// Does it hand in anything?
     fn says_something(&self) -> bool {
         !self.answer.trim().is_empty() || !self.working.is_empty()

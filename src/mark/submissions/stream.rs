@@ -27,6 +27,8 @@ pub struct Stream {
     bytes: usize,
     /// The students whose rows have come.
     closed: HashSet<u64>,
+    /// What was hardly meant in the names of the columns.
+    warnings: Vec<Diagnostic>,
 }
 
 impl Stream {
@@ -46,16 +48,19 @@ impl Stream {
     /// ```
     pub fn new(first: &Source) -> Result<Stream, Vec<Diagnostic>> {
         let is_table = !first.text.trim_start().starts_with('{');
-        if is_table {
-            read_rows(first)?;
-        }
+        let warnings = if is_table { read_rows(first)?.warnings } else { Vec::new() };
         let header = is_table.then(|| Source::new(first.file.clone(), format!("{}\n", first.text.trim())));
-        Ok(Stream { header, held: Vec::new(), bytes: 0, closed: HashSet::new() })
+        Ok(Stream { header, held: Vec::new(), bytes: 0, closed: HashSet::new(), warnings })
     }
 
     /// Is it a table?
     pub fn is_table(&self) -> bool {
         self.header.is_some()
+    }
+
+    /// Columns that look like one that is known and are not.
+    pub fn warnings(&self) -> &[Diagnostic] {
+        &self.warnings
     }
 
     /// The rows of a piece of whole records whose first line has this number: of every student whose rows are over.
@@ -105,7 +110,7 @@ impl Stream {
                 return;
             }
         }
-        let bytes = row.answer.len() + row.working.iter().map(String::len).sum::<usize>();
+        let bytes = row.bytes();
         if self.held.len() < MOST && self.bytes + bytes <= MOST_BYTES {
             self.bytes += bytes;
             self.held.push(row);
@@ -121,4 +126,35 @@ fn number(student: &str) -> u64 {
     let mut hasher = DefaultHasher::new();
     student.hash(&mut hasher);
     hasher.finish()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_cell_of_a_student_is_held_without_bound() {
+        let columns = ["question", "part", "blank", "answer", "working"];
+        let header = format!("student,{}\n", columns.join(","));
+        let long = "x".repeat(1 << 20);
+        for place in 0..columns.len() {
+            let mut cells = [""; 5];
+            cells[place] = &long;
+            let row = format!("Ada,{}\n", cells.join(","));
+            let mut stream = Stream::new(&Source::new("stdin", header.as_str())).unwrap();
+            let mut aside = Vec::new();
+            for line in 0..12 {
+                aside.extend(stream.take(&row, 2 + line).set_aside);
+            }
+            assert_eq!((stream.end().rows.len(), aside.len()), (7, 5), "{}", columns[place]);
+            assert!(aside[0].reason.contains(&MOST_BYTES.to_string()), "{}", aside[0].reason);
+        }
+    }
+
+    #[test]
+    fn a_column_that_nobody_looks_at_is_told_of() {
+        let stream = Stream::new(&Source::new("stdin", "student,question,answer,workings\n")).unwrap();
+        assert!(stream.warnings()[0].to_string().contains("nobody looks at the column `workings`"));
+        assert!(Stream::new(&Source::new("stdin", "student,question,answer\n")).unwrap().warnings().is_empty());
+    }
 }

@@ -167,7 +167,7 @@ fn examine_one(question: &KeyedQuestion, part: &KeyedPart, working: &[String], b
     let lines = working.lines.iter().map(|studied| MarkedLine {
         typed: studied.line.typed.clone(),
         reading: studied.reading.as_ref().map(|reading| reading.printed.clone()),
-        role: studied.role.clone(),
+        role: part.setting.say(&studied.role).into_owned(),
     });
     let lines = lines.collect();
     Examined { awards, lines, theirs: working.theirs, followed: working.followed.into() }
@@ -255,7 +255,7 @@ impl Working<'_> {
             by: Examiner::Marker,
             note: shown.note,
             evidence: Some(Evidence { place: Place::Line(studied.line.number), reading }),
-            feedback: shown.feedback,
+            feedback: self.part.setting.say(&shown.feedback).into_owned(),
         })
     }
 

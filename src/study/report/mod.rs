@@ -123,7 +123,7 @@ impl Study {
     fn tolerance(&self) -> String {
         let row = |spread: &Spread| Bar {
             name: format!("{}, {} figures kept", spread.quantity, spread.figures),
-            says: format!("±1 unit: {:.0} %", 100.0 * spread.within_a_unit as f64 / spread.scenes as f64),
+            says: format!("±1 unit: {:.0}%", 100.0 * spread.within_a_unit as f64 / spread.scenes as f64),
             values: spread.tolerance.iter().map(|part| 100.0 * part).collect(),
         };
         let chart = Bars {

@@ -124,7 +124,7 @@ fn grid(study: &Study) -> Table {
         "wrong by way of 15 figures",
         "left open",
     ]);
-    let share = |count: u64, of: u64| format!("{count} ({:.2} %)", 100.0 * count as f64 / of.max(1) as f64);
+    let share = |count: u64, of: u64| format!("{count} ({:.2}%)", 100.0 * count as f64 / of.max(1) as f64);
     let values = 2 * census.scenes - census.noughts;
     let row = |count: &crate::study::Count| {
         vec![
@@ -150,7 +150,7 @@ fn tolerance(study: &Study) -> Table {
         "honest tolerance, 95 in 100",
     ]);
     let row = |spread: &crate::study::Spread| {
-        let share = |count: usize| format!("{:.1} %", 100.0 * count as f64 / spread.scenes as f64);
+        let share = |count: usize| format!("{:.1}%", 100.0 * count as f64 / spread.scenes as f64);
         vec![
             format!("{} ({})", spread.quantity, spread.working),
             spread.figures.to_string(),
@@ -158,7 +158,7 @@ fn tolerance(study: &Study) -> Table {
             share(spread.within_a_unit),
             format!("{} units", short(spread.error[1])),
             format!("{} units", short(spread.error[2])),
-            format!("{:.2} %", 100.0 * spread.tolerance[1]),
+            format!("{:.2}%", 100.0 * spread.tolerance[1]),
         ]
     };
     (head, study.spreads.iter().map(row).collect())

@@ -64,7 +64,7 @@ impl Sums {
 }
 
 impl Discrimination {
-    /// As it is printed: `0.31`, `−0.05`; nothing where nothing is said.
+    /// As it is printed: `0.31`, `-0.05`; nothing where nothing is said.
     ///
     /// ```
     /// use carom::mark::report::Discrimination;

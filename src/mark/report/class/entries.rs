@@ -94,8 +94,8 @@ fn time(script: &MarkedScript) -> usize {
     script.paper.questions.iter().filter(|question| same(&question.id, question.number)).count()
 }
 
-/// Of a question the marks, which of them are lost, and what was typed.
-type Traits = (Reverse<usize>, Vec<bool>, Vec<Option<String>>);
+/// Of a question the marks, which of them are lost, what was typed as answers and as working, and what was noted of it.
+type Traits = (Reverse<usize>, Vec<bool>, Vec<Option<String>>, Vec<String>, Vec<&'static str>);
 
 impl Entry<'_> {
     /// All marks earned.
@@ -108,8 +108,13 @@ impl Entry<'_> {
         let each = self.scripts.iter().map(|script| {
             let parts = script.iter().flat_map(|script| &script.parts);
             let lost = parts.clone().flat_map(|part| &part.marked.awards).map(|award| !award.given).collect();
-            let typed = parts.flat_map(|part| &part.marked.answers).map(|answer| answer.typed.clone()).collect();
-            (Reverse(script.map_or(0, MarkedScript::marks)), lost, typed)
+            let answers = parts.clone().flat_map(|part| &part.marked.answers);
+            let typed = answers.clone().map(|answer| answer.typed.clone()).collect();
+            let working = parts.clone().flat_map(|part| &part.marked.lines).map(|line| line.typed.clone()).collect();
+            let noted = answers.filter_map(|answer| answer.judgement.note);
+            let noted =
+                noted.chain(parts.flat_map(|part| &part.marked.awards).filter_map(|award| award.note)).collect();
+            (Reverse(script.map_or(0, MarkedScript::marks)), lost, typed, working, noted)
         });
         each.collect()
     }

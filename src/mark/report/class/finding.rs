@@ -49,11 +49,11 @@ fn level(question: &QuestionFigures) -> Option<(&'static str, String)> {
         return None;
     }
     if facility <= HARD {
-        let won = if question.marks == 0 { "None".to_owned() } else { format!("Only {facility} %") };
+        let won = if question.marks == 0 { "None".to_owned() } else { format!("Only {facility}%") };
         return Some(("hard", format!("{won} of its marks were won: is it too hard, or is it misread?")));
     }
     let is_easy = facility >= EASY;
-    is_easy.then(|| ("easy", format!("{facility} % of its marks were won: it tells nobody from anybody.")))
+    is_easy.then(|| ("easy", format!("{facility}% of its marks were won: it tells nobody from anybody.")))
 }
 
 /// Marks that nobody won, though the question was not too hard as a whole.
