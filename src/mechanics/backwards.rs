@@ -231,7 +231,7 @@ impl<'a> Posed<'a> {
         let show = Show::new(self.scene, &self.known, &self.asked);
         let mut lines: Vec<Line> = self.derivation.steps.iter().flat_map(|step| step.lines(&show)).collect();
         for condition in &self.scene.conditions {
-            let mut line = condition_line(condition, self.scene);
+            let mut line = condition_line(condition, self.scene).of_condition(self.scene);
             line.equations.extend(self.condition_in_unknowns(condition));
             lines.push(line);
         }

@@ -1,6 +1,7 @@
 //! One line of working: words, and the equations that follow them.
 
-use super::Setting;
+use super::later;
+use super::{Scene, Setting};
 use crate::expr::{Expr, Piece, Text, read_markup};
 
 /// One step of working: words and the equations that follow them.
@@ -60,6 +61,11 @@ impl Line {
             }
         }
         self
+    }
+
+    /// The same line of a condition on a scene; where impacts follow, the impact is the first.
+    pub(super) fn of_condition(self, scene: &Scene) -> Line {
+        if scene.then.is_empty() { self } else { self.said_by(&|words| later::numbered(0, words)) }
     }
 
     /// The same line in the words of another setting.

@@ -205,7 +205,7 @@ fn lines(
     let show = Show::new(posed.scene, &known, &asked);
     let mut lines: Vec<Line> = derivation.steps.iter().flat_map(|step| step.lines(&show)).collect();
     for (condition, inequality) in posed.scene.conditions.iter().zip(shown) {
-        lines.push(inequality_words(condition, inequality, posed.scene));
+        lines.push(inequality_words(condition, inequality, posed.scene).of_condition(posed.scene));
     }
     lines.extend(because.into_iter().map(|one| one.line().said_of(posed.scene.setting)));
     let is_end = |end: &Option<End>, at: &Value| end.as_ref().is_some_and(|end| end.included && end.value.equals(at));
@@ -235,7 +235,9 @@ impl Posed<'_> {
         ];
         let mut demands = of_one.to_vec();
         for meeting in Meeting::all(self.known.0.keys()) {
-            let later = of_one.iter().map(|(quantity, relation, bound)| (meeting.quantity(*quantity), *relation, bound.clone()));
+            let later = of_one
+                .iter()
+                .map(|(quantity, relation, bound)| (meeting.quantity(*quantity), *relation, bound.clone()));
             demands.extend(later);
         }
         let mut known = self.known.clone();

@@ -18,8 +18,8 @@ pub fn rows(worked: &[WorkedPart], variant: &Variant, with_units: &[String]) -> 
     let Some(here) = worked.last() else { return Vec::new() };
     let marks = &here.part.marks;
     let row = |(place, mark): (usize, &Mark)| {
-        let setting =
-            variant.scene.of_impact(impact_of(mark, here)).map_or(variant.scene.setting, |scene| scene.setting);
+        let impact = variant.scene.of_impact(impact_of(place, here));
+        let setting = impact.map_or(variant.scene.setting, |scene| scene.setting);
         let before = marks[..place].iter().filter(|other| same_step(other, mark)).count();
         let (equation, rounded) = equation(mark, before, worked, variant, with_units);
         let earned = mark.text.as_ref().map(|text| wording::sentence(text, variant, None));
