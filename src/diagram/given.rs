@@ -13,8 +13,17 @@ use crate::unit::Unit;
 
 /// The pictures of what a scene gives: the spheres as they touch, or the path of A and its distance from B; spheres on one
 /// line; a sphere at a wall; a particle with its impulse. There are none where the line of centres is to be found: to
-/// draw it would be to give it away. What is given after the impact has a picture of its own.
+/// draw it would be to give it away. What is given after the impact has a picture of its own. Of several impacts it is the
+/// first that is given.
 pub fn given(scene: &Scene, manner: Manner) -> Vec<Diagram> {
+    let mut pictures = of_first(scene, manner);
+    if let ([picture], false) = (pictures.as_mut_slice(), scene.then.is_empty()) {
+        picture.title = "Before the first impact".to_owned();
+    }
+    pictures
+}
+
+fn of_first(scene: &Scene, manner: Manner) -> Vec<Diagram> {
     let Ok(known) = pose(scene) else { return Vec::new() };
     let given = Given { scene, known: &known, manner };
     // What stands in the place of B is no sphere with a velocity.
@@ -60,7 +69,8 @@ impl Given<'_> {
         for sphere in Sphere::BOTH {
             bodies[sphere as usize] = self.body(sphere, Moment::Before)?;
         }
-        let spheres = Spheres { line, apart: false, named: true, bodies, axes: self.manner.vectors, positive: None };
+        let axes = self.manner.vectors;
+        let spheres = Spheres { line, apart: false, named: true, names: Sphere::BOTH, bodies, axes, positive: None };
         let words = in_words(&spheres, Moment::Before);
         Some(Diagram { title: String::new(), drawing: spheres.draw(), words })
     }
@@ -83,14 +93,16 @@ impl Given<'_> {
             }
             bodies[sphere as usize] = body;
         }
-        let spheres = Spheres { line: right, apart: true, named: false, bodies, axes: false, positive: None };
+        let names = Sphere::BOTH;
+        let spheres = Spheres { line: right, apart: true, named: false, names, bodies, axes: false, positive: None };
         let words = in_words(&spheres, moment);
         Some(Diagram { title: String::new(), drawing: spheres.draw(), words })
     }
 
     fn at_wall(&self, moment: Moment) -> Option<Diagram> {
         let inward = line_of_centres(self.known)?;
-        let picture = AtWall { inward, body: self.body(Sphere::A, moment)?, axes: self.manner.vectors };
+        let picture =
+            AtWall { inward, name: Sphere::A, body: self.body(Sphere::A, moment)?, axes: self.manner.vectors };
         let words = at_wall_in_words(&picture, moment);
         Some(Diagram { title: String::new(), drawing: picture.draw(), words })
     }

@@ -9,7 +9,9 @@ use super::wall::AtWall;
 use super::words::{at_wall_in_words, in_words};
 use super::{Diagram, Manner, contact, formula};
 use crate::expr::{Expr, print, written};
-use crate::mechanics::{Axis, Contact, Derivation, Known, Moment, Quantity, Scene, Setting, Show, Sphere, pose};
+use crate::mechanics::{
+    Axis, Contact, Derivation, Known, Moment, Quantity, Scene, Setting, Show, Sphere, ordinal, pose,
+};
 use crate::number::Value;
 use crate::unit::Unit;
 
@@ -19,8 +21,42 @@ const WIDEST: f64 = 13.0;
 /// The pictures of a solution. Where the line of centres is given: the components along it and across it, the unknown ones
 /// as letters in the positive direction; at a wall, perpendicular and parallel to it. Where the line is found: the
 /// velocities as vectors. For an impulse: the triangle of momenta.
+///
+/// Of several impacts each has its pictures.
 pub fn solution(scene: &Scene, manner: Manner) -> Vec<Diagram> {
     let Ok(mut known) = pose(scene) else { return Vec::new() };
+    let geometry = match &scene.contact {
+        Some(Contact::Offset { offset, sum, .. }) => contact::triangle(scene, &known, offset, sum),
+        _ => None,
+    };
+    Derivation::carry_out(&mut known, &needed(scene));
+    let view = |show| View { scene, known: &known, show, manner, names: Sphere::BOTH };
+    if scene.setting == Setting::Impulse {
+        return view(Show::new(scene, &known, &[])).momenta().into_iter().collect();
+    }
+    let first = view(Show::new(scene, &known, &[])).both();
+    let mut pictures: Vec<Diagram> = geometry.into_iter().chain(first.into_iter().flatten()).collect();
+    if !scene.then.is_empty() {
+        pictures.iter_mut().filter(|picture| !picture.title.is_empty()).for_each(|picture| number(picture, 0));
+    }
+    for then in &scene.then {
+        let meeting = then.meeting;
+        let needed: Vec<Quantity> =
+            needed(&then.scene).into_iter().map(|quantity| meeting.quantity(quantity)).collect();
+        Derivation::carry_out(&mut known, &needed);
+        let here = meeting.known(&known);
+        let Some(show) = Show::new(scene, &known, &[]).of_later(meeting) else { continue };
+        let view = View { scene: &then.scene, known: &here, show, manner, names: meeting.of };
+        for mut picture in view.both().into_iter().flatten() {
+            number(&mut picture, meeting.number);
+            pictures.push(picture);
+        }
+    }
+    pictures
+}
+
+/// What a picture of one impact shows.
+fn needed(scene: &Scene) -> Vec<Quantity> {
     let spheres = if scene.setting.is_of_one() { &Sphere::BOTH[..1] } else { &Sphere::BOTH };
     let velocities = |moment, axes: [Axis; 2]| {
         spheres.iter().flat_map(move |sphere| axes.map(|axis| Quantity::Velocity(*sphere, moment, axis)))
@@ -37,22 +73,14 @@ pub fn solution(scene: &Scene, manner: Manner) -> Vec<Diagram> {
             needed.extend(velocities(Moment::After, [Axis::X, Axis::Y]));
         }
     }
-    let geometry = match &scene.contact {
-        Some(Contact::Offset { offset, sum, .. }) => contact::triangle(scene, &known, offset, sum),
-        _ => None,
-    };
-    Derivation::carry_out(&mut known, &needed);
-    let view = View { scene, known: &known, show: Show::new(scene, &known, &[]), manner };
-    if scene.setting == Setting::Impulse {
-        return view.momenta().into_iter().collect();
-    }
-    let both = [Moment::Before, Moment::After].map(|moment| match (scene.setting, &scene.contact) {
-        (Setting::Wall, _) => view.at_wall(moment),
-        (_, Some(_)) => Some(pictured(&view.components(moment)?, moment)),
-        (_, None) => Some(pictured(&view.vectors(moment)?, moment)),
-    });
-    let [Some(before), Some(after)] = both else { return geometry.into_iter().collect() };
-    geometry.into_iter().chain([titled(Moment::Before, before), titled(Moment::After, after)]).collect()
+    needed
+}
+
+/// Says of which impact a picture is: `Before the second impact`.
+fn number(picture: &mut Diagram, number: u8) {
+    let impact = ordinal(number);
+    picture.title = format!("{} the {impact} impact", picture.title);
+    picture.words = picture.words.replace("the impact", &format!("the {impact} impact"));
 }
 
 fn pictured(spheres: &Spheres, moment: Moment) -> Diagram {
@@ -64,9 +92,22 @@ struct View<'a> {
     known: &'a Known<Value>,
     show: Show<'a>,
     manner: Manner<'a>,
+    /// Who has the part of A, and who that of B.
+    names: [Sphere; 2],
 }
 
 impl View<'_> {
+    /// Before and after.
+    fn both(&self) -> Option<[Diagram; 2]> {
+        let [before, after] =
+            [Moment::Before, Moment::After].map(|moment| match (self.scene.setting, &self.scene.contact) {
+                (Setting::Wall, _) => self.at_wall(moment),
+                (_, Some(_)) => Some(pictured(&self.components(moment)?, moment)),
+                (_, None) => Some(pictured(&self.vectors(moment)?, moment)),
+            });
+        Some([titled(Moment::Before, before?), titled(Moment::After, after?)])
+    }
+
     /// The line of centres as it is drawn: as it lies where it is parallel to an axis, else across the page.
     fn components(&self, moment: Moment) -> Option<Spheres> {
         let line = match self.show.axis() {
@@ -91,7 +132,8 @@ impl View<'_> {
             bodies[sphere as usize] = Body { mass, at_rest: motions.is_empty(), motions };
         }
         let apart = self.scene.setting == Setting::Direct;
-        Some(Spheres { line, apart, named: false, bodies, axes: self.manner.vectors, positive: Some(positive) })
+        let (names, axes) = (self.names, self.manner.vectors);
+        Some(Spheres { line, apart, named: false, names, bodies, axes, positive: Some(positive) })
     }
 
     /// A component after the impact: one that is given in its own direction, an unknown one in the positive.
@@ -149,7 +191,7 @@ impl View<'_> {
             motions.push(arrow(if measure(&worked)? < 0.0 { shown.negated() } else { shown }, heading));
         }
         let body = Body { mass: mass(self.scene, Sphere::A, self.manner), at_rest: false, motions };
-        let picture = AtWall { inward, body, axes: self.manner.vectors };
+        let picture = AtWall { inward, name: self.names[0], body, axes: self.manner.vectors };
         let words = at_wall_in_words(&picture, moment);
         Some(Diagram { title: String::new(), drawing: picture.draw(), words })
     }
@@ -198,7 +240,7 @@ impl View<'_> {
             bodies[sphere as usize] = Body { mass, at_rest: motions.is_empty(), motions };
         }
         let named = moment == Moment::Before;
-        Some(Spheres { line, apart: false, named, bodies, axes: named, positive: None })
+        Some(Spheres { line, apart: false, named, names: self.names, bodies, axes: named, positive: None })
     }
 }
 

@@ -32,6 +32,8 @@ pub struct Spheres {
     pub apart: bool,
     /// Is the line of centres called by its name?
     pub named: bool,
+    /// Who has the part of A, and who that of B.
+    pub names: [Sphere; 2],
     /// A, then B.
     pub bodies: [Body; 2],
     /// Are **i** and **j** drawn?
@@ -68,7 +70,7 @@ pub struct Motion {
 
 /// One sphere in its place.
 struct Placed<'a> {
-    sphere: Sphere,
+    name: Sphere,
     body: &'a Body,
     centre: Point,
     /// From the other sphere to this one.
@@ -86,7 +88,8 @@ impl Spheres {
         let half = if self.apart { RADIUS + APART } else { RADIUS };
         let placed = |sphere: Sphere| {
             let outward = if sphere == Sphere::A { -self.line } else { self.line };
-            Placed { sphere, body: &self.bodies[sphere as usize], centre: outward * half, outward, above }
+            let name = self.names[sphere as usize];
+            Placed { name, body: &self.bodies[sphere as usize], centre: outward * half, outward, above }
         };
         let both = Sphere::BOTH.map(placed);
         let [far_a, far_b] = both.each_ref().map(|placed| placed.centre + placed.outward * (RADIUS + placed.beyond()));
@@ -193,7 +196,7 @@ impl Placed<'_> {
     fn name(&self, apart: bool, canvas: &mut Canvas) {
         let beside_the_centre = inside(self.centre, RADIUS, -self.above, self.outward);
         let middle = apart.then(|| Spot::over(self.centre));
-        canvas.label(formula(Expr::name(self.sphere.name())), middle.into_iter().chain(beside_the_centre));
+        canvas.label(formula(Expr::name(self.name.name())), middle.into_iter().chain(beside_the_centre));
     }
 
     fn labels(&self, arcs: &[bool], canvas: &mut Canvas) {

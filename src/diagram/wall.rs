@@ -6,6 +6,7 @@ use super::formula;
 use super::spheres::{Body, Motion, draw_axes};
 use super::spots::{around, beside, in_arc, inside};
 use crate::expr::{Expr, Text};
+use crate::mechanics::Sphere;
 
 /// Radius of the sphere.
 const RADIUS: f64 = 2.1;
@@ -25,6 +26,8 @@ const BEYOND: f64 = 2.6;
 pub struct AtWall {
     /// The unit vector from the sphere to the wall.
     pub inward: Point,
+    /// What the sphere is called.
+    pub name: Sphere,
     /// The sphere. Its angles are with the wall.
     pub body: Body,
     /// Are **i** and **j** drawn?
@@ -43,7 +46,7 @@ impl AtWall {
             self.draw_motion(motion, &mut canvas);
         }
         let along = self.arrows_side();
-        canvas.label(formula(Expr::name("A")), inside(centre, RADIUS, -along, -self.inward));
+        canvas.label(formula(Expr::name(self.name.name())), inside(centre, RADIUS, -along, -self.inward));
         for motion in &self.body.motions {
             canvas.label(motion.label.clone(), self.beside_arrow(motion));
             if let Some(angle) = &motion.angle {

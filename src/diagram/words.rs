@@ -11,17 +11,19 @@ const UNIT_VECTORS: &str = " The unit vector i points to the right and j up the 
 
 /// Two spheres in words.
 pub fn in_words(spheres: &Spheres, moment: Moment) -> String {
+    let [a, b] = spheres.names.map(Sphere::name);
     let mut words = if spheres.apart {
-        "Two spheres on one straight line, A to the left of B.".to_owned()
+        format!("Two spheres on one straight line, {a} to the left of {b}.")
     } else {
         let line = towards(spheres.line);
-        format!("Two spheres seen from above as they touch. The line of centres runs {line}, from A to B.")
+        format!("Two spheres seen from above as they touch. The line of centres runs {line}, from {a} to {b}.")
     };
     if spheres.axes {
         words.push_str(UNIT_VECTORS);
     }
     for sphere in Sphere::BOTH {
-        let sentence = body(sphere, &spheres.bodies[sphere as usize], moment, "impact", "the line of centres");
+        let name = spheres.names[sphere as usize];
+        let sentence = body(name, &spheres.bodies[sphere as usize], moment, "impact", "the line of centres");
         words.extend([" ", &sentence].into_iter().filter(|_| !sentence.is_empty()));
     }
     if let Some(positive) = spheres.positive {
@@ -46,7 +48,7 @@ pub fn at_wall_in_words(picture: &AtWall, moment: Moment) -> String {
     if picture.axes {
         words.push_str(UNIT_VECTORS);
     }
-    let sentence = body(Sphere::A, &picture.body, moment, "impact", "the wall");
+    let sentence = body(picture.name, &picture.body, moment, "impact", "the wall");
     words.extend([" ", &sentence].into_iter().filter(|_| !sentence.is_empty()));
     words
 }

@@ -26,7 +26,7 @@ mod working;
 pub use again::{Carried, Steps, Trace};
 pub use backwards::{Found, backwards};
 pub use derivation::{DeadEnd, Derivation, Road};
-pub use later::{LATER, Later, Meeting};
+pub use later::{LATER, Later, Meeting, ordinal};
 pub use law::{ALONG, Datum, Known, Law, Rule, Slip};
 pub use line::Line;
 pub use pose::pose;
