@@ -197,6 +197,8 @@ pub fn by_definition(quantity: Quantity, case: &Outcome<f64>) -> Option<f64> {
         AngleBetween(m) => turned(v(a, m), v(b, m)).abs().atan2(times(v(a, m), v(b, m))).to_degrees(),
         Alpha => times(relative, t).abs().atan2(times(relative, n).abs()).to_degrees(),
         GivenDirection(..) | GivenImpulse(_) | ContactSine | MomentumEquation | RestitutionEquation => return None,
+        // Chains of impacts have a judge of their own.
+        Later(_) | Meeting(_) | InALine => return None,
     })
 }
 

@@ -5,6 +5,7 @@ mod alone;
 mod backwards;
 mod impacts;
 mod judge;
+mod later;
 mod laws;
 mod ranges;
 mod scenes;

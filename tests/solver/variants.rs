@@ -19,6 +19,7 @@ use carom::solve::Solution;
 use super::agreement::agree;
 use super::alone;
 use super::judge::{Outcome, approach, by_definition, judge, to_judge};
+use super::later;
 use super::scenes::{Kind, generator, random};
 
 /// Every so-manieth set of numbers is examined; so many random impacts are added.
@@ -302,9 +303,14 @@ fn walk(styles: &[(&Question, &Style)], next: &AtomicU64, counts: &Mutex<BTreeMa
             let from = (portion - passed) * PORTION;
             for place in from..examined.min(from + PORTION) {
                 let Ok(variant) = examine(question, style, place * SHARE) else { continue };
-                let checked = match variant.scene.setting.is_of_one() {
-                    true => alone::check(&variant.solution, &asked).map(|()| tally.alone += 1),
-                    false => check(&variant.solution, &asked, &mut tally),
+                let mut one =
+                    |solution: &Solution, asked: &[(Quantity, Accept)]| match solution.scene().setting.is_of_one() {
+                        true => alone::check(solution, asked).map(|()| tally.alone += 1),
+                        false => check(solution, asked, &mut tally),
+                    };
+                let checked = match variant.scene.then.is_empty() {
+                    true => one(&variant.solution, &asked),
+                    false => later::each_by_itself(&variant.solution, &asked, &mut one),
                 };
                 if let Err(complaint) = checked {
                     panic!("{complaint}: {}:{} {:?}", question.id, style.name, variant.parameters);
