@@ -209,6 +209,8 @@ fn carom_refuses_an_impact_with_a_wall_in_words_for_a_wall() {
             "the velocity of A away from the wall is 3, but e times its velocity towards the wall is 2",
         ),
     ];
+    let one_line = json!({ "masses": { "A": "1", "B": "1" }, "before": { "A": "1", "B": "2" }, "e": "1/2" });
+    assert!(refusal(one_line).contains("check the signs: a velocity is positive from A towards B"));
     for (said, expected) in table {
         assert!(said.contains(expected), "{said}");
         for of_two in ["spheres", "line of centres", "approach", "separation", "B"] {

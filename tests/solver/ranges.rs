@@ -240,6 +240,11 @@ fn carom_says_what_each_end_of_a_range_comes_from() {
         "unknowns": ["k"], "conditions": ["A.after.x < 0"]
     }));
     assert!(text.contains("The mass of A is positive:\n    3 − k > 0\n"), "{text}");
+    let text = said(&json!({
+        "before": { "A": ["3", "k - 4"] }, "wall": ["1", "0"], "e": "1/2", "symbols": { "k": "positive" },
+        "unknowns": ["k"], "conditions": ["A.after.speed < 13/4"]
+    }));
+    assert!(!text.contains("spheres"), "{text}");
     // What a letter may be at all needs no line of its own.
     let text = said(&with_e("A.after.x < 0"));
     assert!(!text.contains("The coefficient of restitution is"), "{text}");
