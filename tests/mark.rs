@@ -491,19 +491,22 @@ fn at_a_wall_no_file_speaks_of_two_spheres() {
     let folder = folder("wall");
     let made = carom(&folder, &["sheet", "walls/rebound-speed-and-direction", "--reference", "--format", "text"]);
     assert!(made.status.success(), "{}", stderr(&made));
-    // 33.7° to the wall; the second line exchanges sine and cosine.
-    let rows = "student,question,part,blank,answer,working
-Ada,1,a,direction of A,37° to the wall,
-Bea,1,a,direction of A,56.3°,\"5 * 3/5 = 3
-v = e * 3\"
-";
+    let key: Json = serde_json::from_str(&fs::read_to_string(folder.join("sheet/key.json")).unwrap()).unwrap();
+    let blanks = key["questions"][0]["parts"][0]["blanks"].as_array().unwrap();
+    let angle = blanks.iter().find(|blank| blank["name"] == "direction of A").unwrap();
+    let angle: f64 = angle["decimal"].as_str().unwrap().parse().unwrap();
+    let rows = format!(
+        "student,question,part,blank,answer,working\nAda,1,a,direction of A,37° to the wall,\n\
+         Bea,1,a,direction of A,{:.1}°,\n",
+        90.0 - angle
+    );
     fs::write(folder.join("answers.csv"), rows).unwrap();
     let output = carom(&folder, &["mark", "sheet/key.json", "answers.csv", "--feedback", "html,text"]);
     assert!(output.status.success(), "{}", stderr(&output));
     let read = |name: &str| fs::read_to_string(folder.join("marks").join(name)).unwrap();
     let lines = read("marks.jsonl");
     assert!(lines.contains("\"reading\":\"37° to the wall\"") && lines.contains("\"complement\""), "{lines}");
-    for name in ["marks.csv", "marks.jsonl", "feedback/Ada.html", "feedback/Bea.txt"] {
+    for name in ["marks.csv", "marks.jsonl", "feedback/ada.html", "feedback/bea.txt"] {
         let text = read(name);
         assert!(!text.contains("line of centres") && !text.contains("common tangent"), "{name}: {text}");
     }

@@ -24,7 +24,7 @@ pub struct Derivation {
 pub struct DeadEnd(pub usize);
 
 /// How many plans are remembered at once.
-const MOST_PLANS: usize = 256;
+const MOST_PLANS: usize = 1 << 11;
 
 /// A way that students go to what is asked: a slip may show on one of them and not on another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -189,9 +189,15 @@ impl Setting {
         };
         let mut said = String::with_capacity(words.len());
         let mut rest = words;
+        // Most letters begin no phrase.
+        let initials = phrases.iter().fold(0_u128, |initials, (spheres, _)| initials | initial(spheres));
         // Phrase by phrase, so that what is said already is not said again.
         while let Some(first) = rest.chars().next() {
-            let (taken, here) = match phrases.iter().find(|(spheres, _)| rest.starts_with(spheres)) {
+            let phrase = match initials & initial(rest) {
+                0 => None,
+                _ => phrases.iter().find(|(spheres, _)| rest.starts_with(spheres)),
+            };
+            let (taken, here) = match phrase {
                 Some((spheres, here)) => (spheres.len(), *here),
                 None => (first.len_utf8(), &rest[..first.len_utf8()]),
             };
@@ -200,6 +206,11 @@ impl Setting {
         }
         Cow::Owned(said)
     }
+}
+
+/// The bit of the first letter, if it is one of ASCII, as that of every phrase is.
+fn initial(words: &str) -> u128 {
+    words.bytes().next().filter(u8::is_ascii).map_or(0, |first| 1 << first)
 }
 
 #[cfg(test)]

@@ -49,6 +49,9 @@ impl Fraction {
         if denominator == IBig::ZERO {
             return None;
         }
+        if let (Ok(n), Ok(d)) = (i64::try_from(&numerator), i64::try_from(&denominator)) {
+            return Some(Fraction::reduce(n.into(), d.into()));
+        }
         let (sign, magnitude) = denominator.into_parts();
         Some(Fraction::from_big(RBig::from_parts(numerator * sign, magnitude)))
     }
@@ -142,12 +145,22 @@ impl Fraction {
 
     /// One over the fraction; `None` for nought.
     pub fn reciprocal(&self) -> Option<Fraction> {
+        if let Repr::Small(n, d) = self.0 {
+            return (n != 0).then(|| Fraction(Repr::Small(d * n.signum(), n.abs())));
+        }
         Fraction::from_integers(self.denominator(), self.numerator())
     }
 
     /// A whole power; negative powers of nought give `None`.
     pub fn power(&self, exponent: i32) -> Option<Fraction> {
         let base = if exponent < 0 { self.reciprocal()? } else { self.clone() };
+        // Powers of what has no common factor have none.
+        if let Repr::Small(n, d) = base.0
+            && let Some((n, d)) = n.checked_pow(exponent.unsigned_abs()).zip(d.checked_pow(exponent.unsigned_abs()))
+            && n != i64::MIN
+        {
+            return Some(Fraction(Repr::Small(n, d)));
+        }
         let power = exponent.unsigned_abs() as usize;
         Fraction::from_integers(base.numerator().pow(power), base.denominator().pow(power))
     }
@@ -342,6 +355,13 @@ impl FromStr for Fraction {
         if !decimals.bytes().all(|byte| byte.is_ascii_digit()) || (decimals.is_empty() && whole.is_empty()) {
             return Err(NotAFraction);
         }
+        // As nearly all are: ten to the power 18 is a machine integer.
+        if whole.len() + decimals.len() <= 18
+            && !whole.starts_with('+')
+            && let Ok(all) = format!("{whole}{decimals}").parse::<i64>()
+        {
+            return Ok(Fraction::reduce(all.into(), 10_i128.pow(decimals.len() as u32)));
+        }
         let all = integer(&if whole.is_empty() || whole == "-" {
             format!("{whole}0{decimals}")
         } else {
@@ -370,12 +390,21 @@ mod tests {
 
     #[test]
     fn decimals_are_read_exactly() {
-        for (text, exact) in
-            [("0.1", "1/10"), (".5", "1/2"), ("-.25", "-1/4"), ("2.50", "5/2"), ("-0.5", "-1/2"), ("6/4", "3/2")]
-        {
+        for (text, exact) in [
+            ("0.1", "1/10"),
+            (".5", "1/2"),
+            ("-.25", "-1/4"),
+            ("2.50", "5/2"),
+            ("-0.5", "-1/2"),
+            ("6/4", "3/2"),
+            ("5.", "5"),
+            ("-0.00", "0"),
+            ("123456789012345678.5", "246913578024691357/2"),
+            ("0.0000000000000000002", "1/5000000000000000000"),
+        ] {
             assert_eq!(read(text).to_string(), exact, "{text}");
         }
-        for text in ["", ".", "-", "1/0", "1.2.3", "1e3", "+1", "1_0", "--1"] {
+        for text in ["", ".", "-", "1/0", "1.2.3", "1e3", "+1", "+1.5", "1.+5", "1_0", "--1"] {
             assert!(text.parse::<Fraction>().is_err(), "{text}");
         }
     }

@@ -51,11 +51,10 @@ impl ClassList {
         let header = source.text.lines().find(|line| !line.trim().is_empty()).unwrap_or_default().to_lowercase();
         let named = |column: &str| header.split([',', ';', '\t']).any(|name| name.trim().trim_matches('"') == column);
         let needed = if named("name") && !named("student") { ["name"] } else { ["student"] };
-        let table = table::read(source, &COLUMNS, &needed)?;
         let mut faults = Vec::new();
         let mut lines: HashMap<String, usize> = HashMap::new();
         let mut students = Vec::new();
-        for record in table.records {
+        let warnings = table::read(source, &COLUMNS, &needed, |record| {
             let end = record.start + source.text[record.start..].lines().next().map_or(0, str::len);
             let mut fault = |message: String, label: &str| {
                 faults.push(Diagnostic::new(message, source, record.start..end, label));
@@ -73,13 +72,13 @@ impl ClassList {
                 let name = if name == id { String::new() } else { name };
                 students.push(Student { id, name });
             }
-        }
+        })?;
         if faults.is_empty() && students.is_empty() {
             let end = source.text.len().min(1);
             let label = "below the names of the columns a line for each student is expected";
             faults.push(Diagnostic::new("nobody is in this class", source, 0..end, label));
         }
-        if faults.is_empty() { Ok(ClassList { students, warnings: table.warnings }) } else { Err(faults) }
+        if faults.is_empty() { Ok(ClassList { students, warnings }) } else { Err(faults) }
     }
 }
 

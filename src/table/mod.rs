@@ -6,4 +6,4 @@ mod records;
 
 pub use cells::{append, harmless, meant, one_line, push_cell, visible, write};
 pub use decode::{Undecoded, decode};
-pub use records::{Record, Table, delimiter, read};
+pub use records::{Record, delimiter, read};

@@ -4,27 +4,19 @@ use csv::{ReaderBuilder, StringRecord};
 
 use crate::diagnostic::{Diagnostic, Severity, Source, near};
 
-/// The records of a table, each with its cells in the order of the columns that were asked for.
-pub struct Table<const N: usize> {
-    /// The records, in order.
-    pub records: Vec<Record<N>>,
-    /// Columns that look like one of these and are not.
-    pub warnings: Vec<Diagnostic>,
-}
-
 /// A record. Columns that the table does not have are empty.
-pub struct Record<const N: usize> {
+pub struct Record<'r, const N: usize> {
     /// The line on which it begins, from 1.
     pub line: usize,
     /// Its place in the text.
     pub start: usize,
     /// The cells, in the order of the columns that were asked for.
-    pub cells: [String; N],
+    pub cells: [&'r str; N],
     /// Why its cells cannot be trusted.
     pub fault: Option<String>,
 }
 
-/// Reads a table.
+/// Reads a table: hands its records on one by one, and says which columns look like one that was asked for and are not.
 ///
 /// # Errors
 ///
@@ -33,7 +25,8 @@ pub fn read<const N: usize>(
     source: &Source,
     columns: &[&'static str; N],
     needed: &[&str],
-) -> Result<Table<N>, Vec<Diagnostic>> {
+    mut take: impl FnMut(Record<N>),
+) -> Result<Vec<Diagnostic>, Vec<Diagnostic>> {
     let text = &*source.text;
     let mut reader =
         ReaderBuilder::new().flexible(true).has_headers(false).delimiter(delimiter(text)).from_reader(text.as_bytes());
@@ -43,19 +36,18 @@ pub fn read<const N: usize>(
     // A text without any record has a header without names.
     next(&mut record);
     let header = Header::read(source, &record, columns, needed)?;
-    // About as many as there are, where rows are short.
-    let mut records = Vec::with_capacity(text.len() / 64);
+    let end = text.trim_end().len();
     while next(&mut record) {
         if record.iter().all(|cell| cell.trim().is_empty()) {
             continue;
         }
         let (line, start) = begin(text, &record);
-        let cell = |place: Option<usize>| place.and_then(|place| record.get(place)).unwrap_or_default().to_owned();
+        let cell = |place: Option<usize>| place.and_then(|place| record.get(place)).unwrap_or_default();
         let cells = header.places.map(cell);
-        let fault = header.fault(&record).or_else(|| never_closed(&text[start.min(text.len())..], &record));
-        records.push(Record { line, start, cells, fault });
+        let fault = header.fault(&record).or_else(|| never_closed(&text[start.min(end)..end], &record));
+        take(Record { line, start, cells, fault });
     }
-    Ok(Table { records, warnings: header.warnings })
+    Ok(header.warnings)
 }
 
 /// The line and the place in the text where a record begins: the reader counts empty lines before it as its own, and what
@@ -63,6 +55,10 @@ pub fn read<const N: usize>(
 fn begin(text: &str, record: &StringRecord) -> (usize, usize) {
     let (line, start) = record.position().map_or((1, 0), |place| (place.line() as usize, place.byte() as usize));
     let rest = text.get(start..).unwrap_or_default();
+    // As nearly all begin.
+    if !rest.starts_with(['\n', '\r']) {
+        return (line, start);
+    }
     let ends = rest.len() - rest.trim_start_matches(['\n', '\r']).len();
     (line + rest[..ends].matches('\n').count(), start + ends)
 }
@@ -144,8 +140,8 @@ impl<const N: usize> Header<N> {
 
     /// Cells too few or too many.
     fn fault(&self, record: &StringRecord) -> Option<String> {
-        let beyond = record.iter().skip(self.width).any(|cell| !cell.trim().is_empty());
-        if beyond {
+        let beyond = || record.iter().skip(self.width).any(|cell| !cell.trim().is_empty());
+        if record.len() > self.width && beyond() {
             return Some(format!(
                 "{} cells under {} columns: a cell with a comma in it stands in quotes",
                 record.len(),
@@ -156,10 +152,10 @@ impl<const N: usize> Header<N> {
     }
 }
 
-/// A quote that is opened and never closed swallows all that follows.
+/// A quote that is opened and never closed swallows all that follows, of which the blanks at its end are left out here.
 fn never_closed(rest: &str, record: &StringRecord) -> Option<String> {
     // Only the last record reaches to the end of the text.
-    let is_last = record.as_slice().len() + record.len() + 2 >= rest.trim_end().len();
+    let is_last = record.as_slice().len() + record.len() + 2 >= rest.len();
     let swallows = || record.as_slice().contains('\n');
     let is_odd = || rest.bytes().filter(|byte| *byte == b'"').count() % 2 == 1;
     (is_last && swallows() && is_odd())
@@ -182,9 +178,10 @@ mod tests {
             "name,age\nAda,\"1\"\nBen,\"\n\n\"\nCy,3\n",
         ] {
             let source = Source::new("table.csv", text);
-            let table = read(&source, &["name", "age"], &["name"]).map_err(|faults| faults.len()).unwrap();
-            let places: Vec<(usize, bool)> =
-                table.records.iter().map(|r| (r.line, text[r.start..].starts_with(r.cells[0].as_str()))).collect();
+            let mut places: Vec<(usize, bool)> = Vec::new();
+            let take =
+                |record: Record<2>| places.push((record.line, text[record.start..].starts_with(record.cells[0])));
+            read(&source, &["name", "age"], &["name"], take).map_err(|faults| faults.len()).unwrap();
             assert_eq!(places, [(2, true), (3, true), (6, true)], "{text:?}");
         }
     }

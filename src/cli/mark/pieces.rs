@@ -84,6 +84,10 @@ impl<R: BufRead> Pieces<R> {
         let mut piece = Piece { line: self.line, ..Piece::default() };
         let mut record = std::mem::take(&mut self.record);
         while piece.text.len() < PIECE {
+            self.plain_lines(&mut piece.text)?;
+            if piece.text.len() >= PIECE {
+                break;
+            }
             record.clear();
             let line = self.line;
             let read = self.record(&mut record)?;
@@ -113,6 +117,26 @@ impl<R: BufRead> Pieces<R> {
         }
         self.record = record;
         Ok(Some(piece))
+    }
+
+    /// Takes whatever whole lines there are that need no closer look, all at once, up to the one that fills a piece.
+    fn plain_lines(&mut self, text: &mut String) -> io::Result<()> {
+        let has_quotes = self.table.is_some();
+        let mut source = self.source();
+        let there = source.fill_buf()?;
+        let wanted = PIECE.saturating_sub(text.len() + 1);
+        let fills = there.get(wanted..).and_then(|rest| rest.iter().position(|byte| *byte == b'\n'));
+        let there = &there[..fills.map_or(there.len(), |more| wanted + more + 1)];
+        let valid = std::str::from_utf8(there).or_else(|error| std::str::from_utf8(&there[..error.valid_up_to()]));
+        let valid = valid.unwrap_or_default();
+        let plain = valid.find('"').filter(|_| has_quotes).map_or(valid, |quote| &valid[..quote]);
+        let plain = plain.rfind('\n').map_or("", |last| &plain[..=last]);
+        let (bytes, lines) = (plain.len(), plain.bytes().filter(|byte| *byte == b'\n').count());
+        text.push_str(plain);
+        source.consume(bytes);
+        drop(source);
+        self.line += lines;
+        Ok(())
     }
 
     /// Reads a record; of one that is too long only as much is kept as shows that it is.

@@ -124,10 +124,8 @@ impl<R: BufRead> Submissions<R> {
     /// The rows of students who are over.
     fn rows(&mut self, piece: Piece) -> Rows {
         let mut rows = self.stream.take(&piece.text, piece.line);
-        rows.set_aside.extend(piece.broken.map(|(line, reason, answer)| {
-            let row = Row { line, answer, ..Row::default() };
-            SetAside { row, reason }
-        }));
+        rows.set_aside
+            .extend(piece.broken.map(|(line, reason, answer)| SetAside { row: Row::unread(line, &answer), reason }));
         rows
     }
 

@@ -147,9 +147,10 @@ fn suffices(figures: u32, places: i64, wanted: &Places) -> bool {
 
 /// An exact number that a decimal is held against.
 pub(super) enum Target<'a> {
-    Value(&'a Value),
-    /// A formula without letters that is too long for its exact value.
-    Formula(&'a Expr),
+    /// A value, with its enclosure to [`BITS`] where that is known.
+    Value(&'a Value, Option<&'a Interval>),
+    /// A formula without letters that is too long for its exact value, with its enclosure.
+    Formula(&'a Expr, Option<&'a Interval>),
     /// An angle as so many degrees.
     Degrees(&'a Enclosed),
     /// An angle as so many radians.
@@ -157,10 +158,23 @@ pub(super) enum Target<'a> {
 }
 
 impl Target<'_> {
+    /// Its enclosure to [`BITS`], where that is known.
+    fn nearly(&self) -> Option<&Interval> {
+        match self {
+            Target::Value(_, nearly) | Target::Formula(_, nearly) => *nearly,
+            Target::Degrees(angle) => angle.enclosure(),
+            Target::Radians(_) => None,
+        }
+    }
+
     fn enclose(&self, bits: usize) -> Option<Interval> {
         match self {
-            Target::Value(value) => value.enclose_constant(bits),
-            Target::Formula(expr) => enclose(expr, &[], 0, bits),
+            // A rounding may be certified by any enclosure that is narrow enough.
+            Target::Value(_, Some(nearly)) | Target::Formula(_, Some(nearly)) if bits <= BITS => {
+                Some((*nearly).clone())
+            }
+            Target::Value(value, _) => value.enclose_constant(bits),
+            Target::Formula(expr, _) => enclose(expr, &[], 0, bits),
             Target::Degrees(angle) => angle.enclose(bits),
             Target::Radians(angle) => {
                 (angle.enclose(bits)? * Interval::pi(bits)).checked_div(&Interval::integer(180, bits))
@@ -169,9 +183,12 @@ impl Target<'_> {
     }
 
     pub(super) fn equals(&self, number: &Fraction) -> bool {
+        if self.nearly().is_some_and(|nearly| !nearly.overlaps(&Interval::from_fraction(number, BITS))) {
+            return false;
+        }
         match self {
-            Target::Value(value) => value.equals(&Value::from(number.clone())),
-            Target::Formula(expr) => same(expr, &Expr::Number(number.clone()), &[]) == Equality::Equal,
+            Target::Value(value, _) => value.equals(&Value::from(number.clone())),
+            Target::Formula(expr, _) => same(expr, &Expr::Number(number.clone()), &[]) == Equality::Equal,
             Target::Degrees(angle) => angle.turn.is_degrees(number),
             // Neither pi times a fraction nor an inverse tangent of a root is a fraction, but for nought.
             Target::Radians(angle) => number.is_zero() && angle.turn.is_degrees(number),
@@ -180,7 +197,7 @@ impl Target<'_> {
 
     pub(super) fn rounded(&self, places: &Places) -> Result<Decimal, Uncertain> {
         match self {
-            Target::Value(value) => value.rounded(places),
+            Target::Value(value, nearly) if nearly.is_none() || value.as_fraction().is_some() => value.rounded(places),
             _ => round_certified(|bits| self.enclose(bits), |tie| self.equals(tie), places),
         }
     }

@@ -83,12 +83,13 @@ impl Enclosed {
     }
 
     /// In degrees; `None` while there are letters in it.
-    fn enclosure(&self) -> Option<&Interval> {
+    pub(super) fn enclosure(&self) -> Option<&Interval> {
         self.degrees.get_or_init(|| self.turn.enclose(BITS)).as_ref()
     }
 
     pub(super) fn enclose(&self, bits: usize) -> Option<Interval> {
-        if bits == BITS { self.enclosure().cloned() } else { self.turn.enclose(bits) }
+        // A rounding may be certified by any enclosure that is narrow enough.
+        if bits <= BITS { self.enclosure().cloned() } else { self.turn.enclose(bits) }
     }
 }
 

@@ -24,7 +24,7 @@ pub(super) fn compare(model: &Value, student: &Value, decimals: &Coarsest, accep
             return Finding::EXACT;
         }
         let Some(value) = fraction(found) else { return Finding::unreadable(Note::CannotBeCompared) };
-        decimal(&Written::worked_out(value, decimals), &Target::Value(right), accept)
+        decimal(&Written::worked_out(value, decimals), &Target::Value(right, None), accept)
     });
     each.reduce(Finding::and).unwrap_or(Finding::WRONG)
 }

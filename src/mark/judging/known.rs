@@ -6,6 +6,7 @@ use crate::answer::Kind;
 use crate::expr::{Expr, Meaning};
 use crate::number::{Interval, Letter, Value};
 
+use super::accuracy::{BITS, Target};
 use super::angle::{Enclosed, as_turn};
 use super::enclosure::enclose;
 use super::equation::Difference;
@@ -36,7 +37,10 @@ pub(super) struct Known {
     letters: Vec<Letter>,
     enclosures: Vec<OnceLock<Option<Interval>>>,
     meaning: OnceLock<Option<Meaning>>,
+    has_names: OnceLock<bool>,
     written: OnceLock<Option<Expr>>,
+    /// The value, where it is a constant, nearly.
+    nearly: OnceLock<Option<Interval>>,
     turn: OnceLock<Option<Enclosed>>,
     difference: OnceLock<Option<Difference>>,
     further: [OnceLock<Model>; Further::COUNT],
@@ -66,7 +70,9 @@ impl Known {
             letters,
             enclosures,
             meaning: OnceLock::new(),
+            has_names: OnceLock::new(),
             written: OnceLock::new(),
+            nearly: OnceLock::new(),
             turn: OnceLock::new(),
             difference: OnceLock::new(),
             further: Default::default(),
@@ -75,13 +81,23 @@ impl Known {
 
     /// The enclosure of the value at a fixed point.
     pub(super) fn enclosure(&self, point: u32) -> Option<Interval> {
+        self.enclosed(point).cloned()
+    }
+
+    /// The same where it is kept.
+    pub(super) fn enclosed(&self, point: u32) -> Option<&Interval> {
         let known = self.enclosures.get(point as usize)?;
-        known.get_or_init(|| enclose(&self.of, &self.letters, point, exact::BITS)).clone()
+        known.get_or_init(|| enclose(&self.of, &self.letters, point, exact::BITS)).as_ref()
     }
 
     /// The exact meaning.
     pub(super) fn meaning(&self) -> Option<&Meaning> {
         self.meaning.get_or_init(|| exact::meaning(&self.of, &self.letters)).as_ref()
+    }
+
+    /// Are there letters in it?
+    pub(super) fn has_names(&self) -> bool {
+        *self.has_names.get_or_init(|| !self.of.names().is_empty())
     }
 
     /// The exact value, if it is a plain number or a formula.
@@ -90,6 +106,13 @@ impl Known {
             Meaning::Number(value) => Some(value),
             _ => None,
         }
+    }
+
+    /// The exact value as what a decimal is held against.
+    pub(super) fn target(&self) -> Option<Target<'_>> {
+        let value = self.value()?;
+        let nearly = self.nearly.get_or_init(|| value.enclose_constant(BITS));
+        Some(Target::Value(value, nearly.as_ref()))
     }
 
     /// The angle that it means; a plain number is degrees.
@@ -128,7 +151,7 @@ impl Model {
     }
 
     /// A model of another value in the same question, about which nothing is known yet.
-    pub(super) fn of_value(&self, value: Expr) -> Model {
+    pub(crate) fn of_value(&self, value: Expr) -> Model {
         let other = Model::new(value, self.kind, self.accept.clone(), self.vocabulary.clone());
         Model { rebounds: self.rebounds, ..other }
     }

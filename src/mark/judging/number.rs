@@ -141,10 +141,10 @@ pub(super) fn value(model: &Model, expr: &Expr, written: &Option<Written>) -> Fi
         }
         if let Some(written) = written
             && known.meaning().is_none()
-            && model.value.names().is_empty()
+            && !known.has_names()
         {
             // Too long to be worked out exactly; its figures can be proved all the same.
-            return decimal(written, &Target::Formula(&model.value), &model.accept);
+            return decimal(written, &Target::Formula(&model.value, known.enclosed(0)), &model.accept);
         }
         return if equality == Equality::Different {
             Finding::WRONG
@@ -152,10 +152,10 @@ pub(super) fn value(model: &Model, expr: &Expr, written: &Option<Written>) -> Fi
             Finding::unreadable(Note::CannotBeCompared)
         };
     };
-    if let Some(written) = written
+    if let Some((written, target)) = written.as_ref().zip(known.target())
         && right.is_constant()
     {
-        return decimal(written, &Target::Value(right), &model.accept);
+        return decimal(written, &target, &model.accept);
     }
     let mut finding = Finding::WRONG;
     if let Some(decimals) = Coarsest::of(expr) {

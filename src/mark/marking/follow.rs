@@ -37,7 +37,7 @@ pub(super) fn answers(
         let [known] = examined.followed(question) else { return None };
         let Some(Datum::Number(value)) = known.0.get(&quantity) else { return None };
         let value = Expr::Decimal(format!("{:.12}", value.abs()));
-        let model = Model { value, ..blank.model.clone() };
+        let model = Model { quantity: blank.model.quantity, ..blank.model.of_value(value) };
         let judgement = judge(&model, &Ok(judged.readings.clone()?));
         (judgement.verdict == Verdict::Correct).then(|| judgement.in_setting(part.setting))
     })

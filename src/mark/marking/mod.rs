@@ -25,7 +25,16 @@ use super::working::{Theirs, examine};
 ///
 /// What the script has under a label that the question does not have is not looked at.
 pub fn mark(question: &KeyedQuestion, script: &Script, profile: &Profile) -> Vec<MarkedPart> {
-    mark_remembering(question, script, profile, &mut Memory::default())
+    mark_remembering(question, script, profile, &mut Memory::default(), Solutions::Written)
+}
+
+/// Is the rest written out as it follows from the student's own values, where marks are followed through?
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Solutions {
+    /// For whoever reads a page about it.
+    Written,
+    /// A table of marks has no place for them.
+    LeftOut,
 }
 
 /// The same by one who remembers what was found of the answers before, all of them by this profile.
@@ -34,6 +43,7 @@ pub(super) fn mark_remembering(
     script: &Script,
     profile: &Profile,
     memory: &mut Memory,
+    solutions: Solutions,
 ) -> Vec<MarkedPart> {
     let mut charged = decide::Charged::default();
     let mut theirs = Theirs::default();
@@ -51,7 +61,10 @@ pub(super) fn mark_remembering(
         let found = decide::awards(part, found, profile, &mut charged);
         let awards = decide::settled(part, &answers, &found);
         let all_right = awards.iter().all(|award| award.given);
-        let solution = if all_right { Vec::new() } else { follow::solution(question, part, &examined) };
+        let solution = match solutions {
+            Solutions::Written if !all_right => follow::solution(question, part, &examined),
+            _ => Vec::new(),
+        };
         theirs = examined.theirs;
         theirs.take_answers(question, part, judged.iter().map(|judged| judged.readings.as_deref()));
         let (label, lines) = (part.label.clone(), examined.lines);

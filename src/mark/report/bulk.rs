@@ -10,9 +10,9 @@ use serde_json::json;
 use super::json_lines::lines_of;
 use super::rows::cells_of;
 use super::{MARKS, marked};
-use crate::mark::marking::Memory;
+use crate::mark::marking::{Memory, Solutions};
 use crate::mark::profile::Profile;
-use crate::mark::submissions::{HandedIn, SetAside, Sorted};
+use crate::mark::submissions::{HandedIn, HandedRow, SetAside, Sorted};
 use crate::table::{append, one_line, push_cell};
 
 /// What the verdict of a row is that was not marked.
@@ -34,12 +34,24 @@ pub struct Bulk<'p> {
     bytes: usize,
     /// The script that is looked for.
     sought: Vec<u8>,
+    /// The student who came last, and the name as it is written: scripts of a student mostly follow each other.
+    last: String,
+    name: String,
 }
 
 impl<'p> Bulk<'p> {
     /// Marks as rows of a table without its header, or as JSON lines.
     pub fn new(profile: &'p Profile, as_table: bool) -> Bulk<'p> {
-        Bulk { profile, as_table, remembered: HashMap::new(), answers: Memory::default(), bytes: 0, sought: Vec::new() }
+        Bulk {
+            profile,
+            as_table,
+            remembered: HashMap::new(),
+            answers: Memory::default(),
+            bytes: 0,
+            sought: Vec::new(),
+            last: String::new(),
+            name: String::new(),
+        }
     }
 
     /// The marks of scripts; then what was set aside, each with its line and the reason.
@@ -54,17 +66,21 @@ impl<'p> Bulk<'p> {
     }
 
     fn one(&mut self, script: &HandedIn, text: &mut String) {
-        let mut name = String::new();
-        match self.as_table {
-            true => push_cell(&mut name, &one_line(&script.script.student)),
-            // A string always makes JSON.
-            false => name = serde_json::to_string(&script.script.student).unwrap_or_default(),
+        let student = script.student();
+        if self.name.is_empty() || self.last != student {
+            student.clone_into(&mut self.last);
+            self.name.clear();
+            match self.as_table {
+                true => push_cell(&mut self.name, &one_line(student)),
+                // A string always makes JSON.
+                false => self.name = serde_json::to_string(student).unwrap_or_default(),
+            }
         }
         let begins = if self.as_table { "" } else { JSON_BEGINS };
         let mut write = |rests: &[Box<str>]| {
             for rest in rests {
                 text.push_str(begins);
-                text.push_str(&name);
+                text.push_str(&self.name);
                 text.push_str(rest);
             }
         };
@@ -72,7 +88,7 @@ impl<'p> Bulk<'p> {
         if let Some(rests) = self.remembered.get(&*self.sought) {
             return write(rests);
         }
-        let rests = self.rests(script, &name);
+        let rests = rests(script, &self.name, self.profile, self.as_table, &mut self.answers);
         write(&rests);
         if self.sought.len() <= LONGEST {
             let bytes = self.sought.len() + rests.iter().map(|rest| rest.len()).sum::<usize>();
@@ -84,25 +100,26 @@ impl<'p> Bulk<'p> {
             self.remembered.insert(self.sought.as_slice().into(), rests);
         }
     }
+}
 
-    /// What follows the name in each row or line of a script.
-    fn rests(&mut self, script: &HandedIn, name: &str) -> Box<[Box<str>]> {
-        let script = marked(script, self.profile, &mut self.answers);
-        if self.as_table {
-            let rest = |row: [String; MARKS.len()]| {
-                let mut rest = String::new();
-                for cell in &row[1..] {
-                    rest.push(',');
-                    push_cell(&mut rest, cell);
-                }
-                rest.push('\n');
-                rest.into_boxed_str()
-            };
-            return script.rows().into_iter().map(cells_of).map(rest).collect();
-        }
-        let begins = JSON_BEGINS.len() + name.len();
-        lines_of(&script).split_inclusive('\n').filter_map(|line| line.get(begins..)).map(Box::from).collect()
+/// What follows the name in each row or line of a script.
+fn rests(script: &HandedIn, name: &str, profile: &Profile, as_table: bool, answers: &mut Memory) -> Box<[Box<str>]> {
+    let solutions = if as_table { Solutions::LeftOut } else { Solutions::Written };
+    let script = marked(script, profile, answers, solutions);
+    if as_table {
+        let rest = |row: [String; MARKS.len()]| {
+            let mut rest = String::new();
+            for cell in &row[1..] {
+                rest.push(',');
+                push_cell(&mut rest, cell);
+            }
+            rest.push('\n');
+            rest.into_boxed_str()
+        };
+        return script.rows().into_iter().map(cells_of).map(rest).collect();
     }
+    let begins = JSON_BEGINS.len() + name.len();
+    lines_of(&script).split_inclusive('\n').filter_map(|line| line.get(begins..)).map(Box::from).collect()
 }
 
 /// What stands before the name in a line of JSON.
@@ -112,33 +129,23 @@ const JSON_BEGINS: &str = "{\"student\":";
 fn identify(handed: &HandedIn, bytes: &mut Vec<u8>) {
     bytes.clear();
     let number = |bytes: &mut Vec<u8>, number: usize| bytes.extend(number.to_le_bytes());
-    let word = |bytes: &mut Vec<u8>, word: &str| {
-        number(bytes, word.len());
-        bytes.extend(word.as_bytes());
-    };
     // While it is marked by, a question stays where it is.
     number(bytes, std::ptr::from_ref(handed.question).addr());
-    number(bytes, handed.parts.len());
-    for part in &handed.parts {
-        number(bytes, part.place);
-        bytes.push(u8::from(part.named));
-    }
-    for part in &handed.script.parts {
-        word(bytes, &part.label);
-        number(bytes, part.answers.len());
-        for (name, answer) in &part.answers {
-            bytes.push(u8::from(name.is_some()));
-            word(bytes, name.as_deref().unwrap_or_default());
-            word(bytes, answer);
+    for HandedRow { part, blank, row } in &handed.rows {
+        number(bytes, *part);
+        number(bytes, blank.unwrap_or(usize::MAX));
+        for word in std::iter::once(row.answer()).chain(row.working()) {
+            number(bytes, word.len());
+            bytes.extend(word.as_bytes());
         }
-        number(bytes, part.working.len());
-        part.working.iter().for_each(|line| word(bytes, line));
+        // No word is so long, so that a row ends here.
+        number(bytes, usize::MAX);
     }
 }
 
 fn row_aside(aside: &SetAside) -> [String; MARKS.len()] {
     let row = &aside.row;
-    let [student, question, part, blank] = [&row.student, &row.question, &row.part, &row.blank].map(String::clone);
+    let [student, question, part, blank] = [row.student(), row.question(), row.part(), row.blank()].map(str::to_owned);
     let nought = || "0".to_owned();
     let reason = format!("line {}: {}", row.line, aside.reason);
     [
@@ -158,8 +165,8 @@ fn row_aside(aside: &SetAside) -> [String; MARKS.len()] {
 fn line_aside(aside: &SetAside) -> String {
     let row = &aside.row;
     let line = json!({
-        "student": row.student, "question": row.question, "part": row.part, "verdict": NOT_MARKED,
-        "line": row.line, "reason": aside.reason, "answer": row.answer, "working": row.working,
+        "student": row.student(), "question": row.question(), "part": row.part(), "verdict": NOT_MARKED,
+        "line": row.line, "reason": aside.reason, "answer": row.answer(), "working": row.working().collect::<Vec<_>>(),
     });
     format!("{line}\n")
 }

@@ -21,7 +21,7 @@ pub use rows::{MARKS, MarkRow, marks_csv};
 
 use super::award::MarkedPart;
 use super::key::{KeyedPaper, KeyedPart, KeyedQuestion};
-use super::marking::{Memory, Word, mark_remembering, overrule};
+use super::marking::{Memory, Solutions, Word, mark_remembering, overrule};
 use super::profile::Profile;
 use super::submissions::{HandedIn, Override};
 
@@ -63,21 +63,22 @@ impl<'k> MarkReport<'k> {
     pub fn new(scripts: &[HandedIn<'k>], profile: &Profile, overrides: Vec<Override>) -> MarkReport<'k> {
         let mut memory = Memory::default();
         let mut scripts: Vec<MarkedScript<'k>> =
-            scripts.iter().map(|script| marked(script, profile, &mut memory)).collect();
+            scripts.iter().map(|script| marked(script, profile, &mut memory, Solutions::Written)).collect();
         let idle = overrides.iter().filter(|word| !obey(word, &overrides, &mut scripts)).cloned().collect();
         MarkReport { scripts, idle }
     }
 }
 
-fn marked<'k>(handed: &HandedIn<'k>, profile: &Profile, memory: &mut Memory) -> MarkedScript<'k> {
+fn marked<'k>(handed: &HandedIn<'k>, profile: &Profile, memory: &mut Memory, solutions: Solutions) -> MarkedScript<'k> {
+    let (script, parts) = handed.script();
     let mut all: Vec<Option<MarkedPart>> =
-        mark_remembering(handed.question, &handed.script, profile, memory).into_iter().map(Some).collect();
-    let each = handed.parts.iter().filter_map(|part| {
+        mark_remembering(handed.question, &script, profile, memory, solutions).into_iter().map(Some).collect();
+    let each = parts.iter().filter_map(|part| {
         let marked = all.get_mut(part.place)?.take()?;
         Some(MarkedUnder { keyed: &handed.question.parts[part.place], named: part.named, marked })
     });
     let (paper, question) = (handed.paper, handed.question);
-    MarkedScript { student: handed.script.student.clone(), paper, question, parts: each.collect() }
+    MarkedScript { student: script.student, paper, question, parts: each.collect() }
 }
 
 /// Obeys all words on the part of which one speaks; was there such a part?

@@ -9,8 +9,8 @@ pub fn not_marked_csv(set_aside: &[SetAside]) -> String {
     let rows = set_aside.iter().map(|aside| {
         let row = &aside.row;
         let [student, question, part, blank, answer] =
-            [&row.student, &row.question, &row.part, &row.blank, &row.answer].map(String::clone);
-        let working = row.working.join("\n");
+            [row.student(), row.question(), row.part(), row.blank(), row.answer()].map(str::to_owned);
+        let working = row.working().collect::<Vec<_>>().join("\n");
         [row.line.to_string(), aside.reason.clone(), student, question, part, blank, answer, working]
     });
     write(header, rows)

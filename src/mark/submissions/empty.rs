@@ -38,6 +38,6 @@ pub fn is_filled_in(bytes: &[u8], class: &[&str]) -> bool {
     let class: HashSet<&str> = class.iter().copied().collect();
     let rows = decode(bytes).ok().and_then(|text| read_rows(&Source::new("", text)).ok());
     let is_ours = |student: &str| student.is_empty() || class.contains(student);
-    let is_filled = |row: &super::Row| !is_ours(row.student.trim()) || row.says_something();
+    let is_filled = |row: &super::Row| !is_ours(row.student().trim()) || row.says_something();
     rows.is_none_or(|rows| !rows.set_aside.is_empty() || rows.rows.iter().any(is_filled))
 }

@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value as Json};
 
-use super::{COLUMNS, Row, Rows, SetAside, lines_of};
+use super::{COLUMNS, Row, Rows, SetAside};
 use crate::diagnostic::near;
 
 /// Reads every line that is not empty.
@@ -15,8 +15,7 @@ pub(super) fn read(text: &str) -> Rows {
         match row(line, text) {
             Ok(row) => rows.rows.push(row),
             Err(reason) => {
-                let row = Row { line, answer: text.to_owned(), ..Row::default() };
-                rows.set_aside.push(SetAside { row, reason });
+                rows.set_aside.push(SetAside { row: Row::unread(line, text), reason });
             }
         }
     }
@@ -36,24 +35,19 @@ fn row(line: usize, text: &str) -> Result<Row, String> {
     let working = match fields.get("working") {
         Some(Json::Array(lines)) => {
             let each = lines.iter().map(|line| line.as_str().ok_or("`working` is a list of something but strings"));
-            each.collect::<Result<Vec<_>, _>>()?.into_iter().flat_map(lines_of).collect()
+            each.collect::<Result<Vec<_>, _>>()?.join("\n")
         }
-        _ => lines_of(&words(fields, "working")?.unwrap_or_default()),
+        _ => words(fields, "working")?.unwrap_or_default(),
     };
     let answer = match words(fields, "answer")? {
         Some(answer) => answer,
-        None if !working.is_empty() => String::new(),
+        None if !working.trim().is_empty() => String::new(),
         None => needed(fields, "answer")?,
     };
-    Ok(Row {
-        line,
-        student: needed(fields, "student")?,
-        question,
-        part: words(fields, "part")?.unwrap_or_default(),
-        blank: words(fields, "blank")?.unwrap_or_default(),
-        answer,
-        working,
-    })
+    let student = needed(fields, "student")?;
+    let part = words(fields, "part")?.unwrap_or_default();
+    let blank = words(fields, "blank")?.unwrap_or_default();
+    Ok(Row::new(line, [&student, &question, &part, &blank, &answer, &working]))
 }
 
 fn needed(fields: &Map<String, Json>, name: &str) -> Result<String, String> {

@@ -25,8 +25,9 @@ pub(super) fn paper<'k>(key: &'k AnswerKey, student: &str) -> Result<&'k KeyedPa
 /// A question by its number on the sheet, with `Q` or without, or by its id: its place.
 pub(super) fn question(paper: &KeyedPaper, name: &str) -> Result<usize, String> {
     // As most write it.
-    let is_number = |question: &KeyedQuestion| name.parse() == Ok(question.number) && !name.starts_with(['+', '0']);
-    if let Some(place) = paper.questions.iter().position(is_number) {
+    let number = name.parse::<usize>().ok().filter(|_| !name.starts_with(['+', '0']));
+    let place = number.and_then(|number| paper.questions.iter().position(|question| question.number == number));
+    if let Some(place) = place {
         return Ok(place);
     }
     let lower = name.trim().to_lowercase();

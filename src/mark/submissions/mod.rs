@@ -13,7 +13,7 @@ mod stream;
 
 pub use empty::{empty_submissions, empty_submissions_of_class, is_filled_in};
 pub use overrides::{Override, read_overrides};
-pub use sort::{HandedIn, HandedPart, Sorted, sort};
+pub use sort::{HandedIn, HandedPart, HandedRow, Sorted, sort};
 pub use stream::Stream;
 
 use crate::diagnostic::{Diagnostic, Source};
@@ -23,22 +23,16 @@ use crate::table;
 pub const COLUMNS: [&str; 6] = ["student", "question", "part", "blank", "answer", "working"];
 
 /// A row as it was typed.
+///
+/// Its cells are one text: of a million rows each is one piece of memory and not six.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Row {
     /// The line on which it begins, from 1.
     pub line: usize,
-    /// The student.
-    pub student: String,
-    /// The number of the question on the sheet, or its id.
-    pub question: String,
-    /// The label of the part; empty if the question has none.
-    pub part: String,
-    /// The name of the blank; empty if the answer says all that the part asks.
-    pub blank: String,
-    /// The answer.
-    pub answer: String,
-    /// The lines of working.
-    pub working: Vec<String>,
+    /// The cells, one after another.
+    text: Box<str>,
+    /// Where each ends in the text.
+    ends: [usize; COLUMNS.len()],
 }
 
 /// A row that is not marked, and why.
@@ -74,45 +68,86 @@ pub struct Rows {
 /// let lines = Source::new("submissions.jsonl", r#"{"student": "Ada", "question": 1, "answer": "2.78"}"#);
 /// let (table, lines) = (read_rows(&table).unwrap(), read_rows(&lines).unwrap());
 /// assert_eq!((table.rows[0].line, lines.rows[0].line), (2, 1));
-/// assert_eq!(table.rows[0].answer, lines.rows[0].answer);
+/// assert_eq!(table.rows[0].answer(), lines.rows[0].answer());
 /// ```
 pub fn read_rows(source: &Source) -> Result<Rows, Vec<Diagnostic>> {
     if source.text.trim_start().starts_with('{') {
         return Ok(json_lines::read(&source.text));
     }
     let needed = ["student", "question", "answer"];
-    let table = table::read(source, &COLUMNS, &needed)?;
-    let mut rows = Rows { warnings: table.warnings, ..Rows::default() };
-    rows.rows.reserve_exact(table.records.len());
-    for record in table.records {
-        let [student, question, part, blank, answer, working] = record.cells;
-        let student = match table::meant(student.trim()) {
-            meant if meant.len() < student.len() => meant.to_owned(),
-            _ => student,
-        };
-        let row = Row { line: record.line, student, question, part, blank, answer, working: lines_of(&working) };
+    let mut rows = Rows::default();
+    // About as many as there are, where rows are short.
+    rows.rows.reserve(source.text.len() / 64);
+    let warnings = table::read(source, &COLUMNS, &needed, |record| {
+        let mut cells = record.cells;
+        cells[0] = table::meant(cells[0].trim());
+        let row = Row::new(record.line, cells);
         match record.fault {
             Some(reason) => rows.set_aside.push(SetAside { row, reason }),
             None => rows.rows.push(row),
         }
-    }
-    Ok(rows)
+    })?;
+    Ok(Rows { warnings, ..rows })
 }
 
 impl Row {
+    /// A row of these cells, in the order of [`COLUMNS`].
+    pub fn new(line: usize, cells: [&str; COLUMNS.len()]) -> Row {
+        let mut text = String::with_capacity(cells.iter().map(|cell| cell.len()).sum());
+        let ends = cells.map(|cell| {
+            text.push_str(cell);
+            text.len()
+        });
+        Row { line, text: text.into_boxed_str(), ends }
+    }
+
+    /// A row of which only what stands in it is known.
+    pub fn unread(line: usize, text: &str) -> Row {
+        Row::new(line, ["", "", "", "", text, ""])
+    }
+
+    /// The student.
+    pub fn student(&self) -> &str {
+        self.cell(0)
+    }
+
+    /// The number of the question on the sheet, or its id.
+    pub fn question(&self) -> &str {
+        self.cell(1)
+    }
+
+    /// The label of the part; empty if the question has none.
+    pub fn part(&self) -> &str {
+        self.cell(2)
+    }
+
+    /// The name of the blank; empty if the answer says all that the part asks.
+    pub fn blank(&self) -> &str {
+        self.cell(3)
+    }
+
+    /// The answer.
+    pub fn answer(&self) -> &str {
+        self.cell(4)
+    }
+
+    /// The lines of working: those of its cell that say something.
+    pub fn working(&self) -> impl Iterator<Item = &str> {
+        self.cell(5).split(['\n', '\r']).map(str::trim).filter(|line| !line.is_empty())
+    }
+
+    fn cell(&self, place: usize) -> &str {
+        let start = place.checked_sub(1).map_or(0, |before| self.ends[before]);
+        &self.text[start..self.ends[place]]
+    }
+
     /// How many bytes its cells have.
     fn bytes(&self) -> usize {
-        let cells = [&self.student, &self.question, &self.part, &self.blank, &self.answer];
-        cells.into_iter().chain(&self.working).map(String::len).sum()
+        self.text.len()
     }
 
     /// Does it hand in anything?
     fn says_something(&self) -> bool {
-        !self.answer.trim().is_empty() || !self.working.is_empty()
+        !self.answer().trim().is_empty() || self.working().next().is_some()
     }
-}
-
-/// The lines of a cell that say something.
-fn lines_of(cell: &str) -> Vec<String> {
-    cell.split(['\n', '\r']).map(str::trim).filter(|line| !line.is_empty()).map(str::to_owned).collect()
 }

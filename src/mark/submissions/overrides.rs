@@ -33,10 +33,9 @@ pub struct Override {
 /// Every row that says something else than `1` or `0`, or speaks of what is not in the key: a person's word is not to get
 /// lost.
 pub fn read_overrides(source: &Source, key: &AnswerKey) -> Result<Vec<Override>, Vec<Diagnostic>> {
-    let table = table::read(source, &COLUMNS, &["student", "question", "mark", "given"])?;
-    let mut faults = table.warnings;
+    let mut faults = Vec::new();
     let mut overrides = Vec::new();
-    for record in table.records {
+    let warnings = table::read(source, &COLUMNS, &["student", "question", "mark", "given"], |record| {
         let (line, start) = (record.line, record.start);
         let read = match record.fault {
             Some(fault) => Err((fault, 0)),
@@ -53,19 +52,20 @@ pub fn read_overrides(source: &Source, key: &AnswerKey) -> Result<Vec<Override>,
                 faults.push(Diagnostic::new(message, source, start..end, label));
             }
         }
-    }
+    })?;
+    faults.splice(0..0, warnings);
     if faults.is_empty() { Ok(overrides) } else { Err(faults) }
 }
 
 /// A row; what is wrong with it and in which cell.
-fn one(line: usize, cells: [String; 6], key: &AnswerKey) -> Result<Override, (String, usize)> {
+fn one(line: usize, cells: [&str; 6], key: &AnswerKey) -> Result<Override, (String, usize)> {
     let [student, question, part, mark, given, comment] = cells;
     let student = table::meant(student.trim());
     let at = |cell: usize| move |message: String| (message, cell);
     let paper = lookup::paper(key, student).map_err(at(0))?;
-    let question = &paper.questions[lookup::question(paper, &question).map_err(at(1))?];
-    let part = lookup::part(question, &part).map_err(at(2))?;
-    let mark = lookup::mark(&question.parts[part], &mark).map_err(at(3))?;
+    let question = &paper.questions[lookup::question(paper, question).map_err(at(1))?];
+    let part = lookup::part(question, part).map_err(at(2))?;
+    let mark = lookup::mark(&question.parts[part], mark).map_err(at(3))?;
     let given = match given.trim() {
         "1" => true,
         "0" => false,

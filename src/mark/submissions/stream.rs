@@ -90,16 +90,16 @@ impl Stream {
     }
 
     fn place(&mut self, row: Row, whole: &mut Rows) {
-        let student = row.student.trim();
+        let student = row.student().trim();
         // Whose these are nobody knows; they belong to nothing.
         if student.is_empty() {
             whole.rows.push(row);
             return;
         }
-        let is_next = self.held.first().is_none_or(|held| held.student.trim() != student);
+        let is_next = self.held.first().is_none_or(|held| held.student().trim() != student);
         if is_next {
             if let Some(last) = self.held.first() {
-                self.closed.insert(number(last.student.trim()));
+                self.closed.insert(number(last.student().trim()));
                 whole.rows.append(&mut self.held);
                 self.bytes = 0;
             }

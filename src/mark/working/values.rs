@@ -3,10 +3,11 @@
 use super::compare::is_vector;
 use super::evidence::Evidence;
 use super::examine::Working;
+use super::linear::constant;
 use super::points::sizes;
 use crate::answer::Kind;
 use crate::bank::Code;
-use crate::expr::Expr;
+use crate::expr::{Expr, Function};
 use crate::mark::judging::{Model, Verdict, judge};
 use crate::mark::key::KeyedMark;
 use crate::mark::reading::{Form, Reading, Said, Statement, Vocabulary};
@@ -43,7 +44,7 @@ impl Working<'_> {
                     continue;
                 }
                 if let (Some(size), Some(said)) = (size, statement.said.last())
-                    && is_plainly_other(said, size)
+                    && self.is_plainly_other(said, size)
                 {
                     continue;
                 }
@@ -65,6 +66,21 @@ impl Working<'_> {
             return Some(Evidence::followed(line, format!("{quantity}")));
         }
         None
+    }
+
+    /// Is it a plain number of quite another size? Most lines are for something else, and that spares judging them.
+    fn is_plainly_other(&self, said: &Said, size: f64) -> bool {
+        let (Form::Value(expr), None) = (&said.form, &said.unit) else { return false };
+        let is_far = |number: f64| (number.abs() - size.abs()).abs() > 0.5 * number.abs().max(size.abs());
+        match expr {
+            Expr::Number(number) => is_far(number.to_f64()),
+            Expr::Decimal(text) => text.parse().is_ok_and(is_far),
+            expr if is_arithmetic(expr) => constant(expr, &self.context(0)).is_some_and(|number| {
+                let is_narrow = number.high - number.low < 0.1 * number.middle().abs();
+                is_narrow && is_far(number.low) && is_far(number.high)
+            }),
+            _ => false,
+        }
     }
 
     fn vector_of(&self, quantity: Quantity) -> Option<Evidence> {
@@ -98,14 +114,22 @@ impl Working<'_> {
     }
 }
 
-/// Is it a plain number of quite another size? Most lines are for something else, and that spares judging them.
-fn is_plainly_other(said: &Said, size: f64) -> bool {
-    let number = match (&said.form, &said.unit) {
-        (Form::Value(Expr::Number(number)), None) => Some(number.to_f64()),
-        (Form::Value(Expr::Decimal(text)), None) => text.parse::<f64>().ok(),
-        _ => None,
-    };
-    number.is_some_and(|number| (number.abs() - size.abs()).abs() > 0.5 * number.abs().max(size.abs()))
+/// Does it come to a number by arithmetic alone, so that it is no angle and has no letter?
+fn is_arithmetic(expr: &Expr) -> bool {
+    match expr {
+        Expr::Number(_) | Expr::Decimal(_) => true,
+        Expr::Call(Function::Sin | Function::Cos | Function::Tan, angle) => match &**angle {
+            Expr::Degrees(degrees) => is_arithmetic(degrees),
+            _ => false,
+        },
+        Expr::Call(Function::Sqrt | Function::Abs, _)
+        | Expr::Negative(_)
+        | Expr::Sum(_)
+        | Expr::Product(_)
+        | Expr::Quotient(..)
+        | Expr::Power(..) => expr.children().into_iter().all(is_arithmetic),
+        _ => false,
+    }
 }
 
 /// The component along the line of centres that a component along i or j is, where the line is parallel to it.
