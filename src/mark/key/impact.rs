@@ -1,13 +1,14 @@
 //! A later impact of a question by itself, with A and B for who meets in it: so its working is looked through as that of
 //! any impact is.
 
+use std::borrow::Cow;
 use std::cmp::Ordering;
 
 use super::{KeyedMark, KeyedPart, KeyedQuestion};
 use crate::bank::{EarnedFor, Find};
 use crate::expr::{Expr, Meaning, evaluate};
 use crate::mark::working::Theirs;
-use crate::mechanics::{Axis, Datum, Derivation, Meeting, Moment, Quantity, Sphere};
+use crate::mechanics::{Axis, Datum, Derivation, Meeting, Moment, Quantity, Sphere, Then};
 use crate::number::Value;
 
 impl KeyedQuestion {
@@ -16,8 +17,22 @@ impl KeyedQuestion {
         self.scene.then.iter().map(|then| then.meeting).find(|meeting| meeting.number == number)
     }
 
-    /// A later impact as the student comes to it, with the velocities that the student has found for what came before.
-    pub(in crate::mark) fn impact(&self, meeting: Meeting, own: &Theirs) -> Option<KeyedQuestion> {
+    /// A later impact as the student comes to it, with the velocities that the student has found for what came before; and
+    /// the question's parts as far as they are about it, in the words of the laws.
+    pub(in crate::mark) fn impact(&self, meeting: Meeting, own: &Theirs) -> Option<Cow<'_, KeyedQuestion>> {
+        if own.wrong(self).any(|(quantity, _)| quantity.impact() < meeting.number) {
+            return self.begun_with(meeting, own).map(Cow::Owned);
+        }
+        // Most students come to it with what is right.
+        let right = self.later.get_or_init(|| {
+            let right = |then: &Then| self.begun_with(then.meeting, &Theirs::default());
+            self.scene.then.iter().map(right).collect()
+        });
+        let place = self.scene.then.iter().position(|then| then.meeting == meeting)?;
+        right[place].as_ref().map(Cow::Borrowed)
+    }
+
+    fn begun_with(&self, meeting: Meeting, own: &Theirs) -> Option<KeyedQuestion> {
         let then = self.scene.then.iter().find(|then| then.meeting == meeting)?;
         let mut known = self.given.clone();
         for (quantity, written) in own.wrong(self).filter(|(quantity, _)| quantity.impact() < meeting.number) {
@@ -47,11 +62,12 @@ impl KeyedQuestion {
             given,
             letters: self.letters.clone(),
             given_letters: self.given_letters.clone(),
-            parts: Vec::new(),
+            parts: self.parts.iter().map(|part| part.of_impact(meeting)).collect(),
             decimals: self.decimals.clone(),
             prepared: Default::default(),
             mistakes: Default::default(),
             needed: Default::default(),
+            later: Default::default(),
         })
     }
 
@@ -89,7 +105,7 @@ impl KeyedPart {
     }
 
     /// The part as far as it is about a later impact, in the words of the laws.
-    pub(in crate::mark) fn of_impact(&self, meeting: Meeting) -> KeyedPart {
+    fn of_impact(&self, meeting: Meeting) -> KeyedPart {
         let in_law = |quantity: &Quantity| meeting.in_law(*quantity).unwrap_or(*quantity);
         let mut part = self.clone();
         for blank in &mut part.blanks {

@@ -67,6 +67,8 @@ pub struct KeyedQuestion {
     prepared: OnceLock<Prepared>,
     mistakes: OnceLock<Mistakes>,
     needed: OnceLock<Vec<Vec<Vec<bool>>>>,
+    /// Its later impacts, each by itself.
+    later: OnceLock<Vec<Option<KeyedQuestion>>>,
 }
 
 /// A part to be marked.
@@ -274,7 +276,7 @@ impl KeyedQuestion {
         let (id, number, mirrors) = (question.id.clone(), question.number, question.mirrors.clone());
         let decimals = decimals(question);
         let given_letters = given_letters(question, &letters);
-        let (prepared, mistakes, needed) = Default::default();
+        let (prepared, mistakes, needed, later) = Default::default();
         Ok(KeyedQuestion {
             id,
             number,
@@ -288,6 +290,7 @@ impl KeyedQuestion {
             prepared,
             mistakes,
             needed,
+            later,
         })
     }
 

@@ -127,7 +127,8 @@ fn examine_later(
     let impact = question.impact(meeting, before)?;
     let typed: Vec<String> = working.iter().map(|line| meeting.in_law_names(line)).collect();
     let here = before.0.iter().filter_map(|(quantity, own)| Some((meeting.in_law(*quantity)?, own.clone())));
-    let examined = examine_one(&impact, &part.of_impact(meeting), &typed, &Theirs(here.collect()));
+    let part = impact.parts.iter().find(|other| other.label == part.label)?;
+    let examined = examine_one(&impact, part, &typed, &Theirs(here.collect()));
     let own = examined.theirs.0.into_iter().map(|(quantity, own)| (meeting.quantity(quantity), own));
     let theirs = Theirs(before.0.clone().into_iter().chain(own).collect());
     let lines = examined.lines.into_iter().zip(working).map(|(line, typed)| MarkedLine {

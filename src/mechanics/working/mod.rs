@@ -5,14 +5,15 @@
 //! and restitution read the same either way.
 
 mod chain;
+mod several;
+mod vectors;
 
 use std::borrow::Cow;
 use std::cmp::Ordering;
 
 use super::formula::{difference, multiple, times};
-use super::later::{self, Meeting};
+use super::later::Meeting;
 use super::law::Known;
-use super::line::Line;
 use super::scene::{Contact, Scene, Velocity};
 use super::{Axis, Moment, Quantity, Setting, Sphere};
 use crate::expr::{Expr, Function, written};
@@ -44,26 +45,6 @@ impl<'a> Show<'a> {
         Show { one_of_several, ..Show::of_one(scene, Cow::Borrowed(known), Cow::Borrowed(asked)) }
     }
 
-    /// The view of a later impact, in which its spheres have the parts of A and B.
-    pub fn of_later(&self, meeting: Meeting) -> Option<Show<'a>> {
-        let scene = self.scene.of_impact(meeting.number)?;
-        let asked: Vec<Quantity> = self.asked.iter().filter_map(|quantity| meeting.in_law(*quantity)).collect();
-        let show = Show::of_one(scene, Cow::Owned(meeting.known(&self.known)), Cow::Owned(asked));
-        let is_earlier =
-            |quantity: &&Quantity| quantity.of_its_impact().is_equation() && quantity.impact() < meeting.number;
-        let numbered_before = self.known.0.keys().filter(is_earlier).count();
-        Some(Show { meeting, one_of_several: true, numbered_before, unit_vectors: self.unit_vectors, ..show })
-    }
-
-    /// The view of the impact that a quantity is of, and what the laws call the quantity there.
-    pub fn of(self, quantity: Quantity) -> Option<(Show<'a>, Quantity)> {
-        if quantity.impact() == 0 {
-            return Some((self, quantity));
-        }
-        let then = self.scene.then.iter().find(|then| then.meeting.number == quantity.impact())?;
-        Some((self.of_later(then.meeting)?, then.meeting.in_law(quantity)?))
-    }
-
     fn of_one(scene: &'a Scene, known: Cow<'a, Known<Value>>, asked: Cow<'a, [Quantity]>) -> Show<'a> {
         let component = |axis| known.number(Quantity::Line(axis));
         let zero = |axis| component(axis).is_some_and(|value| value.is_zero());
@@ -87,30 +68,6 @@ impl<'a> Show<'a> {
             against_n,
             unit_vectors: None,
         }
-    }
-
-    /// A line of a law as it is said here: of this setting, of this impact, and of who takes part in it.
-    pub fn said(&self, line: Line) -> Line {
-        let line = line.said_by(&|words| {
-            let words = self.setting().say(words);
-            if self.one_of_several { later::numbered(self.meeting.number, &words) } else { words.into_owned() }
-        });
-        if self.meeting.number == 0 {
-            return line;
-        }
-        let [one, two] = [1, 2].map(|number| format!("({})", self.numbered_before + number));
-        let line = line.said_by(&|words| words.replace("(2)", &two).replace("(1)", &one));
-        let words = line.words.map_formulas(&mut |expr| Ok::<_, ()>(self.named(expr))).unwrap_or(line.words);
-        let equations = line.equations.iter().map(|equation| self.named(equation)).collect();
-        Line { words, equations, ..line }
-    }
-
-    /// A formula of the laws with the names of who takes part here.
-    pub fn named(&self, expr: &Expr) -> Expr {
-        if self.meeting.of == Meeting::FIRST.of {
-            return expr.clone();
-        }
-        expr.substitute(&|name| self.meeting.name(name).map(Expr::name))
     }
 
     /// The same view for a question whose words have unit vectors or have none: the working speaks as they do.
@@ -229,18 +186,11 @@ impl<'a> Show<'a> {
             Quantity::Mass(B) => "m_B",
             Quantity::Restitution => "e",
             Quantity::ImpulseMagnitude => "I",
+            Quantity::Speed(A, _) => "s_A",
+            Quantity::Speed(B, _) => "s_B",
+            Quantity::EnergyLost => "L",
             _ => "x",
         }
-    }
-
-    /// A component after a later impact: every impact has two letters of its own.
-    fn letter_of_later(&self, sphere: Sphere, number: u8) -> &'static str {
-        const LETTERS: [[&str; 2]; 3] = [["x", "y"], ["p", "q"], ["r", "s"]];
-        const WHERE_TAKEN: [[&str; 2]; 3] = [["X", "Y"], ["P", "Q"], ["R", "S"]];
-        let place = usize::from(number - 1) % LETTERS.len();
-        let taken = LETTERS[place].iter().any(|letter| self.taken(letter));
-        let letters = if taken { WHERE_TAKEN[place] } else { LETTERS[place] };
-        letters[usize::from(sphere == Sphere::B)]
     }
 
     /// The same as an expression.
@@ -388,46 +338,6 @@ impl<'a> Show<'a> {
         let simple = self.linear(&coefficients);
         let same = crate::expr::print::plain(&simple) == crate::expr::print::plain(&equation);
         if same { vec![equation] } else { vec![equation, simple] }
-    }
-
-    /// The vector of a velocity.
-    pub fn vector(&self, sphere: Sphere, moment: Moment) -> Expr {
-        let at = |axis| Box::new(self.value(Quantity::Velocity(sphere, moment, axis)));
-        Expr::Vector(at(Axis::X), at(Axis::Y))
-    }
-
-    /// `m v` as a vector, by the name of the velocity.
-    pub fn named_momentum(&self, sphere: Sphere, moment: Moment) -> Expr {
-        times(self.mass(sphere), Expr::name(self.vector_letter(sphere, moment)))
-    }
-
-    /// The name of an unknown velocity vector.
-    pub fn vector_letter(&self, sphere: Sphere, moment: Moment) -> &'static str {
-        match (moment, sphere == Sphere::A) {
-            (Moment::Before, true) => "vector.u_A",
-            (Moment::Before, false) => "vector.u_B",
-            (Moment::After, true) => "vector.v_A",
-            (Moment::After, false) => "vector.v_B",
-        }
-    }
-
-    /// A vector along the line of centres with small whole components, where it has such.
-    pub fn line_direction(&self) -> Expr {
-        let (x, y) = (self.exact(Quantity::Line(Axis::X)), self.exact(Quantity::Line(Axis::Y)));
-        let pair = |x: &Value, y: &Value| Expr::Vector(Box::new(written(x)), Box::new(written(y)));
-        let Some(ratio) = y.divided_by(&x) else { return pair(&Value::ZERO, &Value::ONE) };
-        match ratio.as_fraction() {
-            Some(ratio) => {
-                pair(&Value::Rational(ratio.denominator().into()), &Value::Rational(ratio.numerator().into()))
-            }
-            None => pair(&x, &y),
-        }
-    }
-
-    /// The unit vector along the line of centres, from A to B.
-    pub fn line_vector(&self) -> Expr {
-        let at = |axis| Box::new(self.value(Quantity::Line(axis)));
-        Expr::Vector(at(Axis::X), at(Axis::Y))
     }
 
     /// The scene that is shown.
