@@ -118,5 +118,8 @@ pub fn velocity() -> Json {
         {"required": ["cos", "sin"], "not": {"required": ["angle_deg"]}},
     ]);
     let along = words("Along the one line of a direct impact: signed, positive from A to B.");
-    json!({"anyOf": [shared("vector"), polar, along]})
+    json!({
+        "description": "A velocity: two components, a speed with a direction, or one number along the line of a direct impact.",
+        "anyOf": [shared("vector"), polar, along],
+    })
 }
