@@ -85,8 +85,15 @@ fn a_number_that_nobody_refers_to_is_noticed() {
 }
 
 /// Questions that are put in unit vectors, or whole folders of them.
-const IN_VECTORS: [&str; 5] =
-    ["i-j/", "backwards/", "vector-impulse/", "walls/velocity-in-i-and-j", "walls/wall-along-a-vector"];
+const IN_VECTORS: [&str; 7] = [
+    "i-j/",
+    "backwards/",
+    "successive/corner",
+    "successive/walls-at-an-angle",
+    "vector-impulse/",
+    "walls/velocity-in-i-and-j",
+    "walls/wall-along-a-vector",
+];
 
 #[test]
 fn the_working_speaks_of_unit_vectors_only_where_its_question_does() {
@@ -102,5 +109,34 @@ fn the_working_speaks_of_unit_vectors_only_where_its_question_does() {
         assert_eq!(vectors, IN_VECTORS.iter().any(|folder| id.starts_with(folder)), "{id}");
         let lines = printed.parts.iter().flat_map(|part| &part.working).map(|line| &line.words).collect();
         assert!(vectors || !says_bold(lines), "{id} works with i or j");
+    }
+}
+
+/// A question of the shipped bank with the numbers of its reference.
+fn with_reference_numbers(id: &str) -> PrintedQuestion {
+    let bank = Bank::shipped().unwrap_or_else(|faults| panic!("{}", render_all(&faults, false)));
+    let question = bank.find(id).unwrap();
+    compose(question, &reference(question).unwrap_or_else(|_| panic!("{id}")), 1)
+}
+
+#[test]
+fn after_a_wall_the_mark_scheme_and_the_working_have_the_component_away_from_it() {
+    let printed = with_reference_numbers("successive/sphere-wall-sphere");
+    let part = &printed.parts[1];
+    let worked = part.working.iter().flat_map(|line| &line.equations).map(print::plain);
+    assert!(worked.into_iter().any(|equation| equation.ends_with("= 6")));
+    let rows: Vec<String> = part.scheme.iter().filter_map(|row| row.equation.as_ref()).map(print::plain).collect();
+    assert_eq!(rows, ["x = 6", "30"]);
+}
+
+#[test]
+fn the_angle_with_each_wall_has_the_letter_that_the_question_gives_it() {
+    let printed = with_reference_numbers("successive/tangents-at-two-walls");
+    let letters = ["beta", "gamma"];
+    for (part, letter) in printed.parts.iter().zip(letters) {
+        let worked = part.working.iter().flat_map(|line| &line.equations);
+        let names: Vec<&str> = worked.flat_map(Expr::names).map(|name| name.text.as_str()).collect();
+        let angles: Vec<&str> = letters.into_iter().filter(|letter| names.contains(letter)).collect();
+        assert_eq!(angles, [letter]);
     }
 }
