@@ -132,6 +132,8 @@ impl<R: BufRead> Pieces<R> {
         let has_quotes = self.table.is_some();
         let mut source = self.source();
         let there = source.fill_buf()?;
+        // A line that is longer than this is not taken.
+        let there = &there[..there.len().min(LONGEST)];
         let wanted = PIECE.saturating_sub(text.len() + 1);
         let fills = there.get(wanted..).and_then(|rest| rest.iter().position(|byte| *byte == b'\n'));
         let there = &there[..fills.map_or(there.len(), |more| wanted + more + 1)];
