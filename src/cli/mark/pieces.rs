@@ -26,6 +26,16 @@ pub struct Pieces<R> {
     record: Vec<u8>,
 }
 
+/// The first line that is not empty.
+pub struct First {
+    /// Its number.
+    pub line: usize,
+    /// Its bytes, of one that is too long only the first.
+    pub bytes: Vec<u8>,
+    /// Are these all?
+    pub is_whole: bool,
+}
+
 /// Some records, and what is no text among them.
 #[derive(Debug, Default)]
 pub struct Piece {
@@ -63,18 +73,16 @@ impl<R: BufRead> Pieces<R> {
         self.line
     }
 
-    /// The first line that is not empty: its number and its bytes. Of one that is too long only the first bytes.
-    pub fn first(&mut self) -> io::Result<Result<(usize, Vec<u8>), (usize, Vec<u8>)>> {
+    /// The first line that is not empty.
+    pub fn first(&mut self) -> io::Result<First> {
         loop {
             let mut record = Vec::new();
             let line = self.line;
             let read = self.record(&mut record)?;
             self.line += lines(&record);
-            if matches!(read, Record::TooLong | Record::NoEnd) {
-                return Ok(Err((line, record)));
-            }
-            if matches!(read, Record::End) || !record.trim_ascii().is_empty() {
-                return Ok(Ok((line, record)));
+            let is_whole = !matches!(read, Record::TooLong | Record::NoEnd);
+            if !is_whole || matches!(read, Record::End) || !record.trim_ascii().is_empty() {
+                return Ok(First { line, bytes: record, is_whole });
             }
         }
     }
@@ -124,6 +132,8 @@ impl<R: BufRead> Pieces<R> {
         let has_quotes = self.table.is_some();
         let mut source = self.source();
         let there = source.fill_buf()?;
+        // A line that is longer than this is not taken.
+        let there = &there[..there.len().min(LONGEST)];
         let wanted = PIECE.saturating_sub(text.len() + 1);
         let fills = there.get(wanted..).and_then(|rest| rest.iter().position(|byte| *byte == b'\n'));
         let there = &there[..fills.map_or(there.len(), |more| wanted + more + 1)];

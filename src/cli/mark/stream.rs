@@ -7,7 +7,7 @@ use std::path::Path;
 use super::super::failure::{Failure, warn};
 use super::super::output::{count, say};
 use super::in_order::{HandOn, in_order};
-use super::pieces::{Piece, Pieces, has_lone_returns};
+use super::pieces::{First, Piece, Pieces, has_lone_returns};
 use super::tell_of_old;
 use super::unfinished::{Digest, Entry, NAMES, Unfinished};
 use crate::diagnostic::Source;
@@ -81,21 +81,21 @@ impl<R: BufRead> Submissions<R> {
     fn begin(input: R, name: &str, is_entered: bool) -> Result<Submissions<R>, Failure> {
         let mut pieces = Pieces::new(input);
         let first = pieces.first().map_err(|error| Failure::said(format!("`{name}` cannot be read: {error}")))?;
-        let (Ok((_, begins)) | Err((_, begins))) = &first;
-        if has_lone_returns(begins) {
+        let First { line, bytes, is_whole } = first;
+        if has_lone_returns(&bytes) {
             let message =
                 format!("the rows of `{name}` end in carriage returns alone, and a stream is parted by line feeds");
             return Err(Failure::with_help(message, "save it again as CSV in UTF-8, or mark it without `--stream`"));
         }
-        let (line, first) = first.map_err(|(line, _)| {
+        if !is_whole {
             let message = format!("line {line} of `{name}`, which is to name the columns, is too long to be read");
-            Failure::with_help(message, "`carom mark --help` shows what a table of answers looks like")
-        })?;
+            return Err(Failure::with_help(message, "`carom mark --help` shows what a table of answers looks like"));
+        }
         let text =
-            decode(&first).map_err(|fault| Failure::with_help(format!("`{name}` {}", fault.message), fault.help))?;
+            decode(&bytes).map_err(|fault| Failure::with_help(format!("`{name}` {}", fault.message), fault.help))?;
         let stream = Stream::new(&Source::new(name, text))?;
         warn(stream.warnings());
-        let digest = is_entered.then(|| Digest::of(&first));
+        let digest = is_entered.then(|| Digest::of(&bytes));
         let mut waiting = None;
         if stream.is_table() {
             pieces.is_table(delimiter(text));

@@ -253,10 +253,11 @@ impl<'a> Show<'a> {
                 });
                 let letter = letter.filter(|shown| matches!(shown, Expr::Name(_)));
                 let letter_axis = if at_wall { Axis::Y } else { Axis::X };
-                let degrees =
-                    acute.as_ref().and_then(Angle::whole_degrees).map(|degrees| Expr::degrees(Expr::Number(degrees)));
+                let degrees = || {
+                    acute.as_ref().and_then(Angle::whole_degrees).map(|degrees| Expr::degrees(Expr::Number(degrees)))
+                };
                 let function = if along == at_wall { Function::Sin } else { Function::Cos };
-                match letter.cloned().or(degrees) {
+                match letter.cloned().or_else(degrees) {
                     Some(Expr::Degrees(degrees)) if degrees.is_zero() || *degrees == Expr::integer(90) => {
                         speed.shown.clone()
                     }
