@@ -147,11 +147,15 @@ fn every_slip_of_every_law_shows_somewhere() {
             silent.retain(|owned| carried.again(&[*owned], &[], |_, trace| trace.slipped.is_empty()).unwrap_or(true));
         }
     }
-    let given = r#"{ "masses": { "A": "2" }, "before": { "A": ["3", "1"] }, "impulse": ["-8", "6"] }"#;
-    let scene = Scene::read(&serde_json::from_str::<SceneText>(given).unwrap(), &BTreeMap::new(), Angles::Radians);
-    let given = pose(&scene.unwrap()).unwrap();
-    let mut carried = Carried::on(Road::Shortest, &given, &[Quantity::Speed(Sphere::A, Moment::After)]);
-    silent.retain(|owned| carried.again(&[*owned], &[], |_, trace| trace.slipped.is_empty()).unwrap_or(true));
+    let an_impulse = r#"{ "masses": { "A": "2" }, "before": { "A": ["3", "1"] }, "impulse": ["-8", "6"] }"#;
+    let two_impacts = r#"{ "masses": { "A": "4", "B": "2" }, "before": { "A": "9", "B": "0" }, "e": "1/2",
+        "then": [{ "of": ["B", "C"], "mass": "4", "before": "0", "e": "2/3" }] }"#;
+    for (given, asked) in [(an_impulse, "A.after.speed"), (two_impacts, "second.C.after.speed")] {
+        let scene = Scene::read(&serde_json::from_str::<SceneText>(given).unwrap(), &BTreeMap::new(), Angles::Radians);
+        let given = pose(&scene.unwrap()).unwrap();
+        let mut carried = Carried::on(Road::Shortest, &given, &[asked.parse().unwrap()]);
+        silent.retain(|owned| carried.again(&[*owned], &[], |_, trace| trace.slipped.is_empty()).unwrap_or(true));
+    }
     assert_eq!(silent, []);
 }
 

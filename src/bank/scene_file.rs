@@ -21,6 +21,8 @@ pub struct SceneFile {
     pub places: Vec<(String, Words)>,
     /// Where the table stands.
     pub span: Range<usize>,
+    /// Where the table of each later impact stands.
+    then: Vec<Range<usize>>,
 }
 
 /// Reads a file that holds a scene of the exchange format as TOML, and nothing else.
@@ -59,7 +61,7 @@ impl SceneFile {
     /// Reads the table; what is wrong in it is reported, the rest is read.
     pub fn read(value: &Spanned<DeValue>, faults: &mut Faults) -> Option<SceneFile> {
         let mut keys = Keys::within("a scene", value, faults)?;
-        let mut walk = Walk { places: Vec::new(), faults };
+        let mut walk = Walk { places: Vec::new(), then: Vec::new(), faults };
         let text = SceneText {
             masses: walk.pair(&mut keys, "masses", Walk::word),
             before: walk.pair(&mut keys, "before", Walk::velocity),
@@ -78,16 +80,19 @@ impl SceneFile {
             maximise: keys.get("maximise").and_then(|value| walk.word("maximise", value)),
             then: walk.then(&mut keys),
         };
-        let places = walk.places;
+        let (places, then) = (walk.places, walk.then);
         keys.finish(faults);
-        Some(SceneFile { text, places, span: value.span() })
+        Some(SceneFile { text, places, span: value.span(), then })
     }
 
-    /// Where the string, or the first of several, with this path or below it stands; else the whole scene.
+    /// Where the string, or the first of several, with this path or below it stands; else the later impact, or the
+    /// whole scene, that it would belong to.
     pub fn place(&self, path: &str) -> Range<usize> {
         let within =
             |known: &str| known.strip_prefix(path).is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']));
-        self.places.iter().find(|(known, _)| within(known)).map_or(self.span.clone(), |(_, words)| words.span())
+        let place = self.places.iter().find(|(known, _)| within(known)).map(|(_, words)| words.span());
+        let later = || (0..).zip(&self.then).find(|(index, _)| path.starts_with(&format!("then[{index}]")));
+        place.or_else(|| later().map(|(_, span)| span.clone())).unwrap_or(self.span.clone())
     }
 
     /// The string with exactly this path.
@@ -104,6 +109,7 @@ impl SceneFile {
 
 struct Walk<'f> {
     places: Vec<(String, Words)>,
+    then: Vec<Range<usize>>,
     faults: &'f mut Faults,
 }
 
@@ -183,6 +189,7 @@ impl Walk<'_> {
 
     fn one_of_then(&mut self, path: &str, mut keys: Keys) -> ThenText {
         let path = |key: &str| format!("{path}.{key}");
+        self.then.push(keys.span());
         keys.demand("of", "of = [\"A\", \"B\"]");
         let of = keys.list("of", self.faults);
         let then = ThenText {

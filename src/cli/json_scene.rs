@@ -73,7 +73,7 @@ fn not_a_scene(source: &Source, error: &serde_json::Error) -> Diagnostic {
 }
 
 fn located(source: &Source, places: &[(String, Range<usize>)], fault: SceneFault) -> Diagnostic {
-    let SceneFault { field, fault } = fault;
+    let SceneFault { field, fault, .. } = fault;
     let within =
         |path: &String| path.strip_prefix(&field).is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']));
     let place = places.iter().find(|(path, _)| within(path));

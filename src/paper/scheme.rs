@@ -7,7 +7,7 @@ use super::working::{WorkedPart, result};
 use super::{SchemeRow, wording};
 use crate::answer::Kind;
 use crate::bank::{Answer, Code, EarnedFor, Find, Mark};
-use crate::expr::{Expr, Piece, Text, read_markup};
+use crate::expr::{Expr, Piece, Text, read_markup, written};
 use crate::generate::Variant;
 use crate::mechanics::{Axis, Derivation, Known, Moment, Quantity, Rule, Scene, Setting, Show, Sphere, pose};
 use crate::number::{Places, Value};
@@ -167,7 +167,12 @@ fn value(
     let Some(known) = known_with(quantity, here, found_first.then_some(scene)) else { return (None, None) };
     let size = known.number(quantity).map(Size::Number);
     let Some((show, in_law)) = Show::new(scene, &known, &here.asked).of(quantity) else { return (None, None) };
+    let named_by = |letter| tangent(letter, quantity.impact(), show.value(in_law), here);
     let exact = match in_law {
+        // After a wall the working has the component away from it.
+        Quantity::Velocity(_, Moment::After, Axis::N) if show.setting() == Setting::Wall => {
+            Expr::equation(show.symbol(in_law), written(&-show.exact(in_law)))
+        }
         Quantity::Velocity(_, Moment::After, Axis::N) => Expr::equation(show.symbol(in_law), show.shown_value(in_law)),
         Quantity::Velocity(sphere, moment @ Moment::After, axis @ (Axis::X | Axis::Y)) if show.along_an_axis() => {
             // Along the axis of the line of centres the working has its letters.
@@ -183,8 +188,8 @@ fn value(
             let vector = Expr::equation(Expr::name(show.vector_letter(sphere, moment)), show.vector(sphere, moment));
             return (Some(show.named(&vector)), None);
         }
-        Quantity::TOverN(..) | Quantity::TanToLine(..) => tangent("beta", show.value(in_law), here),
-        Quantity::TanDeflection(_) => tangent("delta", show.value(in_law), here),
+        Quantity::TOverN(..) | Quantity::TanToLine(..) => named_by("beta"),
+        Quantity::TanDeflection(_) => named_by("delta"),
         _ => match show.angle(in_law) {
             Some(angle) => Show::angle_expr(&angle),
             None => show.value(in_law),
@@ -196,9 +201,9 @@ fn value(
     (Some(show.named(&exact)), rounded)
 }
 
-fn tangent(letter: &str, value: Expr, here: &WorkedPart) -> Expr {
+fn tangent(letter: &str, impact: u8, value: Expr, here: &WorkedPart) -> Expr {
     let left = Expr::call(crate::expr::Function::Tan, Expr::name(letter));
-    here.in_its_letters(&Expr::equation(left, value))
+    here.in_its_letters(impact, &Expr::equation(left, value))
 }
 
 /// What is known once a quantity that the part need not find is found too.

@@ -22,9 +22,10 @@ pub struct Step {
 }
 
 impl Step {
-    fn new(rule: Rule, show: &Show, letters: &[(&'static str, String)]) -> Step {
-        let lines = rule.lines(show).into_iter().map(|line| renamed(line, letters)).collect();
-        let equation = rule.equation(show).map(|equation| rename(&equation, letters));
+    fn new(rule: Rule, show: &Show, letters: &[Letter]) -> Step {
+        let letters: Vec<Letter> = of_impact(rule.impact(), letters).cloned().collect();
+        let lines = rule.lines(show).into_iter().map(|line| renamed(line, &letters)).collect();
+        let equation = rule.equation(show).map(|equation| rename(&equation, &letters));
         Step { rule, lines, equation }
     }
 }
@@ -46,7 +47,16 @@ pub struct WorkedPart<'q> {
     /// If letters were found: the steps that led to their conditions, which `finding` tells in words.
     pub behind: Vec<Step>,
     /// The letters that the question uses for angles of the working.
-    letters: Vec<(&'static str, String)>,
+    letters: Vec<Letter>,
+}
+
+/// A letter of the question in place of one of the working.
+#[derive(Clone, Debug)]
+struct Letter {
+    /// Each impact has its own angles.
+    impact: u8,
+    ours: &'static str,
+    theirs: String,
 }
 
 /// Every part of a question, worked in the manner of its words, which have unit vectors or have none. Nothing if the scene
@@ -72,7 +82,7 @@ pub fn work<'q>(question: &'q Question, variant: &Variant, unit_vectors: bool) -
 }
 
 /// The steps from a scene with unknown letters to the quantities of its conditions.
-fn behind_conditions(scene: &Scene, letters: &[(&'static str, String)]) -> Vec<Step> {
+fn behind_conditions(scene: &Scene, letters: &[Letter]) -> Vec<Step> {
     let Ok(mut known) = pose(scene) else { return Vec::new() };
     let sides = scene.conditions.iter().flat_map(|condition| [&condition.left, &condition.right]);
     let names = sides.flat_map(Expr::names);
@@ -111,9 +121,10 @@ impl WorkedPart<'_> {
         printed
     }
 
-    /// An expression of the working in the question's own letters.
-    pub fn in_its_letters(&self, expr: &Expr) -> Expr {
-        rename(expr, &self.letters)
+    /// An expression of the working of an impact in the question's own letters.
+    pub fn in_its_letters(&self, impact: u8, expr: &Expr) -> Expr {
+        let letters: Vec<Letter> = of_impact(impact, &self.letters).cloned().collect();
+        rename(expr, &letters)
     }
 }
 
@@ -123,31 +134,36 @@ pub fn result(answer: &Answer, variant: &Variant) -> Option<Expr> {
     Some(Expr::equation(left, answer::exact(answer, variant)?))
 }
 
-/// The working calls the angle to the line of centres beta and the deflection delta; a question that asks for
-/// the tangent of either has a letter of its own for it.
-fn letters(question: &Question) -> Vec<(&'static str, String)> {
+/// The working calls the angle to the line of centres, or to a wall, beta and the deflection delta; a question that asks
+/// for the tangent of one has a letter of its own for it.
+fn letters(question: &Question) -> Vec<Letter> {
     let mut found = Vec::new();
     for answer in question.parts.iter().flat_map(|part| &part.answers) {
-        let ours = match answer.find {
-            Find::Quantity(Quantity::TanDeflection(_)) => "delta",
-            Find::Quantity(Quantity::TOverN(..) | Quantity::TanToLine(..)) => "beta",
+        let Find::Quantity(quantity) = answer.find else { continue };
+        let ours = match quantity.of_its_impact() {
+            Quantity::TanDeflection(_) => "delta",
+            Quantity::TOverN(..) | Quantity::TanToLine(..) | Quantity::TanToWall(..) => "beta",
             _ => continue,
         };
         let named = answer.show.as_ref().or_else(|| answer.name.formulas().into_iter().next());
         if let Some(Expr::Call(Function::Tan, inner)) = named
             && let Expr::Name(name) = &**inner
         {
-            found.push((ours, name.text.clone()));
+            found.push(Letter { impact: quantity.impact(), ours, theirs: name.text.clone() });
         }
     }
     found
 }
 
-fn rename(expr: &Expr, letters: &[(&'static str, String)]) -> Expr {
-    expr.substitute(&|name| letters.iter().find(|(ours, _)| *ours == name).map(|(_, theirs)| Expr::name(theirs)))
+fn of_impact(impact: u8, letters: &[Letter]) -> impl Iterator<Item = &Letter> {
+    letters.iter().filter(move |letter| letter.impact == impact)
 }
 
-fn renamed(line: Line, letters: &[(&'static str, String)]) -> Line {
+fn rename(expr: &Expr, letters: &[Letter]) -> Expr {
+    expr.substitute(&|name| letters.iter().find(|letter| letter.ours == name).map(|letter| Expr::name(&letter.theirs)))
+}
+
+fn renamed(line: Line, letters: &[Letter]) -> Line {
     let words = line.words.map_formulas(&mut |expr| Ok::<_, ()>(rename(expr, letters))).unwrap_or(line.words);
     let equations = line.equations.iter().map(|expr| rename(expr, letters)).collect();
     Line { words, equations, ..line }

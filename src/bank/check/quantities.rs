@@ -3,7 +3,7 @@
 use super::super::document::{Faults, listed};
 use super::super::literal::Words;
 use crate::diagnostic::near;
-use crate::mechanics::Quantity;
+use crate::mechanics::{LATER, Quantity};
 
 /// Reports a quantity that does not exist; `others` are names that may stand there too.
 pub fn unknown(words: &Words, others: &[String], faults: &mut Faults) {
@@ -14,6 +14,12 @@ pub fn unknown(words: &Words, others: &[String], faults: &mut Faults) {
 pub fn unknown_at(span: std::ops::Range<usize>, what: &str, name: &str, others: &[String], faults: &mut Faults) {
     let mut names: Vec<String> = Quantity::all().iter().map(Quantity::to_string).collect();
     names.extend_from_slice(others);
+    let later = format!("{}.{name}", LATER[0]);
+    if later.parse::<Quantity>().is_ok() {
+        let label = "this sphere has no part in the first impact";
+        let help = format!("say which impact you mean: `{later}`");
+        return faults.report_with_help(span, format!("unknown {what} `{name}`"), label, help);
+    }
     let help = match near(name, names.iter().map(String::as_str)) {
         Some(near) => format!("did you mean `{near}`?"),
         None => siblings(name, &names),

@@ -9,7 +9,7 @@ use super::super::question::{Question, Style};
 use super::super::scene_file::SceneFile;
 use crate::answer::Kind;
 use crate::expr::{Angles, Fault};
-use crate::mechanics::{Because, Quantity, Refusal, Scene};
+use crate::mechanics::{Because, Quantity, Refusal, Scene, SceneFault};
 use crate::solve::solve;
 
 /// Reports what cannot be found with the reference numbers, and why.
@@ -27,7 +27,7 @@ pub fn solvable(question: &Question, file: &QuestionFile, faults: &mut Faults) {
         Err(Unposed::Given(name, fault)) => given(&name, fault, question, file, faults),
         Err(Unposed::Scene(found)) => {
             for fault in found {
-                in_scene(&fault.field, fault.fault, scene, faults);
+                in_scene(fault, scene, faults);
             }
         }
         Err(Unposed::Refused(refusal)) => refused(&refusal, question, &givens, file, scene, faults),
@@ -68,12 +68,13 @@ fn given(name: &str, fault: Fault, question: &Question, file: &QuestionFile, fau
     }
 }
 
-fn in_scene(field: &str, fault: Fault, scene: &SceneFile, faults: &mut Faults) {
-    match scene.words(field) {
-        Some(words) => with_reference(words, fault, faults),
-        None => {
-            let message = format!("with the reference numbers: {}", fault.message);
-            faults.report(scene.place(field), message, fault.expected);
+fn in_scene(found: SceneFault, scene: &SceneFile, faults: &mut Faults) {
+    let SceneFault { field, fault, is_of_the_form } = found;
+    match scene.words(&field) {
+        Some(words) if !is_of_the_form => with_reference(words, fault, faults),
+        _ => {
+            let with = if is_of_the_form { "" } else { "with the reference numbers: " };
+            faults.report(scene.place(&field), format!("{with}{}", fault.message), fault.expected);
             if let Some(diagnostic) = faults.found.last_mut() {
                 diagnostic.help = fault.help;
             }

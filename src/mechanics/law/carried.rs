@@ -16,7 +16,7 @@ pub const METHOD: (&str, &str) = ("velocity after one impact used as that before
 
 pub const SLIPS: &[Slip] = &[
     Slip {
-        place: 43,
+        place: 55,
         tag: "velocity-not-carried",
         did: "started the next impact with a velocity from before the last one",
         sentence: "An impact starts with the velocities that the one before has left: look which sphere has been struck already.",

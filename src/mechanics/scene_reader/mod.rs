@@ -19,6 +19,8 @@ pub struct SceneFault {
     pub field: String,
     /// What is wrong with it; the span counts within that expression.
     pub fault: Fault,
+    /// Is it wrong whatever the numbers are?
+    pub is_of_the_form: bool,
 }
 
 /// Is it a decimal number? What was given as one is shown as one, also in the working.
@@ -110,7 +112,13 @@ impl Reader<'_> {
     }
 
     fn fault(&mut self, field: &str, fault: Fault) {
-        self.faults.push(SceneFault { field: field.to_string(), fault });
+        self.faults.push(SceneFault { field: field.to_string(), fault, is_of_the_form: false });
+    }
+
+    /// A fault of what is there and what is not, whatever the numbers are.
+    fn misfit(&mut self, field: &str, message: &str, expected: &str, help: &str) {
+        let fault = Fault::new(message, Span::default(), expected).try_this(help);
+        self.faults.push(SceneFault { field: field.to_string(), fault, is_of_the_form: true });
     }
 
     /// A fault of a whole text.

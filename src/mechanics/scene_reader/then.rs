@@ -1,7 +1,6 @@
 //! The impacts that come later.
 
 use super::Reader;
-use crate::expr::{Fault, Span};
 use crate::mechanics::Sphere;
 use crate::mechanics::later::{LATER, Meeting, ordinal};
 use crate::mechanics::scene::{Contact, Given, Scene, Then, Velocity};
@@ -15,15 +14,19 @@ type Bodies = Vec<(Sphere, Option<Given>)>;
 impl Reader<'_> {
     /// Every later impact as a scene by itself, with A and B for who meets there.
     pub(super) fn then<S: AsRef<str>>(&mut self, texts: &[ThenText<S>], first: &Scene) -> Vec<Then> {
-        let mut refuse = |field: &str, message: &str, expected: &str| {
-            self.fault(field, Fault::new(message, Span::default(), expected));
-        };
         if texts.len() > LATER.len() {
-            refuse("then", "there are too many impacts", "at most four impacts, the first among them");
+            let label = "at most three later impacts, four with the first";
+            self.misfit("then", "there are too many impacts", label, "end with the last impact that is asked about");
             return Vec::new();
         }
         if !texts.is_empty() && first.setting == Setting::Impulse {
-            refuse("then", "an impulse is followed by an impact", "spheres, or a sphere and a wall, from the start");
+            let help = "begin with two spheres, or with a sphere and a `wall`";
+            self.misfit(
+                "then",
+                "an impulse is followed by an impact",
+                "only an impact can be followed by another",
+                help,
+            );
             return Vec::new();
         }
         let mut bodies: Bodies = vec![(Sphere::A, first.masses[0].clone())];
@@ -45,22 +48,42 @@ impl Reader<'_> {
         let is_new = |sphere: Sphere, bodies: &Bodies| bodies.iter().all(|(known, _)| *known != sphere);
         let new: Vec<Sphere> = of.iter().copied().filter(|sphere| is_new(*sphere, bodies)).collect();
         if new.len() == of.len() {
-            let message = format!("nobody of the {} impact took part in an earlier one", ordinal(number));
-            self.fault(&field("of"), Fault::new(message, Span::default(), "a sphere that has been struck before"));
+            let message = format!("nobody in the {} impact has taken part before", ordinal(number));
+            let earlier: Vec<String> = bodies.iter().map(|(sphere, _)| format!("`{}`", sphere.name())).collect();
+            let label = format!("one must come from an earlier impact: {}", earlier.join(" or "));
+            let help = "put the impact before it in, or name the sphere that comes from one";
+            self.misfit(&field("of"), &message, &label, help);
             return None;
         }
         let mass = self.optional(text.mass.as_ref(), &field("mass"));
         let before = text.before.as_ref().and_then(|velocity| self.velocity(velocity, &field("before")));
         if new.is_empty() && (mass.is_some() || before.is_some()) {
             let name = if mass.is_some() { "mass" } else { "before" };
-            let message = "who meets here has taken part before, and has a mass and a velocity already";
-            self.fault(&field(name), Fault::new(message, Span::default(), format!("no `{name}`")));
+            let message = format!("`{name}` is given where nobody is new");
+            let label = match of.as_slice() {
+                [_] => "it has taken part before: it keeps its mass, and comes with the velocity that it has by then",
+                _ => {
+                    "both have taken part before: they keep their masses, and come with the velocities that they have by then"
+                }
+            };
+            self.misfit(&field(name), &message, label, &format!("leave out `{name}`"));
             return None;
         }
-        if let (Some(sphere), None) = (new.first(), &before) {
-            let message = format!("{} takes part for the first time, and its velocity is missing", sphere.name());
-            self.fault(&field("before"), Fault::new(message, Span::default(), "`before`, its velocity by then"));
-            return None;
+        if let [sphere] = new[..] {
+            let name = sphere.name();
+            let label = format!("{name} takes part here for the first time");
+            let number = ordinal(number);
+            if text.mass.is_none() {
+                let help = format!("add `mass`, as in `mass = \"m{name}\"`");
+                self.misfit(&field("mass"), &format!("the mass of {name} is missing"), &label, &help);
+            }
+            if text.before.is_none() {
+                let message = format!("the velocity of {name} before the {number} impact is missing");
+                let at_rest = if first.setting == Setting::Direct { "\"0\"" } else { "[\"0\", \"0\"]" };
+                let help = format!("add `before`; if {name} is at rest, `before = {at_rest}`");
+                self.misfit(&field("before"), &message, &label, &help);
+            }
+            before.as_ref()?;
         }
         bodies.extend(new.iter().map(|sphere| (*sphere, mass.clone())));
         let mass_of = |sphere: &Sphere| bodies.iter().find(|(known, _)| known == sphere)?.1.clone();
@@ -100,18 +123,27 @@ impl Reader<'_> {
     fn who_meets<S: AsRef<str>>(&mut self, text: &ThenText<S>, field: &str) -> Option<Vec<Sphere>> {
         let named = |name: &S| Sphere::ALL.into_iter().find(|sphere| sphere.name() == name.as_ref());
         let of: Option<Vec<Sphere>> = text.of.iter().map(named).collect();
-        let expected =
-            if text.wall.is_some() { "`[\"A\"]`, `[\"B\"]` or `[\"C\"]`" } else { "two of `A`, `B` and `C`" };
-        match of {
-            Some(of) if of.len() == 1 && text.wall.is_some() => Some(of),
-            Some(of) if of.len() == 2 && of[0] != of[1] && text.wall.is_none() => Some(of),
-            _ => {
-                let message =
-                    if text.wall.is_some() { "no one sphere that meets a wall" } else { "no two spheres that meet" };
-                self.fault(field, Fault::new(message, Span::default(), expected));
-                None
-            }
-        }
+        let (message, label, help) = match (of.as_deref(), &text.wall) {
+            (Some([_]), Some(_)) => return of,
+            (Some([one, other]), None) if one != other => return of,
+            (Some([_, _]), Some(_)) => (
+                "two spheres and a wall in one impact",
+                "one sphere strikes a wall, as in `[\"B\"]`",
+                "leave out `wall`, or let each sphere strike it in a `[[scene.then]]` of its own",
+            ),
+            (Some([_]), None) => (
+                "one sphere alone, and no wall",
+                "two spheres strike each other, as in `[\"A\", \"B\"]`",
+                "name who is struck; or add the wall, `wall = [\"x\", \"y\"]`, a vector along it",
+            ),
+            _ => (
+                "it is not clear who meets",
+                "expected two of `A`, `B` and `C`, or one and a `wall`",
+                "write `of = [\"A\", \"B\"]`, or `of = [\"B\"]` with a `wall`",
+            ),
+        };
+        self.misfit(field, message, label, help);
+        None
     }
 
     fn contact_of_later<S: AsRef<str>>(
@@ -126,8 +158,12 @@ impl Reader<'_> {
             ("sense", text.sense.is_some() && setting != Setting::Oblique),
         ];
         for (name, _) in unwanted.into_iter().filter(|(_, given)| *given) {
-            let message = "it is given where a wall, or one line of all spheres, leaves no place for it";
-            self.fault(&field(name), Fault::new(message, Span::default(), format!("no `{name}`")));
+            let label = if setting == Setting::Wall {
+                "a wall has its own direction"
+            } else {
+                "the spheres move along one line from the start"
+            };
+            self.misfit(&field(name), &format!("`{name}` has no place here"), label, &format!("leave out `{name}`"));
         }
         let (line, name) = match setting {
             Setting::Direct => return Some(Contact::Along(Value::ONE, Value::ZERO, Some(Sense::FromAToB))),
@@ -135,8 +171,9 @@ impl Reader<'_> {
             _ => (&text.line_of_centres, "line_of_centres"),
         };
         let Some(line) = line else {
-            let message = "the line of centres of a later impact is missing";
-            self.fault(&field(name), Fault::new(message, Span::default(), "`line_of_centres = [\"x\", \"y\"]`"));
+            let label = "two spheres that move in a plane have a line of centres in each of their impacts";
+            let help = "add `line_of_centres = [\"x\", \"y\"]`, a vector along it";
+            self.misfit(&field(name), "the line of centres of a later impact is missing", label, help);
             return None;
         };
         let [x, y] = self.pair(line, &field(name))?;
@@ -147,7 +184,13 @@ impl Reader<'_> {
         }
         if setting == Setting::Wall && in_a_line {
             if !x.value.is_zero() {
-                self.whole_fault(&path, line[1].as_ref(), "a wall that is not across the line:", "`[\"0\", \"1\"]`");
+                let label = "a vector along the wall, and the spheres move straight at it";
+                self.misfit(
+                    &field(name),
+                    "the wall is not across the line of motion",
+                    label,
+                    "write `wall = [\"0\", \"1\"]`",
+                );
             }
             return Some(Contact::Along(Value::ONE, Value::ZERO, None));
         }
