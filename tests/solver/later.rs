@@ -151,12 +151,15 @@ fn chain(numbers: &mut ChaCha8Rng, in_a_line: bool) -> Option<Chain> {
     Some(Chain { text, blows, after })
 }
 
+/// Judges one impact, and what is asked of it.
+type Judge<'j> = &'j mut dyn FnMut(&Solution, &[(Quantity, Accept)]) -> Result<(), String>;
+
 /// Every impact of a chain as a scene by itself, which begins with the velocities that the ones before have left; each is
 /// handed to a judge with what is asked of it, and what the chain found is what it finds.
 pub fn each_by_itself(
     chain: &Solution,
     asked: &[(Quantity, Accept)],
-    judge: &mut dyn FnMut(&Solution, &[(Quantity, Accept)]) -> Result<(), String>,
+    judge: Judge,
 ) -> Result<(), String> {
     let scene = chain.scene();
     let mut left: BTreeMap<Sphere, [Value; 2]> = BTreeMap::new();

@@ -24,6 +24,8 @@ mod units;
 mod vector;
 mod velocity;
 
+use std::borrow::Cow;
+
 use crate::answer::{Accept, Kind};
 use crate::expr::Expr;
 use crate::mechanics::{Quantity, Setting};
@@ -110,11 +112,11 @@ pub struct Judgement {
 impl Judgement {
     /// The same in the words of a setting: what is the common tangent of two spheres is a wall for one.
     pub(crate) fn in_setting(self, setting: Setting) -> Judgement {
-        let said = |words: &str| setting.say(words).into_owned();
-        match setting {
-            Setting::Oblique => self,
-            _ => Judgement { reading: self.reading.as_deref().map(said), feedback: said(&self.feedback), ..self },
-        }
+        let said = |words: String| match setting.say(&words) {
+            Cow::Owned(said) => said,
+            Cow::Borrowed(_) => words,
+        };
+        Judgement { reading: self.reading.map(said), feedback: said(self.feedback), ..self }
     }
 }
 
