@@ -10,7 +10,7 @@ use super::conditions_in_words::{inequality_words, no_roots};
 use super::later::Meeting;
 use super::line::Line;
 use super::refusal::Refusal;
-use super::scene::{Condition, Scene};
+use super::scene::{Condition, Contact, Scene};
 use super::scene_reader::meaning;
 use super::validity::broken_laws;
 use super::working::Show;
@@ -77,6 +77,7 @@ pub(super) fn values(posed: &Posed) -> Result<Found, Refusal> {
         return Err(Refusal::beyond("a range of angles is not found here").try_this("ask for a range of its tangent"));
     }
     not_determined_already(posed, *unknown)?;
+    approached_from_one_side(posed, *unknown)?;
     let mut stated = Vec::new();
     let mut shown = Vec::new();
     for condition in &scene.conditions {
@@ -131,6 +132,28 @@ fn not_determined_already(posed: &Posed, unknown: Letter) -> Result<(), Refusal>
         Some((reason, _)) => Err(Refusal::impossible(reason)),
         None => Ok(()),
     }
+}
+
+/// Where no sense of the line of centres is given it points as the bodies approach. If that depends on the unknown, the
+/// set of values has a part for either way, and only one would be found.
+fn approached_from_one_side(posed: &Posed, unknown: Letter) -> Result<(), Refusal> {
+    let first = (Meeting::FIRST, posed.scene);
+    for (meeting, scene) in
+        std::iter::once(first).chain(posed.scene.then.iter().map(|then| (then.meeting, &then.scene)))
+    {
+        let approach = meeting.quantity(Quantity::Approach);
+        let mut known = posed.known.clone();
+        Derivation::carry_out(&mut known, &[approach]);
+        let is_open = |value: &Value| value.letters().contains(&unknown) && value.sign().is_none();
+        let has_sense = !matches!(scene.contact, Some(Contact::Along(_, _, None)));
+        if !has_sense && known.number(approach).as_ref().is_some_and(is_open) {
+            let name = unknown.name();
+            let refusal = Refusal::beyond(format!("from which side the bodies approach depends on {name}"));
+            let help = "give `sense`, or, at a wall, a velocity whose sign does not depend on the letter";
+            return Err(refusal.try_this(help));
+        }
+    }
+    Ok(())
 }
 
 /// Something without which there is no collision.

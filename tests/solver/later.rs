@@ -156,11 +156,7 @@ type Judge<'j> = &'j mut dyn FnMut(&Solution, &[(Quantity, Accept)]) -> Result<(
 
 /// Every impact of a chain as a scene by itself, which begins with the velocities that the ones before have left; each is
 /// handed to a judge with what is asked of it, and what the chain found is what it finds.
-pub fn each_by_itself(
-    chain: &Solution,
-    asked: &[(Quantity, Accept)],
-    judge: Judge,
-) -> Result<(), String> {
+pub fn each_by_itself(chain: &Solution, asked: &[(Quantity, Accept)], judge: Judge) -> Result<(), String> {
     let scene = chain.scene();
     let mut left: BTreeMap<Sphere, [Value; 2]> = BTreeMap::new();
     let first = Then { meeting: Meeting::FIRST, scene: Scene { then: Vec::new(), ..scene.clone() } };

@@ -218,6 +218,20 @@ fn said(scene: &Json) -> String {
 }
 
 #[test]
+fn carom_takes_no_side_of_approach_where_the_unknown_decides_it() {
+    let at_wall = |k: &str| {
+        json!({
+            "before": { "A": ["3", "-k"] }, "wall": ["1", "0"], "e": "1/2", "symbols": { "k": k },
+            "unknowns": ["k"], "conditions": ["A.after.speed < 5"]
+        })
+    };
+    let refusal = solve(&read(&at_wall("real")), &[]).unwrap_err();
+    assert_eq!(refusal.reason, "from which side the bodies approach depends on k");
+    let solution = solve(&read(&at_wall("positive")), &[]).unwrap();
+    assert_eq!(print::plain(&solution.range().unwrap().written()), "0 < k < 8");
+}
+
+#[test]
 fn carom_says_what_each_end_of_a_range_comes_from() {
     let k = json!({ "k": "positive", "m": "positive", "u": "positive" });
     let given_after = |condition: &str| {
@@ -241,10 +255,10 @@ fn carom_says_what_each_end_of_a_range_comes_from() {
     }));
     assert!(text.contains("The mass of A is positive:\n    3 − k > 0\n"), "{text}");
     let text = said(&json!({
-        "before": { "A": ["3", "k - 4"] }, "wall": ["1", "0"], "e": "1/2", "symbols": { "k": "positive" },
+        "before": { "A": ["3", "-k"] }, "wall": ["1", "0"], "e": "1/2", "symbols": { "k": "positive" },
         "unknowns": ["k"], "conditions": ["A.after.speed < 13/4"]
     }));
-    assert!(!text.contains("spheres"), "{text}");
+    assert!(!text.contains("spheres") && text.contains("0 < k < 5/2"), "{text}");
     // What a letter may be at all needs no line of its own.
     let text = said(&with_e("A.after.x < 0"));
     assert!(!text.contains("The coefficient of restitution is"), "{text}");
