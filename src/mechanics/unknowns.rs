@@ -1,7 +1,7 @@
 //! A scene with letters in the place of what is to be found, and with what was found in the place of letters.
 
+use super::Sphere;
 use super::scene::{Contact, Given, Scene, Velocity};
-use super::{Setting, Sphere};
 use crate::expr::{Expr, Turn, written, written_angle};
 use crate::number::{Angle, Letter, Value};
 
@@ -32,7 +32,7 @@ pub(super) fn with_letters(scene: &Scene) -> Scene {
             let mass = masses.get(sphere as usize).cloned().flatten();
             let own = &mut then.scene.masses[part as usize];
             // A wall has the part of a sphere, and no mass.
-            let is_wall = then.scene.setting == Setting::Wall && part == Sphere::B;
+            let is_wall = then.meeting.with_wall && part == Sphere::B;
             *own = own.take().or(mass.filter(|_| !is_wall));
         }
     }
