@@ -159,3 +159,12 @@ fn the_rest_is_solved_again_from_the_values_that_the_student_found() {
     let right = marked(&Row { working: "v = 1.92".into(), ..row });
     assert!(right.followed.is_empty());
 }
+
+#[test]
+fn what_is_solved_again_starts_from_a_speed_as_the_velocity_along_the_line() {
+    let table: Table = toml::from_str(include_str!("data/scripts.toml")).unwrap();
+    let row = table.script.iter().find(|row| row.name.starts_with("a wrong speed taken into")).unwrap();
+    let part = marked(row);
+    let own = &part.followed[0].equations;
+    assert_eq!(own.iter().map(carom::expr::print::plain).collect::<Vec<_>>(), ["w = 9.3"]);
+}

@@ -216,6 +216,8 @@ fn followed(place: usize, part: &KeyPart, keyed: &KeyedPart, question: &KeyedQue
             },
             _ => continue,
         };
+        // Of the impact in which it is asked for.
+        let own = question.meeting(asked.impact()).map_or(own, |meeting| meeting.quantity(own));
         let Some((value, answer)) = question.followed_value(own, asked) else { continue };
         let Some(answer) = three_figures(answer) else { continue };
         let working = vec![format!("v = {value}"), format!("KE lost = {answer}")];

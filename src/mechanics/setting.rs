@@ -179,6 +179,11 @@ impl Setting {
         matches!(self, Setting::Wall | Setting::Impulse)
     }
 
+    /// Has the working the component after the impact away from what stands in the place of B, and not towards it?
+    pub fn works_away_from_b(self) -> bool {
+        self == Setting::Wall
+    }
+
     /// Words that are written for two spheres, as this setting says them.
     pub fn say(self, words: &str) -> Cow<'_, str> {
         let phrases = match self {

@@ -170,7 +170,7 @@ fn value(
     let named_by = |letter| tangent(letter, quantity.impact(), show.value(in_law), here);
     let exact = match in_law {
         // After a wall the working has the component away from it.
-        Quantity::Velocity(_, Moment::After, Axis::N) if show.setting() == Setting::Wall => {
+        Quantity::Velocity(_, Moment::After, Axis::N) if show.setting().works_away_from_b() => {
             Expr::equation(show.symbol(in_law), written(&-show.exact(in_law)))
         }
         Quantity::Velocity(_, Moment::After, Axis::N) => Expr::equation(show.symbol(in_law), show.shown_value(in_law)),

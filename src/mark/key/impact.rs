@@ -13,7 +13,7 @@ use crate::number::Value;
 
 impl KeyedQuestion {
     /// Who meets in a later impact.
-    pub(in crate::mark) fn meeting(&self, number: u8) -> Option<Meeting> {
+    pub(crate) fn meeting(&self, number: u8) -> Option<Meeting> {
         self.scene.then.iter().map(|then| then.meeting).find(|meeting| meeting.number == number)
     }
 
@@ -37,7 +37,6 @@ impl KeyedQuestion {
         let mut known = self.given.clone();
         for (quantity, written) in own.wrong(self).filter(|(quantity, _)| quantity.impact() < meeting.number) {
             if let Some(value) = self.exact(written) {
-                let (quantity, value) = self.with_sign(quantity, value);
                 known.0.insert(quantity, Datum::Number(value));
             }
         }
@@ -71,14 +70,21 @@ impl KeyedQuestion {
         })
     }
 
-    /// Along one line a speed after an impact is the velocity there, with the sign that it should have.
-    fn with_sign(&self, quantity: Quantity, value: Value) -> (Quantity, Value) {
-        let along = quantity.along_the_line().filter(|_| self.given.0.contains_key(&Quantity::InALine));
-        let right = |along: &Quantity| self.parts.iter().find_map(|part| part.known.number(*along));
-        match along.and_then(|along| Some((along, right(&along)?.sign()?))) {
-            Some((along, Ordering::Less)) => (along, -value),
-            Some((along, _)) => (along, value),
-            None => (quantity, value),
+    /// Where impacts follow, of a speed after one of a sphere that moves along the line of centres: the component there, from
+    /// which the next impact starts, and whether it is negative.
+    pub(in crate::mark) fn along_its_line(&self, quantity: Quantity) -> Option<(Quantity, bool)> {
+        let is_speed_after = matches!(quantity.of_its_impact(), Quantity::Speed(_, Moment::After));
+        if self.scene.then.is_empty() || !is_speed_after {
+            return None;
+        }
+        let along = quantity.along_the_line()?;
+        let right = |quantity: Quantity| self.parts.iter().find_map(|part| part.known.number(quantity));
+        let nothing_across = || {
+            self.given.0.contains_key(&Quantity::InALine) || right(along.along(Axis::T)).is_some_and(|t| t.is_zero())
+        };
+        match right(along)?.sign()? {
+            Ordering::Equal => None,
+            sign => nothing_across().then_some((along, sign == Ordering::Less)),
         }
     }
 

@@ -60,7 +60,10 @@ pub(super) fn say(answers: &mut [MarkedAnswer], followed: &[Option<Judgement>]) 
 pub(super) fn solution(question: &KeyedQuestion, part: &KeyedPart, examined: &Examined) -> Vec<WorkingLine> {
     let mut known = question.given.clone();
     let mut own = Vec::new();
-    for (quantity, written) in examined.theirs.wrong(question) {
+    // The velocity along the one line says what the speed says.
+    let is_said =
+        |quantity| question.along_its_line(quantity).is_some_and(|(along, _)| examined.theirs.0.contains_key(&along));
+    for (quantity, written) in examined.theirs.wrong(question).filter(|(quantity, _)| !is_said(*quantity)) {
         let Some(value) = question.exact(written) else { continue };
         known.0.insert(quantity, Datum::Number(value));
         own.push((quantity, written.clone()));

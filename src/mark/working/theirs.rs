@@ -42,8 +42,17 @@ impl Theirs {
             let Some(said) = reading.statements.last().and_then(|statement| statement.said.last()) else { continue };
             match (&blank.find, &said.form) {
                 (Find::Quantity(quantity), Form::Value(expr)) if !quantity.is_angle() => {
-                    let numbers = value(expr, prepared, &prepared.names).and_then(|values| numbers(&values));
-                    self.0.extend(numbers.map(|numbers| (*quantity, (numbers, expr.clone()))));
+                    let Some(numbers) = value(expr, prepared, &prepared.names).and_then(|values| numbers(&values))
+                    else {
+                        continue;
+                    };
+                    if let Some((along, is_negative)) = question.along_its_line(*quantity) {
+                        let signed = |number: &f64| if is_negative { -number.abs() } else { number.abs() };
+                        let written = if is_negative { expr.clone().negated() } else { expr.clone() };
+                        let own = (numbers.iter().map(signed).collect(), written);
+                        self.0.entry(along).or_insert(own);
+                    }
+                    self.0.insert(*quantity, (numbers, expr.clone()));
                 }
                 (Find::Vector(x, y), Form::Vector(along_i, along_j, _)) => {
                     for (quantity, expr) in [(x, along_i), (y, along_j)] {
