@@ -255,8 +255,9 @@ fn every_schema_that_is_kept_is_printed() {
 #[cfg(feature = "external")]
 const UNSEEN: &str = "
 absent-mark accuracy-without-method angle-where-number brace-never-closed condition-without-equation crlf
-derived-in-wrong-order division-by-nought impossible-restitution impossible letters-beyond-ascii long-line no-relation
-parameter-and-letter reference-lacks-parameter requirement-without-truth result-in-stem result-without-show
+derived-in-wrong-order division-by-nought impossible-restitution impossible later-line-of-centres-missing
+later-mass-given-again later-newcomer-without-mass later-newcomer-without-velocity later-struck-by-nobody
+later-wall-along-the-line letters-beyond-ascii long-line no-relation parameter-and-letter reference-lacks-parameter requirement-without-truth result-in-stem result-without-show
 reversed-range shown-is-an-equation shown-is-not-found style-lacks-parameter tabs two-answers-of-one-name
 underdetermined unknown-name unknown-quantity-required unreadable-formula unused-parameter value-from-parameter
 wrong-kind

@@ -75,7 +75,7 @@ pub fn scene() -> Json {
 
 pub fn later_impact() -> Json {
     let spheres = Sphere::ALL.map(Sphere::name);
-    table(
+    let mut impact = table(
         "An impact that comes after another. Masses and velocities are those that the spheres have by then.",
         vec![
             (
@@ -99,7 +99,12 @@ pub fn later_impact() -> Json {
             ("e", words("The coefficient of restitution.")),
         ],
         &["of"],
-    )
+    );
+    impact["oneOf"] = json!([
+        {"required": ["wall"], "properties": {"of": {"maxItems": 1}}},
+        {"not": {"required": ["wall"]}, "properties": {"of": {"minItems": 2}}},
+    ]);
+    impact
 }
 
 pub fn velocity() -> Json {
