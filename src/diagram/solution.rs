@@ -22,7 +22,7 @@ const WIDEST: f64 = 13.0;
 /// as letters in the positive direction; at a wall, perpendicular and parallel to it. Where the line is found: the
 /// velocities as vectors. For an impulse: the triangle of momenta.
 ///
-/// Of several impacts each has its pictures.
+/// Of several impacts each is shown as it begins.
 pub fn solution(scene: &Scene, manner: Manner) -> Vec<Diagram> {
     let Ok(mut known) = pose(scene) else { return Vec::new() };
     let geometry = match &scene.contact {
@@ -35,10 +35,12 @@ pub fn solution(scene: &Scene, manner: Manner) -> Vec<Diagram> {
         return view(Show::new(scene, &known, &[])).momenta().into_iter().collect();
     }
     let first = view(Show::new(scene, &known, &[])).both();
-    let mut pictures: Vec<Diagram> = geometry.into_iter().chain(first.into_iter().flatten()).collect();
-    if !scene.then.is_empty() {
-        pictures.iter_mut().filter(|picture| !picture.title.is_empty()).for_each(|picture| number(picture, 0));
+    if scene.then.is_empty() {
+        return geometry.into_iter().chain(first.into_iter().flatten()).collect();
     }
+    // Before and after of each would fill a page and more; how one ends is how the next begins.
+    let begins = first.into_iter().map(|[before, _]| numbered(before, 0));
+    let mut pictures: Vec<Diagram> = geometry.into_iter().chain(begins).collect();
     for then in &scene.then {
         let meeting = then.meeting;
         let needed: Vec<Quantity> =
@@ -47,10 +49,7 @@ pub fn solution(scene: &Scene, manner: Manner) -> Vec<Diagram> {
         let here = meeting.known(&known);
         let Some(show) = Show::new(scene, &known, &[]).of_later(meeting) else { continue };
         let view = View { scene: &then.scene, known: &here, show, manner, names: meeting.of };
-        for mut picture in view.both().into_iter().flatten() {
-            number(&mut picture, meeting.number);
-            pictures.push(picture);
-        }
+        pictures.extend(view.both().map(|[before, _]| numbered(before, meeting.number)));
     }
     pictures
 }
@@ -77,10 +76,10 @@ fn needed(scene: &Scene) -> Vec<Quantity> {
 }
 
 /// Says of which impact a picture is: `Before the second impact`.
-fn number(picture: &mut Diagram, number: u8) {
+fn numbered(picture: Diagram, number: u8) -> Diagram {
     let impact = ordinal(number);
-    picture.title = format!("{} the {impact} impact", picture.title);
-    picture.words = picture.words.replace("the impact", &format!("the {impact} impact"));
+    let words = picture.words.replace("the impact", &format!("the {impact} impact"));
+    Diagram { title: format!("{} the {impact} impact", picture.title), words, ..picture }
 }
 
 fn pictured(spheres: &Spheres, moment: Moment) -> Diagram {
