@@ -164,6 +164,26 @@ fn an_angle_in_words_lies_along_its_own_line_or_across_it() {
 }
 
 #[test]
+fn an_answer_is_judged_alike_of_whichever_impact_it_is() {
+    let rows = [
+        ("A.after.angle_to_wall_deg", "90", "perpendicular to the wall", "correct"),
+        ("A.after.angle_to_wall_deg", "30", "60 degrees to the normal", "correct"),
+        ("A.after.angle_to_wall_deg", "30", "60 degrees to the wall", "wrong complement"),
+        ("A.after.speed", "3", "-3", "partial sign"),
+        ("A.after.n", "3", "-3", "wrong sign"),
+    ];
+    for (quantity, right, typed, expected) in rows {
+        for of in [quantity.to_owned(), format!("second.{quantity}")] {
+            let kind = quantity.ends_with("deg").then_some(Kind::Angle);
+            let options = ModelOptions { kind, quantity: Some(of.parse().unwrap()), ..ModelOptions::default() };
+            let model = Model::read(right, &options).unwrap();
+            let judged = judge(&model, &read_answer(typed, &model.vocabulary));
+            assert_eq!(named(&judged), expected, "{of}: {typed}");
+        }
+    }
+}
+
+#[test]
 fn a_velocity_needs_its_size_and_its_direction() {
     let across = model("6*sin(10*deg) perpendicular to the line of centres", Some(Kind::Velocity), "");
     let oblique = model("[5/2, 3*sqrt(3)/2]", Some(Kind::Velocity), "");

@@ -65,7 +65,8 @@ impl Model {
         let vectors = matches!(kind, Kind::Vector | Kind::Line) || inferred == Kind::Vector;
         let vectors = vectors && kind != Kind::Velocity;
         let model = Model::new(value, kind, accept, Vocabulary { letters, vectors });
-        Ok(Model { quantity: options.quantity, ..model })
+        // An answer is judged alike of whichever impact it is.
+        Ok(Model { quantity: options.quantity.map(Quantity::of_its_impact), ..model })
     }
 }
 
