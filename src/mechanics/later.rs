@@ -19,7 +19,7 @@ pub const LATER: [&str; 3] = ["second", "third", "fourth"];
 /// An impact that comes later, and between whom.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Meeting {
-    /// How many impacts come before it; at least one.
+    /// How many impacts come before it.
     pub number: u8,
     /// Who has the part of A in the laws, and who that of B.
     pub of: [Sphere; 2],
@@ -118,8 +118,7 @@ impl Meeting {
         if self.number == 0 {
             return quantity;
         }
-        let own = quantity.with_spheres(|part| self.sphere(part));
-        Later::new(self.number, own).map_or(quantity, Quantity::Later)
+        quantity.with_spheres(|part| self.sphere(part)).in_impact(self.number).unwrap_or(quantity)
     }
 
     /// Who has the part of A, or of B.
@@ -159,6 +158,29 @@ impl Meeting {
         };
         let part = Sphere::BOTH.into_iter().find(|sphere| sphere.name() == part)?;
         Some(format!("{stem}{}", self.sphere(part).name()))
+    }
+
+    /// A sentence about the spheres of the laws, with the names of who has their parts.
+    pub fn in_words(self, words: &str) -> String {
+        if self.of == Meeting::FIRST.of {
+            return words.to_owned();
+        }
+        let mut said = String::with_capacity(words.len());
+        let mut rest = words;
+        while let Some(first) = rest.chars().next() {
+            let length = if first.is_alphanumeric() {
+                rest.find(|sign: char| !sign.is_alphanumeric()).unwrap_or(rest.len())
+            } else {
+                first.len_utf8()
+            };
+            let (word, after) = rest.split_at(length);
+            // `A smooth wall pushes …`: at a wall a sentence begins with no sphere.
+            let is_article = self.with_wall && (said.is_empty() || said.ends_with(". "));
+            let part = Sphere::BOTH.into_iter().find(|part| part.name() == word && !is_article);
+            said.push_str(part.map_or(word, |part| self.sphere(part).name()));
+            rest = after;
+        }
+        said
     }
 
     /// What a student typed, with the names that the laws have for who takes part: `v_C` is `v_B` where C has the part
@@ -210,35 +232,42 @@ impl Quantity {
         }
     }
 
+    /// The same of the impact before which so many come; `None` of what is no quantity of one impact.
+    pub fn in_impact(self, number: u8) -> Option<Quantity> {
+        if number == 0 { Some(self) } else { Later::new(number, self).map(Quantity::Later) }
+    }
+
+    /// Another quantity of the same impact.
+    fn beside(self, other: impl FnOnce(Quantity) -> Option<Quantity>) -> Option<Quantity> {
+        other(self.of_its_impact())?.in_impact(self.impact())
+    }
+
     /// Of an angle to the line of centres, or of a speed: the component along that line.
     pub fn along_the_line(self) -> Option<Quantity> {
-        match self {
+        self.beside(|own| match own {
             Quantity::AngleToLine(sphere, moment) | Quantity::Speed(sphere, moment) => {
                 Some(Quantity::Velocity(sphere, moment, Axis::N))
             }
-            Quantity::Later(later) => Later::new(later.number, later.quantity().along_the_line()?).map(Quantity::Later),
             _ => None,
-        }
+        })
     }
 
     /// Of a component of a velocity: the same velocity along another axis.
     pub fn along(self, axis: Axis) -> Quantity {
-        match self {
-            Quantity::Velocity(sphere, moment, _) => Quantity::Velocity(sphere, moment, axis),
-            Quantity::Later(later) => {
-                Later::new(later.number, later.quantity().along(axis)).map_or(self, Quantity::Later)
-            }
-            other => other,
-        }
+        let along = |own| match own {
+            Quantity::Velocity(sphere, moment, _) => Some(Quantity::Velocity(sphere, moment, axis)),
+            _ => None,
+        };
+        self.beside(along).unwrap_or(self)
     }
 
     /// Of a velocity after an impact: the same before it.
     pub(super) fn before(self) -> Quantity {
-        match self {
-            Quantity::Velocity(sphere, _, axis) => Quantity::Velocity(sphere, Moment::Before, axis),
-            Quantity::Later(later) => Later::new(later.number, later.quantity().before()).map_or(self, Quantity::Later),
-            other => other,
-        }
+        let before = |own| match own {
+            Quantity::Velocity(sphere, _, axis) => Some(Quantity::Velocity(sphere, Moment::Before, axis)),
+            _ => None,
+        };
+        self.beside(before).unwrap_or(self)
     }
 }
 
@@ -295,6 +324,20 @@ mod tests {
             ("Before", "Before"),
         ] {
             assert_eq!(meeting.in_law_names(typed), said);
+        }
+    }
+
+    #[test]
+    fn what_is_said_of_the_spheres_of_a_law_is_said_of_who_has_their_parts() {
+        let spheres = Meeting { number: 1, of: [Sphere::B, Sphere::C], with_wall: false };
+        let wall = Meeting { number: 2, of: [Sphere::C, Sphere::A], with_wall: true };
+        for (meeting, words, said) in [
+            (spheres, "B is in front: it must move away from A.", "C is in front: it must move away from B."),
+            (spheres, "A and *B* After", "B and *C* After"),
+            (wall, "A smooth wall pushes. Find the velocity of A.", "A smooth wall pushes. Find the velocity of C."),
+            (Meeting::FIRST, "A strikes B", "A strikes B"),
+        ] {
+            assert_eq!(meeting.in_words(words), said);
         }
     }
 

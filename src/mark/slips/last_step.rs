@@ -74,6 +74,11 @@ pub(super) const OF_FORM: usize = 3;
 
 /// What may be handed in for a quantity, and which mistake that is.
 pub(super) fn taken_for(quantity: Quantity) -> Vec<(Quantity, LastStep)> {
+    let taken = of_one_impact(quantity.of_its_impact()).into_iter();
+    taken.filter_map(|(other, step)| Some((other.in_impact(quantity.impact())?, step))).collect()
+}
+
+fn of_one_impact(quantity: Quantity) -> Vec<(Quantity, LastStep)> {
     use Moment::{After, Before};
     let mut taken = Vec::new();
     if let Some(other) = of_other_sphere(quantity) {
