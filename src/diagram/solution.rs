@@ -34,12 +34,13 @@ pub fn solution(scene: &Scene, manner: Manner) -> Vec<Diagram> {
     if scene.setting == Setting::Impulse {
         return view(Show::new(scene, &known, &[])).momenta().into_iter().collect();
     }
-    let first = view(Show::new(scene, &known, &[])).both();
+    let first = view(Show::new(scene, &known, &[]));
     if scene.then.is_empty() {
-        return geometry.into_iter().chain(first.into_iter().flatten()).collect();
+        let both = first.at(Moment::Before).zip(first.at(Moment::After));
+        return geometry.into_iter().chain(both.into_iter().flat_map(<[_; 2]>::from)).collect();
     }
     // Before and after of each would fill a page and more; how one ends is how the next begins.
-    let begins = first.into_iter().map(|[before, _]| numbered(before, 0));
+    let begins = first.at(Moment::Before).map(|before| numbered(before, 0));
     let mut pictures: Vec<Diagram> = geometry.into_iter().chain(begins).collect();
     for then in &scene.then {
         let meeting = then.meeting;
@@ -49,7 +50,7 @@ pub fn solution(scene: &Scene, manner: Manner) -> Vec<Diagram> {
         let here = meeting.known(&known);
         let Some(show) = Show::new(scene, &known, &[]).of_later(meeting) else { continue };
         let view = View { scene: &then.scene, known: &here, show, manner, names: meeting.of };
-        pictures.extend(view.both().map(|[before, _]| numbered(before, meeting.number)));
+        pictures.extend(view.at(Moment::Before).map(|before| numbered(before, meeting.number)));
     }
     pictures
 }
@@ -96,15 +97,14 @@ struct View<'a> {
 }
 
 impl View<'_> {
-    /// Before and after.
-    fn both(&self) -> Option<[Diagram; 2]> {
-        let [before, after] =
-            [Moment::Before, Moment::After].map(|moment| match (self.scene.setting, &self.scene.contact) {
-                (Setting::Wall, _) => self.at_wall(moment),
-                (_, Some(_)) => Some(pictured(&self.components(moment)?, moment)),
-                (_, None) => Some(pictured(&self.vectors(moment)?, moment)),
-            });
-        Some([titled(Moment::Before, before?), titled(Moment::After, after?)])
+    /// The impact before or after, with that above it.
+    fn at(&self, moment: Moment) -> Option<Diagram> {
+        let picture = match (self.scene.setting, &self.scene.contact) {
+            (Setting::Wall, _) => self.at_wall(moment)?,
+            (_, Some(_)) => pictured(&self.components(moment)?, moment),
+            (_, None) => pictured(&self.vectors(moment)?, moment),
+        };
+        Some(titled(moment, picture))
     }
 
     /// The line of centres as it is drawn: as it lies where it is parallel to an axis, else across the page.

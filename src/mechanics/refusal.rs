@@ -2,8 +2,8 @@
 
 use std::fmt;
 
+use super::Setting;
 use super::later::{Meeting, ordinal};
-use super::{Setting, Sphere};
 
 /// The kind of a refusal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,16 +43,9 @@ impl Refusal {
         Refusal { because: Because::BeyondMethods, reason: reason.into(), help: None }
     }
 
-    /// The refusal of a later impact, in which its spheres have the parts of A and B.
+    /// The refusal of a later impact, said of who has the parts of A and B there.
     pub(super) fn at(self, meeting: Meeting) -> Refusal {
-        let [a, b] = meeting.of.map(Sphere::name);
-        let who = match (a, b) {
-            ("A", _) if meeting.with_wall => String::new(),
-            _ if meeting.with_wall => format!(", of {a} as A"),
-            ("A", "B") => String::new(),
-            _ => format!(", of {a} and {b} as A and B"),
-        };
-        let reason = format!("at the {} impact{who}: {}", ordinal(meeting.number), self.reason);
+        let reason = format!("at the {} impact: {}", ordinal(meeting.number), meeting.in_words(&self.reason));
         Refusal { reason, ..self }
     }
 

@@ -17,7 +17,7 @@ use super::slips::Mistakes;
 use super::working::Prepared;
 use crate::bank::{Code, EarnedFor, Find};
 use crate::expr::{Angles, Expr};
-use crate::mechanics::{Derivation, Known, Quantity, Scene, SceneText, Setting, pose};
+use crate::mechanics::{Derivation, Known, Meeting, Quantity, Scene, SceneText, Setting, pose};
 use crate::number::{Letter, Value};
 use crate::paper::KeyQuestion;
 
@@ -76,6 +76,8 @@ pub struct KeyedQuestion {
 pub struct KeyedPart {
     /// What the impact is between.
     pub setting: Setting,
+    /// Who meets in it; where the part is about several impacts, in the last.
+    pub(super) meeting: Meeting,
     /// `a`, `b`, … or empty.
     pub label: String,
     /// What is to be filled in.

@@ -8,7 +8,7 @@ use crate::answer::{Accept, Kind};
 use crate::bank::{Code, EarnedFor, Find};
 use crate::expr::{Angles, read_range};
 use crate::mark::judging::{Model, ModelOptions};
-use crate::mechanics::{Derivation, Known, Quantity, Scene};
+use crate::mechanics::{Derivation, Known, Meeting, Quantity, Scene};
 use crate::number::Value;
 use crate::paper::{Blank, KeyMark, KeyPart};
 
@@ -36,15 +36,21 @@ impl KeyedPart {
             blank.model.rebounds = rebounds(&blank.find, known);
         }
         let last = derivation.steps.iter().map(|step| step.impact()).max();
-        let impact = last.and_then(|number| scene.of_impact(number)).unwrap_or(scene);
+        let then = scene.then.iter().find(|then| Some(then.meeting.number) == last);
         Ok(KeyedPart {
-            setting: impact.setting,
+            setting: then.map_or(scene.setting, |then| then.scene.setting),
+            meeting: then.map_or(Meeting::FIRST, |then| then.meeting),
             label: part.label.clone(),
             blanks,
             scheme,
             derivation,
             known: known.clone(),
         })
+    }
+
+    /// A sentence about a law, in the words of its impact and with the names of who takes part in it.
+    pub(in crate::mark) fn said(&self, sentence: &str) -> String {
+        self.meeting.in_words(&self.setting.say(sentence))
     }
 
     /// How many marks it has.

@@ -84,11 +84,7 @@ fn explained(cause: &slips::Cause, part: &KeyedPart) -> Cause {
         earned.push(own && mark.depends.iter().all(|needed| earned[*needed]));
     }
     let probable = part.scheme.iter().zip(earned).filter(|(_, earned)| *earned).map(|(mark, _)| mark.id.clone());
-    Cause {
-        tag: cause.tags.join("+"),
-        sentence: part.setting.say(&cause.sentence).into_owned(),
-        probable: probable.collect(),
-    }
+    Cause { tag: cause.tags.join("+"), sentence: part.said(&cause.sentence), probable: probable.collect() }
 }
 
 /// The answer itself is wrong, whatever else is right.
