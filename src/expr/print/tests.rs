@@ -73,6 +73,7 @@ fn carom_knows_that_a_formula_is_written_as_a_teacher_writes_it() {
             "−v cos(θ)(2e − 1)/3",
         ),
         (neg(pow(n(2), n(2))), "-2^2", "-2^{2}", "−2²"),
+        (pow(n(13), n(0)), "13^0", "13^{0}", "13^0"),
         (pow(n(-2), n(2)), "(-2)^2", "(-2)^{2}", "(−2)²"),
         (pow(neg(n(2)), n(2)), "(-2)^2", "(-2)^{2}", "(−2)²"),
         (over(x("a"), times([x("b"), x("c")])), "a/(b*c)", r"\frac{a}{bc}", "a/(bc)"),

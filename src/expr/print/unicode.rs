@@ -155,7 +155,11 @@ fn is_single(row: &Row) -> bool {
         || matches!(row[..], [_, Item::Degree])
 }
 
+/// The text raised; `None` where there are no such signs, and of a nought alone, which is how degrees are often typed.
 fn superscript(text: &str) -> Option<String> {
+    if text == "0" {
+        return None;
+    }
     const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     text.chars()
         .map(|c| match c {
