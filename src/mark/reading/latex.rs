@@ -260,15 +260,18 @@ impl Rewriter<'_> {
 
     fn root(&mut self, from: Glyph) -> Result<(), Unreadable> {
         let mut sign = '√';
-        if self.sign() == Some('[') {
-            let index: String =
-                self.glyphs[self.at + 1..].iter().map(|glyph| glyph.sign).take_while(|sign| *sign != ']').collect();
+        if let Some('[') = self.sign() {
+            let rest = &self.glyphs[self.at + 1..];
+            let Some(length) = rest.iter().position(|glyph| glyph.sign == ']') else {
+                return Err(self.fault(self.here().place, "`[` is never closed"));
+            };
+            let index: String = rest[..length].iter().map(|glyph| glyph.sign).collect();
             sign = match index.trim() {
                 "" | "2" => '√',
                 "3" => '∛',
                 _ => return Err(self.fault(from.place, "only square and cube roots are read")),
             };
-            self.at += index.chars().count() + 2;
+            self.at += length + 2;
         }
         self.blanks();
         // `\\sqrt13` is meant to be the root of thirteen.
