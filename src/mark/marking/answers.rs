@@ -32,8 +32,11 @@ pub(super) fn judged(
     .into_iter();
     let each = part.blanks.iter().map(|blank| {
         // The last word counts where a blank was filled in twice.
-        let own =
-            script.answers.iter().rev().find(|(name, _)| name.as_deref().is_some_and(|name| is_called(name, blank)));
+        let own = script
+            .answers
+            .iter()
+            .rev()
+            .find(|(name, _)| name.as_deref().is_some_and(|name| is_name_of(name, &blank.name)));
         let alone = own.map(|(_, answer)| answer.as_str()).or(unnamed.filter(|_| part.blanks.len() == 1));
         let together = together.next();
         let found = match (alone, together) {
@@ -52,9 +55,9 @@ pub(super) fn judged(
     each.unzip()
 }
 
-/// Is it the name of this blank, however it is spaced?
-fn is_called(name: &str, blank: &KeyedBlank) -> bool {
-    name.split_whitespace().eq(blank.name.split_whitespace())
+/// Is what was written the name of this blank, however it is spaced?
+pub(super) fn is_name_of(written: &str, blank: &str) -> bool {
+    written.split_whitespace().eq(blank.split_whitespace())
 }
 
 /// All models of a part have the letters of one question; one of them may have vectors.

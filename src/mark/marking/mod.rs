@@ -15,7 +15,9 @@ mod overrule;
 pub(super) use memory::Memory;
 pub use overrule::{Word, overrule};
 
-use super::award::MarkedPart;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use super::award::{MarkedLine, MarkedPart};
 use super::key::KeyedQuestion;
 use super::profile::Profile;
 use super::script::{PartScript, Script};
@@ -39,6 +41,46 @@ pub(super) enum Solutions {
 
 /// The same by one who remembers what was found of the answers before, all of them by this profile.
 pub(super) fn mark_remembering(
+    question: &KeyedQuestion,
+    script: &Script,
+    profile: &Profile,
+    memory: &mut Memory,
+    solutions: Solutions,
+) -> Vec<MarkedPart> {
+    or_for_a_person(script, |script| looked_through(question, script, profile, memory, solutions))
+}
+
+/// Marks a script, or what stands in its place if the marker itself breaks: that is a fault of Carom, and for one answer
+/// a class is not left without marks. Every answer is then one that cannot be read, and goes to a person.
+fn or_for_a_person(script: &Script, mut mark: impl FnMut(&Script) -> Vec<MarkedPart>) -> Vec<MarkedPart> {
+    /// What nobody can read.
+    const UNREADABLE: &str = "\u{fffd}";
+    // What is remembered is whole at any moment: an answer is entered when all is known of it.
+    if let Ok(marked) = catch_unwind(AssertUnwindSafe(|| mark(script))) {
+        return marked;
+    }
+    let mut blotted = script.clone();
+    for part in &mut blotted.parts {
+        part.answers.iter_mut().for_each(|(_, answer)| UNREADABLE.clone_into(answer));
+        part.working.clear();
+    }
+    let mut marked = mark(&blotted);
+    for part in &mut marked {
+        let handed_in = together(script, &part.label);
+        let line = |typed: &String| MarkedLine { typed: typed.clone(), reading: None, role: String::new() };
+        part.lines = handed_in.working.iter().map(line).collect();
+        for answer in part.answers.iter_mut().filter(|answer| answer.typed.is_some()) {
+            let named =
+                |name: &Option<String>| name.as_deref().is_none_or(|name| answers::is_name_of(name, &answer.name));
+            let typed = handed_in.answers.iter().rev().find(|(name, _)| named(name));
+            answer.typed = typed.map(|(_, typed)| typed.clone());
+        }
+    }
+    marked
+}
+
+/// Everything in the order of an examiner.
+fn looked_through(
     question: &KeyedQuestion,
     script: &Script,
     profile: &Profile,
@@ -81,4 +123,41 @@ fn together(script: &Script, label: &str) -> PartScript {
         all.working.extend(part.working.iter().cloned());
     }
     all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnostic::Source;
+    use crate::mark::judging::Verdict;
+    use crate::mark::key::AnswerKey;
+    use crate::paper::{Key, compose, key_question};
+
+    #[test]
+    fn what_breaks_the_marker_goes_to_a_person_and_no_farther() {
+        let (id, text) = crate::bank::shipped().find(|(id, _)| *id == "rest/speeds-and-directions").unwrap();
+        let asked = crate::bank::read_question(id, &Source::new(id, text)).unwrap();
+        let variant = crate::generate::reference(&asked).unwrap();
+        let question = key_question(&asked, &variant, &compose(&asked, &variant, 1));
+        let key = Key::new("shipped".to_owned(), None, vec![question]);
+        let key = AnswerKey::read(&serde_json::to_string(&key).unwrap()).unwrap();
+        let question = &key.papers[0].questions[0];
+        let name = &question.parts[0].blanks[0].name;
+        let part = PartScript {
+            answers: vec![(Some(name.clone()), "3".to_owned()), (Some(name.clone()), "breaks".to_owned())],
+            working: vec!["v = 3".to_owned()],
+            ..PartScript::default()
+        };
+        let script = Script { parts: vec![part], ..Script::default() };
+        let breaks = |script: &Script| script.parts[0].answers.iter().any(|(_, typed)| typed == "breaks");
+        let marked = or_for_a_person(&script, |script| {
+            assert!(!breaks(script), "on purpose");
+            mark(question, script, &Profile::default())
+        });
+        let [first, rest @ ..] = marked[0].answers.as_slice() else { panic!("no blanks") };
+        assert_eq!((first.typed.as_deref(), first.judgement.verdict), (Some("breaks"), Verdict::Unreadable));
+        assert!(rest.iter().all(|answer| answer.typed.is_none() && answer.judgement.verdict == Verdict::Blank));
+        assert_eq!(marked[0].lines.iter().map(|line| line.typed.as_str()).collect::<Vec<_>>(), ["v = 3"]);
+        assert!(marked[0].awards.iter().all(|award| !award.given));
+    }
 }
