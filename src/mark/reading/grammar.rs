@@ -162,15 +162,23 @@ impl<'a> Parser<'a> {
     /// A product, with the minus signs before it.
     pub(super) fn term(&mut self) -> Parsed {
         if self.eat('-') {
-            return Ok(negative(self.nested(Self::term)?));
+            return self.negated(Self::term);
         }
         self.product()
+    }
+
+    /// What stands after a minus sign; three of them in a row are a stroke of the pen and not an operation.
+    fn negated(&mut self, rule: impl FnOnce(&mut Self) -> Parsed) -> Parsed {
+        if self.sign(0) == Some('-') && self.sign(1) == Some('-') {
+            return self.fault("three minus signs in a row");
+        }
+        Ok(negative(self.nested(rule)?))
     }
 
     /// A factor after an explicit sign may have a minus sign of its own.
     pub(super) fn signed_factor(&mut self) -> Parsed {
         if self.eat('-') {
-            return Ok(negative(self.nested(Self::signed_factor)?));
+            return self.negated(Self::signed_factor);
         }
         self.nested(Self::factor)
     }
@@ -240,7 +248,7 @@ impl<'a> Parser<'a> {
     /// Powers of powers are taken from the right. `2^3/2` may be meant to have a fraction for exponent.
     fn exponent(&mut self) -> Parsed {
         if self.eat('-') {
-            return Ok(negative(self.nested(Self::exponent)?));
+            return self.negated(Self::exponent);
         }
         let (start, place) = (self.at, self.place());
         let base = self.operand()?;
