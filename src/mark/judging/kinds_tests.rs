@@ -163,6 +163,47 @@ fn an_angle_in_words_lies_along_its_own_line_or_across_it() {
     }
 }
 
+/// As students type it, through the reader.
+#[test]
+fn what_is_said_piece_by_piece_is_put_together() {
+    let rows = [
+        ("4*i + j", None, "4 in the i direction, 1 in the j direction", "correct"),
+        ("4*i + j", None, "4 along i and 1 along j", "correct"),
+        ("4*i + j", None, "i: 4, j: 1", "correct"),
+        ("4*i + j", None, "j: 1, i: 4", "correct"),
+        ("4*i + j", None, "4i, j", "partial coordinates"),
+        ("4*i + j", None, "4 right, 1 up", "partial coordinates"),
+        ("4*i + j", None, "1, 4", "wrong components-exchanged"),
+        ("4*i + j", None, "4i, 2j", "wrong"),
+        ("2/3", Some(Kind::Ratio), "2 to 3", "correct"),
+        ("2/3", Some(Kind::Ratio), "3 to 2", "wrong inverted"),
+        ("2/3", Some(Kind::Ratio), "2 to 3 to 4", "wrong"),
+        ("4*sqrt(39)/9", None, "v² = 208/27", "partial square-not-rooted"),
+        ("4*sqrt(39)/9", None, "v^2 = 7.70 = 2.78", "correct"),
+        ("4*sqrt(39)/9", None, "v² = 7.80", "wrong"),
+        ("2/3", None, "e² = 4/9", "partial square-not-rooted"),
+        ("u*sqrt(1-e^2)", None, "v² = u²(1 - e²)", "partial square-not-rooted"),
+        ("1/3 < e <= 1", None, "e is greater than 1/3", "correct"),
+        ("1/3 < e <= 1", None, "e is at least 1/3", "partial range-end"),
+        ("1/3 < e <= 1", None, "e is less than 1/3", "wrong range-turned"),
+    ];
+    for (right, kind, typed, expected) in rows {
+        let model = Model::read(right, &ModelOptions { kind, ..ModelOptions::default() }).unwrap();
+        let judged = judge(&model, &read_answer(typed, &model.vocabulary));
+        assert_eq!(named(&judged), expected, "{right}: {typed}");
+    }
+    // Three spheres, and which of them a label names.
+    let models = ["second.B.after.speed", "second.C.after.speed"].map(|of| {
+        let quantity = Some(of.parse().unwrap());
+        let right = if of.contains('B') { "1" } else { "5" };
+        Model::read(right, &ModelOptions { quantity, ..ModelOptions::default() }).unwrap()
+    });
+    for typed in ["B: 1, C: 5", "v_C = 5 and v_B = 1", "1, 5"] {
+        let judged = judge_together(&models, &read_answer(typed, &models[0].vocabulary));
+        assert_eq!(judged.iter().map(named).collect::<Vec<_>>(), ["correct", "correct"], "{typed}");
+    }
+}
+
 #[test]
 fn an_answer_is_judged_alike_of_whichever_impact_it_is() {
     let rows = [

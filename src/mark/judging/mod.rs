@@ -185,7 +185,7 @@ fn shared_out(models: &[Model], reading: &Reading) -> Vec<Option<Reading>> {
         return (0..models.len()).map(|at| share(reading.statements.get(at).cloned().into_iter().collect())).collect();
     }
     // Within the statements of one sphere its quantities are in the order asked.
-    let mut next = [0, 0];
+    let mut next = [0; 3];
     let mut sphere = None;
     let placed: Vec<(Option<_>, &Statement)> = reading
         .statements
@@ -200,7 +200,7 @@ fn shared_out(models: &[Model], reading: &Reading) -> Vec<Option<Reading>> {
         .map(|model| {
             let asked = model.quantity.and_then(statements::sphere)?;
             let own = placed.iter().filter(|(named, _)| *named == Some(asked)).map(|(_, statement)| *statement);
-            let count = &mut next[usize::from(asked == crate::mechanics::Sphere::B)];
+            let count = &mut next[asked as usize];
             *count += 1;
             share(own.clone().nth(*count - 1).cloned().into_iter().collect())
         })
@@ -253,8 +253,14 @@ fn by_kind(model: &Model, reading: &Reading) -> Finding {
             statements::judge(model, reading, &|said, label| number::judge(model, said, label))
         }
         Kind::Angle => statements::judge(model, reading, &|said, label| angle::judge(model, said, label)),
-        Kind::Vector => statements::judge(model, reading, &|said, _| vector::judge(model, said)),
-        Kind::Ratio => statements::judge(model, reading, &|said, _| ratio::judge(model, said)),
+        Kind::Vector => match vector::of_its_components(reading) {
+            Some(said) => vector::judge(model, &said),
+            None => statements::judge(model, reading, &|said, _| vector::judge(model, said)),
+        },
+        Kind::Ratio => match ratio::of_its_terms(reading) {
+            Some(said) => ratio::judge(model, &said),
+            None => statements::judge(model, reading, &|said, _| ratio::judge(model, said)),
+        },
         Kind::Line => statements::judge(model, reading, &|said, label| line::judge(model, said, label)),
     }
 }

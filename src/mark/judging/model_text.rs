@@ -44,6 +44,10 @@ impl Model {
     ///
     /// A text that cannot be read or has no exact value, or a value that is not of the kind asked for.
     pub fn read(text: &str, options: &ModelOptions) -> Result<Model, Fault> {
+        // An inequality for one letter is a range unless it is said to be something else.
+        let range =
+            (options.kind.is_none() && text.contains(['<', '>']) && is_for_one_letter(text)).then_some(Kind::Range);
+        let options = &ModelOptions { kind: options.kind.or(range), ..options.clone() };
         let value = match options.kind {
             Some(Kind::Velocity) => velocity(text)?,
             Some(Kind::Range) => read_range(text, Angles::Radians)?,
@@ -68,6 +72,13 @@ impl Model {
         // An answer is judged alike of whichever impact it is.
         Ok(Model { quantity: options.quantity.map(Quantity::of_its_impact), ..model })
     }
+}
+
+fn is_for_one_letter(inequality: &str) -> bool {
+    read_range(inequality, Angles::Radians).is_ok_and(|value| {
+        let names = value.names();
+        names.first().is_some_and(|first| names.iter().all(|name| name.text == first.text))
+    })
 }
 
 /// A velocity may end in words: `6*sin(10*deg) perpendicular to the line of centres`.

@@ -95,6 +95,8 @@ notes! {
     NumberPlusVector, "number-plus-vector", "A number cannot be added to a vector: an i or j is missing.";
     /// A vector where its magnitude is asked.
     VectorForScalar, "magnitude-not-evaluated", "Right so far: find the magnitude of this vector.";
+    /// The square of what is asked.
+    SquareLeft, "square-not-rooted", "Right so far: this is the square; take its root.";
     /// The components in the wrong order.
     ComponentsExchanged, "components-exchanged", "The two components are exchanged.";
     /// The reciprocal.

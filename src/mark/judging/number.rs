@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use crate::answer::Kind;
-use crate::expr::{Expr, Function, Meaning};
+use crate::expr::{Expr, Function, Meaning, Relation};
 use crate::mark::reading::{Form, Label, Said};
 use crate::mechanics::Quantity;
 use crate::number::{Fraction, Places, Range, Value};
@@ -23,6 +23,35 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Findin
     if let Some(finding) = through_its_tangent(model, said, label) {
         return finding;
     }
+    let finding = as_it_stands(model, said, label);
+    if finding.is_credited() {
+        return finding;
+    }
+    match said_of_the_square(said, label) {
+        // Letters under a root are compared there; a decimal has the figures of the square.
+        Some(square) if Written::of(square).is_none() => {
+            let root = Expr::call(Function::Sqrt, square.clone());
+            value(model, &root, &None).at_most_partial(Note::SquareLeft)
+        }
+        Some(square) => {
+            let of_square = model.of_value(model.value.clone().to_the(2));
+            value(&of_square, square, &Written::of(square)).at_most_partial(Note::SquareLeft)
+        }
+        None => finding,
+    }
+}
+
+/// What is said of the square of a quantity: `v² = 7.7`.
+fn said_of_the_square<'s>(said: &'s Said, label: Option<&Label>) -> Option<&'s Expr> {
+    let is_square = |expr: &Expr| matches!(expr, Expr::Power(base, two) if matches!(**base, Expr::Name(_)) && **two == Expr::integer(2));
+    match &said.form {
+        Form::Value(value) if label.and_then(|label| label.expr.as_ref()).is_some_and(is_square) => Some(value),
+        Form::Equation(Expr::Relation(left, Relation::Equal, right)) if is_square(left) => Some(right),
+        _ => None,
+    }
+}
+
+fn as_it_stands(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
     let nought = Expr::integer(0);
     let (expr, percent) = match &said.form {
         Form::Value(expr) => (expr, false),

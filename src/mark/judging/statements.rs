@@ -70,9 +70,9 @@ fn choose(model: &Model, statements: &[&Statement], one: One) -> Finding {
     }
     let finding = last_or_rivals(statements, one);
     // Of two labelled spheres only a person knows which was asked.
-    let both = spheres.contains(&Some(Sphere::A)) && spheres.contains(&Some(Sphere::B));
+    let several = SPHERES.into_iter().filter(|sphere| spheres.contains(&Some(*sphere))).count() > 1;
     let any_right = statements.iter().any(|statement| chain(statement, one).is_credited());
-    match both {
+    match several {
         true if any_right => Finding::partial(Note::SeveralAnswers),
         true => Finding::WRONG,
         false => finding,
@@ -98,14 +98,14 @@ fn last_or_rivals(statements: &[&Statement], one: One) -> Finding {
     }
 }
 
+/// All that can take part in an impact.
+const SPHERES: [Sphere; 3] = [Sphere::A, Sphere::B, Sphere::C];
+
 /// The sphere that a quantity is one of.
 pub(super) fn sphere(quantity: Quantity) -> Option<Sphere> {
     let name = quantity.to_string();
-    match name.split('.').next() {
-        Some("A") => Some(Sphere::A),
-        Some("B") => Some(Sphere::B),
-        _ => None,
-    }
+    let first = name.split('.').next()?;
+    SPHERES.into_iter().find(|sphere| sphere.name() == first)
 }
 
 /// The sphere that a label names: `A`, `v_B`, `speed of A`.
@@ -113,11 +113,8 @@ pub(super) fn named_sphere(statement: &Statement) -> Option<Sphere> {
     let typed = statement.label.as_ref()?.typed.as_str();
     let words = || typed.split(|letter: char| !letter.is_alphanumeric());
     let names = |sphere: &str| words().any(|word| word == sphere || is_subscript(word, sphere));
-    match (names("A"), names("B")) {
-        (true, false) => Some(Sphere::A),
-        (false, true) => Some(Sphere::B),
-        _ => None,
-    }
+    let mut named = SPHERES.into_iter().filter(|sphere| names(sphere.name()));
+    named.next().filter(|_| named.next().is_none())
 }
 
 /// `vA`, `vB`

@@ -357,7 +357,8 @@ fn carom_knows_which_equations_have_the_same_solutions() {
         ["m", "u", "v", "w", "x"].map(|name| crate::number::Letter::new(name, crate::number::Range::Positive).unwrap());
     let mut faults = Vec::new();
     for (right, answer, equal) in EQUATIONS {
-        let options = ModelOptions { letters: letters.to_vec(), ..ModelOptions::default() };
+        let kind = Some(Kind::Equation);
+        let options = ModelOptions { kind, letters: letters.to_vec(), ..ModelOptions::default() };
         let found = on(&Model::read(right, &options).unwrap(), answer);
         if (found == "correct") != *equal || found.starts_with("partial") {
             faults.push(format!("{answer} for {right}: {found}"));

@@ -1,7 +1,7 @@
 //! Vectors: component by component, however they are written.
 
 use crate::expr::{Expr, Function, Meaning, written};
-use crate::mark::reading::{Form, Notation, Said};
+use crate::mark::reading::{Form, Notation, Reading, Said, Statement};
 
 use super::accuracy::Written;
 use super::exact;
@@ -32,6 +32,51 @@ pub(super) fn said_components(model: &Model, said: &Said) -> Option<(Expr, Expr,
             _ => None,
         },
         Form::AtRest => Some((Expr::integer(0), Expr::integer(0), Notation::Words)),
+        _ => None,
+    }
+}
+
+/// A vector said component by component: `4 in the i direction, 1 in the j direction`, `i: 4, j: 1`; as coordinates are,
+/// where no words say which is which: `4, 1`.
+pub(super) fn of_its_components(reading: &Reading) -> Option<Said> {
+    let [first, second] = reading.statements.as_slice() else { return None };
+    let nought = || Expr::integer(0);
+    let part = |statement: &Statement| {
+        let [said] = statement.said.as_slice() else { return None };
+        let label = statement.label.as_ref().map(|label| label.typed.trim().to_lowercase());
+        let (x, y, notation) = match (&said.form, label.as_deref()) {
+            (Form::Vector(x, y, Notation::Words), None) => (x.clone(), y.clone(), Notation::Words),
+            (Form::Vector(x, y, Notation::UnitVectors), None) => (x.clone(), y.clone(), Notation::Coordinates),
+            (Form::Value(value), Some("i")) => (value.clone(), nought(), Notation::Words),
+            (Form::Value(value), Some("j")) => (nought(), value.clone(), Notation::Words),
+            _ => return None,
+        };
+        let is_component = x.is_zero() != y.is_zero();
+        is_component.then_some((x, y, notation))
+    };
+    let of_both = |one: Notation, other: Notation| if one == other { one } else { Notation::Coordinates };
+    let (x, y, notation) = match (part(first), part(second)) {
+        (Some((x, below, one)), Some((above, y, other))) if below.is_zero() && above.is_zero() => {
+            (x, y, of_both(one, other))
+        }
+        (Some((left, y, one)), Some((x, right, other))) if left.is_zero() && right.is_zero() => {
+            (x, y, of_both(one, other))
+        }
+        _ => match (bare(first), bare(second)) {
+            (Some(x), Some(y)) => (x, y, Notation::Coordinates),
+            _ => return None,
+        },
+    };
+    let said = || reading.statements.iter().filter_map(|statement| statement.said.first());
+    let remarks = said().flat_map(|said| said.remarks.clone()).collect();
+    let unit = said().last().and_then(|said| said.unit.clone());
+    Some(Said { form: Form::Vector(x, y, notation), unit, reference: None, remarks })
+}
+
+/// The number that a statement is, and nothing else.
+fn bare(statement: &Statement) -> Option<Expr> {
+    match (&statement.label, statement.said.as_slice()) {
+        (None, [Said { form: Form::Value(value), reference: None, .. }]) => Some(value.clone()),
         _ => None,
     }
 }

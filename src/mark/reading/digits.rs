@@ -153,7 +153,8 @@ impl Digits<'_> {
         let digit_after = self.sign(1).is_ascii_digit() || (self.sign(1) == '(' && self.sign(0) == '.');
         let raised = self.sign(0) == '·' && digit_after;
         let point = self.sign(0) == '.' && digit_after
-            || raised && (self.whole.is_empty() || self.run(1) != 1 || !choices.otherwise(Doubt::RaisedPoint, place));
+            || raised && (self.whole.is_empty() || self.run(1) != 1 || !choices.otherwise(Doubt::RaisedPoint, place))
+            || self.sign(0) == '⋅' && digit_after && choices.otherwise(Doubt::RaisedPoint, place);
         let comma = self.sign(0) == ',' && self.sign(1).is_ascii_digit() && self.comma_is_decimal(depth, choices);
         if !point && !comma {
             return Ok(());

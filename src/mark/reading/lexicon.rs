@@ -183,8 +183,10 @@ pub(super) const AFTER_A_LINE: [&str; 8] =
     ["of spheres", "of two spheres", "of A and B", "of a and b", "of balls", "of collision", "direction", "of impact"];
 
 /// Runs of words that say nothing about the value.
-pub(super) const REMARKS: [&str; 20] = [
+pub(super) const REMARKS: [&str; 22] = [
     "as required",
+    "no units",
+    "no unit",
     "as expected",
     "as given",
     "as shown",
@@ -287,24 +289,55 @@ pub(super) fn is_only_a_word(word: &str) -> bool {
         && !["sin", "cos", "tan", "sqr", "root", "log", "arc", "inv"].iter().any(|start| word.starts_with(start))
 }
 
-/// Words that stand for signs, and the signs.
-const SIGNS: [(&str, &[char]); 16] = [
-    ("times", &['*']),
-    ("multiplied by", &['*']),
-    ("over", &['/']),
-    ("divided by", &['/']),
-    ("plus", &['+']),
-    ("minus", &['-']),
-    ("equals", &['=']),
-    ("is equal to", &['=']),
-    ("squared", &['^', '2']),
-    ("cubed", &['^', '3']),
-    ("per cent", &['%']),
-    ("percent", &['%']),
-    ("root of", &['√']),
-    ("square root of", &['√']),
-    ("square root", &['√']),
-    ("sqrt of", &['√']),
+/// Words that stand for signs or functions, and these.
+const SIGNS: [(&str, &str); 47] = [
+    ("times", "*"),
+    ("multiplied by", "*"),
+    ("over", "/"),
+    ("divided by", "/"),
+    ("plus", "+"),
+    ("minus", "-"),
+    ("equals", "="),
+    ("is equal to", "="),
+    ("squared", "^2"),
+    ("cubed", "^3"),
+    ("per cent", "%"),
+    ("percent", "%"),
+    ("root of", "√"),
+    ("square root of", "√"),
+    ("square root", "√"),
+    ("sqrt of", "√"),
+    ("inverse sin", "arcsin"),
+    ("inverse sine", "arcsin"),
+    ("inverse sin of", "arcsin"),
+    ("inverse sine of", "arcsin"),
+    ("sin inverse", "arcsin"),
+    ("inverse cos", "arccos"),
+    ("inverse cosine", "arccos"),
+    ("inverse cos of", "arccos"),
+    ("inverse cosine of", "arccos"),
+    ("cos inverse", "arccos"),
+    ("inverse tan", "arctan"),
+    ("inverse tangent", "arctan"),
+    ("inverse tan of", "arctan"),
+    ("inverse tangent of", "arctan"),
+    ("tan inverse", "arctan"),
+    ("greater than", ">"),
+    ("more than", ">"),
+    ("larger than", ">"),
+    ("bigger than", ">"),
+    ("less than", "<"),
+    ("smaller than", "<"),
+    ("at least", "≥"),
+    ("no less than", "≥"),
+    ("not less than", "≥"),
+    ("greater than or equal to", "≥"),
+    ("at most", "≤"),
+    ("no more than", "≤"),
+    ("not more than", "≤"),
+    ("no greater than", "≤"),
+    ("not greater than", "≤"),
+    ("less than or equal to", "≤"),
 ];
 
 /// The tokens with words for signs as those signs; `square root` is one root.
@@ -340,13 +373,18 @@ pub(super) fn with_signs(tokens: &[Placed]) -> Vec<Placed> {
         };
         let count = words.split(' ').count();
         let end = tokens[at + count - 1].end;
-        for (place, sign) in signs.iter().enumerate() {
-            let token = match sign {
-                '√' => Token::Root { cube: false },
-                digit if digit.is_ascii_digit() => Token::Number(Expr::integer(i64::from(*digit as u32 - '0' as u32))),
-                sign => Token::Sign(*sign),
-            };
-            out.push(Placed { token, start: placed.start, end, spaced: placed.spaced && place == 0 });
+        let mut put = |token, spaced| out.push(Placed { token, start: placed.start, end, spaced });
+        if signs.starts_with(char::is_alphabetic) {
+            put(Token::Word((*signs).to_owned()), placed.spaced);
+        } else {
+            for (place, sign) in signs.chars().enumerate() {
+                let token = match sign.to_digit(10) {
+                    Some(digit) => Token::Number(Expr::integer(i64::from(digit))),
+                    None if sign == '√' => Token::Root { cube: false },
+                    None => Token::Sign(sign),
+                };
+                put(token, placed.spaced && place == 0);
+            }
         }
         at += count;
     }

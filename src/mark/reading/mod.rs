@@ -19,6 +19,7 @@ mod part_label;
 mod phrases;
 mod products;
 mod said;
+mod sides;
 mod statements;
 #[cfg(test)]
 mod tests;

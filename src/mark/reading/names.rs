@@ -23,6 +23,10 @@ const FUNCTIONS: [(&str, Function); 13] = [
     ("tan", Function::Tan),
 ];
 
+/// What is one over a function, by every name.
+const RECIPROCALS: [(&str, Function); 4] =
+    [("cosec", Function::Sin), ("csc", Function::Sin), ("sec", Function::Cos), ("cot", Function::Tan)];
+
 /// Names of the root sign.
 const ROOTS: [&str; 2] = ["sqrt", "root"];
 
@@ -90,6 +94,11 @@ fn candidates(rest: &str, vocabulary: &Vocabulary) -> Vec<Piece> {
     for (name, function) in FUNCTIONS {
         if begins(name) {
             found.push((Token::Function(function), name.len()));
+        }
+    }
+    for (name, function) in RECIPROCALS {
+        if begins(name) {
+            found.push((Token::Reciprocal(function), name.len()));
         }
     }
     for name in ROOTS {

@@ -72,6 +72,11 @@ impl Parser<'_> {
                 self.at += 1;
                 return self.nested(|parser| parser.call(function));
             }
+            Some(Token::Reciprocal(function)) => {
+                let function = *function;
+                self.at += 1;
+                return Ok(Expr::integer(1).over(self.nested(|parser| parser.call(function))?));
+            }
             Some(Token::Sign('|')) => {
                 self.at += 1;
                 return self.nested(Self::bars);
@@ -237,7 +242,7 @@ fn token_length(token: &Token) -> usize {
 fn piece_length(token: &Token) -> usize {
     match token {
         Token::Letter(name) => name.replace('_', "").len(),
-        Token::Function(function) => function.name().len(),
+        Token::Function(function) | Token::Reciprocal(function) => function.name().len(),
         Token::Root { .. } => 4,
         Token::Pi => 2,
         _ => 1,

@@ -81,7 +81,8 @@ impl Parser<'_> {
     pub(super) fn continues(&mut self) -> bool {
         match self.token(0) {
             Some(Token::Word(_) | Token::Greek(_)) => self.word_continues(),
-            Some(Token::Letter(_) | Token::Along(_) | Token::Function(_) | Token::Root { .. } | Token::Pi) => true,
+            Some(Token::Function(_) | Token::Reciprocal(_) | Token::Root { .. } | Token::Pi) => true,
+            Some(Token::Letter(_) | Token::Along(_)) => true,
             Some(Token::Sign('(' | '[' | '{')) => {
                 !(self.outside() && (self.unit_here().is_some() || self.repeats_the_value()))
             }
@@ -104,7 +105,7 @@ impl Parser<'_> {
         };
         let stroke = self.at >= 2 && matches!(self.tokens[self.at - 2].token, Token::Sign('/'));
         let factor = match self.token(1) {
-            Some(Token::Function(_) | Token::Root { .. } | Token::Sign('(')) => true,
+            Some(Token::Function(_) | Token::Reciprocal(_) | Token::Root { .. } | Token::Sign('(')) => true,
             Some(Token::Word(word)) => names::is_made_of_letters(word, self.vocabulary),
             _ => false,
         };

@@ -1,15 +1,14 @@
 //! Statements: what stands between separators, what each is called, and chains of equals signs.
 
 use super::choices::Choices;
-use super::grammar::Parser;
 use super::line;
 use super::part_label::without_part_label;
 use super::phrases::Phrase;
+use super::sides::{Side, is_called};
 use super::tokens::{Placed, Token, excerpt};
 use super::values::{Values, formula, printed};
-use super::vectors::{Shape, shape};
 use super::{Form, Label, Said, Statement, Unreadable, Vocabulary};
-use crate::expr::{Expr, Function, Relation};
+use crate::expr::{Expr, Relation};
 
 /// Every statement of an answer.
 pub(super) fn statements(
@@ -49,23 +48,13 @@ fn segments(tokens: &[Placed]) -> Vec<&[Placed]> {
     parts.filter(|part| !part.is_empty()).collect()
 }
 
-struct Statements<'a> {
-    text: &'a str,
-    vocabulary: &'a Vocabulary,
-    choices: &'a mut Choices,
+pub(super) struct Statements<'a> {
+    pub(super) text: &'a str,
+    pub(super) vocabulary: &'a Vocabulary,
+    pub(super) choices: &'a mut Choices,
     found: Vec<Statement>,
     /// Words before the first value.
     remarks: Vec<String>,
-}
-
-/// What the left side of an equals sign is.
-enum Left {
-    /// It names what follows.
-    Label(Label),
-    /// A number, which begins a chain of values.
-    Number,
-    /// A formula in letters: the statement is an equation.
-    Formula,
 }
 
 impl Statements<'_> {
@@ -101,7 +90,7 @@ impl Statements<'_> {
         Ok(())
     }
 
-    fn slice(&self, tokens: &[Placed]) -> &str {
+    pub(super) fn slice(&self, tokens: &[Placed]) -> &str {
         match (tokens.first(), tokens.last()) {
             (Some(first), Some(last)) => excerpt(self.text, first.start, last.end),
             _ => "",
@@ -130,8 +119,18 @@ impl Statements<'_> {
                         start = at + 1;
                         continue;
                     }
-                    sides.push(&tokens[start..at]);
+                    // `e is > 1/3`
+                    let is = at > start + 1 && tokens[at - 1].token == Token::Phrase(Phrase::Is);
+                    sides.push(&tokens[start..at - usize::from(is)]);
                     relations.push((sign, placed.start));
+                    start = at + 1;
+                }
+                // `e is 2/3`
+                Token::Phrase(Phrase::Is)
+                    if depth == 0 && sides.is_empty() && is_called(&tokens[start..at], &tokens[at + 1..]) =>
+                {
+                    sides.push(&tokens[start..at]);
+                    relations.push(('=', placed.start));
                     start = at + 1;
                 }
                 _ => {}
@@ -202,19 +201,6 @@ impl Statements<'_> {
         }
     }
 
-    /// The expression of a label, where it is one.
-    fn named(&mut self, tokens: &[Placed]) -> Option<Expr> {
-        let before = self.choices.decided().len();
-        let mut parser = Parser::new(tokens.to_vec(), self.text, self.vocabulary, self.choices);
-        parser.any_name = true;
-        let expr = parser.sum().ok().filter(|_| parser.at == parser.end);
-        self.choices.forget(before);
-        expr.and_then(|expr| match shape(&expr) {
-            Ok(Shape::Scalar(value)) => Some(value),
-            _ => None,
-        })
-    }
-
     fn equality(&mut self, sides: &[&[Placed]]) -> Result<(), Unreadable> {
         if let [left, right] = sides
             && let Some(gradient) = line::gradient(left, right, self.text, self.vocabulary)
@@ -223,10 +209,18 @@ impl Statements<'_> {
             self.found.push(Statement { label: None, said: vec![said] });
             return Ok(());
         }
-        match self.left(sides[0])? {
-            Left::Label(label) => self.labelled(Some(label), &sides[1..]),
-            Left::Number => self.labelled(None, sides),
-            Left::Formula => {
+        let left = self.what_is(sides[0])?;
+        // `2.78 = v`
+        if !matches!(left, Side::Label(_))
+            && let [values @ .., name] = sides
+            && let Some(label) = self.name_at_the_end(name, matches!(left, Side::Number))
+        {
+            return self.labelled(Some(label), values);
+        }
+        match left {
+            Side::Label(label) => self.labelled(Some(label), &sides[1..]),
+            Side::Number => self.labelled(None, sides),
+            Side::Formula => {
                 let values: Vec<Expr> = sides.iter().map(|side| self.side(side)).collect::<Result<_, _>>()?;
                 let said = values.windows(2).map(|pair| Said {
                     form: Form::Equation(Expr::equation(pair[0].clone(), pair[1].clone())),
@@ -240,42 +234,13 @@ impl Statements<'_> {
         }
     }
 
-    fn left(&mut self, tokens: &[Placed]) -> Result<Left, Unreadable> {
-        let typed = self.slice(tokens).to_owned();
-        let words = tokens.iter().any(|placed| matches!(placed.token, Token::Phrase(_) | Token::Sign(':')));
-        let expr = self.named(tokens);
-        if words {
-            return Ok(Left::Label(Label { typed, expr: None }));
-        }
-        let Some(expr) = expr else {
-            let name = tokens.iter().any(|placed| matches!(placed.token, Token::Word(_) | Token::Greek(_)));
-            let numbers = tokens.iter().any(|placed| matches!(placed.token, Token::Number(_)));
-            // A vector or something that is not read as a formula.
-            let before = self.choices.decided().len();
-            let read = formula(tokens.to_vec(), 0, self.text, self.vocabulary, self.choices);
-            self.choices.forget(before);
-            return match read {
-                Ok(_) => Ok(Left::Number),
-                Err(_) if name && !numbers => Ok(Left::Label(Label { typed, expr: None })),
-                Err(reason) => Err(reason),
-            };
-        };
-        let known = |name: &str| self.vocabulary.letters.iter().any(|letter| letter.name() == name);
-        let strange = expr.names().iter().any(|name| !known(&name.text));
-        let letters = !expr.names().is_empty();
-        Ok(match (is_a_name(&expr), strange, letters) {
-            (true, ..) | (_, true, _) => Left::Label(Label { typed, expr: Some(expr) }),
-            (false, false, true) => Left::Formula,
-            (false, false, false) => Left::Number,
-        })
-    }
-
     /// Values that are said to be one another's equals.
     fn labelled(&mut self, label: Option<Label>, sides: &[&[Placed]]) -> Result<(), Unreadable> {
         let mut label = label;
         let gradient = label.as_ref().is_some_and(|label| matches!(&*label.typed.to_lowercase(), "gradient" | "slope"));
         let mut said = Vec::new();
         let mut more = Vec::new();
+        let mut remarks = Vec::new();
         let mut inner = None;
         for (place, side) in sides.iter().enumerate() {
             let last = place + 1 == sides.len();
@@ -283,6 +248,11 @@ impl Statements<'_> {
             if let Some(colon) = side.iter().position(|placed| placed.is(':')) {
                 let (left, right) = (self.scalar(&side[..colon])?, self.scalar(&side[colon + 1..])?);
                 said.push(Said { form: Form::Ratio(left, right), unit: None, reference: None, remarks: Vec::new() });
+                continue;
+            }
+            // `e = separation/approach = 2/3`
+            if !last && let Some(words) = self.in_words(side) {
+                remarks.push(words);
                 continue;
             }
             let mut values = Values { text: self.text, vocabulary: self.vocabulary, choices: self.choices };
@@ -296,7 +266,7 @@ impl Statements<'_> {
             if gradient && let Form::Value(value) = &first.form {
                 first.form = Form::Gradient(value.clone());
             }
-            first.remarks.extend(stretch.remarks);
+            first.remarks.extend(remarks.drain(..).chain(stretch.remarks));
             said.push(first);
             for (named, value) in found {
                 if !last {
@@ -312,19 +282,6 @@ impl Statements<'_> {
         self.found.push(Statement { label, said });
         self.found.extend(more);
         Ok(())
-    }
-
-    /// One side of an equation, whose names must be known.
-    fn side(&mut self, tokens: &[Placed]) -> Result<Expr, Unreadable> {
-        let place = tokens[0].start;
-        let read = formula(tokens.to_vec(), 0, self.text, self.vocabulary, self.choices)?;
-        let rest = &read.tokens[read.next..];
-        let words = rest.iter().all(|placed| matches!(placed.token, Token::Phrase(Phrase::Remark) | Token::Sign('.')));
-        match read.form {
-            Form::Value(value) if words => Ok(value),
-            Form::Vector(x, y, _) if words => Ok(Expr::Vector(Box::new(x), Box::new(y))),
-            _ => Err(Unreadable::Sign(place, "one side of the equation is no formula".to_owned())),
-        }
     }
 
     fn inequality(&mut self, sides: &[&[Placed]], relations: &[(char, usize)]) -> Result<(), Unreadable> {
@@ -352,21 +309,6 @@ fn outside(tokens: &[Placed]) -> bool {
         tokens.iter().filter(|placed| matches!(placed.token, Token::Sign(sign) if signs.contains(&sign))).count()
     };
     count(['(', '[', '{', '⟦']) <= count([')', ']', '}', '⟧'])
-}
-
-/// A name, its size, or a sine, cosine or tangent of one: what an answer calls its value by.
-fn is_a_name(expr: &Expr) -> bool {
-    match expr {
-        Expr::Name(_) => true,
-        Expr::Power(base, _) => {
-            matches!(&**base, Expr::Call(function, _) if *function != Function::Sqrt) && is_a_name(base)
-        }
-        Expr::Call(Function::Sin | Function::Cos | Function::Tan, argument) => {
-            !argument.names().is_empty() && argument.names().len() <= 2
-        }
-        Expr::Call(Function::Abs, _) => true,
-        _ => false,
-    }
 }
 
 /// The statements as a terminal shows them.

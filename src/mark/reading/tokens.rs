@@ -23,6 +23,8 @@ pub(super) enum Token {
     Along(char),
     /// A function by its name.
     Function(Function),
+    /// One over a function: `cot` over the tangent.
+    Reciprocal(Function),
     /// The sign or word of a square root, or of a cube root.
     Root { cube: bool },
     /// Half a turn.
@@ -158,7 +160,10 @@ impl Lexer<'_> {
         }
         let after_digit = self.at > 0 && self.glyphs[self.at - 1].sign.is_ascii_digit();
         let digit_next = self.sign(1).is_some_and(|next| next.is_ascii_digit());
-        let point_first = matches!(sign, '.' | '·') && digit_next && !after_digit;
+        // `mu²·9`: a raised point after a power or a bracket is a sign.
+        let after_group = self.at > 0 && matches!(self.glyphs[self.at - 1].sign, CLOSE | ')' | ']');
+        let point = sign == '.' || (sign == '·' && !after_group);
+        let point_first = point && digit_next && !after_digit;
         if sign.is_ascii_digit() || (point_first && !self.follows_letter()) {
             let (value, length) = number(self.glyphs, self.at, self.depth, self.letters, choices)?;
             self.put(Token::Number(value), length);
@@ -176,6 +181,11 @@ impl Lexer<'_> {
             return Ok(());
         }
         let pair: String = [Some(sign), self.sign(1)].into_iter().flatten().collect();
+        // Radians as a raised letter.
+        if pair == "^c" && !self.sign(2).is_some_and(char::is_alphanumeric) && !self.is_letter("c") {
+            self.put(Token::Word("rad".to_owned()), 2);
+            return Ok(());
+        }
         let (token, length) = match pair.as_str() {
             "**" => ('^', 2),
             "==" | ":=" => ('=', 2),
@@ -213,7 +223,7 @@ impl Lexer<'_> {
             }
             '+' | '-' | '*' | '/' | '^' | '|' | ',' | ';' | ':' | '=' | '<' | '>' | '%' | '°' | '\'' | '.' | '\n'
             | '?' | '!' | '≠' | '≤' | '≥' | '≈' | '⇒' | '¦' | '…' | '"' => {}
-            '·' => {
+            '·' | '⋅' => {
                 self.put(Token::Sign('*'), 1);
                 return Ok(());
             }

@@ -1,0 +1,130 @@
+//! What stands on one side of an equals sign: a name, a number, a formula, or words.
+
+use super::Unreadable;
+use super::grammar::Parser;
+use super::phrases::Phrase;
+use super::statements::Statements;
+use super::tokens::{Placed, Token};
+use super::values::formula;
+use super::vectors::{Shape, shape};
+use super::{Form, Label};
+use crate::expr::{Expr, Function};
+
+/// What one side of an equals sign is.
+pub(super) enum Side {
+    /// It names what stands on the other.
+    Label(Label),
+    /// A number, which begins a chain of values.
+    Number,
+    /// A formula in letters: the statement is an equation.
+    Formula,
+}
+
+impl Statements<'_> {
+    /// The expression of a label, where it is one.
+    pub(super) fn named(&mut self, tokens: &[Placed]) -> Option<Expr> {
+        let before = self.choices.decided().len();
+        let mut parser = Parser::new(tokens.to_vec(), self.text, self.vocabulary, self.choices);
+        parser.any_name = true;
+        let expr = parser.sum().ok().filter(|_| parser.at == parser.end);
+        self.choices.forget(before);
+        expr.and_then(|expr| match shape(&expr) {
+            Ok(Shape::Scalar(value)) => Some(value),
+            _ => None,
+        })
+    }
+
+    /// What a side is, if a name may stand there.
+    pub(super) fn what_is(&mut self, tokens: &[Placed]) -> Result<Side, Unreadable> {
+        let typed = self.slice(tokens).to_owned();
+        let words = tokens.iter().any(|placed| matches!(placed.token, Token::Phrase(_) | Token::Sign(':')));
+        let expr = self.named(tokens);
+        if words {
+            return Ok(Side::Label(Label { typed, expr: None }));
+        }
+        let Some(expr) = expr else {
+            let name = tokens.iter().any(|placed| matches!(placed.token, Token::Word(_) | Token::Greek(_)));
+            let numbers = tokens.iter().any(|placed| matches!(placed.token, Token::Number(_)));
+            // A vector or something that is not read as a formula.
+            let before = self.choices.decided().len();
+            let read = formula(tokens.to_vec(), 0, self.text, self.vocabulary, self.choices);
+            self.choices.forget(before);
+            return match read {
+                Ok(_) => Ok(Side::Number),
+                Err(_) if name && !numbers => Ok(Side::Label(Label { typed, expr: None })),
+                Err(reason) => Err(reason),
+            };
+        };
+        let strange = self.has_strange_names(&expr);
+        let letters = !expr.names().is_empty();
+        Ok(match (is_a_name(&expr), strange, letters) {
+            (true, ..) | (_, true, _) => Side::Label(Label { typed, expr: Some(expr) }),
+            (false, false, true) => Side::Formula,
+            (false, false, false) => Side::Number,
+        })
+    }
+
+    /// The name of a value that stands before it. After a formula in letters a letter of the question is no name, but
+    /// the other side of an equation.
+    pub(super) fn name_at_the_end(&mut self, tokens: &[Placed], after_number: bool) -> Option<Label> {
+        if tokens.iter().any(|placed| matches!(placed.token, Token::Number(_))) {
+            return None;
+        }
+        let Ok(Side::Label(label)) = self.what_is(tokens) else { return None };
+        let is_name = |expr: &Expr| is_a_name(expr) && (after_number || self.has_strange_names(expr));
+        label.expr.as_ref().is_none_or(is_name).then_some(label)
+    }
+
+    /// Is there a name in it that the question does not have?
+    fn has_strange_names(&self, expr: &Expr) -> bool {
+        let known = |name: &str| self.vocabulary.letters.iter().any(|letter| letter.name() == name);
+        expr.names().iter().any(|name| !known(&name.text))
+    }
+
+    /// What a side says if it is a formula of words, as `speed of separation / speed of approach` is.
+    pub(super) fn in_words(&self, tokens: &[Placed]) -> Option<String> {
+        let nouns = |placed: &Placed| matches!(placed.token, Token::Phrase(Phrase::Noun | Phrase::Unknown));
+        let words = |placed: &Placed| {
+            matches!(placed.token, Token::Phrase(Phrase::Noun | Phrase::Unknown | Phrase::Remark | Phrase::Sphere))
+                || matches!(placed.token, Token::Sign('+' | '-' | '*' | '/' | '(' | ')'))
+        };
+        let is_formula = tokens.iter().any(nouns) && tokens.iter().all(words);
+        is_formula.then(|| self.slice(tokens).to_lowercase())
+    }
+
+    /// One side of an equation, whose names must be known.
+    pub(super) fn side(&mut self, tokens: &[Placed]) -> Result<Expr, Unreadable> {
+        let place = tokens[0].start;
+        let read = formula(tokens.to_vec(), 0, self.text, self.vocabulary, self.choices)?;
+        let rest = &read.tokens[read.next..];
+        let words = rest.iter().all(|placed| matches!(placed.token, Token::Phrase(Phrase::Remark) | Token::Sign('.')));
+        match read.form {
+            Form::Value(value) if words => Ok(value),
+            Form::Vector(x, y, _) if words => Ok(Expr::Vector(Box::new(x), Box::new(y))),
+            _ => Err(Unreadable::Sign(place, "one side of the equation is no formula".to_owned())),
+        }
+    }
+}
+
+/// Do letters alone stand before an `is`, and a value after it?
+pub(super) fn is_called(before: &[Placed], after: &[Placed]) -> bool {
+    let value =
+        |token: &Token| !matches!(token, Token::Phrase(_) | Token::Sign('=' | '≈' | '<' | '>' | '≤' | '≥' | '≠'));
+    let letters = before.iter().all(|placed| matches!(placed.token, Token::Word(_) | Token::Greek(_)));
+    letters && !before.is_empty() && after.first().is_some_and(|placed| value(&placed.token))
+}
+
+/// A name, its size, or a sine, cosine or tangent of one: what an answer calls its value by.
+fn is_a_name(expr: &Expr) -> bool {
+    match expr {
+        Expr::Name(_) => true,
+        Expr::Power(base, _) => {
+            matches!(&**base, Expr::Call(function, _) if *function != Function::Sqrt) && is_a_name(base)
+        }
+        Expr::Call(Function::Sin | Function::Cos | Function::Tan, argument) => {
+            !argument.names().is_empty() && argument.names().len() <= 2
+        }
+        Expr::Call(Function::Abs, _) => true,
+        _ => false,
+    }
+}
