@@ -24,7 +24,7 @@ use carom::solve::solve;
 use serde::Deserialize;
 use serde_json::{Value as Json, json};
 
-#[derive(Deserialize)]
+#[derive(Clone, Deserialize)]
 struct Row {
     question: String,
     part: String,
@@ -94,6 +94,60 @@ fn carom_judges_as_a_careful_examiner_does() {
         assert!(rows.iter().any(|row| known.0 == row.question && known.1 == row.answer), "{known:?} is no row");
         assert!(known.2 != "correct", "{known:?}: no answer is accepted against the examiner");
     }
+}
+
+/// The same answer as other hands and keyboards put it, where that says the same.
+fn otherwise(answer: &str) -> Vec<String> {
+    let replaced = |from: &str, to: &str| answer.contains(from).then(|| answer.replace(from, to));
+    let named = answer.contains(['=', ':', '≈']);
+    let plain = answer.is_ascii() && !answer.contains(['$', '\\']);
+    let words = answer.split(|letter: char| !letter.is_ascii_alphabetic()).any(|word| word.len() > 3);
+    let wide = |sign: char| sign.to_digit(10).and_then(|digit| char::from_u32(0xff10 + digit)).unwrap_or(sign);
+    let ways = [
+        Some(format!("{answer}.")),
+        Some(format!("\t{answer}\u{a0}")),
+        Some(format!("{answer}\r\n")),
+        Some(format!("\u{200b}{answer}\u{feff}")),
+        Some(format!("so {answer}")),
+        Some(format!("∴ {answer}")),
+        Some(format!("\"{answer}\"")),
+        Some(answer.chars().map(wide).collect()),
+        (!named).then(|| format!("= {answer}")),
+        (!named).then(|| format!("Ans: {answer}")),
+        (!named).then(|| format!("the answer is {answer}")),
+        (plain && !words).then(|| format!("${answer}$")),
+        (plain && !words).then(|| format!("\\({answer}\\)")),
+        replaced(" ", "  "),
+        replaced(" ", "\u{2009}"),
+        replaced("-", "−"),
+        replaced("−", "-"),
+        replaced("√", "sqrt"),
+        replaced("sqrt", "√").filter(|_| plain),
+        replaced("^", "**").filter(|_| plain),
+        replaced("*", "×"),
+        replaced("²", "^2"),
+        replaced("°", "º"),
+    ];
+    ways.into_iter().flatten().filter(|other| other != answer).collect()
+}
+
+#[test]
+fn what_says_the_same_in_another_way_earns_the_same() {
+    let mut models = Models::default();
+    let (mut compared, mut faults) = (0, Vec::new());
+    for row in rows().into_iter().filter(|row| !row.answer.is_empty()) {
+        let expected = whole(&models.judged(&row));
+        for answer in otherwise(&row.answer) {
+            let other = Row { answer, ..row.clone() };
+            let judgements = models.judged(&other);
+            compared += 1;
+            if whole(&judgements) != expected {
+                faults.push(format!("{} (typed as `{}`)", described(&other, &judgements), row.answer));
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{} of {compared} differ\n{}", faults.len(), faults.join("\n"));
+    assert!(compared > 2_000, "{compared}");
 }
 
 fn described(row: &Row, judgements: &[Judgement]) -> String {

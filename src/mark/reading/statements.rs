@@ -18,7 +18,7 @@ pub(super) fn statements(
     choices: &mut Choices,
 ) -> Result<Vec<Statement>, Unreadable> {
     let mut reader = Statements { text, vocabulary, choices, found: Vec::new(), remarks: Vec::new() };
-    for segment in segments(without_part_label(tokens, vocabulary)) {
+    for segment in segments(without_part_label(unquoted(tokens), vocabulary)) {
         reader.segment(segment)?;
     }
     let Statements { mut found, remarks, .. } = reader;
@@ -30,6 +30,14 @@ pub(super) fn statements(
         }
     }
     Ok(found)
+}
+
+/// An answer between quotation marks without them.
+fn unquoted(tokens: &[Placed]) -> &[Placed] {
+    match tokens {
+        [first, inner @ .., last] if first.token == last.token && (first.is('"') || first.is('\'')) => inner,
+        _ => tokens,
+    }
 }
 
 /// The stretches between newlines, semicolons, commas and arrows that stand outside brackets.
@@ -61,27 +69,31 @@ impl Statements<'_> {
     fn segment(&mut self, tokens: &[Placed]) -> Result<(), Unreadable> {
         let reason = tokens.iter().position(|placed| placed.token == Token::Phrase(Phrase::Because));
         let (tokens, reason) = tokens.split_at(reason.unwrap_or(tokens.len()));
+        let conclusion = |placed: &Placed| {
+            let word = self.slice(std::slice::from_ref(placed)).to_lowercase();
+            placed.token == Token::Phrase(Phrase::Joiner)
+                && matches!(&*word, "so" | "hence" | "therefore" | "thus" | "then" | "and" | "&")
+        };
+        // `so v = 3`, where nothing stands before.
+        let lead = tokens.iter().take_while(|placed| conclusion(placed)).count();
         // `v = 0 so A stops`: what follows is a statement of its own, if anything stands before.
-        let mut start = 0;
-        for at in 1..tokens.len() {
-            let conclusion = |placed: &Placed| {
-                placed.token == Token::Phrase(Phrase::Joiner)
-                    && matches!(
-                        self.slice(std::slice::from_ref(placed)),
-                        "so" | "hence" | "therefore" | "thus" | "then" | "and" | "&"
-                    )
-            };
+        let mut start = lead;
+        let mut found = Vec::new();
+        for at in lead + 1..tokens.len() {
             // `A and B have speeds …`: words alone before it are no statement.
             let said = tokens[start..at]
                 .iter()
                 .any(|placed| !matches!(placed.token, Token::Phrase(phrase) if phrase != Phrase::Rest));
             if at > start && said && conclusion(&tokens[at]) && outside(&tokens[start..at]) {
-                self.chain(&tokens[start..at])?;
+                found.push(&tokens[start..at]);
                 start = at + 1;
             }
         }
         if start < tokens.len() {
-            self.chain(&tokens[start..])?;
+            found.push(&tokens[start..]);
+        }
+        for statement in found {
+            self.chain(statement)?;
         }
         if !reason.is_empty() {
             let words = self.slice(reason).to_lowercase();
