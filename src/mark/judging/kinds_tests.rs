@@ -166,6 +166,7 @@ fn an_angle_in_words_lies_along_its_own_line_or_across_it() {
 /// As students type it, through the reader.
 #[test]
 fn what_is_said_piece_by_piece_is_put_together() {
+    const COMPONENTS: &str = "partial components-not-combined";
     let rows = [
         ("4*i + j", None, "4 in the i direction, 1 in the j direction", "correct"),
         ("4*i + j", None, "4 along i and 1 along j", "correct"),
@@ -183,6 +184,18 @@ fn what_is_said_piece_by_piece_is_put_together() {
         ("4*sqrt(39)/9", None, "v² = 7.80", "wrong"),
         ("2/3", None, "e² = 4/9", "partial square-not-rooted"),
         ("u*sqrt(1-e^2)", None, "v² = u²(1 - e²)", "partial square-not-rooted"),
+        (
+            "[5/2, 3*sqrt(3)/2]",
+            Some(Kind::Velocity),
+            "2.5 along the line of centres and 2.60 perpendicular to it",
+            COMPONENTS,
+        ),
+        ("[5/2, 3*sqrt(3)/2]", Some(Kind::Velocity), "3√3/2 perp, 5/2 along LOC", COMPONENTS),
+        ("[5/2, 3*sqrt(3)/2]", Some(Kind::Velocity), "2.5 along and 2.60 perpendicular", COMPONENTS),
+        ("[5/2, 3*sqrt(3)/2]", Some(Kind::Velocity), "3 along LOC and 2 perpendicular to LOC", "wrong"),
+        ("[5/2, 3*sqrt(3)/2]", Some(Kind::Velocity), "3.61 m/s, tan θ = 3√3/5", "partial angle-not-evaluated"),
+        ("[5/2, 3*sqrt(3)/2]", Some(Kind::Velocity), "3.61 m/s, tan θ = 5/(3√3)", "wrong direction-wrong"),
+        ("[5/2, 3*sqrt(3)/2]", Some(Kind::Velocity), "3.61 in direction 46.1° to the line of centres", "correct"),
         ("1/3 < e <= 1", None, "e is greater than 1/3", "correct"),
         ("1/3 < e <= 1", None, "e is at least 1/3", "partial range-end"),
         ("1/3 < e <= 1", None, "e is less than 1/3", "wrong range-turned"),

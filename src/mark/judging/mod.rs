@@ -213,8 +213,9 @@ const DENIALS: [&str; 8] = ["not", "isn't", "isnt", "never", "wrong", "incorrect
 const TURNS: [&str; 7] = ["perpendicular", "perp", "normal", "right angles", "opposite", "reverse", "reversed"];
 
 /// Do the words beside a value change what it says? Then only a person can tell what is meant.
-fn is_turned_by_words(model: &Model, reading: &Reading) -> bool {
-    let is_direction = matches!(model.kind, Kind::Vector | Kind::Velocity | Kind::Line | Kind::Angle);
+fn is_turned_by_words(model: &Model, reading: &Reading, finding: Finding) -> bool {
+    let is_direction = matches!(model.kind, Kind::Vector | Kind::Velocity | Kind::Line | Kind::Angle)
+        && finding.note != Some(Note::ComponentsLeft);
     let mut remarks = reading.statements.iter().flat_map(|statement| &statement.said).flat_map(|said| &said.remarks);
     remarks.any(|remark| {
         let mut words = remark.split(|letter: char| !letter.is_alphanumeric() && letter != '\'');
@@ -237,7 +238,7 @@ fn one(model: &Model, reading: &Reading) -> Finding {
         return Finding::unreadable(Note::TooLong);
     }
     let finding = by_kind(model, reading);
-    if finding.is_credited() && is_turned_by_words(model, reading) {
+    if finding.is_credited() && is_turned_by_words(model, reading, finding) {
         return Finding::unreadable(Note::CannotBeCompared);
     }
     finding

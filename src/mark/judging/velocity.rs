@@ -5,8 +5,8 @@
 //! of one is left to a person.
 
 use crate::answer::Kind;
-use crate::expr::Expr;
-use crate::mark::reading::{Form, Reading, ReferenceLine, Said};
+use crate::expr::{Expr, Function};
+use crate::mark::reading::{Form, Label, Reading, ReferenceLine, Said, Statement};
 
 use super::exact::{self, Equality, same};
 use super::finding::Finding;
@@ -15,8 +15,16 @@ use super::{Model, Note, angle, number, vector};
 
 /// Judges a whole reading against a velocity.
 pub(super) fn judge(model: &Model, reading: &Reading) -> Finding {
-    let said: Vec<&Said> = reading.statements.iter().filter_map(|statement| statement.said.last()).collect();
+    let is_of_direction = |statement: &&Statement| statement.label.as_ref().is_some_and(names_a_ratio);
+    let ratio = reading.statements.iter().find(is_of_direction);
+    let others = reading.statements.iter().filter(|statement| !is_of_direction(statement));
+    let said: Vec<&Said> = others.filter_map(|statement| statement.said.last()).collect();
     let parts = vector::components(model);
+    if let (Some(parts), [one, other]) = (&parts, said.as_slice())
+        && let Some(finding) = by_components(model, parts, [one, other])
+    {
+        return finding;
+    }
     if let (Some(_), Some(as_vector)) = (&parts, said.iter().find(|said| matches!(said.form, Form::Vector(..)))) {
         return vector::judge(model, as_vector);
     }
@@ -41,7 +49,36 @@ pub(super) fn judge(model: &Model, reading: &Reading) -> Finding {
         let pointed = said.iter().any(|said| said.reference.is_some() || matches!(said.form, Form::Direction));
         return size.at_most_partial(if pointed { Note::DirectionUnchecked } else { Note::DirectionMissing });
     };
-    size.and(direction(model, &along, &across, &said, sizes.get(1).copied()))
+    size.and(direction(model, &along, &across, &said, sizes.get(1).copied(), ratio))
+}
+
+/// Is it called the tangent of an angle, or its sine or cosine?
+fn names_a_ratio(label: &Label) -> bool {
+    matches!(&label.expr, Some(Expr::Call(Function::Sin | Function::Cos | Function::Tan, _)))
+}
+
+/// `2.5 along the line of centres and 2.6 perpendicular to it`: right, and a step short. The sense is not looked at.
+fn by_components(model: &Model, parts: &(Expr, Expr), said: [&Said; 2]) -> Option<Finding> {
+    let is_across = |said: &Said| {
+        let says = |words: &str| said.remarks.iter().any(|remark| remark.split(' ').any(|word| word == words));
+        match (&said.form, said.reference) {
+            (Form::Value(_), Some(ReferenceLine::AlongLineOfCentres)) => Some(false),
+            (Form::Value(_), Some(ReferenceLine::AlongCommonTangent)) => Some(true),
+            (Form::Value(_), None) if says("perpendicular") || says("perp") => Some(true),
+            (Form::Value(_), None) if says("along") || says("parallel") => Some(false),
+            _ => None,
+        }
+    };
+    let [along, across] = match said.map(is_across) {
+        [Some(false), Some(true)] => said,
+        [Some(true), Some(false)] => [said[1], said[0]],
+        _ => return None,
+    };
+    let size = |right: &Expr, said: &Said| {
+        let size = Expr::call(Function::Abs, right.clone());
+        number::judge(&Model { kind: Kind::Number, ..model.of_value(size) }, said, None)
+    };
+    Some(size(&parts.0, along).and(size(&parts.1, across)).at_most_partial(Note::ComponentsLeft))
 }
 
 /// Is it the size of a velocity rather than an angle or words?
@@ -63,7 +100,14 @@ fn is_along(line: ReferenceLine) -> bool {
     matches!(line, ReferenceLine::AlongLineOfCentres | ReferenceLine::AlongCommonTangent)
 }
 
-fn direction(model: &Model, along: &Expr, across: &Expr, said: &[&Said], bare: Option<&&Said>) -> Finding {
+fn direction(
+    model: &Model,
+    along: &Expr,
+    across: &Expr,
+    said: &[&Said],
+    bare: Option<&&Said>,
+    ratio: Option<&Statement>,
+) -> Finding {
     let nothing = |component: &Expr| same(component, &Expr::integer(0), &model.vocabulary.letters) == Equality::Equal;
     let named: Vec<ReferenceLine> =
         said.iter().filter_map(|said| said.reference).filter(|line| is_along(*line)).collect();
@@ -78,23 +122,25 @@ fn direction(model: &Model, along: &Expr, across: &Expr, said: &[&Said], bare: O
         return Finding::wrong(Note::RivalAnswers);
     }
     let angles: Vec<&Said> = said.iter().copied().filter(|said| !is_size(said, model)).collect();
-    let measured = match (angles.as_slice(), bare) {
-        ([], None) => return Finding::partial(Note::DirectionMissing),
-        ([], Some(bare)) => bare,
-        ([angle], None) => angle,
+    let by_ratio = ratio.and_then(|statement| Some((statement.said.last()?, statement.label.as_ref())));
+    let (measured, label) = match (angles.as_slice(), bare, by_ratio) {
+        ([], None, None) => return Finding::partial(Note::DirectionMissing),
+        ([], None, Some(ratio)) => ratio,
+        ([], Some(bare), _) => (*bare, None),
+        ([angle], None, _) => (*angle, None),
         _ => return Finding::wrong(Note::RivalAnswers),
     };
-    let size = |component: &Expr| Expr::call(crate::expr::Function::Abs, component.clone());
+    let size = |component: &Expr| Expr::call(Function::Abs, component.clone());
     let value = || {
         if nothing(along) {
             Expr::degrees(Expr::integer(90))
         } else {
-            Expr::call(crate::expr::Function::Atan, size(across).over(size(along)))
+            Expr::call(Function::Atan, size(across).over(size(along)))
         }
     };
     let sense = exact::value(along, &model.vocabulary.letters).and_then(|along| along.sign());
     let rebounds = sense.map(std::cmp::Ordering::is_lt).or(model.rebounds);
     let angle_model = Model { rebounds, ..model.further(Further::Direction, Kind::Angle, value) };
-    let finding = angle::judge(&angle_model, measured, None);
+    let finding = angle::judge(&angle_model, measured, label);
     if finding.is_credited() { finding } else { Finding::wrong(finding.note.unwrap_or(Note::DirectionWrong)) }
 }

@@ -27,6 +27,8 @@ pub(super) enum Doubt {
     Column,
     /// `mu`: one Greek letter or two letters side by side.
     Names,
+    /// `4u (2)`: the number of the equation, or a factor.
+    EquationNumber,
     /// `0.3(6)` and `2.77...`: recurring or not.
     Recurring,
 }

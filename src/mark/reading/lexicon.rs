@@ -245,7 +245,8 @@ const SINGLE: [(Sort, &str); 8] = [
          immediately original towards heading bounces bouncing rebounds rebounding rebounded separates separating yes \
          hopefully think calculator working see diagram there here now very nearly almost precisely overall resultant \
          scalar using used calculated find found get got have we solution value values part question result results \
-         answers both my our checked units metric decimal fraction respectively",
+         answers both my our checked units metric decimal fraction respectively clm com colm pclm plm nel nlr nlor nli \
+         conservation linear law eq eqn equation substituting subtracting adding",
     ),
 ];
 

@@ -4,10 +4,12 @@
 //! left is formulas, read by a grammar that is a student's and not a programmer's. Where notation is open to doubt, the
 //! likely reading comes first and the other follows; a report says which was used.
 
+mod asides;
 mod characters;
 mod choices;
 mod commands;
 mod digits;
+mod equation_number;
 mod functions;
 mod grammar;
 mod latex;

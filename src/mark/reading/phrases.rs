@@ -1,5 +1,6 @@
 //! Words that are no formula: reference lines, rest, labels, and what says nothing about the value.
 
+use super::asides::with_asides_set_off;
 use super::lexicon::{self, Sort};
 use super::tokens::{Placed, Token, is_greek};
 use super::units::is_unit_word;
@@ -65,7 +66,7 @@ pub(super) fn with_phrases(tokens: &[Placed], vocabulary: &Vocabulary) -> Result
     let mut out: Vec<Placed> = Vec::with_capacity(tokens.len());
     let mut at = 0;
     while at < tokens.len() {
-        let found = match walk.accuracy(at) {
+        let found = match walk.accuracy(at).or_else(|| walk.named_equation(at)) {
             Some(next) => Some((Phrase::Remark, next)),
             None => walk.phrase(at)?,
         };
@@ -85,31 +86,9 @@ pub(super) fn with_phrases(tokens: &[Placed], vocabulary: &Vocabulary) -> Result
     Ok(with_asides_set_off(out))
 }
 
-/// Brackets around words are an aside, and part it from the rest as commas would: `0 m/s (at rest)`.
-fn with_asides_set_off(mut tokens: Vec<Placed>) -> Vec<Placed> {
-    let mut open: Vec<(usize, bool)> = Vec::new();
-    for at in 0..tokens.len() {
-        match tokens[at].token {
-            Token::Sign('(') => open.push((at, false)),
-            Token::Phrase(_) => {
-                if let Some(last) = open.last_mut() {
-                    last.1 = true;
-                }
-            }
-            Token::Sign(')') => {
-                if let Some((start, true)) = open.pop() {
-                    tokens[start].token = Token::Sign(',');
-                    tokens[at].token = Token::Sign(',');
-                }
-            }
-            _ => {}
-        }
-    }
-    tokens
-}
-
-struct Walk<'a> {
-    tokens: &'a [Placed],
+/// The words of an answer, to be looked through for what they say.
+pub(super) struct Walk<'a> {
+    pub(super) tokens: &'a [Placed],
     /// The words in small letters; nothing for other tokens.
     words: Vec<String>,
     vocabulary: &'a Vocabulary,
@@ -140,7 +119,7 @@ impl Walk<'_> {
         Some(at)
     }
 
-    fn any(&self, at: usize, choices: &[&str]) -> Option<usize> {
+    pub(super) fn any(&self, at: usize, choices: &[&str]) -> Option<usize> {
         choices.iter().filter_map(|words| self.words(at, words)).max()
     }
 
@@ -152,37 +131,6 @@ impl Walk<'_> {
             Some("the" | "its" | "their" | "it's" | "this" | "his" | "an") => at + 1,
             Some("a") if small_a => at + 1,
             _ => at,
-        }
-    }
-
-    /// `(3 s.f.)`, `to 2 dp`: how far a value is rounded; the token after it.
-    fn accuracy(&self, at: usize) -> Option<usize> {
-        let open = self.tokens[at].is('(');
-        let start = at + usize::from(open);
-        let words = ["correct to", "rounded to", "to"];
-        let number = self.any(start, &words).unwrap_or(start);
-        let led = open || number > start;
-        let small = |expr: &Expr| matches!(expr, Expr::Number(value) if value.as_small().is_some_and(|(n, d)| n < 10 && d == 1));
-        let counts = match &self.tokens.get(number)?.token {
-            Token::Number(value) => small(value),
-            Token::Word(word) => matches!(word.as_str(), "one" | "two" | "three" | "four"),
-            _ => false,
-        };
-        let kinds = [
-            "sf",
-            "dp",
-            "sig figs",
-            "sig fig",
-            "significant figures",
-            "significant figure",
-            "decimal places",
-            "decimal place",
-        ];
-        let end = self.any(number + 1, &kinds).filter(|_| counts && (led || at > 0))?;
-        let end = end + usize::from(self.tokens.get(end).is_some_and(|token| token.is('.')));
-        match open {
-            true => self.tokens.get(end).is_some_and(|token| token.is(')')).then_some(end + 1),
-            false => Some(end),
         }
     }
 
@@ -268,7 +216,10 @@ impl Walk<'_> {
                 };
                 return Ok(Some((said.map_or(Phrase::Remark, Phrase::Line), end)));
             }
-            if relation == Relation::Along && self.is_formula(self.article(next)) {
+            // `in direction 43.9° to AB` begins with an angle, and no vector.
+            let angle = self.words(at, "in").is_some()
+                && matches!(self.tokens.get(next).map(|placed| &placed.token), Some(Token::Number(_)));
+            if relation == Relation::Along && !angle && self.is_formula(self.article(next)) {
                 return Ok(Some((Phrase::Toward, self.article(next))));
             }
             if relation == Relation::Angle

@@ -64,6 +64,21 @@ impl Statements<'_> {
         })
     }
 
+    /// A formula without the words that lead to it: `by conservation of momentum`, `CLM:`. They name no value.
+    pub(super) fn without_lead_in<'t>(&mut self, tokens: &'t [Placed]) -> &'t [Placed] {
+        let says_nothing = |placed: &Placed| matches!(placed.token, Token::Phrase(phrase) if phrase != Phrase::Sphere);
+        let words = tokens.iter().take_while(|placed| says_nothing(placed)).count();
+        let rest = match &tokens[words..] {
+            [colon, rest @ ..] if colon.is(':') => rest,
+            rest => rest,
+        };
+        if words > 0 && matches!(self.what_is(rest), Ok(Side::Formula)) {
+            self.remark(self.slice(&tokens[..words]).to_lowercase());
+            return rest;
+        }
+        tokens
+    }
+
     /// The name of a value that stands before it. After a formula in letters a letter of the question is no name, but
     /// the other side of an equation.
     pub(super) fn name_at_the_end(&mut self, tokens: &[Placed], after_number: bool) -> Option<Label> {
@@ -97,7 +112,9 @@ impl Statements<'_> {
         let place = tokens[0].start;
         let read = formula(tokens.to_vec(), 0, self.text, self.vocabulary, self.choices)?;
         let rest = &read.tokens[read.next..];
-        let words = rest.iter().all(|placed| matches!(placed.token, Token::Phrase(Phrase::Remark) | Token::Sign('.')));
+        let words = rest.iter().all(|placed| {
+            matches!(placed.token, Token::Phrase(Phrase::Remark | Phrase::Joiner | Phrase::Noun) | Token::Sign('.'))
+        });
         match read.form {
             Form::Value(value) if words => Ok(value),
             Form::Vector(x, y, _) if words => Ok(Expr::Vector(Box::new(x), Box::new(y))),

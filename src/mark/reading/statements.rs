@@ -1,6 +1,7 @@
 //! Statements: what stands between separators, what each is called, and chains of equals signs.
 
 use super::choices::Choices;
+use super::equation_number::without_number;
 use super::line;
 use super::part_label::without_part_label;
 use super::phrases::Phrase;
@@ -19,6 +20,7 @@ pub(super) fn statements(
 ) -> Result<Vec<Statement>, Unreadable> {
     let mut reader = Statements { text, vocabulary, choices, found: Vec::new(), remarks: Vec::new() };
     for segment in segments(without_part_label(unquoted(tokens), vocabulary)) {
+        let segment = without_number(segment, reader.choices);
         reader.segment(segment)?;
     }
     let Statements { mut found, remarks, .. } = reader;
@@ -109,7 +111,7 @@ impl Statements<'_> {
         }
     }
 
-    fn remark(&mut self, words: String) {
+    pub(super) fn remark(&mut self, words: String) {
         match self.found.last_mut().and_then(|last| last.said.last_mut()) {
             Some(last) => last.remarks.push(words),
             None => self.remarks.push(words),
@@ -221,6 +223,9 @@ impl Statements<'_> {
             self.found.push(Statement { label: None, said: vec![said] });
             return Ok(());
         }
+        let mut sides = sides.to_vec();
+        sides[0] = self.without_lead_in(sides[0]);
+        let sides = sides.as_slice();
         let left = self.what_is(sides[0])?;
         // `2.78 = v`
         if !matches!(left, Side::Label(_))

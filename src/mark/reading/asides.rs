@@ -1,0 +1,88 @@
+//! What is said beside a value or an equation and is no part of it: how far it is rounded, which equation is used.
+
+use super::phrases::Walk;
+use super::tokens::{Placed, Token};
+use crate::expr::Expr;
+
+impl Walk<'_> {
+    /// `(3 s.f.)`, `to 2 dp`: how far a value is rounded; the token after it.
+    pub(super) fn accuracy(&self, at: usize) -> Option<usize> {
+        let open = self.tokens[at].is('(');
+        let start = at + usize::from(open);
+        let words = ["correct to", "rounded to", "to"];
+        let number = self.any(start, &words).unwrap_or(start);
+        let led = open || number > start;
+        let small = |expr: &Expr| matches!(expr, Expr::Number(value) if value.as_small().is_some_and(|(n, d)| n < 10 && d == 1));
+        let counts = match &self.tokens.get(number)?.token {
+            Token::Number(value) => small(value),
+            Token::Word(word) => matches!(word.as_str(), "one" | "two" | "three" | "four"),
+            _ => false,
+        };
+        let kinds = [
+            "sf",
+            "dp",
+            "sig figs",
+            "sig fig",
+            "significant figures",
+            "significant figure",
+            "decimal places",
+            "decimal place",
+        ];
+        let end = self.any(number + 1, &kinds).filter(|_| counts && (led || at > 0))?;
+        let end = end + usize::from(self.tokens.get(end).is_some_and(|token| token.is('.')));
+        match open {
+            true => self.tokens.get(end).is_some_and(|token| token.is(')')).then_some(end + 1),
+            false => Some(end),
+        }
+    }
+
+    /// `eqn 2`, `from (1)`, `in equation (1)`: which equation is meant; the token after it.
+    pub(super) fn named_equation(&self, at: usize) -> Option<usize> {
+        let lead = self.any(at, &["from", "using", "in", "into", "sub into", "by", "of"]);
+        let named = self.any(lead.unwrap_or(at), &["eq", "eqn", "equation", "eqs", "eqns", "equations"]);
+        let number = named.or(lead)?;
+        let number = number + usize::from(self.tokens.get(number).is_some_and(|token| token.is('.')));
+        let counts = |at: usize| {
+            matches!(&self.tokens.get(at)?.token, Token::Number(Expr::Number(value)) if value.is_integer())
+                .then_some(at + 1)
+        };
+        let is = |at: usize, sign: char| self.tokens.get(at).is_some_and(|token| token.is(sign));
+        let bracketed =
+            |at: usize| is(at, '(').then(|| counts(at + 1).filter(|next| is(*next, ')')))?.map(|next| next + 1);
+        match is(number, '(') {
+            true => {
+                let mut end = bracketed(number)?;
+                // `from (1) and (2)`
+                while let Some(next) = self.any(end, &["and"]).or(is(end, ',').then_some(end + 1)).and_then(bracketed) {
+                    end = next;
+                }
+                Some(end)
+            }
+            // `(from 1)`
+            false => counts(number).filter(|next| named.is_some() || (at > 0 && is(at - 1, '(') && is(*next, ')'))),
+        }
+    }
+}
+
+/// Brackets around words are an aside, and part it from the rest as commas would: `0 m/s (at rest)`.
+pub(super) fn with_asides_set_off(mut tokens: Vec<Placed>) -> Vec<Placed> {
+    let mut open: Vec<(usize, bool)> = Vec::new();
+    for at in 0..tokens.len() {
+        match tokens[at].token {
+            Token::Sign('(') => open.push((at, false)),
+            Token::Phrase(_) => {
+                if let Some(last) = open.last_mut() {
+                    last.1 = true;
+                }
+            }
+            Token::Sign(')') => {
+                if let Some((start, true)) = open.pop() {
+                    tokens[start].token = Token::Sign(',');
+                    tokens[at].token = Token::Sign(',');
+                }
+            }
+            _ => {}
+        }
+    }
+    tokens
+}
