@@ -78,7 +78,8 @@ fn by_components(model: &Model, parts: &(Expr, Expr), said: [&Said; 2]) -> Optio
         let size = Expr::call(Function::Abs, right.clone());
         number::judge(&Model { kind: Kind::Number, ..model.of_value(size) }, said, None)
     };
-    Some(size(&parts.0, along).and(size(&parts.1, across)).at_most_partial(Note::ComponentsLeft))
+    let both = size(&parts.0, along).and(size(&parts.1, across));
+    Some(if both.is_credited() { Finding::partial(Note::ComponentsLeft) } else { Finding::WRONG })
 }
 
 /// Is it the size of a velocity rather than an angle or words?
