@@ -344,22 +344,21 @@ const SIGNS: [(&str, &str); 47] = [
 /// The tokens with words for signs as those signs; `square root` is one root.
 pub(super) fn with_signs(tokens: &[Placed]) -> Vec<Placed> {
     let word = |at: usize| match tokens.get(at).map(|placed| &placed.token) {
-        Some(Token::Word(word)) => Some(word.to_ascii_lowercase()),
+        Some(Token::Word(word)) => Some(word.as_str()),
         _ => None,
     };
+    let is = |at: usize, wanted: &str| word(at).is_some_and(|word| word.eq_ignore_ascii_case(wanted));
     let mut out: Vec<Placed> = Vec::with_capacity(tokens.len());
     let mut at = 0;
     while let Some(placed) = tokens.get(at) {
-        let standing = SIGNS
-            .iter()
-            .filter(|(words, _)| {
-                words.split(' ').enumerate().all(|(ahead, wanted)| word(at + ahead).is_some_and(|word| word == wanted))
-            })
-            .max_by_key(|(words, _)| words.len());
+        let stands = |words: &str| words.split(' ').enumerate().all(|(ahead, wanted)| is(at + ahead, wanted));
+        // Most of an answer is no word.
+        let standing =
+            word(at).and_then(|_| SIGNS.iter().filter(|(words, _)| stands(words)).max_by_key(|(words, _)| words.len()));
         // `0.3 recurring`: the last digit recurs.
         if let Token::Number(Expr::Decimal(digits)) = &placed.token
             && let Some((whole, decimals)) = digits.split_once('.').filter(|(_, decimals)| !decimals.is_empty())
-            && word(at + 1).is_some_and(|word| matches!(word.as_str(), "recurring" | "recurs" | "rec"))
+            && ["recurring", "recurs", "rec"].iter().any(|recurs| is(at + 1, recurs))
         {
             let (before, last) = decimals.split_at(decimals.len() - 1);
             let token = Token::Number(recurring_value(whole, before, last));
