@@ -93,7 +93,7 @@ pub fn name(answer: &Answer, variant: &Variant) -> Text {
 /// A direction along the line of centres or perpendicular to it needs no angle.
 fn direction_in_words(answer: &Answer, variant: &Variant) -> Option<&'static str> {
     let quantity = *answer.find.quantities().first()?;
-    let Quantity::AngleToLine(..) = quantity else { return None };
+    let Quantity::AngleToLine(..) = quantity.of_its_impact() else { return None };
     let degrees = variant.solution.angle(quantity)?.whole_degrees()?;
     if degrees.is_zero() {
         Some("along the line of centres")

@@ -260,11 +260,13 @@ impl Mistakes {
 
 /// The angle, where its tangent is asked: a student may give it in place of the tangent.
 fn angle_of(answer: &[Quantity]) -> Option<Vec<Quantity>> {
-    match answer {
-        [Quantity::TanDeflection(sphere)] => Some(vec![Quantity::Deflection(*sphere)]),
-        [Quantity::TanToLine(sphere, moment)] => Some(vec![Quantity::AngleToLine(*sphere, *moment)]),
-        _ => None,
-    }
+    let [tangent] = answer else { return None };
+    let angle = match tangent.of_its_impact() {
+        Quantity::TanDeflection(sphere) => Quantity::Deflection(sphere),
+        Quantity::TanToLine(sphere, moment) => Quantity::AngleToLine(sphere, moment),
+        _ => return None,
+    };
+    Some(vec![angle.in_impact(tangent.impact())?])
 }
 
 /// All that is given, at the points; `None` if a value does not exist there.

@@ -46,7 +46,7 @@ impl Answer {
 
     /// Is it an angle with the line of centres?
     pub(super) fn is_to_line(&self) -> bool {
-        matches!(self.asked[0], Quantity::AngleToLine(..) | Quantity::AngleFromN(..))
+        matches!(self.asked[0].of_its_impact(), Quantity::AngleToLine(..) | Quantity::AngleFromN(..))
     }
 
     /// Is it a direction of which any multiple will do?
