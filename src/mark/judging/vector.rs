@@ -69,7 +69,7 @@ pub(super) fn of_its_components(reading: &Reading) -> Option<Said> {
     };
     let said = || reading.statements.iter().filter_map(|statement| statement.said.first());
     let remarks = said().flat_map(|said| said.remarks.clone()).collect();
-    let unit = said().last().and_then(|said| said.unit.clone());
+    let unit = said().next_back().and_then(|said| said.unit.clone());
     Some(Said { form: Form::Vector(x, y, notation), unit, reference: None, remarks })
 }
 
