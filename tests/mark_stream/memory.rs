@@ -76,3 +76,31 @@ fn ten_times_as_many_students_take_no_more_memory() {
     // The second has 24 megabytes more to read. Of each student who is over sixteen bytes stay.
     assert!(most_for_many < most_for_few + 8 * MEGABYTE, "{most_for_few} and {most_for_many} bytes");
 }
+
+/// What `docs/marking-in-bulk.md` says of a million; it takes as long as all the others together.
+#[cfg(feature = "external")]
+#[test]
+fn a_million_answers_are_marked_in_less_than_two_hundred_megabytes() {
+    let folder = folder("million");
+    let right = [("speed of A", 2.78), ("direction of A", 46.1), ("speed of B", 3.08), ("direction of B", 0.0)];
+    let answers = move |student: u64| -> String {
+        let each = right.iter().enumerate().map(|(place, (blank, right))| {
+            let chance = (4 * student + place as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 40;
+            // Three in ten are wrong, and half of these as others are wrong too.
+            let wrong = [0.5, 1.5, 2.0, 3.0].get(chance as usize / 10 % 8).copied();
+            let typed = match (chance % 10 < 3, wrong) {
+                (false, _) => right.to_string(),
+                (true, Some(times)) => (right * times).to_string(),
+                (true, None) => (chance as f64 / 1e6).to_string(),
+            };
+            format!("student {student},2,{blank},{typed}\n")
+        });
+        each.collect()
+    };
+    let block = move |block: u64| (0..1000).map(|place| answers(block * 1000 + place)).collect::<String>().into();
+    let pieces = [b"student,question,blank,answer\n".to_vec()].into_iter().chain((0..250).map(block));
+    let (printed, most) = run(&folder, pieces);
+    assert_eq!(printed.lines().count(), 1 + 1_000_000);
+    assert!(printed.matches(",correct,").count() > 600_000, "{}", printed.matches(",correct,").count());
+    assert!(most < 200 * MEGABYTE, "{most} bytes");
+}
