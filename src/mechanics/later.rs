@@ -97,8 +97,14 @@ pub fn ordinal(number: u8) -> &'static str {
     }
 }
 
-/// Words that speak of the impact, with its number.
+/// Words that speak of the impact, or of what happens in it alone, with its number.
 pub fn numbered(number: u8, words: &str) -> String {
+    const IN_IT: [(&str, &str); 2] = [
+        ("kinetic energy lost", "kinetic energy lost in the impact"),
+        (" is its change of momentum", " in the impact is its change of momentum"),
+    ];
+    let its_own = IN_IT.iter().filter(|_| !words.contains("the impact"));
+    let words = its_own.fold(words.to_owned(), |words, (alone, with_it)| words.replace(alone, with_it));
     words.replace("the impact", &format!("the {} impact", ordinal(number)))
 }
 
@@ -281,6 +287,22 @@ impl fmt::Display for Meeting {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_happens_in_one_of_several_impacts_is_said_with_its_number() {
+        for (words, said) in [
+            ("the speed of A after the impact", "the speed of A after the second impact"),
+            ("The kinetic energy lost, in joules, is", "The kinetic energy lost in the second impact, in joules, is"),
+            ("the kinetic energy lost in the impact", "the kinetic energy lost in the second impact"),
+            (
+                "The impulse on B is its change of momentum:",
+                "The impulse on B in the second impact is its change of momentum:",
+            ),
+            ("Momentum is conserved:", "Momentum is conserved:"),
+        ] {
+            assert_eq!(numbered(1, words), said);
+        }
+    }
 
     #[test]
     fn a_quantity_of_a_later_impact_is_found_by_its_name() {
