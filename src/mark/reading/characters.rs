@@ -156,6 +156,7 @@ fn plain(character: char, before: Option<char>) -> Option<&'static str> {
         'µ' => "μ",
         '∆' => "Δ",
         // A dot over a digit recurs; a hat, arrow, tilde or bar below marks a letter as a vector.
+        '\u{335}' | '\u{336}' => "\u{336}",
         '\u{307}' if before.is_some_and(|sign| sign.is_ascii_digit()) => "\u{307}",
         '\u{302}' | '\u{20d7}' | '\u{332}' | '\u{331}' | '\u{330}' | '\u{20d1}'
             if before.is_some_and(|sign| sign.is_ascii_alphabetic()) =>

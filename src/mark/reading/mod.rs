@@ -8,6 +8,7 @@ mod asides;
 mod characters;
 mod choices;
 mod commands;
+mod crossed_out;
 mod digits;
 mod equation_number;
 mod functions;
@@ -33,6 +34,7 @@ mod vectors;
 pub use said::{Form, Label, Notation, Reading, ReferenceLine, Said, SaidUnit, Statement, Unreadable, Vocabulary};
 
 use choices::{Choices, Flip};
+use crossed_out::without_crossed_out;
 
 /// The longest answer that is read, in bytes; a longer one goes to a person.
 pub const LONGEST: usize = 2000;
@@ -71,12 +73,13 @@ fn counted(text: &str, vocabulary: &Vocabulary) -> (Result<Vec<Reading>, Unreada
     if text.len() > LONGEST {
         return (Err(Unreadable::TooLong), 0);
     }
-    let glyphs = match characters::glyphs(text).and_then(|glyphs| latex::without_latex(&glyphs)) {
-        Ok(glyphs) if glyphs.iter().all(|glyph| glyph.sign.is_whitespace()) => return (Err(Unreadable::Blank), 0),
-        Ok(glyphs) if vocabulary.vectors => characters::without_pointed_brackets(glyphs),
-        Ok(glyphs) => glyphs,
-        Err(reason) => return (Err(reason), 0),
-    };
+    let glyphs =
+        match characters::glyphs(text).map(without_crossed_out).and_then(|glyphs| latex::without_latex(&glyphs)) {
+            Ok(glyphs) if glyphs.iter().all(|glyph| glyph.sign.is_whitespace()) => return (Err(Unreadable::Blank), 0),
+            Ok(glyphs) if vocabulary.vectors => characters::without_pointed_brackets(glyphs),
+            Ok(glyphs) => glyphs,
+            Err(reason) => return (Err(reason), 0),
+        };
     let read = |flips: &[Flip]| {
         let mut choices = Choices::flipping(flips);
         let statements = tokens::tokens(&glyphs, &vocabulary.letters, &mut choices)
