@@ -31,6 +31,6 @@ pub(super) fn without_crossed_out(glyphs: Vec<Glyph>) -> Vec<Glyph> {
     }
     let is_left = |at: usize| !crossed[at] && !strokes[at] && glyphs[at].sign.is_alphanumeric();
     let is_replaced = (0..glyphs.len()).any(is_left);
-    let keeps = |at: &usize| !strokes[*at] && !(is_replaced && crossed[*at]);
-    (0..glyphs.len()).filter(keeps).map(|at| glyphs[at]).collect()
+    let is_dropped = |at: usize| strokes[at] || (is_replaced && crossed[at]);
+    (0..glyphs.len()).filter(|at| !is_dropped(*at)).map(|at| glyphs[at]).collect()
 }
