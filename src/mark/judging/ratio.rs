@@ -1,22 +1,21 @@
 //! Ratios, free of scale: `2 : 3`, `4 : 6` and `2/3` are one.
 
 use crate::expr::{Expr, Meaning, written};
-use crate::mark::reading::{Form, Reading, Said, Statement};
+use crate::mark::reading::{Form, Reading, Said};
 
 use super::accuracy::Written;
 use super::finding::Finding;
+use super::statements::{pair, unnamed};
 use super::{Model, Note, number};
 
 /// Two numbers one after the other: `2 to 3`.
 pub(super) fn of_its_terms(reading: &Reading) -> Option<Said> {
-    let [first, second] = reading.statements.as_slice() else { return None };
-    let term = |statement: &Statement| match (&statement.label, statement.said.as_slice()) {
-        (None, [Said { form: Form::Value(value), unit: None, .. }]) => Some(value.clone()),
-        _ => None,
-    };
-    let form = Form::Ratio(term(first)?, term(second)?);
-    let remarks = reading.statements.iter().flat_map(|statement| statement.said[0].remarks.clone()).collect();
-    Some(Said { form, unit: None, reference: None, remarks })
+    let terms = pair(reading)?.map(|(statement, said)| {
+        unnamed((statement, said)).filter(|_| said.unit.is_none()).map(|term| (term.clone(), said.remarks.clone()))
+    });
+    let [Some((first, mut remarks)), Some((second, more))] = terms else { return None };
+    remarks.extend(more);
+    Some(Said { form: Form::Ratio(first, second), unit: None, reference: None, remarks })
 }
 
 /// Judges one value against a ratio: the model is a quotient, or its two terms as `[2, 3]`.

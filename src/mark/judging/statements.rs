@@ -5,6 +5,7 @@
 //! * Of several statements those labelled with the sphere that is asked count; else the last, if each has its own label.
 //! * Two that are not labelled are rivals: they score only if all of them do.
 
+use crate::expr::Expr;
 use crate::mark::reading::{Form, Label, Reading, Said, Statement};
 use crate::mechanics::{Quantity, Sphere};
 
@@ -22,6 +23,33 @@ pub(super) fn judge(model: &Model, reading: &Reading, one: One) -> Finding {
         [] => Finding::unreadable(Note::CannotBeRead),
         [single] => chain(single, one),
         several => choose(model, several, one),
+    }
+}
+
+/// Two things said one after the other, neither of them as the rival of the other.
+pub(super) fn pair(reading: &Reading) -> Option<[(&Statement, &Said); 2]> {
+    let [first, second] = reading.statements.as_slice() else { return None };
+    fn single(statement: &Statement) -> Option<(&Statement, &Said)> {
+        match statement.said.as_slice() {
+            [said] => Some((statement, said)),
+            _ => None,
+        }
+    }
+    let pair = [single(first)?, single(second)?];
+    (!pair.iter().any(|(_, said)| is_rival(said))).then_some(pair)
+}
+
+/// Is it offered in place of another?
+pub(super) fn is_rival(said: &Said) -> bool {
+    let mut words = said.remarks.iter().flat_map(|remark| remark.split_whitespace());
+    words.any(|word| matches!(word, "or" | "alternatively"))
+}
+
+/// The value that is said, if it has neither a name nor a direction.
+pub(super) fn unnamed<'s>((statement, said): (&Statement, &'s Said)) -> Option<&'s Expr> {
+    match &said.form {
+        Form::Value(value) if statement.label.is_none() && said.reference.is_none() => Some(value),
+        _ => None,
     }
 }
 

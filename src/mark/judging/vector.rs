@@ -6,6 +6,7 @@ use crate::mark::reading::{Form, Notation, Reading, Said, Statement};
 use super::accuracy::Written;
 use super::exact;
 use super::finding::Finding;
+use super::statements::{pair, unnamed};
 use super::units::{self, UnitCheck};
 use super::{Model, Note, number};
 
@@ -39,10 +40,9 @@ pub(super) fn said_components(model: &Model, said: &Said) -> Option<(Expr, Expr,
 /// A vector said component by component: `4 in the i direction, 1 in the j direction`, `i: 4, j: 1`; as coordinates are,
 /// where no words say which is which: `4, 1`.
 pub(super) fn of_its_components(reading: &Reading) -> Option<Said> {
-    let [first, second] = reading.statements.as_slice() else { return None };
+    let [first, second] = pair(reading)?;
     let nought = || Expr::integer(0);
-    let part = |statement: &Statement| {
-        let [said] = statement.said.as_slice() else { return None };
+    let part = |(statement, said): (&Statement, &Said)| {
         let label = statement.label.as_ref().map(|label| label.typed.trim().to_lowercase());
         let (x, y, notation) = match (&said.form, label.as_deref()) {
             (Form::Vector(x, y, Notation::Words), None) => (x.clone(), y.clone(), Notation::Words),
@@ -62,23 +62,10 @@ pub(super) fn of_its_components(reading: &Reading) -> Option<Said> {
         (Some((left, y, one)), Some((x, right, other))) if left.is_zero() && right.is_zero() => {
             (x, y, of_both(one, other))
         }
-        _ => match (bare(first), bare(second)) {
-            (Some(x), Some(y)) => (x, y, Notation::Coordinates),
-            _ => return None,
-        },
+        _ => (unnamed(first)?.clone(), unnamed(second)?.clone(), Notation::Coordinates),
     };
-    let said = || reading.statements.iter().filter_map(|statement| statement.said.first());
-    let remarks = said().flat_map(|said| said.remarks.clone()).collect();
-    let unit = said().next_back().and_then(|said| said.unit.clone());
-    Some(Said { form: Form::Vector(x, y, notation), unit, reference: None, remarks })
-}
-
-/// The number that a statement is, and nothing else.
-fn bare(statement: &Statement) -> Option<Expr> {
-    match (&statement.label, statement.said.as_slice()) {
-        (None, [Said { form: Form::Value(value), reference: None, .. }]) => Some(value.clone()),
-        _ => None,
-    }
+    let remarks = [first.1, second.1].into_iter().flat_map(|said| said.remarks.clone()).collect();
+    Some(Said { form: Form::Vector(x, y, notation), unit: second.1.unit.clone(), reference: None, remarks })
 }
 
 /// Judges one value against a vector.

@@ -11,6 +11,7 @@ use crate::mark::reading::{Form, Label, Reading, ReferenceLine, Said, Statement}
 use super::exact::{self, Equality, same};
 use super::finding::Finding;
 use super::known::Further;
+use super::statements::is_rival;
 use super::{Model, Note, angle, number, vector};
 
 /// Judges a whole reading against a velocity.
@@ -69,6 +70,9 @@ fn by_components(model: &Model, parts: &(Expr, Expr), said: [&Said; 2]) -> Optio
             _ => None,
         }
     };
+    if said.into_iter().any(is_rival) {
+        return None;
+    }
     let [along, across] = match said.map(is_across) {
         [Some(false), Some(true)] => said,
         [Some(true), Some(false)] => [said[1], said[0]],
