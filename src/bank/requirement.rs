@@ -18,6 +18,8 @@ pub struct Requirement {
     relation: Expr,
     /// These names, each with its measure and what is measured.
     measured: Vec<(String, Measure, Expr)>,
+    /// Every other name in it, and the quantity that has it: looked up once, and not for every set of numbers.
+    names: Vec<(Name, Option<Quantity>)>,
 }
 
 /// How simple a number is; only requirements can ask.
@@ -120,7 +122,15 @@ impl Requirement {
             )
             .try_this(format!("write `{text} > 0`")));
         }
-        Ok(Requirement { text: text.to_owned(), relation, measured })
+        Ok(Requirement::new(text, relation, measured))
+    }
+
+    fn new(text: &str, relation: Expr, measured: Vec<(String, Measure, Expr)>) -> Requirement {
+        let own = |name: &&Name| !measured.iter().any(|(own, ..)| *own == name.text);
+        let plain = relation.names().into_iter().filter(own);
+        let names = plain.chain(measured.iter().flat_map(|(_, _, inside)| inside.names()));
+        let names = names.map(|name| (name.clone(), Quantity::from_str(&name.text).ok())).collect();
+        Requirement { text: text.to_owned(), relation, measured, names }
     }
 
     /// That every one of these measures of a formula is one.
@@ -131,27 +141,22 @@ impl Requirement {
         // Each is at least one, so that all are if their product is.
         let relation = read(&format!("{} = 1", names.join("*")), Angles::Degrees)?;
         let measured = measures.iter().enumerate().map(|(place, measure)| (name(place), *measure, inside.clone()));
-        Ok(Requirement { text: text.to_owned(), relation, measured: measured.collect() })
+        Ok(Requirement::new(text, relation, measured.collect()))
     }
 
     /// Every name in it.
-    pub fn names(&self) -> Vec<&Name> {
-        let own = |name: &&Name| !self.measured.iter().any(|(own, ..)| *own == name.text);
-        let mut names: Vec<&Name> = self.relation.names().into_iter().filter(own).collect();
-        names.extend(self.measured.iter().flat_map(|(_, _, inside)| inside.names()));
-        names
+    pub fn names(&self) -> impl Iterator<Item = &Name> {
+        self.names.iter().map(|(name, _)| name)
     }
 
     /// The quantities in it that are neither parameters nor derived names: what must be solved for first.
-    pub fn quantities(&self, is_given: &dyn Fn(&str) -> bool) -> Vec<Quantity> {
-        let results = self.names().into_iter().filter(|name| !is_given(&name.text));
-        results.filter_map(|name| Quantity::from_str(&name.text).ok()).collect()
+    pub fn quantities(&self, is_given: &dyn Fn(&str) -> bool) -> impl Iterator<Item = Quantity> {
+        self.names.iter().filter_map(move |(name, quantity)| quantity.filter(|_| !is_given(&name.text)))
     }
 
     /// Must the collision be solved before it can be tried? If it names a quantity, or a letter that is to be found.
     pub fn is_on_results(&self, unknowns: &[String], is_given: &dyn Fn(&str) -> bool) -> bool {
-        let is_found = |name: &&Name| unknowns.contains(&name.text);
-        self.names().iter().any(is_found) || !self.quantities(is_given).is_empty()
+        self.names().any(|name| unknowns.contains(&name.text)) || self.quantities(is_given).next().is_some()
     }
 
     /// Does it hold? Not if that depends on letters, or if a name has no value.
@@ -278,7 +283,7 @@ mod tests {
     fn the_names_of_a_requirement_keep_their_places() {
         let text = "denominator(x + y) = z";
         let requirement = Requirement::read(text).unwrap();
-        let names = requirement.names();
+        let names: Vec<&Name> = requirement.names().collect();
         assert_eq!(names.iter().map(|name| name.text.as_str()).collect::<Vec<_>>(), ["z", "x", "y"]);
         assert!(names.iter().all(|name| text[name.span.start..name.span.end] == name.text));
         let fault = Requirement::read("denominator(x + ) = 1").unwrap_err();
@@ -291,6 +296,6 @@ mod tests {
     fn results_are_told_from_givens() {
         let requirement = Requirement::read("e + A.after.n > separation").unwrap();
         let quantities = requirement.quantities(&|name| name == "e");
-        assert_eq!(quantities.iter().map(Quantity::to_string).collect::<Vec<_>>(), ["A.after.n", "separation"]);
+        assert_eq!(quantities.map(|quantity| quantity.to_string()).collect::<Vec<_>>(), ["A.after.n", "separation"]);
     }
 }

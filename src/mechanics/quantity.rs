@@ -5,6 +5,7 @@
 //! sphere receives; a loss is positive when energy is lost. Names are `A.after.speed`,
 //! `impulse.magnitude`, `ke.lost`, …; angles are in degrees.
 
+use std::cell::Cell;
 use std::collections::HashMap;
 use std::fmt;
 use std::str::FromStr;
@@ -264,9 +265,12 @@ impl Quantity {
 
     /// The sphere of which it is a quantity, if it is of one.
     pub fn sphere(self) -> Option<Sphere> {
-        let name = self.to_string();
-        let first = name.split('.').next();
-        Sphere::ALL.into_iter().find(|sphere| first == Some(sphere.name()))
+        let of = Cell::new(None);
+        self.with_spheres(|sphere| {
+            of.set(Some(sphere));
+            sphere
+        });
+        of.get()
     }
 
     /// Is it an angle?

@@ -34,8 +34,7 @@ pub(super) fn answers(
         if !open || !question.letters.is_empty() {
             return None;
         }
-        let [known] = examined.followed(question) else { return None };
-        let Some(Datum::Number(value)) = known.0.get(&quantity) else { return None };
+        let value = examined.followed(question, quantity)?;
         let value = Expr::Decimal(format!("{:.12}", value.abs()));
         let model = Model { quantity: blank.model.quantity, ..blank.model.of_value(value) };
         let judgement = judge(&model, &Ok(judged.readings.clone()?));

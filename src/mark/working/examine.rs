@@ -1,7 +1,5 @@
 //! Which marks the lines of a part earn.
 
-use std::cell::OnceCell;
-
 use super::convention::take_as_laws;
 use super::evidence::Evidence as Shown;
 use super::line::{self, Line, ReadLine};
@@ -10,7 +8,7 @@ use super::pair::{BOTH, Convention, Departure, Matched};
 use super::points::sizes;
 use super::prepared::Prepared;
 use super::spread::Spread;
-use super::theirs::{Theirs, follow, own_values};
+use super::theirs::{Theirs, follow, follow_to, own_values};
 use crate::bank::{Code, EarnedFor};
 use crate::expr::Expr;
 use crate::mark::award::{Award, Evidence, Examiner, MarkedLine, Place};
@@ -25,8 +23,8 @@ pub(crate) struct Examined {
     pub(crate) lines: Vec<MarkedLine>,
     /// The values that the student found, in this part and before.
     pub(crate) theirs: Theirs,
-    /// What follows from them, at every point.
-    followed: OnceCell<Vec<Known<f64>>>,
+    /// Everything that follows from them, at every point, where that was worked out to look through the lines.
+    followed: Option<Vec<Known<f64>>>,
 }
 
 impl Examined {
@@ -35,7 +33,7 @@ impl Examined {
         let awards = part.scheme.iter().map(|_| None).collect();
         let line = |typed: &String| MarkedLine { typed: typed.clone(), reading: None, role: String::new() };
         let lines = working.iter().map(line).collect();
-        Examined { awards, lines, theirs: before.clone(), followed: OnceCell::new() }
+        Examined { awards, lines, theirs: before.clone(), followed: None }
     }
 
     /// With what was found in the same lines as working of another impact: a mark that is earned there is earned.
@@ -52,12 +50,16 @@ impl Examined {
             }
         }
         self.theirs = later.theirs;
-        self.followed = OnceCell::new();
+        self.followed = None;
     }
 
-    /// What follows from the student's own values, at every point; found when it is first asked for.
-    pub(crate) fn followed(&self, question: &KeyedQuestion) -> &[Known<f64>] {
-        self.followed.get_or_init(|| follow(question.prepared(), &self.theirs))
+    /// What follows for a quantity from the student's own values, where the question has no letters.
+    pub(crate) fn followed(&self, question: &KeyedQuestion, quantity: Quantity) -> Option<f64> {
+        match self.followed.as_deref() {
+            Some([known]) => known.number(quantity),
+            Some(_) => None,
+            None => follow_to(question.prepared(), &self.theirs, quantity),
+        }
     }
 }
 
@@ -98,7 +100,7 @@ pub(super) struct Working<'a> {
 pub(crate) fn examine(question: &KeyedQuestion, part: &KeyedPart, working: &[String], before: &Theirs) -> Examined {
     if working.is_empty() {
         let awards = part.scheme.iter().map(|_| None).collect();
-        return Examined { awards, lines: Vec::new(), theirs: before.clone(), followed: OnceCell::new() };
+        return Examined { awards, lines: Vec::new(), theirs: before.clone(), followed: None };
     }
     if question.scene.then.is_empty() {
         return examine_one(question, part, working, before);
@@ -136,7 +138,7 @@ fn examine_later(
         role: line.role.parse().map_or(line.role, |quantity| meeting.quantity(quantity).to_string()),
         ..line
     });
-    Some(Examined { lines: lines.collect(), theirs, followed: OnceCell::new(), ..examined })
+    Some(Examined { lines: lines.collect(), theirs, followed: None, ..examined })
 }
 
 /// Looks through the working of one impact.
@@ -171,7 +173,7 @@ fn examine_one(question: &KeyedQuestion, part: &KeyedPart, working: &[String], b
         role: part.setting.say(&studied.role).into_owned(),
     });
     let lines = lines.collect();
-    Examined { awards, lines, theirs: working.theirs, followed: working.followed.into() }
+    Examined { awards, lines, theirs: working.theirs, followed: Some(working.followed) }
 }
 
 fn has_vectors(question: &KeyedQuestion) -> bool {

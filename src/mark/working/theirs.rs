@@ -11,7 +11,7 @@ use crate::bank::Find;
 use crate::expr::Expr;
 use crate::mark::key::{KeyedPart, KeyedQuestion};
 use crate::mark::reading::{Form, Reading};
-use crate::mechanics::{Axis, Datum, Known, Moment, Quantity, Sphere};
+use crate::mechanics::{Axis, Datum, Derivation, Known, Moment, Quantity, Sphere};
 
 /// A student's own values, by quantity: at every point, and as they were written.
 #[derive(Clone, Debug, Default)]
@@ -155,14 +155,11 @@ fn unknown_sphere(prepared: &Prepared) -> Option<Sphere> {
     }
 }
 
-/// What follows from what is given and from the student's own values.
+/// What is given and the student's own values, to go on from, at every point.
 ///
 /// A value that would make the rest trivial is not followed: nought where nothing is nought, a coefficient of restitution
 /// that is none.
-pub(super) fn follow(prepared: &Prepared, theirs: &Theirs) -> Vec<Known<f64>> {
-    if theirs.0.is_empty() {
-        return prepared.known.clone();
-    }
+fn start(prepared: &Prepared, theirs: &Theirs) -> Vec<Known<f64>> {
     let mut at_points = prepared.given.clone();
     for (quantity, (values, _)) in &theirs.0 {
         let right = sizes(&prepared.known, *quantity);
@@ -177,5 +174,21 @@ pub(super) fn follow(prepared: &Prepared, theirs: &Theirs) -> Vec<Known<f64>> {
             }
         }
     }
-    at_points.iter().map(complete).collect()
+    at_points
+}
+
+/// Everything that follows from what is given and from the student's own values.
+pub(super) fn follow(prepared: &Prepared, theirs: &Theirs) -> Vec<Known<f64>> {
+    if theirs.0.is_empty() {
+        return prepared.known.clone();
+    }
+    start(prepared, theirs).iter().map(complete).collect()
+}
+
+/// What follows for one quantity, where a question without letters has one point.
+pub(super) fn follow_to(prepared: &Prepared, theirs: &Theirs, quantity: Quantity) -> Option<f64> {
+    let mut start = start(prepared, theirs);
+    let [known] = start.as_mut_slice() else { return None };
+    Derivation::carry_out(known, &[quantity]);
+    known.number(quantity)
 }

@@ -132,8 +132,8 @@ macro_rules! laws {
                 match self { $(Law::$law => $file::NAME,)* }
             }
 
-            /// The ways to use it.
-            pub fn rules(self) -> Vec<Rule> {
+            /// The ways to use it, made anew.
+            fn own_rules(self) -> Vec<Rule> {
                 match self { $(Law::$law => $file::rules(),)* }
             }
 
@@ -156,7 +156,7 @@ macro_rules! laws {
 
             /// Does it give this quantity?
             pub fn gives(self, quantity: Quantity) -> bool {
-                self.rules().iter().any(|rule| rule.gives.contains(&quantity))
+                all_rules(&[]).iter().any(|rule| rule.law == self && rule.gives.contains(&quantity))
             }
         }
 
@@ -231,7 +231,7 @@ laws! {
 pub fn all_rules(meetings: &[Meeting]) -> &'static [Rule] {
     static OF_ONE: OnceLock<Vec<Rule>> = OnceLock::new();
     static OF_SEVERAL: Mutex<BTreeMap<Vec<Meeting>, &'static [Rule]>> = Mutex::new(BTreeMap::new());
-    let of_one = OF_ONE.get_or_init(|| Law::ALL.iter().flat_map(|law| law.rules()).collect());
+    let of_one = OF_ONE.get_or_init(|| Law::ALL.iter().flat_map(|law| law.own_rules()).collect());
     if meetings.is_empty() {
         return of_one;
     }

@@ -1,7 +1,5 @@
 //! A way to use a law, in the first impact or in a later one.
 
-use std::borrow::Cow;
-
 use super::{Known, Law, Line, Outcome, Show, silent};
 use crate::expr::Expr;
 use crate::mechanics::Quantity;
@@ -44,23 +42,23 @@ impl Rule {
         self.gives.first().map_or(0, |quantity| quantity.impact())
     }
 
-    /// What is known, as the law has it.
-    fn in_its_words<'k, N: Number>(&self, known: &'k Known<N>) -> Cow<'k, Known<N>> {
-        match self.later {
-            Some((meeting, _)) => Cow::Owned(meeting.known(known)),
-            None => Cow::Borrowed(known),
-        }
-    }
-
     /// What it gives from what is known; `None` where one of it does not exist, as the direction of a sphere at rest
     /// does not.
     pub fn evaluate<N: Number>(&self, known: &Known<N>) -> Outcome<N> {
-        self.in_law().evaluated(&self.in_its_words(known))
+        let Some((_, rule)) = self.later else { return self.evaluated(known) };
+        // As the law has it. The last that it needs is the impact itself, of which the law does not know.
+        let needed = rule.needs.iter().zip(&self.needs);
+        let here = needed.filter_map(|(in_law, own)| Some((*in_law, known.0.get(own)?.clone())));
+        rule.evaluated(&Known(here.collect()))
     }
 
-    /// The same with a slip in place of the law; `None` if the slip changes nothing that this rule does.
+    /// The same with a slip in place of the law; `None` if the slip changes nothing that this rule does. A slip may start
+    /// from what the rule does not need.
     pub fn slipped<N: Number>(&self, slip: &str, known: &Known<N>) -> Outcome<N> {
-        self.in_law().evaluated_with(slip, &self.in_its_words(known))
+        match self.later {
+            Some((meeting, rule)) => rule.evaluated_with(slip, &meeting.known(known)),
+            None => self.evaluated_with(slip, known),
+        }
     }
 
     /// The equation, as a student first writes it, that a mark for accuracy is given for.
@@ -81,5 +79,35 @@ impl Rule {
             Some((meeting, rule)) => show.of_later(meeting).map_or_else(silent, |show| said(rule, &show)),
             None => said(self, show),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Datum, all_rules};
+    use super::*;
+
+    #[test]
+    fn a_rule_looks_at_nothing_that_it_does_not_need() {
+        let quantities = Quantity::of_an_impact();
+        let datum = |(place, quantity): (usize, &Quantity)| {
+            let number = 1.0 + place as f64 / 7.0;
+            let datum = match quantity {
+                quantity if quantity.is_equation() => Datum::Equation([number, 0.5 - number, 3.0]),
+                quantity if quantity.is_angle() => Datum::Direction { y: number, x: 2.0 },
+                Quantity::GivenDirection(..) => Datum::Direction { y: number, x: -2.0 },
+                _ => Datum::Number(number),
+            };
+            (*quantity, datum)
+        };
+        let everything = Known(quantities.iter().enumerate().map(datum).collect());
+        let mut found = 0;
+        for rule in all_rules(&[]) {
+            let needed = rule.needs.iter().filter_map(|need| Some((*need, everything.0.get(need)?.clone())));
+            let needed = Known(needed.collect());
+            assert_eq!(rule.evaluate(&needed), rule.evaluate(&everything), "{rule:?}");
+            found += usize::from(rule.evaluate(&needed).is_some());
+        }
+        assert!(2 * found > all_rules(&[]).len(), "of most rules something was seen: {found}");
     }
 }
