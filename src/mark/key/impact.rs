@@ -63,6 +63,7 @@ impl KeyedQuestion {
             given_letters: self.given_letters.clone(),
             parts: self.parts.iter().map(|part| part.of_impact(meeting)).collect(),
             decimals: self.decimals.clone(),
+            angles: self.angles.clone(),
             prepared: Default::default(),
             mistakes: Default::default(),
             needed: Default::default(),

@@ -16,7 +16,7 @@ use super::judging::Model;
 use super::slips::Mistakes;
 use super::working::Prepared;
 use crate::bank::{Code, EarnedFor, Find};
-use crate::expr::{Angles, Expr};
+use crate::expr::{Angles, Expr, degrees, read};
 use crate::mechanics::{Derivation, Known, Meeting, Quantity, Scene, SceneText, Setting, pose};
 use crate::number::{Letter, Value};
 use crate::paper::KeyQuestion;
@@ -64,6 +64,8 @@ pub struct KeyedQuestion {
     pub parts: Vec<KeyedPart>,
     /// The decimals that stand in it: in working they are exact.
     decimals: Vec<String>,
+    /// The angles among its parameters, by the names that its words have for them, in degrees.
+    angles: Vec<(String, f64)>,
     prepared: OnceLock<Prepared>,
     mistakes: OnceLock<Mistakes>,
     needed: OnceLock<Vec<Vec<Vec<bool>>>>,
@@ -276,7 +278,7 @@ impl KeyedQuestion {
             parts.push(KeyedPart::read(part, &scene, &mut known).map_err(below)?);
         }
         let (id, number, mirrors) = (question.id.clone(), question.number, question.mirrors.clone());
-        let decimals = decimals(question);
+        let (decimals, angles) = (decimals(question), angles(question));
         let given_letters = given_letters(question, &letters);
         let (prepared, mistakes, needed, later) = Default::default();
         Ok(KeyedQuestion {
@@ -289,6 +291,7 @@ impl KeyedQuestion {
             given_letters,
             parts,
             decimals,
+            angles,
             prepared,
             mistakes,
             needed,
@@ -298,7 +301,8 @@ impl KeyedQuestion {
 
     /// What looking through working needs, made when it is first needed.
     pub(super) fn prepared(&self) -> &Prepared {
-        let prepare = || Prepared::new(&self.scene, &self.given_letters, &self.given, self.decimals.clone());
+        let (decimals, angles) = (self.decimals.clone(), self.angles.clone());
+        let prepare = || Prepared::new(&self.scene, &self.given_letters, &self.given, decimals, angles);
         self.prepared.get_or_init(prepare)
     }
 
@@ -347,6 +351,21 @@ fn given_letters(question: &KeyQuestion, letters: &[Letter]) -> Vec<Letter> {
     let names: BTreeSet<&str> = text.split(|sign: char| !sign.is_ascii_alphanumeric() && sign != '_').collect();
     letters.iter().filter(|letter| names.contains(letter.name())).copied().collect()
 }
+
+/// The parameters of a question that are named as angles are.
+fn angles(question: &KeyQuestion) -> Vec<(String, f64)> {
+    const NAMES: [&str; 5] = ["alpha", "beta", "gamma", "theta", "phi"];
+    let own = question.parameters.iter().filter(|(name, _)| NAMES.contains(&name.as_str()));
+    let angle = |(name, text): (&String, &serde_json::Value)| {
+        let angle = read(text.as_str()?, Angles::Degrees).ok()?;
+        let turn = degrees(&angle, &|_| None).ok()?;
+        Some((name.clone(), turn.enclose(ANGLE_BITS)?.to_f64()))
+    };
+    own.filter_map(angle).collect()
+}
+
+/// How precisely an angle is known that students have a letter for.
+const ANGLE_BITS: usize = 64;
 
 /// The decimals in the scene of a question.
 fn decimals(question: &KeyQuestion) -> Vec<String> {

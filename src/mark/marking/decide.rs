@@ -25,18 +25,23 @@ pub(super) struct Findings<'a> {
     pub(super) by_working: Vec<Option<Award>>,
     /// What is right for the student's own values, a blank each.
     pub(super) followed: &'a [Option<Judgement>],
+    /// For each mark: does the working state another value than the one that it is for?
+    pub(super) contradicted: Vec<bool>,
 }
 
 /// The awards of a part, in the order of the scheme, each as if it stood alone: [`settled`] sets them side by side.
 pub(super) fn awards(part: &KeyedPart, found: Findings, profile: &Profile, charged: &mut Charged) -> Vec<Award> {
-    let Findings { needed, answers, by_working, followed } = found;
+    let Findings { needed, answers, by_working, followed, contradicted } = found;
     let worth: Vec<Worth> = answers.iter().map(|answer| Worth::of(answer, profile, charged)).collect();
     let mut awards: Vec<Award> = Vec::new();
-    for ((mark, by_working), needed) in part.scheme.iter().zip(by_working).zip(needed) {
+    for (((mark, by_working), needed), contradicted) in part.scheme.iter().zip(by_working).zip(needed).zip(contradicted)
+    {
         // Where the answer itself was given, it is the student's last word on the value.
         let answered = own_blank(mark, part).is_some_and(|place| answers[place].judgement.verdict != Verdict::Blank);
         let by_working = by_working.filter(|_| !answered).map(|award| in_profile(award, mark, profile));
-        let award = match (by_answers(mark, part, needed, answers, &worth), by_working) {
+        let by_answers = by_answers(mark, part, needed, answers, &worth)
+            .filter(|award| award.note != Some("implied") || !contradicted);
+        let award = match (by_answers, by_working) {
             // What the working shows is better evidence than what an answer implies.
             (Some(implied), Some(shown)) if implied.note == Some("implied") && (shown.given || contradicts(&shown)) => {
                 shown

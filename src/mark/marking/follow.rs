@@ -35,6 +35,10 @@ pub(super) fn answers(
             return None;
         }
         let value = examined.followed(question, quantity)?;
+        // Nothing is left to find where the student's own values leave nought.
+        if value == 0.0 && question.prepared().known_size(quantity) != Some(0.0) {
+            return None;
+        }
         let value = Expr::Decimal(format!("{:.12}", value.abs()));
         let model = Model { quantity: blank.model.quantity, ..blank.model.of_value(value) };
         let judgement = judge(&model, &Ok(judged.readings.clone()?));

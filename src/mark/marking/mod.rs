@@ -18,10 +18,12 @@ pub use overrule::{Word, overrule};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::award::{MarkedLine, MarkedPart};
-use super::key::KeyedQuestion;
+use super::key::{KeyedMark, KeyedPart, KeyedQuestion};
 use super::profile::Profile;
 use super::script::{PartScript, Script};
 use super::working::{Theirs, examine};
+use crate::bank::EarnedFor;
+use crate::mechanics::Quantity;
 
 /// Marks what a student handed in for a question: a [`MarkedPart`] for each part, in the order of the key.
 ///
@@ -99,7 +101,8 @@ fn looked_through(
         causes::name(question, part, &mut answers, &judged, &examined);
         let by_working = std::mem::take(&mut examined.awards);
         let needed = question.needed(part);
-        let found = decide::Findings { needed, answers: &answers, by_working, followed: &followed };
+        let contradicted = contradicted(question, part, &theirs, &examined.theirs);
+        let found = decide::Findings { needed, answers: &answers, by_working, followed: &followed, contradicted };
         let found = decide::awards(part, found, profile, &mut charged);
         let awards = decide::settled(part, &answers, &found);
         let all_right = awards.iter().all(|award| award.given);
@@ -113,6 +116,17 @@ fn looked_through(
         marked.push(MarkedPart { label, answers, lines, awards, found, followed: solution });
     }
     marked
+}
+
+/// For each mark: does the working of this part state another value than the one that it is for? Then no answer implies it.
+fn contradicted(question: &KeyedQuestion, part: &KeyedPart, before: &Theirs, now: &Theirs) -> Vec<bool> {
+    let wrong: Vec<Quantity> = now.wrong(question).map(|(quantity, _)| quantity).collect();
+    let is_stated = |quantity| wrong.contains(&quantity) && !before.0.contains_key(&quantity);
+    let states_another = |mark: &KeyedMark| match mark.earned_for {
+        EarnedFor::Quantity(quantity) => is_stated(quantity) || is_stated(question.prepared().along(quantity)),
+        _ => false,
+    };
+    part.scheme.iter().map(states_another).collect()
 }
 
 /// All that was handed in under a label.

@@ -123,15 +123,16 @@ fn candidates(rest: &str, vocabulary: &Vocabulary) -> Vec<Piece> {
 }
 
 fn without_underscores(name: &str) -> impl Iterator<Item = u8> {
-    name.bytes().filter(|byte| *byte != b'_')
+    name.bytes().filter(|byte| *byte != b'_').map(|byte| byte.to_ascii_lowercase())
 }
 
 /// A letter of the question by its name, a unit vector, or a capital typed for a small letter.
 pub(super) fn letter(name: &str, vocabulary: &Vocabulary) -> Option<Token> {
-    // `vA` is `v_A`.
+    // `vA` and `va` are `v_A`.
     let same = |letter: &&Letter| {
-        let (own, several) = (letter.name(), name.len() > 1);
-        own == name || (several && own.len() > 1 && without_underscores(own).eq(without_underscores(name)))
+        let (own, several) = (letter.name(), name.len() > 1 && name.is_ascii());
+        let alike = || without_underscores(&own[1..]).eq(without_underscores(&name[1..]));
+        own == name || (several && own.len() > 1 && own.is_ascii() && own[..1] == name[..1] && alike())
     };
     if let Some(letter) = vocabulary.letters.iter().find(same) {
         return Some(Token::Letter(letter.name().to_owned()));

@@ -27,7 +27,11 @@ impl Working<'_> {
                 self.along_impulse(law)
             }
             Seen::Components => self.resolved(code),
-            Seen::Equation => self.restitution_from_components().or_else(|| self.rebound(code)),
+            Seen::Equation if law.gives(Quantity::RestitutionEquation) => {
+                let quotient = || self.restitution_from_components().or_else(|| self.rebound(code));
+                self.by_terms(law, code).filter(|found| found.given).or_else(quotient)
+            }
+            Seen::Equation => self.by_terms(law, code),
             Seen::Value(quantities, shape) => {
                 let about =
                     |quantity: &&Quantity| sphere.is_none() || quantity.sphere().is_none_or(|of| Some(of) == sphere);
@@ -77,7 +81,7 @@ impl Working<'_> {
             if own && !follows {
                 continue;
             }
-            for quantity in quantities {
+            for quantity in quantities.iter().filter(|quantity| !own || !self.is_trivial(**quantity)) {
                 if let Some(line) = self.line_that_is(known, *quantity) {
                     let role = law.name();
                     return Some(if own { Evidence::followed(line, role) } else { Evidence::given(line, role) });

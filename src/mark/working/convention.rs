@@ -137,7 +137,7 @@ fn named(matched: Matched, says_equal: bool) -> Matched {
 }
 
 /// Is it `v = 3` or `3 = v`?
-fn is_value((left, right): &(Expr, Expr)) -> bool {
+pub(super) fn is_value((left, right): &(Expr, Expr)) -> bool {
     let is_letter = |expr: &Expr| matches!(expr, Expr::Name(_));
     (is_letter(left) && right.names().is_empty()) || (is_letter(right) && left.names().is_empty())
 }

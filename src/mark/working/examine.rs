@@ -1,5 +1,6 @@
 //! Which marks the lines of a part earn.
 
+use super::angles;
 use super::convention::take_as_laws;
 use super::evidence::Evidence as Shown;
 use super::line::{self, Line, ReadLine};
@@ -93,7 +94,7 @@ pub(super) struct Working<'a> {
     /// What follows from the student's own values, at every point.
     pub(super) followed: Vec<Known<f64>>,
     /// What names stand for: what is given, and the student's letters for the two components after the impact.
-    names: Vec<(String, Vec<f64>)>,
+    pub(super) names: Vec<(String, Vec<f64>)>,
 }
 
 /// Looks through the working of a part; `before` is what the student found in earlier parts.
@@ -145,7 +146,8 @@ fn examine_later(
 fn examine_one(question: &KeyedQuestion, part: &KeyedPart, working: &[String], before: &Theirs) -> Examined {
     let prepared = question.prepared();
     let vectors = has_vectors(question);
-    let read = line::read(working, &question.letters, vectors);
+    let mut read = line::read(working, &question.letters, vectors);
+    angles::put_in_place(&mut read, prepared);
     let mut lines: Vec<Studied> = read
         .into_iter()
         .map(|line| {
@@ -238,7 +240,11 @@ impl Working<'_> {
         let shown = match (&mark.earned_for, mark.code) {
             (_, Code::A1Shown) => None,
             (EarnedFor::Law(law, _), code) if law.seen() == Seen::Equation && self.uses_pair(*law) => {
-                self.pair_equation(*law, code)
+                let terms = || self.by_terms(*law, code);
+                match self.pair_equation(*law, code) {
+                    Some(shown) if !shown.given => terms().filter(|found| found.given).or(Some(shown)),
+                    shown => shown.or_else(terms),
+                }
             }
             (EarnedFor::Law(law, _), _) if law.seen() == Seen::Unknown => self.solved(),
             (EarnedFor::Law(law, sphere), code) => self.by_law(*law, *sphere, code),

@@ -42,12 +42,14 @@ pub(super) struct Member {
 }
 
 /// Letters that students give to what they look for. What the question has stands before these.
-const UNKNOWNS: [&str; 22] = [
+const UNKNOWNS: [&str; 23] = [
     "v", "w", "v_A", "v_B", "v_1", "v_2", "V", "W", "V_A", "V_B", "V_1", "V_2", "w_A", "w_B", "u_A", "u_B", "u_1",
-    "u_2", "I", "theta", "beta", "phi",
+    "u_2", "I", "theta", "alpha", "beta", "phi",
 ];
 /// Letters that are also signs: only where a line cannot be read without them.
-const DOUBTFUL: [&str; 4] = ["x", "y", "p", "q"];
+const DOUBTFUL: [&str; 6] = ["x", "y", "X", "Y", "p", "q"];
+/// What else a student may call the unknowns: where a line makes sense in no other way.
+const OWN: [&str; 16] = ["a", "b", "c", "d", "s", "t", "u", "f", "g", "h", "k", "z", "X", "Y", "x_1", "x_2"];
 /// Letters that stand for what is given as a number.
 const GIVEN: [&str; 5] = ["e", "m_A", "m_B", "m_1", "m_2"];
 
@@ -65,9 +67,11 @@ pub(super) fn read(working: &[String], letters: &[Letter], vectors: bool) -> Vec
         }
         Vocabulary { letters: all, vectors }
     };
-    let usual: Vec<&str> = UNKNOWNS.into_iter().chain(GIVEN).collect();
-    let all: Vec<&str> = usual.iter().copied().chain(DOUBTFUL).collect();
-    let vocabularies = [with(&usual), with(&all)];
+    let capitals = own_capitals(working, letters);
+    let usual: Vec<&str> = UNKNOWNS.into_iter().chain(GIVEN).chain(capitals.iter().map(String::as_str)).collect();
+    let doubtful: Vec<&str> = usual.iter().copied().chain(DOUBTFUL).collect();
+    let own: Vec<&str> = doubtful.iter().copied().chain(OWN).collect();
+    let vocabularies = [with(&usual), with(&doubtful), with(&own)];
     let lines = working.iter().flat_map(|cell| cell.lines()).map(str::trim).filter(|line| !line.is_empty());
     let read = |(place, typed): (usize, &str)| Line {
         number: place + 1,
@@ -75,6 +79,22 @@ pub(super) fn read(working: &[String], letters: &[Letter], vectors: bool) -> Vec
         readings: readings(typed, &vocabularies),
     };
     lines.take(MOST_LINES).enumerate().map(read).collect()
+}
+
+/// Capitals that a student tells from the question's small letters: `M` where there is an `m` too.
+fn own_capitals(working: &[String], letters: &[Letter]) -> Vec<String> {
+    let single = |letter: &&Letter| letter.name().len() == 1;
+    let is_letter = |sign: char| letters.iter().filter(single).any(|letter| letter.name().starts_with(sign));
+    let words = working.iter().flat_map(|line| line.split(|sign: char| !sign.is_alphabetic()));
+    let formulas: String = words.filter(|word| word.chars().all(|sign| is_letter(sign.to_ascii_lowercase()))).collect();
+    let has_both = |letter: &&Letter| {
+        let small = letter.name();
+        formulas.contains(small) && formulas.contains(&small.to_ascii_uppercase())
+    };
+    let both = letters.iter().filter(single).filter(has_both);
+    both.map(|letter| letter.name().to_ascii_uppercase())
+        .filter(|capital| !letters.iter().any(|letter| letter.name() == *capital))
+        .collect()
 }
 
 fn readings(typed: &str, vocabularies: &[Vocabulary]) -> Vec<ReadLine> {
@@ -92,9 +112,6 @@ fn readings(typed: &str, vocabularies: &[Vocabulary]) -> Vec<ReadLine> {
             if found.iter().any(|line| !line.equations.is_empty()) {
                 return found;
             }
-        }
-        if !found.is_empty() {
-            return found;
         }
     }
     found

@@ -4,6 +4,7 @@
 //! line is compared by what its formulas come to, not by how they look: at fixed points where letters remain, and within
 //! the width that rounded figures leave open.
 
+mod angles;
 mod by_law;
 mod compare;
 mod condition;
@@ -18,6 +19,7 @@ mod points;
 mod prepared;
 mod shapes;
 mod spread;
+mod terms;
 mod theirs;
 mod values;
 mod vectors;

@@ -43,8 +43,7 @@ impl Points {
     /// What a letter stands for at a point; an angle in radians.
     pub(super) fn letter(&self, name: &str, point: usize) -> Option<f64> {
         let same = |(letter, _): &&(Letter, _)| letter.name() == name;
-        let capital = |(letter, _): &&(Letter, _)| name.len() == 1 && letter.name().eq_ignore_ascii_case(name);
-        let (letter, values) = self.letters.iter().find(same).or_else(|| self.letters.iter().find(capital))?;
+        let (letter, values) = self.letters.iter().find(same)?;
         let value = values[point].to_f64();
         Some(if letter.range() == Range::Acute { value.atan() } else { value })
     }

@@ -23,6 +23,8 @@ pub struct Prepared {
     pub(super) laws: Option<Laws>,
     /// Names under which students write what is given as a number.
     pub(super) names: Vec<(String, Vec<f64>)>,
+    /// The angles to which its words give a name, in degrees.
+    pub(super) angles: Vec<(String, f64)>,
     /// The decimals of the question.
     pub(super) decimals: Vec<String>,
     /// Where letters were to be found: those letters with their values at every point where they have one.
@@ -33,7 +35,13 @@ pub struct Prepared {
 
 impl Prepared {
     /// Prepares a question with these letters, whose scene gives this.
-    pub fn new(scene: &Scene, letters: &[Letter], exact: &Known<Value>, decimals: Vec<String>) -> Prepared {
+    pub fn new(
+        scene: &Scene,
+        letters: &[Letter],
+        exact: &Known<Value>,
+        decimals: Vec<String>,
+        angles: Vec<(String, f64)>,
+    ) -> Prepared {
         let points = Points::new(letters);
         let given: Vec<Known<f64>> = (0..points.count).map(|point| points.known(exact, point)).collect();
         let known = given.iter().map(complete).collect::<Vec<_>>();
@@ -64,7 +72,7 @@ impl Prepared {
             Velocity::Polar { .. } => false,
         });
         let laws = Laws::of(&known, in_components);
-        Prepared { setting: scene.setting, points, known, given, laws, names, decimals, found, there }
+        Prepared { setting: scene.setting, points, known, given, laws, names, angles, decimals, found, there }
     }
 }
 
@@ -79,6 +87,17 @@ impl Prepared {
         from.0.insert(own, Datum::Number(wrong.parse().ok()?));
         let answer = complete(&from).number(asked)?;
         ((answer - known.number(asked)?).abs() > 0.02 * answer.abs()).then_some((wrong, answer))
+    }
+
+    /// The component along the line of centres that a component along i or j is, where that is its direction.
+    pub(crate) fn along(&self, quantity: Quantity) -> Quantity {
+        along_for(quantity, self)
+    }
+
+    /// The right value of a quantity, where the question has no letters.
+    pub(crate) fn known_size(&self, quantity: Quantity) -> Option<f64> {
+        let [known] = self.known.as_slice() else { return None };
+        known.number(quantity)
     }
 
     /// Would an answer be another if the step that earns a mark were wrong? Its result is changed by a few hundredths to

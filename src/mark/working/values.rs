@@ -61,11 +61,17 @@ impl Working<'_> {
                 }
             }
         }
-        if code == Code::A1FollowThrough {
+        if code == Code::A1FollowThrough && !self.is_trivial(quantity) {
             let line = self.line_that_is(&self.followed, quantity)?;
             return Some(Evidence::followed(line, format!("{quantity}")));
         }
         None
+    }
+
+    /// Is nothing left to find, where the student's own values leave nought?
+    pub(super) fn is_trivial(&self, quantity: Quantity) -> bool {
+        let is_nought = |known: &[_]| sizes(known, quantity).is_some_and(|sizes| sizes.iter().all(|size| *size == 0.0));
+        is_nought(&self.followed) && !is_nought(&self.prepared.known)
     }
 
     /// Is it a plain number of quite another size? Most lines are for something else, and that spares judging them.

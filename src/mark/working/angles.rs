@@ -1,0 +1,98 @@
+//! Angles that a student works with by a letter, where the question gives them as numbers: `5 cos θ` after `cos θ = 4/5`,
+//! or `5 cos α` where α is the question's own name for the angle.
+
+use super::examine::context;
+use super::line::{Line, ReadLine};
+use super::linear::constant;
+use super::prepared::Prepared;
+use crate::expr::{Expr, Function};
+
+/// Puts the angles that letters stand for in their places under sines, cosines and tangents.
+///
+/// A letter stands for what the working says of it before it is first used; else for the angle of that name in the
+/// question, or for the only one that has a name there.
+pub(super) fn put_in_place(lines: &mut [Line], prepared: &Prepared) {
+    let mut known: Vec<(String, Expr)> = Vec::new();
+    for reading in lines.iter_mut().flat_map(|line| &mut line.readings) {
+        let defined = reading.equations.iter().find_map(|equation| definition(equation, prepared));
+        if let Some((name, angle)) = defined {
+            if known.iter().all(|(own, _)| *own != name) {
+                known.push((name, in_degrees(angle)));
+            }
+            continue;
+        }
+        for name in used(reading) {
+            let is_open = prepared.points.letter(&name, 0).is_none() && known.iter().all(|(own, _)| *own != name);
+            let named = prepared.angles.iter().find(|(own, _)| *own == name);
+            let only = || prepared.angles.first().filter(|_| prepared.angles.len() == 1);
+            if let Some((_, angle)) = named.or_else(only).filter(|_| is_open) {
+                known.push((name, in_degrees(*angle)));
+            }
+        }
+        let put = |expr: &Expr| with_angles(expr, &known);
+        for (left, right) in &mut reading.equations {
+            (*left, *right) = (put(left), put(right));
+        }
+        for member in &mut reading.members {
+            member.expr = put(&member.expr);
+        }
+    }
+}
+
+fn in_degrees(degrees: f64) -> Expr {
+    Expr::degrees(Expr::Decimal(format!("{degrees:.12}")))
+}
+
+/// `cos θ = 4/5` or `θ = 36.9°`: the letter, and the angle in degrees.
+fn definition((left, right): &(Expr, Expr), prepared: &Prepared) -> Option<(String, f64)> {
+    let number = |expr: &Expr| constant(expr, &context(prepared, 0)).map(super::spread::Spread::middle);
+    match left {
+        Expr::Call(function, argument) => {
+            let Expr::Name(name) = &**argument else { return None };
+            let value = number(right)?;
+            let angle = match function {
+                Function::Sin => value.asin(),
+                Function::Cos => value.acos(),
+                Function::Tan => value.atan(),
+                _ => return None,
+            };
+            angle.is_finite().then(|| (name.text.clone(), angle.to_degrees()))
+        }
+        Expr::Name(name) if matches!(right, Expr::Degrees(_)) => Some((name.text.clone(), number(right)?.to_degrees())),
+        _ => None,
+    }
+}
+
+/// The letters alone under sines, cosines and tangents.
+fn used(reading: &ReadLine) -> Vec<String> {
+    let mut found = Vec::new();
+    let sides = reading.equations.iter().flat_map(|(left, right)| [left, right]);
+    for expr in sides.chain(reading.members.iter().map(|member| &member.expr)) {
+        collect(expr, &mut found);
+    }
+    found
+}
+
+fn collect(expr: &Expr, found: &mut Vec<String>) {
+    if let Some(Expr::Name(name)) = argument(expr) {
+        found.push(name.text.clone());
+    }
+    expr.children().into_iter().for_each(|child| collect(child, found));
+}
+
+fn argument(expr: &Expr) -> Option<&Expr> {
+    match expr {
+        Expr::Call(Function::Sin | Function::Cos | Function::Tan, argument) => Some(argument),
+        _ => None,
+    }
+}
+
+fn with_angles(expr: &Expr, known: &[(String, Expr)]) -> Expr {
+    match (expr, argument(expr)) {
+        (Expr::Call(function, _), Some(argument)) => {
+            let angle = |name: &str| known.iter().find(|(own, _)| own == name).map(|(_, angle)| angle.clone());
+            Expr::call(*function, argument.substitute(&angle))
+        }
+        _ => expr.map_children(&mut |child| with_angles(child, known)),
+    }
+}
