@@ -136,7 +136,8 @@ fn own_line(model: &Model) -> ReferenceLine {
 /// The model's angle as measured from the line that was named; `None` if only a person can tell.
 fn expected(right: &Enclosed, own: ReferenceLine, named: Option<ReferenceLine>) -> Option<Cow<'_, Enclosed>> {
     use ReferenceLine::{CommonTangent, I, J, LineOfCentres};
-    let Some(named) = named else { return Some(Cow::Borrowed(right)) };
+    // Towards a sphere is no line.
+    let Some(named) = named.filter(|named| !named.is_sense_alone()) else { return Some(Cow::Borrowed(right)) };
     match (own, named) {
         (own, named) if own == named => Some(Cow::Borrowed(right)),
         (LineOfCentres, CommonTangent) | (CommonTangent, LineOfCentres) | (I, J) => right.from(90).map(Cow::Owned),

@@ -14,6 +14,8 @@ use super::{Model, Note};
 #[derive(Clone, Copy, PartialEq)]
 enum Sort {
     Speed,
+    /// It has a size and a direction, and either may be called by it.
+    Velocity,
     Energy,
     Impulse,
     Angle,
@@ -29,7 +31,9 @@ pub(super) fn as_called(model: &Model, statement: &Statement, finding: Finding) 
         return finding;
     }
     let others = named_sphere(statement).zip(sphere(asked)).is_some_and(|(named, asked)| named != asked);
-    let sorts: Vec<Sort> = words(&label.typed).filter_map(sort).collect();
+    // `speed of separation/speed of approach` is neither of the two.
+    let is_ratio = label.typed.contains('/') || words(&label.typed).any(|word| word.eq_ignore_ascii_case("ratio"));
+    let sorts: Vec<Sort> = words(&label.typed).filter_map(sort).filter(|_| !is_ratio).collect();
     if others || !(sorts.is_empty() || sorts.iter().any(|sort| suits(asked, *sort))) {
         return Finding::unreadable(Note::NamedOtherwise);
     }
@@ -57,7 +61,8 @@ fn sort(word: &str) -> Option<Sort> {
         _ => {}
     }
     match word.to_lowercase().as_str() {
-        "speed" | "speeds" | "velocity" | "velocities" | "vel" => Some(Sort::Speed),
+        "speed" | "speeds" => Some(Sort::Speed),
+        "velocity" | "velocities" | "vel" => Some(Sort::Velocity),
         "ke" | "kinetic" | "energy" => Some(Sort::Energy),
         "impulse" | "momentum" => Some(Sort::Impulse),
         "angle" | "angles" | "direction" | "bearing" => Some(Sort::Angle),
@@ -72,11 +77,11 @@ fn sort(word: &str) -> Option<Sort> {
 fn suits(asked: Quantity, sort: Sort) -> bool {
     use Quantity::*;
     match asked {
-        Velocity(..) | Speed(..) | Approach | Separation => sort == Sort::Speed,
+        Velocity(..) | Speed(..) | Approach | Separation => matches!(sort, Sort::Speed | Sort::Velocity),
         KineticEnergy(..) | TotalEnergy(_) | EnergyLost | SphereEnergyLost(_) | FractionLost => sort == Sort::Energy,
         SphereMomentum(..) | TotalMomentum(_) | Impulse(..) | ImpulseMagnitude => sort == Sort::Impulse,
         AngleToLine(..) | AngleFromN(..) | AngleFromI(..) | AngleToWall(..) | AngleBetween(_) | Alpha => {
-            sort == Sort::Angle
+            matches!(sort, Sort::Angle | Sort::Velocity)
         }
         Deflection(_) | SignedDeflection(_) | TanDeflection(_) => matches!(sort, Sort::Angle | Sort::Deflection),
         Restitution => sort == Sort::Restitution,

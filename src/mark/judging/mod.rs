@@ -35,7 +35,7 @@ use crate::expr::Expr;
 use crate::mechanics::{Quantity, Setting};
 use crate::unit::Unit;
 
-use super::reading::{Reading, Unreadable, Vocabulary};
+use super::reading::{Reading, Said, Unreadable, Vocabulary};
 use finding::Finding;
 use known::Prepared;
 pub use model_text::ModelOptions;
@@ -188,6 +188,12 @@ fn one(model: &Model, reading: &Reading) -> Finding {
     let finding = by_kind(model, reading);
     if finding.is_credited() && is_turned_by_words(model, reading, finding) {
         return Finding::unreadable(Note::CannotBeCompared);
+    }
+    // After the impact the spheres move away from each other, in whichever sense each of them moves.
+    let is_away = |said: &Said| said.remarks.iter().any(|remark| remark.contains("away from"));
+    let is_of_sense = matches!(finding.note, Some(Note::Sign | Note::Supplement | Note::DirectionWrong));
+    if is_of_sense && reading.statements.iter().flat_map(|statement| &statement.said).any(is_away) {
+        return Finding::unreadable(Note::DirectionUnchecked);
     }
     finding
 }

@@ -39,7 +39,8 @@ fn a_direction_along_the_line_of_centres_has_a_sense() {
             ("along BA", "wrong supplement"),
             ("BA", "wrong supplement"),
             ("along the line of centres towards A", "wrong supplement"),
-            ("along the line of centres, away from B", "wrong supplement"),
+            ("along the line of centres, away from B", "unreadable direction-unchecked"),
+            ("along the line of centres, away from A", "correct"),
             ("along the line of centres towards B", "correct"),
             ("from A to B", "correct"),
             ("in the direction from A to B", "correct"),
@@ -118,10 +119,10 @@ fn a_velocity_and_its_components_have_a_sense() {
         &[
             ("3 m/s along the line of centres", "correct"),
             ("3 m/s towards B", "correct"),
-            ("3 m/s away from B", "wrong sign"),
+            ("3 m/s away from B", "unreadable direction-unchecked"),
             ("3 m/s along BA", "wrong sign"),
             ("-3 m/s along BA", "unreadable cannot-be-compared"),
-            ("3 m/s, away from B", "wrong sign"),
+            ("3 m/s, away from B", "unreadable direction-unchecked"),
             ("3 m/s perpendicular to the line of centres", "wrong direction-wrong"),
             ("3 m/s in the opposite direction", "unreadable cannot-be-compared"),
             ("3 m/s in opposite direction", "unreadable cannot-be-compared"),
@@ -181,9 +182,17 @@ fn a_right_value_under_another_name_is_for_a_person() {
     );
     earn(
         &Asked("atan(1/2)/deg", Some(Kind::Angle), "A.after.angle_to_loc_deg", None),
-        &[("deflection = 26.6°", OTHERWISE), ("angle = 26.6°", "correct"), ("theta = 26.6°", "correct")],
+        &[
+            ("deflection = 26.6°", OTHERWISE),
+            ("angle = 26.6°", "correct"),
+            ("velocity of A is at 26.6° to the line of centres", "correct"),
+            ("theta = 26.6°", "correct"),
+        ],
     );
-    earn(&Asked("3/4", None, "e", None), &[("I = 3/4", OTHERWISE), ("e = 3/4", "correct")]);
+    earn(
+        &Asked("3/4", None, "e", None),
+        &[("I = 3/4", OTHERWISE), ("e = 3/4", "correct"), ("speed of separation/speed of approach = 3/4", "correct")],
+    );
     earn(
         &Asked("729/16", None, "ke.lost", None),
         &[

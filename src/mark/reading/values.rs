@@ -119,6 +119,8 @@ impl Values<'_> {
         let said_in_words = |form: Form, reference| Said { form, unit: None, reference, remarks: Vec::new() };
         match phrase {
             Phrase::Line(line) => {
+                let typed = self.slice(tokens, at, at + 1).to_lowercase();
+                let away = (line.is_sense_alone() && typed.starts_with("away")).then_some(typed);
                 match found.values.last_mut() {
                     Some((_, last)) if lead_says_nothing(tokens, lead) && with_line(last.reference, line).is_some() => {
                         last.reference = with_line(last.reference, line);
@@ -140,6 +142,10 @@ impl Values<'_> {
                         lead.clear();
                         found.values.push((label, said_in_words(Form::Direction, Some(line))));
                     }
+                }
+                // Away from the other sphere, and so towards the one that is meant, or just apart.
+                if let Some((_, last)) = found.values.last_mut() {
+                    last.remarks.extend(away);
                 }
                 Ok(at + 1)
             }
