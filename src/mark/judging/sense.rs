@@ -11,7 +11,7 @@ use crate::mark::reading::{Form, Label, ReferenceLine, Said, Sense};
 use crate::mechanics::{Axis, Quantity, Sphere};
 
 use super::finding::Finding;
-use super::{Model, Note, number};
+use super::{Model, Note, exact, number};
 
 /// Does a sphere that moves so, backwards or not, move in the sense that is said? `None` if nobody knows.
 pub(super) fn agrees(said: Option<Sense>, backwards: Option<bool>) -> Option<bool> {
@@ -50,18 +50,16 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Option
         return None;
     }
     let (plain, turned) = (plain(), of(Form::Value(expr.clone().negated())));
-    Some(match (turned.is_correct() || turned.note != Some(Note::Sign) && turned.is_credited(), plain.is_credited()) {
-        // `−3 m/s from B to A`: said twice, or taken back?
-        _ if (turned.is_credited() || plain.is_credited()) && (is_negative(expr) || sphere == Sphere::C) => {
-            Finding::unreadable(Note::CannotBeCompared)
-        }
+    Some(match (turned.is_credited(), plain.is_credited()) {
+        (false, false) => Finding::WRONG,
+        // `−3 m/s from B to A`: said twice, or taken back? And where C lies nobody has said.
+        _ if is_negative(expr) || sphere == Sphere::C => Finding::unreadable(Note::CannotBeCompared),
         (true, _) => turned,
         (false, true) => Finding::wrong(Note::Sign),
-        (false, false) => Finding::WRONG,
     })
 }
 
 fn is_negative(expr: &Expr) -> bool {
-    let sign = super::exact::value(expr, &[]).and_then(|value| value.sign());
+    let sign = exact::value(expr, &[]).and_then(|value| value.sign());
     matches!(expr, Expr::Negative(_)) || sign == Some(Ordering::Less)
 }

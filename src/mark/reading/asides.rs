@@ -67,7 +67,7 @@ impl Walk<'_> {
 }
 
 /// Brackets around words are an aside, and part it from the rest as commas would: `0 m/s (at rest)`. So are brackets in
-/// which a value is said again: `√13 (3.61 m/s)`, `√13 (= 3.61)`.
+/// which a value is said again, or a condition: `√13 (3.61 m/s)`, `√13 (= 3.61)`, `8 (k > 0)`.
 pub(super) fn with_asides_set_off(mut tokens: Vec<Placed>) -> Vec<Placed> {
     for start in 1..tokens.len() {
         if let Some(end) = said_again(&tokens, start) {
@@ -96,7 +96,7 @@ pub(super) fn with_asides_set_off(mut tokens: Vec<Placed>) -> Vec<Placed> {
     tokens
 }
 
-/// The closing bracket of a value that is said again in the bracket that opens here.
+/// The closing bracket of a value that is said again, or of a condition, in the bracket that opens here.
 fn said_again(tokens: &[Placed], start: usize) -> Option<usize> {
     let after_value =
         matches!(tokens[start - 1].token, Token::Number(_) | Token::Word(_) | Token::Sign(')' | '°' | '⟧'));
@@ -104,10 +104,12 @@ fn said_again(tokens: &[Placed], start: usize) -> Option<usize> {
         return None;
     }
     let inner = tokens.get(start + 1)?;
-    if inner.is('=') || inner.is('≈') {
-        let end = start + tokens[start..].iter().position(|placed| placed.is(')'))?;
-        let opens = tokens[start + 1..end].iter().any(|placed| placed.is('('));
-        return (!opens).then_some(end);
+    let close = start + tokens[start..].iter().position(|placed| placed.is(')'))?;
+    let inside = &tokens[start + 1..close];
+    let compares = |placed: &Placed| matches!(placed.token, Token::Sign('<' | '>' | '≤' | '≥'));
+    if inner.is('=') || inner.is('≈') || inside.iter().any(compares) {
+        let opens = inside.iter().any(|placed| placed.is('('));
+        return (!opens).then_some(close);
     }
     // A speed, an impulse or an energy: no letters of a question look like their units.
     let whole = |unit: &SaidUnit| unit.dimension[1] != 0 && unit.dimension[2] != 0;

@@ -204,17 +204,20 @@ impl Statements<'_> {
         let stretch = values.stretch(tokens)?;
         stretch.remarks.into_iter().for_each(|words| self.remark(words));
         for (label, said) in stretch.values {
-            // `71.6° to the line of centres, towards B`
-            if let (None, Form::Direction, Some(sense)) = (&label, &said.form, said.reference)
-                && sense.is_sense_alone()
-                && let Some(last) = self.found.last_mut().and_then(|last| last.said.last_mut())
+            let label = label.map(|typed| Label { typed, expr: None });
+            // `71.6° to the line of centres, towards B`; `…, A towards B` says of what it is, too.
+            let only = self.found.len() == 1;
+            if let (Form::Direction, Some(sense)) = (&said.form, said.reference.filter(|line| line.is_sense_alone()))
+                && let Some(before) = self.found.last_mut()
+                && (label.is_none() || (only && before.label.is_none()))
+                && let Some(last) = before.said.last_mut()
                 && let Some(joined) = last.reference.map_or(Some(sense), |line| line.and(sense))
             {
                 last.reference = Some(joined);
                 last.remarks.extend(said.remarks);
+                before.label = before.label.take().or(label);
                 continue;
             }
-            let label = label.map(|typed| Label { typed, expr: None });
             self.found.push(Statement { label, said: vec![said] });
         }
         Ok(())

@@ -68,7 +68,7 @@ impl Values<'_> {
                         let number = matches!(tokens[at].token, Token::Number(_));
                         let angle = number && tokens.get(at + 1).is_some_and(|next| next.is('°'));
                         let size = !last.unit.as_ref().is_some_and(|unit| unit.degrees);
-                        if !after_words && !(angle && size) {
+                        if !(after_words || angle && size) {
                             return Err(Unreadable::Sign(
                                 tokens[at].start,
                                 "a second value without a word or sign between".to_owned(),
