@@ -2,22 +2,22 @@
 //!
 //! Conventions. The model is an angle to the line of centres in the sense from A to B, unless the quantity says
 //! otherwise. A bare number is degrees. The complement is right with the common tangent named and wrong without. Measured
-//! from BA it is the supplement that is right, unless the sphere rebounds; where nobody says whether it does, such an
-//! answer goes to a person.
+//! from BA it is the supplement that is right, unless the sphere rebounds; from the direction AB, if it does. `AB` alone may be
+//! the line or the direction. Where nobody says whether the sphere rebounds, a sense goes to a person.
 
 use std::borrow::Cow;
 use std::cell::OnceCell;
 use std::sync::OnceLock;
 
 use crate::expr::{Expr, Function, Meaning, Relation, Turn};
-use crate::mark::reading::{Form, Label, ReferenceLine, Said};
+use crate::mark::reading::{Form, Label, ReferenceLine, Said, Sense};
 use crate::mechanics::Quantity;
 use crate::number::{Fraction, Interval, Letter, Places};
 
 use super::accuracy::{BITS, Coarsest, Target, Written, decimal, is_far, places};
 use super::exact;
 use super::finding::Finding;
-use super::{Model, Note, number};
+use super::{Model, Note, number, sense};
 
 /// Judges one value against an angle.
 pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
@@ -34,7 +34,7 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Findin
                 _ => Finding::WRONG,
             };
         }
-        Form::Direction => return direction(&right.turn, own_line(model), said.reference),
+        Form::Direction => return direction(model, &right.turn, own_line(model), said.reference),
         _ => return Finding::WRONG,
     };
     if let Some(Expr::Call(function, _)) = label.and_then(|label| label.expr.as_ref()) {
@@ -51,8 +51,12 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Findin
         Some(unit) if unit.dimension == [0, 0, 0, 1] => true,
         Some(_) => return compare(model, stated, right, false).spoilt_by(Note::UnitWrong),
     };
-    if said.reference == Some(ReferenceLine::FromBToA) && own_line(model) == ReferenceLine::LineOfCentres {
-        return from_b_to_a(model, stated, right, radians);
+    if let (Some(sense), ReferenceLine::LineOfCentres) =
+        (said.reference.and_then(ReferenceLine::sense), own_line(model))
+    {
+        let finding = in_a_sense(model, stated, right, radians, sense);
+        let explained = finding == Finding::WRONG && sense != Sense::BToA;
+        return if explained { explain(model, said, stated, right, finding) } else { finding };
     }
     match expected(right, own_line(model), said.reference) {
         Some(expected) => {
@@ -132,7 +136,8 @@ fn own_line(model: &Model) -> ReferenceLine {
 /// The model's angle as measured from the line that was named; `None` if only a person can tell.
 fn expected(right: &Enclosed, own: ReferenceLine, named: Option<ReferenceLine>) -> Option<Cow<'_, Enclosed>> {
     use ReferenceLine::{CommonTangent, I, J, LineOfCentres};
-    let Some(named) = named else { return Some(Cow::Borrowed(right)) };
+    // Towards a sphere is no line.
+    let Some(named) = named.filter(|named| !named.is_sense_alone()) else { return Some(Cow::Borrowed(right)) };
     match (own, named) {
         (own, named) if own == named => Some(Cow::Borrowed(right)),
         (LineOfCentres, CommonTangent) | (CommonTangent, LineOfCentres) | (I, J) => right.from(90).map(Cow::Owned),
@@ -140,28 +145,41 @@ fn expected(right: &Enclosed, own: ReferenceLine, named: Option<ReferenceLine>) 
     }
 }
 
-/// An angle measured from BA: by the sense in which the sphere moves, if that is known.
-fn from_b_to_a(model: &Model, stated: &Stated, right: &Enclosed, radians: bool) -> Finding {
-    let forwards = right.from(180).map_or(Finding::WRONG, |turn| compare(model, stated, &turn, radians));
-    let backwards = compare(model, stated, right, radians);
-    match model.rebounds {
-        Some(false) => forwards,
-        Some(true) => backwards,
-        None if forwards.or_better(backwards).is_credited() => Finding::unreadable(Note::ReferenceUnchecked),
-        None => Finding::WRONG,
+/// An angle measured from AB or from BA: by the sense in which the sphere moves, if that is known.
+fn in_a_sense(model: &Model, stated: &Stated, right: &Enclosed, radians: bool, sense: Sense) -> Finding {
+    let acute = compare(model, stated, right, radians);
+    if sense == Sense::Perhaps && acute.is_credited() {
+        return acute;
     }
+    let obtuse = right.from(180).map_or(Finding::WRONG, |turn| compare(model, stated, &turn, radians));
+    let (own, other) = match (model.rebounds, sense) {
+        (None, _) if obtuse.or_better(acute).is_credited() => return Finding::unreadable(Note::ReferenceUnchecked),
+        (None, _) => return Finding::WRONG,
+        (Some(rebounds), _) if rebounds == (sense == Sense::BToA) => (acute, obtuse),
+        (Some(_), _) => (obtuse, acute),
+    };
+    if other.is_credited() && !own.is_credited() { Finding::wrong(Note::Supplement) } else { own }
 }
 
 /// An angle told by words alone: along the line from which it is measured, or across it. How any other line lies to that
 /// one nobody but a person can tell.
-fn direction(right: &Turn, own: ReferenceLine, named: Option<ReferenceLine>) -> Finding {
+fn direction(model: &Model, right: &Turn, own: ReferenceLine, named: Option<ReferenceLine>) -> Finding {
     use ReferenceLine::{AlongCommonTangent, AlongLineOfCentres, CommonTangent, LineOfCentres};
-    let degrees = match (own, named) {
+    let degrees = match (own, named.map(ReferenceLine::unsensed)) {
         (LineOfCentres, Some(AlongLineOfCentres)) | (CommonTangent, Some(AlongCommonTangent)) => 0,
         (LineOfCentres, Some(AlongCommonTangent)) | (CommonTangent, Some(AlongLineOfCentres)) => 90,
         _ => return Finding::unreadable(Note::CannotBeCompared),
     };
-    if right.is_degrees(&Fraction::from(degrees)) { Finding::EXACT } else { Finding::WRONG }
+    if !right.is_degrees(&Fraction::from(degrees)) {
+        return Finding::WRONG;
+    }
+    let said = named.and_then(ReferenceLine::sense);
+    match (sense::agrees(said, model.rebounds), said) {
+        (Some(true), _) => Finding::EXACT,
+        (Some(false), _) => Finding::wrong(Note::Supplement),
+        (None, Some(Sense::Perhaps)) if model.rebounds.is_none() => Finding::EXACT,
+        (None, _) => Finding::unreadable(Note::ReferenceUnchecked),
+    }
 }
 
 /// The sine, cosine or tangent where the angle is asked: a step short.
@@ -243,7 +261,7 @@ fn explain(model: &Model, said: &Said, stated: &Stated, right: &Enclosed, findin
     if is_unrelated(stated.expr, right, &places(&model.accept)) {
         return finding;
     }
-    if said.reference.is_some_and(|named| named != own_line(model)) {
+    if said.reference.is_some_and(|named| named.unsensed() != own_line(model)) {
         return if is(right, false) { Finding::wrong(Note::ReferenceWrong) } else { finding };
     }
     if said.unit.is_none() && is(right, true) {

@@ -534,8 +534,8 @@ fn notes_have_tags_in_kebab_case_and_sentences() {
 fn an_angle_from_b_to_a_depends_on_the_sense_of_the_motion() {
     let rows = [
         (Some(false), "133.9", "correct"),
-        (Some(false), "46.1", "wrong"),
-        (Some(true), "133.9", "wrong"),
+        (Some(false), "46.1", "wrong supplement"),
+        (Some(true), "133.9", "wrong supplement"),
         (Some(true), "46.1", "correct"),
         (None, "133.9", "unreadable reference-unchecked"),
         (None, "46.1", "unreadable reference-unchecked"),

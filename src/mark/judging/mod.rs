@@ -5,6 +5,7 @@
 
 mod accuracy;
 mod angle;
+mod called;
 mod coefficients;
 mod effort;
 mod enclosure;
@@ -18,8 +19,11 @@ mod note;
 mod number;
 mod range;
 mod ratio;
+mod selection;
+mod sense;
 mod shown;
 mod statements;
+mod together;
 mod units;
 mod vector;
 mod velocity;
@@ -31,11 +35,12 @@ use crate::expr::Expr;
 use crate::mechanics::{Quantity, Setting};
 use crate::unit::Unit;
 
-use super::reading::{Reading, Statement, Unreadable, Vocabulary};
+use super::reading::{Reading, Said, Unreadable, Vocabulary};
 use finding::Finding;
 use known::Prepared;
 pub use model_text::ModelOptions;
 pub use note::Note;
+pub use together::judge_together;
 
 /// What is right, and how near an answer must come.
 #[derive(Clone, Debug, PartialEq)]
@@ -142,85 +147,25 @@ pub fn judge(model: &Model, readings: &Result<Vec<Reading>, Unreadable>) -> Judg
     }
 }
 
-/// Judges one answer in which several things are asked: labelled with their spheres, or in the order asked.
-///
-/// A thing that is not answered is blank.
-pub fn judge_together(models: &[Model], readings: &Result<Vec<Reading>, Unreadable>) -> Vec<Judgement> {
-    let readings = match readings {
-        Ok(readings) => readings,
-        Err(unreadable) => return models.iter().map(|_| refused(unreadable)).collect(),
-    };
-    let each = |reading: &Reading| -> Vec<Finding> {
-        let shares = shared_out(models, reading);
-        models
-            .iter()
-            .zip(&shares)
-            .map(|(model, share)| share.as_ref().map_or(BLANK, |share| one(model, share)))
-            .collect()
-    };
-    let worth = |findings: &[Finding]| {
-        findings.iter().map(|finding| (finding.is_correct(), finding.is_credited())).fold(
-            (0, 0),
-            |(right, credited), (is_right, is_credited)| {
-                (right + u32::from(is_right), credited + u32::from(is_credited))
-            },
-        )
-    };
-    let found = readings.iter().map(|reading| (each(reading), reading));
-    match found.reduce(|best, next| if worth(&next.0) > worth(&best.0) { next } else { best }) {
-        Some((findings, reading)) => findings.into_iter().map(|finding| report(finding, Some(reading))).collect(),
-        None => models.iter().map(|_| report(Finding::unreadable(Note::CannotBeRead), None)).collect(),
-    }
-}
-
-/// Nothing was said of it.
-const BLANK: Finding = Finding { verdict: Verdict::Blank, note: Some(Note::Blank), exact: false };
-
-/// What a reading says of each of the models.
-fn shared_out(models: &[Model], reading: &Reading) -> Vec<Option<Reading>> {
-    let named = reading.statements.iter().any(|statement| statements::named_sphere(statement).is_some());
-    let share =
-        |statements: Vec<Statement>| (!statements.is_empty()).then(|| Reading { statements, ..reading.clone() });
-    if !named {
-        return (0..models.len()).map(|at| share(reading.statements.get(at).cloned().into_iter().collect())).collect();
-    }
-    // Within the statements of one sphere its quantities are in the order asked.
-    let mut next = [0; 3];
-    let mut sphere = None;
-    let placed: Vec<(Option<_>, &Statement)> = reading
-        .statements
-        .iter()
-        .map(|statement| {
-            sphere = statements::named_sphere(statement).or(sphere);
-            (sphere, statement)
-        })
-        .collect();
-    models
-        .iter()
-        .map(|model| {
-            let asked = model.quantity.and_then(statements::sphere)?;
-            let own = placed.iter().filter(|(named, _)| *named == Some(asked)).map(|(_, statement)| *statement);
-            let count = &mut next[asked as usize];
-            *count += 1;
-            share(own.clone().nth(*count - 1).cloned().into_iter().collect())
-        })
-        .collect()
-}
-
 /// Words beside a value that take it back.
 const DENIALS: [&str; 8] = ["not", "isn't", "isnt", "never", "wrong", "incorrect", "false", "except"];
 /// Words that turn the direction beside them into another.
 const TURNS: [&str; 7] = ["perpendicular", "perp", "normal", "right angles", "opposite", "reverse", "reversed"];
+/// Words that turn the sense beside them round.
+const OPPOSITES: [&str; 3] = ["opposite", "reverse", "backwards"];
 
 /// Do the words beside a value change what it says? Then only a person can tell what is meant.
 fn is_turned_by_words(model: &Model, reading: &Reading, finding: Finding) -> bool {
     let is_direction = matches!(model.kind, Kind::Vector | Kind::Velocity | Kind::Line | Kind::Angle)
         && finding.note != Some(Note::ComponentsLeft);
+    // A component has a sense of its own, and words may turn that too.
+    let is_signed = number::has_a_sense(model.quantity);
     let mut remarks = reading.statements.iter().flat_map(|statement| &statement.said).flat_map(|said| &said.remarks);
     remarks.any(|remark| {
         let mut words = remark.split(|letter: char| !letter.is_alphanumeric() && letter != '\'');
         let turned = is_direction && TURNS.iter().any(|turn| remark.contains(turn));
-        turned || words.any(|word| DENIALS.contains(&word))
+        let opposite = is_signed && OPPOSITES.iter().any(|turn| remark.contains(turn));
+        turned || opposite || words.any(|word| DENIALS.contains(&word))
     })
 }
 
@@ -237,9 +182,18 @@ fn one(model: &Model, reading: &Reading) -> Finding {
     if count_said(reading) > MOST_SAID {
         return Finding::unreadable(Note::TooLong);
     }
+    let Some(reading) = &selection::counted(model, reading) else {
+        return Finding::unreadable(Note::CannotBeCompared);
+    };
     let finding = by_kind(model, reading);
     if finding.is_credited() && is_turned_by_words(model, reading, finding) {
         return Finding::unreadable(Note::CannotBeCompared);
+    }
+    // After the impact the spheres move away from each other, in whichever sense each of them moves.
+    let is_away = |said: &Said| said.remarks.iter().any(|remark| remark.contains("away from"));
+    let is_of_sense = matches!(finding.note, Some(Note::Sign | Note::Supplement | Note::DirectionWrong));
+    if is_of_sense && reading.statements.iter().flat_map(|statement| &statement.said).any(is_away) {
+        return Finding::unreadable(Note::DirectionUnchecked);
     }
     finding
 }
@@ -266,6 +220,9 @@ fn by_kind(model: &Model, reading: &Reading) -> Finding {
     }
 }
 
+/// Nothing was said of it.
+const BLANK: Finding = Finding { verdict: Verdict::Blank, note: Some(Note::Blank), exact: false };
+
 fn refused(unreadable: &Unreadable) -> Judgement {
     match unreadable {
         Unreadable::Blank => report(BLANK, None),
@@ -291,3 +248,5 @@ mod kinds_tests;
 mod range_tests;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod typed_tests;

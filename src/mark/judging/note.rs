@@ -117,6 +117,8 @@ notes! {
     WorkingUnjudged, "working-not-judged", "A step towards the result; the marks are for the whole working.";
     /// Two answers that exclude each other.
     RivalAnswers, "rival-answers", "Two different answers are offered: choose one.";
+    /// Right, under the name of another sphere or another quantity.
+    NamedOtherwise, "named-otherwise", "The value is right, but is called by another name: a person should look at it.";
     /// Several values, and it is not clear which of them is meant.
     SeveralAnswers, "several-answers", "One of these is right: say which is the answer.";
     /// Nothing.

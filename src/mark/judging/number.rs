@@ -16,11 +16,11 @@ use super::exact::{self, Equality, same};
 use super::finding::Finding;
 use super::known::Further;
 use super::units::{self, UnitCheck};
-use super::{Model, Note, angle};
+use super::{Model, Note, angle, called, sense};
 
 /// Judges one value against a number or formula.
 pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
-    if let Some(finding) = through_its_tangent(model, said, label) {
+    if let Some(finding) = through_its_tangent(model, said, label).or_else(|| sense::judge(model, said, label)) {
         return finding;
     }
     let finding = as_it_stands(model, said, label);
@@ -63,6 +63,7 @@ fn as_it_stands(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
             return value(model, &quotient, &Written::of(&quotient)).at_most_partial(Note::RatioForNumber);
         }
         Form::Mixed(_) => return Finding::wrong(Note::NumberPlusVector),
+        Form::Equation(Expr::Relation(left, Relation::Equal, right)) => return said_twice(model, said, [left, right]),
         Form::Equation(_) | Form::Gradient(_) | Form::Direction => return Finding::WRONG,
     };
     let vector = Expr::names(expr).iter().any(|name| matches!(name.text.as_str(), "i" | "j"));
@@ -94,6 +95,14 @@ fn as_it_stands(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
             converted.or_better(plain.at_most_partial(Note::UnitWrong))
         }
     }
+}
+
+/// `5m/2 × 8u = 20mu`: two ways of writing one value, of which the second is the answer.
+fn said_twice(model: &Model, said: &Said, sides: [&Expr; 2]) -> Finding {
+    let [left, right] =
+        sides.map(|side| as_it_stands(model, &Said { form: Form::Value(side.clone()), ..said.clone() }, None));
+    let is_one = same(sides[0], sides[1], &model.vocabulary.letters) == Equality::Equal;
+    if is_one || (left.is_correct() && right.is_correct()) { right } else { Finding::WRONG }
 }
 
 /// The value as it is, or with its sign changed.
@@ -130,7 +139,7 @@ fn is_of_another_size(model: &Model, expr: &Expr) -> bool {
 }
 
 /// Is the sign of the quantity part of the answer?
-fn has_a_sense(quantity: Option<Quantity>) -> bool {
+pub(super) fn has_a_sense(quantity: Option<Quantity>) -> bool {
     matches!(
         quantity,
         Some(
@@ -147,7 +156,8 @@ fn has_a_sense(quantity: Option<Quantity>) -> bool {
 /// Does the label speak of a change, after minus before?
 fn is_change(label: &str) -> bool {
     let label = label.trim().to_lowercase();
-    ['Δ', 'δ', '∆'].iter().any(|delta| label.starts_with(*delta))
+    called::is_gain(&label)
+        || ['Δ', 'δ', '∆'].iter().any(|delta| label.starts_with(*delta))
         || ["delta", "change", "\\delta"].iter().any(|word| label.starts_with(word))
 }
 

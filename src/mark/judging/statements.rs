@@ -3,7 +3,7 @@
 //! * In a chain of equals signs a value that is exactly right wins and what follows is ignored; else the last decides,
 //!   unless an earlier right decimal was only rounded further. Two bare numbers of which one is wrong are rivals.
 //! * Of several statements those labelled with the sphere that is asked count; else the last, if each has its own label.
-//! * Two that are not labelled are rivals: they score only if all of them do.
+//! * Two that are not labelled are rivals: they score only if all of them do, unless the last is concluded from the others.
 
 use crate::expr::Expr;
 use crate::mark::reading::{Form, Label, Reading, Said, Statement};
@@ -11,7 +11,7 @@ use crate::mechanics::{Quantity, Sphere};
 
 use super::accuracy::Written;
 use super::finding::Finding;
-use super::{Model, Note, Verdict};
+use super::{Model, Note, Verdict, called};
 
 /// How a kind judges one value.
 pub(super) type One<'a> = &'a dyn Fn(&Said, Option<&Label>) -> Finding;
@@ -21,7 +21,7 @@ pub(super) fn judge(model: &Model, reading: &Reading, one: One) -> Finding {
     let statements: Vec<&Statement> = reading.statements.iter().filter(|s| !s.said.is_empty()).collect();
     match statements.as_slice() {
         [] => Finding::unreadable(Note::CannotBeRead),
-        [single] => chain(single, one),
+        [single] => chain(model, single, one),
         several => choose(model, several, one),
     }
 }
@@ -54,7 +54,11 @@ pub(super) fn unnamed<'s>((statement, said): (&Statement, &'s Said)) -> Option<&
 }
 
 /// One statement, perhaps a chain of equals signs.
-pub(super) fn chain(statement: &Statement, one: One) -> Finding {
+fn chain(model: &Model, statement: &Statement, one: One) -> Finding {
+    called::as_called(model, statement, links(statement, one))
+}
+
+fn links(statement: &Statement, one: One) -> Finding {
     let label = statement.label.as_ref();
     let findings: Vec<Finding> = statement.said.iter().map(|said| one(said, label)).collect();
     let Some(last) = findings.last().copied() else { return Finding::unreadable(Note::CannotBeRead) };
@@ -91,15 +95,21 @@ fn choose(model: &Model, statements: &[&Statement], one: One) -> Finding {
             statements.iter().zip(&spheres).filter(|(_, named)| **named == Some(asked)).map(|(s, _)| *s).collect();
         match own.as_slice() {
             [] if spheres.iter().all(Option::is_some) => return Finding::WRONG,
-            [] => {}
-            [single] => return chain(single, one),
-            several => return last_or_rivals(several, one),
+            [] => {
+                // `−3i (B: 3i − j)`: what stands before another sphere is named is of the one that is asked.
+                let before = spheres.iter().take_while(|named| named.is_none()).count();
+                if (1..statements.len()).contains(&before) {
+                    return last_or_rivals(model, &statements[..before], one);
+                }
+            }
+            [single] => return chain(model, single, one),
+            several => return last_or_rivals(model, several, one),
         }
     }
-    let finding = last_or_rivals(statements, one);
+    let finding = last_or_rivals(model, statements, one);
     // Of two labelled spheres only a person knows which was asked.
     let several = SPHERES.into_iter().filter(|sphere| spheres.contains(&Some(*sphere))).count() > 1;
-    let any_right = statements.iter().any(|statement| chain(statement, one).is_credited());
+    let any_right = statements.iter().any(|statement| chain(model, statement, one).is_credited());
     match several {
         true if any_right => Finding::partial(Note::SeveralAnswers),
         true => Finding::WRONG,
@@ -107,23 +117,41 @@ fn choose(model: &Model, statements: &[&Statement], one: One) -> Finding {
     }
 }
 
-fn last_or_rivals(statements: &[&Statement], one: One) -> Finding {
-    let findings: Vec<Finding> = statements.iter().map(|statement| chain(statement, one)).collect();
+fn last_or_rivals(model: &Model, statements: &[&Statement], one: One) -> Finding {
+    let findings: Vec<Finding> = statements.iter().map(|statement| chain(model, statement, one)).collect();
     let typed = |statement: &&Statement| statement.label.as_ref().map(|label| label.typed.trim().to_lowercase());
     let labels: Vec<Option<String>> = statements.iter().map(typed).collect();
     let distinct = labels.iter().enumerate().all(|(at, label)| label.is_some() && !labels[..at].contains(label));
     let last = findings[findings.len() - 1];
     if distinct {
-        return last;
+        // `w = 5, v = −3`: which of the letters is meant is not said.
+        let letters = statements.len() > 1 && statements.iter().all(|statement| is_called_by_a_letter(statement));
+        let any_right = findings.iter().any(Finding::is_correct);
+        return if letters && any_right && !last.is_credited() { Finding::partial(Note::SeveralAnswers) } else { last };
     }
     let right = findings.iter().copied().find(Finding::is_correct);
-    let spoilt = findings.iter().any(|finding| !finding.is_credited());
+    // A value and its opposite are two values.
+    let spoilt = findings.iter().any(|finding| !finding.is_credited() || finding.note == Some(Note::Sign));
     match right {
+        // `m = 2 or −18/13, so m = 2`
+        _ if spoilt && is_concluded(statements) => last,
         Some(_) if spoilt => Finding::wrong(Note::RivalAnswers),
         Some(right) => right,
         None if spoilt && findings.iter().any(Finding::is_credited) => Finding::wrong(Note::RivalAnswers),
         None => last,
     }
+}
+
+/// Is it called by a single letter?
+fn is_called_by_a_letter(statement: &Statement) -> bool {
+    let name = statement.label.as_ref().and_then(|label| label.expr.as_ref());
+    matches!(name, Some(Expr::Name(name)) if name.text.chars().count() == 1)
+}
+
+/// Is the last of them drawn from the others, as after `so`?
+fn is_concluded(statements: &[&Statement]) -> bool {
+    let first = statements.last().and_then(|last| last.said.first());
+    first.is_some_and(|said| said.remarks.iter().any(|remark| remark == "so") && !is_rival(said))
 }
 
 /// All that can take part in an impact.

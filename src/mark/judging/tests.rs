@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::expr::{Angles, Expr, read_as_written};
-use crate::mark::reading::{Form, Label, Said};
+use crate::mark::reading::{Form, Label, Said, Statement};
 
 pub(super) fn model(text: &str, kind: Option<Kind>, accept: &str) -> Model {
     let accept = (!accept.is_empty()).then(|| accept.parse().unwrap());

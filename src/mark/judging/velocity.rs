@@ -12,7 +12,7 @@ use super::exact::{self, Equality, same};
 use super::finding::Finding;
 use super::known::Further;
 use super::statements::is_rival;
-use super::{Model, Note, angle, number, vector};
+use super::{Model, Note, angle, number, sense, vector};
 
 /// Judges a whole reading against a velocity.
 pub(super) fn judge(model: &Model, reading: &Reading) -> Finding {
@@ -62,7 +62,7 @@ fn names_a_ratio(label: &Label) -> bool {
 fn by_components(model: &Model, parts: &(Expr, Expr), said: [&Said; 2]) -> Option<Finding> {
     let is_across = |said: &Said| {
         let says = |words: &str| said.remarks.iter().any(|remark| remark.split(' ').any(|word| word == words));
-        match (&said.form, said.reference) {
+        match (&said.form, said.reference.map(ReferenceLine::unsensed)) {
             (Form::Value(_), Some(ReferenceLine::AlongLineOfCentres)) => Some(false),
             (Form::Value(_), Some(ReferenceLine::AlongCommonTangent)) => Some(true),
             (Form::Value(_), None) if says("perpendicular") || says("perp") => Some(true),
@@ -92,17 +92,12 @@ fn is_size(said: &Said, model: &Model) -> bool {
         Form::AtRest => true,
         Form::Value(expr) => {
             let angular = said.unit.as_ref().is_some_and(|unit| unit.degrees || unit.dimension == [0, 0, 0, 1]);
-            let measured = said.reference.is_some_and(|line| !is_along(line)) && said.unit.is_none();
+            let measured = said.reference.is_some_and(|line| !line.is_direction()) && said.unit.is_none();
             let inverse = exact::is_angle(expr, &model.vocabulary.letters);
             !(angular || measured || inverse)
         }
         _ => false,
     }
-}
-
-/// Does it name a direction, rather than a line from which to measure?
-fn is_along(line: ReferenceLine) -> bool {
-    matches!(line, ReferenceLine::AlongLineOfCentres | ReferenceLine::AlongCommonTangent)
 }
 
 fn direction(
@@ -115,13 +110,20 @@ fn direction(
 ) -> Finding {
     let nothing = |component: &Expr| same(component, &Expr::integer(0), &model.vocabulary.letters) == Equality::Equal;
     let named: Vec<ReferenceLine> =
-        said.iter().filter_map(|said| said.reference).filter(|line| is_along(*line)).collect();
+        said.iter().filter_map(|said| said.reference).filter(|line| line.is_direction()).collect();
+    let sense = exact::value(along, &model.vocabulary.letters).and_then(|along| along.sign());
+    let rebounds = sense.map(std::cmp::Ordering::is_lt).or(model.rebounds);
     if let [line] = named.as_slice() {
-        let right = match line {
+        let lies = match line.unsensed() {
             ReferenceLine::AlongLineOfCentres => nothing(across),
-            _ => nothing(along),
+            ReferenceLine::AlongCommonTangent => nothing(along),
+            _ => return Finding::partial(Note::DirectionUnchecked),
         };
-        return if right { Finding::EXACT } else { Finding::wrong(Note::DirectionWrong) };
+        return match sense::agrees(line.sense(), rebounds) {
+            Some(true) if lies => Finding::EXACT,
+            None if lies => Finding::partial(Note::DirectionUnchecked),
+            _ => Finding::wrong(Note::DirectionWrong),
+        };
     }
     if !named.is_empty() {
         return Finding::wrong(Note::RivalAnswers);
@@ -143,8 +145,6 @@ fn direction(
             Expr::call(Function::Atan, size(across).over(size(along)))
         }
     };
-    let sense = exact::value(along, &model.vocabulary.letters).and_then(|along| along.sign());
-    let rebounds = sense.map(std::cmp::Ordering::is_lt).or(model.rebounds);
     let angle_model = Model { rebounds, ..model.further(Further::Direction, Kind::Angle, value) };
     let finding = angle::judge(&angle_model, measured, label);
     if finding.is_credited() { finding } else { Finding::wrong(finding.note.unwrap_or(Note::DirectionWrong)) }

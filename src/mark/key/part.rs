@@ -110,10 +110,10 @@ impl KeyedBlank {
     }
 }
 
-/// Does the sphere whose direction is asked move from B towards A?
+/// Does the sphere whose direction or speed is asked move from B towards A?
 fn rebounds(find: &Find, known: &Known<Value>) -> Option<bool> {
     let Find::Quantity(quantity) = find else { return None };
-    let along = known.number(quantity.along_the_line().filter(|_| quantity.is_angle())?)?;
+    let along = known.number(quantity.along_the_line()?)?;
     along.sign().map(Ordering::is_lt)
 }
 

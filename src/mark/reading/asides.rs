@@ -1,7 +1,9 @@
 //! What is said beside a value or an equation and is no part of it: how far it is rounded, which equation is used.
 
+use super::SaidUnit;
 use super::phrases::Walk;
 use super::tokens::{Placed, Token};
+use super::units::unit;
 use crate::expr::Expr;
 
 impl Walk<'_> {
@@ -64,8 +66,15 @@ impl Walk<'_> {
     }
 }
 
-/// Brackets around words are an aside, and part it from the rest as commas would: `0 m/s (at rest)`.
+/// Brackets around words are an aside, and part it from the rest as commas would: `0 m/s (at rest)`. So are brackets in
+/// which a value is said again, or a condition: `√13 (3.61 m/s)`, `√13 (= 3.61)`, `8 (k > 0)`.
 pub(super) fn with_asides_set_off(mut tokens: Vec<Placed>) -> Vec<Placed> {
+    for start in 1..tokens.len() {
+        if let Some(end) = said_again(&tokens, start) {
+            tokens[start].token = Token::Sign(',');
+            tokens[end].token = Token::Sign(',');
+        }
+    }
     let mut open: Vec<(usize, bool)> = Vec::new();
     for at in 0..tokens.len() {
         match tokens[at].token {
@@ -85,4 +94,38 @@ pub(super) fn with_asides_set_off(mut tokens: Vec<Placed>) -> Vec<Placed> {
         }
     }
     tokens
+}
+
+/// The closing bracket of a value that is said again, or of a condition, in the bracket that opens here.
+fn said_again(tokens: &[Placed], start: usize) -> Option<usize> {
+    let after_value =
+        matches!(tokens[start - 1].token, Token::Number(_) | Token::Word(_) | Token::Sign(')' | '°' | '⟧'));
+    if !tokens[start].is('(') || !after_value || !tokens[start].spaced {
+        return None;
+    }
+    let inner = tokens.get(start + 1)?;
+    let close = start + tokens[start..].iter().position(|placed| placed.is(')'))?;
+    let inside = &tokens[start + 1..close];
+    let compares = |placed: &Placed| matches!(placed.token, Token::Sign('<' | '>' | '≤' | '≥'));
+    if inner.is('=') || inner.is('≈') || inside.iter().any(compares) {
+        let opens = inside.iter().any(|placed| placed.is('('));
+        return (!opens).then_some(close);
+    }
+    // A speed, an impulse or an energy: no letters of a question look like their units.
+    let whole = |unit: &SaidUnit| unit.dimension[1] != 0 && unit.dimension[2] != 0;
+    let end = match unit(tokens, start + 2, "").filter(|(unit, _)| whole(unit)) {
+        Some((_, end)) => end,
+        // `√13 m/s (3.61)`
+        None => {
+            let before = (1..start).filter_map(|at| unit(&tokens[..start], at, ""));
+            before.filter(|(unit, end)| *end == start && whole(unit)).map(|_| start + 2).next()?
+        }
+    };
+    (matches!(inner.token, Token::Number(_)) && tokens.get(end)?.is(')')).then_some(end)
+}
+
+/// Where the unit ends that stands after a note on accuracy, and belongs to the number before: `3.61 (3sf) m/s`.
+pub(super) fn unit_before_accuracy(tokens: &[Placed], after_number: bool, next: usize) -> Option<usize> {
+    let (_, end) = unit(tokens, next, "").filter(|_| after_number)?;
+    Some(end)
 }

@@ -3,10 +3,6 @@
 use std::collections::{HashMap, HashSet};
 use std::sync::LazyLock;
 
-use super::digits::recurring_value;
-use super::tokens::{Placed, Token};
-use crate::expr::Expr;
-
 /// What a word does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Sort {
@@ -113,7 +109,7 @@ pub(super) const ANGLE: [&str; 14] = [
 ];
 
 /// The line of centres, without its article.
-pub(super) const CENTRES: [&str; 22] = [
+pub(super) const CENTRES: [&str; 19] = [
     "line of centres",
     "line of centers",
     "line of centre",
@@ -132,10 +128,7 @@ pub(super) const CENTRES: [&str; 22] = [
     "line of impact",
     "common normal",
     "normal",
-    "ab",
     "line ab",
-    "direction ab",
-    "direction of ab",
 ];
 
 /// The common tangent.
@@ -157,8 +150,40 @@ pub(super) const TANGENT: [&str; 15] = [
     "surface",
 ];
 
+/// The line of centres from A to B. `AB` alone may be the line or the sense.
+pub(super) const A_TO_B: [&str; 9] = [
+    "direction ab",
+    "direction of ab",
+    "vector ab",
+    "a to b",
+    "from a to b",
+    "direction a to b",
+    "direction from a to b",
+    "direction of a to b",
+    "sense from a to b",
+];
+
 /// The line of centres from B to A.
-pub(super) const B_TO_A: [&str; 4] = ["ba", "line ba", "direction ba", "direction of ba"];
+pub(super) const B_TO_A: [&str; 11] = [
+    "ba",
+    "line ba",
+    "direction ba",
+    "direction of ba",
+    "vector ba",
+    "b to a",
+    "from b to a",
+    "direction b to a",
+    "direction from b to a",
+    "direction of b to a",
+    "sense from b to a",
+];
+
+/// Words before the sphere towards which something moves.
+pub(super) const TOWARDS: [&str; 6] =
+    ["towards", "toward", "heading towards", "heading for", "in direction of", "in direction towards"];
+
+/// Words before the sphere from which something moves away.
+pub(super) const AWAY_FROM: [&str; 1] = ["away from"];
 
 /// The direction in which a sphere moved before.
 pub(super) const ORIGINAL: [&str; 14] = [
@@ -213,7 +238,7 @@ const SINGLE: [(Sort, &str); 8] = [
     (
         Sort::Joiner,
         "and so hence therefore thus then giving gives give at with in makes making make moves moving move moved \
-         which hence also while whereas travels travelling going leaving leaves having has to from by through",
+         which hence also but while whereas travels travelling going leaving leaves having has to from by through",
     ),
     (Sort::Because, "because since as due where if when"),
     (Sort::Or, "or alternatively"),
@@ -221,7 +246,8 @@ const SINGLE: [(Sort, &str); 8] = [
         Sort::Noun,
         "speed speeds velocity velocities vel angle angles direction directions dir deflection deflected impulse ke \
          kinetic energy loss lost change gain fraction percentage magnitude mag component components momentum ratio \
-         mass coefficient restitution turned bearing answer ans tangent",
+         mass coefficient restitution turned bearing increase increases increased gained gains decrease decreases \
+         decreased loses answer ans tangent",
     ),
     (Sort::Is, "is are was be becomes being equal"),
     (Sort::Gradient, "gradient slope"),
@@ -246,7 +272,7 @@ const SINGLE: [(Sort, &str); 8] = [
          hopefully think calculator working see diagram there here now very nearly almost precisely overall resultant \
          scalar using used calculated find found get got have we solution value values part question result results \
          answers both my our checked units metric decimal fraction respectively clm com colm pclm plm nel nlr nlor nli \
-         conservation linear law eq eqn equation substituting subtracting adding",
+         rejected reject rejecting discard discarded ignore ignored disregard inadmissible invalid conservation linear law eq eqn equation substituting subtracting adding",
     ),
 ];
 
@@ -258,10 +284,13 @@ static SORTS: LazyLock<HashMap<&str, Sort>> = LazyLock::new(|| {
 
 /// Every word with which a phrase can begin.
 static STARTS: LazyLock<HashSet<&str>> = LazyLock::new(|| {
-    let lists: [&[&'static str]; 9] =
-        [&REST, &ACROSS, &ALONG, &ANGLE, &CENTRES, &TANGENT, &B_TO_A, &ORIGINAL, &REMARKS];
+    let lists: [&[&'static str]; 12] = [
+        &REST, &ACROSS, &ALONG, &ANGLE, &CENTRES, &TANGENT, &A_TO_B, &B_TO_A, &TOWARDS, &AWAY_FROM, &ORIGINAL, &REMARKS,
+    ];
     let first = lists.into_iter().flatten().filter_map(|words| words.split(' ').next());
-    first.chain(["at", "in", "perpendicular", "perp", "normal", "the", "its", "their", "a", "an", "this"]).collect()
+    first
+        .chain(["at", "in", "perpendicular", "perp", "normal", "the", "its", "their", "a", "an", "this", "ab"])
+        .collect()
 });
 
 /// What a single word does; it is in small letters.
@@ -288,105 +317,4 @@ pub(super) fn is_only_a_word(word: &str) -> bool {
         && vowels < word.len()
         && rest.chars().all(|letter| letter.is_ascii_lowercase())
         && !["sin", "cos", "tan", "sqr", "root", "log", "arc", "inv"].iter().any(|start| word.starts_with(start))
-}
-
-/// Words that stand for signs or functions, and these.
-const SIGNS: [(&str, &str); 47] = [
-    ("times", "*"),
-    ("multiplied by", "*"),
-    ("over", "/"),
-    ("divided by", "/"),
-    ("plus", "+"),
-    ("minus", "-"),
-    ("equals", "="),
-    ("is equal to", "="),
-    ("squared", "^2"),
-    ("cubed", "^3"),
-    ("per cent", "%"),
-    ("percent", "%"),
-    ("root of", "√"),
-    ("square root of", "√"),
-    ("square root", "√"),
-    ("sqrt of", "√"),
-    ("inverse sin", "arcsin"),
-    ("inverse sine", "arcsin"),
-    ("inverse sin of", "arcsin"),
-    ("inverse sine of", "arcsin"),
-    ("sin inverse", "arcsin"),
-    ("inverse cos", "arccos"),
-    ("inverse cosine", "arccos"),
-    ("inverse cos of", "arccos"),
-    ("inverse cosine of", "arccos"),
-    ("cos inverse", "arccos"),
-    ("inverse tan", "arctan"),
-    ("inverse tangent", "arctan"),
-    ("inverse tan of", "arctan"),
-    ("inverse tangent of", "arctan"),
-    ("tan inverse", "arctan"),
-    ("greater than", ">"),
-    ("more than", ">"),
-    ("larger than", ">"),
-    ("bigger than", ">"),
-    ("less than", "<"),
-    ("smaller than", "<"),
-    ("at least", "≥"),
-    ("no less than", "≥"),
-    ("not less than", "≥"),
-    ("greater than or equal to", "≥"),
-    ("at most", "≤"),
-    ("no more than", "≤"),
-    ("not more than", "≤"),
-    ("no greater than", "≤"),
-    ("not greater than", "≤"),
-    ("less than or equal to", "≤"),
-];
-
-/// The tokens with words for signs as those signs; `square root` is one root.
-pub(super) fn with_signs(tokens: &[Placed]) -> Vec<Placed> {
-    let word = |at: usize| match tokens.get(at).map(|placed| &placed.token) {
-        Some(Token::Word(word)) => Some(word.as_str()),
-        _ => None,
-    };
-    let is = |at: usize, wanted: &str| word(at).is_some_and(|word| word.eq_ignore_ascii_case(wanted));
-    let mut out: Vec<Placed> = Vec::with_capacity(tokens.len());
-    let mut at = 0;
-    while let Some(placed) = tokens.get(at) {
-        let stands = |words: &str| words.split(' ').enumerate().all(|(ahead, wanted)| is(at + ahead, wanted));
-        // Most of an answer is no word.
-        let standing =
-            word(at).and_then(|_| SIGNS.iter().filter(|(words, _)| stands(words)).max_by_key(|(words, _)| words.len()));
-        // `0.3 recurring`: the last digit recurs.
-        if let Token::Number(Expr::Decimal(digits)) = &placed.token
-            && let Some((whole, decimals)) = digits.split_once('.').filter(|(_, decimals)| !decimals.is_empty())
-            && ["recurring", "recurs", "rec"].iter().any(|recurs| is(at + 1, recurs))
-        {
-            let (before, last) = decimals.split_at(decimals.len() - 1);
-            let token = Token::Number(recurring_value(whole, before, last));
-            out.push(Placed { token, end: tokens[at + 1].end, ..placed.clone() });
-            at += 2;
-            continue;
-        }
-        let Some((words, signs)) = standing else {
-            out.push(placed.clone());
-            at += 1;
-            continue;
-        };
-        let count = words.split(' ').count();
-        let end = tokens[at + count - 1].end;
-        let mut put = |token, spaced| out.push(Placed { token, start: placed.start, end, spaced });
-        if signs.starts_with(char::is_alphabetic) {
-            put(Token::Word((*signs).to_owned()), placed.spaced);
-        } else {
-            for (place, sign) in signs.chars().enumerate() {
-                let token = match sign.to_digit(10) {
-                    Some(digit) => Token::Number(Expr::integer(i64::from(digit))),
-                    None if sign == '√' => Token::Root { cube: false },
-                    None => Token::Sign(sign),
-                };
-                put(token, placed.spaced && place == 0);
-            }
-        }
-        at += count;
-    }
-    out
 }

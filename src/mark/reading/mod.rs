@@ -10,6 +10,7 @@ mod choices;
 mod commands;
 mod crossed_out;
 mod digits;
+mod directions;
 mod equation_number;
 mod functions;
 mod grammar;
@@ -21,8 +22,11 @@ mod operands;
 mod part_label;
 mod phrases;
 mod products;
+mod reference;
 mod said;
+mod segments;
 mod sides;
+mod signs_in_words;
 mod statements;
 #[cfg(test)]
 mod tests;
@@ -31,7 +35,8 @@ mod units;
 mod values;
 mod vectors;
 
-pub use said::{Form, Label, Notation, Reading, ReferenceLine, Said, SaidUnit, Statement, Unreadable, Vocabulary};
+pub use reference::{ReferenceLine, Sense};
+pub use said::{Form, Label, Notation, Reading, Said, SaidUnit, Statement, Unreadable, Vocabulary};
 
 use choices::{Choices, Flip};
 use crossed_out::without_crossed_out;

@@ -1,11 +1,11 @@
 //! Words that are no formula: reference lines, rest, labels, and what says nothing about the value.
 
-use super::asides::with_asides_set_off;
+use super::asides::{unit_before_accuracy, with_asides_set_off};
 use super::lexicon::{self, Sort};
+use super::signs_in_words::with_signs;
 use super::tokens::{Placed, Token, is_greek};
 use super::units::is_unit_word;
 use super::{ReferenceLine, Unreadable, Vocabulary, names};
-use crate::expr::Expr;
 
 /// What words say.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,28 +36,9 @@ pub(super) enum Phrase {
     Unknown,
 }
 
-/// A noun that names a line.
-#[derive(Clone, Copy, PartialEq)]
-enum Line {
-    Centres,
-    Tangent,
-    BToA,
-    I,
-    J,
-    Original,
-}
-
-/// How words before it relate to the line.
-#[derive(Clone, Copy, PartialEq)]
-enum Relation {
-    Angle,
-    Along,
-    Across,
-}
-
 /// The tokens with words that are no formula understood, and those for signs (`times`, `over`) put as signs.
 pub(super) fn with_phrases(tokens: &[Placed], vocabulary: &Vocabulary) -> Result<Vec<Placed>, Unreadable> {
-    let tokens = lexicon::with_signs(tokens);
+    let tokens = with_signs(tokens);
     let small = |placed: &Placed| match &placed.token {
         Token::Word(word) => word.to_ascii_lowercase(),
         _ => String::new(),
@@ -66,7 +47,14 @@ pub(super) fn with_phrases(tokens: &[Placed], vocabulary: &Vocabulary) -> Result
     let mut out: Vec<Placed> = Vec::with_capacity(tokens.len());
     let mut at = 0;
     while at < tokens.len() {
-        let found = match walk.accuracy(at).or_else(|| walk.named_equation(at)) {
+        let accuracy = walk.accuracy(at);
+        let after_number = matches!(out.last().map(|last| &last.token), Some(Token::Number(_)));
+        if let Some(end) = accuracy.and_then(|next| unit_before_accuracy(&tokens, after_number, next)) {
+            out.extend(accuracy.map(|next| &tokens[next..end]).into_iter().flatten().cloned());
+            at = end;
+            continue;
+        }
+        let found = match accuracy.or_else(|| walk.named_equation(at)) {
             Some(next) => Some((Phrase::Remark, next)),
             None => walk.phrase(at)?,
         };
@@ -91,17 +79,17 @@ pub(super) struct Walk<'a> {
     pub(super) tokens: &'a [Placed],
     /// The words in small letters; nothing for other tokens.
     words: Vec<String>,
-    vocabulary: &'a Vocabulary,
+    pub(super) vocabulary: &'a Vocabulary,
 }
 
 impl Walk<'_> {
     /// The word at a token, in small letters.
-    fn word(&self, at: usize) -> Option<&str> {
+    pub(super) fn word(&self, at: usize) -> Option<&str> {
         self.words.get(at).map(String::as_str).filter(|word| !word.is_empty())
     }
 
     /// Do these words stand here? The token after them, stops and articles passed over.
-    fn words(&self, at: usize, words: &str) -> Option<usize> {
+    pub(super) fn words(&self, at: usize, words: &str) -> Option<usize> {
         let mut at = at;
         // Nearly always the first word tells.
         if words.strip_prefix(self.word(at)?)?.bytes().next().is_some_and(|byte| byte != b' ') {
@@ -124,7 +112,7 @@ impl Walk<'_> {
     }
 
     /// Passes over `the`, `its` and the like.
-    fn article(&self, at: usize) -> usize {
+    pub(super) fn article(&self, at: usize) -> usize {
         // A small `a` is an article; a capital is a sphere.
         let small_a = matches!(self.tokens.get(at).map(|placed| &placed.token), Some(Token::Word(word)) if word == "a");
         match self.word(at) {
@@ -187,151 +175,10 @@ impl Walk<'_> {
         Ok(Some((phrase, at + 1)))
     }
 
-    fn typed(&self, at: usize) -> &str {
+    pub(super) fn typed(&self, at: usize) -> &str {
         match &self.tokens[at].token {
             Token::Word(word) => word,
             _ => "",
         }
-    }
-
-    /// A reference line with the words before it, or such words before a vector.
-    fn reference(&self, at: usize) -> Result<Option<(Phrase, usize)>, Unreadable> {
-        if let Some((relation, next)) = self.relation(at) {
-            if let Some((line, end)) = self.line(next) {
-                let said = match (relation, line) {
-                    (Relation::Along, Line::I | Line::J) => return Ok(Some((Phrase::Toward, self.article(next)))),
-                    (Relation::Angle, Line::Centres) => Some(ReferenceLine::LineOfCentres),
-                    (Relation::Angle, Line::Tangent) => Some(ReferenceLine::CommonTangent),
-                    (Relation::Angle, Line::BToA) => Some(ReferenceLine::FromBToA),
-                    (Relation::Angle, Line::I) => Some(ReferenceLine::I),
-                    (Relation::Angle, Line::J) => Some(ReferenceLine::J),
-                    (Relation::Angle, Line::Original) => Some(ReferenceLine::OriginalDirection),
-                    (Relation::Along, Line::Centres | Line::BToA) | (Relation::Across, Line::Tangent) => {
-                        Some(ReferenceLine::AlongLineOfCentres)
-                    }
-                    (Relation::Along, Line::Tangent) | (Relation::Across, Line::Centres | Line::BToA) => {
-                        Some(ReferenceLine::AlongCommonTangent)
-                    }
-                    _ => None,
-                };
-                return Ok(Some((said.map_or(Phrase::Remark, Phrase::Line), end)));
-            }
-            // `in direction 43.9° to AB` begins with an angle, and no vector.
-            let angle = self.words(at, "in").is_some()
-                && matches!(self.tokens.get(next).map(|placed| &placed.token), Some(Token::Number(_)));
-            if relation == Relation::Along && !angle && self.is_formula(self.article(next)) {
-                return Ok(Some((Phrase::Toward, self.article(next))));
-            }
-            if relation == Relation::Angle
-                && let Some(end) = self.unknown_line(next)
-            {
-                let place = self.tokens[end].start;
-                return Err(Unreadable::Sign(
-                    place,
-                    "the line from which the angle is measured is not known".to_owned(),
-                ));
-            }
-            return Ok(None);
-        }
-        // `in the i direction`
-        if let Some(next) = self.words(at, "in").map(|next| self.article(next))
-            && self.unit_vector(next).is_some()
-        {
-            return Ok(Some((Phrase::Toward, next)));
-        }
-        // The line alone names itself: `line of centres = …`.
-        Ok(match self.line(at) {
-            Some((Line::Centres | Line::Tangent, end)) => Some((Phrase::Noun, end)),
-            _ => None,
-        })
-    }
-
-    fn relation(&self, at: usize) -> Option<(Relation, usize)> {
-        let across = self.any(at, &lexicon::ACROSS).or_else(|| self.at_ninety_degrees(at));
-        if let Some(next) = across {
-            return Some((Relation::Across, self.any(next, &["to", "with", "from"]).unwrap_or(next)));
-        }
-        if let Some(next) = self.any(at, &lexicon::ALONG) {
-            return Some((Relation::Along, next));
-        }
-        self.any(at, &lexicon::ANGLE).map(|next| (Relation::Angle, next))
-    }
-
-    /// `at 90° to`
-    fn at_ninety_degrees(&self, at: usize) -> Option<usize> {
-        let next = self.words(at, "at")?;
-        let ninety = self.tokens.get(next)?.token == Token::Number(Expr::integer(90));
-        (ninety && self.tokens.get(next + 1)?.is('°')).then_some(next + 2)
-    }
-
-    fn line(&self, at: usize) -> Option<(Line, usize)> {
-        let at = self.article(at);
-        let across = self.any(at, &["perpendicular", "perp", "normal"]);
-        if let Some(next) = across.and_then(|next| self.any(next, &["to", "of", "from"])) {
-            let next = self.article(next);
-            return match self.plain_line(next)? {
-                (Line::Centres, end) => Some((Line::Tangent, end)),
-                (Line::Tangent, end) => Some((Line::Centres, end)),
-                _ => None,
-            };
-        }
-        self.plain_line(at)
-    }
-
-    /// A line by its own name.
-    fn plain_line(&self, at: usize) -> Option<(Line, usize)> {
-        let known = [
-            (Line::BToA, &lexicon::B_TO_A[..]),
-            (Line::Centres, &lexicon::CENTRES),
-            (Line::Tangent, &lexicon::TANGENT),
-            (Line::Original, &lexicon::ORIGINAL),
-            (Line::I, &["x axis"]),
-            (Line::J, &["y axis"]),
-        ];
-        let longest = known
-            .into_iter()
-            .filter_map(|(line, spellings)| Some((line, self.any(at, spellings)?)))
-            .max_by_key(|(_, next)| *next);
-        let (line, next) = match longest {
-            Some(found) => found,
-            None => self.unit_vector(at).map(|line| (line, at + 1))?,
-        };
-        let next = self.any(next, &lexicon::AFTER_A_LINE).unwrap_or(next);
-        Some((line, next))
-    }
-
-    /// A unit vector that stands alone, not as the first term of a vector.
-    fn unit_vector(&self, at: usize) -> Option<Line> {
-        let more = self.tokens.get(at + 1).is_some_and(|next| matches!(next.token, Token::Sign('+' | '-' | '/' | '*')));
-        match self.tokens.get(at).map(|placed| &placed.token) {
-            Some(Token::Word(word)) if self.vocabulary.vectors && !more => match word.as_str() {
-                "i" => Some(Line::I),
-                "j" => Some(Line::J),
-                _ => None,
-            },
-            _ => None,
-        }
-    }
-
-    /// Does a formula begin here?
-    fn is_formula(&self, at: usize) -> bool {
-        match self.tokens.get(at).map(|placed| &placed.token) {
-            Some(Token::Word(word)) => names::is_made_of_letters(word, self.vocabulary),
-            Some(Token::Number(_) | Token::Sign('(' | '-' | '+' | '⟦' | '[')) => true,
-            _ => false,
-        }
-    }
-
-    /// A noun that could be a line, but is none that we know: its token.
-    fn unknown_line(&self, at: usize) -> Option<usize> {
-        let noun = self.article(at);
-        let word = self.word(noun)?;
-        let harmless = lexicon::sort(word).is_some()
-            || self.any(noun, &lexicon::REST).is_some()
-            || self.any(noun, &lexicon::REMARKS).is_some()
-            || is_unit_word(self.typed(noun))
-            || lexicon::is_sphere(self.typed(noun))
-            || names::is_made_of_letters(self.typed(noun), self.vocabulary);
-        (!harmless || matches!(word, "horizontal" | "vertical")).then_some(noun)
     }
 }

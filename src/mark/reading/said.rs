@@ -1,5 +1,6 @@
 //! What a student said, as far as it can be read.
 
+use super::ReferenceLine;
 use crate::expr::Expr;
 use crate::number::Letter;
 
@@ -101,27 +102,6 @@ pub struct SaidUnit {
     pub scale: Expr,
     /// Is it degrees?
     pub degrees: bool,
-}
-
-/// The lines from which angles are measured.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ReferenceLine {
-    /// The line of centres.
-    LineOfCentres,
-    /// The line of centres in the sense from B to A.
-    FromBToA,
-    /// The common tangent, or the perpendicular to the line of centres.
-    CommonTangent,
-    /// **i**
-    I,
-    /// **j**
-    J,
-    /// The original direction of motion.
-    OriginalDirection,
-    /// Along, or parallel to, the line of centres: a direction rather than an angle.
-    AlongLineOfCentres,
-    /// Perpendicular to the line of centres: a direction rather than an angle.
-    AlongCommonTangent,
 }
 
 /// Why an answer goes to a person.

@@ -5,6 +5,7 @@ use super::equation_number::without_number;
 use super::line;
 use super::part_label::without_part_label;
 use super::phrases::Phrase;
+use super::segments::segments;
 use super::sides::{Side, is_called};
 use super::tokens::{Placed, Token, excerpt};
 use super::values::{Values, formula, printed};
@@ -19,9 +20,9 @@ pub(super) fn statements(
     choices: &mut Choices,
 ) -> Result<Vec<Statement>, Unreadable> {
     let mut reader = Statements { text, vocabulary, choices, found: Vec::new(), remarks: Vec::new() };
-    for segment in segments(without_part_label(unquoted(tokens), vocabulary)) {
+    for (concludes, segment) in segments(without_part_label(unquoted(tokens), vocabulary)) {
         let segment = without_number(segment, reader.choices);
-        reader.segment(segment)?;
+        reader.segment(segment, concludes)?;
     }
     let Statements { mut found, remarks, .. } = reader;
     match found.last_mut().and_then(|last| last.said.last_mut()) {
@@ -42,21 +43,8 @@ fn unquoted(tokens: &[Placed]) -> &[Placed] {
     }
 }
 
-/// The stretches between newlines, semicolons, commas and arrows that stand outside brackets.
-fn segments(tokens: &[Placed]) -> Vec<&[Placed]> {
-    let mut depth = 0_usize;
-    let parts = tokens.split(|placed| {
-        match placed.token {
-            Token::Sign('(' | '[' | '{' | '⟦') => depth += 1,
-            Token::Sign(')' | ']' | '}' | '⟧') => depth = depth.saturating_sub(1),
-            Token::Sign('\n' | '¦' | '⇒') => return true,
-            Token::Sign(';' | ',') => return depth == 0,
-            _ => {}
-        }
-        false
-    });
-    parts.filter(|part| !part.is_empty()).collect()
-}
+/// What is remarked of a value that is drawn from what stands before it.
+const SO: &str = "so";
 
 pub(super) struct Statements<'a> {
     pub(super) text: &'a str,
@@ -68,34 +56,58 @@ pub(super) struct Statements<'a> {
 }
 
 impl Statements<'_> {
-    fn segment(&mut self, tokens: &[Placed]) -> Result<(), Unreadable> {
+    fn segment(&mut self, tokens: &[Placed], concludes: bool) -> Result<(), Unreadable> {
         let reason = tokens.iter().position(|placed| placed.token == Token::Phrase(Phrase::Because));
         let (tokens, reason) = tokens.split_at(reason.unwrap_or(tokens.len()));
         let conclusion = |placed: &Placed| {
             let word = self.slice(std::slice::from_ref(placed)).to_lowercase();
             placed.token == Token::Phrase(Phrase::Joiner)
-                && matches!(&*word, "so" | "hence" | "therefore" | "thus" | "then" | "and" | "&")
+                && matches!(&*word, "so" | "hence" | "therefore" | "thus" | "then" | "and" | "but" | "&")
+        };
+        // `and` only adds.
+        let draws = |placed: &Placed| {
+            let word = self.slice(std::slice::from_ref(placed)).to_lowercase();
+            matches!(&*word, "so" | "hence" | "therefore" | "thus").then_some(SO)
+        };
+        // `k = 8 or k = -8`
+        let rival = |at: usize| {
+            let after = tokens[at + 1..].iter().take_while(|placed| !conclusion(placed));
+            tokens[at].token == Token::Phrase(Phrase::Or)
+                && tokens[..at].iter().any(|placed| placed.is('='))
+                && after.clone().any(|placed| placed.is('='))
         };
         // `so v = 3`, where nothing stands before.
         let lead = tokens.iter().take_while(|placed| conclusion(placed)).count();
         // `v = 0 so A stops`: what follows is a statement of its own, if anything stands before.
         let mut start = lead;
+        let mut link = if concludes { Some(SO) } else { tokens[..lead].iter().find_map(draws) };
         let mut found = Vec::new();
         for at in lead + 1..tokens.len() {
             // `A and B have speeds …`: words alone before it are no statement.
             let said = tokens[start..at]
                 .iter()
                 .any(|placed| !matches!(placed.token, Token::Phrase(phrase) if phrase != Phrase::Rest));
-            if at > start && said && conclusion(&tokens[at]) && outside(&tokens[start..at]) {
-                found.push(&tokens[start..at]);
+            let rival = rival(at);
+            if at > start && said && (conclusion(&tokens[at]) || rival) && outside(&tokens[start..at]) {
+                found.push((link, &tokens[start..at]));
+                link = if rival { Some("or") } else { draws(&tokens[at]) };
+                start = at + 1;
+            } else if at == start && conclusion(&tokens[at]) {
+                // `and so`
+                link = link.or(draws(&tokens[at]));
                 start = at + 1;
             }
         }
         if start < tokens.len() {
-            found.push(&tokens[start..]);
+            found.push((link, &tokens[start..]));
         }
-        for statement in found {
+        for (link, statement) in found {
+            let before = self.found.len();
             self.chain(statement)?;
+            let first = self.found.get_mut(before).and_then(|first| first.said.first_mut());
+            if let Some((first, link)) = first.zip(link) {
+                first.remarks.push(link.to_owned());
+            }
         }
         if !reason.is_empty() {
             let words = self.slice(reason).to_lowercase();
@@ -193,6 +205,19 @@ impl Statements<'_> {
         stretch.remarks.into_iter().for_each(|words| self.remark(words));
         for (label, said) in stretch.values {
             let label = label.map(|typed| Label { typed, expr: None });
+            // `71.6° to the line of centres, towards B`; `…, A towards B` says of what it is, too.
+            let only = self.found.len() == 1;
+            if let (Form::Direction, Some(sense)) = (&said.form, said.reference.filter(|line| line.is_sense_alone()))
+                && let Some(before) = self.found.last_mut()
+                && (label.is_none() || (only && before.label.is_none()))
+                && let Some(last) = before.said.last_mut()
+                && let Some(joined) = last.reference.map_or(Some(sense), |line| line.and(sense))
+            {
+                last.reference = Some(joined);
+                last.remarks.extend(said.remarks);
+                before.label = before.label.take().or(label);
+                continue;
+            }
             self.found.push(Statement { label, said: vec![said] });
         }
         Ok(())

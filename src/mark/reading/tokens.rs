@@ -264,6 +264,12 @@ impl Lexer<'_> {
             word.push_str("'t");
         }
         let mut length = word.len();
+        // `A's speed`
+        let apart = |sign: Option<char>| sign.is_none_or(|sign| !sign.is_alphanumeric());
+        if self.sign(length) == Some('\'') && self.sign(length + 1) == Some('s') && apart(self.sign(length + 2)) {
+            self.put(Token::Word(word), length + 2);
+            return Ok(());
+        }
         let digits: String = rest().skip(length).take_while(char::is_ascii_digit).collect();
         if self.sign(length) == Some('_') {
             let below: String = rest().skip(length + 1).take_while(|sign| sign.is_alphanumeric()).collect();

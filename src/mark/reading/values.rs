@@ -64,7 +64,11 @@ impl Values<'_> {
                 _ => {
                     if let (Some((_, last)), true) = (found.values.last(), lead.is_empty()) {
                         let after_words = last.reference.is_some() || !last.remarks.is_empty();
-                        if !after_words {
+                        // `3.61 m/s 56.3°`
+                        let number = matches!(tokens[at].token, Token::Number(_));
+                        let angle = number && tokens.get(at + 1).is_some_and(|next| next.is('°'));
+                        let size = !last.unit.as_ref().is_some_and(|unit| unit.degrees);
+                        if !(after_words || angle && size) {
                             return Err(Unreadable::Sign(
                                 tokens[at].start,
                                 "a second value without a word or sign between".to_owned(),
@@ -78,6 +82,12 @@ impl Values<'_> {
         if !lead.is_empty() {
             let phrases: Vec<Phrase> = lead.iter().filter_map(|at| phrase_at(&tokens, *at)).collect();
             let words = self.slice(&tokens, lead[0], lead[lead.len() - 1] + 1).to_owned();
+            // `5 m/s for A`, `3.61 is the speed of A`
+            let first = self.slice(&tokens, lead[0], lead[0] + 1).to_lowercase();
+            let name = self.label(&tokens, &lead).filter(|_| matches!(&*first, "for" | "of" | "is" | "as"));
+            if let Some((label, _)) = found.values.last_mut() {
+                *label = label.take().or(name);
+            }
             if phrases.contains(&Phrase::Or) {
                 return Err(Unreadable::Sign(tokens[lead[0]].start, "a rival answer is missing".to_owned()));
             }
@@ -109,9 +119,11 @@ impl Values<'_> {
         let said_in_words = |form: Form, reference| Said { form, unit: None, reference, remarks: Vec::new() };
         match phrase {
             Phrase::Line(line) => {
+                let typed = self.slice(tokens, at, at + 1).to_lowercase();
+                let away = (line.is_sense_alone() && typed.starts_with("away")).then_some(typed);
                 match found.values.last_mut() {
-                    Some((_, last)) if last.reference.is_none() && lead_says_nothing(tokens, lead) => {
-                        last.reference = Some(line);
+                    Some((_, last)) if lead_says_nothing(tokens, lead) && with_line(last.reference, line).is_some() => {
+                        last.reference = with_line(last.reference, line);
                         let words = lead.drain(..).map(|at| tokens[at].clone()).collect::<Vec<_>>();
                         let words = words.iter().filter_map(|word| self.text.get(word.start..word.end));
                         last.remarks.extend(words.map(str::to_lowercase));
@@ -121,7 +133,7 @@ impl Values<'_> {
                         return Err(Unreadable::Sign(place, "a second direction for the same value".to_owned()));
                     }
                     None => {
-                        if !is_direction(line)
+                        if !line.is_direction()
                             && !tokens[at + 1..].iter().any(|placed| matches!(placed.token, Token::Number(_)))
                         {
                             return Err(Unreadable::Sign(tokens[at].start, "an angle is missing".to_owned()));
@@ -130,6 +142,10 @@ impl Values<'_> {
                         lead.clear();
                         found.values.push((label, said_in_words(Form::Direction, Some(line))));
                     }
+                }
+                // Away from the other sphere, and so towards the one that is meant, or just apart.
+                if let Some((_, last)) = found.values.last_mut() {
+                    last.remarks.extend(away);
                 }
                 Ok(at + 1)
             }
@@ -208,9 +224,9 @@ impl Values<'_> {
     }
 }
 
-/// Does the line give a direction, rather than the place from which an angle is measured?
-fn is_direction(line: ReferenceLine) -> bool {
-    matches!(line, ReferenceLine::AlongLineOfCentres | ReferenceLine::AlongCommonTangent)
+/// The line of a value that has one already, or none, and of which another is said.
+fn with_line(known: Option<ReferenceLine>, said: ReferenceLine) -> Option<ReferenceLine> {
+    known.map_or(Some(said), |known| known.and(said))
 }
 
 fn phrase_at(tokens: &[Placed], at: usize) -> Option<Phrase> {
@@ -277,7 +293,9 @@ pub(super) fn formula(
         parser.at = next;
     }
     parser.eat('…');
-    if let Some(Token::Word(_) | Token::Greek(_) | Token::Number(_)) = parser.token(0) {
+    // `3.61 m/s 56.3°`: a size and an angle.
+    let angle = matches!(parser.token(0), Some(Token::Number(_))) && parser.sign(1) == Some('°');
+    if !angle && let Some(Token::Word(_) | Token::Greek(_) | Token::Number(_)) = parser.token(0) {
         return parser.unexpected();
     }
     if let Some(sign @ (')' | ']' | '}' | '⟧' | '^' | '%' | '°' | '…' | '|')) = parser.sign(0) {
@@ -349,16 +367,7 @@ pub(super) fn printed(said: &Said) -> String {
         if !out.is_empty() {
             out.push(' ');
         }
-        out.push_str(match line {
-            ReferenceLine::LineOfCentres => "to the line of centres",
-            ReferenceLine::FromBToA => "from the direction BA",
-            ReferenceLine::CommonTangent => "to the common tangent",
-            ReferenceLine::I => "to i",
-            ReferenceLine::J => "to j",
-            ReferenceLine::OriginalDirection => "to the original direction",
-            ReferenceLine::AlongLineOfCentres => "along the line of centres",
-            ReferenceLine::AlongCommonTangent => "perpendicular to the line of centres",
-        });
+        out.push_str(line.words());
     }
     out
 }

@@ -1,0 +1,125 @@
+//! What of an answer counts: values that the student rejects do not, nor those that a condition of theirs rules out, nor
+//! what is told of something else besides, as the direction beside a speed is.
+
+use std::borrow::Cow;
+use std::cmp::Ordering;
+
+use crate::answer::Kind;
+use crate::expr::{Expr, Relation};
+use crate::mark::reading::{Form, Reading, ReferenceLine, Said, Statement};
+use crate::unit::Unit;
+
+use super::statements::is_rival;
+use super::{Model, exact};
+
+/// Words that take back the value beside them.
+const REJECTIONS: [&str; 9] =
+    ["reject", "rejected", "rejecting", "discard", "discarded", "disregard", "ignored", "inadmissible", "invalid"];
+
+/// The reading without what does not count; `None` if nothing is left of it.
+pub(super) fn counted<'r>(model: &Model, reading: &'r Reading) -> Option<Cow<'r, Reading>> {
+    let kept: Vec<Statement> = reading.statements.iter().filter(|statement| !is_rejected(statement)).cloned().collect();
+    if kept.is_empty() && !reading.statements.is_empty() {
+        return None;
+    }
+    let kept = match model.kind {
+        Kind::Number | Kind::Expression => without_told_besides(model, meeting_conditions(model, kept)),
+        Kind::Angle => without_told_besides(model, kept),
+        _ => kept,
+    };
+    let same = kept.len() == reading.statements.len() && kept == reading.statements;
+    Some(if same { Cow::Borrowed(reading) } else { Cow::Owned(Reading { statements: kept, ..reading.clone() }) })
+}
+
+fn is_rejected(statement: &Statement) -> bool {
+    let label = statement.label.iter().map(|label| label.typed.to_lowercase());
+    let remarks = statement.said.iter().flat_map(|said| said.remarks.iter().cloned());
+    label
+        .chain(remarks)
+        .any(|words| words.split(|letter: char| !letter.is_alphanumeric()).any(|word| REJECTIONS.contains(&word)))
+}
+
+/// `k = 8 or k = −8, k > 0`: an inequality beside values is no value, and rules out those that do not meet it.
+fn meeting_conditions(model: &Model, statements: Vec<Statement>) -> Vec<Statement> {
+    let conditions: Vec<(Relation, &Expr)> = statements.iter().filter_map(condition).collect();
+    if conditions.is_empty() {
+        return statements;
+    }
+    let meets = |statement: &&Statement| {
+        let Some(Form::Value(value)) = statement.said.last().map(|said| &said.form) else { return true };
+        conditions.iter().all(|(relation, bound)| {
+            let gap = exact::value(&Expr::sum([value.clone(), (*bound).clone().negated()]), &model.vocabulary.letters);
+            gap.and_then(|gap| gap.sign()).is_none_or(|sign| holds(*relation, sign))
+        })
+    };
+    let kept: Vec<Statement> =
+        statements.iter().filter(|statement| condition(statement).is_none()).filter(meets).cloned().collect();
+    if kept.is_empty() { statements } else { kept }
+}
+
+/// The condition that a letter meets: what it is compared with, and how.
+fn condition(statement: &Statement) -> Option<(Relation, &Expr)> {
+    let [Said { form: Form::Equation(Expr::Relation(left, relation, right)), .. }] = statement.said.as_slice() else {
+        return None;
+    };
+    let turned = match relation {
+        Relation::Less => Relation::Greater,
+        Relation::LessOrEqual => Relation::GreaterOrEqual,
+        Relation::Greater => Relation::Less,
+        Relation::GreaterOrEqual => Relation::LessOrEqual,
+        _ => return None,
+    };
+    match (&**left, &**right) {
+        (Expr::Name(_), bound) => Some((*relation, bound)),
+        (bound, Expr::Name(_)) => Some((turned, bound)),
+        _ => None,
+    }
+}
+
+fn holds(relation: Relation, sign: Ordering) -> bool {
+    match relation {
+        Relation::Less => sign.is_lt(),
+        Relation::LessOrEqual => sign.is_le(),
+        Relation::Greater => sign.is_gt(),
+        Relation::GreaterOrEqual => sign.is_ge(),
+        _ => true,
+    }
+}
+
+/// `3.61 m/s at 56.3° to the line of centres`, where the speed or the direction is asked: the other is told besides. A
+/// direction in words goes with the one value that is left.
+fn without_told_besides(model: &Model, statements: Vec<Statement>) -> Vec<Statement> {
+    let Some(unit) = model.unit() else { return statements };
+    let is_angular = |said: &Said| {
+        said.unit.as_ref().is_some_and(|unit| unit.degrees || unit.dimension == [0, 0, 0, 1])
+            || (said.unit.is_none() && said.reference.is_some_and(|line| !line.is_direction()))
+    };
+    let is_besides = |statement: &Statement| {
+        let Some(said) = statement.said.last().filter(|said| !is_rival(said)) else { return false };
+        match (&said.form, unit) {
+            (_, Unit::None) => false,
+            (Form::Value(_), Unit::Degree) => said.unit.is_some() && !is_angular(said),
+            (_, Unit::Degree) => false,
+            (Form::Value(_), _) => is_angular(said),
+            (Form::Direction, _) => true,
+            _ => false,
+        }
+    };
+    let (besides, mut kept): (Vec<Statement>, Vec<Statement>) = statements.iter().cloned().partition(is_besides);
+    if kept.is_empty() {
+        return statements;
+    }
+    let directions: Vec<ReferenceLine> = besides
+        .iter()
+        .flat_map(|statement| &statement.said)
+        .filter(|said| said.form == Form::Direction)
+        .filter_map(|said| said.reference)
+        .collect();
+    if let ([Statement { said, .. }], [direction]) = (kept.as_mut_slice(), directions.as_slice())
+        && let Some(last) = said.last_mut()
+        && last.reference.is_none()
+    {
+        last.reference = Some(*direction);
+    }
+    kept
+}

@@ -1,0 +1,65 @@
+//! The sense along the line of centres that is said beside a value, against that in which the sphere moves.
+//!
+//! Convention. A component along the line of centres is positive from A to B: `3 m/s from B to A` is −3. Beside a speed the
+//! sense is not asked, and one that is not right is for a person. Beside the size of an impulse it may be either, for there
+//! are two of them.
+
+use std::cmp::Ordering;
+
+use crate::expr::Expr;
+use crate::mark::reading::{Form, Label, ReferenceLine, Said, Sense};
+use crate::mechanics::{Axis, Quantity, Sphere};
+
+use super::finding::Finding;
+use super::{Model, Note, exact, number};
+
+/// Does a sphere that moves so, backwards or not, move in the sense that is said? `None` if nobody knows.
+pub(super) fn agrees(said: Option<Sense>, backwards: Option<bool>) -> Option<bool> {
+    match (said, backwards) {
+        (None, _) | (Some(Sense::Perhaps), Some(false)) => Some(true),
+        (Some(Sense::Perhaps), _) | (_, None) => None,
+        (Some(Sense::AToB), Some(backwards)) => Some(!backwards),
+        (Some(Sense::BToA), Some(backwards)) => Some(backwards),
+    }
+}
+
+/// Judges a number by the direction that is said beside it, where that matters for what is asked.
+pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Option<Finding> {
+    let line = said.reference?;
+    let of = |form: Form| number::judge(model, &Said { form, reference: None, ..said.clone() }, label);
+    let plain = || of(said.form.clone());
+    let (sphere, axis) = match model.quantity? {
+        Quantity::Velocity(sphere, _, axis) | Quantity::SphereMomentum(sphere, _, axis) => (sphere, axis),
+        Quantity::Impulse(sphere, axis) => (sphere, axis),
+        Quantity::Speed(..) => {
+            let agrees = agrees(line.sense(), model.rebounds) != Some(false);
+            return (!agrees).then(|| plain().at_most_partial(Note::DirectionUnchecked));
+        }
+        _ => return None,
+    };
+    let right = match axis {
+        Axis::N => ReferenceLine::AlongLineOfCentres,
+        Axis::T => ReferenceLine::AlongCommonTangent,
+        _ => return None,
+    };
+    if line.is_direction() && line.unsensed() != right && !(axis == Axis::N && line.is_sense_alone()) {
+        return Some(if plain().is_credited() { Finding::wrong(Note::DirectionWrong) } else { Finding::WRONG });
+    }
+    let Form::Value(expr) = &said.form else { return None };
+    if line.sense() != Some(Sense::BToA) || axis == Axis::T {
+        return None;
+    }
+    let (plain, turned) = (plain(), of(Form::Value(expr.clone().negated())));
+    Some(match (turned.is_credited(), plain.is_credited()) {
+        (false, false) => Finding::WRONG,
+        // `−3 m/s from B to A`: said twice, or taken back? And where C lies nobody has said.
+        _ if is_negative(expr) || sphere == Sphere::C => Finding::unreadable(Note::CannotBeCompared),
+        (true, _) => turned,
+        (false, true) => Finding::wrong(Note::Sign),
+    })
+}
+
+fn is_negative(expr: &Expr) -> bool {
+    let sign = exact::value(expr, &[]).and_then(|value| value.sign());
+    matches!(expr, Expr::Negative(_)) || sign == Some(Ordering::Less)
+}

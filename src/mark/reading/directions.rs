@@ -1,0 +1,236 @@
+//! Lines and directions in words: `to the line of centres`, `perpendicular to AB`, `away from A`.
+
+use super::lexicon;
+use super::names;
+use super::phrases::{Phrase, Walk};
+use super::tokens::{Placed, Token};
+use super::units::is_unit_word;
+use super::{ReferenceLine, Unreadable};
+use crate::expr::Expr;
+
+/// A noun that names a line.
+#[derive(Clone, Copy, PartialEq)]
+enum Line {
+    Centres,
+    Tangent,
+    /// `AB`
+    Ab,
+    AToB,
+    BToA,
+    I,
+    J,
+    Original,
+}
+
+/// How words before it relate to the line.
+#[derive(Clone, Copy, PartialEq)]
+enum Relation {
+    Angle,
+    Along,
+    Across,
+}
+
+impl Walk<'_> {
+    /// A reference line with the words before it, or such words before a vector.
+    pub(super) fn reference(&self, at: usize) -> Result<Option<(Phrase, usize)>, Unreadable> {
+        if let Some((sense, end)) = self.sense(at) {
+            return Ok(Some((Phrase::Line(sense), end)));
+        }
+        if let Some((relation, next)) = self.relation(at) {
+            if let Some((line, end)) = self.line(next) {
+                // `in the direction AB` has a sense, and `parallel to AB` has none.
+                let line = match line {
+                    Line::Ab if self.any(at, &["in direction", "direction of"]).is_some() => Line::AToB,
+                    Line::Ab if self.any(at, &["parallel", "in direction parallel"]).is_some() => Line::Centres,
+                    line => line,
+                };
+                let said = match (relation, line) {
+                    (Relation::Along, Line::I | Line::J) => return Ok(Some((Phrase::Toward, self.article(next)))),
+                    (Relation::Angle, Line::Centres) => Some(ReferenceLine::LineOfCentres),
+                    (Relation::Angle, Line::Tangent) => Some(ReferenceLine::CommonTangent),
+                    (Relation::Angle, Line::Ab) => Some(ReferenceLine::LineAB),
+                    (Relation::Angle, Line::AToB) => Some(ReferenceLine::FromAToB),
+                    (Relation::Angle, Line::BToA) => Some(ReferenceLine::FromBToA),
+                    (Relation::Angle, Line::I) => Some(ReferenceLine::I),
+                    (Relation::Angle, Line::J) => Some(ReferenceLine::J),
+                    (Relation::Angle, Line::Original) => Some(ReferenceLine::OriginalDirection),
+                    (Relation::Along, Line::Centres) | (Relation::Across, Line::Tangent) => {
+                        Some(ReferenceLine::AlongLineOfCentres)
+                    }
+                    (Relation::Along, Line::Ab) => Some(ReferenceLine::AlongAB),
+                    (Relation::Along, Line::AToB) => Some(ReferenceLine::AlongAToB),
+                    (Relation::Along, Line::BToA) => Some(ReferenceLine::AlongBToA),
+                    (Relation::Along, Line::Tangent)
+                    | (Relation::Across, Line::Centres | Line::Ab | Line::AToB | Line::BToA) => {
+                        Some(ReferenceLine::AlongCommonTangent)
+                    }
+                    _ => None,
+                };
+                return Ok(Some((said.map_or(Phrase::Remark, Phrase::Line), end)));
+            }
+            // `in direction 43.9° to AB` begins with an angle, and no vector.
+            let angle = self.words(at, "in").is_some()
+                && matches!(self.tokens.get(next).map(|placed| &placed.token), Some(Token::Number(_)));
+            if relation == Relation::Along && !angle && self.is_formula(self.article(next)) {
+                return Ok(Some((Phrase::Toward, self.article(next))));
+            }
+            if relation == Relation::Angle
+                && let Some(end) = self.unknown_line(next)
+            {
+                let place = self.tokens[end].start;
+                return Err(Unreadable::Sign(
+                    place,
+                    "the line from which the angle is measured is not known".to_owned(),
+                ));
+            }
+            return Ok(None);
+        }
+        // `in the i direction`
+        if let Some(next) = self.words(at, "in").map(|next| self.article(next))
+            && self.unit_vector(next).is_some()
+        {
+            return Ok(Some((Phrase::Toward, next)));
+        }
+        // The line alone names itself, `line of centres = …`, or is the whole answer.
+        let whole = self.stands_alone(at);
+        Ok(match self.line(at) {
+            Some((Line::Centres, end)) if whole(end) => Some((Phrase::Line(ReferenceLine::AlongLineOfCentres), end)),
+            Some((Line::Ab, end)) if whole(end) => Some((Phrase::Line(ReferenceLine::AlongAB), end)),
+            Some((Line::AToB, end)) if whole(end) => Some((Phrase::Line(ReferenceLine::AlongAToB), end)),
+            Some((Line::BToA, end)) if whole(end) => Some((Phrase::Line(ReferenceLine::AlongBToA), end)),
+            Some((Line::Centres | Line::Tangent | Line::Ab | Line::AToB, end)) => Some((Phrase::Noun, end)),
+            _ => None,
+        })
+    }
+
+    /// Is what begins here all that is said, or all that is said of a sphere?
+    fn stands_alone(&self, at: usize) -> impl Fn(usize) -> bool {
+        let parts = |placed: Option<&Placed>| {
+            placed.is_none_or(|placed| matches!(placed.token, Token::Sign(':' | ';' | ',' | '\n' | '.' | '=' | '"')))
+        };
+        let begins = parts(at.checked_sub(1).and_then(|before| self.tokens.get(before)));
+        move |end| {
+            let next = self.tokens.get(end);
+            begins && parts(next) && !next.is_some_and(|next| next.is('=') || next.is(':'))
+        }
+    }
+
+    /// `towards A`, `away from the sphere B`, `from A to B`: a sense, without the line along which it is.
+    fn sense(&self, at: usize) -> Option<(ReferenceLine, usize)> {
+        if let Some(end) = self.any(at, &["from a to b", "from a towards b"]) {
+            return Some((ReferenceLine::AlongAToB, end));
+        }
+        if let Some(end) = self.any(at, &["from b to a", "from b towards a"]) {
+            return Some((ReferenceLine::AlongBToA, end));
+        }
+        let (next, towards) = match self.any(at, &lexicon::AWAY_FROM) {
+            Some(next) => (next, false),
+            None => (self.any(at, &lexicon::TOWARDS)?, true),
+        };
+        let next = self.any(self.article(next), &["sphere", "ball", "particle"]).unwrap_or(self.article(next));
+        let typed = self.tokens.get(next).map(|_| self.typed(next))?;
+        match (typed, towards) {
+            ("B", true) | ("A", false) => Some((ReferenceLine::TowardsB, next + 1)),
+            ("A", true) | ("B", false) => Some((ReferenceLine::TowardsA, next + 1)),
+            _ => None,
+        }
+    }
+
+    fn relation(&self, at: usize) -> Option<(Relation, usize)> {
+        let across = self.any(at, &lexicon::ACROSS).or_else(|| self.at_ninety_degrees(at));
+        if let Some(next) = across {
+            return Some((Relation::Across, self.any(next, &["to", "with", "from"]).unwrap_or(next)));
+        }
+        if let Some(next) = self.any(at, &lexicon::ALONG) {
+            return Some((Relation::Along, next));
+        }
+        self.any(at, &lexicon::ANGLE).map(|next| (Relation::Angle, next))
+    }
+
+    /// `at 90° to`
+    fn at_ninety_degrees(&self, at: usize) -> Option<usize> {
+        let next = self.words(at, "at")?;
+        let ninety = self.tokens.get(next)?.token == Token::Number(Expr::integer(90));
+        (ninety && self.tokens.get(next + 1)?.is('°')).then_some(next + 2)
+    }
+
+    fn line(&self, at: usize) -> Option<(Line, usize)> {
+        let at = self.article(at);
+        let across = self.any(at, &["perpendicular", "perp", "normal"]);
+        if let Some(next) = across.and_then(|next| self.any(next, &["to", "of", "from"])) {
+            let next = self.article(next);
+            return match self.plain_line(next)? {
+                (Line::Centres | Line::Ab, end) => Some((Line::Tangent, end)),
+                (Line::Tangent, end) => Some((Line::Centres, end)),
+                _ => None,
+            };
+        }
+        self.plain_line(at)
+    }
+
+    /// A line by its own name.
+    fn plain_line(&self, at: usize) -> Option<(Line, usize)> {
+        let known = [
+            (Line::Ab, &["ab"][..]),
+            (Line::AToB, &lexicon::A_TO_B),
+            (Line::BToA, &lexicon::B_TO_A),
+            (Line::Centres, &lexicon::CENTRES),
+            (Line::Tangent, &lexicon::TANGENT),
+            (Line::Original, &lexicon::ORIGINAL),
+            (Line::I, &["x axis"]),
+            (Line::J, &["y axis"]),
+        ];
+        let longest = known
+            .into_iter()
+            .filter_map(|(line, spellings)| Some((line, self.any(at, spellings)?)))
+            .max_by_key(|(_, next)| *next);
+        let (line, next) = match longest {
+            Some(found) => found,
+            None => self.unit_vector(at).map(|line| (line, at + 1))?,
+        };
+        let next = self.any(next, &lexicon::AFTER_A_LINE).unwrap_or(next);
+        Some((line, next))
+    }
+
+    /// A unit vector that stands alone, not as the first term of a vector.
+    fn unit_vector(&self, at: usize) -> Option<Line> {
+        let more = self.tokens.get(at + 1).is_some_and(|next| matches!(next.token, Token::Sign('+' | '-' | '/' | '*')));
+        match self.tokens.get(at).map(|placed| &placed.token) {
+            Some(Token::Word(word)) if self.vocabulary.vectors && !more => match word.as_str() {
+                "i" => Some(Line::I),
+                "j" => Some(Line::J),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// Does a formula begin here?
+    fn is_formula(&self, at: usize) -> bool {
+        match self.tokens.get(at).map(|placed| &placed.token) {
+            Some(Token::Word(word)) => names::is_made_of_letters(word, self.vocabulary),
+            Some(Token::Number(_) | Token::Sign('(' | '-' | '+' | '⟦' | '[')) => true,
+            _ => false,
+        }
+    }
+
+    /// A noun that could be a line, but is none that we know: its token.
+    fn unknown_line(&self, at: usize) -> Option<usize> {
+        let noun = self.article(at);
+        // `the direction in which B moves`, `the direction of motion of B`
+        let moves = ["direction in which", "direction that", "direction of motion of", "direction of", "path of"];
+        if let Some(next) = self.any(noun, &moves).map(|next| self.article(next))
+            && self.tokens.get(next).is_some_and(|_| lexicon::is_sphere(self.typed(next)))
+        {
+            return Some(noun);
+        }
+        let word = self.word(noun)?;
+        let harmless = lexicon::sort(word).is_some()
+            || self.any(noun, &lexicon::REST).is_some()
+            || self.any(noun, &lexicon::REMARKS).is_some()
+            || is_unit_word(self.typed(noun))
+            || lexicon::is_sphere(self.typed(noun))
+            || names::is_made_of_letters(self.typed(noun), self.vocabulary);
+        (!harmless || matches!(word, "horizontal" | "vertical")).then_some(noun)
+    }
+}

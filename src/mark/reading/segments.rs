@@ -1,0 +1,45 @@
+//! The stretches of an answer between its separators.
+
+use super::phrases::Phrase;
+use super::tokens::{Placed, Token};
+
+/// The stretches between newlines, semicolons, commas and arrows that stand outside brackets, and whether an arrow leads
+/// to each of them.
+pub(super) fn segments(tokens: &[Placed]) -> Vec<(bool, &[Placed])> {
+    let mut found: Vec<(bool, &[Placed])> = Vec::new();
+    let (mut depth, mut start, mut arrow) = (0_usize, 0, false);
+    for (at, placed) in tokens.iter().enumerate() {
+        match placed.token {
+            Token::Sign('(' | '[' | '{' | '⟦') => depth += 1,
+            Token::Sign(')' | ']' | '}' | '⟧') => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        let parts = match placed.token {
+            Token::Sign('\n' | '¦' | '⇒') => true,
+            Token::Sign(';' | ',') => depth == 0,
+            _ => false,
+        };
+        if parts {
+            found.push((arrow, &tokens[start..at]));
+            (start, arrow) = (at + 1, placed.is('⇒'));
+        } else if let Some(name) = next_sphere(&tokens[start..=at]).filter(|_| depth == 0) {
+            // `A: 3 B: 4`
+            found.push((arrow, &tokens[start..start + name]));
+            (start, arrow) = (start + name, false);
+        }
+    }
+    found.push((arrow, &tokens[start..]));
+    found.retain(|(_, part)| !part.is_empty());
+    found
+}
+
+/// Where the name of a sphere begins that a colon ends here, after a value of another: `speed of B:`.
+fn next_sphere(tokens: &[Placed]) -> Option<usize> {
+    let [before @ .., Placed { token: Token::Phrase(Phrase::Sphere), .. }, colon] = tokens else { return None };
+    let names =
+        |placed: &&Placed| matches!(placed.token, Token::Phrase(Phrase::Noun | Phrase::Remark | Phrase::Joiner));
+    let words = before.iter().rev().take_while(names).count();
+    let name = before.len() - words;
+    let first_noun = before[name..].iter().position(|placed| placed.token == Token::Phrase(Phrase::Noun));
+    (colon.is(':') && name > 0).then(|| first_noun.map_or(before.len(), |noun| name + noun))
+}
