@@ -237,6 +237,9 @@ fn one(model: &Model, reading: &Reading) -> Finding {
     if count_said(reading) > MOST_SAID {
         return Finding::unreadable(Note::TooLong);
     }
+    if let Some(finding) = range::out_of_place(model, reading) {
+        return finding;
+    }
     let finding = by_kind(model, reading);
     if finding.is_credited() && is_turned_by_words(model, reading, finding) {
         return Finding::unreadable(Note::CannotBeCompared);

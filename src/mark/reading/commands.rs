@@ -12,6 +12,8 @@ pub(super) fn simple(command: &str) -> Option<&'static str> {
         "lt" => "<",
         "gt" => ">",
         "ne" | "neq" => "≠",
+        "in" => "∈",
+        "infty" => "∞",
         "approx" | "simeq" | "cong" => "≈",
         "Rightarrow" | "implies" | "therefore" | "to" | "rightarrow" | "Longrightarrow" => "⇒",
         "because" => " because ",

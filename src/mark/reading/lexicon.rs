@@ -3,10 +3,6 @@
 use std::collections::{HashMap, HashSet};
 use std::sync::LazyLock;
 
-use super::digits::recurring_value;
-use super::tokens::{Placed, Token};
-use crate::expr::Expr;
-
 /// What a word does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Sort {
@@ -212,7 +208,7 @@ pub(super) const REMARKS: [&str; 22] = [
 const SINGLE: [(Sort, &str); 8] = [
     (
         Sort::Joiner,
-        "and so hence therefore thus then giving gives give at with in makes making make moves moving move moved \
+        "and but so hence therefore thus then giving gives give at with in makes making make moves moving move moved \
          which hence also while whereas travels travelling going leaving leaves having has to from by through",
     ),
     (Sort::Because, "because since as due where if when"),
@@ -223,7 +219,7 @@ const SINGLE: [(Sort, &str); 8] = [
          kinetic energy loss lost change gain fraction percentage magnitude mag component components momentum ratio \
          mass coefficient restitution turned bearing answer ans tangent",
     ),
-    (Sort::Is, "is are was be becomes being equal"),
+    (Sort::Is, "is are was be becomes being equal must lies"),
     (Sort::Gradient, "gradient slope"),
     (
         Sort::Negation,
@@ -235,7 +231,7 @@ const SINGLE: [(Sort, &str); 8] = [
     ),
     (
         Sort::Plain,
-        "of the a an its their both approx approximately about roughly around circa say exactly only just after \
+        "inclusive exclusive strictly between of the a an its their both approx approximately about roughly around circa say exactly only just after \
          before finally initially final initial new total sphere spheres ball balls disc discs body particle particles \
          along parallel perp perpendicular right left up down upwards downwards north south east west rightwards \
          leftwards horizontally vertically acute obtuse clockwise anticlockwise counterclockwise away towards it they \
@@ -288,105 +284,4 @@ pub(super) fn is_only_a_word(word: &str) -> bool {
         && vowels < word.len()
         && rest.chars().all(|letter| letter.is_ascii_lowercase())
         && !["sin", "cos", "tan", "sqr", "root", "log", "arc", "inv"].iter().any(|start| word.starts_with(start))
-}
-
-/// Words that stand for signs or functions, and these.
-const SIGNS: [(&str, &str); 47] = [
-    ("times", "*"),
-    ("multiplied by", "*"),
-    ("over", "/"),
-    ("divided by", "/"),
-    ("plus", "+"),
-    ("minus", "-"),
-    ("equals", "="),
-    ("is equal to", "="),
-    ("squared", "^2"),
-    ("cubed", "^3"),
-    ("per cent", "%"),
-    ("percent", "%"),
-    ("root of", "√"),
-    ("square root of", "√"),
-    ("square root", "√"),
-    ("sqrt of", "√"),
-    ("inverse sin", "arcsin"),
-    ("inverse sine", "arcsin"),
-    ("inverse sin of", "arcsin"),
-    ("inverse sine of", "arcsin"),
-    ("sin inverse", "arcsin"),
-    ("inverse cos", "arccos"),
-    ("inverse cosine", "arccos"),
-    ("inverse cos of", "arccos"),
-    ("inverse cosine of", "arccos"),
-    ("cos inverse", "arccos"),
-    ("inverse tan", "arctan"),
-    ("inverse tangent", "arctan"),
-    ("inverse tan of", "arctan"),
-    ("inverse tangent of", "arctan"),
-    ("tan inverse", "arctan"),
-    ("greater than", ">"),
-    ("more than", ">"),
-    ("larger than", ">"),
-    ("bigger than", ">"),
-    ("less than", "<"),
-    ("smaller than", "<"),
-    ("at least", "≥"),
-    ("no less than", "≥"),
-    ("not less than", "≥"),
-    ("greater than or equal to", "≥"),
-    ("at most", "≤"),
-    ("no more than", "≤"),
-    ("not more than", "≤"),
-    ("no greater than", "≤"),
-    ("not greater than", "≤"),
-    ("less than or equal to", "≤"),
-];
-
-/// The tokens with words for signs as those signs; `square root` is one root.
-pub(super) fn with_signs(tokens: &[Placed]) -> Vec<Placed> {
-    let word = |at: usize| match tokens.get(at).map(|placed| &placed.token) {
-        Some(Token::Word(word)) => Some(word.as_str()),
-        _ => None,
-    };
-    let is = |at: usize, wanted: &str| word(at).is_some_and(|word| word.eq_ignore_ascii_case(wanted));
-    let mut out: Vec<Placed> = Vec::with_capacity(tokens.len());
-    let mut at = 0;
-    while let Some(placed) = tokens.get(at) {
-        let stands = |words: &str| words.split(' ').enumerate().all(|(ahead, wanted)| is(at + ahead, wanted));
-        // Most of an answer is no word.
-        let standing =
-            word(at).and_then(|_| SIGNS.iter().filter(|(words, _)| stands(words)).max_by_key(|(words, _)| words.len()));
-        // `0.3 recurring`: the last digit recurs.
-        if let Token::Number(Expr::Decimal(digits)) = &placed.token
-            && let Some((whole, decimals)) = digits.split_once('.').filter(|(_, decimals)| !decimals.is_empty())
-            && ["recurring", "recurs", "rec"].iter().any(|recurs| is(at + 1, recurs))
-        {
-            let (before, last) = decimals.split_at(decimals.len() - 1);
-            let token = Token::Number(recurring_value(whole, before, last));
-            out.push(Placed { token, end: tokens[at + 1].end, ..placed.clone() });
-            at += 2;
-            continue;
-        }
-        let Some((words, signs)) = standing else {
-            out.push(placed.clone());
-            at += 1;
-            continue;
-        };
-        let count = words.split(' ').count();
-        let end = tokens[at + count - 1].end;
-        let mut put = |token, spaced| out.push(Placed { token, start: placed.start, end, spaced });
-        if signs.starts_with(char::is_alphabetic) {
-            put(Token::Word((*signs).to_owned()), placed.spaced);
-        } else {
-            for (place, sign) in signs.chars().enumerate() {
-                let token = match sign.to_digit(10) {
-                    Some(digit) => Token::Number(Expr::integer(i64::from(digit))),
-                    None if sign == '√' => Token::Root { cube: false },
-                    None => Token::Sign(sign),
-                };
-                put(token, placed.spaced && place == 0);
-            }
-        }
-        at += count;
-    }
-    out
 }

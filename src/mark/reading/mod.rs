@@ -13,6 +13,7 @@ mod digits;
 mod equation_number;
 mod functions;
 mod grammar;
+mod inequalities;
 mod latex;
 mod lexicon;
 mod line;
@@ -21,8 +22,10 @@ mod operands;
 mod part_label;
 mod phrases;
 mod products;
+mod ranges;
 mod said;
 mod sides;
+mod signs;
 mod statements;
 #[cfg(test)]
 mod tests;
@@ -31,7 +34,7 @@ mod units;
 mod values;
 mod vectors;
 
-pub use said::{Form, Label, Notation, Reading, ReferenceLine, Said, SaidUnit, Statement, Unreadable, Vocabulary};
+pub use said::{End, Form, Label, Notation, Reading, ReferenceLine, Said, SaidUnit, Statement, Unreadable, Vocabulary};
 
 use choices::{Choices, Flip};
 use crossed_out::without_crossed_out;

@@ -2,6 +2,7 @@
 
 use super::asides::with_asides_set_off;
 use super::lexicon::{self, Sort};
+use super::signs::with_signs;
 use super::tokens::{Placed, Token, is_greek};
 use super::units::is_unit_word;
 use super::{ReferenceLine, Unreadable, Vocabulary, names};
@@ -57,7 +58,7 @@ enum Relation {
 
 /// The tokens with words that are no formula understood, and those for signs (`times`, `over`) put as signs.
 pub(super) fn with_phrases(tokens: &[Placed], vocabulary: &Vocabulary) -> Result<Vec<Placed>, Unreadable> {
-    let tokens = lexicon::with_signs(tokens);
+    let tokens = with_signs(tokens);
     let small = |placed: &Placed| match &placed.token {
         Token::Word(word) => word.to_ascii_lowercase(),
         _ => String::new(),

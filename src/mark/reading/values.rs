@@ -335,6 +335,7 @@ pub(super) fn printed(said: &Said) -> String {
         Form::Vector(x, y, Notation::Coordinates) => format!("({}, {})", print::unicode(x), print::unicode(y)),
         Form::Vector(x, y, _) => print::unicode(&Expr::Vector(Box::new(x.clone()), Box::new(y.clone()))),
         Form::Ratio(a, b) => format!("{} : {}", print::unicode(a), print::unicode(b)),
+        Form::Range(low, high) => super::ranges::printed(low, high),
         Form::Gradient(value) => format!("gradient {}", print::unicode(value)),
         Form::AtRest => "at rest".to_owned(),
         Form::Direction => String::new(),
