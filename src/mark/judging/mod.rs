@@ -257,13 +257,13 @@ fn by_kind(model: &Model, reading: &Reading) -> Finding {
             statements::judge(model, reading, &|said, label| number::judge(model, said, label))
         }
         Kind::Angle => statements::judge(model, reading, &|said, label| angle::judge(model, said, label)),
-        Kind::Vector => match vector::of_its_components(reading) {
+        Kind::Vector => match vector::of_its_components(model, reading) {
             Some(said) => vector::judge(model, &said),
             None => statements::judge(model, reading, &|said, _| vector::judge(model, said)),
         },
         Kind::Ratio => match ratio::of_its_terms(reading) {
-            Some(said) => ratio::judge(model, &said),
-            None => statements::judge(model, reading, &|said, _| ratio::judge(model, said)),
+            Some((said, label)) => ratio::judge(model, &said, label.as_ref()),
+            None => statements::judge(model, reading, &|said, label| ratio::judge(model, said, label)),
         },
         Kind::Line => statements::judge(model, reading, &|said, label| line::judge(model, said, label)),
     }

@@ -109,6 +109,8 @@ notes! {
     Inverted, "inverted", "Upside down: this is one over the answer.";
     /// A ratio where a number is asked.
     RatioForNumber, "ratio-for-number", "Right as a ratio; a single number is asked for.";
+    /// A ratio that names its spheres the other way about.
+    RatioUnchecked, "ratio-unchecked", "Which sphere comes first is for a person to check.";
     /// The value without the equation.
     NotAnEquation, "not-an-equation", "An equation is asked for: write both sides.";
     /// A gradient that is not called one.

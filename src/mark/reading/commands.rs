@@ -12,6 +12,8 @@ pub(super) fn simple(command: &str) -> Option<&'static str> {
         "lt" => "<",
         "gt" => ">",
         "ne" | "neq" => "≠",
+        "top" | "intercal" => "T",
+        "surd" => "√",
         "in" => "∈",
         "infty" => "∞",
         "approx" | "simeq" | "cong" => "≈",

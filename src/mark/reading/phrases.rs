@@ -15,6 +15,8 @@ pub(super) enum Phrase {
     Line(ReferenceLine),
     /// `parallel to`, `in the direction of`, before a vector.
     Toward,
+    /// `perpendicular to`, before a vector.
+    Across,
     /// `at rest`
     Rest,
     /// `gradient`
@@ -154,6 +156,13 @@ impl Walk<'_> {
                 return Ok(Some((Phrase::Remark, next)));
             }
         }
+        // `i component`, `x component`
+        if self.vocabulary.vectors
+            && matches!(word, "i" | "j" | "x" | "y")
+            && let Some(next) = self.any(at + 1, &["component", "comp"])
+        {
+            return Ok(Some((Phrase::Noun, next)));
+        }
         let made_of_letters = names::is_made_of_letters(self.typed(at), self.vocabulary);
         let sort = lexicon::sort(word);
         if let Some(Sort::Negation) = sort {
@@ -222,6 +231,13 @@ impl Walk<'_> {
                 && matches!(self.tokens.get(next).map(|placed| &placed.token), Some(Token::Number(_)));
             if relation == Relation::Along && !angle && self.is_formula(self.article(next)) {
                 return Ok(Some((Phrase::Toward, self.article(next))));
+            }
+            if relation == Relation::Across
+                && self.vocabulary.vectors
+                && self.word(next - 1) == Some("to")
+                && self.is_formula(self.article(next))
+            {
+                return Ok(Some((Phrase::Across, self.article(next))));
             }
             if relation == Relation::Angle
                 && let Some(end) = self.unknown_line(next)

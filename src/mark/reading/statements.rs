@@ -217,7 +217,7 @@ impl Statements<'_> {
             }
             return self.ratio(left, right);
         }
-        if let Some(said) = self.range(tokens)? {
+        if let Some(said) = self.range(tokens)?.or(self.any_multiple(tokens)?) {
             self.found.push(Statement { label: None, said: vec![said] });
             return Ok(());
         }
@@ -246,6 +246,20 @@ impl Statements<'_> {
             Form::Value(value) if read.next == read.tokens.len() => Ok(value),
             _ => Err(Unreadable::Sign(place, "a number or formula is expected here".to_owned())),
         }
+    }
+
+    /// `λ(2i - j)`: every vector along a line.
+    fn any_multiple(&mut self, tokens: &[Placed]) -> Result<Option<Said>, Unreadable> {
+        let Some(vector) = line::of_any_multiple(tokens, self.vocabulary) else { return Ok(None) };
+        let place = tokens[0].start;
+        let gradient = match self.side(vector)? {
+            Expr::Vector(x, y) => line::along(&x, &y),
+            _ => None,
+        };
+        let Some(gradient) = gradient else {
+            return Err(Unreadable::Sign(place, "a multiple of what is no vector, or of one along j".to_owned()));
+        };
+        Ok(Some(Said { form: Form::Gradient(gradient), unit: None, reference: None, remarks: Vec::new() }))
     }
 
     fn equality(&mut self, sides: &[&[Placed]]) -> Result<(), Unreadable> {
@@ -300,8 +314,8 @@ impl Statements<'_> {
                 said.push(Said { form: Form::Ratio(left, right), unit: None, reference: None, remarks: Vec::new() });
                 continue;
             }
-            if let Some(range) = self.range(side)? {
-                said.push(range);
+            if let Some(whole) = self.range(side)?.or(self.any_multiple(side)?) {
+                said.push(whole);
                 continue;
             }
             // `e = separation/approach = 2/3`

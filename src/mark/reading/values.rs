@@ -2,6 +2,7 @@
 
 use super::choices::Choices;
 use super::grammar::Parser;
+use super::line;
 use super::phrases::Phrase;
 use super::tokens::{Placed, Token, excerpt};
 use super::vectors::{Shape, scaled, shape, size};
@@ -176,6 +177,7 @@ impl Values<'_> {
         let phrases: Vec<Phrase> = lead.iter().filter_map(|at| phrase_at(tokens, *at)).collect();
         let words = lead.first().map(|first| self.slice(tokens, *first, lead[lead.len() - 1] + 1).to_lowercase());
         let toward = phrases.last() == Some(&Phrase::Toward);
+        let across = phrases.contains(&Phrase::Across);
         lead.clear();
         let place = tokens[at].start;
         let parsed = formula(std::mem::take(tokens), at, self.text, self.vocabulary, self.choices)?;
@@ -186,6 +188,19 @@ impl Values<'_> {
                 Form::Value(value) => Form::Gradient(value),
                 _ => return Err(Unreadable::Sign(place, "a gradient is a number".to_owned())),
             };
+        }
+        // `perpendicular to i + 2j` is a line, and no direction of what stands before it.
+        if across {
+            let gradient = match &said.form {
+                Form::Vector(x, y, _) if found.values.is_empty() => line::across(x, y),
+                _ => None,
+            };
+            let gradient = gradient.ok_or_else(|| {
+                Unreadable::Sign(place, "what is perpendicular to it is for a person to see".to_owned())
+            })?;
+            said.form = Form::Gradient(gradient);
+            found.values.push((label, said));
+            return Ok(parsed.next);
         }
         // `2 m/s parallel to i`
         if toward && let Some((_, last)) = found.values.last_mut() {
