@@ -54,6 +54,9 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Findin
     if said.reference == Some(ReferenceLine::FromBToA) && own_line(model) == ReferenceLine::LineOfCentres {
         return from_b_to_a(model, stated, right, radians);
     }
+    if said.reference == Some(ReferenceLine::MinusI) && matches!(model.quantity, Some(Quantity::AngleFromI(..))) {
+        return right.from(180).map_or(Finding::WRONG, |turn| compare(model, stated, &turn, radians));
+    }
     match expected(right, own_line(model), said.reference) {
         Some(expected) => {
             let finding = compare(model, stated, &expected, radians);

@@ -4,7 +4,7 @@
 pub(super) fn simple(command: &str) -> Option<&'static str> {
     Some(match command {
         "cdot" | "times" | "ast" => " * ",
-        "div" => "/",
+        "div" => "÷",
         "pm" => "±",
         "degree" | "circ" | "textdegree" => "°",
         "le" | "leq" | "leqslant" => "≤",

@@ -14,6 +14,7 @@ mod equation_number;
 mod functions;
 mod grammar;
 mod inequalities;
+mod infix_fraction;
 mod latex;
 mod lexicon;
 mod line;

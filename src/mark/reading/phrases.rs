@@ -207,6 +207,11 @@ impl Walk<'_> {
     /// A reference line with the words before it, or such words before a vector.
     fn reference(&self, at: usize) -> Result<Option<(Phrase, usize)>, Unreadable> {
         if let Some((relation, next)) = self.relation(at) {
+            if relation == Relation::Angle
+                && let Some(end) = self.minus_i(next)
+            {
+                return Ok(Some((Phrase::Line(ReferenceLine::MinusI), end)));
+            }
             if let Some((line, end)) = self.line(next) {
                 let said = match (relation, line) {
                     (Relation::Along, Line::I | Line::J) => return Ok(Some((Phrase::Toward, self.article(next)))),
@@ -250,9 +255,9 @@ impl Walk<'_> {
             }
             return Ok(None);
         }
-        // `in the i direction`
+        // `in the i direction`, `in the -i direction`
         if let Some(next) = self.words(at, "in").map(|next| self.article(next))
-            && self.unit_vector(next).is_some()
+            && self.unit_vector(next + usize::from(self.tokens.get(next).is_some_and(|sign| sign.is('-')))).is_some()
         {
             return Ok(Some((Phrase::Toward, next)));
         }
@@ -328,6 +333,14 @@ impl Walk<'_> {
             },
             _ => None,
         }
+    }
+
+    /// `-i`, `the negative i direction`: the token after it.
+    fn minus_i(&self, at: usize) -> Option<usize> {
+        let at = self.article(at);
+        let turned = self.tokens.get(at).is_some_and(|token| token.is('-')) || self.word(at) == Some("negative");
+        let (line, end) = self.plain_line(at + 1).filter(|_| turned)?;
+        (line == Line::I).then(|| self.any(end, &["axis"]).unwrap_or(end))
     }
 
     /// Does a formula begin here?

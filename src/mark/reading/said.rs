@@ -128,6 +128,8 @@ pub enum ReferenceLine {
     I,
     /// **j**
     J,
+    /// The direction opposite to **i**.
+    MinusI,
     /// The original direction of motion.
     OriginalDirection,
     /// Along, or parallel to, the line of centres: a direction rather than an angle.

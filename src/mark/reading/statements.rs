@@ -300,6 +300,18 @@ impl Statements<'_> {
 
     /// Values that are said to be one another's equals.
     fn labelled(&mut self, label: Option<Label>, sides: &[&[Placed]]) -> Result<(), Unreadable> {
+        // `tan θ = 3/2 56.3°`: the angle itself follows.
+        if let ([before @ .., last], Some(Expr::Call(..))) =
+            (sides, label.as_ref().and_then(|label| label.expr.as_ref()))
+            && let [value @ .., number, degrees] = *last
+            && matches!(value.last().map(|last| &last.token), Some(Token::Number(_) | Token::Sign(')' | '⟧')))
+            && matches!(number.token, Token::Number(_))
+            && number.spaced
+            && degrees.is('°')
+        {
+            self.labelled(label, &[before, &[value]].concat())?;
+            return self.alone(&last[value.len()..]);
+        }
         let mut label = label;
         let gradient = label.as_ref().is_some_and(|label| matches!(&*label.typed.to_lowercase(), "gradient" | "slope"));
         let mut said = Vec::new();

@@ -371,6 +371,7 @@ pub(super) fn printed(said: &Said) -> String {
             ReferenceLine::CommonTangent => "to the common tangent",
             ReferenceLine::I => "to i",
             ReferenceLine::J => "to j",
+            ReferenceLine::MinusI => "to −i",
             ReferenceLine::OriginalDirection => "to the original direction",
             ReferenceLine::AlongLineOfCentres => "along the line of centres",
             ReferenceLine::AlongCommonTangent => "perpendicular to the line of centres",
