@@ -70,6 +70,9 @@ pub(super) fn along(x: &Expr, y: &Expr) -> Option<Expr> {
     quotient(y.clone(), x.clone())
 }
 
+/// The remark on a line that is told by a vector to which it is perpendicular.
+pub(crate) const ACROSS: &str = "across the vector";
+
 /// The gradient of the line perpendicular to a vector.
 pub(super) fn across(x: &Expr, y: &Expr) -> Option<Expr> {
     quotient(x.clone(), y.clone()).map(Expr::negated)

@@ -35,6 +35,7 @@ mod units;
 mod values;
 mod vectors;
 
+pub(crate) use line::ACROSS;
 pub use said::{End, Form, Label, Notation, Reading, ReferenceLine, Said, SaidUnit, Statement, Unreadable, Vocabulary};
 
 use choices::{Choices, Flip};

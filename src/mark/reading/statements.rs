@@ -221,6 +221,7 @@ impl Statements<'_> {
             self.found.push(Statement { label: None, said: vec![said] });
             return Ok(());
         }
+        self.is_worked_out(tokens)?;
         let mut values = Values { text: self.text, vocabulary: self.vocabulary, choices: self.choices };
         let stretch = values.stretch(tokens)?;
         stretch.remarks.into_iter().for_each(|words| self.remark(words));
@@ -330,11 +331,13 @@ impl Statements<'_> {
                 said.push(whole);
                 continue;
             }
-            // `e = separation/approach = 2/3`
-            if !last && let Some(words) = self.in_words(side) {
+            // `e = separation/approach = 2/3`, `v = |4i + j| = √17`
+            let named = self.is_size_of_vector(side).then(|| self.slice(side).to_lowercase());
+            if !last && let Some(words) = named.or_else(|| self.in_words(side)) {
                 remarks.push(words);
                 continue;
             }
+            self.is_worked_out(side)?;
             let mut values = Values { text: self.text, vocabulary: self.vocabulary, choices: self.choices };
             let stretch = values.stretch(side)?;
             let mut found = stretch.values.into_iter();

@@ -199,6 +199,7 @@ impl Values<'_> {
                 Unreadable::Sign(place, "what is perpendicular to it is for a person to see".to_owned())
             })?;
             said.form = Form::Gradient(gradient);
+            said.remarks.push(line::ACROSS.to_owned());
             found.values.push((label, said));
             return Ok(parsed.next);
         }
