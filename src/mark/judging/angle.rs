@@ -58,6 +58,9 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Findin
         let explained = finding == Finding::WRONG && sense != Sense::BToA;
         return if explained { explain(model, said, stated, right, finding) } else { finding };
     }
+    if said.reference == Some(ReferenceLine::MinusI) && matches!(model.quantity, Some(Quantity::AngleFromI(..))) {
+        return right.from(180).map_or(Finding::WRONG, |turn| compare(model, stated, &turn, radians));
+    }
     match expected(right, own_line(model), said.reference) {
         Some(expected) => {
             let finding = compare(model, stated, &expected, radians);

@@ -1,7 +1,7 @@
 //! The direction of a line: any vector along it, in either sense, or its gradient.
 
 use crate::expr::{Expr, Meaning};
-use crate::mark::reading::{Form, Label, Said};
+use crate::mark::reading::{ACROSS, Form, Label, Said};
 
 use super::accuracy::{Coarsest, Written};
 use super::exact::{self, Equality, same};
@@ -12,7 +12,14 @@ use super::{Model, Note, number, vector};
 pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
     let Some((right_x, right_y)) = along(model) else { return Finding::unreadable(Note::CannotBeCompared) };
     if let Form::Gradient(gradient) = &said.form {
-        return by_gradient(model, &right_x, &right_y, gradient);
+        let finding = by_gradient(model, &right_x, &right_y, gradient);
+        // Who calls the answer perpendicular to itself may speak of another line.
+        let turned = || by_gradient(model, &right_x, &right_y, &Expr::integer(1).over(gradient.clone()).negated());
+        let is_across = said.remarks.iter().any(|remark| remark == ACROSS) && !gradient.is_zero();
+        if is_across && !finding.is_credited() && turned().is_credited() {
+            return Finding::unreadable(Note::CannotBeCompared);
+        }
+        return finding;
     }
     if let Some((x, y, _)) = vector::said_components(model, said) {
         return parallel(model, (&right_x, &right_y), (&x, &y));

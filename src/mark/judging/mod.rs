@@ -185,6 +185,9 @@ fn one(model: &Model, reading: &Reading) -> Finding {
     let Some(reading) = &selection::counted(model, reading) else {
         return Finding::unreadable(Note::CannotBeCompared);
     };
+    if let Some(finding) = range::out_of_place(model, reading) {
+        return finding;
+    }
     let finding = by_kind(model, reading);
     if finding.is_credited() && is_turned_by_words(model, reading, finding) {
         return Finding::unreadable(Note::CannotBeCompared);
@@ -208,13 +211,13 @@ fn by_kind(model: &Model, reading: &Reading) -> Finding {
             statements::judge(model, reading, &|said, label| number::judge(model, said, label))
         }
         Kind::Angle => statements::judge(model, reading, &|said, label| angle::judge(model, said, label)),
-        Kind::Vector => match vector::of_its_components(reading) {
+        Kind::Vector => match vector::of_its_components(model, reading) {
             Some(said) => vector::judge(model, &said),
             None => statements::judge(model, reading, &|said, _| vector::judge(model, said)),
         },
         Kind::Ratio => match ratio::of_its_terms(reading) {
-            Some(said) => ratio::judge(model, &said),
-            None => statements::judge(model, reading, &|said, _| ratio::judge(model, said)),
+            Some((said, label)) => ratio::judge(model, &said, label.as_ref()),
+            None => statements::judge(model, reading, &|said, label| ratio::judge(model, said, label)),
         },
         Kind::Line => statements::judge(model, reading, &|said, label| line::judge(model, said, label)),
     }

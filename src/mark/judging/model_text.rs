@@ -67,7 +67,8 @@ impl Model {
             },
         );
         let vectors = matches!(kind, Kind::Vector | Kind::Line) || inferred == Kind::Vector;
-        let vectors = vectors && kind != Kind::Velocity;
+        let from_i = matches!(options.quantity, Some(Quantity::AngleFromI(..) | Quantity::ImpulseAngle));
+        let vectors = (vectors || from_i) && kind != Kind::Velocity;
         let model = Model::new(value, kind, accept, Vocabulary { letters, vectors });
         // An answer is judged alike of whichever impact it is.
         Ok(Model { quantity: options.quantity.map(Quantity::of_its_impact), ..model })

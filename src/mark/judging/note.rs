@@ -81,6 +81,10 @@ notes! {
     RangeEnd, "range-end", "The ends are right: look whether each of them belongs to the range.";
     /// One end of a range that has two.
     RangeHalf, "range-half", "Right as far as it goes: the range has another end.";
+    /// An inequality in which the letter does not stand by itself.
+    RangeUnsolved, "range-unsolved", "Right so far: solve the inequality for the letter itself.";
+    /// An end where the letter cannot be.
+    RangeTooFar, "range-too-far", "The letter cannot be so much: give the range with the end that it has.";
     /// An inequality the wrong way round.
     RangeTurned, "range-turned", "The number is right and the inequality is the wrong way round.";
     /// An end of a range in place of the range.
@@ -105,6 +109,8 @@ notes! {
     Inverted, "inverted", "Upside down: this is one over the answer.";
     /// A ratio where a number is asked.
     RatioForNumber, "ratio-for-number", "Right as a ratio; a single number is asked for.";
+    /// A ratio that names its spheres the other way about.
+    RatioUnchecked, "ratio-unchecked", "Which sphere comes first is for a person to check.";
     /// The value without the equation.
     NotAnEquation, "not-an-equation", "An equation is asked for: write both sides.";
     /// A gradient that is not called one.

@@ -64,7 +64,7 @@ fn as_it_stands(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
         }
         Form::Mixed(_) => return Finding::wrong(Note::NumberPlusVector),
         Form::Equation(Expr::Relation(left, Relation::Equal, right)) => return said_twice(model, said, [left, right]),
-        Form::Equation(_) | Form::Gradient(_) | Form::Direction => return Finding::WRONG,
+        Form::Equation(_) | Form::Gradient(_) | Form::Range(..) | Form::Direction => return Finding::WRONG,
     };
     let vector = Expr::names(expr).iter().any(|name| matches!(name.text.as_str(), "i" | "j"));
     if let (true, Some(Meaning::Vector(x, y))) = (vector, exact::meaning(expr, &model.vocabulary.letters)) {

@@ -1,29 +1,35 @@
-//! Ranges of a letter: `1/3 < e ≤ 1`, `e > 1/3`, `3e > 1`, two inequalities in a row or one after the other.
+//! Ranges of a letter: `1/3 < e ≤ 1`, `e > 1/3`, `(1/3, 1]`, two inequalities in a row or one after the other.
 //!
 //! An end that is only what the letter can be anyway, as `e ≤ 1` is, may be given or left out, and may be counted in or
-//! out. Any other end must be there, at the right number, with its own value counted in or out as it should be. What else
-//! is said must follow from the ends: the same again, or less. A number beside a range is another answer, unless it is an
-//! end.
+//! out; but it must not be given further out, as `e ≤ 2` is. Any other end must be there, at the right number, with its
+//! own value counted in or out as it should be, and the letter by itself: `3e > 1` is a step short. What else is said must
+//! follow from the ends: the same again, or less. A number beside a range is another answer, unless it is an end. Where
+//! `or` joins ranges, each must be right.
 
 use std::cmp::Ordering;
 
+use crate::answer::Kind;
 use crate::expr::{Expr, Meaning, Relation, evaluate, written};
-use crate::mark::reading::{Form, Reading};
+use crate::mark::reading::{End, Form, Reading, Said, Statement};
 use crate::number::{Letter, Span, Value};
 
 use super::accuracy::Written;
 use super::exact::{self, meaning_of};
 use super::finding::Finding;
+use super::statements::is_rival;
 use super::{Model, Note, number};
 
 /// One inequality, solved for the letter: the letter lies on this side of the bound.
 struct Bound {
     /// Is the letter above it?
     above: bool,
-    included: bool,
+    /// Does it belong to the range? Words such as `from 1 to 3` do not say.
+    included: Option<bool>,
     value: Value,
     /// As it was written, where the letter stands by itself.
     shown: Expr,
+    /// Does the letter stand by itself?
+    solved: bool,
 }
 
 /// Judges a whole reading against a range.
@@ -32,14 +38,45 @@ pub(super) fn judge(model: &Model, reading: &Reading) -> Finding {
     let right = relations(&model.value);
     let Some(letter) = letter(&right, letters) else { return Finding::unreadable(Note::CannotBeCompared) };
     let Some(right) = bounds(&right, letter, letters) else { return Finding::unreadable(Note::CannotBeCompared) };
-    let said = reading.statements.iter().flat_map(|statement| &statement.said);
+    let alternatives = reading.statements.chunk_by(|_, next| !next.said.iter().any(is_rival));
+    let found = alternatives.map(|statements| one(model, &right, letter, statements)).reduce(Finding::and);
+    found.unwrap_or(Finding::unreadable(Note::CannotBeRead))
+}
+
+/// A range where none is asked for: two numbers in brackets are not the answer, and what `more than 3` is meant to say of
+/// a number is for a person to see.
+pub(super) fn out_of_place(model: &Model, reading: &Reading) -> Option<Finding> {
+    let mut forms = reading.statements.iter().flat_map(|statement| &statement.said).map(|said| &said.form);
+    let range = forms.find(|form| matches!(form, Form::Range(..))).filter(|_| model.kind != Kind::Range)?;
+    Some(match range {
+        Form::Range(Some(_), Some(_)) => Finding::WRONG,
+        _ => Finding::unreadable(Note::CannotBeCompared),
+    })
+}
+
+/// Judges statements that are all to hold.
+fn one(model: &Model, right: &[Bound], letter: Letter, statements: &[Statement]) -> Finding {
+    let letters = &model.vocabulary.letters;
     let mut own = Vec::new();
     let mut bare = Vec::new();
-    for said in said {
-        match &said.form {
-            Form::Equation(relation) => own.extend(relations(relation)),
-            Form::Value(value) => bare.push(value.clone()),
-            _ => return Finding::unreadable(Note::CannotBeCompared),
+    for (statement, said) in statements.iter().flat_map(|s| s.said.iter().map(move |said| (s, said))) {
+        let found = match &said.form {
+            Form::Equation(relation) if exact::unknown_letter(relation, letters).is_some() => {
+                return Finding::wrong(Note::UnknownLetter);
+            }
+            Form::Equation(relation) => bounds(&relations(relation), letter, letters),
+            Form::Range(low, high) if is_of(letter, statement) => ends_of(said, low, high, letters),
+            // Coordinates, where brackets are open to doubt.
+            Form::Vector(..) => return Finding::WRONG,
+            Form::Value(value) => {
+                bare.push(value.clone());
+                continue;
+            }
+            _ => None,
+        };
+        match found {
+            Some(found) => own.extend(found),
+            None => return Finding::unreadable(Note::CannotBeCompared),
         }
     }
     let ends: Vec<&Bound> = right.iter().filter(|bound| !is_natural(bound, letter)).collect();
@@ -54,10 +91,6 @@ pub(super) fn judge(model: &Model, reading: &Reading) -> Finding {
             (false, false) => Finding::wrong(Note::NotARange),
         };
     }
-    if own.iter().any(|relation| exact::unknown_letter(relation, letters).is_some()) {
-        return Finding::wrong(Note::UnknownLetter);
-    }
-    let Some(own) = bounds(&own, letter, letters) else { return Finding::unreadable(Note::CannotBeCompared) };
     let finding = against(model, &ends, &own, letter);
     match bare.is_empty() {
         true => finding,
@@ -85,15 +118,27 @@ fn against(model: &Model, ends: &[&Bound], own: &[Bound], letter: Letter) -> Fin
         if near.iter().any(|bound| bound.included != end.included) {
             worst = worst.spoilt_by(Note::RangeEnd);
         }
+        if !near.is_empty() && near.iter().all(|bound| !bound.solved) {
+            worst = worst.spoilt_by(Note::RangeUnsolved);
+        }
     }
     let follows = |bound: &Bound| {
         is_natural(bound, letter) || ends.iter().any(|end| is_no_tighter(bound, end) || is_near(model, bound, end))
     };
     match (missing, own.iter().all(follows)) {
+        (0, true) if goes_too_far(own, letter) => worst.spoilt_by(Note::RangeTooFar),
         (0, true) => worst,
         (missing, true) if missing < ends.len() => worst.at_most_partial(Note::RangeHalf),
         _ => Finding::WRONG,
     }
+}
+
+/// Is the last bound on some side one of values that the letter cannot have? Then nobody looked how far the letter goes.
+fn goes_too_far(own: &[Bound], letter: Letter) -> bool {
+    [true, false].into_iter().any(|above| {
+        let mut side = own.iter().filter(|bound| bound.above == above).peekable();
+        side.peek().is_some() && side.all(|bound| order_to_natural(bound, letter) == Some(Ordering::Greater))
+    })
 }
 
 /// Is the bound the end, as near as the model's rule of acceptance wants it?
@@ -164,20 +209,48 @@ fn bound(relation: &Expr, letter: Letter, letters: &[Letter]) -> Option<Bound> {
     };
     let value = (-difference.substitute(letter, &Value::ZERO)?).divided_by(&slope)?;
     let is_letter = |expr: &Expr| matches!(expr, Expr::Name(name) if name.text == letter.name());
-    let shown = match (is_letter(left), is_letter(right)) {
-        (true, false) => (**right).clone(),
-        (false, true) => (**left).clone(),
-        _ => written(&value),
+    let by_itself = match (is_letter(left), is_letter(right)) {
+        (true, false) => Some(right),
+        (false, true) => Some(left),
+        _ => None,
     };
-    Some(Bound { above: greater != turns, included, value, shown })
+    let by_itself = by_itself.filter(|bound| bound.names().iter().all(|name| name.text != letter.name()));
+    let shown = by_itself.map_or_else(|| written(&value), |bound| (**bound).clone());
+    Some(Bound { above: greater != turns, included: Some(included), value, shown, solved: by_itself.is_some() })
+}
+
+/// Is it said of this letter, or of none?
+fn is_of(letter: Letter, statement: &Statement) -> bool {
+    let named = statement.label.as_ref().and_then(|label| label.expr.as_ref());
+    named.is_none_or(|named| matches!(named, Expr::Name(name) if name.text == letter.name()))
+}
+
+/// The ends of a range that names no letter; a word beside it may say whether they belong to it.
+fn ends_of(said: &Said, low: &Option<End>, high: &Option<End>, letters: &[Letter]) -> Option<Vec<Bound>> {
+    let says = |word: &str| said.remarks.iter().any(|remark| remark.contains(word));
+    let bound = |above: bool, end: &End| {
+        let included = match (end.included, says("inclusive"), says("exclusive") || says("strictly")) {
+            (None, true, false) => Some(true),
+            (None, false, true) => Some(false),
+            (included, ..) => included,
+        };
+        Some(Bound { above, included, value: exact::value(&end.at, letters)?, shown: end.at.clone(), solved: true })
+    };
+    let ends = [(true, low), (false, high)].into_iter().filter_map(|(above, end)| Some((above, end.as_ref()?)));
+    ends.map(|(above, end)| bound(above, end)).collect()
 }
 
 /// Is the bound no more than what the letter can be anyway?
 fn is_natural(bound: &Bound, letter: Letter) -> bool {
+    order_to_natural(bound, letter).is_some_and(Ordering::is_ge)
+}
+
+/// How far out a bound lies, compared with the last value that the letter can have on that side.
+fn order_to_natural(bound: &Bound, letter: Letter) -> Option<Ordering> {
     let Span { low, high } = Span::of(letter.range());
     let order = |end: &Value| (&bound.value - end).sign();
     match bound.above {
-        true => low.is_some_and(|low| order(&low.value).is_some_and(Ordering::is_le)),
-        false => high.is_some_and(|high| order(&high.value).is_some_and(Ordering::is_ge)),
+        true => order(&low?.value).map(Ordering::reverse),
+        false => order(&high?.value),
     }
 }

@@ -14,8 +14,52 @@ fn a_range_is_judged_by_its_ends() {
         ("1/3 < e <= 1", "", "1 ≥ e > 1/3", Correct, None),
         ("1/3 < e <= 1", "", "1/3 < e < 1", Correct, None),
         ("1/3 < e <= 1", "", "e > 1/3 and e <= 1", Correct, None),
-        ("1/3 < e <= 1", "", "3e > 1", Correct, None),
-        ("1/3 < e <= 1", "", "1 - 3e < 0", Correct, None),
+        ("1/3 < e <= 1", "", "3e > 1", Partial, Some("range-unsolved")),
+        ("1/3 < e <= 1", "", "1 - 3e < 0", Partial, Some("range-unsolved")),
+        ("1/3 < e <= 1", "", "5(1 - 3e)/14 < 0", Partial, Some("range-unsolved")),
+        ("1/3 < e <= 1", "", "1 - 3e < 0 so e > 1/3", Correct, None),
+        ("1/3 < e <= 1", "", "1/3 < e ≤ 2", Partial, Some("range-too-far")),
+        ("1/3 < e <= 1", "", "e > 1/3, e < 1.5", Partial, Some("range-too-far")),
+        ("1/3 < e <= 1", "", "e > 1/3, e < 1.5, e ≤ 1", Correct, None),
+        ("1/3 < e <= 1", "", "(1/3, 1]", Correct, None),
+        ("1/3 < e <= 1", "", "e ∈ (1/3, 1]", Correct, None),
+        ("1/3 < e <= 1", "", r"$e \in \left(\frac{1}{3}, 1\right]$", Correct, None),
+        ("1/3 < e <= 1", "", "]1/3, 1]", Correct, None),
+        ("1/3 < e <= 1", "", "]1/3; 1[", Correct, None),
+        ("1/3 < e <= 1", "", "(1/3, 1)", Correct, None),
+        ("1/3 < e <= 1", "", "[1/3, 1]", Partial, Some("range-end")),
+        ("1/3 < e <= 1", "", "(1/3, 2]", Partial, Some("range-too-far")),
+        ("1/3 < e <= 1", "", "(1, 1/3]", Wrong, Some("range-turned")),
+        ("1/3 < e <= 1", "", "k ∈ (1/3, 1]", Unreadable, Some("cannot-be-compared")),
+        ("1/3 < e <= 1", "", "{e : 1/3 < e ≤ 1}", Correct, None),
+        ("1/3 < e <= 1", "", r"\{e | e > 1/3, e \leq 1\}", Correct, None),
+        ("1/3 < e <= 1", "", "e between 1/3 and 1", Partial, Some("range-end")),
+        ("1/3 < e <= 1", "", "e > 1/3 (up to 1)", Correct, None),
+        ("1/3 < e <= 1", "", "e exceeds 1/3", Correct, None),
+        ("1/3 < e <= 1", "", "e > 1/3 or e < 1/4", Wrong, None),
+        ("1/3 < e <= 1", "", "e > 1/3 but at most 1", Correct, None),
+        ("2 <= k <= 3", "", "[2, 3]", Correct, None),
+        ("2 <= k <= 3", "", "(2, 3)", Partial, Some("range-end")),
+        ("2 <= k <= 3", "", "[2, 4]", Partial, Some("range-half")),
+        ("2 <= k <= 3", "", "2 ≤ k ≤ 3", Correct, None),
+        ("2 <= k <= 3", "", "1 ≥ k - 2 ≥ 0", Partial, Some("range-unsolved")),
+        ("2 <= k <= 3", "", "k from 2 to 3", Partial, Some("range-end")),
+        ("2 <= k <= 3", "", "k lies between 2 and 3 (inclusive)", Correct, None),
+        ("2 <= k <= 3", "", "between 2 and 3 inclusive", Correct, None),
+        ("2 <= k <= 3", "", "k is at least 2 and at most 3", Correct, None),
+        ("2 <= k <= 3", "", "k ≥ 2 and ≤ 3", Correct, None),
+        ("2 <= k <= 3", "", "k ≤ 2 or k ≥ 3", Wrong, Some("range-turned")),
+        ("k > 2", "", "(2, ∞)", Correct, None),
+        ("k > 2", "", "(2, infinity)", Correct, None),
+        ("k > 2", "", "2 < k‹∞", Correct, None),
+        ("k > 2", "", "2 < k > ∞", Unreadable, Some("cannot-be-read")),
+        ("k > 2", "", "(∞, 2)", Unreadable, Some("cannot-be-read")),
+        ("k > 2", "", "more than 2", Correct, None),
+        ("k > 2", "", "k must be strictly greater than 2", Correct, None),
+        ("k > 2", "", "at least 2", Partial, Some("range-end")),
+        ("k > 2", "", "less than 2", Wrong, Some("range-turned")),
+        ("0 < k <= 1", "", "k does not exceed 1", Correct, None),
+        ("0 < k <= 1", "", "-1 < k ≤ 1", Partial, Some("range-too-far")),
         ("1/3 < e <= 1", "", r"$\frac13 < e \leq 1$", Correct, None),
         ("1/3 < e <= 1", "", "e ≥ 1/3", Partial, Some("range-end")),
         ("1/3 < e <= 1", "", "1/3", Partial, Some("range-wanted")),
@@ -78,5 +122,13 @@ fn what_is_no_range_is_refused_as_a_model() {
     let options = ModelOptions { kind: Some(Kind::Range), ..ModelOptions::default() };
     for model in ["1/3", "1 < e <", "1 < e < 2 < 3", "<"] {
         assert!(Model::read(model, &options).is_err(), "{model}");
+    }
+}
+
+#[test]
+fn a_range_is_no_answer_where_none_is_asked_for() {
+    for (model, answer, verdict) in [("5", "(3, 4]", Verdict::Wrong), ("3", "more than 3", Verdict::Unreadable)] {
+        let model = Model::read(model, &ModelOptions::default()).unwrap();
+        assert_eq!(judge(&model, &read_answer(answer, &model.vocabulary)).verdict, verdict, "{answer}");
     }
 }

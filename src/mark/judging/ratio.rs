@@ -1,25 +1,47 @@
 //! Ratios, free of scale: `2 : 3`, `4 : 6` and `2/3` are one.
+//!
+//! Convention. Which sphere comes first is the question's to say, and the model does not repeat it. Where an answer names
+//! both and puts A first, its numbers are taken as they are; with B first, or the other way up, only a person can tell.
 
 use crate::expr::{Expr, Meaning, written};
-use crate::mark::reading::{Form, Reading, Said};
+use crate::mark::reading::{Form, Label, Reading, Said};
 
 use super::accuracy::Written;
 use super::finding::Finding;
-use super::statements::{pair, unnamed};
+use super::statements::{named_spheres, pair, unnamed};
 use super::{Model, Note, number};
 
-/// Two numbers one after the other: `2 to 3`.
-pub(super) fn of_its_terms(reading: &Reading) -> Option<Said> {
-    let terms = pair(reading)?.map(|(statement, said)| {
-        unnamed((statement, said)).filter(|_| said.unit.is_none()).map(|term| (term.clone(), said.remarks.clone()))
-    });
-    let [Some((first, mut remarks)), Some((second, more))] = terms else { return None };
-    remarks.extend(more);
-    Some(Said { form: Form::Ratio(first, second), unit: None, reference: None, remarks })
+/// Two numbers one after the other, and what their ratio is called: `2 to 3`, `A to B is 2 to 3`.
+pub(super) fn of_its_terms(reading: &Reading) -> Option<(Said, Option<Label>)> {
+    let [(statement, first), second] = pair(reading)?;
+    let label = statement.label.clone().filter(|label| named_spheres(&label.typed).len() == 2);
+    let first_term = match (&label, &first.form) {
+        (Some(_), Form::Value(value)) if first.reference.is_none() => value,
+        _ => unnamed((statement, first))?,
+    };
+    let second_term = unnamed(second)?;
+    if first.unit.is_some() || second.1.unit.is_some() {
+        return None;
+    }
+    let remarks = [first, second.1].into_iter().flat_map(|said| said.remarks.clone()).collect();
+    let form = Form::Ratio(first_term.clone(), second_term.clone());
+    Some((Said { form, unit: None, reference: None, remarks }, label))
 }
 
-/// Judges one value against a ratio: the model is a quotient, or its two terms as `[2, 3]`.
-pub(super) fn judge(model: &Model, said: &Said) -> Finding {
+/// Judges one value against a ratio, with what it is called.
+pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
+    let finding = as_it_stands(model, said);
+    let order = label.map(|label| named_spheres(&label.typed)).unwrap_or_default();
+    let [first, second] = order.as_slice() else { return finding };
+    let usual = (*first as usize) < *second as usize;
+    match finding.is_credited() && !usual || finding.note == Some(Note::Inverted) {
+        true => Finding::unreadable(Note::RatioUnchecked),
+        false => finding,
+    }
+}
+
+/// The value by itself: the model is a quotient, or its two terms as `[2, 3]`.
+fn as_it_stands(model: &Model, said: &Said) -> Finding {
     let right = match model.known().meaning() {
         Some(Meaning::Vector(first, second)) => match first.divided_by(second) {
             Some(quotient) => written(&quotient),

@@ -173,6 +173,15 @@ pub(super) fn named_sphere(statement: &Statement) -> Option<Sphere> {
     named.next().filter(|_| named.next().is_none())
 }
 
+/// The spheres that a text names, in order: `m_B : m_A`, `mA/mB`, `A to B`.
+pub(super) fn named_spheres(typed: &str) -> Vec<Sphere> {
+    let words = typed.split(|letter: char| !letter.is_alphanumeric());
+    let named = words.filter_map(|word| {
+        SPHERES.into_iter().find(|sphere| word == sphere.name() || is_subscript(word, sphere.name()))
+    });
+    named.collect()
+}
+
 /// `vA`, `vB`
 fn is_subscript(word: &str, sphere: &str) -> bool {
     word.len() == 2 && word.ends_with(sphere) && word.starts_with(|letter: char| letter.is_ascii_lowercase())

@@ -6,7 +6,7 @@ use crate::mark::reading::{Form, Notation, Reading, Said, Statement};
 use super::accuracy::Written;
 use super::exact;
 use super::finding::Finding;
-use super::statements::{pair, unnamed};
+use super::statements::{named_sphere, pair, sphere, unnamed};
 use super::units::{self, UnitCheck};
 use super::{Model, Note, number};
 
@@ -39,16 +39,31 @@ pub(super) fn said_components(model: &Model, said: &Said) -> Option<(Expr, Expr,
 
 /// A vector said component by component: `4 in the i direction, 1 in the j direction`, `i: 4, j: 1`; as coordinates are,
 /// where no words say which is which: `4, 1`.
-pub(super) fn of_its_components(reading: &Reading) -> Option<Said> {
+pub(super) fn of_its_components(model: &Model, reading: &Reading) -> Option<Said> {
     let [first, second] = pair(reading)?;
+    let is_of_another = |statement: &Statement| {
+        let asked = model.quantity.and_then(sphere);
+        asked.is_some() && named_sphere(statement).is_some_and(|named| Some(named) != asked)
+    };
+    if is_of_another(first.0) {
+        return None;
+    }
     let nought = || Expr::integer(0);
+    let of_whole = |statement: &Statement| statement.label.is_none() || std::ptr::eq(statement, first.0);
     let part = |(statement, said): (&Statement, &Said)| {
-        let label = statement.label.as_ref().map(|label| label.typed.trim().to_lowercase());
-        let (x, y, notation) = match (&said.form, label.as_deref()) {
-            (Form::Vector(x, y, Notation::Words), None) => (x.clone(), y.clone(), Notation::Words),
-            (Form::Vector(x, y, Notation::UnitVectors), None) => (x.clone(), y.clone(), Notation::Coordinates),
-            (Form::Value(value), Some("i")) => (value.clone(), nought(), Notation::Words),
-            (Form::Value(value), Some("j")) => (nought(), value.clone(), Notation::Words),
+        let axis = statement.label.as_ref().and_then(|label| axis(&label.typed));
+        let (x, y, notation) = match (&said.form, axis) {
+            // `velocity 4 along i and 1 along j`
+            (Form::Vector(x, y, Notation::Words), None) if of_whole(statement) => {
+                (x.clone(), y.clone(), Notation::Words)
+            }
+            (Form::Vector(x, y, Notation::UnitVectors), None) if statement.label.is_none() => {
+                (x.clone(), y.clone(), Notation::Coordinates)
+            }
+            (Form::Value(value), Some('i')) => (value.clone(), nought(), Notation::Words),
+            (Form::Value(value), Some('j')) => (nought(), value.clone(), Notation::Words),
+            (Form::Value(value), Some('x')) => (value.clone(), nought(), Notation::Coordinates),
+            (Form::Value(value), Some('y')) => (nought(), value.clone(), Notation::Coordinates),
             _ => return None,
         };
         let is_component = x.is_zero() != y.is_zero();
@@ -66,6 +81,18 @@ pub(super) fn of_its_components(reading: &Reading) -> Option<Said> {
     };
     let remarks = [first.1, second.1].into_iter().flat_map(|said| said.remarks.clone()).collect();
     Some(Said { form: Form::Vector(x, y, notation), unit: second.1.unit.clone(), reference: None, remarks })
+}
+
+/// The axis along which a label says that a component lies: `i`, `v_x`, `vy`, `x component`.
+fn axis(label: &str) -> Option<char> {
+    let label = label.trim();
+    let word = label.strip_suffix("component").map_or(label, str::trim_end);
+    let mut letters = word.chars().rev();
+    let axis = letters.next().filter(|last| matches!(last, 'i' | 'j' | 'x' | 'y'))?;
+    let before: String = letters.rev().collect();
+    // One letter for the velocity, and no sphere, may stand before it.
+    let named = before.strip_suffix('_').unwrap_or(&before);
+    (before.is_empty() || matches!(named, "u" | "v" | "w" | "V")).then_some(axis)
 }
 
 /// Judges one value against a vector.

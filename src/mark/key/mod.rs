@@ -277,6 +277,7 @@ impl KeyedQuestion {
             let below = |fault: KeyFault| fault.below(&format!("parts[{place}]"));
             parts.push(KeyedPart::read(part, &scene, &mut known).map_err(below)?);
         }
+        part::with_unit_vectors_throughout(&mut parts);
         let (id, number, mirrors) = (question.id.clone(), question.number, question.mirrors.clone());
         let (decimals, angles) = (decimals(question), angles(question));
         let given_letters = given_letters(question, &letters);

@@ -110,6 +110,15 @@ impl KeyedBlank {
     }
 }
 
+/// A question that asks for a vector has **i** and **j** for its magnitude too: `|4i + j| = √17`.
+pub(super) fn with_unit_vectors_throughout(parts: &mut [KeyedPart]) {
+    let vectors = parts.iter().flat_map(|part| &part.blanks).any(|blank| blank.model.vocabulary.vectors);
+    let numbers = parts.iter_mut().flat_map(|part| &mut part.blanks).map(|blank| &mut blank.model);
+    for model in numbers.filter(|model| matches!(model.kind, Kind::Number | Kind::Angle)) {
+        model.vocabulary.vectors |= vectors;
+    }
+}
+
 /// Does the sphere whose direction or speed is asked move from B towards A?
 fn rebounds(find: &Find, known: &Known<Value>) -> Option<bool> {
     let Find::Quantity(quantity) = find else { return None };

@@ -25,6 +25,8 @@ pub(super) enum Doubt {
     Unit,
     /// `(2 -1)`: a column or a difference.
     Column,
+    /// `[2, 3]`: coordinates or a range.
+    Brackets,
     /// `mu`: one Greek letter or two letters side by side.
     Names,
     /// `4u (2)`: the number of the equation, or a factor.

@@ -4,7 +4,7 @@
 pub(super) fn simple(command: &str) -> Option<&'static str> {
     Some(match command {
         "cdot" | "times" | "ast" => " * ",
-        "div" => "/",
+        "div" => "÷",
         "pm" => "±",
         "degree" | "circ" | "textdegree" => "°",
         "le" | "leq" | "leqslant" => "≤",
@@ -12,6 +12,10 @@ pub(super) fn simple(command: &str) -> Option<&'static str> {
         "lt" => "<",
         "gt" => ">",
         "ne" | "neq" => "≠",
+        "top" | "intercal" => "T",
+        "surd" => "√",
+        "in" => "∈",
+        "infty" => "∞",
         "approx" | "simeq" | "cong" => "≈",
         "Rightarrow" | "implies" | "therefore" | "to" | "rightarrow" | "Longrightarrow" => "⇒",
         "because" => " because ",

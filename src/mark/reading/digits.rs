@@ -233,11 +233,13 @@ impl Digits<'_> {
             choices.note(|| format!("{} read as {}", self.typed(), crate::expr::print::unicode(&value)));
             return Ok(Some(value));
         }
-        let three = (0..3).all(|ahead| self.sign(ahead) == '.');
-        if self.sign(0) != '…' && !three {
+        // Two points or three, after which no digit follows.
+        let points = (0..3).take_while(|ahead| self.sign(*ahead) == '.').count();
+        let points = if points >= 2 && !self.sign(points).is_ascii_digit() { points } else { 0 };
+        if self.sign(0) != '…' && points == 0 {
             return Ok(None);
         }
-        self.at += if three { 3 } else { 1 };
+        self.at += points.max(1);
         let place = self.place();
         let (before, block, times) = repeated(&decimals);
         if times < 2 || (times == 2 && block.len() == 1 && choices.otherwise(Doubt::Recurring, place)) {

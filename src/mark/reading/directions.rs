@@ -37,6 +37,11 @@ impl Walk<'_> {
             return Ok(Some((Phrase::Line(sense), end)));
         }
         if let Some((relation, next)) = self.relation(at) {
+            if relation == Relation::Angle
+                && let Some(end) = self.minus_i(next)
+            {
+                return Ok(Some((Phrase::Line(ReferenceLine::MinusI), end)));
+            }
             if let Some((line, end)) = self.line(next) {
                 // `in the direction AB` has a sense, and `parallel to AB` has none.
                 let line = match line {
@@ -74,6 +79,13 @@ impl Walk<'_> {
             if relation == Relation::Along && !angle && self.is_formula(self.article(next)) {
                 return Ok(Some((Phrase::Toward, self.article(next))));
             }
+            if relation == Relation::Across
+                && self.vocabulary.vectors
+                && self.word(next - 1) == Some("to")
+                && self.is_formula(self.article(next))
+            {
+                return Ok(Some((Phrase::Across, self.article(next))));
+            }
             if relation == Relation::Angle
                 && let Some(end) = self.unknown_line(next)
             {
@@ -85,9 +97,9 @@ impl Walk<'_> {
             }
             return Ok(None);
         }
-        // `in the i direction`
+        // `in the i direction`, `in the -i direction`
         if let Some(next) = self.words(at, "in").map(|next| self.article(next))
-            && self.unit_vector(next).is_some()
+            && self.unit_vector(next + usize::from(self.tokens.get(next).is_some_and(|sign| sign.is('-')))).is_some()
         {
             return Ok(Some((Phrase::Toward, next)));
         }
@@ -203,6 +215,14 @@ impl Walk<'_> {
             },
             _ => None,
         }
+    }
+
+    /// `-i`, `the negative i direction`: the token after it.
+    fn minus_i(&self, at: usize) -> Option<usize> {
+        let at = self.article(at);
+        let turned = self.tokens.get(at).is_some_and(|token| token.is('-')) || self.word(at) == Some("negative");
+        let (line, end) = self.plain_line(at + 1).filter(|_| turned)?;
+        (line == Line::I).then(|| self.any(end, &["axis"]).unwrap_or(end))
     }
 
     /// Does a formula begin here?

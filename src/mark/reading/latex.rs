@@ -3,6 +3,7 @@
 use super::Unreadable;
 use super::characters::{CLOSE, Glyph, OPEN, RECURS};
 use super::commands::simple;
+use super::infix_fraction;
 
 /// Deeper nesting than any answer has.
 const DEEPEST: usize = 40;
@@ -16,7 +17,11 @@ pub(super) fn without_latex(glyphs: &[Glyph]) -> Result<Vec<Glyph>, Unreadable> 
     while rewriter.at < glyphs.len() {
         rewriter.one()?;
     }
-    Ok(rewriter.out)
+    infix_fraction::set(&mut rewriter.out, 0);
+    match rewriter.out.iter().find(|glyph| glyph.sign == infix_fraction::OVER) {
+        Some(again) => Err(rewriter.fault(again.place, "`\\over` twice in one group")),
+        None => Ok(rewriter.out),
+    }
 }
 
 struct Rewriter<'a> {
@@ -114,7 +119,7 @@ impl Rewriter<'_> {
 
     /// What stands in braces, without them.
     fn inside(&mut self) -> Result<(), Unreadable> {
-        let opened = self.here();
+        let (opened, start) = (self.here(), self.out.len());
         self.depth += 1;
         if self.depth > DEEPEST {
             return Err(self.fault(opened.place, "the answer is nested too deeply"));
@@ -126,6 +131,7 @@ impl Rewriter<'_> {
             }
             self.one()?;
         }
+        infix_fraction::set(&mut self.out, start);
         self.at += 1;
         self.depth -= 1;
         Ok(())
@@ -202,6 +208,10 @@ impl Rewriter<'_> {
         match letters.as_str() {
             "frac" | "dfrac" | "tfrac" | "cfrac" => self.fraction(&letters, from),
             "sqrt" => self.root(from),
+            "over" => {
+                self.put(infix_fraction::OVER, from);
+                Ok(())
+            }
             "text" | "mathrm" | "textrm" | "textbf" | "textit" | "mbox" | "operatorname" | "rm" | "textnormal" => {
                 let inside = self.argument(&letters)?;
                 self.put(' ', from);

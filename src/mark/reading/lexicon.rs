@@ -249,7 +249,7 @@ const SINGLE: [(Sort, &str); 8] = [
          mass coefficient restitution turned bearing increase increases increased gained gains decrease decreases \
          decreased loses answer ans tangent",
     ),
-    (Sort::Is, "is are was be becomes being equal"),
+    (Sort::Is, "is are was be becomes being equal must lies"),
     (Sort::Gradient, "gradient slope"),
     (
         Sort::Negation,
@@ -261,7 +261,7 @@ const SINGLE: [(Sort, &str); 8] = [
     ),
     (
         Sort::Plain,
-        "of the a an its their both approx approximately about roughly around circa say exactly only just after \
+        "inclusive exclusive strictly between of the a an its their both approx approximately about roughly around circa say exactly only just after \
          before finally initially final initial new total sphere spheres ball balls disc discs body particle particles \
          along parallel perp perpendicular right left up down upwards downwards north south east west rightwards \
          leftwards horizontally vertically acute obtuse clockwise anticlockwise counterclockwise away towards it they \

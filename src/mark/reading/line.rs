@@ -1,36 +1,98 @@
-//! Lines by their equation: `y = -3x + 2` has the gradient -3, `x = 2y` one half.
+//! Lines by their equation, `y = -3x + 2` or `3x + y = 0`, by all multiples of a vector, `λ(i - 3j)`, and by a vector across them.
+//!
+//! What is read of each is its gradient. A line along **j** has none and goes to a person.
 
-use super::Vocabulary;
 use super::choices::Choices;
 use super::grammar::Parser;
+use super::names;
+use super::statements::Statements;
 use super::tokens::{Placed, Token};
+use super::vectors::rational;
+use super::{Form, Said, Unreadable, Vocabulary};
 use crate::expr::Expr;
 use crate::number::{Letter, Range};
+
+/// Letters that stand for any constant in the equation of a line, where the question does not have them.
+const CONSTANTS: [&str; 3] = ["c", "k", "d"];
+
+impl Statements<'_> {
+    /// `λ(2i - j)`: every vector along a line.
+    pub(super) fn any_multiple(&mut self, tokens: &[Placed]) -> Result<Option<Said>, Unreadable> {
+        let Some(vector) = of_any_multiple(tokens, self.vocabulary) else { return Ok(None) };
+        let place = tokens[0].start;
+        let gradient = match self.side(vector)? {
+            Expr::Vector(x, y) => along(&x, &y),
+            _ => None,
+        };
+        let Some(gradient) = gradient else {
+            return Err(Unreadable::Sign(place, "a multiple of what is no vector, or of one along j".to_owned()));
+        };
+        Ok(Some(Said { form: Form::Gradient(gradient), unit: None, reference: None, remarks: Vec::new() }))
+    }
+}
 
 /// The gradient of the line with this equation, where x and y are coordinates and no letters of the question.
 pub(super) fn gradient(left: &[Placed], right: &[Placed], text: &str, vocabulary: &Vocabulary) -> Option<Expr> {
     let named = |name: &str| vocabulary.letters.iter().any(|letter| letter.name() == name);
-    let [Placed { token: Token::Word(across), .. }] = left else { return None };
-    let along = match across.as_str() {
-        "y" => "x",
-        "x" => "y",
-        _ => return None,
-    };
     if !vocabulary.vectors || named("x") || named("y") {
         return None;
     }
-    let mut letters = vocabulary.letters.clone();
-    letters.push(Letter::new(along, Range::Real)?);
+    let constants = CONSTANTS.into_iter().filter(|name| !named(name));
+    let own = ["x", "y"].into_iter().chain(constants).map(|name| Letter::new(name, Range::Real));
+    let letters = vocabulary.letters.iter().copied().map(Some).chain(own).collect::<Option<Vec<Letter>>>()?;
     let vocabulary = Vocabulary { letters, vectors: false };
     let mut choices = Choices::default();
-    let mut parser = Parser::new(right.to_vec(), text, &vocabulary, &mut choices);
-    let value = parser.sum().ok().filter(|_| parser.at == parser.end)?;
-    let slope = slope(&value, along)?;
-    match along {
-        "x" => Some(slope),
-        _ if slope.is_zero() => None,
-        _ => Some(Expr::integer(1).over(slope)),
+    let mut side = |tokens: &[Placed]| {
+        let mut parser = Parser::new(tokens.to_vec(), text, &vocabulary, &mut choices);
+        parser.sum().ok().filter(|_| parser.at == parser.end)
+    };
+    // Left minus right is nought on the line.
+    let difference = Expr::Sum(vec![side(left)?, side(right)?.negated()]);
+    let [across, up] = ["x", "y"].map(|letter| slope(&difference, letter));
+    let (across, up) = (across?, up?);
+    let has_name = |expr: &Expr, names: &[&str]| expr.names().iter().any(|name| names.contains(&name.text.as_str()));
+    let is_linear = [&across, &up].into_iter().all(|slope| !has_name(slope, &["x", "y", "c", "k", "d"]));
+    if !is_linear {
+        return None;
     }
+    quotient(across, up).map(Expr::negated)
+}
+
+/// One over the other, as a number if it is one; `None` over nought.
+fn quotient(above: Expr, below: Expr) -> Option<Expr> {
+    if below.is_zero() {
+        return None;
+    }
+    let exact = rational(&above).zip(rational(&below).and_then(|below| below.reciprocal()));
+    Some(exact.map_or_else(|| above.over(below), |(above, share)| Expr::Number(&above * &share)))
+}
+
+/// `λ(2i - j)`, `±(2i - j)`: the tokens of the vector, where any multiple of it is said.
+pub(super) fn of_any_multiple<'t>(tokens: &'t [Placed], vocabulary: &Vocabulary) -> Option<&'t [Placed]> {
+    let [factor, open, inside @ .., close] = tokens else { return None };
+    let is_parameter = match &factor.token {
+        Token::Sign(sign) => *sign == '±',
+        Token::Greek(name) => names::letter(name, vocabulary).is_none(),
+        Token::Word(name) => {
+            name.len() == 1 && "cdkrstpqn".contains(name.as_str()) && names::letter(name, vocabulary).is_none()
+        }
+        _ => false,
+    };
+    let is_bracketed = open.is('(') && close.is(')') && !inside.iter().any(|placed| placed.is('(') || placed.is(')'));
+    (is_parameter && is_bracketed && vocabulary.vectors).then_some(inside)
+}
+
+/// The gradient of the line along a vector.
+pub(super) fn along(x: &Expr, y: &Expr) -> Option<Expr> {
+    quotient(y.clone(), x.clone())
+}
+
+/// The remark on a line that is told by a vector to which it is perpendicular.
+pub(crate) const ACROSS: &str = "across the vector";
+
+/// The gradient of the line perpendicular to a vector.
+pub(super) fn across(x: &Expr, y: &Expr) -> Option<Expr> {
+    quotient(x.clone(), y.clone()).map(Expr::negated)
 }
 
 /// What a letter is multiplied by in a formula that is linear in it; `None` if it is not, or the letter is not there.

@@ -14,6 +14,8 @@ mod directions;
 mod equation_number;
 mod functions;
 mod grammar;
+mod inequalities;
+mod infix_fraction;
 mod latex;
 mod lexicon;
 mod line;
@@ -21,12 +23,14 @@ mod names;
 mod operands;
 mod part_label;
 mod phrases;
+mod printed;
 mod products;
+mod ranges;
 mod reference;
 mod said;
 mod segments;
 mod sides;
-mod signs_in_words;
+mod signs;
 mod statements;
 #[cfg(test)]
 mod tests;
@@ -35,8 +39,9 @@ mod units;
 mod values;
 mod vectors;
 
+pub(crate) use line::ACROSS;
 pub use reference::{ReferenceLine, Sense};
-pub use said::{Form, Label, Notation, Reading, Said, SaidUnit, Statement, Unreadable, Vocabulary};
+pub use said::{End, Form, Label, Notation, Reading, Said, SaidUnit, Statement, Unreadable, Vocabulary};
 
 use choices::{Choices, Flip};
 use crossed_out::without_crossed_out;
@@ -98,7 +103,7 @@ fn counted(text: &str, vocabulary: &Vocabulary) -> (Result<Vec<Reading>, Unreada
     let mut readings: Vec<Reading> = Vec::new();
     let mut keep = |statements: Result<Vec<Statement>, Unreadable>, choices: &Choices| match statements {
         Ok(statements) if readings.iter().all(|reading| reading.statements != statements) => {
-            let printed = statements::shown(&statements);
+            let printed = printed::shown(&statements);
             readings.push(Reading { statements, printed, decided: choices.decided().to_vec() });
         }
         Ok(_) => {}

@@ -201,10 +201,25 @@ impl Parser<'_> {
                 Some(_) => self.unexpected(),
             };
         }
+        if second.is_some() && self.transposed() {
+            (self.coordinates, self.column) = (false, true);
+        }
         Ok(match second {
             Some(second) => Expr::Vector(Box::new(first), Box::new(second)),
             None => first,
         })
+    }
+
+    /// `(4, 1)^T`: a row for a column, which it passes over.
+    fn transposed(&mut self) -> bool {
+        let is_t = |token: Option<&Token>| matches!(token, Some(Token::Word(word)) if word == "T");
+        let length = match (self.sign(0), self.sign(1)) {
+            (Some('^'), Some(OPEN)) if is_t(self.token(2)) && self.sign(3) == Some(CLOSE) => 4,
+            (Some('^'), None) if is_t(self.token(1)) => 2,
+            _ => 0,
+        };
+        self.at += length;
+        length > 0
     }
 
     fn column_component(&mut self) -> Parsed {

@@ -2,7 +2,7 @@
 
 use super::asides::{unit_before_accuracy, with_asides_set_off};
 use super::lexicon::{self, Sort};
-use super::signs_in_words::with_signs;
+use super::signs::with_signs;
 use super::tokens::{Placed, Token, is_greek};
 use super::units::is_unit_word;
 use super::{ReferenceLine, Unreadable, Vocabulary, names};
@@ -14,6 +14,8 @@ pub(super) enum Phrase {
     Line(ReferenceLine),
     /// `parallel to`, `in the direction of`, before a vector.
     Toward,
+    /// `perpendicular to`, before a vector.
+    Across,
     /// `at rest`
     Rest,
     /// `gradient`
@@ -140,6 +142,13 @@ impl Walk<'_> {
             if let Some(next) = self.any(at, &lexicon::REMARKS) {
                 return Ok(Some((Phrase::Remark, next)));
             }
+        }
+        // `i component`, `x component`
+        if self.vocabulary.vectors
+            && matches!(word, "i" | "j" | "x" | "y")
+            && let Some(next) = self.any(at + 1, &["component", "comp"])
+        {
+            return Ok(Some((Phrase::Noun, next)));
         }
         let made_of_letters = names::is_made_of_letters(self.typed(at), self.vocabulary);
         let sort = lexicon::sort(word);

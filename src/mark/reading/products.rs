@@ -1,6 +1,6 @@
 //! Products: what is written side by side, what stands below a stroke, and where a unit begins.
 
-use super::characters::OPEN;
+use super::characters::{CLOSE, OPEN};
 use super::choices::Doubt;
 use super::digits::times_power_of_ten;
 use super::grammar::{Parsed, Parser};
@@ -103,13 +103,20 @@ impl Parser<'_> {
                 |placed| matches!(&placed.token, Token::Number(Expr::Number(number)) if number.is_integer()),
             )
         };
+        // `½6m`: a fraction of digits in a group, which is no mixed number.
+        let signs = |back: usize| self.at.checked_sub(back).map(|at| &self.tokens[at].token);
+        let grouped = signs(1) == Some(&Token::Sign(CLOSE))
+            && signs(3) == Some(&Token::Sign('/'))
+            && signs(5) == Some(&Token::Sign(OPEN))
+            && whole(2)
+            && whole(4);
         let stroke = self.at >= 2 && matches!(self.tokens[self.at - 2].token, Token::Sign('/'));
         let factor = match self.token(1) {
             Some(Token::Function(_) | Token::Reciprocal(_) | Token::Root { .. } | Token::Sign('(')) => true,
             Some(Token::Word(word)) => names::is_made_of_letters(word, self.vocabulary),
             _ => false,
         };
-        stroke && whole(1) && whole(3) && self.spaced(0) && factor && !self.spaced(1)
+        (grouped || stroke && whole(1) && whole(3) && self.spaced(0)) && factor && !self.spaced(1)
     }
 
     /// `25/7 (3.57)`: a blank, and in brackets at the end a decimal, which says the same again.

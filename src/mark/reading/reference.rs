@@ -17,6 +17,8 @@ pub enum ReferenceLine {
     I,
     /// **j**
     J,
+    /// The direction opposite to **i**.
+    MinusI,
     /// The original direction of motion.
     OriginalDirection,
     /// Along, or parallel to, the line of centres: a direction rather than an angle.
@@ -117,6 +119,7 @@ impl ReferenceLine {
             ReferenceLine::CommonTangent => "to the common tangent",
             ReferenceLine::I => "to i",
             ReferenceLine::J => "to j",
+            ReferenceLine::MinusI => "to −i",
             ReferenceLine::OriginalDirection => "to the original direction",
             AlongLineOfCentres => "along the line of centres",
             AlongAB => "along AB",

@@ -70,12 +70,24 @@ pub enum Form {
     Ratio(Expr, Expr),
     /// An equation or inequality that is not the statement of a value: `3v + 2w = 4u`.
     Equation(Expr),
+    /// A range of values by its ends, without the letter: `(1/3, 1]`, `more than 3`. What has no end there goes on for
+    /// ever.
+    Range(Option<End>, Option<End>),
     /// A gradient: the direction of a line.
     Gradient(Expr),
     /// `at rest`, `stationary`, `does not move`.
     AtRest,
     /// Words alone that name a direction: `along the line of centres`.
     Direction,
+}
+
+/// An end of a range.
+#[derive(Clone, Debug, PartialEq)]
+pub struct End {
+    /// Where it is.
+    pub at: Expr,
+    /// Does it belong to the range? Words such as `from 1 to 3` do not say.
+    pub included: Option<bool>,
 }
 
 /// How a vector was written.

@@ -39,7 +39,7 @@ impl Statements<'_> {
         let typed = self.slice(tokens).to_owned();
         let words = tokens.iter().any(|placed| matches!(placed.token, Token::Phrase(_) | Token::Sign(':')));
         let expr = self.named(tokens);
-        if words {
+        if words || self.is_size_of_vector(tokens) {
             return Ok(Side::Label(Label { typed, expr: None }));
         }
         let Some(expr) = expr else {
@@ -64,6 +64,22 @@ impl Statements<'_> {
         })
     }
 
+    /// `|4i + j|`: names a magnitude, and does not find it.
+    pub(super) fn is_size_of_vector(&self, tokens: &[Placed]) -> bool {
+        let [first, inner @ .., last] = tokens else { return false };
+        let is_unit = |placed: &Placed| matches!(&placed.token, Token::Word(word) if word == "i" || word == "j");
+        let unbroken = first.is('|') && last.is('|') && !inner.iter().any(|placed| placed.is('|'));
+        self.vocabulary.vectors && unbroken && inner.iter().any(is_unit)
+    }
+
+    /// A magnitude that is only named is no answer.
+    pub(super) fn is_worked_out(&self, tokens: &[Placed]) -> Result<(), Unreadable> {
+        match self.is_size_of_vector(tokens) {
+            true => Err(Unreadable::Sign(tokens[0].start, "the magnitude is still to be worked out".to_owned())),
+            false => Ok(()),
+        }
+    }
+
     /// A formula without the words that lead to it: `by conservation of momentum`, `CLM:`. They name no value.
     pub(super) fn without_lead_in<'t>(&mut self, tokens: &'t [Placed]) -> &'t [Placed] {
         let says_nothing = |placed: &Placed| matches!(placed.token, Token::Phrase(phrase) if phrase != Phrase::Sphere);
@@ -82,7 +98,8 @@ impl Statements<'_> {
     /// The name of a value that stands before it. After a formula in letters a letter of the question is no name, but
     /// the other side of an equation.
     pub(super) fn name_at_the_end(&mut self, tokens: &[Placed], after_number: bool) -> Option<Label> {
-        if tokens.iter().any(|placed| matches!(placed.token, Token::Number(_))) {
+        let has_number = tokens.iter().any(|placed| matches!(placed.token, Token::Number(_)));
+        if has_number && !self.is_size_of_vector(tokens) {
             return None;
         }
         let Ok(Side::Label(label)) = self.what_is(tokens) else { return None };

@@ -2,15 +2,17 @@
 
 use super::choices::Choices;
 use super::equation_number::without_number;
+use super::inequalities::is_inequality;
 use super::line;
 use super::part_label::without_part_label;
 use super::phrases::Phrase;
+use super::ranges;
 use super::segments::segments;
 use super::sides::{Side, is_called};
 use super::tokens::{Placed, Token, excerpt};
-use super::values::{Values, formula, printed};
+use super::values::{Values, formula};
 use super::{Form, Label, Said, Statement, Unreadable, Vocabulary};
-use crate::expr::{Expr, Relation};
+use crate::expr::Expr;
 
 /// Every statement of an answer.
 pub(super) fn statements(
@@ -19,8 +21,10 @@ pub(super) fn statements(
     vocabulary: &Vocabulary,
     choices: &mut Choices,
 ) -> Result<Vec<Statement>, Unreadable> {
+    let tokens = &ranges::with_round_brackets(tokens);
     let mut reader = Statements { text, vocabulary, choices, found: Vec::new(), remarks: Vec::new() };
-    for (concludes, segment) in segments(without_part_label(unquoted(tokens), vocabulary)) {
+    let tokens = ranges::without_set_builder(without_part_label(unquoted(tokens), vocabulary));
+    for (concludes, segment) in segments(tokens) {
         let segment = without_number(segment, reader.choices);
         reader.segment(segment, concludes)?;
     }
@@ -50,7 +54,7 @@ pub(super) struct Statements<'a> {
     pub(super) text: &'a str,
     pub(super) vocabulary: &'a Vocabulary,
     pub(super) choices: &'a mut Choices,
-    found: Vec<Statement>,
+    pub(super) found: Vec<Statement>,
     /// Words before the first value.
     remarks: Vec<String>,
 }
@@ -59,6 +63,10 @@ impl Statements<'_> {
     fn segment(&mut self, tokens: &[Placed], concludes: bool) -> Result<(), Unreadable> {
         let reason = tokens.iter().position(|placed| placed.token == Token::Phrase(Phrase::Because));
         let (tokens, reason) = tokens.split_at(reason.unwrap_or(tokens.len()));
+        if let Some((label, said)) = self.range_in_words(tokens)? {
+            self.found.push(Statement { label, said: vec![said] });
+            return Ok(());
+        }
         let conclusion = |placed: &Placed| {
             let word = self.slice(std::slice::from_ref(placed)).to_lowercase();
             placed.token == Token::Phrase(Phrase::Joiner)
@@ -103,7 +111,7 @@ impl Statements<'_> {
         }
         for (link, statement) in found {
             let before = self.found.len();
-            self.chain(statement)?;
+            self.alternatives(statement)?;
             let first = self.found.get_mut(before).and_then(|first| first.said.first_mut());
             if let Some((first, link)) = first.zip(link) {
                 first.remarks.push(link.to_owned());
@@ -131,7 +139,7 @@ impl Statements<'_> {
     }
 
     /// Sides with relations between them.
-    fn chain(&mut self, tokens: &[Placed]) -> Result<(), Unreadable> {
+    pub(super) fn chain(&mut self, tokens: &[Placed]) -> Result<(), Unreadable> {
         let mut sides: Vec<&[Placed]> = Vec::new();
         let mut relations: Vec<(char, usize)> = Vec::new();
         let (mut depth, mut start) = (0_usize, 0);
@@ -139,15 +147,20 @@ impl Statements<'_> {
             match placed.token {
                 Token::Sign('(' | '[' | '{' | '⟦') => depth += 1,
                 Token::Sign(')' | ']' | '}' | '⟧') => depth = depth.saturating_sub(1),
-                Token::Sign(sign @ ('=' | '≈' | '<' | '>' | '≤' | '≥' | '≠')) if depth == 0 => {
+                Token::Sign(sign @ ('=' | '≈' | '<' | '>' | '≤' | '≥' | '≠' | '∈')) if depth == 0 => {
                     // `≈ 3.08` and `= 3.08` by themselves are only values.
                     if matches!(sign, '≈' | '=') && at == start && sides.is_empty() {
                         start = at + 1;
                         continue;
                     }
-                    // `e is > 1/3`
-                    let is = at > start + 1 && tokens[at - 1].token == Token::Phrase(Phrase::Is);
-                    sides.push(&tokens[start..at - usize::from(is)]);
+                    // `e is > 1/3`, `k must be strictly > 3`
+                    let says_nothing = |placed: &&Placed| {
+                        let is_remark = placed.token == Token::Phrase(Phrase::Remark) && is_inequality(sign);
+                        is_remark || placed.token == Token::Phrase(Phrase::Is)
+                    };
+                    let side = &tokens[start..at];
+                    let words = side.iter().rev().take_while(says_nothing).count();
+                    sides.push(if words < side.len() { &side[..side.len() - words] } else { side });
                     relations.push((sign, placed.start));
                     start = at + 1;
                 }
@@ -163,12 +176,29 @@ impl Statements<'_> {
             }
         }
         sides.push(&tokens[start..]);
+        // `greater than 3`, `all values greater than 3`
+        if let ([nothing, right], [(sign, _)]) = (sides.as_slice(), relations.as_slice())
+            && is_inequality(*sign)
+            && nothing.iter().all(|placed| matches!(placed.token, Token::Phrase(_)))
+            && !right.is_empty()
+            && !self.vocabulary.vectors
+        {
+            let said = self.one_sided(*sign, right)?;
+            self.found.push(Statement { label: None, said: vec![said] });
+            return Ok(());
+        }
         for (side, relation) in sides.iter().zip(relations.iter().chain(relations.last())) {
             if side.is_empty() {
                 return Err(Unreadable::Sign(relation.1, format!("nothing on one side of `{}`", relation.0)));
             }
         }
-        let equal = relations.iter().all(|(sign, _)| matches!(sign, '=' | '≈'));
+        // `e ∈ (1/3, 1]`
+        for ((sign, place), side) in relations.iter().zip(&sides[1..]) {
+            if *sign == '∈' && self.range(side)?.is_none() {
+                return Err(Unreadable::Sign(*place, "a range is expected after `∈`".to_owned()));
+            }
+        }
+        let equal = relations.iter().all(|(sign, _)| matches!(sign, '=' | '≈' | '∈'));
         match (sides.len(), equal) {
             (1, _) => self.alone(sides[0]),
             (_, false) => self.inequality(&sides, &relations),
@@ -200,6 +230,11 @@ impl Statements<'_> {
             }
             return self.ratio(left, right);
         }
+        if let Some(said) = self.range(tokens)?.or(self.any_multiple(tokens)?) {
+            self.found.push(Statement { label: None, said: vec![said] });
+            return Ok(());
+        }
+        self.is_worked_out(tokens)?;
         let mut values = Values { text: self.text, vocabulary: self.vocabulary, choices: self.choices };
         let stretch = values.stretch(tokens)?;
         stretch.remarks.into_iter().for_each(|words| self.remark(words));
@@ -231,7 +266,7 @@ impl Statements<'_> {
     }
 
     /// A formula that fills its tokens and is no vector.
-    fn scalar(&mut self, tokens: &[Placed]) -> Result<Expr, Unreadable> {
+    pub(super) fn scalar(&mut self, tokens: &[Placed]) -> Result<Expr, Unreadable> {
         let place = tokens.first().map_or(self.text.len(), |first| first.start);
         let read = formula(tokens.to_vec(), 0, self.text, self.vocabulary, self.choices)?;
         match read.form {
@@ -278,6 +313,18 @@ impl Statements<'_> {
 
     /// Values that are said to be one another's equals.
     fn labelled(&mut self, label: Option<Label>, sides: &[&[Placed]]) -> Result<(), Unreadable> {
+        // `tan θ = 3/2 56.3°`: the angle itself follows.
+        if let ([before @ .., last], Some(Expr::Call(..))) =
+            (sides, label.as_ref().and_then(|label| label.expr.as_ref()))
+            && let [value @ .., number, degrees] = *last
+            && matches!(value.last().map(|last| &last.token), Some(Token::Number(_) | Token::Sign(')' | '⟧')))
+            && matches!(number.token, Token::Number(_))
+            && number.spaced
+            && degrees.is('°')
+        {
+            self.labelled(label, &[before, &[value]].concat())?;
+            return self.alone(&last[value.len()..]);
+        }
         let mut label = label;
         let gradient = label.as_ref().is_some_and(|label| matches!(&*label.typed.to_lowercase(), "gradient" | "slope"));
         let mut said = Vec::new();
@@ -292,11 +339,17 @@ impl Statements<'_> {
                 said.push(Said { form: Form::Ratio(left, right), unit: None, reference: None, remarks: Vec::new() });
                 continue;
             }
-            // `e = separation/approach = 2/3`
-            if !last && let Some(words) = self.in_words(side) {
+            if let Some(whole) = self.range(side)?.or(self.any_multiple(side)?) {
+                said.push(whole);
+                continue;
+            }
+            // `e = separation/approach = 2/3`, `v = |4i + j| = √17`
+            let named = self.is_size_of_vector(side).then(|| self.slice(side).to_lowercase());
+            if !last && let Some(words) = named.or_else(|| self.in_words(side)) {
                 remarks.push(words);
                 continue;
             }
+            self.is_worked_out(side)?;
             let mut values = Values { text: self.text, vocabulary: self.vocabulary, choices: self.choices };
             let stretch = values.stretch(side)?;
             let mut found = stretch.values.into_iter();
@@ -325,24 +378,6 @@ impl Statements<'_> {
         self.found.extend(more);
         Ok(())
     }
-
-    fn inequality(&mut self, sides: &[&[Placed]], relations: &[(char, usize)]) -> Result<(), Unreadable> {
-        let values: Vec<Expr> = sides.iter().map(|side| self.side(side)).collect::<Result<_, _>>()?;
-        let said = values.windows(2).zip(relations).map(|(pair, (sign, _))| {
-            let relation = match sign {
-                '<' => Relation::Less,
-                '>' => Relation::Greater,
-                '≤' => Relation::LessOrEqual,
-                '≥' => Relation::GreaterOrEqual,
-                '≠' => Relation::NotEqual,
-                _ => Relation::Equal,
-            };
-            let form = Form::Equation(Expr::Relation(Box::new(pair[0].clone()), relation, Box::new(pair[1].clone())));
-            Said { form, unit: None, reference: None, remarks: Vec::new() }
-        });
-        self.found.push(Statement { label: None, said: said.collect() });
-        Ok(())
-    }
 }
 
 /// Are all brackets closed?
@@ -351,18 +386,4 @@ fn outside(tokens: &[Placed]) -> bool {
         tokens.iter().filter(|placed| matches!(placed.token, Token::Sign(sign) if signs.contains(&sign))).count()
     };
     count(['(', '[', '{', '⟦']) <= count([')', ']', '}', '⟧'])
-}
-
-/// The statements as a terminal shows them.
-pub(super) fn shown(statements: &[Statement]) -> String {
-    let each = |statement: &Statement| {
-        let said: Vec<String> = statement.said.iter().map(printed).collect();
-        let equations = matches!(statement.said.first().map(|said| &said.form), Some(Form::Equation(_)));
-        let said = said.join(if equations { ", " } else { " = " });
-        match &statement.label {
-            Some(label) => format!("{} = {said}", label.typed),
-            None => said,
-        }
-    };
-    statements.iter().map(each).collect::<Vec<_>>().join(", ")
 }

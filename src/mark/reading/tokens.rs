@@ -222,11 +222,13 @@ impl Lexer<'_> {
                 return Ok(());
             }
             '+' | '-' | '*' | '/' | '^' | '|' | ',' | ';' | ':' | '=' | '<' | '>' | '%' | '°' | '\'' | '.' | '\n'
-            | '?' | '!' | '≠' | '≤' | '≥' | '≈' | '⇒' | '¦' | '…' | '"' => {}
+            | '?' | '!' | '≠' | '≤' | '≥' | '≈' | '⇒' | '¦' | '…' | '"' | '∈' | '∞' | '÷' => {}
             '·' | '⋅' => {
                 self.put(Token::Sign('*'), 1);
                 return Ok(());
             }
+            // `±(2i - j)`: the line along it.
+            '±' if self.sign(1) == Some('(') => {}
             '±' | '∓' => return Err(Unreadable::Sign(place, format!("`{token}` says two things at once"))),
             _ => return Err(Unreadable::Sign(place, format!("`{token}` has no meaning here"))),
         }

@@ -2,11 +2,12 @@
 
 use super::choices::Choices;
 use super::grammar::Parser;
+use super::line;
 use super::phrases::Phrase;
 use super::tokens::{Placed, Token, excerpt};
 use super::vectors::{Shape, scaled, shape, size};
 use super::{Form, Notation, ReferenceLine, Said, SaidUnit, Unreadable, Vocabulary};
-use crate::expr::{Expr, print};
+use crate::expr::Expr;
 
 /// What stands in a stretch of tokens without separators and equals signs.
 #[derive(Default)]
@@ -192,6 +193,7 @@ impl Values<'_> {
         let phrases: Vec<Phrase> = lead.iter().filter_map(|at| phrase_at(tokens, *at)).collect();
         let words = lead.first().map(|first| self.slice(tokens, *first, lead[lead.len() - 1] + 1).to_lowercase());
         let toward = phrases.last() == Some(&Phrase::Toward);
+        let across = phrases.contains(&Phrase::Across);
         lead.clear();
         let place = tokens[at].start;
         let parsed = formula(std::mem::take(tokens), at, self.text, self.vocabulary, self.choices)?;
@@ -202,6 +204,20 @@ impl Values<'_> {
                 Form::Value(value) => Form::Gradient(value),
                 _ => return Err(Unreadable::Sign(place, "a gradient is a number".to_owned())),
             };
+        }
+        // `perpendicular to i + 2j` is a line, and no direction of what stands before it.
+        if across {
+            let gradient = match &said.form {
+                Form::Vector(x, y, _) if found.values.is_empty() => line::across(x, y),
+                _ => None,
+            };
+            let gradient = gradient.ok_or_else(|| {
+                Unreadable::Sign(place, "what is perpendicular to it is for a person to see".to_owned())
+            })?;
+            said.form = Form::Gradient(gradient);
+            said.remarks.push(line::ACROSS.to_owned());
+            found.values.push((label, said));
+            return Ok(parsed.next);
         }
         // `2 m/s parallel to i`
         if toward && let Some((_, last)) = found.values.last_mut() {
@@ -343,31 +359,4 @@ fn without_degrees(expr: &Expr) -> Option<Expr> {
         Expr::Sum(terms) => terms.iter().map(without_degrees).collect::<Option<Vec<Expr>>>().map(Expr::Sum),
         _ => None,
     }
-}
-
-/// A value as a terminal shows it.
-pub(super) fn printed(said: &Said) -> String {
-    let mut out = match &said.form {
-        Form::Value(value) | Form::Mixed(value) | Form::Equation(value) => print::unicode(value),
-        Form::Percentage(value) => format!("{}%", print::unicode(value)),
-        Form::Vector(x, y, Notation::Coordinates) => format!("({}, {})", print::unicode(x), print::unicode(y)),
-        Form::Vector(x, y, _) => print::unicode(&Expr::Vector(Box::new(x.clone()), Box::new(y.clone()))),
-        Form::Ratio(a, b) => format!("{} : {}", print::unicode(a), print::unicode(b)),
-        Form::Gradient(value) => format!("gradient {}", print::unicode(value)),
-        Form::AtRest => "at rest".to_owned(),
-        Form::Direction => String::new(),
-    };
-    if let Some(unit) = &said.unit {
-        match unit.degrees {
-            true => out.push('°'),
-            false => out.extend([" ", &unit.typed]),
-        }
-    }
-    if let Some(line) = said.reference {
-        if !out.is_empty() {
-            out.push(' ');
-        }
-        out.push_str(line.words());
-    }
-    out
 }

@@ -125,7 +125,7 @@ pub(super) fn scaled(factor: Expr, component: Expr) -> Expr {
 }
 
 /// The value of a fraction of whole numbers; decimals keep their digits.
-fn rational(expr: &Expr) -> Option<Fraction> {
+pub(super) fn rational(expr: &Expr) -> Option<Fraction> {
     match expr {
         Expr::Number(value) => Some(value.clone()),
         Expr::Negative(inner) => rational(inner).map(|value| -value),

@@ -173,7 +173,7 @@ fn read_line(reading: Reading) -> ReadLine {
                     sides.extend([(**left).clone(), (**right).clone()]);
                 }
                 Form::AtRest => sides.push(Expr::integer(0)),
-                Form::Equation(_) | Form::Ratio(..) | Form::Direction => {}
+                Form::Equation(_) | Form::Ratio(..) | Form::Range(..) | Form::Direction => {}
             }
         }
         let in_kilograms = |said: &Said| said.unit.as_ref().is_some_and(|unit| unit.typed.ends_with("kg"));

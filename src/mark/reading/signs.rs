@@ -1,15 +1,16 @@
-//! Words that stand for signs and functions: `over`, `square root of`, `is equal to`.
+//! Words that stand for signs: `times`, `over`, `is equal to`, `greater than`.
 
+use super::characters::{CLOSE, OPEN};
 use super::digits::recurring_value;
 use super::tokens::{Placed, Token};
 use crate::expr::Expr;
 
 /// Words that stand for signs or functions, and these.
-const SIGNS: [(&str, &str); 47] = [
+const SIGNS: [(&str, &str); 54] = [
     ("times", "*"),
     ("multiplied by", "*"),
     ("over", "/"),
-    ("divided by", "/"),
+    ("divided by", "÷"),
     ("plus", "+"),
     ("minus", "-"),
     ("equals", "="),
@@ -53,6 +54,13 @@ const SIGNS: [(&str, &str); 47] = [
     ("no greater than", "≤"),
     ("not greater than", "≤"),
     ("less than or equal to", "≤"),
+    ("exceeds", ">"),
+    ("exceeding", ">"),
+    ("does not exceed", "≤"),
+    ("doesn't exceed", "≤"),
+    ("not exceeding", "≤"),
+    ("infinity", "∞"),
+    ("element of", "∈"),
 ];
 
 /// The tokens with words for signs as those signs; `square root` is one root.
@@ -102,5 +110,51 @@ pub(super) fn with_signs(tokens: &[Placed]) -> Vec<Placed> {
         }
         at += count;
     }
+    with_fractions_below(out)
+}
+
+/// `5/16 ÷ 5/12` as `5/16 / (5/12)`: what is divided by with the sign of division is the whole fraction after it.
+fn with_fractions_below(tokens: Vec<Placed>) -> Vec<Placed> {
+    let mut out: Vec<Placed> = Vec::with_capacity(tokens.len());
+    let mut open_until = None;
+    for (at, placed) in tokens.iter().enumerate() {
+        if open_until == Some(at) {
+            out.push(Placed { token: Token::Sign(CLOSE), start: placed.start, end: placed.start, spaced: false });
+            open_until = None;
+        }
+        if !placed.is('÷') {
+            out.push(placed.clone());
+            continue;
+        }
+        out.push(Placed { token: Token::Sign('/'), ..placed.clone() });
+        let length = fraction_length(&tokens[at + 1..]);
+        if length > 0 {
+            out.push(Placed { token: Token::Sign(OPEN), start: placed.end, end: placed.end, spaced: false });
+            open_until = Some(at + 1 + length);
+        }
+    }
+    if let (Some(_), Some(end)) = (open_until, out.last().map(|last| last.end)) {
+        out.push(Placed { token: Token::Sign(CLOSE), start: end, end, spaced: false });
+    }
     out
+}
+
+/// How many tokens the fraction with a stroke takes that begins here; a unit after it is none of it.
+fn fraction_length(tokens: &[Placed]) -> usize {
+    let mut depth = 0_usize;
+    let mut stroke = false;
+    for (at, placed) in tokens.iter().enumerate() {
+        match placed.token {
+            Token::Sign('(' | '[' | '{' | OPEN) => depth += 1,
+            Token::Sign(')' | ']' | '}' | CLOSE) if depth > 0 => depth -= 1,
+            _ if depth > 0 => {}
+            Token::Sign('/') => stroke = true,
+            Token::Sign('^' | '.') => {}
+            Token::Sign('-') if at == 0 => {}
+            Token::Word(_) if stroke && placed.spaced => return at,
+            Token::Sign(_) => return if stroke { at } else { 0 },
+            _ => {}
+        }
+    }
+    if stroke { tokens.len() } else { 0 }
 }

@@ -1,0 +1,96 @@
+//! Inequalities: two in a row, `or` between them, `more than 3` without a letter, and ends that are infinite.
+
+use super::phrases::Phrase;
+use super::ranges::{is_any, is_infinite, said};
+use super::statements::Statements;
+use super::tokens::{Placed, Token};
+use super::{End, Form, Said, Statement, Unreadable};
+use crate::expr::{Expr, Relation};
+
+/// Is it the sign of an inequality?
+pub(super) fn is_inequality(sign: char) -> bool {
+    matches!(sign, '<' | '>' | '≤' | '≥')
+}
+
+/// Is there an inequality in it?
+pub(super) fn has_inequality(tokens: &[Placed]) -> bool {
+    tokens.iter().any(|placed| is_any(placed, &['<', '>', '≤', '≥']))
+}
+
+/// The sides of inequalities, and between each two their sign with its place.
+type Chain<'s, 't> = (&'s [&'t [Placed]], &'s [(char, usize)]);
+
+/// `3 < k < ∞` without the end that says nothing.
+pub(super) fn without_infinite_ends<'s, 't>(
+    sides: &'s [&'t [Placed]],
+    relations: &'s [(char, usize)],
+) -> Result<Chain<'s, 't>, Unreadable> {
+    let (mut sides, mut relations) = (sides, relations);
+    for (first, outwards) in [(true, '>'), (false, '<')] {
+        let side = if first { sides[0] } else { sides[sides.len() - 1] };
+        if !is_infinite(side) || sides.len() < 3 {
+            continue;
+        }
+        let (sign, place) = if first { relations[0] } else { relations[relations.len() - 1] };
+        // Nothing is above infinity, and nothing below minus infinity.
+        let towards = if matches!(sign, '≤' | '<') { '<' } else { '>' };
+        if !is_inequality(sign) || (towards == outwards) == side[0].is('-') {
+            return Err(Unreadable::Sign(place, "nothing lies beyond infinity".to_owned()));
+        }
+        match first {
+            true => (sides, relations) = (&sides[1..], &relations[1..]),
+            false => (sides, relations) = (&sides[..sides.len() - 1], &relations[..relations.len() - 1]),
+        }
+    }
+    Ok((sides, relations))
+}
+
+impl Statements<'_> {
+    /// `k < 2 or k > 3`: `or` between inequalities parts statements that are rivals.
+    pub(super) fn alternatives(&mut self, tokens: &[Placed]) -> Result<(), Unreadable> {
+        let is_or = |placed: &Placed| placed.token == Token::Phrase(Phrase::Or);
+        let parts: Vec<&[Placed]> = tokens.split(is_or).collect();
+        let is_inequality = |part: &&[Placed]| has_inequality(part);
+        if parts.len() == 1 || !parts.iter().all(is_inequality) {
+            return self.chain(tokens);
+        }
+        for (place, part) in parts.into_iter().enumerate() {
+            let before = self.found.len();
+            self.chain(part)?;
+            if place > 0
+                && let Some(first) = self.found.get_mut(before).and_then(|found| found.said.first_mut())
+            {
+                first.remarks.push("or".to_owned());
+            }
+        }
+        Ok(())
+    }
+
+    pub(super) fn inequality(&mut self, sides: &[&[Placed]], relations: &[(char, usize)]) -> Result<(), Unreadable> {
+        let (sides, relations) = without_infinite_ends(sides, relations)?;
+        let values: Vec<Expr> = sides.iter().map(|side| self.side(side)).collect::<Result<_, _>>()?;
+        let said = values.windows(2).zip(relations).map(|(pair, (sign, _))| {
+            let relation = match sign {
+                '<' => Relation::Less,
+                '>' => Relation::Greater,
+                '≤' => Relation::LessOrEqual,
+                '≥' => Relation::GreaterOrEqual,
+                '≠' => Relation::NotEqual,
+                _ => Relation::Equal,
+            };
+            let form = Form::Equation(Expr::Relation(Box::new(pair[0].clone()), relation, Box::new(pair[1].clone())));
+            Said { form, unit: None, reference: None, remarks: Vec::new() }
+        });
+        self.found.push(Statement { label: None, said: said.collect() });
+        Ok(())
+    }
+
+    /// `> 3`, where words say or leave out what is: the range above it.
+    pub(super) fn one_sided(&mut self, sign: char, tokens: &[Placed]) -> Result<Said, Unreadable> {
+        let end = Some(End { at: self.side(tokens)?, included: Some(matches!(sign, '≤' | '≥')) });
+        Ok(match sign {
+            '>' | '≥' => said(end, None, Vec::new()),
+            _ => said(None, end, Vec::new()),
+        })
+    }
+}

@@ -1,0 +1,163 @@
+//! Ranges of values without inequality signs: `(1/3, 1]`, `]1/3, 1]`, `{e : e > 1/3}`, `between 2 and 3`, `more than 2`.
+
+use super::choices::Doubt;
+use super::inequalities::has_inequality;
+use super::statements::Statements;
+use super::tokens::{Placed, Token};
+use super::{End, Form, Label, Said, Unreadable};
+use crate::expr::{Expr, print};
+
+const OPENING: [char; 4] = ['(', '[', '{', '⟦'];
+const CLOSING: [char; 4] = [')', ']', '}', '⟧'];
+
+pub(super) fn is_any(placed: &Placed, signs: &[char]) -> bool {
+    matches!(placed.token, Token::Sign(sign) if signs.contains(&sign))
+}
+
+/// `]1/3, 1[` with its brackets as round ones, which mean the same.
+pub(super) fn with_round_brackets(tokens: &[Placed]) -> Vec<Placed> {
+    let mut out = tokens.to_vec();
+    // For each bracket that stands open: has a comma followed it?
+    let mut open: Vec<bool> = Vec::new();
+    for (at, placed) in tokens.iter().enumerate() {
+        let ends = tokens.get(at + 1).is_none_or(|next| {
+            matches!(next.token, Token::Phrase(_) | Token::Sign(',' | ';' | '.' | '\n' | '⇒' | '¦'))
+        });
+        match placed.token {
+            Token::Sign(']') if open.is_empty() => {
+                out[at].token = Token::Sign('(');
+                open.push(false);
+            }
+            Token::Sign('[') if ends && open.last() == Some(&true) => {
+                out[at].token = Token::Sign(')');
+                open.pop();
+            }
+            Token::Sign(',' | ';') => open.iter_mut().for_each(|comma| *comma = true),
+            _ if is_any(placed, &OPENING) => open.push(false),
+            _ if is_any(placed, &CLOSING) => {
+                open.pop();
+            }
+            _ => {}
+        }
+    }
+    out
+}
+
+/// What holds of the letter in `{e : e > 1/3}`.
+pub(super) fn without_set_builder(tokens: &[Placed]) -> &[Placed] {
+    let [open, Placed { token: Token::Word(_) | Token::Greek(_), .. }, such_that, rest @ .., close] = tokens else {
+        return tokens;
+    };
+    let is_set = is_any(open, &OPENING) && is_any(close, &CLOSING) && is_any(such_that, &[':', '|']);
+    let unbroken = !rest.iter().any(|placed| is_any(placed, &OPENING) || is_any(placed, &CLOSING) || placed.is('|'));
+    if is_set && has_inequality(rest) && unbroken { rest } else { tokens }
+}
+
+/// Is it infinity, with its sign: `∞`, `+∞`, `-∞`?
+pub(super) fn is_infinite(tokens: &[Placed]) -> bool {
+    match tokens {
+        [infinity] => infinity.is('∞'),
+        [sign, infinity] => (sign.is('+') || sign.is('-')) && infinity.is('∞'),
+        _ => false,
+    }
+}
+
+impl Statements<'_> {
+    /// The range that a side is, if it is one in brackets. Two numbers in brackets of one kind may be coordinates.
+    pub(super) fn range(&mut self, tokens: &[Placed]) -> Result<Option<Said>, Unreadable> {
+        let [open, inside @ .., close] = tokens else { return Ok(None) };
+        let comma = inside.iter().position(|placed| is_any(placed, &[',', ';']));
+        let nested = inside.iter().scan(0_i32, |depth, placed| {
+            *depth += i32::from(is_any(placed, &OPENING)) - i32::from(is_any(placed, &CLOSING));
+            Some(*depth)
+        });
+        let whole =
+            is_any(open, &['(', '[']) && is_any(close, &[')', ']']) && nested.into_iter().all(|depth| depth >= 0);
+        let Some(comma) = comma.filter(|_| whole && !self.vocabulary.vectors) else { return Ok(None) };
+        let (low, high) = (&inside[..comma], &inside[comma + 1..]);
+        let endless = is_infinite(low) || is_infinite(high);
+        let of_one_kind = open.is('(') == close.is(')');
+        if of_one_kind && !endless && !self.choices.otherwise(Doubt::Brackets, open.start) {
+            return Ok(None);
+        }
+        if is_infinite(low) && !low[0].is('-') || is_infinite(high) && high[0].is('-') {
+            return Err(Unreadable::Sign(open.start, "a range that begins where it should end".to_owned()));
+        }
+        let low = self.end(low, Some(open.is('[')))?;
+        let high = self.end(high, Some(close.is(']')))?;
+        Ok(Some(said(low, high, Vec::new())))
+    }
+
+    /// An end of a range, unless it is infinite.
+    fn end(&mut self, tokens: &[Placed], included: Option<bool>) -> Result<Option<End>, Unreadable> {
+        match is_infinite(tokens) {
+            true => Ok(None),
+            false => Ok(Some(End { at: self.scalar(tokens)?, included })),
+        }
+    }
+
+    /// `k between 2 and 3`, `k from 2 to 3 inclusive`, `up to 3`: what it is called, and the range.
+    pub(super) fn range_in_words(&mut self, tokens: &[Placed]) -> Result<Option<(Option<Label>, Said)>, Unreadable> {
+        if self.vocabulary.vectors {
+            return Ok(None);
+        }
+        let word = |placed: &Placed| match placed.token {
+            Token::Phrase(_) => self.slice(std::slice::from_ref(placed)).to_lowercase(),
+            _ => String::new(),
+        };
+        let words: Vec<String> = tokens.iter().map(word).collect();
+        if let [up, to, ..] = words.as_slice()
+            && (&**up, &**to) == ("up", "to")
+        {
+            let high = End { at: self.side(&tokens[2..])?, included: None };
+            return Ok(Some((None, said(None, Some(high), Vec::new()))));
+        }
+        let Some(lead) = words.iter().position(|word| matches!(&**word, "between" | "from")) else { return Ok(None) };
+        let joiner = if words[lead] == "between" { "and" } else { "to" };
+        let Some(joint) = words.iter().position(|word| word == joiner).filter(|joint| *joint > lead) else {
+            return Ok(None);
+        };
+        let is_word = |placed: &&Placed| matches!(placed.token, Token::Phrase(_));
+        let after = tokens.len() - tokens.iter().rev().take_while(is_word).count();
+        if after <= joint {
+            return Ok(None);
+        }
+        // Numbers alone: `the line between A and B` is none.
+        let (low, high) = (&tokens[lead + 1..joint], &tokens[joint + 1..after]);
+        let (Ok(low), Ok(high)) = (self.scalar(low), self.scalar(high)) else { return Ok(None) };
+        let is_letter = |placed: &&Placed| matches!(placed.token, Token::Word(_) | Token::Greek(_));
+        let name = tokens[..lead].iter().take_while(is_letter).count();
+        if tokens[name..lead].iter().any(|placed| !is_word(&placed)) {
+            return Ok(None);
+        }
+        let label = (name > 0)
+            .then(|| Label { typed: self.slice(&tokens[..name]).to_owned(), expr: self.named(&tokens[..name]) });
+        let beside = [&words[name..lead], &words[after..]].concat();
+        let end = |at: Expr| Some(End { at, included: None });
+        Ok(Some((label, said(end(low), end(high), beside))))
+    }
+}
+
+pub(super) fn said(low: Option<End>, high: Option<End>, remarks: Vec<String>) -> Said {
+    Said { form: Form::Range(low, high), unit: None, reference: None, remarks }
+}
+
+/// A range as a terminal shows it.
+pub(super) fn printed(low: &Option<End>, high: &Option<End>) -> String {
+    let number = |end: &End| print::unicode(&end.at);
+    match (low, high) {
+        (Some(low), Some(high)) => match (low.included, high.included) {
+            (Some(first), Some(last)) => {
+                let (open, close) = (if first { '[' } else { '(' }, if last { ']' } else { ')' });
+                format!("{open}{}, {}{close}", number(low), number(high))
+            }
+            _ => format!("from {} to {}", number(low), number(high)),
+        },
+        (Some(low), None) => format!("{} {}", if low.included == Some(true) { '≥' } else { '>' }, number(low)),
+        (None, Some(high)) => match high.included {
+            Some(included) => format!("{} {}", if included { '≤' } else { '<' }, number(high)),
+            None => format!("up to {}", number(high)),
+        },
+        (None, None) => "any value".to_owned(),
+    }
+}
