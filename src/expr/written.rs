@@ -5,7 +5,7 @@
 
 use super::term::{Shared, Term, collect, ordered_sum, whole};
 use super::{Expr, Function};
-use crate::number::{Angle, Fraction, Polynomial, Range, Root, Value};
+use crate::number::{Angle, Fraction, Letter, Polynomial, Range, Root, Value};
 
 /// The simplest form of a value, as a teacher writes it.
 ///
@@ -90,22 +90,22 @@ fn arctangent(y: &Value, x: &Value) -> Expr {
     if !x.equals(&Value::ONE) {
         return Expr::call(Function::Atan, written(y).over(written(x)));
     }
-    let tangent = y;
-    let letter = |value: &Value| match value.as_quotient() {
-        Some((above, below)) if below.is_one() => above
-            .letters()
-            .first()
-            .copied()
-            .filter(|letter| letter.range() == Range::Acute && above == Polynomial::letter(*letter)),
-        _ => None,
-    };
-    if let Some(letter) = letter(tangent) {
-        return Expr::name(letter.name());
+    // No reciprocal is taken to see whether it is a letter: of a sum of many roots that would take minutes.
+    if let Some((above, below)) = y.as_quotient() {
+        if let Some(letter) = acute_letter(&above).filter(|_| below.is_one()) {
+            return Expr::name(letter.name());
+        }
+        if let Some(letter) = acute_letter(&below).filter(|_| above.is_one()) {
+            return Expr::Sum(vec![Expr::degrees(Expr::integer(90)), Expr::name(letter.name()).negated()]);
+        }
     }
-    if let Some(letter) = tangent.reciprocal().as_ref().and_then(letter) {
-        return Expr::Sum(vec![Expr::degrees(Expr::integer(90)), Expr::name(letter.name()).negated()]);
-    }
-    Expr::call(Function::Atan, written(tangent))
+    Expr::call(Function::Atan, written(y))
+}
+
+/// The letter of an acute angle, where the polynomial is just its tangent.
+fn acute_letter(polynomial: &Polynomial) -> Option<Letter> {
+    let letter = polynomial.letters().first().copied().filter(|letter| letter.range() == Range::Acute)?;
+    (*polynomial == Polynomial::letter(letter)).then_some(letter)
 }
 
 /// The angle of `(x, y)` where the sign of `x` depends on letters: it needs no case distinction.
@@ -120,6 +120,7 @@ fn by_half_angle(y: &Value, x: &Value) -> Expr {
 
 /// A quotient in its simplest form, or where that would be laborious just as a quotient.
 pub fn ratio(above: &Value, below: &Value) -> Expr {
+    let (above, below) = &Value::without_common_factors(above, below);
     if below.is_laborious() || below.roots().iter().any(|root| matches!(root, Root::Nested { .. })) {
         return written(above).over(written(below));
     }

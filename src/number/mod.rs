@@ -2,6 +2,8 @@
 
 mod angle;
 mod arithmetic;
+mod common;
+mod complement;
 mod coprime;
 mod decide;
 mod direction;

@@ -160,7 +160,7 @@ impl Value {
         {
             return Value::Rational(number);
         }
-        Value::Compound(Arc::new(Compound { terms, denominator: primitive }))
+        Value::Compound(Arc::new(Compound { terms, denominator: primitive })).without_complements()
     }
 
     /// The terms and the denominator, whichever kind of value it is.
