@@ -1,7 +1,7 @@
 //! What two values share, taken out of both.
 
 use super::value::{Root, Terms, Value};
-use super::{Fraction, Polynomial};
+use super::{Fraction, Polynomial, Range};
 
 impl Value {
     /// Two values divided by the same positive value, so that no root, no polynomial and no number but one is
@@ -15,15 +15,17 @@ impl Value {
     /// ```
     pub fn without_common_factors(a: &Value, b: &Value) -> (Value, Value) {
         let ((mut above, p), (mut below, q)) = (a.parts(), b.parts());
-        // Over one denominator, which can then be left out.
+        // Over one denominator, which can then be left out, but for what makes tangents sines and cosines.
         let shared = p.greatest_common_divisor(&q);
         let exact = |polynomial: &Polynomial, divisor: &Polynomial| {
             polynomial.divided_by(divisor).expect("a common divisor divides")
         };
         let (left, right) = (exact(&q, &shared), exact(&p, &shared));
-        if !is_positive(&(&left * &p)) {
+        let both = &left * &p;
+        if !is_positive(&both) {
             return (a.clone(), b.clone());
         }
+        let secants = secants(both);
         above.values_mut().for_each(|coefficient| *coefficient = &*coefficient * &left);
         below.values_mut().for_each(|coefficient| *coefficient = &*coefficient * &right);
         let coefficients = || above.values().chain(below.values());
@@ -39,7 +41,7 @@ impl Value {
                 key.retain(|root| !roots.contains(root));
                 (key, exact(&coefficient, &factor).scaled(&scale))
             });
-            Value::build(divided.collect(), Polynomial::one())
+            Value::build(divided.collect(), secants.clone())
         };
         (rest(above), rest(below))
     }
@@ -47,6 +49,22 @@ impl Value {
 
 fn is_positive(polynomial: &Polynomial) -> bool {
     Value::quotient(polynomial.clone(), Polynomial::one()).sign().is_some_and(|sign| sign.is_gt())
+}
+
+/// The factors 1 + tan² of a denominator, each one over the square of a cosine.
+fn secants(mut denominator: Polynomial) -> Polynomial {
+    let mut product = Polynomial::one();
+    for letter in denominator.letters() {
+        if !matches!(letter.range(), Range::Acute | Range::Degrees) {
+            continue;
+        }
+        let secant = Polynomial::one_plus_square(letter);
+        while let Some(rest) = denominator.divided_by(&secant) {
+            denominator = rest;
+            product = &product * &secant;
+        }
+    }
+    product
 }
 
 /// The roots in every product of both sums.
@@ -60,7 +78,7 @@ fn shared_roots(above: &Terms, below: &Terms) -> Vec<Root> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::{Letter, Range};
+    use crate::number::Letter;
 
     #[test]
     fn what_both_share_is_taken_out_unless_its_sign_is_unknown() {

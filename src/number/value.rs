@@ -306,14 +306,10 @@ impl Value {
     }
 
     /// Would its reciprocal be a formula that nobody wants to read? Each root doubles it, and letters
-    /// let it grow further.
+    /// let it grow further, as given angles do, whose tangents are letters too.
     pub fn is_laborious(&self) -> bool {
         let roots = self.roots().len();
-        let many = match (self.letters().is_empty(), self.is_constant()) {
-            (true, _) => 4,
-            (false, true) => 3,
-            (false, false) => 2,
-        };
+        let many = if self.letters().is_empty() { 4 } else { 2 };
         let single = matches!(self, Value::Compound(compound) if compound.terms.len() == 1);
         roots >= many && !single
     }
