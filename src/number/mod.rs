@@ -2,7 +2,6 @@
 
 mod angle;
 mod arithmetic;
-mod common;
 mod complement;
 mod coprime;
 mod decide;
@@ -20,6 +19,7 @@ mod polynomial;
 mod polynomial_roots;
 mod root;
 mod rounding;
+mod shared_factors;
 pub(crate) mod steps;
 mod trigonometry;
 mod value;
