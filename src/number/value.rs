@@ -10,8 +10,8 @@
 //! The cosine of an acute angle is a root too, since cos² α = 1/(1 + tan² α). No denominator holds a
 //! root, numerators and denominator share no factor, and q is primitive; so two values are equal if
 //! and only if they are equal as data, but for two things that data cannot see: relations between
-//! sines of given degrees (cos 20° = cos 40° + cos 80°) and between nested roots. The room
-//! [`decide`](super::decide) decides those.
+//! sines of given degrees (cos 20° = cos 40° + cos 80°, or sin 20° = cos 70° where each is a value of
+//! its own) and between nested roots. The room [`decide`](super::decide) decides those.
 
 use std::collections::BTreeMap;
 use std::fmt;
