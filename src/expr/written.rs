@@ -20,6 +20,9 @@ pub fn written(value: &Value) -> Expr {
         return number_expr(number);
     }
     let (terms, below) = collect(value);
+    if let Some((above, below)) = by_cosines(value, terms.len(), &below) {
+        return written(&above).over(written(&below));
+    }
     // A sum of plain surds stays a sum: 4/3 + 11√2/9.
     let constant_sum = terms.len() > 1 && terms.iter().all(|term| term.letters.is_empty() && term.circular.is_empty());
     let shared = if constant_sum { Shared::nothing() } else { Shared::of(&terms) };
@@ -52,6 +55,26 @@ pub fn written(value: &Value) -> Expr {
     let denominator = Expr::product([Expr::Number(scale.denominator().into()), below_expr(&below)]);
     let size = Expr::product(factors).over(denominator);
     if negative { size.negated() } else { size }
+}
+
+/// Numerator and denominator with sines and cosines in place of the tangents of given degrees below, where that
+/// is shorter: each is multiplied by the power of the cosine that the tangents come to.
+fn by_cosines(value: &Value, above_terms: usize, below: &Polynomial) -> Option<(Value, Value)> {
+    let mut cosines = Value::ONE;
+    for angle in below.letters().into_iter().filter(Letter::is_constant) {
+        cosines = &cosines * &Value::cosine(angle).power(i32::try_from(below.degree(angle)).ok()?)?;
+    }
+    if cosines == Value::ONE {
+        return None;
+    }
+    let below_by_cosines = &Value::quotient(below.clone(), Polynomial::one()) * &cosines;
+    let (above, below_by_cosines) = Value::without_common_factors(&(value * &below_by_cosines), &below_by_cosines);
+    let count = |value: &Value| collect(value).0.len();
+    if count(&above) + count(&below_by_cosines) >= above_terms + below.terms().len() {
+        return None;
+    }
+    let turned = below_by_cosines.sign().is_some_and(|sign| sign.is_lt());
+    Some(if turned { (-above, -below_by_cosines) } else { (above, below_by_cosines) })
 }
 
 /// An angle: so many degrees, a letter, or an inverse tangent with what must be added to it.

@@ -1,5 +1,7 @@
 //! What two values share, taken out of both.
 
+use std::cmp::Ordering;
+
 use super::value::{Root, Terms, Value};
 use super::{Fraction, Polynomial, Range};
 
@@ -22,19 +24,20 @@ impl Value {
         };
         let (left, right) = (exact(&q, &shared), exact(&p, &shared));
         let both = &left * &p;
-        if !is_positive(&both) {
-            return (a.clone(), b.clone());
-        }
+        let Some(sign) = sign(&both) else { return (a.clone(), b.clone()) };
         let secants = secants(both);
         above.values_mut().for_each(|coefficient| *coefficient = &*coefficient * &left);
         below.values_mut().for_each(|coefficient| *coefficient = &*coefficient * &right);
         let coefficients = || above.values().chain(below.values());
         let factor = coefficients().fold(Polynomial::zero(), |shared, p| shared.greatest_common_divisor(p));
-        let factor = if factor.is_zero() || !is_positive(&factor) { Polynomial::one() } else { factor };
+        let (factor, turn) = match self::sign(&factor) {
+            Some(turn) => (factor, turn),
+            None => (Polynomial::one(), Fraction::ONE),
+        };
         let whole = coefficients().fold(Fraction::ZERO, |content, p| {
             p.terms().iter().fold(content, |content, (_, number)| content.common_measure(number))
         });
-        let Some(scale) = whole.reciprocal() else { return (a.clone(), b.clone()) };
+        let Some(scale) = (&whole * &(&sign * &turn)).reciprocal() else { return (a.clone(), b.clone()) };
         let roots = shared_roots(&above, &below);
         let rest = |terms: Terms| {
             let divided = terms.into_iter().map(|(mut key, coefficient)| {
@@ -47,8 +50,13 @@ impl Value {
     }
 }
 
-fn is_positive(polynomial: &Polynomial) -> bool {
-    Value::quotient(polynomial.clone(), Polynomial::one()).sign().is_some_and(|sign| sign.is_gt())
+/// One or minus one; `None` where the sign depends on the letters, and of nought.
+fn sign(polynomial: &Polynomial) -> Option<Fraction> {
+    match Value::quotient(polynomial.clone(), Polynomial::one()).sign()? {
+        Ordering::Less => Some(Fraction::from(-1)),
+        Ordering::Equal => None,
+        Ordering::Greater => Some(Fraction::ONE),
+    }
 }
 
 /// The factors 1 + tan² of a denominator, each one over the square of a cosine.
@@ -89,7 +97,9 @@ mod tests {
         let rest = &Value::from(3) + &root(33);
         let (a, b) = (&sum * &Value::from(5), &rest * &Value::from(2));
         let scaled = |value: &Value, by: &Value| &(value * by) * &Value::fraction(1, 64);
-        for factor in [u.clone(), &u * &u, u.reciprocal().unwrap(), root(5), &x * &x] {
+        let e = Value::letter(Letter::new("e", Range::Unit).unwrap());
+        let below = (&Value::from(3) - &e).reciprocal().unwrap();
+        for factor in [u.clone(), &u * &u, u.reciprocal().unwrap(), root(5), &x * &x, &Value::from(2) - &e, below] {
             let (above, below) = Value::without_common_factors(&scaled(&a, &factor), &scaled(&b, &factor));
             assert_eq!((above, below), (a.clone(), b.clone()), "{factor:?}");
         }
