@@ -40,13 +40,13 @@ fn values_are_written_as_a_teacher_writes_them() {
         (&square(&ten.cos) * &square(&theta.cos), "cos(10*deg)^2*cos(theta)^2"),
         (
             &square(&(&ten.cos + &theta.cos)) + &square(&(&ten.sin + &theta.cos)),
-            "1 + 2*cos(10*deg)*cos(theta) + 2*sin(10*deg)*cos(theta) + 2*cos(theta)^2",
+            "1 + 2*cos(theta)^2 + 2*cos(10*deg)*cos(theta) + 2*sin(10*deg)*cos(theta)",
         ),
         (
             &square(&(&ten.cos + &theta.sin)) - &square(&(&ten.sin + &theta.sin)),
             "2*cos(10*deg)^2 - 1 + 2*cos(10*deg)*sin(theta) - 2*sin(10*deg)*sin(theta)",
         ),
-        (quotient(&one, &(&one - &square(&(&ten.cos * &root(3))))), "1/(sin(10*deg)^2 - 2*cos(10*deg)^2)"),
+        (quotient(&one, &(&one + &square(&(&ten.cos * &root(3))))), "1/(4*cos(10*deg)^2 + sin(10*deg)^2)"),
     ];
     for (value, expected) in table {
         assert_eq!(print::plain(&written(&value)), expected);
