@@ -18,7 +18,7 @@ impl Value {
         }
         let right = Fraction::from(90);
         for (degrees, letter) in &angles {
-            let other = angles.iter().find(|(other, _)| other < degrees && &(other + degrees) == &right);
+            let other = angles.iter().find(|(other, _)| other < degrees && other + degrees == right);
             if let Some((_, other)) = other {
                 let tangent = Value::quotient(Polynomial::one(), Polynomial::letter(*other));
                 return self.substitute(*letter, &tangent).expect("the tangent of an acute angle is not nought");

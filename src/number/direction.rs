@@ -24,7 +24,7 @@ impl Direction {
         let quarter = &turns & 3u8;
         let rest = degrees - &(&Fraction::from(turns) * &right);
         // Mirrored in the axes, as 160° is taken for 180° - 20°: so angles of both sides have one letter.
-        let acute = if quarter % 2 == 0 { rest } else { &right - &rest };
+        let acute = if quarter.is_multiple_of(2) { rest } else { &right - &rest };
         let Direction { cos, sin } = acute_degrees(&acute)?;
         Some(match quarter {
             0 => Direction { cos, sin },
