@@ -3,6 +3,7 @@
 //! Text is read into an [`Expr`]; an `Expr` is evaluated into an exact value; every printed formula
 //! is made from an `Expr` by one of the printers. Nothing else in carom makes LaTeX or MathML.
 
+mod circle;
 mod evaluate;
 mod fault;
 pub mod print;

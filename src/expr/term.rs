@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::circle::fewest;
 use super::written::written;
 use super::{Expr, Function};
 use crate::number::{Fraction, Letter, Polynomial, Range, Root, Value};
@@ -89,7 +90,7 @@ pub(super) fn collect(value: &Value) -> (Vec<Term>, Polynomial) {
             terms.push(term);
         }
     }
-    (terms, below)
+    (fewest(terms), below)
 }
 
 fn put<K: Ord>(map: &mut BTreeMap<K, u32>, key: K, power: u32) {
@@ -99,6 +100,20 @@ fn put<K: Ord>(map: &mut BTreeMap<K, u32>, key: K, power: u32) {
 }
 
 impl Term {
+    /// Do the two differ by their numbers alone?
+    pub(super) fn is_like(&self, other: &Term) -> bool {
+        self.surd == other.surd
+            && self.circular == other.circular
+            && self.letters == other.letters
+            && self.nested == other.nested
+    }
+
+    /// The term with another power of a sine or cosine.
+    pub(super) fn raise(&mut self, base: (Letter, Circular), power: u32) {
+        self.circular.remove(&base);
+        put(&mut self.circular, base, power);
+    }
+
     /// Everything but the number.
     pub(super) fn symbols(&self) -> Vec<Expr> {
         let mut symbols = Vec::new();
@@ -244,7 +259,7 @@ pub(super) fn whole(mut terms: Vec<Term>) -> (Vec<Term>, Fraction) {
     if terms.len() < 2 {
         return (terms, Fraction::ONE);
     }
-    let mut content = terms.iter().fold(Fraction::ZERO, |content, term| gcd_of_fractions(&content, &term.number));
+    let mut content = terms.iter().fold(Fraction::ZERO, |content, term| content.common_measure(&term.number));
     if terms.iter().all(|term| term.number.sign().is_lt()) {
         content = -content;
     }
@@ -252,16 +267,6 @@ pub(super) fn whole(mut terms: Vec<Term>) -> (Vec<Term>, Fraction) {
         term.number = &term.number / &content;
     }
     (terms, content)
-}
-
-/// The largest fraction of which both are whole multiples.
-fn gcd_of_fractions(a: &Fraction, b: &Fraction) -> Fraction {
-    let (mut x, mut y) = (a.abs(), b.abs());
-    while !y.is_zero() {
-        let times = Fraction::from((&x / &y).floor());
-        (x, y) = (y.clone(), &x - &(&times * &y));
-    }
-    x
 }
 
 /// The terms in the order of writing: a positive one first, then by degree.

@@ -5,7 +5,7 @@
 
 use super::term::{Shared, Term, collect, ordered_sum, whole};
 use super::{Expr, Function};
-use crate::number::{Angle, Fraction, Polynomial, Range, Root, Value};
+use crate::number::{Angle, Fraction, Letter, Polynomial, Range, Root, Value};
 
 /// The simplest form of a value, as a teacher writes it.
 ///
@@ -20,6 +20,9 @@ pub fn written(value: &Value) -> Expr {
         return number_expr(number);
     }
     let (terms, below) = collect(value);
+    if let Some((above, below)) = by_cosines(value, terms.len(), &below) {
+        return written(&above).over(written(&below));
+    }
     // A sum of plain surds stays a sum: 4/3 + 11√2/9.
     let constant_sum = terms.len() > 1 && terms.iter().all(|term| term.letters.is_empty() && term.circular.is_empty());
     let shared = if constant_sum { Shared::nothing() } else { Shared::of(&terms) };
@@ -52,6 +55,26 @@ pub fn written(value: &Value) -> Expr {
     let denominator = Expr::product([Expr::Number(scale.denominator().into()), below_expr(&below)]);
     let size = Expr::product(factors).over(denominator);
     if negative { size.negated() } else { size }
+}
+
+/// Numerator and denominator with sines and cosines in place of the tangents of given degrees below, where that
+/// is shorter: each is multiplied by the power of the cosine that the tangents come to.
+fn by_cosines(value: &Value, above_terms: usize, below: &Polynomial) -> Option<(Value, Value)> {
+    let mut cosines = Value::ONE;
+    for angle in below.letters().into_iter().filter(Letter::is_constant) {
+        cosines = &cosines * &Value::cosine(angle).power(i32::try_from(below.degree(angle)).ok()?)?;
+    }
+    if cosines == Value::ONE {
+        return None;
+    }
+    let below_by_cosines = &Value::quotient(below.clone(), Polynomial::one()) * &cosines;
+    let (above, below_by_cosines) = Value::without_common_factors(&(value * &below_by_cosines), &below_by_cosines);
+    let count = |value: &Value| collect(value).0.len();
+    if count(&above) + count(&below_by_cosines) >= above_terms + below.terms().len() {
+        return None;
+    }
+    let turned = below_by_cosines.sign().is_some_and(|sign| sign.is_lt());
+    Some(if turned { (-above, -below_by_cosines) } else { (above, below_by_cosines) })
 }
 
 /// An angle: so many degrees, a letter, or an inverse tangent with what must be added to it.
@@ -90,22 +113,22 @@ fn arctangent(y: &Value, x: &Value) -> Expr {
     if !x.equals(&Value::ONE) {
         return Expr::call(Function::Atan, written(y).over(written(x)));
     }
-    let tangent = y;
-    let letter = |value: &Value| match value.as_quotient() {
-        Some((above, below)) if below.is_one() => above
-            .letters()
-            .first()
-            .copied()
-            .filter(|letter| letter.range() == Range::Acute && above == Polynomial::letter(*letter)),
-        _ => None,
-    };
-    if let Some(letter) = letter(tangent) {
-        return Expr::name(letter.name());
+    // No reciprocal is taken to see whether it is a letter: of a sum of many roots that would take minutes.
+    if let Some((above, below)) = y.as_quotient() {
+        if let Some(letter) = acute_letter(&above).filter(|_| below.is_one()) {
+            return Expr::name(letter.name());
+        }
+        if let Some(letter) = acute_letter(&below).filter(|_| above.is_one()) {
+            return Expr::Sum(vec![Expr::degrees(Expr::integer(90)), Expr::name(letter.name()).negated()]);
+        }
     }
-    if let Some(letter) = tangent.reciprocal().as_ref().and_then(letter) {
-        return Expr::Sum(vec![Expr::degrees(Expr::integer(90)), Expr::name(letter.name()).negated()]);
-    }
-    Expr::call(Function::Atan, written(tangent))
+    Expr::call(Function::Atan, written(y))
+}
+
+/// The letter of an acute angle, where the polynomial is just its tangent.
+fn acute_letter(polynomial: &Polynomial) -> Option<Letter> {
+    let letter = polynomial.letters().first().copied().filter(|letter| letter.range() == Range::Acute)?;
+    (*polynomial == Polynomial::letter(letter)).then_some(letter)
 }
 
 /// The angle of `(x, y)` where the sign of `x` depends on letters: it needs no case distinction.
@@ -120,6 +143,7 @@ fn by_half_angle(y: &Value, x: &Value) -> Expr {
 
 /// A quotient in its simplest form, or where that would be laborious just as a quotient.
 pub fn ratio(above: &Value, below: &Value) -> Expr {
+    let (above, below) = &Value::without_common_factors(above, below);
     if below.is_laborious() || below.roots().iter().any(|root| matches!(root, Root::Nested { .. })) {
         return written(above).over(written(below));
     }

@@ -18,6 +18,7 @@ fn values_are_written_as_a_teacher_writes_them() {
     let one = Value::ONE;
     let half = Value::fraction(1, 2);
     let ten = Direction::degrees(&Fraction::from(10)).unwrap();
+    let square = |value: &Value| value * value;
     let quotient = |a: &Value, b: &Value| a.divided_by(b).unwrap();
     let table: Vec<(Value, &str)> = vec![
         (Value::fraction(-5, 2), "-5/2"),
@@ -35,6 +36,17 @@ fn values_are_written_as_a_teacher_writes_them() {
         (&Value::from(6) * &ten.sin, "6*sin(10*deg)"),
         (quotient(&ten.sin, &ten.cos), "tan(10*deg)"),
         ((&Value::ONE + &root(2)).square_root().unwrap(), "sqrt(1 + sqrt(2))"),
+        // Sines and cosines of two angles, in the fewest terms.
+        (&square(&ten.cos) * &square(&theta.cos), "cos(10*deg)^2*cos(theta)^2"),
+        (
+            &square(&(&ten.cos + &theta.cos)) + &square(&(&ten.sin + &theta.cos)),
+            "1 + 2*cos(theta)^2 + 2*cos(10*deg)*cos(theta) + 2*sin(10*deg)*cos(theta)",
+        ),
+        (
+            &square(&(&ten.cos + &theta.sin)) - &square(&(&ten.sin + &theta.sin)),
+            "2*cos(10*deg)^2 - 1 + 2*cos(10*deg)*sin(theta) - 2*sin(10*deg)*sin(theta)",
+        ),
+        (quotient(&one, &(&one + &square(&(&ten.cos * &root(3))))), "1/(4*cos(10*deg)^2 + sin(10*deg)^2)"),
     ];
     for (value, expected) in table {
         assert_eq!(print::plain(&written(&value)), expected);

@@ -35,8 +35,10 @@ impl Angle {
             };
         }
         if x.is_laborious() {
-            // To divide would be to rationalise the denominator, root after root, for nothing.
-            return Some(Angle::unscaled(y, x));
+            // To divide would be to rationalise the denominator, root after root, for nothing; but what both
+            // share may be all that makes it so.
+            let (y, x) = Value::without_common_factors(y, x);
+            return if x.is_laborious() { Some(Angle { y, x }) } else { Angle::of(&y, &x) };
         }
         let (scale, unit) = match x.sign() {
             Some(Ordering::Less) => (-x, Value::from(-1)),

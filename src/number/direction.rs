@@ -15,22 +15,22 @@ pub struct Direction {
 impl Direction {
     /// The direction of so many degrees, any rational number of them.
     ///
-    /// Multiples of 15 degrees are surds. Any other angle is brought into the first quadrant, and
-    /// its tangent is a letter that stands for itself. `None` if the number of degrees is too long to
+    /// Multiples of 15 degrees are surds. Any other angle is brought into the first quadrant by the signs of
+    /// its sine and cosine, and its tangent is a letter that stands for itself. `None` if the number of degrees is too long to
     /// be the name of a letter.
     pub fn degrees(degrees: &Fraction) -> Option<Direction> {
         let right = Fraction::from(90);
         let turns = (degrees / &right).floor();
-        let acute = degrees - &(&Fraction::from(turns.clone()) * &right);
-        let quadrant = &Fraction::from(turns) / &Fraction::from(4);
-        let quarter = &quadrant - &Fraction::from(quadrant.floor());
-        let first = acute_degrees(&acute)?;
-        let Direction { cos, sin } = first;
-        Some(match quarter.as_small() {
-            Some((0, 1)) => Direction { cos, sin },
-            Some((1, 4)) => Direction { cos: -sin, sin: cos },
-            Some((1, 2)) => Direction { cos: -cos, sin: -sin },
-            _ => Direction { cos: sin, sin: -cos },
+        let quarter = &turns & 3u8;
+        let rest = degrees - &(&Fraction::from(turns) * &right);
+        // Mirrored in the axes, as 160° is taken for 180° - 20°: so angles of both sides have one letter.
+        let acute = if quarter.is_multiple_of(2) { rest } else { &right - &rest };
+        let Direction { cos, sin } = acute_degrees(&acute)?;
+        Some(match quarter {
+            0 => Direction { cos, sin },
+            1 => Direction { cos: -cos, sin },
+            2 => Direction { cos: -cos, sin: -sin },
+            _ => Direction { cos, sin: -sin },
         })
     }
 
@@ -84,7 +84,7 @@ impl Direction {
     }
 }
 
-/// From nought up to, not including, 90 degrees.
+/// From nought up to 90 degrees.
 fn acute_degrees(degrees: &Fraction) -> Option<Direction> {
     let root = |n: i64| Value::from(n).square_root().expect("a positive number has a root");
     let half = Value::fraction(1, 2);
@@ -95,6 +95,7 @@ fn acute_degrees(degrees: &Fraction) -> Option<Direction> {
         Some((30, 1)) => (&root(3) * &half, half),
         Some((45, 1)) => (&root(2) * &half, &root(2) * &half),
         Some((60, 1)) => (half.clone(), &root(3) * &half),
+        Some((90, 1)) => (Value::ZERO, Value::ONE),
         Some((75, 1)) => (&(&root(6) - &root(2)) * &quarter, &(&root(6) + &root(2)) * &quarter),
         _ => {
             let tangent = Letter::new(&degrees.to_string(), Range::Degrees)?;

@@ -173,6 +173,20 @@ impl Fraction {
         }
     }
 
+    /// The largest fraction of which both are whole multiples; nought only of two noughts.
+    pub fn common_measure(&self, other: &Fraction) -> Fraction {
+        use dashu_int::ops::Gcd;
+        match (self.is_zero(), other.is_zero()) {
+            (true, _) => return other.abs(),
+            (_, true) => return self.abs(),
+            _ => {}
+        }
+        let numerator: IBig = self.numerator().gcd(other.numerator()).into();
+        let (x, y) = (self.denominator(), other.denominator());
+        let shared: IBig = (&x).gcd(&y).into();
+        Fraction::from_integers(numerator, x / shared * y).expect("a product of denominators is positive")
+    }
+
     /// The exact square root where it is rational.
     pub fn square_root(&self) -> Option<Fraction> {
         if self.sign() == Ordering::Less {
@@ -432,5 +446,7 @@ mod tests {
         assert_eq!(read("-4").square_root(), None);
         assert_eq!(read("2/3").power(-2), Some(read("9/4")));
         assert_eq!(read("-7/2").floor(), IBig::from(-4));
+        assert_eq!(read("-4/3").common_measure(&read("2/5")), read("2/15"));
+        assert_eq!(read("0").common_measure(&read("-1/6")), read("1/6"));
     }
 }

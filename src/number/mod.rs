@@ -2,6 +2,7 @@
 
 mod angle;
 mod arithmetic;
+mod complement;
 mod coprime;
 mod decide;
 mod direction;
@@ -18,6 +19,7 @@ mod polynomial;
 mod polynomial_roots;
 mod root;
 mod rounding;
+mod shared_factors;
 pub(crate) mod steps;
 mod trigonometry;
 mod value;

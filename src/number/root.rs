@@ -49,7 +49,7 @@ impl Value {
         let (terms, denominator) = self.parts();
         // √(f N / q) = √(f q) √N / q, where f is what all the coefficients share and N the rest.
         let shared = terms.values().fold(Polynomial::zero(), |shared, p| shared.greatest_common_divisor(p));
-        let content = terms.values().map(Polynomial::content).reduce(|a, b| common_content(&a, &b))?;
+        let content = terms.values().map(Polynomial::content).reduce(|a, b| a.common_measure(&b))?;
         let mut rest = Terms::new();
         let scale = content.reciprocal()?;
         for (key, coefficient) in &terms {
@@ -131,15 +131,6 @@ impl Value {
         let small = root_of_fraction(&(&(&a - &s) * &half))?;
         Some(if negative { &large - &small } else { &large + &small })
     }
-}
-
-/// The greatest number that leaves both whole: the content of two contents together.
-fn common_content(a: &Fraction, b: &Fraction) -> Fraction {
-    use dashu_int::ops::Gcd;
-    let numerator: IBig = a.numerator().gcd(b.numerator()).into();
-    let (x, y) = (a.denominator(), b.denominator());
-    let shared: IBig = (&x).gcd(&y).into();
-    Fraction::from_integers(numerator, x / shared * y).unwrap_or(Fraction::ONE)
 }
 
 /// √(n/d) = (s/d) √r where n d = s² r.

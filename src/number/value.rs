@@ -10,8 +10,8 @@
 //! The cosine of an acute angle is a root too, since cos² α = 1/(1 + tan² α). No denominator holds a
 //! root, numerators and denominator share no factor, and q is primitive; so two values are equal if
 //! and only if they are equal as data, but for two things that data cannot see: relations between
-//! sines of given degrees (cos 20° = cos 40° + cos 80°) and between nested roots. The room
-//! [`decide`](super::decide) decides those.
+//! sines of given degrees (cos 20° = cos 40° + cos 80°, or sin 20° = cos 70° where each is a value of
+//! its own) and between nested roots. The room [`decide`](super::decide) decides those.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -160,7 +160,7 @@ impl Value {
         {
             return Value::Rational(number);
         }
-        Value::Compound(Arc::new(Compound { terms, denominator: primitive }))
+        Value::Compound(Arc::new(Compound { terms, denominator: primitive })).without_complements()
     }
 
     /// The terms and the denominator, whichever kind of value it is.
@@ -306,14 +306,10 @@ impl Value {
     }
 
     /// Would its reciprocal be a formula that nobody wants to read? Each root doubles it, and letters
-    /// let it grow further.
+    /// let it grow further, as given angles do, whose tangents are letters too.
     pub fn is_laborious(&self) -> bool {
         let roots = self.roots().len();
-        let many = match (self.letters().is_empty(), self.is_constant()) {
-            (true, _) => 4,
-            (false, true) => 3,
-            (false, false) => 2,
-        };
+        let many = if self.letters().is_empty() { 4 } else { 2 };
         let single = matches!(self, Value::Compound(compound) if compound.terms.len() == 1);
         roots >= many && !single
     }

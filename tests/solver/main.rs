@@ -3,6 +3,7 @@
 mod agreement;
 mod alone;
 mod backwards;
+mod forms;
 mod impacts;
 mod judge;
 mod later;

@@ -1,0 +1,110 @@
+//! What two values share, taken out of both.
+
+use std::cmp::Ordering;
+
+use super::value::{Root, Terms, Value};
+use super::{Fraction, Polynomial, Range};
+
+impl Value {
+    /// Two values divided by the same positive value, so that no root, no polynomial and no number but one is
+    /// left that all their terms share. Their quotient is the same, and so is the angle of the vector that they are.
+    ///
+    /// ```
+    /// use carom::number::Value;
+    /// let root = Value::from(2).square_root().unwrap();
+    /// let (a, b) = Value::without_common_factors(&(&root * &Value::from(6)), &(&root * &Value::fraction(9, 2)));
+    /// assert_eq!((a, b), (Value::from(4), Value::from(3)));
+    /// ```
+    pub fn without_common_factors(a: &Value, b: &Value) -> (Value, Value) {
+        let ((mut above, p), (mut below, q)) = (a.parts(), b.parts());
+        // Over one denominator, which can then be left out, but for what makes tangents sines and cosines.
+        let shared = p.greatest_common_divisor(&q);
+        let exact = |polynomial: &Polynomial, divisor: &Polynomial| {
+            polynomial.divided_by(divisor).expect("a common divisor divides")
+        };
+        let (left, right) = (exact(&q, &shared), exact(&p, &shared));
+        let both = &left * &p;
+        let Some(sign) = sign(&both) else { return (a.clone(), b.clone()) };
+        let secants = secants(both);
+        above.values_mut().for_each(|coefficient| *coefficient = &*coefficient * &left);
+        below.values_mut().for_each(|coefficient| *coefficient = &*coefficient * &right);
+        let coefficients = || above.values().chain(below.values());
+        let factor = coefficients().fold(Polynomial::zero(), |shared, p| shared.greatest_common_divisor(p));
+        let (factor, turn) = match self::sign(&factor) {
+            Some(turn) => (factor, turn),
+            None => (Polynomial::one(), Fraction::ONE),
+        };
+        let whole = coefficients().fold(Fraction::ZERO, |content, p| {
+            p.terms().iter().fold(content, |content, (_, number)| content.common_measure(number))
+        });
+        let Some(scale) = (&whole * &(&sign * &turn)).reciprocal() else { return (a.clone(), b.clone()) };
+        let roots = shared_roots(&above, &below);
+        let rest = |terms: Terms| {
+            let divided = terms.into_iter().map(|(mut key, coefficient)| {
+                key.retain(|root| !roots.contains(root));
+                (key, exact(&coefficient, &factor).scaled(&scale))
+            });
+            Value::build(divided.collect(), secants.clone())
+        };
+        (rest(above), rest(below))
+    }
+}
+
+/// One or minus one; `None` where the sign depends on the letters, and of nought.
+fn sign(polynomial: &Polynomial) -> Option<Fraction> {
+    match Value::quotient(polynomial.clone(), Polynomial::one()).sign()? {
+        Ordering::Less => Some(Fraction::from(-1)),
+        Ordering::Equal => None,
+        Ordering::Greater => Some(Fraction::ONE),
+    }
+}
+
+/// The factors 1 + tan² of a denominator, each one over the square of a cosine.
+fn secants(mut denominator: Polynomial) -> Polynomial {
+    let mut product = Polynomial::one();
+    for letter in denominator.letters() {
+        if !matches!(letter.range(), Range::Acute | Range::Degrees) {
+            continue;
+        }
+        let secant = Polynomial::one_plus_square(letter);
+        while let Some(rest) = denominator.divided_by(&secant) {
+            denominator = rest;
+            product = &product * &secant;
+        }
+    }
+    product
+}
+
+/// The roots in every product of both sums.
+fn shared_roots(above: &Terms, below: &Terms) -> Vec<Root> {
+    let mut keys = above.keys().chain(below.keys());
+    let mut shared = keys.next().cloned().unwrap_or_default();
+    keys.for_each(|key| shared.retain(|root| key.contains(root)));
+    shared
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::Letter;
+
+    #[test]
+    fn what_both_share_is_taken_out_unless_its_sign_is_unknown() {
+        let letter = |name, range| Value::letter(Letter::new(name, range).unwrap());
+        let (u, x) = (letter("u", Range::Positive), letter("x", Range::Real));
+        let root = |n: i64| Value::from(n).square_root().unwrap();
+        let sum = &root(3) + &root(11);
+        let rest = &Value::from(3) + &root(33);
+        let (a, b) = (&sum * &Value::from(5), &rest * &Value::from(2));
+        let scaled = |value: &Value, by: &Value| &(value * by) * &Value::fraction(1, 64);
+        let e = Value::letter(Letter::new("e", Range::Unit).unwrap());
+        let below = (&Value::from(3) - &e).reciprocal().unwrap();
+        for factor in [u.clone(), &u * &u, u.reciprocal().unwrap(), root(5), &x * &x, &Value::from(2) - &e, below] {
+            let (above, below) = Value::without_common_factors(&scaled(&a, &factor), &scaled(&b, &factor));
+            assert_eq!((above, below), (a.clone(), b.clone()), "{factor:?}");
+        }
+        let (above, below) = Value::without_common_factors(&scaled(&a, &x), &scaled(&b, &x));
+        assert_eq!((above, below), (&a * &x, &b * &x));
+        assert_eq!(Value::without_common_factors(&Value::ZERO, &Value::from(-3)), (Value::ZERO, Value::from(-1)));
+    }
+}
