@@ -192,6 +192,8 @@ impl Worth {
             {
                 Worth::Method
             }
+            // The condition is there, and not what it comes to.
+            Verdict::Partial if is(&[Note::RangeUnsolved]) => Worth::Method,
             _ => Worth::Nothing,
         }
     }
