@@ -425,6 +425,27 @@ fn a_fault_in_a_scene_is_under_its_caret() {
 }
 
 #[test]
+fn what_a_scene_names_exists_and_is_not_given_already() {
+    let scene = r#"{"masses": {"A": "3", "B": "2"}, "before": {"A": ["6", "1"], "B": ["0", "0"]},
+        "line_of_centres": ["1", "0"], "sense": "A_to_B", "e": "1/2", "unknowns": ["e"], "conditions": ["A.after.m = 0"]}"#;
+    let misspelt = scene.replace("A.after.m", "A.after.sped");
+    for (scene, place, words) in [
+        ("null", "1:1", "expected `{` and the fields of a scene"),
+        ("[]", "1:1", "expected `{` and the fields of a scene"),
+        ("[1,", "1:3", "this is no JSON"),
+        (scene, "2:79", "`e` is given, and cannot be found"),
+        (scene, "2:102", "unknown name `A.after.m`"),
+        (&misspelt, "2:102", "did you mean `A.after.speed`?"),
+    ] {
+        let folder = folder("names");
+        fs::write(folder.join("scene.json"), scene).unwrap();
+        let output = carom(&["solve", folder.join("scene.json").to_str().unwrap()]);
+        let said = stderr(&output);
+        assert!(code(&output) == 1 && said.contains(&format!("scene.json:{place}")) && said.contains(words), "{said}");
+    }
+}
+
+#[test]
 fn what_a_scene_leaves_no_place_for_is_a_fault_at_its_own_field() {
     let wall = r#"{"before": {"A": ["3", "-4"]}, "wall": ["1", "0"], "e": "1/2", MORE}"#;
     let direct = r#"{"masses": {"A": "1", "B": "2"}, "before": {"A": "3", "B": "0"}, "e": "1/2", MORE}"#;

@@ -35,7 +35,7 @@ const AFTER: &str = "Examples:
   carom mark sheet/key.json - --json < submissions.csv
   carom mark sheet/key.json - --stream < million.csv > marks.csv
   carom mark sheet/key.json million.csv --stream --out national
-  carom mark 5RXM-M7TX-G submissions.csv                  by the code of the sheet
+  carom mark Y2QA-8KAZ-Y submissions.csv                  by the code of the sheet
 
 SUBMISSIONS is a table, as `carom sheet` writes an empty one beside the key, saved as CSV in
 UTF-8:

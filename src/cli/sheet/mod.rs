@@ -31,7 +31,7 @@ const AFTER: &str = "Examples:
   carom sheet --reference                       the exercises with their own numbers
   carom sheet --format html,pdf                 pages for the screen, and pages to print
   carom sheet --class class.csv --format pdf    another sheet for each student, in one file
-  carom sheet --code 5RXM-M7TX-G                the sheet with this code again
+  carom sheet --code Y2QA-8KAZ-Y                the sheet with this code again
 
 A class is a table with a column `student`, a number or a name that nobody else in it has, and
 perhaps one `name`. All get the same questions, no two the same numbers, and none an easier
