@@ -433,9 +433,9 @@ fn what_a_scene_names_exists_and_is_not_given_already() {
         ("null", "1:1", "expected `{` and the fields of a scene"),
         ("[]", "1:1", "expected `{` and the fields of a scene"),
         ("[1,", "1:3", "this is no JSON"),
-        (scene, "2:79", "`e` is given, and cannot be found"),
-        (scene, "2:102", "unknown name `A.after.m`"),
-        (&misspelt, "2:102", "did you mean `A.after.speed`?"),
+        (scene, "2:84", "`e` is given, and cannot be found"),
+        (scene, "2:106", "unknown name `A.after.m`"),
+        (&misspelt, "2:106", "did you mean `A.after.speed`?"),
     ] {
         let folder = folder("names");
         fs::write(folder.join("scene.json"), scene).unwrap();

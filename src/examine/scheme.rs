@@ -56,6 +56,7 @@ mod tests {
     use crate::bank::{read_question, shipped};
     use crate::diagnostic::Source;
     use crate::examine::{sentences, units};
+    use crate::generate::Deal;
     use crate::paper::words;
 
     #[test]
@@ -68,12 +69,10 @@ mod tests {
             found.extend(unknown_exercise(&question, &exercises));
             found.extend(units::astray(&question));
             assert!(found.is_empty(), "{id}: {found:#?}");
-            let variant = reference(&question).unwrap();
             for style in &question.styles {
                 let mut remarks = Vec::new();
-                if style.name == variant.style {
-                    sentences::unreadable(&words(&question, style, &variant), &variant, &mut remarks);
-                }
+                let variant = Deal::new(&question, style, 1).next().unwrap();
+                sentences::unreadable(&words(&question, style, &variant), &variant, &mut remarks);
                 assert!(remarks.is_empty(), "{id}: {remarks:#?}");
             }
         }
