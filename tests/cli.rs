@@ -260,13 +260,15 @@ fn nothing_is_written_where_it_cannot_be_written_whole() {
     assert_eq!(fs::read_to_string(&file).unwrap(), "mine");
     // Where one of the files cannot stand none is written, and what was there stays.
     let out = folder.join("out");
-    fs::create_dir_all(out.join("key.json")).unwrap();
+    assert_eq!(code(&sheet(&out, &["--seed", "1"])), 0);
+    fs::remove_file(out.join("mark-scheme.html")).unwrap();
+    fs::create_dir_all(out.join("mark-scheme.html")).unwrap();
     fs::write(out.join("question-sheet.tex"), "mine").unwrap();
     let output = sheet(&out, &["--seed", "1"]);
     assert_eq!(code(&output), 1);
     assert!(stderr(&output).contains("it is a folder"), "{}", stderr(&output));
     assert_eq!(fs::read_to_string(out.join("question-sheet.tex")).unwrap(), "mine");
-    assert_eq!(fs::read_dir(&out).unwrap().count(), 2);
+    assert_eq!(fs::read_dir(&out).unwrap().count(), FILES.len());
 }
 
 const SCENE: &str = r#"{ "masses": {"A": "4", "B": "2"},
