@@ -254,13 +254,14 @@ fn every_schema_that_is_kept_is_printed() {
 /// are no TOML at all are seen by any editor.
 #[cfg(feature = "external")]
 const UNSEEN: &str = "
-absent-mark accuracy-without-method angle-where-number brace-never-closed condition-without-equation crlf
-derived-in-wrong-order division-by-nought impossible-restitution impossible later-line-of-centres-missing
+absent-mark accuracy-without-method angle-where-number asked-for-twice brace-never-closed brace-of-the-line-before
+condition-misspelt condition-without-equation crlf derived-beside-parameter derived-in-wrong-order
+division-by-nought empty-title empty-words impossible-restitution impossible later-line-of-centres-missing
 later-mass-given-again later-newcomer-without-mass later-newcomer-without-velocity later-struck-by-nobody
-later-wall-along-the-line letters-beyond-ascii long-line no-relation parameter-and-letter reference-lacks-parameter requirement-without-truth result-in-stem result-without-show
-reversed-range shown-is-an-equation shown-is-not-found style-lacks-parameter tabs two-answers-of-one-name
-underdetermined unknown-name unknown-quantity-required unreadable-formula unused-parameter value-from-parameter
-wrong-kind
+later-wall-along-the-line letters-beyond-ascii long-line no-relation parameter-and-letter reference-lacks-parameter
+requirement-without-truth result-in-stem result-without-show reversed-range shown-is-an-equation shown-is-not-found
+style-lacks-parameter tabs two-answers-of-one-name underdetermined unit-misspelt unknown-name
+unknown-quantity-required unknown-that-is-given unreadable-formula unused-parameter value-from-parameter wrong-kind
 ";
 
 /// Files, each with its contents as JSON, judged by Python's jsonschema: the names of those that are not valid.

@@ -384,3 +384,131 @@ fn the_commands_of_the_readme_make_a_class_and_one_sheet_again() {
     assert_eq!(fields(sheet), fields(&schema["$defs"]["sheet"]["properties"]));
     assert_eq!(fields(&sheet["questions"][0]), fields(&schema["$defs"]["question"]["properties"]));
 }
+
+/// Everything in a folder and below it.
+fn tree(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
+    let mut found = BTreeMap::new();
+    for path in fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
+        if path.is_dir() {
+            found.extend(tree(&path));
+        } else {
+            found.insert(path.clone(), fs::read(&path).unwrap());
+        }
+    }
+    found
+}
+
+/// Says this and one thing to try, and changes nothing in the folder.
+fn refused(folder: &Path, output: impl FnOnce() -> Output, said: &str) {
+    let before = tree(folder);
+    let output = output();
+    let text = stderr(&output);
+    assert_eq!(output.status.code(), Some(1), "{text}");
+    assert!(text.contains(said) && text.contains("help: "), "{said} in\n{text}");
+    assert!(before == tree(folder), "{said}");
+}
+
+#[test]
+fn a_lock_that_is_named_does_not_cost_the_one_that_lies_in_the_folder() {
+    let folder = folder("two-locks");
+    let options = ["5C-2", "--format", "text"];
+    made(class(&folder, "student\nAda\nBen\n", &[&options[..], &["--seed", "1", "--out", "a"]].concat()));
+    made(class(&folder, "student\n7\n8\n", &[&options[..], &["--seed", "5", "--out", "b"]].concat()));
+    let with_lock = |students: &str, out: &str| {
+        class(&folder, students, &[&options[..], &["--lock", "a/lock.json", "--out", out]].concat())
+    };
+    fs::write(folder.join("class.csv"), "student\nAda\nBen\n").unwrap();
+    let said = "`b/lock.json` would lose the sheet of `7` and of 1 more";
+    refused(&folder, || with_lock("student\nAda\nBen\n", "b"), said);
+    // The lock of the folder by its name, or one that it holds whole, loses nobody.
+    made(with_lock("student\nAda\nBen\n", "a"));
+    made(with_lock("student\nAda\nBen\n", "c"));
+    made(with_lock("student\nAda\nBen\nCy\n", "c"));
+}
+
+#[test]
+fn a_lock_of_another_bank_or_of_a_later_version_is_not_used_in_silence() {
+    let folder = folder("other-lock");
+    let options = ["5C-2", "--format", "text", "--seed", "1"];
+    made(class(&folder, "student\nAda\n", &options));
+    let lock = fs::read_to_string(folder.join("sheet/lock.json")).unwrap();
+    let own = env!("CARGO_PKG_VERSION");
+    fs::write(folder.join("sheet/lock.json"), lock.replace(own, "999.1.0")).unwrap();
+    let again = || class(&folder, "student\nAda\n", &options);
+    refused(&folder, again, "`sheet/lock.json` was written by carom 999.1.0");
+    fs::write(folder.join("sheet/lock.json"), lock.replace("shipped", "mine")).unwrap();
+    let said = stderr(&made(again()));
+    assert!(said.contains("`sheet/lock.json` is of sheets from the bank `mine`, and this is `shipped`"), "{said}");
+}
+
+#[test]
+fn answers_never_come_to_lie_beside_the_key_of_another_sheet() {
+    let folder = folder("other-sheet");
+    let sheet = |question: &str, seed: &str| {
+        carom(&folder, &["sheet", question, "--seed", seed, "--format", "text", "--out", "ov"])
+    };
+    fs::write(folder.join("class.csv"), "student\nAda\n").unwrap();
+    made(sheet("5C-2", "1"));
+    made(sheet("5C-3", "2"));
+    let code = json(folder.join("ov/key.json"))["code"].as_str().unwrap().to_owned();
+    let table = folder.join("ov/submissions.csv");
+    fs::write(&table, "student,question,blank,answer\nAda,1,speed of A,2.78\n").unwrap();
+    let said = format!("`ov/submissions.csv` has answers in it, and they are to the sheet {code}");
+    refused(&folder, || sheet("5C-2", "1"), &said);
+    refused(&folder, || sheet("5C-3", "3"), &said);
+    refused(&folder, || class(&folder, "student\nAda\n", &["5C-3", "--out", "ov"]), &said);
+    // The same sheet again, in other formats perhaps, leaves them.
+    assert!(stderr(&made(sheet("5C-3", "2"))).contains("is left as it is"));
+    fs::remove_file(folder.join("ov/key.json")).unwrap();
+    refused(&folder, || sheet("5C-3", "2"), "no `key.json` beside it says to which sheet");
+
+    // A class that others join, or leave, keeps its sheets and so its answers.
+    made(class(&folder, "student\nAda\nBen\n", &["5C-2", "--seed", "1", "--format", "text"]));
+    let filled = fs::read_to_string(folder.join("sheet/submissions.csv")).unwrap().replacen(",,\n", ",2.78,\n", 1);
+    fs::write(folder.join("sheet/submissions.csv"), filled).unwrap();
+    assert!(stderr(&made(class(&folder, "student\nAda\nCy\n", &["5C-2"]))).contains("is left as it is"));
+    fs::remove_file(folder.join("sheet/lock.json")).unwrap();
+    fs::write(folder.join("class.csv"), "student\nAda\nBen\n").unwrap();
+    let others = || class(&folder, "student\nAda\nBen\n", &["5C-2", "--seed", "2"]);
+    refused(&folder, others, "they are to the sheets of another class");
+}
+
+#[test]
+fn an_empty_table_is_written_anew_whoever_is_in_it() {
+    let folder = folder("empty-table");
+    for list in ["student\nAda\nBen\n", "student\nCy\n", "student\nCy\nDan\n"] {
+        let output = made(class(&folder, list, &["5C-2", "--seed", "1", "--format", "text"]));
+        assert!(!stderr(&output).contains("has answers"), "{}", stderr(&output));
+    }
+    assert!(fs::read_to_string(folder.join("sheet/submissions.csv")).unwrap().contains("\nDan,1,"));
+}
+
+#[test]
+fn nothing_is_written_over_that_somebody_else_wrote() {
+    for (name, text) in [("key.json", "{\"door\": 7}"), ("question-sheet.html", "<p>my own</p>")] {
+        let folder = folder("not-ours");
+        fs::create_dir_all(folder.join("own")).unwrap();
+        fs::write(folder.join("own").join(name), text).unwrap();
+        let said = format!("`own/{name}` would be written over, and no `key.json` of Carom's is beside it");
+        refused(&folder, || carom(&folder, &["sheet", "5C-2", "--seed", "1", "--out", "own"]), &said);
+    }
+    let folder = folder("not-ours");
+    fs::write(folder.join("notes.txt"), "my own").unwrap();
+    made(carom(&folder, &["sheet", "5C-2", "--seed", "1", "--out", "."]));
+}
+
+#[test]
+fn what_is_left_of_earlier_sheets_is_told_by_its_names() {
+    let folder = folder("left");
+    let options = ["5C-2", "--seed", "1", "--format", "text", "--per-student"];
+    made(class(&folder, "student\nben\nben 2\n", &options));
+    let output = made(class(&folder, "student\nben\n", &options));
+    assert!(stderr(&output).contains("`sheet/students/ben-2` is of an earlier sheet"), "{}", stderr(&output));
+    let sheet = |question: &str, format: &str| {
+        stderr(&made(carom(&folder, &["sheet", question, "--seed", "1", "--format", format, "--out", "one"])))
+    };
+    sheet("5C-2", "text,html");
+    assert!(!sheet("5C-2", "text").contains("earlier"), "it is the same sheet");
+    let said = sheet("5C-3", "text");
+    assert!(said.contains("`one/mark-scheme.html`, `one/question-sheet.html`, ") && said.contains("are of an earlier"));
+}

@@ -260,13 +260,15 @@ fn nothing_is_written_where_it_cannot_be_written_whole() {
     assert_eq!(fs::read_to_string(&file).unwrap(), "mine");
     // Where one of the files cannot stand none is written, and what was there stays.
     let out = folder.join("out");
-    fs::create_dir_all(out.join("key.json")).unwrap();
+    assert_eq!(code(&sheet(&out, &["--seed", "1"])), 0);
+    fs::remove_file(out.join("mark-scheme.html")).unwrap();
+    fs::create_dir_all(out.join("mark-scheme.html")).unwrap();
     fs::write(out.join("question-sheet.tex"), "mine").unwrap();
     let output = sheet(&out, &["--seed", "1"]);
     assert_eq!(code(&output), 1);
     assert!(stderr(&output).contains("it is a folder"), "{}", stderr(&output));
     assert_eq!(fs::read_to_string(out.join("question-sheet.tex")).unwrap(), "mine");
-    assert_eq!(fs::read_dir(&out).unwrap().count(), 2);
+    assert_eq!(fs::read_dir(&out).unwrap().count(), FILES.len());
 }
 
 const SCENE: &str = r#"{ "masses": {"A": "4", "B": "2"},
@@ -422,6 +424,27 @@ fn a_fault_in_a_scene_is_under_its_caret() {
     assert!(stderr(&output).contains("stdin:2:15"), "{}", stderr(&output));
     let output = with_stdin(&["solve", "-"], b"e = '1/2 + q'\n");
     assert!(stderr(&output).contains("stdin:1:12"), "{}", stderr(&output));
+}
+
+#[test]
+fn what_a_scene_names_exists_and_is_not_given_already() {
+    let scene = r#"{"masses": {"A": "3", "B": "2"}, "before": {"A": ["6", "1"], "B": ["0", "0"]},
+        "line_of_centres": ["1", "0"], "sense": "A_to_B", "e": "1/2", "unknowns": ["e"], "conditions": ["A.after.m = 0"]}"#;
+    let misspelt = scene.replace("A.after.m", "A.after.sped");
+    for (scene, place, words) in [
+        ("null", "1:1", "expected `{` and the fields of a scene"),
+        ("[]", "1:1", "expected `{` and the fields of a scene"),
+        ("[1,", "1:3", "this is no JSON"),
+        (scene, "2:84", "`e` is given, and cannot be found"),
+        (scene, "2:106", "unknown name `A.after.m`"),
+        (&misspelt, "2:106", "did you mean `A.after.speed`?"),
+    ] {
+        let folder = folder("names");
+        fs::write(folder.join("scene.json"), scene).unwrap();
+        let output = carom(&["solve", folder.join("scene.json").to_str().unwrap()]);
+        let said = stderr(&output);
+        assert!(code(&output) == 1 && said.contains(&format!("scene.json:{place}")) && said.contains(words), "{said}");
+    }
 }
 
 #[test]

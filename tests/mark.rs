@@ -518,8 +518,23 @@ fn what_is_of_an_earlier_marking_is_told_of() {
     mark(&folder, ADA.replace("Ada", "Ben") + "Ben,99,,,1,\n", &[]);
     let output = mark(&folder, ADA, &[]);
     let said = stderr(&output);
-    assert!(said.contains("1 file in `marks/feedback` of an earlier marking"), "{said}");
+    assert!(said.contains("1 file in `marks/feedback` of an earlier marking: `ben.html`"), "{said}");
     assert!(said.contains("`marks/not-marked.csv` is of an earlier marking"), "{said}");
+}
+
+#[test]
+fn a_marking_writes_over_nothing_that_somebody_else_wrote() {
+    let folder = folder("not-ours");
+    fs::create_dir_all(folder.join("marks")).unwrap();
+    for name in ["report.html", "marks.csv"] {
+        fs::write(folder.join("marks").join(name), "my own").unwrap();
+        let output = mark(&folder, ADA, &[]);
+        assert_eq!(output.status.code(), Some(1));
+        let said = stderr(&output);
+        assert!(said.contains(&format!("`marks/{name}` would be written over")) && said.contains("help: "), "{said}");
+        assert_eq!(fs::read_to_string(folder.join("marks").join(name)).unwrap(), "my own");
+        fs::remove_file(folder.join("marks").join(name)).unwrap();
+    }
 }
 
 #[test]

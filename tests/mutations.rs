@@ -164,6 +164,8 @@ fn texts_that_read_badly_are_named() {
                 &[("delta = \"acute\"", "delta = \"acute\"\nw     = \"positive\"")],
                 "nothing uses the letter `w`",
             ),
+            ("emphasis", &[("the spheres is {", "the *spheres is {")], "a stray sign: `"),
+            ("an", &[("the spheres is {", "an smooth sphere is {")], "`a` or `an` before a word: `an smooth`"),
             ("missing", &[("of mass {mA} is moving", "is moving"), ("of mass {mB}, which", "which")], "never give `p`"),
             ("in-terms", &[("ask = \"Show that", "ask = \"Show, in terms of {v}, that")], "in terms of `v`"),
         ],
@@ -239,8 +241,26 @@ fn tests_of_the_author_that_fail_and_marks_that_measure_nothing_are_named() {
                 &[("\"A.after.speed\" = \"4*sqrt(39)/9\"", "\"A.after.speed\" = \"2.87\"")],
                 "test 1 fails: `A.after.speed` is `2.87` in it, and comes to `4√39/9`",
             ),
+            ("mirrors", &[("mirrors = \"5C-2\"", "mirrors = \"5C-99\"")], "there is no exercise `5C-99`"),
             ("test-numbers", &[("[[test]]\n", "[[test]]\nnumbers = { e = \"0\" }\n")], "test 1 fails: "),
             ("test-name", &[("\"A.after.speed\" = \"4", "\"A.after.sped\" = \"4")], "`A.after.sped` is not asked for"),
+            (
+                "no-step",
+                &[("code = \"dM1\", for = \"solve\"", "code = \"dM1\", for = \"deflection\"")],
+                "a step that no answer",
+            ),
+        ],
+    );
+}
+
+#[test]
+fn numbers_said_in_the_wrong_unit_and_formulas_without_a_value_are_named() {
+    found(
+        "rest/speeds-and-directions",
+        &[
+            ("unit", &[("{mA kg}", "{mA m/s}")], "`mA` is said in m/s, and the scene takes it in kg"),
+            ("no-unit", &[("{alpha deg}", "{alpha}")], "the angle `alpha` is said without a unit"),
+            ("nought", &[("{u m/s}", "{u/(mA-mA) m/s}")], "a division by nought"),
         ],
     );
 }

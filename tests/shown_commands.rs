@@ -5,6 +5,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
+use carom::bank::Contents;
+use carom::expr::print;
+use carom::generate::examine;
+use carom::paper::{Sheet, SheetCode};
+use serde_json::{Value as Json, json};
+
 /// An empty folder of this test's own.
 fn folder(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("shown-{name}"));
@@ -81,11 +87,10 @@ fn examples(help: &str) -> Vec<String> {
 }
 
 /// What is in an example that is not run here, and why.
-const NOT_RUN: [(&str, &str); 10] = [
+const NOT_RUN: [(&str, &str); 9] = [
     ("--watch", "goes on until it is stopped; tests/preview.rs runs it"),
     ("pdf", "needs TeX or a browser; tests/pdf.rs makes them"),
     ("carom study", "takes minutes; tests/study.rs runs it"),
-    ("5RXM-M7TX-G", "stands for the code of a sheet of one's own; tests/sheet_codes.rs has real ones"),
     ("million.csv", "stands for a file too long to keep; tests/mark_stream makes one"),
     ("--overrides", "needs marks that were given; the guide for markers has some, and is run"),
     ("answers.jsonl", "needs answers; tests/mark.rs has some"),
@@ -125,6 +130,61 @@ fn every_command_shows_examples_in_its_help_and_they_run() {
         }
     }
     assert!(left.is_empty(), "no help shows {left:?} any more");
+}
+
+/// The sheet whose code is shown in a help; the fresh one is told when that leads nowhere any more.
+const OF_CODES: &str = "carom sheet 5C-2 --seed 1";
+
+#[test]
+fn every_code_that_is_shown_leads_to_a_sheet_of_the_shipped_bank() {
+    let contents = Contents::shipped();
+    let mut pages: Vec<(String, String)> = commands().iter().map(|name| (name.clone(), help_of(name))).collect();
+    for page in ["README.md", "docs/exchange-formats.md", "docs/marking.md", "docs/marking-in-bulk.md"] {
+        pages.push((page.to_owned(), fs::read_to_string(page).unwrap()));
+    }
+    for guide in fs::read_dir("docs/guides").unwrap().map(|entry| entry.unwrap().path()) {
+        pages.push((guide.display().to_string(), fs::read_to_string(&guide).unwrap()));
+    }
+    let is_sign = |c: char| c.is_ascii_uppercase() || c.is_ascii_digit() || c == '-';
+    let mut seen = 0;
+    for (page, text) in &pages {
+        for word in text.split(|c: char| !is_sign(c)).filter(|word| word.find('-') == Some(4)) {
+            let Ok(code) = SheetCode::read(word) else { continue };
+            seen += 1;
+            if Sheet::from_code(&contents, &code).is_err() {
+                let here = folder("codes");
+                runs(&format!("{OF_CODES} --format text"), &here, "this test");
+                let key = fs::read_to_string(here.join("sheet/key.json")).unwrap();
+                let fresh = key.split("\"code\": \"").nth(1).unwrap().split('"').next().unwrap();
+                panic!("{page} shows the code {word}, which leads nowhere; that of `{OF_CODES}` is {fresh}");
+            }
+        }
+    }
+    assert!(seen > 4, "{seen} codes are shown");
+}
+
+#[test]
+fn the_code_and_the_index_in_the_examples_of_a_lock_and_a_key_are_those_of_their_numbers() {
+    let page = fs::read_to_string("docs/exchange-formats.md").unwrap();
+    let examples = page.split("```json\n").skip(1).map(|block| block.split("```").next().unwrap());
+    let examples: Vec<Json> = examples.filter_map(|example| serde_json::from_str(example).ok()).collect();
+    let key = examples.iter().find(|example| example["questions"][0]["parameters"].is_object()).unwrap();
+    let lock = examples.iter().find(|example| example["sheets"].is_array()).unwrap();
+    let (contents, shown) = (Contents::shipped(), &key["questions"][0]);
+    let heading = contents.headings.iter().find(|heading| shown["id"] == heading.id.as_str()).unwrap();
+    let question = heading.question().unwrap_or_else(|faults| panic!("{faults:?}"));
+    let style = question.styles.iter().find(|style| shown["style"] == style.name.name()).unwrap();
+    let has_its_numbers = |index: &u64| {
+        let numbers = style.parameters_at(*index);
+        numbers.iter().all(|(name, value)| shown["parameters"][name] == print::plain(value).as_str())
+    };
+    let index = (0..style.size()).find(has_its_numbers).expect("the style has these numbers");
+    let variant = examine(&question, style, index).expect("they are fit for print");
+    let code = Sheet::new(&contents, [(&question, &variant)]).code.to_string();
+    let sheet = &lock["sheets"][0];
+    let said = [&key["code"], &sheet["code"], &sheet["questions"][0]["id"], &sheet["questions"][0]["style"]];
+    let fresh = json!([code, code, shown["id"], shown["style"]]);
+    assert_eq!((json!(said), &sheet["questions"][0]["index"]), (fresh, &json!(index)), "left is shown, right is fresh");
 }
 
 #[test]

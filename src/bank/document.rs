@@ -99,6 +99,13 @@ pub fn parameter_span(text: &str, style: StyleName, name: &str) -> Option<Range<
     own().and_then(of).or_else(|| document.get_ref().get("parameters").and_then(of))
 }
 
+/// Where a row stands in the list of that name, `answers` or `marks`, of a part.
+pub fn row_span(text: &str, part: usize, list: &str, row: usize) -> Option<Range<usize>> {
+    let (document, _) = DeTable::parse_recoverable(text);
+    let part = document.get_ref().get("part")?.get_ref().as_array()?.get(part)?.get_ref().as_table()?;
+    part.get(list)?.get_ref().as_array()?.get(row).map(Spanned::span)
+}
+
 /// One table of the document while its keys are asked for one by one.
 pub struct Keys<'t, 'd> {
     /// What the table is to a person: `a part`.
@@ -147,7 +154,13 @@ impl<'t, 'd> Keys<'t, 'd> {
     /// A string that must be there.
     pub fn required(&mut self, key: &'static str, example: &str, faults: &mut Faults) -> Option<Words> {
         self.demand(key, example);
-        self.words(key, faults)
+        let words = self.words(key, faults)?;
+        if words.get_ref().trim().is_empty() {
+            let help = format!("write `{example}`");
+            faults.report_with_help(words.span(), format!("`{key}` is empty"), "expected words", help);
+            return None;
+        }
+        Some(words)
     }
 
     /// A list of strings; empty if the key is not there.

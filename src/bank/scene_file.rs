@@ -8,6 +8,7 @@ use toml::de::DeValue;
 
 use super::document::{self, Faults, Keys, wrong_type};
 use super::literal::Words;
+use super::scene_names::scene_names;
 use crate::diagnostic::{Diagnostic, Source};
 use crate::expr::Angles;
 use crate::mechanics::{Pair, PolarText, Scene, SceneText, Sense, ThenText, VelocityText};
@@ -38,7 +39,9 @@ pub fn read_scene(source: &Source) -> Result<Scene, Vec<Diagnostic>> {
         SceneFile::read(&Spanned::new(span, DeValue::Table(document.into_inner())), &mut faults)
     });
     if let (Some(file), true) = (file, faults.found.is_empty()) {
-        match Scene::read(&file.text, &BTreeMap::new(), Angles::Radians) {
+        let found = Scene::read(&file.text, &BTreeMap::new(), Angles::Radians);
+        let amiss = scene_names(&file.text);
+        match if amiss.is_empty() { found } else { found.and(Err(amiss)) } {
             Ok(scene) => return Ok(scene),
             Err(found) => {
                 for fault in found {

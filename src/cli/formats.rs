@@ -71,6 +71,11 @@ impl FormatsAsked {
         Ok(FormatsAsked { formats, own, names: asked, pdf })
     }
 
+    /// The names that pages of any format have, of a sheet and of a class.
+    pub fn pages(&self) -> Vec<String> {
+        self.formats.pages().map(str::to_owned).collect()
+    }
+
     /// The files of a work in the formats asked for that are folders of templates.
     pub fn render(&self, work: Work) -> Result<Vec<OutputFile>, Failure> {
         let mut files = Vec::new();

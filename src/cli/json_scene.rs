@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use super::json_places::{offset, places};
+use crate::bank::scene_names;
 use crate::diagnostic::{Diagnostic, Source, near};
 use crate::expr::Angles;
 use crate::mechanics::{Scene, SceneFault, SceneText};
@@ -14,15 +15,26 @@ use crate::mechanics::{Scene, SceneFault, SceneText};
 ///
 /// What is no JSON or no scene, or every fault of its formulas.
 pub fn read(source: &Source) -> Result<Scene, Vec<Diagnostic>> {
+    if !source.text.trim_start().starts_with('{') {
+        // A list would do for serde, its fields in order; what is no JSON at all is said below.
+        if let Err(error) = serde_json::from_str::<serde_json::Value>(&source.text) {
+            return Err(vec![not_a_scene(source, &error)]);
+        }
+        let start = source.text.len() - source.text.trim_start().len();
+        let fault =
+            Diagnostic::new("this is no scene", source, start..start + 1, "expected `{` and the fields of a scene");
+        return Err(vec![fault.with_help("`carom solve --help` shows a scene")]);
+    }
     let text: SceneText = serde_json::from_str(&source.text).map_err(|error| vec![not_a_scene(source, &error)])?;
     let places: Vec<_> =
         places(&source.text).into_iter().filter(|(_, place)| source.text[place.clone()].starts_with('"')).collect();
     if let Some(fault) = no_vector(source, &places) {
         return Err(vec![fault]);
     }
-    let faults = match Scene::read(&text, &BTreeMap::new(), Angles::Radians) {
-        Ok(scene) => return Ok(scene),
-        Err(faults) => faults,
+    let faults = match (Scene::read(&text, &BTreeMap::new(), Angles::Radians), scene_names(&text)) {
+        (Ok(scene), amiss) if amiss.is_empty() => return Ok(scene),
+        (Ok(_), amiss) => amiss,
+        (Err(faults), _) => faults,
     };
     Err(faults.into_iter().map(|fault| located(source, &places, fault)).collect())
 }

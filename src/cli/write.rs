@@ -40,6 +40,17 @@ pub fn write_all(folder: &Path, files: &[OutputFile]) -> Result<Vec<PathBuf>, Fa
     Ok(waiting.into_iter().map(|(_, path)| path).collect())
 }
 
+/// Makes sure that none of the files stands there already, in a folder where `nothing_says` that they are Carom's.
+pub fn spares(folder: &Path, files: &[OutputFile], nothing_says: &str) -> Result<(), Failure> {
+    match files.iter().map(|file| folder.join(&file.name)).find(|path| path.is_file()) {
+        None => Ok(()),
+        Some(path) => Err(Failure::with_help(
+            format!("`{}` would be written over, and {nothing_says}", path.display()),
+            "name another folder with `--out`, or move the file away",
+        )),
+    }
+}
+
 fn place(folder: &Path, files: &[OutputFile], waiting: &mut Vec<(PathBuf, PathBuf)>) -> Result<(), Failure> {
     let cannot = |path: &Path, error| Failure::said(format!("`{}` cannot be written: {error}", path.display()));
     let mut names = HashSet::new();

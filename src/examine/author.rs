@@ -16,8 +16,9 @@ pub fn disagreements(question: &Question) -> Vec<Finding> {
 
 fn of_test(question: &Question, place: usize, test: &AuthorsTest) -> Vec<Finding> {
     let one = |message: String| {
-        let at = test.answers.first().map_or_else(String::new, |(name, _)| format!("\"{name}\""));
-        vec![Finding::new(format!("test {} fails: {message}", place + 1), at, "worked out here")]
+        let found = Finding::new(format!("test {} fails: {message}", place + 1), "", "these are its numbers");
+        let help = "give it numbers with which the collision is possible, in `numbers`";
+        vec![Finding { within: Some(test.span.clone()), ..found.with_help(help) }]
     };
     let style = &question.styles[test.style];
     let variant = match with_numbers(question, style, &test.numbers) {
@@ -40,7 +41,8 @@ fn of_test(question: &Question, place: usize, test: &AuthorsTest) -> Vec<Finding
             let found = print::unicode(&blank.model.value);
             let message = format!("test {} fails: `{name}` is `{answer}` in it, and comes to `{found}`", place + 1);
             let help = "work it out again: either the answer is wrong or the scene is not the one that was meant";
-            findings.push(Finding::new(message, answer.as_str(), "worked out here").with_help(help));
+            let found = Finding::new(message, format!("\"{answer}\""), "worked out here").with_help(help);
+            findings.push(Finding { within: Some(test.span.clone()), ..found });
         }
     }
     findings

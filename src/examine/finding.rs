@@ -1,6 +1,8 @@
 //! What is amiss with a question.
 
-use crate::bank::{StyleName, parameter_span};
+use std::ops::Range;
+
+use crate::bank::{StyleName, parameter_span, row_span};
 use crate::diagnostic::{Diagnostic, Severity, Source};
 
 /// Something amiss, with all that a person needs to mend it.
@@ -14,6 +16,10 @@ pub struct Finding {
     pub at: String,
     /// Or the parameter, as a style has it, at whose key it can be mended.
     pub parameter: Option<(StyleName, String)>,
+    /// Or the row of a part: the place of the part, its list `answers` or `marks`, the place in that.
+    pub row: Option<(usize, &'static str, usize)>,
+    /// Or the bytes of the file within which it stands.
+    pub within: Option<Range<usize>>,
     /// What was expected there.
     pub label: String,
     /// One thing to try.
@@ -24,12 +30,23 @@ impl Finding {
     /// A finding that must be mended.
     pub fn new(message: impl Into<String>, at: impl Into<String>, label: impl Into<String>) -> Finding {
         let (message, at, label) = (message.into(), at.into(), label.into());
-        Finding { severity: Severity::Error, message, at, parameter: None, label, help: None }
+        let (parameter, row, within) = (None, None, None);
+        Finding { severity: Severity::Error, message, at, parameter, row, within, label, help: None }
     }
 
     /// A finding at the key of a parameter, which must be mended.
     pub fn at_parameter(message: impl Into<String>, style: StyleName, name: &str, label: &str) -> Finding {
         Finding { parameter: Some((style, name.to_owned())), ..Finding::new(message, "", label) }
+    }
+
+    /// At a row of a part.
+    pub fn at_row(self, part: usize, list: &'static str, row: usize) -> Finding {
+        Finding { row: Some((part, list, row)), ..self }
+    }
+
+    /// As one that stops nothing.
+    pub fn as_warning(self) -> Finding {
+        Finding { severity: Severity::Warning, ..self }
     }
 
     /// With one thing to try.
@@ -40,8 +57,12 @@ impl Finding {
     /// The finding in the file of its question.
     pub fn diagnostic(&self, id: &str, source: &Source) -> Diagnostic {
         let key = self.parameter.as_ref().and_then(|(style, name)| parameter_span(&source.text, *style, name));
-        let found = || source.text.find(&self.at).filter(|_| !self.at.is_empty());
-        let span = key.or_else(|| found().map(|start| start..start + self.at.len()));
+        let row = self.row.and_then(|(part, list, row)| row_span(&source.text, part, list, row));
+        let within = self.within.clone().unwrap_or(0..source.text.len());
+        let text = source.text.get(within.clone()).unwrap_or_default();
+        let found = text.find(&self.at).filter(|_| !self.at.is_empty()).map(|at| within.start + at);
+        let found = found.map(|start| start..start + self.at.len()).or(self.within.clone());
+        let span = key.or(row).or(found);
         let label = if span.is_some() { self.label.as_str() } else { "" };
         let fault = Diagnostic::new(format!("`{id}`: {}", self.message), source, span.unwrap_or(0..0), label);
         Diagnostic { severity: self.severity, help: self.help.clone(), ..fault }

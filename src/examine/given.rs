@@ -42,7 +42,7 @@ pub fn unsaid(question: &Question) -> Vec<Finding> {
 }
 
 /// The unit of a number that the scene takes as it is; of one that stands in a formula there it is open.
-fn unit_of(name: &str, scene: &SceneText) -> Unit {
+pub fn unit_of(name: &str, scene: &SceneText) -> Unit {
     let is = |given: Option<&String>| given.is_some_and(|given| given == name);
     let both = |pair: &[String; 2]| pair.iter().any(|given| given == name);
     let velocities = [&scene.before.a, &scene.before.b, &scene.after.a, &scene.after.b].into_iter().flatten();

@@ -13,11 +13,13 @@ mod finding;
 mod given;
 mod promise;
 mod report;
+mod scheme;
 mod sentences;
 mod shows;
 mod students;
 mod survey;
 mod tally;
+mod units;
 
 pub use coverage::{Coverage, MarkCount, coverage};
 pub use finding::Finding;

@@ -4,7 +4,7 @@
 //! m and m', '1 times', a sphere that is said to move towards the other and moves away.
 
 use super::tally::Remark;
-use crate::expr::{Expr, Piece, Text, print};
+use crate::expr::{Expr, Meaning, Piece, Text, evaluate, print};
 use crate::generate::Variant;
 use crate::mechanics::{Axis, Moment, Quantity, Sphere};
 use crate::number::Fraction;
@@ -15,6 +15,10 @@ use crate::unit::Unit;
 pub fn unreadable(words: &Words, variant: &Variant, remarks: &mut Vec<Remark>) {
     for text in words.stem.iter().chain(&words.asks).chain(&words.said) {
         of_text(text, remarks);
+        for expr in text.formulas().into_iter().filter(|expr| divides_by_nought(expr, variant)) {
+            let help = "require that what stands below the line is not nought";
+            remarks.push(remark("a division by nought", &print::unicode(expr), help));
+        }
     }
     for paragraph in &words.stem {
         towards(paragraph, variant, remarks);
@@ -29,6 +33,16 @@ pub fn unreadable(words: &Words, variant: &Variant, remarks: &mut Vec<Remark>) {
             remarks.push(remark("a sentence without a full stop", &tail(text), "end it with a full stop"));
         }
     }
+}
+
+/// Is there a quotient in it of which what stands below the line comes to nought?
+fn divides_by_nought(expr: &Expr, variant: &Variant) -> bool {
+    let is_nought = |below: &Expr| {
+        let value = evaluate(below, &|name| variant.givens.meaning(name));
+        matches!(value, Ok(Meaning::Number(value)) if value.is_zero())
+    };
+    let here = matches!(expr, Expr::Quotient(_, below) if is_nought(below));
+    here || expr.children().into_iter().any(|inner| divides_by_nought(inner, variant))
 }
 
 fn remark(what: &str, shown: &str, help: &str) -> Remark {
@@ -85,18 +99,39 @@ fn tail(text: &Text) -> String {
 
 /// Words alone: punctuation and doubled words.
 fn of_words(words: &str, remarks: &mut Vec<Remark>) {
-    for sign in [" .", " ,", " ;", "..", ",,", "( ", " )", "$", "\\"] {
+    for sign in [" .", " ,", " ;", "..", ",,", "( ", " )", "$", "\\", "*", "_", "{", "}"] {
         if words.contains(sign) && !words.contains("...") {
             remarks.push(remark("a stray sign", words.trim(), &format!("mend `{sign}`")));
         }
     }
     let mut before = "";
     for word in words.split(' ') {
-        if word.len() > 1 && word == before && word.chars().all(char::is_alphabetic) && word != "that" {
+        if word.len() > 1
+            && word.eq_ignore_ascii_case(before)
+            && word.chars().all(char::is_alphabetic)
+            && word != "that"
+        {
             remarks.push(remark("a word said twice", &format!("{before} {word}"), "take one of them out"));
+        }
+        if word.starts_with(|c: char| c.is_ascii_lowercase()) && takes_the_other_article(before, word) {
+            remarks.push(remark(
+                "`a` or `an` before a word",
+                &format!("{before} {word}"),
+                "write the other of the two",
+            ));
         }
         before = word;
     }
+}
+
+/// Before a sound of a vowel stands `an`, before any other `a`; words in which the sound is not that of the letter are left
+/// alone.
+fn takes_the_other_article(article: &str, word: &str) -> bool {
+    let has_another_sound = ["u", "eu", "h", "one", "once"].iter().any(|start| word.starts_with(start));
+    let is_vowel = word.starts_with(['a', 'e', 'i', 'o']);
+    let is_whole = word.chars().filter(|c| c.is_ascii_alphabetic()).count() > 1;
+    let wrong = if is_vowel { "a" } else { "an" };
+    is_whole && !has_another_sound && article.eq_ignore_ascii_case(wrong)
 }
 
 /// A number or formula, with the words before and after it.
@@ -275,6 +310,13 @@ mod tests {
             ("An {7 kg} mass, an {7 kg} mass.", "an 7 kg"),
             ("The the mass is {m} , they say.", "stray sign"),
             ("It is the the mass.", "the the"),
+            ("The the mass is {m}.", "The the"),
+            ("A uniform sphere, an elastic one, a mass, an hour, an {8 kg} mass.", ""),
+            ("It is an smooth sphere.", "an smooth"),
+            ("A elastic sphere.", "A elastic"),
+            ("The mass of *A of {m}.", "mend `*`"),
+            ("_Immediately afterwards it stops.", "mend `_`"),
+            ("The speed is {{ u }}.", "mend `{`"),
         ];
         for (words, shown) in table {
             let mut remarks = Vec::new();

@@ -9,7 +9,7 @@ use super::finding::Finding;
 use super::report::{Report, StyleReport};
 use super::shows;
 use super::tally::{Tally, numbers};
-use super::{again, author, given};
+use super::{again, author, given, scheme, units};
 use crate::bank::{Question, Style};
 use crate::diagnostic::Severity;
 use crate::generate::{Deal, MOST_SETS, Unfit, out_of, reference};
@@ -71,7 +71,8 @@ pub fn survey(questions: &[&Question], progress: &(dyn Fn(u64) + Sync)) -> Vec<R
             }
         }
     });
-    questions.iter().zip(total).map(|(question, done)| done.report(question)).collect()
+    let exercises = scheme::exercises();
+    questions.iter().zip(total).map(|(question, done)| done.report(question, &exercises)).collect()
 }
 
 /// What takes longest comes first, so that no thread is left with it at the end.
@@ -128,10 +129,13 @@ impl Done {
         self.coverage.extend(other.coverage);
     }
 
-    fn report(mut self, question: &Question) -> Report {
+    fn report(mut self, question: &Question, exercises: &[String]) -> Report {
         let mut findings = again::reference_faults(question);
         findings.extend(author::disagreements(question));
         findings.extend(given::unsaid(question));
+        findings.extend(units::astray(question));
+        findings.extend(scheme::unrewarded(question));
+        findings.extend(scheme::unknown_exercise(question, exercises));
         for (style, tally) in question.styles.iter().zip(&self.tallies) {
             findings.extend(unposed(question, style, tally));
             findings.extend(tally.findings(style));
@@ -145,7 +149,7 @@ impl Done {
         for (_, one) in self.coverage {
             coverage.add(one);
         }
-        findings.extend(idle(&coverage));
+        findings.extend(idle(question, &coverage));
         let acting = slips.iter().fold(0, |acting, slips| acting | slips.acting());
         let styles = question.styles.iter().zip(&self.tallies);
         let styles =
@@ -191,15 +195,34 @@ fn unposed(question: &Question, style: &Style, tally: &Tally) -> Vec<Finding> {
 }
 
 /// Marks that measure nothing, and students who earn what is not due.
-fn idle(coverage: &Coverage) -> Vec<Finding> {
+fn idle(question: &Question, coverage: &Coverage) -> Vec<Finding> {
     let name = |mark: &MarkCount| match mark.part.as_str() {
         "" => format!("the mark {}", mark.id),
         part => format!("the mark {} of part ({part})", mark.id),
     };
     let marks = coverage.idle().map(|mark| match mark.won {
-        0 => format!("{} is never won, not even by the model solution", name(mark)),
-        _ => format!("{} is never lost, not even by a student who hands in nothing", name(mark)),
+        0 => at_mark(question, mark, format!("{} is never won, not even by the model solution", name(mark))),
+        _ => {
+            let message = format!("{} is never lost, not even by a student who hands in nothing", name(mark));
+            at_mark(question, mark, message)
+        }
     });
-    let faults = coverage.faults.iter().map(|fault| format!("a student who writes {fault}"));
-    marks.chain(faults).map(|message| Finding::new(message, "", "")).collect()
+    let look =
+        format!("`carom preview {}` shows its marks: does each stand for a step that the answers need?", question.id);
+    let faults = coverage.faults.iter().map(|fault| {
+        let message = format!("a student who writes {fault}");
+        Finding::new(message, "marks", "not as this scheme is meant").with_help(look.as_str())
+    });
+    marks.chain(faults).collect()
+}
+
+/// A finding at the row of a mark.
+fn at_mark(question: &Question, mark: &MarkCount, message: String) -> Finding {
+    let found = Finding::new(message, "", "it tells no student from another");
+    let found = found.with_help("name the step that earns it with `for`, or take the row out");
+    let Some(part) = question.parts.iter().position(|part| part.label == mark.part) else { return found };
+    match question.parts[part].marks.iter().position(|row| row.id == mark.id) {
+        Some(row) => found.at_row(part, "marks", row),
+        None => found,
+    }
 }

@@ -66,6 +66,15 @@ impl Lock {
         })
     }
 
+    /// Was it written by a later series, such as 0.2 where this is 0.1? Then it may say what this one would pass over.
+    pub fn is_later(&self) -> bool {
+        let series = |version: &str| -> Option<(u64, u64)> {
+            let mut numbers = version.split('.').map(|number| number.parse().ok());
+            Some((numbers.next()??, numbers.next()??))
+        };
+        series(&self.carom) > series(env!("CARGO_PKG_VERSION"))
+    }
+
     /// The sheet of a student, if there is one.
     pub fn of(&self, student: &str) -> Option<&Locked> {
         self.sheets.iter().find(|sheet| sheet.student == student)

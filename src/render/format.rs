@@ -61,6 +61,11 @@ impl Format {
         near(file, self.reached.iter().map(String::as_str))
     }
 
+    /// The names of the files that a paper and those of a class become.
+    pub fn pages(&self) -> impl Iterator<Item = &str> {
+        self.manifest.documents.iter().chain(&self.manifest.class).map(|document| document.file.get_ref().as_str())
+    }
+
     /// Every document of a paper.
     pub fn render(&self, paper: &Paper) -> Result<Vec<RenderedFile>, RenderFault> {
         self.documents(&self.manifest.documents, &self.context(paper))

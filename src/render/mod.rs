@@ -166,6 +166,11 @@ impl Formats {
         self.formats.iter().map(|(name, format)| (name.as_str(), format.about()))
     }
 
+    /// The names of the files that papers become, in all formats.
+    pub fn pages(&self) -> impl Iterator<Item = &str> {
+        self.formats.values().flat_map(Format::pages)
+    }
+
     /// The files of a paper in one format, in the order in which its manifest lists them.
     pub fn render(&self, format: &str, paper: &Paper) -> Result<Vec<RenderedFile>, RenderFault> {
         self.named(format)?.render(paper)

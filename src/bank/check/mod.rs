@@ -26,6 +26,8 @@ pub fn read_question(id: &str, source: &Source) -> Result<Question, Vec<Diagnost
     let question = file::read(&mut faults).and_then(|file| check(id, &file, &mut faults));
     let mut found = faults.found;
     found.sort_by_key(|fault| fault.span.start);
+    // What every style finds wrong with what they share is wrong once.
+    found.dedup();
     let usable = found.iter().all(|fault| fault.severity == Severity::Warning);
     match question {
         Some(question) if usable => Ok(question),

@@ -8,6 +8,7 @@ use super::quantities;
 use crate::diagnostic::near;
 use crate::expr::{Expr, Name, Piece, Text};
 use crate::mechanics::Quantity;
+use crate::unit::Unit;
 
 /// Names that mean something already, and cannot be given to a parameter.
 pub const RESERVED: [&str; 8] = ["i", "j", "pi", "deg", "result", "denominator", "radicand", "terms"];
@@ -147,6 +148,10 @@ impl NamesUsed {
         let mut candidates: Vec<String> = known.iter().map(|name| (*name).to_owned()).collect();
         if used.also == Also::Quantities {
             candidates.extend(Quantity::all().iter().map(Quantity::to_string));
+        }
+        if used.also == Also::Nothing {
+            // At the end of a formula in the words it was perhaps to be a unit.
+            candidates.extend(Unit::ALL.map(|unit| unit.plain().to_owned()));
         }
         let help = match near(name, candidates.iter().map(String::as_str)) {
             Some(near) => format!("did you mean `{near}`?"),

@@ -92,7 +92,14 @@ fn answers(
 ) -> Vec<Answer> {
     let mut found: Vec<Answer> = Vec::new();
     let mut names: Vec<&str> = Vec::new();
-    for answer in &part.answers {
+    for (place, answer) in part.answers.iter().enumerate() {
+        let texts = |answer: &AnswerFile| answer.find.iter().map(|words| words.get_ref().clone()).collect::<Vec<_>>();
+        let asks_it = |other: &&AnswerFile| !answer.find.is_empty() && texts(other) == texts(answer);
+        if let (Some(_), Some(find)) = (part.answers[..place].iter().find(asks_it), answer.find.first()) {
+            let message = format!("two answers of this part ask for `{}`", texts(answer).join("`, `"));
+            faults.report_with_help(find.span(), message, "it was asked for before", "take one of the two answers out");
+            continue;
+        }
         if let Some(name) = &answer.name {
             if names.contains(&name.get_ref().as_str()) {
                 let message = format!("two answers of this part are called `{}`", name.get_ref());

@@ -2,6 +2,7 @@
 
 use super::super::document::{Faults, listed};
 use super::super::scene_file::SceneFile;
+use super::super::scene_names::given_unknowns;
 use super::names::{Also, NamesUsed};
 use super::quantities;
 use crate::expr::{Angles, Expr, read};
@@ -10,6 +11,11 @@ use crate::number::Range;
 
 /// Reads every formula of the scene.
 pub fn scene(file: &SceneFile, used: &mut NamesUsed, faults: &mut Faults) {
+    for found in given_unknowns(&file.text) {
+        if let Some(words) = file.words(&found.field) {
+            faults.expression(words, found.fault);
+        }
+    }
     for (path, words) in &file.places {
         let text = words.get_ref().as_str();
         match path.split(['.', '[']).next().unwrap_or_default() {

@@ -10,6 +10,7 @@ mod summary;
 mod unfinished;
 
 use std::collections::HashSet;
+use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -19,9 +20,9 @@ use feedback::FeedbackAsked;
 use super::failure::{Failure, warn};
 use super::output::{count, listed, print, print_json, say};
 use super::text_file;
-use super::write::{OutputFile, write_all};
+use super::write::{OutputFile, spares, write_all};
 use crate::diagnostic::near;
-use crate::mark::report::{ClassReport, MarkReport, Names, marks_csv, marks_jsonl, not_marked_csv};
+use crate::mark::report::{ClassReport, MARKS, MarkReport, Names, marks_csv, marks_jsonl, not_marked_csv};
 use crate::mark::submissions::{Rows, SetAside, Sorted, read_overrides, read_rows, sort};
 use crate::mark::{AnswerKey, Profile};
 
@@ -34,7 +35,7 @@ const AFTER: &str = "Examples:
   carom mark sheet/key.json - --json < submissions.csv
   carom mark sheet/key.json - --stream < million.csv > marks.csv
   carom mark sheet/key.json million.csv --stream --out national
-  carom mark 5RXM-M7TX-G submissions.csv                  by the code of the sheet
+  carom mark Y2QA-8KAZ-Y submissions.csv                  by the code of the sheet
 
 SUBMISSIONS is a table, as `carom sheet` writes an empty one beside the key, saved as CSV in
 UTF-8:
@@ -133,6 +134,9 @@ pub fn run(arguments: &MarkArguments) -> Result<(), Failure> {
     let pages = feedback.pages(&report)?;
     let page_count = pages.len();
     files.extend(pages);
+    if !is_of_a_marking(out) {
+        spares(out, &files, "no `marks.csv` of Carom's is beside it")?;
+    }
     write_all(out, &files)?;
 
     let place = out.display();
@@ -163,6 +167,14 @@ const FILES: [&str; 7] = [
     "report-mistakes.csv",
 ];
 
+/// Has Carom marked into this folder before, so that what lies there under the names of its files is its own?
+fn is_of_a_marking(out: &Path) -> bool {
+    let header = MARKS.join(",");
+    let table = std::fs::File::open(out.join("marks.csv"));
+    let first = table.ok().and_then(|table| BufReader::new(table).lines().next()?.ok());
+    first.is_some_and(|first| first.trim_start_matches('\u{feff}').trim_end() == header)
+}
+
 /// Says of each file in the folder that only an earlier marking can have written, as these are the new ones.
 fn tell_of_old(out: &Path, new: &[&str]) {
     let new: HashSet<&str> = new.iter().copied().collect();
@@ -170,10 +182,13 @@ fn tell_of_old(out: &Path, new: &[&str]) {
         say(&format!("`{}` is of an earlier marking", out.join(name).display()));
     }
     let there = std::fs::read_dir(out.join("feedback")).into_iter().flatten().flatten();
-    let old = there.filter(|entry| !new.contains(format!("feedback/{}", entry.file_name().to_string_lossy()).as_str()));
-    let old = old.count();
-    if old > 0 {
-        say(&format!("{} in `{}` of an earlier marking", count(old, "file"), out.join("feedback").display()));
+    let there = there.map(|entry| entry.file_name().to_string_lossy().into_owned());
+    let mut old: Vec<String> = there.filter(|name| !new.contains(format!("feedback/{name}").as_str())).collect();
+    old.sort();
+    if !old.is_empty() {
+        let names = listed(old.iter().map(String::as_str));
+        let feedback = out.join("feedback");
+        say(&format!("{} in `{}` of an earlier marking: {names}", count(old.len(), "file"), feedback.display()));
     }
 }
 

@@ -8,9 +8,10 @@ use super::super::formats::{FormatsAsked, Work};
 use super::super::json_places::offset;
 use super::super::output::{count, listed, say};
 use super::super::text_file;
-use super::super::write::{OutputFile, write_all};
+use super::super::write::OutputFile;
 use super::choose::{checked, choose};
-use super::{SheetArguments, fresh_seed, json, paper, submissions, told};
+use super::earlier::STUDENTS;
+use super::{SheetArguments, fresh_seed, json, paper, told, write_keyed};
 use crate::bank::{Contents, Question, StyleName};
 use crate::diagnostic::Diagnostic;
 use crate::generate::Variant;
@@ -38,6 +39,11 @@ pub(super) fn run(
     let in_order: Vec<&Question> = chosen.iter().filter_map(|heading| questions.get(heading.id.as_str())).collect();
     if let Some(old) = &lock {
         old.is_of(&in_order, style, arguments.seed)?;
+        if old.lock.bank != contents.name {
+            // A folder may have been moved, so that is no fault yet: the codes tell whether it is the same bank.
+            let (path, bank) = (old.path.display(), &old.lock.bank);
+            say(&format!("warning: `{path}` is of sheets from the bank `{bank}`, and this is `{}`", contents.name));
+        }
     }
     let sheets = sheets(contents, &list.students, &in_order, style, seed, lock.as_ref())?;
 
@@ -57,12 +63,10 @@ pub(super) fn run(
         questions: sheet.keyed.clone(),
     });
     let key = Key::of_class(contents.name.clone(), Some(seed), keyed.collect());
-    printed.files.push(json("key.json", &key)?);
-    let ids: Vec<&str> = list.students.iter().map(|student| student.id.as_str()).collect();
-    printed.files.extend(submissions(arguments, &ids, || empty_submissions_of_class(&key.papers)));
     let remembered = remembered(contents, seed, &list.students, &sheets, lock.as_ref());
-    printed.files.push(json(LOCK, &remembered)?);
-    let paths = write_all(&arguments.out, &printed.files)?;
+    keeps(&remembered, &arguments.out.join(LOCK))?;
+    let empty = empty_submissions_of_class(&key.papers);
+    let (printed, paths) = write_keyed(arguments, formats, printed, &key, empty, Some(json(LOCK, &remembered)?))?;
 
     let first = papers.first().map_or((0, 0), |paper| (paper.questions.len(), paper.marks()));
     let each = format!("{}, {} each", count(first.0, "question"), count(first.1, "mark"));
@@ -122,6 +126,28 @@ fn remembered(contents: &Contents, seed: u64, students: &[Student], sheets: &[Sh
     Lock { carom: env!("CARGO_PKG_VERSION").to_owned(), bank: contents.name.clone(), seed, sheets }
 }
 
+/// Makes sure that the lock that lies beside the sheets, if it is not the one that was used, loses nobody.
+fn keeps(new: &Lock, beside: &Path) -> Result<(), Failure> {
+    if !beside.is_file() {
+        return Ok(());
+    }
+    let old = OldLock::read(beside.to_owned())?.lock;
+    let is_kept = |sheet: &&Locked| new.of(&sheet.student).is_some_and(|kept| kept.code == sheet.code);
+    let lost: Vec<&str> =
+        old.sheets.iter().filter(|sheet| !is_kept(sheet)).map(|sheet| sheet.student.as_str()).collect();
+    match lost.as_slice() {
+        [] => Ok(()),
+        [student, others @ ..] => {
+            let student = crate::expr::print::words_unicode(student);
+            let and_others = if others.is_empty() { String::new() } else { format!(" and of {} more", others.len()) };
+            Err(Failure::with_help(
+                format!("`{}` would lose the sheet of `{student}`{and_others}", beside.display()),
+                "name another folder with `--out`, or leave out `--lock`",
+            ))
+        }
+    }
+}
+
 /// A lock that was written before.
 struct OldLock {
     lock: Lock,
@@ -137,9 +163,19 @@ impl OldLock {
             None if beside.is_file() => beside,
             None => return Ok(None),
         };
+        OldLock::read(path).map(Some)
+    }
+
+    fn read(path: PathBuf) -> Result<OldLock, Failure> {
         let source = text_file::text(&path)?;
         match Lock::read(&source.text) {
-            Ok(lock) => Ok(Some(OldLock { lock, path })),
+            Ok(lock) if lock.is_later() => {
+                let (path, own) = (path.display(), env!("CARGO_PKG_VERSION"));
+                let message = format!("`{path}` was written by carom {}, and this is carom {own}", lock.carom);
+                let help = format!("get carom {}, or name another folder with `--out` for fresh sheets", lock.carom);
+                Err(Failure::with_help(message, help))
+            }
+            Ok(lock) => Ok(OldLock { lock, path }),
             Err(fault) => {
                 let at = offset(&source.text, fault.place.0, fault.place.1).min(source.text.len());
                 let message = format!("this is no lock of a class: {}", fault.message);
@@ -179,7 +215,7 @@ fn per_student(formats: &FormatsAsked, papers: &[Paper]) -> Result<Vec<OutputFil
     let mut files = Vec::new();
     for (paper, folder) in papers.iter().zip(folders) {
         for file in formats.render(Work::Sheet(paper))? {
-            files.push(OutputFile { name: format!("students/{folder}/{}", file.name), ..file });
+            files.push(OutputFile { name: format!("{STUDENTS}/{folder}/{}", file.name), ..file });
         }
     }
     Ok(files)

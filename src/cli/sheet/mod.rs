@@ -2,15 +2,16 @@
 
 mod choose;
 mod class;
+mod earlier;
 
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::PathBuf;
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use clap::Args;
 
 use choose::{checked, choose};
+use earlier::{Earlier, KEY};
 
 use super::bank;
 use super::failure::Failure;
@@ -19,7 +20,7 @@ use super::output::{count, print, say};
 use super::write::{OutputFile, write_all};
 use crate::bank::{Contents, Question, StyleName};
 use crate::generate::{Variant, reference};
-use crate::mark::submissions::{empty_submissions, is_filled_in};
+use crate::mark::submissions::empty_submissions;
 use crate::paper::{Dealer, Edition, Key, Paper, Sheet, SheetCode};
 
 const AFTER: &str = "Examples:
@@ -30,7 +31,7 @@ const AFTER: &str = "Examples:
   carom sheet --reference                       the exercises with their own numbers
   carom sheet --format html,pdf                 pages for the screen, and pages to print
   carom sheet --class class.csv --format pdf    another sheet for each student, in one file
-  carom sheet --code 5RXM-M7TX-G                the sheet with this code again
+  carom sheet --code Y2QA-8KAZ-Y                the sheet with this code again
 
 A class is a table with a column `student`, a number or a name that nobody else in it has, and
 perhaps one `name`. All get the same questions, no two the same numbers, and none an easier
@@ -155,10 +156,8 @@ fn write_sheet(
 ) -> Result<(), Failure> {
     let key = Key::of_sheet(contents.name.clone(), seed, sheet);
     let paper = paper(arguments, sheet, String::new(), seed);
-    let mut printed = formats.print(Work::Sheet(&paper), &arguments.out)?;
-    printed.files.push(json("key.json", &key)?);
-    printed.files.extend(submissions(arguments, &[], || empty_submissions(&key.questions)));
-    let paths = write_all(&arguments.out, &printed.files)?;
+    let printed = formats.print(Work::Sheet(&paper), &arguments.out)?;
+    let (printed, paths) = write_keyed(arguments, formats, printed, &key, empty_submissions(&key.questions), None)?;
 
     let size = format!("{}, {}", count(paper.questions.len(), "question"), count(paper.marks(), "mark"));
     match seed {
@@ -196,23 +195,34 @@ fn json(name: &str, data: &impl serde::Serialize) -> Result<OutputFile, Failure>
     Ok(OutputFile { name: name.to_owned(), contents: (json + "\n").into_bytes() })
 }
 
-/// The table to fill in, unless somebody has begun to.
-fn submissions(arguments: &SheetArguments, class: &[&str], empty: impl FnOnce() -> String) -> Option<OutputFile> {
-    let old = arguments.out.join(SUBMISSIONS);
-    if fs::read(&old).is_ok_and(|old| is_filled_in(&old, class)) {
-        say(&format!("`{}` has answers in it, and is left as it is", old.display()));
-        return None;
+/// Writes pages with their key, the table to fill in unless somebody has begun to, and the lock of a class.
+///
+/// Nothing is written if that would cost what lies in the folder.
+fn write_keyed(
+    arguments: &SheetArguments,
+    formats: &FormatsAsked,
+    mut printed: Printed,
+    key: &Key,
+    empty: String,
+    lock: Option<OutputFile>,
+) -> Result<(Printed, Vec<PathBuf>), Failure> {
+    let out = &arguments.out;
+    printed.files.push(json(KEY, key)?);
+    let earlier = Earlier::find(out);
+    if earlier.gives_way(out, &printed.files, key)? {
+        say(&format!("`{}` has answers in it, and is left as it is", out.join(SUBMISSIONS).display()));
+    } else {
+        printed.files.push(OutputFile { name: SUBMISSIONS.to_owned(), contents: empty.into_bytes() });
     }
-    Some(OutputFile { name: SUBMISSIONS.to_owned(), contents: empty().into_bytes() })
+    // A lock that lies there has been read before, and what it says is in the new one.
+    printed.files.extend(lock);
+    let paths = write_all(out, &printed.files)?;
+    earlier.tell(out, &formats.pages(), &printed, key);
+    Ok((printed, paths))
 }
 
 /// The paths of what was written, and why the PDF is not among it.
 fn told(printed: Printed, paths: &[PathBuf]) -> Result<(), Failure> {
-    if printed.missing.is_some() {
-        for old in paths.iter().map(|path| path.with_extension("pdf")).filter(|pdf| pdf.is_file()) {
-            say(&format!("`{}` is of an earlier sheet", old.display()));
-        }
-    }
     let paths: Vec<String> = paths.iter().map(|path| format!("{}\n", path.display())).collect();
     print(&paths.concat())?;
     printed.missing.map_or(Ok(()), Err)

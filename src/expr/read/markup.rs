@@ -109,6 +109,12 @@ impl<'a> Reader<'a> {
                 .try_this("write `{{` for a brace that is printed"));
         };
         let inside = &self.text[open + 1..open + length];
+        if inside.contains('{') {
+            // The `}` belongs to another formula.
+            let span = Span { start: open, end: open + 1 };
+            return Err(Fault::new("`{` is never closed", span, "its `}` is missing")
+                .try_this("write a `}` where the formula ends"));
+        }
         self.at = open + length + 1;
         let piece = match inside.trim_start().strip_prefix("display:") {
             Some(formula) => Piece::Display(expression(formula, open + 1 + inside.len() - formula.len())?),

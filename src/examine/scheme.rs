@@ -1,0 +1,94 @@
+//! Does each mark stand for a step that the question takes, and does each answer earn one?
+
+use super::finding::Finding;
+use crate::bank::{Contents, Question};
+use crate::diagnostic::near;
+use crate::generate::reference;
+use crate::paper::{compose, key_question};
+
+/// The exercises that questions of the shipped bank mirror.
+pub fn exercises() -> Vec<String> {
+    Contents::shipped().headings.into_iter().filter_map(|heading| heading.mirrors).collect()
+}
+
+/// That a question mirrors an exercise of a series in which there is none of this name. Other books have other names.
+pub fn unknown_exercise(question: &Question, known: &[String]) -> Option<Finding> {
+    let mirrors = question.mirrors.as_ref().filter(|mirrors| !known.contains(mirrors))?;
+    let series = &mirrors[..mirrors.find('-')? + 1];
+    known.iter().find(|exercise| exercise.starts_with(series))?;
+    let message = format!("there is no exercise `{mirrors}`");
+    let help = match near(mirrors, known.iter().map(String::as_str)) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => "take the line out if the question practises the skills of none".to_owned(),
+    };
+    let found = Finding::new(message, format!("\"{mirrors}\""), "`carom list` names those that there are");
+    Some(found.with_help(help).as_warning())
+}
+
+/// Marks that belong to no answer, and answers to which no mark for a right result belongs.
+pub fn unrewarded(question: &Question) -> Vec<Finding> {
+    let Ok(variant) = reference(question) else { return Vec::new() };
+    let keyed = key_question(question, &variant, &compose(question, &variant, 1));
+    let mut findings = Vec::new();
+    for (place, part) in keyed.parts.iter().enumerate() {
+        for (row, mark) in part.scheme.iter().enumerate().filter(|(_, mark)| mark.blanks.is_empty()) {
+            let message =
+                format!("the mark {} is for `{}`, a step that no answer of its part takes", mark.id, mark.earned_for);
+            let help = "name a step of the worked solution, which `carom preview` shows, or take the row out";
+            findings.push(Finding::new(message, "", "nobody can earn it").with_help(help).at_row(place, "marks", row));
+        }
+        for (row, blank) in part.blanks.iter().enumerate() {
+            let rewards = |code: &str| code.starts_with(['A', 'B']);
+            if !part.scheme.iter().any(|mark| rewards(&mark.code) && mark.blanks.contains(&blank.name)) {
+                let message = format!("no accuracy mark is for the answer `{}`", blank.name);
+                let help = "add a row with `code = \"A1\"` that is `for` what it finds";
+                let found = Finding::new(message, "", "a wrong value costs nothing");
+                findings.push(found.with_help(help).at_row(place, "answers", row).as_warning());
+            }
+        }
+    }
+    findings
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bank::{read_question, shipped};
+    use crate::diagnostic::Source;
+    use crate::examine::{sentences, units};
+    use crate::generate::Deal;
+    use crate::paper::words;
+
+    #[test]
+    fn the_numbers_words_and_marks_of_every_shipped_question_are_in_order() {
+        let exercises = exercises();
+        assert!(exercises.len() >= 17);
+        for (id, text) in shipped() {
+            let question = read_question(id, &Source::new(id, text)).unwrap();
+            let mut found = unrewarded(&question);
+            found.extend(unknown_exercise(&question, &exercises));
+            found.extend(units::astray(&question));
+            assert!(found.is_empty(), "{id}: {found:#?}");
+            for style in &question.styles {
+                let mut remarks = Vec::new();
+                let variant = Deal::new(&question, style, 1).next().unwrap();
+                sentences::unreadable(&words(&question, style, &variant), &variant, &mut remarks);
+                assert!(remarks.is_empty(), "{id}: {remarks:#?}");
+            }
+        }
+    }
+
+    #[test]
+    fn an_exercise_of_another_series_is_left_alone() {
+        let (id, text) = shipped().find(|(_, text)| text.contains("mirrors = \"5C-2\"")).unwrap();
+        for (name, said) in
+            [("5C-22", "did you mean `5C-2`?"), ("5C-xyz", "take the line out"), ("M4-7", ""), ("12", "")]
+        {
+            let text = text.replacen("\"5C-2\"", &format!("\"{name}\""), 1);
+            let question = read_question(id, &Source::new(id, text)).unwrap();
+            let found = unknown_exercise(&question, &exercises());
+            let help = found.and_then(|found| found.help).unwrap_or_default();
+            assert!(help.contains(said) && help.is_empty() == said.is_empty(), "{name}: {help}");
+        }
+    }
+}
