@@ -197,12 +197,21 @@ pub struct Answer {
     pub find: Find,
     /// Its kind.
     pub kind: Kind,
-    /// The rule by which a student's answer is accepted.
-    pub accept: Accept,
+    /// The rule by which a student's answer is accepted, where no style wants the exact value.
+    pub(super) accept: Accept,
+    /// The styles in which only the exact value is accepted, whatever the rule.
+    pub(super) exact_in: Vec<StyleName>,
     /// Words that complete a direction; may be empty.
     pub phrase: Text,
     /// The left side of what is to be shown.
     pub show: Option<Expr>,
+}
+
+impl Answer {
+    /// The rule by which a student's answer is accepted in a style.
+    pub fn accept(&self, style: StyleName) -> &Accept {
+        if self.exact_in.contains(&style) { &Accept::Exact } else { &self.accept }
+    }
 }
 
 /// What a mark is awarded for.

@@ -9,7 +9,7 @@ use super::finding::Finding;
 use super::report::{Report, StyleReport};
 use super::shows;
 use super::tally::{Tally, numbers};
-use super::{again, author, given};
+use super::{again, author, exact_form, given};
 use crate::bank::{Question, Style};
 use crate::diagnostic::Severity;
 use crate::generate::{Deal, MOST_SETS, Unfit, out_of, reference};
@@ -132,6 +132,7 @@ impl Done {
         let mut findings = again::reference_faults(question);
         findings.extend(author::disagreements(question));
         findings.extend(given::unsaid(question));
+        findings.extend(exact_form::unkept(question));
         for (style, tally) in question.styles.iter().zip(&self.tallies) {
             findings.extend(unposed(question, style, tally));
             findings.extend(tally.findings(style));
