@@ -334,6 +334,19 @@ impl EarnedFor {
         unknowns.iter().any(|unknown| unknown == name).then(|| EarnedFor::Unknown(name.to_owned()))
     }
 
+    /// Is it the speed of the sphere whose direction this is? Where a scheme has no mark for the direction, its mark for
+    /// the speed is for both: 'speed of *B*, along the line of centres'.
+    pub fn is_speed_beside(&self, direction: Quantity) -> bool {
+        let EarnedFor::Quantity(speed) = self else { return false };
+        let beside = match direction.of_its_impact() {
+            Quantity::AngleToLine(sphere, moment) | Quantity::AngleToWall(sphere, moment) => {
+                Quantity::Speed(sphere, moment)
+            }
+            _ => return false,
+        };
+        speed.impact() == direction.impact() && speed.of_its_impact() == beside
+    }
+
     /// The names of all steps that are neither quantities nor letters.
     pub fn names() -> Vec<&'static str> {
         Law::ALL.iter().map(|law| law.name()).chain([CONDITION]).collect()
