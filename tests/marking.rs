@@ -105,8 +105,8 @@ fn story(part: &MarkedPart) -> String {
             &format!("  {} {} {:?} {:?} {}\n", award.id, award.printed(), award.note, award.evidence, award.feedback);
     }
     for line in &part.followed {
-        let equations: Vec<String> = line.equations.iter().map(carom::expr::print::plain).collect();
-        story += &format!("  > {} {}\n", carom::expr::print::text_unicode(&line.words), equations.join(" ; "));
+        let equations: Vec<String> = line.equations.iter().map(print::plain).collect();
+        story += &format!("  > {} {}\n", print::text_unicode(&line.words), equations.join(" ; "));
     }
     story
 }
@@ -155,8 +155,7 @@ fn the_rest_is_solved_again_from_the_values_that_the_student_found() {
         notes: Vec::new(),
     };
     let part = marked(&row);
-    let lines: Vec<String> =
-        part.followed.iter().flat_map(|line| line.equations.iter().map(carom::expr::print::plain)).collect();
+    let lines: Vec<String> = part.followed.iter().flat_map(|line| line.equations.iter().map(print::plain)).collect();
     // Only what is wrong is followed: w is right.
     assert_eq!(lines[0], "v = 2.69");
     assert!(lines.contains(&"s_A = sqrt(2.69^2 + 2^2)".to_owned()), "{lines:?}");
@@ -171,7 +170,7 @@ fn what_is_solved_again_starts_from_a_speed_as_the_velocity_along_the_line() {
     let row = table.script.iter().find(|row| row.name.starts_with("a wrong speed taken into")).unwrap();
     let part = marked(row);
     let own = &part.followed[0].equations;
-    assert_eq!(own.iter().map(carom::expr::print::plain).collect::<Vec<_>>(), ["w = 9.3"]);
+    assert_eq!(own.iter().map(print::plain).collect::<Vec<_>>(), ["w = 9.3"]);
 }
 
 /// `2√2` is asked for in exact form on one sheet and to three figures on another; `2.83` is right on the second alone.
