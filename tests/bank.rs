@@ -57,7 +57,7 @@ fn carom_knows_the_styles_of_a_question_and_their_sizes() {
         .map(|(name, value)| format!("{name} {}", print::plain(value)))
         .collect();
     assert_eq!(first, ["mA 1", "mB 1", "u 2", "e 1/3", "alpha 11"]);
-    assert_eq!(question.parts[0].answers[0].accept, Accept::RoundsTo(Places::SignificantFigures(3)));
+    assert_eq!(question.parts[0].answers[0].accept(StyleName::Exact), &Accept::RoundsTo(Places::SignificantFigures(3)));
     assert_eq!(question.parts[0].answers[0].kind, Kind::Number);
 }
 
@@ -95,8 +95,8 @@ fn carom_reads_a_question_in_letters() {
     let question = question(LETTERS);
     let labels: Vec<&str> = question.parts.iter().map(|part| part.label.as_str()).collect();
     assert_eq!(labels, ["a", "b"]);
-    let answers: Vec<(Kind, &Accept)> =
-        question.parts.iter().flat_map(|part| &part.answers).map(|answer| (answer.kind, &answer.accept)).collect();
+    let all = question.parts.iter().flat_map(|part| &part.answers);
+    let answers: Vec<(Kind, &Accept)> = all.map(|answer| (answer.kind, answer.accept(StyleName::Exact))).collect();
     assert_eq!(answers, [(Kind::Expression, &Accept::Exact), (Kind::Vector, &Accept::Exact)]);
     assert_eq!(question.erratum.as_deref(), Some("none"));
     let variant = reference(&question).unwrap();

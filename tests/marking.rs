@@ -1,10 +1,11 @@
 //! Scripts and the marks they earn: `tests/data/scripts.toml` is the table.
 
-use carom::bank::{read_question, shipped};
+use carom::bank::{StyleName, read_question, shipped};
 use carom::diagnostic::Source;
-use carom::generate::reference;
+use carom::expr::print;
+use carom::generate::{reference, with_numbers};
 use carom::mark::{AnswerKey, KeyedQuestion, MarkedPart, PartScript, Profile, Script, mark};
-use carom::paper::{Key, compose, key_question};
+use carom::paper::{Key, KeyQuestion, compose, key_question};
 use serde::Deserialize;
 
 #[derive(Deserialize)]
@@ -55,7 +56,11 @@ fn keyed(id: &str) -> KeyedQuestion {
     let (id, text) = shipped().find(|(name, _)| *name == id).unwrap_or_else(|| panic!("no question {id}"));
     let question = read_question(id, &Source::new(id, text)).unwrap();
     let variant = reference(&question).unwrap();
-    let keyed = key_question(&question, &variant, &compose(&question, &variant, 1));
+    read_back(key_question(&question, &variant, &compose(&question, &variant, 1)))
+}
+
+/// The question as a marker has it from the key.
+fn read_back(keyed: KeyQuestion) -> KeyedQuestion {
     let key = serde_json::to_string(&Key::new("shipped".to_owned(), None, vec![keyed])).unwrap();
     AnswerKey::read(&key).unwrap().papers.remove(0).questions.remove(0)
 }
@@ -100,8 +105,8 @@ fn story(part: &MarkedPart) -> String {
             &format!("  {} {} {:?} {:?} {}\n", award.id, award.printed(), award.note, award.evidence, award.feedback);
     }
     for line in &part.followed {
-        let equations: Vec<String> = line.equations.iter().map(carom::expr::print::plain).collect();
-        story += &format!("  > {} {}\n", carom::expr::print::text_unicode(&line.words), equations.join(" ; "));
+        let equations: Vec<String> = line.equations.iter().map(print::plain).collect();
+        story += &format!("  > {} {}\n", print::text_unicode(&line.words), equations.join(" ; "));
     }
     story
 }
@@ -150,8 +155,7 @@ fn the_rest_is_solved_again_from_the_values_that_the_student_found() {
         notes: Vec::new(),
     };
     let part = marked(&row);
-    let lines: Vec<String> =
-        part.followed.iter().flat_map(|line| line.equations.iter().map(carom::expr::print::plain)).collect();
+    let lines: Vec<String> = part.followed.iter().flat_map(|line| line.equations.iter().map(print::plain)).collect();
     // Only what is wrong is followed: w is right.
     assert_eq!(lines[0], "v = 2.69");
     assert!(lines.contains(&"s_A = sqrt(2.69^2 + 2^2)".to_owned()), "{lines:?}");
@@ -166,5 +170,33 @@ fn what_is_solved_again_starts_from_a_speed_as_the_velocity_along_the_line() {
     let row = table.script.iter().find(|row| row.name.starts_with("a wrong speed taken into")).unwrap();
     let part = marked(row);
     let own = &part.followed[0].equations;
-    assert_eq!(own.iter().map(carom::expr::print::plain).collect::<Vec<_>>(), ["w = 9.3"]);
+    assert_eq!(own.iter().map(print::plain).collect::<Vec<_>>(), ["w = 9.3"]);
+}
+
+/// `2√2` is asked for in exact form on one sheet and to three figures on another; `2.83` is right on the second alone.
+#[test]
+fn figures_for_an_exact_speed_lose_its_mark_in_the_style_that_asks_for_exact_form() {
+    let (id, text) = shipped().find(|(name, _)| *name == "rest/speeds-and-directions").unwrap();
+    let question = read_question(id, &Source::new(id, text)).unwrap();
+    let answers = [
+        ("speed of A", "2.78"),
+        ("direction of A", "46.1 degrees to the line of centres"),
+        ("speed of B", "16sqrt3/9"),
+        ("direction of B", "along the line of centres"),
+    ];
+    for (style, expected) in [(StyleName::Exact, Some("exact-wanted")), (StyleName::Calculator, None)] {
+        let variant = with_numbers(&question, question.style(style).unwrap(), &question.reference).unwrap();
+        let printed = compose(&question, &variant, 1);
+        let key = read_back(key_question(&question, &variant, &printed));
+        let answers = answers.map(|(blank, answer)| (Some(blank.to_owned()), answer.to_owned())).into();
+        let parts = vec![PartScript { label: String::new(), answers, working: Vec::new() }];
+        let script = Script { student: "Ann".into(), question: 1, parts };
+        let part = mark(&key, &script, &Profile::default()).remove(0);
+        assert_eq!(part.answers[0].judgement.note, expected, "{style}\n{}", story(&part));
+        let lost: Vec<&str> = part.awards.iter().filter(|award| !award.given).map(|award| award.id.as_str()).collect();
+        assert_eq!(lost, if expected.is_some() { vec!["A1e"] } else { vec![] }, "{style}\n{}", story(&part));
+        // The printed scheme says it as the key does.
+        let row = printed.parts[0].scheme.iter().find(|row| row.id == "A1e").unwrap();
+        assert_eq!(print::text_unicode(&row.note).contains("awrt 2.78"), expected.is_none(), "{style}");
+    }
 }

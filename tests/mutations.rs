@@ -199,6 +199,42 @@ fn texts_that_read_badly_are_named() {
 }
 
 #[test]
+fn words_that_ask_for_exact_form_and_answers_that_must_be_exact_are_named_where_they_disagree() {
+    let exact = "exact = [\"speed of *A*\", \"speed of *B*\"]\n";
+    found(
+        "rest/speeds-and-directions",
+        &[
+            (
+                "asked-in-vain",
+                &[(exact, "")],
+                "style `exact` asks for exact form, and `speed of A` may be rounded there",
+            ),
+            (
+                "never-asked",
+                &[("note = \"Give the speeds in exact form and the", "note = \"Give the")],
+                "the answer `A.after.speed` must be exact, and no words say so",
+            ),
+        ],
+    );
+    found(
+        "rest-letters/distance-from-the-centre-of-b",
+        &[(
+            "asked-in-a-part",
+            &[("kind = \"number\", accept = \"exact\"", "kind = \"number\", accept = \"awrt 3sf\"")],
+            "styles `friendly`, `exact` ask for exact form, and",
+        )],
+    );
+    found(
+        "successive/three-in-a-line",
+        &[(
+            "one-forgotten",
+            &[("\"speed of *C*\", \"impulse on *C*\"]", "\"impulse on *C*\"]")],
+            "style `exact` asks for exact form, and `speed of C` may be rounded there",
+        )],
+    );
+}
+
+#[test]
 fn a_number_that_is_never_said_is_named_at_its_key() {
     let edits = [
         ("The coefficient of restitution between the spheres is {e}.", "The spheres do not stick together."),

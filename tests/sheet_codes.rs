@@ -160,7 +160,8 @@ fn an_edited_bank_is_noticed_and_an_edited_comment_does_no_harm() {
         ("numbers", "u     = \"2..8\"", "u     = \"3..9\"", false),
         ("another-value", "mA = \"1..6\"", "mA = \"1..7\"", false),
         ("mark", "{ code = \"B1\", for = \"perpendicular\" },", "", false),
-        ("acceptance", "accept = \"awrt 3sf\"", "accept = \"awrt 2sf\"", false),
+        ("acceptance", "_loc_deg\", accept = \"awrt 3sf\"", "_loc_deg\", accept = \"awrt 2sf\"", false),
+        ("exact-form", "exact = [\"speed of *A*\", ", "exact = [", false),
         ("comment", "# A is heavy enough", "# A is quite heavy enough", true),
         ("title", "A strikes B at rest: speeds", "A strikes B: speeds", true),
     ];

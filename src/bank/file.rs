@@ -77,6 +77,8 @@ pub struct StyleFile {
     pub stem: Option<Words>,
     /// A line after the stem.
     pub note: Option<Words>,
+    /// Names of the answers that must be exact.
+    pub exact: Vec<Words>,
     /// More requirements.
     pub require: Vec<Words>,
     /// More or other parameters.
@@ -192,6 +194,7 @@ fn style(name: Words, value: &Spanned<DeValue>, faults: &mut Faults) -> Option<S
         name,
         stem: keys.words("stem", faults),
         note: keys.words("note", faults),
+        exact: keys.list("exact", faults),
         require: keys.list("require", faults),
         parameters: keys.get("parameters").map_or_else(Vec::new, |value| parameters(value, faults)),
         lets: keys.get("let").map_or_else(Vec::new, |value| strings("`let`", value, faults)),

@@ -197,12 +197,21 @@ pub struct Answer {
     pub find: Find,
     /// Its kind.
     pub kind: Kind,
-    /// The rule by which a student's answer is accepted.
-    pub accept: Accept,
+    /// The rule by which a student's answer is accepted, where no style wants the exact value.
+    pub(super) accept: Accept,
+    /// The styles in which only the exact value is accepted, whatever the rule.
+    pub(super) exact_in: Vec<StyleName>,
     /// Words that complete a direction; may be empty.
     pub phrase: Text,
     /// The left side of what is to be shown.
     pub show: Option<Expr>,
+}
+
+impl Answer {
+    /// The rule by which a student's answer is accepted in a style.
+    pub fn accept(&self, style: StyleName) -> &Accept {
+        if self.exact_in.contains(&style) { &Accept::Exact } else { &self.accept }
+    }
 }
 
 /// What a mark is awarded for.
@@ -323,6 +332,19 @@ impl EarnedFor {
             return Some(EarnedFor::Quantity(quantity));
         }
         unknowns.iter().any(|unknown| unknown == name).then(|| EarnedFor::Unknown(name.to_owned()))
+    }
+
+    /// Is it the speed of the sphere whose direction this is? Where a scheme has no mark for the direction, its mark for
+    /// the speed is for both: 'speed of *B*, along the line of centres'.
+    pub fn is_speed_beside(&self, direction: Quantity) -> bool {
+        let EarnedFor::Quantity(speed) = self else { return false };
+        let beside = match direction.of_its_impact() {
+            Quantity::AngleToLine(sphere, moment) | Quantity::AngleToWall(sphere, moment) => {
+                Quantity::Speed(sphere, moment)
+            }
+            _ => return false,
+        };
+        speed.impact() == direction.impact() && speed.of_its_impact() == beside
     }
 
     /// The names of all steps that are neither quantities nor letters.

@@ -159,6 +159,13 @@ fn style() -> Json {
         vec![
             ("stem", words("Other words before part (a).")),
             ("note", words("A line after the stem, such as: Give your answers to 3 significant figures.")),
+            (
+                "exact",
+                texts(
+                    "Answers that must be exact in this style, by their names: speed of *A*. The others are accepted \
+                             as they say themselves.",
+                ),
+            ),
             ("require", texts(REQUIRE)),
             ("parameters", shared("parameters")),
             ("let", shared("let")),

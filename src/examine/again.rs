@@ -22,7 +22,7 @@ pub fn reference_faults(question: &Question) -> Vec<Finding> {
     let mut findings: Vec<Finding> =
         again(question, &key_question(question, &variant, &printed)).into_iter().map(one).collect();
     for answer in question.parts.iter().flat_map(|part| &part.answers) {
-        if !answer_rounds_safely(answer, &variant.solution) {
+        if !answer_rounds_safely(answer, variant.style, &variant.solution) {
             let message = format!("`{}` of the reference is too near a tie to be rounded", answer.find.name());
             let help = "change a number, or ask for another accuracy with `accept`";
             findings.push(one(message).with_help(help));

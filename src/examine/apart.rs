@@ -20,9 +20,10 @@ pub fn alike(question: &Question, variant: &Variant, remarks: &mut Vec<Remark>) 
     }
 }
 
-fn share(one: &Answer, other: &Answer, variant: &Variant) -> bool {
+fn share<'a>(one: &'a Answer, other: &'a Answer, variant: &Variant) -> bool {
     let (first, second) = (one.find.quantities(), other.find.quantities());
     let solution = &variant.solution;
+    let places = |answer: &'a Answer| answer.accept(variant.style).places();
     let is_pair = !first.is_empty() && first.len() == second.len();
     is_pair
         && first.iter().zip(&second).all(|(a, b)| {
@@ -30,10 +31,10 @@ fn share(one: &Answer, other: &Answer, variant: &Variant) -> bool {
                 return false;
             }
             match (solution.number(*a), solution.number(*b)) {
-                (Some(a), Some(b)) => round_alike(&a, &b, one.accept.places().or(other.accept.places())),
+                (Some(a), Some(b)) => round_alike(&a, &b, places(one).or(places(other))),
                 _ => match (solution.angle(*a), solution.angle(*b)) {
                     (Some(a), Some(b)) => {
-                        let places = one.accept.places().unwrap_or(&Places::SignificantFigures(3));
+                        let places = places(one).unwrap_or(&Places::SignificantFigures(3));
                         let known = a.letters().is_empty() && b.letters().is_empty();
                         known && matches!((a.rounded(places), b.rounded(places)), (Ok(a), Ok(b)) if a == b)
                     }

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::students::{Expected, Student, students};
 use crate::bank::Question;
 use crate::generate::Variant;
+use crate::mark::judging::{Note, Verdict};
 use crate::mark::{AnswerKey, KeyedQuestion, MarkedPart, Profile, mark};
 use crate::paper::{Key, compose, key_question};
 
@@ -128,10 +129,14 @@ fn fault(student: &Student, marked: &[MarkedPart]) -> Option<String> {
             // A note says it too: of a wrong sign, or of an angle in radians.
             let named = answer.causes.iter().any(|cause| cause.tag == *tag) || answer.judgement.note.is_some();
             match answer.judgement.verdict {
-                crate::mark::judging::Verdict::Correct => Some("is taken for right".to_owned()),
+                Verdict::Correct => Some("is taken for right".to_owned()),
                 _ if !named => Some("is not recognised".to_owned()),
                 _ => None,
             }
+        }
+        Expected::ExactWanted { part, blank } => {
+            let judgement = &marked[*part].answers[*blank].judgement;
+            (judgement.note != Some(Note::ExactWanted.tag())).then(|| "is not told that it must be exact".to_owned())
         }
         Expected::FollowThrough { part, id } => {
             let award = marked[*part].awards.iter().find(|award| award.id == *id);

@@ -9,6 +9,7 @@ mod again;
 mod apart;
 mod author;
 mod coverage;
+mod exact_form;
 mod finding;
 mod given;
 mod promise;

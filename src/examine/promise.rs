@@ -14,7 +14,7 @@ use crate::paper::Words;
 pub fn broken(question: &Question, variant: &Variant, words: &Words, remarks: &mut Vec<Remark>) {
     for answer in question.parts.iter().flat_map(|part| &part.answers).filter(|answer| answer.kind != Kind::Line) {
         let is_angle = answer.find.quantities().iter().any(|quantity| variant.solution.angle(*quantity).is_some());
-        let promised = match (&answer.accept, variant.style) {
+        let promised = match (answer.accept(variant.style), variant.style) {
             (Accept::Exact, _) => "the rule `exact` promises an exact value",
             (_, StyleName::Friendly | StyleName::Exact) if !is_angle => "the style promises an exact value",
             _ => continue,

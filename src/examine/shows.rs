@@ -65,9 +65,10 @@ impl Slips {
         let differ = |one: &[Option<Figures>], other: &[Option<Figures>]| {
             let each = one.iter().zip(other).zip(&answers);
             each.into_iter().any(|((one, other), answer)| match (one, other) {
-                (Some(one), Some(other)) => {
-                    one.iter().zip(other).any(|(one, other)| !are_one(*one, *other, &answer.accept, is_exact))
-                }
+                (Some(one), Some(other)) => one
+                    .iter()
+                    .zip(other)
+                    .any(|(one, other)| !are_one(*one, *other, answer.accept(variant.style), is_exact)),
                 _ => one.is_some() != other.is_some(),
             })
         };

@@ -1,11 +1,12 @@
 //! The students that Carom writes.
 
+use crate::answer::{Accept, Kind};
 use crate::bank::{Code, EarnedFor, Find};
 use crate::expr::{Expr, print};
 use crate::mark::{KeyedPart, KeyedQuestion, PartScript, Script};
 use crate::mechanics::{Axis, Moment, Quantity, Seen, Sphere};
 use crate::number::{Places, round};
-use crate::paper::{KeyPart, KeyQuestion, PrintedAnswer, PrintedPart, PrintedQuestion};
+use crate::paper::{Blank, KeyPart, KeyQuestion, PrintedAnswer, PrintedPart, PrintedQuestion};
 
 /// A student with what must come of the script.
 #[derive(Clone, Debug)]
@@ -35,6 +36,13 @@ pub enum Expected {
         blank: usize,
         /// The tag of the mistake.
         tag: String,
+    },
+    /// A right number in a form that is not wanted.
+    ExactWanted {
+        /// The place of the part.
+        part: usize,
+        /// The place of the blank.
+        blank: usize,
     },
     /// A mark that follows through.
     FollowThrough {
@@ -101,6 +109,7 @@ pub fn students(printed: &PrintedQuestion, key: &KeyQuestion, question: &KeyedQu
     for (place, (part, keyed)) in key.parts.iter().zip(&question.parts).enumerate() {
         all.extend(mistaken(place, part, keyed, question));
         all.extend(followed(place, part, keyed, question));
+        all.extend(in_figures(place, part));
     }
     all
 }
@@ -121,7 +130,8 @@ fn right(
     for (part, key) in printed.parts.iter().zip(&key.parts) {
         let mut answers = Vec::new();
         for (answer, blank) in part.answers.iter().zip(&key.blanks) {
-            let decimal = blank.decimal.as_str().unwrap_or_default();
+            // Figures are no notation for what must be exact.
+            let decimal = blank.decimal.as_str().filter(|_| !is_exact(blank)).unwrap_or_default();
             let written = notation(answer, decimal);
             is_used |= written.is_some();
             // The key has the exact value of an answer that the page says in words.
@@ -132,6 +142,25 @@ fn right(
         parts.push(PartScript { label: part.label.clone(), answers, working: Vec::new() });
     }
     is_used.then(|| Student { who: who.to_owned(), script: script(parts), expected: Expected::AllButShown })
+}
+
+/// Is only the exact value accepted?
+fn is_exact(blank: &Blank) -> bool {
+    blank.accept == Accept::Exact.to_string()
+}
+
+/// One student for each number that must be exact, who gives it in figures.
+fn in_figures(place: usize, part: &KeyPart) -> Vec<Student> {
+    let is_number = |blank: &Blank| is_exact(blank) && blank.kind == Kind::Number.name();
+    let endless = |blank: &Blank| blank.decimal.as_str().and_then(|decimal| longer(decimal, 10)).is_some();
+    let each = part.blanks.iter().enumerate().filter(|(_, blank)| is_number(blank) && endless(blank));
+    each.map(|(blank, printed)| {
+        let answers = vec![(Some(printed.name.clone()), printed.rounded.as_str().unwrap_or_default().to_owned())];
+        let parts = vec![PartScript { label: part.label.clone(), answers, working: Vec::new() }];
+        let expected = Expected::ExactWanted { part: place, blank };
+        Student { who: "figures for what must be exact".to_owned(), script: script(parts), expected }
+    })
+    .collect()
 }
 
 /// A decimal to so many significant figures, if it goes on that long.
@@ -175,10 +204,7 @@ fn mistaken(place: usize, part: &KeyPart, keyed: &KeyedPart, question: &KeyedQue
     for (blank, (printed, known)) in part.blanks.iter().zip(&keyed.blanks).enumerate() {
         let Find::Quantity(quantity) = known.find else { continue };
         // A number that should have letters is another mistake.
-        if !question.letters.is_empty()
-            || printed.decimal.is_null()
-            || printed.kind == crate::answer::Kind::Shown.name()
-        {
+        if !question.letters.is_empty() || printed.decimal.is_null() || printed.kind == Kind::Shown.name() {
             continue;
         }
         for (tags, values) in question.mistaken_values(&[quantity]) {

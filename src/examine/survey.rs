@@ -9,7 +9,7 @@ use super::finding::Finding;
 use super::report::{Report, StyleReport};
 use super::shows;
 use super::tally::{Tally, numbers};
-use super::{again, author, given, scheme, units};
+use super::{again, author, exact_form, given, scheme, units};
 use crate::bank::{Question, Style};
 use crate::diagnostic::Severity;
 use crate::generate::{Deal, MOST_SETS, Unfit, out_of, reference};
@@ -134,6 +134,7 @@ impl Done {
         findings.extend(author::disagreements(question));
         findings.extend(given::unsaid(question));
         findings.extend(units::astray(question));
+        findings.extend(exact_form::unkept(question));
         findings.extend(scheme::unrewarded(question));
         findings.extend(scheme::unknown_exercise(question, exercises));
         for (style, tally) in question.styles.iter().zip(&self.tallies) {

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::finding::Finding;
 use super::shows::Slips;
-use super::{apart, promise, sentences};
+use super::{apart, exact_form, promise, sentences};
 use crate::bank::{Question, Style};
 use crate::expr::print;
 use crate::generate::{Census, examine_further};
@@ -61,6 +61,7 @@ impl Tally {
         let words = words(question, style, &variant);
         sentences::unreadable(&words, &variant, &mut remarks);
         promise::broken(question, &variant, &words, &mut remarks);
+        exact_form::unasked(question, &variant, &words, &mut remarks);
         apart::alike(question, &variant, &mut remarks);
         self.slips.follow(question, &variant);
         remarks.sort();

@@ -105,7 +105,7 @@ fn examined(question: &Question, style: &Style, index: u64, goes_on: bool) -> Re
         }
     }
     for (place, answer) in question.parts.iter().flat_map(|part| &part.answers).enumerate() {
-        if !answer_rounds_safely(answer, &posed.solution) {
+        if !answer_rounds_safely(answer, style.name, &posed.solution) {
             turned.away(Unfit::Tie(place))?;
         }
     }
@@ -126,9 +126,9 @@ fn unposed(reason: &Unposed) -> Unfit {
     }
 }
 
-/// Is an answer clear of a tie at the figures to which it may be rounded?
-pub fn answer_rounds_safely(answer: &Answer, solution: &Solution) -> bool {
-    let Some(places) = answer.accept.places() else { return true };
+/// Is an answer clear of a tie at the figures to which it may be rounded in a style?
+pub fn answer_rounds_safely(answer: &Answer, style: StyleName, solution: &Solution) -> bool {
+    let Some(places) = answer.accept(style).places() else { return true };
     match &answer.find {
         _ if answer.kind == Kind::Range => range_rounds_safely(solution, places),
         Find::Unknown(name) => found_rounds_safely(solution, name, places),

@@ -130,7 +130,7 @@ pub fn exact(answer: &Answer, variant: &Variant) -> Option<Expr> {
 
 /// The rounded form, where the answer may be given rounded and is not short already.
 pub fn rounded(answer: &Answer, variant: &Variant) -> Option<Expr> {
-    let places = answer.accept.places()?;
+    let places = answer.accept(variant.style).places()?;
     if matches!(answer.kind, Kind::Line | Kind::Range) {
         return None;
     }
@@ -151,7 +151,7 @@ pub fn rounded(answer: &Answer, variant: &Variant) -> Option<Expr> {
 /// write as an inverse tangent.
 pub fn asks_exact(answer: &Answer, variant: &Variant) -> bool {
     let is_number = |size: &Size| matches!(size, Size::Number(_));
-    answer.accept == Accept::Exact
+    *answer.accept(variant.style) == Accept::Exact
         || (variant.style == StyleName::Exact && sizes(answer, variant).iter().all(is_number))
 }
 

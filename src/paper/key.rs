@@ -185,11 +185,12 @@ fn blank(answer: &Answer, variant: &Variant, with_units: &[String]) -> Blank {
         Find::Unknown(name) => json!(name),
     };
     let unit = answer::unit(answer, variant, with_units);
+    let accept = answer.accept(variant.style);
     Blank {
         name: print::text_unicode(&compose::name(answer, variant)),
         find,
         kind: answer.kind.name().to_owned(),
-        accept: answer.accept.to_string(),
+        accept: accept.to_string(),
         reference: reference(&answer.find).map(str::to_owned),
         exact: match (&answer.kind, answer::exact(answer, variant)) {
             (Kind::Range, Some(range)) => print::plain(&range).into(),
@@ -197,7 +198,7 @@ fn blank(answer: &Answer, variant: &Variant, with_units: &[String]) -> Blank {
         },
         latex: answer::exact(answer, variant).as_ref().map(print::latex).unwrap_or_default(),
         decimal: decimal(&Places::SignificantFigures(15)),
-        rounded: decimal(answer.accept.places().unwrap_or(&usual)),
+        rounded: decimal(accept.places().unwrap_or(&usual)),
         unit: unit.plain().to_owned(),
     }
 }

@@ -196,7 +196,9 @@ fn value(
         },
     };
     let places = Places::SignificantFigures(3);
-    let rounded = size.filter(|size| !size.is_short(&places)).and_then(|size| size.rounded(&places));
+    // Where only the exact value is accepted, no decimal stands beside it.
+    let is_exact = answer.is_some_and(|answer| answer.accept(variant.style).places().is_none());
+    let rounded = size.filter(|size| !is_exact && !size.is_short(&places)).and_then(|size| size.rounded(&places));
     let rounded = rounded.map(|rounded| (Expr::Decimal(rounded.to_string()), Unit::None));
     (Some(show.named(&exact)), rounded)
 }

@@ -282,10 +282,10 @@ fn in_numbers(
     Some(Ok(()))
 }
 
-fn asked(question: &Question) -> Vec<(Quantity, Accept)> {
+fn asked(question: &Question, style: &Style) -> Vec<(Quantity, Accept)> {
     let answers = question.parts.iter().flat_map(|part| &part.answers);
     answers
-        .flat_map(|answer| answer.find.quantities().into_iter().map(|found| (found, answer.accept.clone())))
+        .flat_map(|answer| answer.find.quantities().into_iter().map(|found| (found, answer.accept(style.name).clone())))
         .collect()
 }
 
@@ -297,7 +297,7 @@ fn walk(styles: &[(&Question, &Style)], next: &AtomicU64, counts: &Mutex<BTreeMa
     let mut portion = mine();
     let mut passed = 0;
     for (question, style) in styles {
-        let (asked, before) = (asked(question), tally.judged + tally.alone);
+        let (asked, before) = (asked(question, style), tally.judged + tally.alone);
         let examined = style.size().div_ceil(SHARE);
         while portion < passed + examined.div_ceil(PORTION) {
             let from = (portion - passed) * PORTION;

@@ -3,7 +3,7 @@
 use super::super::document::{Faults, listed};
 use super::super::file::{AnswerFile, PartFile, QuestionFile};
 use super::super::literal::Words;
-use super::super::question::{Answer, Find, Part};
+use super::super::question::{Answer, Find, Part, StyleName};
 use super::marks::marks;
 use super::names::{Also, NamesUsed};
 use super::quantities;
@@ -27,7 +27,7 @@ pub fn parts(file: &QuestionFile, used: &mut NamesUsed, faults: &mut Faults) -> 
                 .map(String::from)
                 .unwrap_or_else(|| (index + 1).to_string()),
         };
-        let answers = answers(part, &unknowns, lettered, used, faults);
+        let answers = answers(part, file, (&unknowns, lettered), used, faults);
         let ask = part.ask.as_ref().and_then(|ask| read_ask(ask, &answers, used, faults)).unwrap_or_default();
         if part.answers.is_empty() {
             let help = "add `answers = [{ name = \"speed of *A*\", find = \"A.after.speed\" }]`";
@@ -40,6 +40,7 @@ pub fn parts(file: &QuestionFile, used: &mut NamesUsed, faults: &mut Faults) -> 
         let marks = marks(&part.marks, &unknowns, used, faults);
         found.push(Part { label, ask, answers, marks });
     }
+    exact_names(file, faults);
     found
 }
 
@@ -85,8 +86,8 @@ fn formulas(pieces: &[Piece]) -> Vec<&Expr> {
 
 fn answers(
     part: &PartFile,
-    unknowns: &[String],
-    lettered: bool,
+    file: &QuestionFile,
+    (unknowns, lettered): (&[String], bool),
     used: &mut NamesUsed,
     faults: &mut Faults,
 ) -> Vec<Answer> {
@@ -108,9 +109,30 @@ fn answers(
             }
             names.push(name.get_ref());
         }
-        found.extend(one_answer(answer, unknowns, lettered, used, faults));
+        let checked = one_answer(answer, unknowns, lettered, used, faults);
+        found.extend(checked.map(|checked| Answer { exact_in: exact_in(answer, file), ..checked }));
     }
     found
+}
+
+/// The styles that want the exact value of an answer.
+fn exact_in(answer: &AnswerFile, file: &QuestionFile) -> Vec<StyleName> {
+    let named = answer.name.as_ref().map(|name| name.get_ref());
+    let wanting = file.styles.iter().filter(|style| style.exact.iter().any(|name| Some(name.get_ref()) == named));
+    wanting.filter_map(|style| StyleName::ALL.into_iter().find(|known| known.name() == style.name.get_ref())).collect()
+}
+
+/// What a style wants exact must be an answer of some part.
+fn exact_names(file: &QuestionFile, faults: &mut Faults) {
+    let answers = file.parts.iter().flat_map(|part| &part.answers).filter_map(|answer| answer.name.as_ref());
+    let names: Vec<&str> = answers.map(|name| name.get_ref().as_str()).collect();
+    for wanted in file.styles.iter().flat_map(|style| &style.exact) {
+        let text = wanted.get_ref().as_str();
+        if !names.contains(&text) {
+            let label = format!("expected {}", listed(&names));
+            faults.unknown(wanted.span(), format!("no answer is called `{text}`"), label, text, names.iter().copied());
+        }
+    }
 }
 
 fn one_answer(
@@ -138,7 +160,7 @@ fn one_answer(
         None if lettered || kind == Kind::Shown => Accept::Exact,
         None => Accept::RoundsTo(Places::SignificantFigures(3)),
     };
-    Some(Answer { name, find, kind, accept, phrase, show: show.flatten() })
+    Some(Answer { name, find, kind, accept, exact_in: Vec::new(), phrase, show: show.flatten() })
 }
 
 fn inferred(find: &Find, lettered: bool) -> Kind {

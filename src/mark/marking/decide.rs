@@ -53,7 +53,26 @@ pub(super) fn awards(part: &KeyedPart, found: Findings, profile: &Profile, charg
         awards.push(award);
     }
     imply_needed(&part.scheme, &mut awards);
+    withhold_for_direction(part, answers, &mut awards);
     awards
+}
+
+/// A mark for a speed is for the direction too, where the scheme has none for that: a wrong direction costs it.
+fn withhold_for_direction(part: &KeyedPart, answers: &[MarkedAnswer], awards: &mut [Award]) {
+    for (place, blank) in part.blanks.iter().enumerate() {
+        let Find::Quantity(direction) = blank.find else { continue };
+        let is_marked = part.scheme.iter().any(|mark| own_blank(mark, part) == Some(place));
+        if is_marked || answers[place].judgement.verdict != Verdict::Wrong {
+            continue;
+        }
+        let speeds = part.scheme.iter().zip(awards.iter_mut());
+        for (mark, award) in
+            speeds.filter(|(mark, _)| mark.code.is_accuracy() && mark.earned_for.is_speed_beside(direction))
+        {
+            let feedback = format!("this mark is for the {} as well, which is wrong", blank.name);
+            *award = Award { note: Some("depends"), feedback, ..withheld(mark) };
+        }
+    }
 }
 
 /// Is a step written wrongly, so that the answer cannot have come from it? A line that may only be a later step does not

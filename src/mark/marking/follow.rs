@@ -4,10 +4,11 @@ use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use super::memory::Judged;
+use crate::answer::Accept;
 use crate::bank::{Code, EarnedFor, Find};
 use crate::expr::{Expr, Text};
 use crate::mark::award::MarkedAnswer;
-use crate::mark::judging::{Judgement, Model, Verdict, judge};
+use crate::mark::judging::{Judgement, Model, Note, Verdict, judge};
 use crate::mark::key::{KeyedPart, KeyedQuestion};
 use crate::mark::working::Examined;
 use crate::mechanics::{Datum, Derivation, Line, Quantity, Show};
@@ -29,7 +30,10 @@ pub(super) fn answers(
             .scheme
             .iter()
             .any(|mark| mark.code == Code::A1FollowThrough && mark.earned_for == EarnedFor::Quantity(quantity));
-        let open = follows && answer.judgement.verdict != Verdict::Correct && !examined.theirs.0.is_empty();
+        // What is right but for its form follows from nothing wrong.
+        let is_right =
+            answer.judgement.verdict == Verdict::Correct || answer.judgement.note == Some(Note::ExactWanted.tag());
+        let open = follows && !is_right && !examined.theirs.0.is_empty();
         // A formula in letters is followed at points only, which is no proof.
         if !open || !question.letters.is_empty() {
             return None;
@@ -40,7 +44,12 @@ pub(super) fn answers(
             return None;
         }
         let value = Expr::Decimal(format!("{:.12}", value.abs()));
-        let model = Model { quantity: blank.model.quantity, ..blank.model.of_value(value) };
+        // It is known in figures, so that nobody can be asked for more.
+        let accept = match &blank.model.accept {
+            Accept::Exact => Accept::RoundsTo(Places::SignificantFigures(3)),
+            rule => rule.clone(),
+        };
+        let model = Model { quantity: blank.model.quantity, accept, ..blank.model.of_value(value) };
         let judgement = judge(&model, &Ok(judged.readings.clone()?));
         (judgement.verdict == Verdict::Correct).then(|| judgement.in_setting(part.setting))
     })
