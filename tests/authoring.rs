@@ -256,7 +256,7 @@ fn every_schema_that_is_kept_is_printed() {
 const UNSEEN: &str = "
 absent-mark accuracy-without-method angle-where-number asked-for-twice brace-never-closed brace-of-the-line-before
 condition-misspelt condition-without-equation crlf derived-beside-parameter derived-in-wrong-order
-division-by-nought empty-title empty-words impossible-restitution impossible later-line-of-centres-missing
+division-by-nought empty-title empty-words exact-of-no-answer impossible-restitution impossible later-line-of-centres-missing
 later-mass-given-again later-newcomer-without-mass later-newcomer-without-velocity later-struck-by-nobody
 later-wall-along-the-line letters-beyond-ascii long-line no-relation parameter-and-letter reference-lacks-parameter
 requirement-without-truth result-in-stem result-without-show reversed-range shown-is-an-equation shown-is-not-found

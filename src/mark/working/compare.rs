@@ -20,7 +20,12 @@ pub(super) fn comes_to_angle(value: Value, degrees: f64, may_be_complement: bool
 
 pub(super) fn is_vector(values: &[Value], x: &[f64], y: &[f64], scale: f64) -> bool {
     values.iter().zip(x.iter().zip(y)).all(|(value, (x, y))| match value {
-        Value::Vector(along_i, along_j) => along_i.may_be(x * scale) && along_j.may_be(y * scale),
+        // A component that is nought is nought beside the other.
+        Value::Vector(along_i, along_j) => {
+            let (x, y) = (x * scale, y * scale);
+            let is = |one: &Spread, right: f64| (*one - Spread::exactly(right)).may_be_nought(x.hypot(y));
+            is(along_i, x) && is(along_j, y)
+        }
         Value::Number(_) => false,
     })
 }
