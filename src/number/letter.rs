@@ -51,6 +51,11 @@ impl Letter {
         std::str::from_utf8(&self.name[..length]).expect("a letter is made from a whole name")
     }
 
+    /// Does its name begin so? Quicker to ask than for the name.
+    pub(crate) fn begins_with(&self, byte: u8) -> bool {
+        self.name[0] == byte
+    }
+
     /// The range.
     pub fn range(&self) -> Range {
         self.range

@@ -112,7 +112,9 @@ fn candidates(rest: &str, vocabulary: &Vocabulary) -> Vec<Piece> {
     if begins("pi") {
         found.push((Token::Pi, 2));
     }
-    let longest = vocabulary.letters.iter().map(|letter| letter.name().len()).max().unwrap_or(0).max(1);
+    let first = rest.bytes().next().unwrap_or_default();
+    let own = vocabulary.letters.iter().filter(|letter| letter.begins_with(first));
+    let longest = own.map(|letter| letter.name().len()).max().unwrap_or(0).max(1);
     for length in (1..=rest.len().min(longest)).rev() {
         if let Some(token) = rest.get(..length).and_then(|name| letter(name, vocabulary)) {
             found.push((token, length));
@@ -128,13 +130,14 @@ fn without_underscores(name: &str) -> impl Iterator<Item = u8> {
 
 /// A letter of the question by its name, a unit vector, or a capital typed for a small letter.
 pub(super) fn letter(name: &str, vocabulary: &Vocabulary) -> Option<Token> {
+    let first = name.bytes().next()?;
     // `vA` and `va` are `v_A`.
     let same = |letter: &&Letter| {
         let (own, several) = (letter.name(), name.len() > 1 && name.is_ascii());
         let alike = || without_underscores(&own[1..]).eq(without_underscores(&name[1..]));
         own == name || (several && own.len() > 1 && own.is_ascii() && own[..1] == name[..1] && alike())
     };
-    if let Some(letter) = vocabulary.letters.iter().find(same) {
+    if let Some(letter) = vocabulary.letters.iter().filter(|letter| letter.begins_with(first)).find(same) {
         return Some(Token::Letter(letter.name().to_owned()));
     }
     if vocabulary.vectors && matches!(name, "i" | "j") {
@@ -145,5 +148,6 @@ pub(super) fn letter(name: &str, vocabulary: &Vocabulary) -> Option<Token> {
         return None;
     }
     let small = name.to_ascii_lowercase();
-    vocabulary.letters.iter().any(|letter| letter.name() == small).then_some(Token::Letter(small))
+    let has = |letter: &Letter| letter.begins_with(small.as_bytes()[0]) && letter.name() == small;
+    vocabulary.letters.iter().any(has).then_some(Token::Letter(small))
 }

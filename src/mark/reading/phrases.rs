@@ -150,12 +150,12 @@ impl Walk<'_> {
         {
             return Ok(Some((Phrase::Noun, next)));
         }
-        let made_of_letters = names::is_made_of_letters(self.typed(at), self.vocabulary);
         let sort = lexicon::sort(word);
         if let Some(Sort::Negation) = sort {
             return Err(Unreadable::Sign(placed.start, format!("`{word}` may turn the answer round")));
         }
-        if made_of_letters && (word.len() < 4 || sort.is_none()) {
+        let may_be_letters = word.len() < 4 || sort.is_none();
+        if may_be_letters && names::is_made_of_letters(self.typed(at), self.vocabulary) {
             return Ok(None);
         }
         let alone = self.tokens.get(at + 1).is_none_or(|next| next.spaced || !matches!(next.token, Token::Number(_)));

@@ -9,6 +9,7 @@ use super::pair::{BOTH, Convention, Departure, Matched};
 use super::points::sizes;
 use super::prepared::Prepared;
 use super::spread::Spread;
+use super::terms::ByNumbers;
 use super::theirs::{Theirs, follow, follow_to, own_values};
 use crate::bank::{Code, EarnedFor};
 use crate::expr::Expr;
@@ -95,6 +96,8 @@ pub(super) struct Working<'a> {
     pub(super) followed: Vec<Known<f64>>,
     /// What names stand for: what is given, and the student's letters for the two components after the impact.
     pub(super) names: Vec<(String, Vec<f64>)>,
+    /// What was found of lines by their terms.
+    pub(super) by_numbers: ByNumbers,
 }
 
 /// Looks through the working of a part; `before` is what the student found in earlier parts.
@@ -162,7 +165,17 @@ fn examine_one(question: &KeyedQuestion, part: &KeyedPart, working: &[String], b
     theirs.0.extend(found);
     let followed = follow(prepared, &theirs);
     let names = Vec::new();
-    let mut working = Working { question, prepared, part, lines, convention, theirs, followed, names };
+    let mut working = Working {
+        question,
+        prepared,
+        part,
+        lines,
+        convention,
+        theirs,
+        followed,
+        names,
+        by_numbers: ByNumbers::default(),
+    };
     // Now that it is known what the student's letters stand for, formulas with them have values.
     working.names = working.names(&|quantity| {
         working.theirs.0.get(&quantity).map(|(values, _)| values.clone()).or_else(|| sizes(&prepared.known, quantity))

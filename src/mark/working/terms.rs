@@ -4,11 +4,14 @@
 //! other, and only their terms tell which of them a line is. Terms are compared as numbers, up to a factor that they have
 //! in common; a letter that is still open is tried for what it may stand for.
 
+use std::cell::{Cell, OnceCell};
+
 use super::compare::any_within;
 use super::convention::is_value;
 use super::evidence::Evidence;
 use super::examine::{Studied, Working, context};
 use super::linear::{Context, constant};
+use super::points::Points;
 use super::spread::Spread;
 use crate::bank::Code;
 use crate::expr::{Expr, Relation};
@@ -16,6 +19,12 @@ use crate::mechanics::{Axis, Known, Law, Moment, Quantity, Sphere};
 
 /// Nobody writes more terms into one of the two equations.
 const MOST_TERMS: usize = 8;
+
+/// How far a term may be off that was rounded more than its figures show.
+const SLACK: f64 = 0.002;
+
+/// Two terms could be anything's.
+const LEAST_TERMS: usize = 3;
 
 /// How a line agrees with a law.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -71,28 +80,48 @@ impl Numbers {
     }
 }
 
+/// How the lines agree with momentum and with restitution, found when it is first asked for: with what is right, and
+/// with what follows from the student's own values.
+#[derive(Default)]
+pub(super) struct ByNumbers([[OnceCell<Vec<Option<Agrees>>>; 2]; 2]);
+
+impl ByNumbers {
+    fn of(&self, of: usize, equation: Quantity, find: impl FnOnce() -> Vec<Option<Agrees>>) -> &[Option<Agrees>] {
+        self.0[of][usize::from(equation == Quantity::MomentumEquation)].get_or_init(find)
+    }
+
+    fn right(&self, equation: Quantity, find: impl FnOnce() -> Vec<Option<Agrees>>) -> &[Option<Agrees>] {
+        self.of(0, equation, find)
+    }
+
+    fn own(&self, equation: Quantity, find: impl FnOnce() -> Vec<Option<Agrees>>) -> &[Option<Agrees>] {
+        self.of(1, equation, find)
+    }
+}
+
 impl Working<'_> {
     /// One of the two equations by its terms.
     pub(super) fn by_terms(&self, law: Law, code: Code) -> Option<Evidence> {
         let equation = [Quantity::MomentumEquation, Quantity::RestitutionEquation]
             .into_iter()
             .find(|equation| law.gives(*equation))?;
-        let right = self.numbers(&|point| self.prepared.where_found(point).unwrap_or(&self.prepared.known[point]));
-        let own = if self.theirs.0.is_empty() { None } else { self.numbers(&|point| &self.followed[point]) };
-        let line = |numbers: &[Numbers], least: Agrees| {
-            self.lines.iter().position(|studied| {
-                studied.matched.iter().all(|matched| !matched.is_method())
-                    && !self.is_printed_result(studied)
-                    && self.agreement(studied, equation, numbers) >= Some(least)
-            })
-        };
-        let found = |least| right.as_ref().and_then(|right| line(right, least));
-        if let Some(place) = found(Agrees::Fully) {
+        let line =
+            |agreements: &[Option<Agrees>], least: Agrees| agreements.iter().position(|agrees| *agrees >= Some(least));
+        let right = self.by_numbers.right(equation, || {
+            self.agreements(equation, &|point| self.prepared.where_found(point).unwrap_or(&self.prepared.known[point]))
+        });
+        if let Some(place) = line(right, Agrees::Fully) {
             return Some(Evidence::given(place, law.name()));
         }
-        let (place, note, feedback) = match found(Agrees::ButForSigns) {
+        let own = || {
+            self.by_numbers.own(equation, || match self.theirs.0.is_empty() {
+                true => Vec::new(),
+                false => self.agreements(equation, &|point| &self.followed[point]),
+            })
+        };
+        let (place, note, feedback) = match line(right, Agrees::ButForSigns) {
             Some(place) => (place, Some("sign-error"), "a sign or a number in it is wrong"),
-            None => (line(own.as_ref()?, Agrees::ButForSigns)?, None, "it starts from a value that is not right"),
+            None => (line(own(), Agrees::ButForSigns)?, None, "it starts from a value that is not right"),
         };
         let evidence = Evidence::given(place, law.name());
         match code.is_accuracy() {
@@ -101,8 +130,17 @@ impl Working<'_> {
         }
     }
 
-    fn numbers<'k>(&'k self, at: &dyn Fn(usize) -> &'k Known<f64>) -> Option<Vec<Numbers>> {
-        (0..self.prepared.points.count).map(|point| Numbers::of(at(point))).collect()
+    /// How each line that is not known by its form agrees with one of the two equations, with these numbers.
+    fn agreements<'k>(&'k self, equation: Quantity, at: &dyn Fn(usize) -> &'k Known<f64>) -> Vec<Option<Agrees>> {
+        let numbers: Option<Vec<Numbers>> =
+            (0..self.prepared.points.count).map(|point| Numbers::of(at(point))).collect();
+        let Some(numbers) = numbers else { return Vec::new() };
+        let agrees = |studied: &Studied| {
+            let is_open =
+                studied.matched.iter().all(|matched| !matched.is_method()) && !self.is_printed_result(studied);
+            is_open.then(|| self.agreement(studied, equation, &numbers)).flatten()
+        };
+        self.lines.iter().map(agrees).collect()
     }
 
     /// How a line agrees with one of the two equations, if it does.
@@ -119,6 +157,9 @@ impl Working<'_> {
     }
 
     fn of_equation(&self, left: &Expr, right: &Expr, equation: Quantity, numbers: &[Numbers]) -> Option<Agrees> {
+        if count(left) + count(right) < LEAST_TERMS {
+            return None;
+        }
         self.tried(&[left, right], numbers, &|at, context| {
             let mut terms = terms(left, context)?;
             terms.extend(terms_negated(right, context)?);
@@ -131,7 +172,7 @@ impl Working<'_> {
 
     /// `(w − v)/(a − b)`, which is e.
     fn of_quotient(&self, expr: &Expr, numbers: &[Numbers]) -> Option<Agrees> {
-        let best = std::cell::Cell::new(None);
+        let best = Cell::new(None);
         any_within(expr, &|inner| {
             if let Expr::Quotient(above, below) = inner {
                 let agrees = self.tried(&[above, below], numbers, &|at, context| {
@@ -175,29 +216,40 @@ impl Working<'_> {
         let found = self.prepared.found.iter().map(|(letter, _)| letter.name().to_owned());
         let found: Vec<String> = found.collect();
         open.retain(|name| !found.contains(&(*name).to_owned()));
-        let many = numbers.first()?.anything().len();
+        let anything: Vec<Vec<f64>> = numbers.iter().map(Numbers::anything).collect();
+        let many = anything.first()?.len();
         let trials = many.checked_pow(u32::try_from(open.len()).ok()?).filter(|_| open.len() <= 2)?;
-        let trial = |trial: usize| {
-            let at = |(point, at): (usize, &Numbers)| {
-                let anything = at.anything();
-                let stands_for = |place: usize| anything[trial / many.pow(place as u32) % many];
-                let mut names = self.prepared.names.clone();
-                for (place, name) in open.iter().enumerate() {
-                    names.push(((*name).to_owned(), vec![stands_for(place); self.prepared.points.count]));
-                }
-                let points = self.prepared.points.with(&self.prepared.found, point);
-                agrees(at, &Context { points: &points, given: &names, ..context(self.prepared, point) })
-            };
-            numbers.iter().enumerate().map(at).collect::<Option<Vec<Agrees>>>()?.into_iter().min()
-        };
+        let points: Vec<Points> =
+            (0..numbers.len()).map(|point| self.prepared.points.with(&self.prepared.found, point)).collect();
+        let mut names = self.prepared.names.clone();
+        let known = names.len();
+        names.extend(open.iter().map(|name| ((*name).to_owned(), vec![0.0; numbers.len()])));
         let mut best = None;
-        for one in 0..trials {
-            best = best.max(trial(one));
+        for trial in 0..trials {
+            for (place, (_, values)) in names[known..].iter_mut().enumerate() {
+                let chosen = trial / many.pow(place as u32) % many;
+                values.iter_mut().zip(&anything).for_each(|(value, anything)| *value = anything[chosen]);
+            }
+            let at = |(point, at): (usize, &Numbers)| {
+                agrees(at, &Context { points: &points[point], given: &names, ..context(self.prepared, point) })
+            };
+            let least = numbers.iter().enumerate().map(at).try_fold(Agrees::Fully, |least, one| Some(least.min(one?)));
+            best = best.max(least);
             if best == Some(Agrees::Fully) {
                 break;
             }
         }
         best
+    }
+}
+
+/// How many terms a formula has, brackets multiplied out.
+fn count(expr: &Expr) -> usize {
+    match expr {
+        Expr::Sum(all) => all.iter().map(count).sum(),
+        Expr::Negative(inner) | Expr::Quotient(inner, _) => count(inner),
+        Expr::Product(factors) => factors.iter().map(count).product(),
+        _ => 1,
     }
 }
 
@@ -234,9 +286,9 @@ fn terms_negated(expr: &Expr, context: &Context) -> Option<Vec<Spread>> {
     Some(terms(expr, context)?.into_iter().map(|term| -term).collect())
 }
 
-/// The same of a law with three terms or more: two could be anything.
+/// The same of a law with enough terms.
 fn agreement_of_three(terms: &[Spread], law: &[f64]) -> Option<Agrees> {
-    let is_whole = law.iter().filter(|term| term.abs() > 1e-9).count() >= 3;
+    let is_whole = law.iter().filter(|term| term.abs() > 1e-9).count() >= LEAST_TERMS;
     is_whole.then(|| agreement(terms, law)).flatten().map(|(agrees, _)| agrees)
 }
 
@@ -246,7 +298,7 @@ fn agreement(terms: &[Spread], law: &[f64]) -> Option<(Agrees, f64)> {
     let law: Vec<f64> = law.iter().copied().filter(|term| term.abs() > 1e-9 * size).collect();
     let largest = terms.iter().fold(0.0, |size: f64, term| size.max(term.middle().abs()));
     let terms: Vec<Spread> = terms.iter().copied().filter(|term| !term.may_be_nought(largest)).collect();
-    if terms.len() != law.len() || law.is_empty() {
+    if terms.len() != law.len() || law.is_empty() || !sizes_agree(&terms, &law) {
         return None;
     }
     let mut best: Option<(Agrees, f64)> = None;
@@ -265,9 +317,21 @@ fn agreement(terms: &[Spread], law: &[f64]) -> Option<(Agrees, f64)> {
     best
 }
 
+/// Is the largest to the smallest as it is in the law? Nearly always that tells.
+fn sizes_agree(terms: &[Spread], law: &[f64]) -> bool {
+    let ends = |pick: fn(f64, f64) -> f64, from: f64| {
+        let sizes = terms.iter().map(|term| term.absolute());
+        let (low, high) = sizes.fold((from, from), |(low, high), size| (pick(low, size.low), pick(high, size.high)));
+        let own = law.iter().fold(from, |own, term| pick(own, term.abs()));
+        ((1.0 - SLACK) * low / own, (1.0 + SLACK) * high / own)
+    };
+    let (largest, smallest) = (ends(f64::max, 0.0), ends(f64::min, f64::MAX));
+    largest.0 <= smallest.1 && smallest.0 <= largest.1
+}
+
 /// Is it this number, or this number rounded more than its figures show?
 fn near(term: Spread, number: f64) -> bool {
-    let slack = 0.002 * number.abs();
+    let slack = SLACK * number.abs();
     term.may_be(number) || (term.low - slack..=term.high + slack).contains(&number)
 }
 
