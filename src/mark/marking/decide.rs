@@ -38,7 +38,9 @@ pub(super) fn awards(part: &KeyedPart, found: Findings, profile: &Profile, charg
     {
         // Where the answer itself was given, it is the student's last word on the value.
         let answered = own_blank(mark, part).is_some_and(|place| answers[place].judgement.verdict != Verdict::Blank);
-        let by_working = by_working.filter(|_| !answered).map(|award| in_profile(award, mark, profile));
+        let by_working = by_working
+            .filter(|_| !answered || mark.code == Code::A1Shown)
+            .map(|award| in_profile(award, mark, profile));
         let by_answers = by_answers(mark, part, needed, answers, &worth)
             .filter(|award| award.note != Some("implied") || !contradicted);
         let award = match (by_answers, by_working) {
@@ -158,10 +160,15 @@ fn by_followed(mark: &KeyedMark, part: &KeyedPart, followed: &[Option<Judgement>
 /// The mark for a printed result: every mark before it earned, and the result at the end.
 fn shown(place: usize, part: &KeyedPart, answers: &[MarkedAnswer], awards: &[Award]) -> Award {
     let mark = &part.scheme[place];
+    // A false line on the way, or the result at the end of the working, though its blank is empty.
+    let by_working =
+        Some(&awards[place]).filter(|award| matches!(&award.evidence, Some(Evidence { place: Place::Line(_), .. })));
     let ends = answers.iter().position(|answer| answer.judgement.note == Some(Note::Restated.tag()));
     let missing = awards[..place].iter().find(|award| !award.given);
     let broken = awards[..place].iter().any(|award| award.note == Some("follow-through"));
     match (ends, missing) {
+        (_, None) if by_working.is_some_and(|award| !award.given) => awards[place].clone(),
+        (None, None) if by_working.is_some() && !broken => awards[place].clone(),
         (Some(_), None) if broken => Award {
             note: Some("not-shown"),
             feedback: "a value on the way is wrong, so the result does not follow from it".to_owned(),
@@ -175,13 +182,11 @@ fn shown(place: usize, part: &KeyedPart, answers: &[MarkedAnswer], awards: &[Awa
             }),
             ..withheld(mark)
         },
-        (Some(_), Some(missing)) => {
+        (_, Some(missing)) if ends.is_some() || by_working.is_some_and(|award| award.given) => {
             let feedback = format!("the result is printed in the question: it earns nothing without {}", missing.id);
             Award { note: Some("not-shown"), feedback, ..withheld(mark) }
         }
-        (None, _) => {
-            Award { feedback: "the working must end with the result as it is printed".to_owned(), ..withheld(mark) }
-        }
+        _ => Award { feedback: "the working must end with the result as it is printed".to_owned(), ..withheld(mark) },
     }
 }
 

@@ -12,6 +12,7 @@ use crate::expr::{Expr, Function};
 /// A letter stands for what the working says of it before it is first used; else for the angle of that name in the
 /// question, or for the only one that has a name there.
 pub(super) fn put_in_place(lines: &mut [Line], prepared: &Prepared) {
+    put_short_letters_in_place(lines, prepared);
     let mut known: Vec<(String, Expr)> = Vec::new();
     for reading in lines.iter_mut().flat_map(|line| &mut line.readings) {
         let defined = reading.equations.iter().find_map(|equation| definition(equation, prepared));
@@ -36,6 +37,44 @@ pub(super) fn put_in_place(lines: &mut [Line], prepared: &Prepared) {
         for member in &mut reading.members {
             member.expr = put(&member.expr);
         }
+    }
+}
+
+/// `let t = tan α`: from there on the letter is written for it.
+fn put_short_letters_in_place(lines: &mut [Line], prepared: &Prepared) {
+    let mut known: Vec<(String, Expr)> = Vec::new();
+    for line in lines {
+        let defined =
+            line.readings.iter().flat_map(|reading| &reading.equations).find_map(|equation| short(equation, prepared));
+        if let Some(letter) = defined {
+            known.push(letter);
+            continue;
+        }
+        let put = |expr: &Expr| {
+            expr.substitute(&|name| known.iter().rfind(|(own, _)| own == name).map(|(_, put)| put.clone()))
+        };
+        for reading in line.readings.iter_mut().filter(|_| !known.is_empty()) {
+            for (left, right) in &mut reading.equations {
+                (*left, *right) = (put(left), put(right));
+            }
+            for member in &mut reading.members {
+                member.expr = put(&member.expr);
+            }
+        }
+    }
+}
+
+/// A letter of the student's own for a sine, cosine or tangent of a letter of the question.
+fn short((left, right): &(Expr, Expr), prepared: &Prepared) -> Option<(String, Expr)> {
+    let Expr::Name(letter) = left else { return None };
+    let is_free = |name: &str| {
+        prepared.points.letter(name, 0).is_none() && !prepared.names.iter().any(|(known, _)| known == name)
+    };
+    match argument(right)? {
+        Expr::Name(angle) if is_free(&letter.text) && !is_free(&angle.text) => {
+            Some((letter.text.clone(), right.clone()))
+        }
+        _ => None,
     }
 }
 

@@ -23,6 +23,9 @@ impl Working<'_> {
         match law.seen() {
             Seen::Unchanged => self.unchanged(),
             Seen::VectorEquation => self.vector_momentum(code),
+            Seen::Value(_, Shape::ChangeOfMomentum) if self.prepared.setting == Setting::Impulse => {
+                self.impulse_of_particle(code)
+            }
             Seen::AlongLine | Seen::Value(_, Shape::ChangeOfMomentum) if self.is_in_vectors() => {
                 self.along_impulse(law)
             }
@@ -35,9 +38,7 @@ impl Working<'_> {
             Seen::Value(quantities, shape) => {
                 let about =
                     |quantity: &&Quantity| sphere.is_none() || quantity.sphere().is_none_or(|of| Some(of) == sphere);
-                // What was there before the impact is no accuracy of a loss.
-                let asks_loss =
-                    self.part.blanks.iter().any(|blank| blank.find.quantities().contains(&Quantity::EnergyLost));
+                // What was there before the impact is no difference, unless that is what the scheme has.
                 let is_before = |quantity: &Quantity| {
                     matches!(
                         quantity,
@@ -45,12 +46,22 @@ impl Working<'_> {
                     )
                 };
                 let counts =
-                    |quantity: &&Quantity| about(quantity) && !(asks_loss && code.is_accuracy() && is_before(quantity));
+                    |quantity: &&Quantity| about(quantity) && (!is_before(quantity) || self.has_energy_before());
                 let quantities: Vec<Quantity> = quantities.iter().filter(counts).copied().collect();
-                self.by_value(law, &quantities, code).or_else(|| self.by_shape(law, shape, sphere, code))
+                let found = self.by_value(law, &quantities, code).or_else(|| self.by_shape(law, shape, sphere, code));
+                found.or_else(|| self.compound_angle(law).filter(|_| law == Law::Deflection && code == Code::M1))
             }
             Seen::AlongLine | Seen::Unknown => None,
         }
+    }
+
+    /// Does the scheme have the energy before the impact as a step of its own?
+    fn has_energy_before(&self) -> bool {
+        let is_energy_before = |equation: &Expr| match equation {
+            Expr::Relation(left, ..) => matches!(&**left, Expr::Name(name) if name.text == "E_1"),
+            _ => false,
+        };
+        self.part.scheme.iter().filter_map(|mark| mark.equation.as_ref()).any(is_energy_before)
     }
 
     /// Restitution at a wall gives the one component after at once. A method mark condones sine for cosine.

@@ -251,7 +251,7 @@ impl Working<'_> {
             return None;
         }
         let shown = match (&mark.earned_for, mark.code) {
-            (_, Code::A1Shown) => None,
+            (_, Code::A1Shown) => self.printed_result(),
             (EarnedFor::Law(law, _), code) if law.seen() == Seen::Equation && self.uses_pair(*law) => {
                 let terms = || self.by_terms(*law, code);
                 match self.pair_equation(*law, code) {

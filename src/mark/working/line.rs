@@ -15,6 +15,19 @@ pub(super) struct Line {
     pub(super) readings: Vec<ReadLine>,
 }
 
+impl Line {
+    /// Is all of it crossed out?
+    pub(super) fn is_crossed_out(&self) -> bool {
+        let typed = self.typed.trim();
+        let between = typed.strip_prefix("~~").and_then(|rest| rest.strip_suffix("~~"));
+        let is_struck = |(place, sign): (usize, char)| {
+            !sign.is_alphanumeric() || typed[place + sign.len_utf8()..].starts_with('\u{336}')
+        };
+        between.is_some_and(|between| !between.contains("~~"))
+            || (typed.contains('\u{336}') && typed.char_indices().all(is_struck))
+    }
+}
+
 /// One way to read a line.
 #[derive(Clone, Debug)]
 pub(super) struct ReadLine {
@@ -133,7 +146,7 @@ fn candidates(typed: &str) -> Vec<String> {
     }
     let is_word = |word: &str| {
         let letters = word.trim_matches(['(', ')', '.', ',', ':']);
-        letters.chars().count() >= 3 && letters.chars().all(char::is_alphabetic) && !FUNCTIONS.contains(&letters)
+        letters.chars().count() >= 3 && letters.chars().all(char::is_alphabetic) && !is_formula(letters)
     };
     let words: Vec<&str> = typed.split_whitespace().collect();
     let last = words.iter().take_while(|word| !word.contains('=')).enumerate().filter(|(_, word)| is_word(word)).last();
@@ -143,6 +156,15 @@ fn candidates(typed: &str) -> Vec<String> {
         all.push(words[last + 1..].join(" "));
     }
     all
+}
+
+/// Is it a function or `sinθ`, which looks like a word?
+fn is_formula(word: &str) -> bool {
+    let of_angle = |function: &&str| {
+        let angle = word.strip_prefix(*function).unwrap_or_default();
+        angle.chars().count() == 1 || FUNCTIONS.contains(&angle)
+    };
+    FUNCTIONS.contains(&word) || ["sin", "cos", "tan"].iter().any(|function| of_angle(&function))
 }
 
 /// Words with which a sentence goes on to its formula.

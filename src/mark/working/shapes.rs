@@ -17,7 +17,9 @@ impl Working<'_> {
         let has_form = |expr: &Expr| match shape {
             Shape::Pythagoras => any_within(expr, &|inner| self.is_pythagoras(inner, sphere)),
             Shape::Tangent => any_within(expr, &|inner| self.is_tangent(inner, sphere)),
-            Shape::DifferenceOfSquares => is_energy_difference(expr) && self.has_both_spheres(expr),
+            Shape::DifferenceOfSquares => {
+                (is_energy_difference(expr) && self.has_both_spheres(expr)) || self.is_difference_of_totals(expr)
+            }
             Shape::ChangeOfMomentum => self.is_change_of_momentum(expr),
             Shape::Any => false,
         };
@@ -48,6 +50,15 @@ impl Working<'_> {
     pub(super) fn is_one_of(&self, expr: &Expr, sizes: &[Vec<f64>]) -> bool {
         let Some(values) = self.values_of(expr) else { return false };
         sizes.iter().any(|right| values.iter().zip(right).all(|(value, right)| comes_to(*value, *right)))
+    }
+
+    /// The same of a number that was rounded more than its figures show.
+    fn is_near_one_of(&self, expr: &Expr, sizes: &[Vec<f64>]) -> bool {
+        let Some(values) = self.values_of(expr).and_then(|values| super::theirs::numbers(&values)) else {
+            return false;
+        };
+        let near = |value: &f64, right: &f64| (value.abs() - right.abs()).abs() <= 0.002 * right.abs();
+        sizes.iter().any(|right| values.iter().zip(right).all(|(value, right)| near(value, right)))
     }
 
     fn spheres(&self, sphere: Option<Sphere>) -> Vec<Sphere> {
@@ -97,9 +108,66 @@ impl Working<'_> {
             let own = |quantity| sizes(&self.prepared.known, quantity).into_iter().collect::<Vec<_>>();
             let before = own(Quantity::Velocity(sphere, Moment::Before, Axis::N));
             let after = self.sizes_of(sphere, Axis::N);
-            let fits = |u: &Expr, v: &Expr| self.is_one_of(u, &before) && self.is_one_of(v, &after);
+            // Two figures of a component are enough to see which it is.
+            let is = |expr: &Expr, sizes: &[Vec<f64>]| self.is_one_of(expr, sizes) || self.is_near_one_of(expr, sizes);
+            let fits = |u: &Expr, v: &Expr| is(u, &before) && is(v, &after);
             self.is_one_of(mass, &own(Quantity::Mass(sphere))) && (fits(one, other) || fits(other, one))
         })
+    }
+
+    /// All the energy before the impact less a number for that after it, in either order: the number may be a slip of the
+    /// calculator, and is not the energy of one sphere, nor of the motion along the line of centres alone.
+    fn is_difference_of_totals(&self, expr: &Expr) -> bool {
+        let Expr::Sum(terms) = expr else { return false };
+        let (taken, counted): (Vec<&Expr>, Vec<&Expr>) =
+            terms.iter().partition(|term| matches!(term, Expr::Negative(_)));
+        let total = |terms: Vec<&Expr>| Expr::Sum(terms.into_iter().cloned().collect());
+        if taken.is_empty() || counted.is_empty() {
+            return false;
+        }
+        let before: Vec<Vec<f64>> =
+            sizes(&self.prepared.known, Quantity::TotalEnergy(Moment::Before)).into_iter().collect();
+        let partial = self.partial_energies();
+        let is_before = |expr: &Expr| self.is_one_of(expr, &before);
+        let is_after = |expr: &Expr| self.values_of(expr).is_some() && !self.is_one_of(expr, &partial);
+        let (taken, counted) = (total(taken), total(counted));
+        (is_before(&taken) && is_after(&counted)) || (is_before(&counted) && is_after(&taken))
+    }
+
+    /// What students take for the energy after the impact and is part of it only.
+    fn partial_energies(&self) -> Vec<Vec<f64>> {
+        let mut all = Vec::new();
+        for known in [&self.prepared.known, &self.followed] {
+            let each = |sphere| sizes(known, Quantity::KineticEnergy(sphere, Moment::After));
+            let along = |sphere| {
+                let velocities = sizes(known, Quantity::Velocity(sphere, Moment::After, Axis::N))?;
+                let masses = sizes(known, Quantity::Mass(sphere))?;
+                Some(velocities.iter().zip(masses).map(|(v, mass)| mass * v * v / 2.0).collect::<Vec<f64>>())
+            };
+            // Where there is one sphere alone, its energy is all there is.
+            let both = Sphere::BOTH.map(each);
+            if let [Some(_), Some(_)] = both {
+                all.extend(both.into_iter().flatten());
+            }
+            let parts: Vec<Vec<f64>> = Sphere::BOTH.into_iter().filter_map(along).collect();
+            if let Some(first) = parts.first() {
+                let sum: Vec<f64> = (0..first.len()).map(|at| parts.iter().map(|part| part[at]).sum()).collect();
+                let is_all = sizes(known, Quantity::TotalEnergy(Moment::After))
+                    .is_some_and(|total| total.iter().zip(&sum).all(|(one, other)| (one - other).abs() < 1e-9 * one));
+                all.extend((!is_all).then_some(sum));
+            }
+        }
+        all.retain(|sizes| sizes.iter().any(|size| *size > 1e-9));
+        all
+    }
+
+    /// The tangent of a difference of two angles, expanded: `(tan β - tan α)/(1 + tan α tan β)`.
+    pub(super) fn compound_angle(&self, law: Law) -> Option<Evidence> {
+        let line = self.lines.iter().position(|studied| {
+            let members = studied.reading.as_ref().map(|reading| reading.members.as_slice()).unwrap_or_default();
+            members.iter().any(|member| any_within(&member.expr, &is_compound_angle))
+        })?;
+        Some(Evidence::given(line, law.name()))
     }
 
     /// Are there squares of what each sphere that was moving had before the impact: its speed, its component along the
@@ -147,6 +215,33 @@ fn base_of_square(term: &Expr) -> Option<Expr> {
         Expr::Quotient(..) if !is_lettered(term) => Some(Expr::call(Function::Sqrt, term.clone())),
         _ => None,
     }
+}
+
+/// Is it `(p - q)/(1 + p q)` with two tangents of letters?
+fn is_compound_angle(expr: &Expr) -> bool {
+    let is_tangent = |expr: &Expr| match expr {
+        Expr::Call(Function::Tan, angle) => is_lettered(angle),
+        _ => false,
+    };
+    let Expr::Quotient(above, below) = expr else { return false };
+    let (Expr::Sum(above), Expr::Sum(below)) = (&**above, &**below) else { return false };
+    let ([one, other], [number, product]) = (above.as_slice(), below.as_slice()) else { return false };
+    let (one, other) = match (one, other) {
+        (Expr::Negative(taken), other) | (other, Expr::Negative(taken)) => (&**taken, other),
+        _ => return false,
+    };
+    let both = match (number, product) {
+        (Expr::Number(_), Expr::Product(factors)) | (Expr::Product(factors), Expr::Number(_)) => factors,
+        _ => return false,
+    };
+    let has_one = *number == Expr::integer(1) || *product == Expr::integer(1);
+    has_one
+        && is_tangent(one)
+        && is_tangent(other)
+        && one != other
+        && both.len() == 2
+        && both.contains(one)
+        && both.contains(other)
 }
 
 fn is_lettered(expr: &Expr) -> bool {

@@ -1,0 +1,199 @@
+//! A result that is printed in the question: no line on the way to it may be false, and it must end the working.
+
+use super::evidence::Evidence;
+use super::examine::{Studied, Working};
+use super::line::ReadLine;
+use super::linear::{Context, Sum, difference};
+use super::points::{Points, sizes};
+use crate::answer::Kind;
+use crate::expr::{Expr, Relation};
+use crate::mark::judging::{Model, Note, judge};
+use crate::mark::reading::{Form, Reading};
+
+/// Where equations are looked at: what letters and names stand for at one point.
+struct Spot {
+    points: Points,
+    point: usize,
+    names: Vec<(String, Vec<f64>)>,
+}
+
+/// What an equation is, wherever it can be worked out.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Truth {
+    True,
+    False,
+    Unknown,
+}
+
+impl Working<'_> {
+    /// What the lines say of a printed result: that one of them is false, or that they end with it.
+    pub(super) fn printed_result(&self) -> Option<Evidence> {
+        let role = "the result as it is printed";
+        if let Some(line) = self.false_line() {
+            let feedback = "this line is not true, so the result does not follow from it".to_owned();
+            return Some(Evidence { given: false, note: Some("not-shown"), feedback, ..Evidence::given(line, role) });
+        }
+        let last = self.lines.len().checked_sub(1)?;
+        self.ends_with_result(last).then(|| Evidence::given(last, role))
+    }
+
+    fn printed_models(&self) -> impl Iterator<Item = &Model> {
+        self.part.blanks.iter().map(|blank| &blank.model).filter(|model| model.kind == Kind::Shown)
+    }
+
+    fn ends_with_result(&self, last: usize) -> bool {
+        let end = |place: usize| self.lines[place].reading.as_ref()?.statements.last().cloned();
+        let Some(mut end) = end(last) else { return false };
+        // What `= 9 tan α/4` goes on from says what it is.
+        let goes_on = |place: &usize| !self.lines[*place].line.typed.trim_start().starts_with('=');
+        let begin = (0..=last).rfind(goes_on).and_then(|place| self.lines[place].reading.as_ref());
+        if let (None, Some(label)) = (&end.label, begin.and_then(|line| line.statements.last()?.label.clone())) {
+            end.label = Some(label);
+        }
+        let is_named = end.label.is_some() || end.said.iter().any(|said| matches!(said.form, Form::Equation(_)));
+        end.said.drain(..end.said.len().saturating_sub(1));
+        let line = Ok(vec![Reading { statements: vec![end], printed: String::new(), decided: Vec::new() }]);
+        is_named && self.printed_models().any(|model| judge(model, &line).note == Some(Note::Restated.tag()))
+    }
+
+    /// The first line that is false and stays so: neither crossed out nor put right.
+    fn false_line(&self) -> Option<usize> {
+        // The letters of one impact are not those of the next.
+        if !self.question.scene.then.is_empty() || self.printed_models().next().is_none() {
+            return None;
+        }
+        let (everywhere, where_found) = self.spots();
+        if where_found.is_empty() && !self.prepared.found.is_empty() {
+            return None;
+        }
+        let mut named = None;
+        let truths: Vec<Truth> = self
+            .lines
+            .iter()
+            .map(|studied| {
+                let goes_on = studied.line.typed.trim_start().starts_with('=');
+                let Some(reading) = &studied.reading else { return Truth::Unknown };
+                let (equations, name) = self.equations(reading, named.take().filter(|_| goes_on));
+                named = name;
+                let truth = |equation: &(Expr, Expr)| self.truth(equation, &everywhere, &where_found);
+                let all: Vec<Truth> = equations.iter().map(truth).collect();
+                match () {
+                    () if all.contains(&Truth::False) => Truth::False,
+                    () if all.contains(&Truth::True) => Truth::True,
+                    () => Truth::Unknown,
+                }
+            })
+            .collect();
+        (0..truths.len()).find(|place| truths[*place] == Truth::False && !self.is_put_right(*place, &truths))
+    }
+
+    /// Has the line been crossed out, or written once more as it should be? The result itself is no correction.
+    fn is_put_right(&self, place: usize, truths: &[Truth]) -> bool {
+        let own = &self.lines[place];
+        if own.line.is_crossed_out() {
+            return true;
+        }
+        let left = |studied: &Studied| Some(studied.reading.as_ref()?.equations.first()?.0.clone());
+        (0..truths.len()).filter(|other| truths[*other] == Truth::True).any(|other| {
+            let studied = &self.lines[other];
+            let is_same_law = own.matched.iter().any(|matched| {
+                studied.matched.iter().any(|other| other.equation == matched.equation && other.departures.is_empty())
+            });
+            let says_the_same = || {
+                other > place
+                    && !self.is_printed_result(studied)
+                    && left(studied).is_some_and(|found| Some(found) == left(own))
+            };
+            is_same_law || says_the_same()
+        })
+    }
+
+    /// The equations of a line, with what is named as the result in its place; a line that begins with an equals sign goes
+    /// on from the one before.
+    fn equations(&self, reading: &ReadLine, before: Option<Expr>) -> (Vec<(Expr, Expr)>, Option<Expr>) {
+        let mut equations = reading.equations.clone();
+        let mut named = before;
+        for statement in &reading.statements {
+            let printed = statement.label.as_ref().and_then(|label| self.printed_right_side(&label.typed));
+            named = printed.or(named.filter(|_| statement.label.is_none()));
+            let (Some(right), Some(first)) = (&named, statement.said.first()) else { continue };
+            if let Form::Value(value) = &first.form {
+                equations.push((right.clone(), value.clone()));
+            }
+        }
+        (equations, named)
+    }
+
+    /// What has this name in a result that is printed in this question.
+    fn printed_right_side(&self, typed: &str) -> Option<Expr> {
+        let plain = |text: &str| -> String {
+            let greek = [("α", "alpha"), ("β", "beta"), ("γ", "gamma"), ("δ", "delta"), ("θ", "theta"), ("φ", "phi")];
+            let spelt = greek.iter().fold(text.to_owned(), |text, (sign, name)| text.replace(sign, name));
+            spelt.replace('²', "^2").chars().filter(|sign| !" ()\\{}∴⇒".contains(*sign)).collect()
+        };
+        let typed = plain(typed);
+        let models = self.question.parts.iter().flat_map(|part| &part.blanks).map(|blank| &blank.model);
+        models.filter(|model| model.kind == Kind::Shown).find_map(|model| match &model.value {
+            Expr::Relation(left, Relation::Equal, right) => {
+                (plain(&crate::expr::print::plain(left)) == typed).then(|| (**right).clone())
+            }
+            _ => None,
+        })
+    }
+
+    /// Where equations are looked at: every point, and every point where the letters that are to be found have a value.
+    fn spots(&self) -> (Vec<Spot>, Vec<Spot>) {
+        let count = self.prepared.points.count;
+        let at = |point| {
+            let names = self.names(&|quantity| sizes(&self.prepared.known, quantity));
+            Spot { points: self.prepared.points.clone(), point, names }
+        };
+        let found = |point| {
+            let there = self.prepared.where_found(point)?;
+            let names = self.names(&|quantity| Some(vec![there.number(quantity)?; count]));
+            Some(Spot { points: self.prepared.points.with(&self.prepared.found, point), point, names })
+        };
+        ((0..count).map(at).collect(), (0..count).filter_map(found).collect())
+    }
+
+    /// Is an equation true: wherever it may be, or at least where the letters are what is to be found?
+    fn truth(&self, (left, right): &(Expr, Expr), everywhere: &[Spot], where_found: &[Spot]) -> Truth {
+        // `e = 1` says what is looked at, and not what follows.
+        let is_given =
+            |expr: &Expr| matches!(expr, Expr::Name(name) if self.prepared.points.letter(&name.text, 0).is_some());
+        if is_given(left) || is_given(right) {
+            return Truth::Unknown;
+        }
+        let holds = |spot: &Spot| {
+            let context = Context {
+                points: &spot.points,
+                given: &spot.names,
+                ..super::examine::context(self.prepared, spot.point)
+            };
+            let nought = |linear: &super::linear::Linear| {
+                linear.is_number().then(|| linear.constant.may_be_nought(linear.size * 100.0))
+            };
+            match difference(&self.with_results(left), &self.with_results(right), &context)? {
+                Sum::Number(linear) => nought(&linear),
+                Sum::Vector(x, y) => Some(nought(&x)? && nought(&y)?),
+            }
+        };
+        let all = |spots: &[Spot]| spots.iter().map(holds).collect::<Option<Vec<bool>>>();
+        let Some((everywhere, where_found)) = all(everywhere).zip(all(where_found)) else { return Truth::Unknown };
+        let hold = |found: &[bool]| !found.is_empty() && found.iter().all(|holds| *holds);
+        if hold(&everywhere) || hold(&where_found) { Truth::True } else { Truth::False }
+    }
+
+    /// The formula with printed results in the place of what they are for: `tan β` is no letter of the question.
+    fn with_results(&self, expr: &Expr) -> Expr {
+        let models = self.question.parts.iter().flat_map(|part| &part.blanks).map(|blank| &blank.model);
+        let result = models.filter(|model| model.kind == Kind::Shown).find_map(|model| match &model.value {
+            Expr::Relation(left, Relation::Equal, right) if **left == *expr => Some((**right).clone()),
+            _ => None,
+        });
+        match result {
+            Some(right) => right,
+            None => expr.map_children(&mut |child| self.with_results(child)),
+        }
+    }
+}
