@@ -14,6 +14,7 @@ use crate::expr::{Expr, Function};
 pub(super) fn put_in_place(lines: &mut [Line], prepared: &Prepared) {
     put_short_letters_in_place(lines, prepared);
     let mut known: Vec<(String, Expr)> = Vec::new();
+    let mut guessed: Vec<String> = Vec::new();
     for reading in lines.iter_mut().flat_map(|line| &mut line.readings) {
         let defined = reading.equations.iter().find_map(|equation| definition(equation, prepared));
         if let Some((name, angle)) = defined {
@@ -27,8 +28,10 @@ pub(super) fn put_in_place(lines: &mut [Line], prepared: &Prepared) {
             let named = prepared.angles.iter().find(|(own, _)| *own == name);
             let only = || prepared.angles.first().filter(|_| prepared.angles.len() == 1);
             if let Some((_, angle)) = named.or_else(only).filter(|_| is_open) {
-                known.push((name, in_degrees(*angle)));
+                guessed.extend(named.is_none().then(|| name.clone()));
+                known.push((name.clone(), in_degrees(*angle)));
             }
+            reading.is_guessed |= guessed.contains(&name);
         }
         let put = |expr: &Expr| with_angles(expr, &known);
         for (left, right) in &mut reading.equations {

@@ -4,9 +4,9 @@
 //! comes to it, in a formula or under a name, has used the law; its sign is condoned. Besides that a few laws are known by
 //! the shape of their formula, so that a slip of the calculator costs no method mark.
 
-use super::compare::{comes_to, comes_to_angle, is_composite};
+use super::compare::{comes_to, comes_to_angle, is_composite, is_vector};
 use super::evidence::Evidence;
-use super::examine::{Studied, Value, Working};
+use super::examine::{Studied, Value, Working, has_vectors};
 use super::line::Member;
 use super::points::sizes;
 use super::shapes::components_in;
@@ -167,31 +167,30 @@ impl Working<'_> {
 
     /// The components across the line of centres, of every sphere that has one, seen.
     fn unchanged(&self) -> Option<Evidence> {
-        let across: Vec<Vec<f64>> = Sphere::BOTH
-            .into_iter()
-            .filter_map(|sphere| sizes(&self.prepared.known, Quantity::Velocity(sphere, Moment::Before, Axis::T)))
-            .filter(|sizes| sizes.iter().any(|size| size.abs() > 1e-9))
-            .collect();
-        let seen = |right: &Vec<f64>| self.lines.iter().position(|studied| self.shows_component(studied, right));
+        let across = Sphere::BOTH.into_iter().filter_map(|sphere| {
+            let across = sizes(&self.prepared.known, Quantity::Velocity(sphere, Moment::Before, Axis::T))?;
+            across.iter().any(|size| size.abs() > 1e-9).then_some((sphere, across))
+        });
+        let across: Vec<(Sphere, Vec<f64>)> = across.collect();
+        let seen = |(sphere, right): &(Sphere, Vec<f64>)| {
+            self.lines.iter().position(|studied| self.shows_component(studied, *sphere, right))
+        };
         let places: Option<Vec<usize>> = across.iter().map(seen).collect();
         let last = places?.into_iter().max()?;
         Some(Evidence::given(last, "the component perpendicular to the line of centres"))
     }
 
     /// Does a line show this component: as a value, in Pythagoras, in a tangent, or in a vector?
-    fn shows_component(&self, studied: &Studied, right: &[f64]) -> bool {
+    fn shows_component(&self, studied: &Studied, sphere: Sphere, right: &[f64]) -> bool {
         let is_right = |values: &[Value]| values.iter().zip(right).all(|(value, right)| comes_to(*value, *right));
-        let in_vector = |values: &[Value]| {
-            values.iter().zip(right).all(|(value, right)| match value {
-                Value::Vector(x, y) => x.absolute().may_be(right.abs()) || y.absolute().may_be(right.abs()),
-                Value::Number(_) => false,
-            })
-        };
         let whole = studied.matched.is_empty()
             && self.members(studied).any(|(member, values)| {
-                let named = member.label.is_some() || is_composite(&member.expr);
+                let is_composite = is_composite(&member.expr);
+                let named = (member.label.is_some() || is_composite) && !is_called_otherwise(member, sphere);
+                let before = member.letter.as_ref().is_some_and(|letter| letter.starts_with('u') && !is_composite);
                 let unknown = member.letter.as_ref().is_some_and(|letter| self.is_unknown(letter));
-                (named && !unknown && !member.is_given && is_right(values)) || in_vector(values)
+                (named && !unknown && !before && !member.is_given && is_right(values))
+                    || self.has_component(values, sphere, right)
             });
         if whole {
             return true;
@@ -203,6 +202,23 @@ impl Working<'_> {
         components.any(|expr| self.values_of(&expr).is_some_and(|values| is_right(&values)))
     }
 
+    /// Is it a vector with this component, and not the one that was given? Along i or j it keeps its sign.
+    fn has_component(&self, values: &[Value], sphere: Sphere, right: &[f64]) -> bool {
+        let known = |quantity| sizes(&self.prepared.known, quantity);
+        let before = |axis| known(Quantity::Velocity(sphere, Moment::Before, axis));
+        let is_given = before(Axis::X).zip(before(Axis::Y)).is_some_and(|(x, y)| is_vector(values, &x, &y, 1.0));
+        let is_along = |axis| known(Quantity::Line(axis)).is_some_and(|line| line.iter().all(|size| size.abs() > 1.0 - 1e-9));
+        let across = if is_along(Axis::X) { Some(Axis::Y) } else { Some(Axis::X).filter(|_| is_along(Axis::Y)) };
+        let signed = across.filter(|_| has_vectors(self.question)).and_then(|axis| Some((axis, before(axis)?)));
+        let is_one = |(point, value): (usize, &Value)| match (value, &signed) {
+            (Value::Vector(_, y), Some((Axis::Y, own))) => y.may_be(own[point]),
+            (Value::Vector(x, _), Some((_, own))) => x.may_be(own[point]),
+            (Value::Vector(x, y), None) => [x, y].into_iter().any(|one| one.absolute().may_be(right[point].abs())),
+            (Value::Number(_), _) => false,
+        };
+        !is_given && values.iter().enumerate().all(is_one)
+    }
+
     pub(super) fn values_of(&self, expr: &Expr) -> Option<Vec<Value>> {
         let at = |point| {
             let context = self.context(point);
@@ -210,6 +226,15 @@ impl Working<'_> {
         };
         (0..self.prepared.points.count).map(at).collect()
     }
+}
+
+/// Is a value said to be something else than a component of this sphere?
+fn is_called_otherwise(member: &Member, sphere: Sphere) -> bool {
+    const OTHERS: [&str; 9] = ["time", "mass", "distance", "momentum", "impulse", "force", "energy", "ke", "radius"];
+    let label = member.label.as_deref().unwrap_or_default();
+    let words: Vec<String> = label.split(|sign: char| !sign.is_alphanumeric()).map(str::to_lowercase).collect();
+    let names = |sphere: Sphere| words.contains(&sphere.name().to_lowercase());
+    words.iter().any(|word| OTHERS.contains(&word.as_str())) || (names(sphere.other()) && !names(sphere))
 }
 
 /// How many numbers and letters stand in a formula.

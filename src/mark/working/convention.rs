@@ -20,6 +20,7 @@ pub(super) fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option
     let laws = prepared.laws.as_ref()?;
     // Every equation of every reading that is more than `v = 3`.
     let mut offered: Vec<(usize, usize, Vec<Linear>)> = Vec::new();
+    let mut without_approach: Vec<usize> = Vec::new();
     let mut bare: Vec<(usize, usize)> = Vec::new();
     for (place, studied) in lines.iter().enumerate() {
         for (which, reading) in studied.line.readings.iter().enumerate() {
@@ -30,6 +31,9 @@ pub(super) fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option
                     if says_equal(equation, &linear[0]) {
                         bare.push((place, which));
                     }
+                    if !shows_approach(equation, prepared) {
+                        without_approach.push(offered.len());
+                    }
                     offered.push((place, which, linear));
                 }
             }
@@ -37,8 +41,13 @@ pub(super) fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option
     }
     let pairs = pairs(&offered, lines);
     let matches = |convention: &Convention| -> Vec<Found> {
-        let each = offered.iter();
-        let found = each.filter_map(|(place, which, linear)| Some((*place, *which, laws.matched(linear, convention)?)));
+        let each = offered.iter().enumerate();
+        let found = each.filter_map(|(number, (place, which, linear))| {
+            let matched = laws.matched(linear, convention)?;
+            // A number alone may be anything: e is another only where it stands with the speed of approach.
+            let is_e = matched.departures != [Departure::AnotherRestitution] || !without_approach.contains(&number);
+            is_e.then_some((*place, *which, matched))
+        });
         found.map(|(place, which, matched)| (place, which, named(matched, bare.contains(&(place, which))))).collect()
     };
     let mut best: Option<(u32, Convention, Vec<Found>)> = None;
@@ -126,6 +135,38 @@ fn says_equal((left, right): &(Expr, Expr), linear: &Linear) -> bool {
                 && names.iter().all(|name| name.text == *one || name.text == *other))
     };
     is_bare(left) && is_bare(right) && (v.middle() + w.middle()).abs() < 1e-9
+}
+
+/// Does the speed of approach stand in the equation: as a number, a product, or a factor of one?
+fn shows_approach((left, right): &(Expr, Expr), prepared: &Prepared) -> bool {
+    let along = |sphere| sizes(&prepared.known, Quantity::Velocity(sphere, Moment::Before, Axis::N));
+    let Some((a, b)) = along(Sphere::A).zip(along(Sphere::B)) else { return false };
+    let is_approach = |expr: &Expr| {
+        let values = value(expr, prepared, &prepared.names).and_then(|values| numbers(&values));
+        values.is_some_and(|values| {
+            values.iter().zip(a.iter().zip(&b)).all(|(value, (a, b))| (value.abs() - (a - b).abs()).abs() < 0.005 * value.abs())
+        })
+    };
+    let has_factors = |factors: &[Expr]| {
+        (1..1_usize << factors.len().min(6)).any(|chosen| {
+            let some = factors.iter().enumerate().filter(|(place, _)| chosen >> place & 1 == 1);
+            is_approach(&Expr::Product(some.map(|(_, factor)| factor.clone()).collect()))
+        })
+    };
+    let is = |inner: &Expr| match inner {
+        Expr::Product(factors) => has_factors(factors),
+        other => is_approach(other),
+    };
+    within_above(left, &is) || within_above(right, &is)
+}
+
+/// Is it so of a part of the formula? What is below a number is no part: `1/4` is e where the approach is 4.
+fn within_above(expr: &Expr, is: &dyn Fn(&Expr) -> bool) -> bool {
+    is(expr)
+        || match expr {
+            Expr::Quotient(above, _) if above.names().is_empty() => within_above(above, is),
+            other => other.children().into_iter().any(|child| within_above(child, is)),
+        }
 }
 
 /// An approach that comes to nought by a wrong sign is restitution; no approach at all is not.

@@ -159,6 +159,7 @@ fn examine_one(question: &KeyedQuestion, part: &KeyedPart, working: &[String], b
         })
         .collect();
     let convention = take_as_laws(&mut lines, prepared);
+    set_aside_replaced(&mut lines);
     evaluate(&mut lines, prepared, &prepared.names);
     let mut theirs = before.clone();
     let found = own_values(&lines, convention.as_ref(), part, prepared);
@@ -191,7 +192,30 @@ fn examine_one(question: &KeyedQuestion, part: &KeyedPart, working: &[String], b
     Examined { awards, lines, theirs: working.theirs, followed: Some(working.followed) }
 }
 
-fn has_vectors(question: &KeyedQuestion) -> bool {
+/// A line that is crossed out does not count where the same law, or the same letter, stands again without a stroke.
+fn set_aside_replaced(lines: &mut [Studied]) {
+    let letters = |studied: &Studied| -> Vec<String> {
+        let members = studied.reading.iter().flat_map(|reading| &reading.members);
+        members.filter_map(|member| member.letter.clone()).collect()
+    };
+    let stands: Vec<&Studied> = lines.iter().filter(|studied| !studied.line.is_crossed_out()).collect();
+    let is_replaced = |studied: &Studied| {
+        let laws = &studied.matched;
+        let own = letters(studied);
+        stands.iter().any(|other| {
+            let same_law = |law: &Matched| other.matched.iter().any(|matched| matched.equation == law.equation);
+            laws.iter().any(same_law) || letters(other).iter().any(|letter| own.contains(letter))
+        })
+    };
+    let crossed = lines.iter().map(|studied| studied.line.is_crossed_out() && is_replaced(studied));
+    let crossed: Vec<bool> = crossed.collect();
+    for (studied, _) in lines.iter_mut().zip(crossed).filter(|(_, crossed)| *crossed) {
+        (studied.reading, studied.matched) = (None, Vec::new());
+        studied.role = "crossed out and replaced".to_owned();
+    }
+}
+
+pub(super) fn has_vectors(question: &KeyedQuestion) -> bool {
     use crate::mechanics::Velocity;
     let components =
         question.scene.before.iter().chain(&question.scene.after).flatten().any(|velocity| match velocity {

@@ -39,6 +39,8 @@ pub(super) struct ReadLine {
     pub(super) members: Vec<Member>,
     /// What was read.
     pub(super) statements: Vec<Statement>,
+    /// Was a letter for an angle taken for the only angle that the question names?
+    pub(super) is_guessed: bool,
 }
 
 /// One side of an equals sign, or a value alone.
@@ -84,7 +86,11 @@ pub(super) fn read(working: &[String], letters: &[Letter], vectors: bool) -> Vec
     let usual: Vec<&str> = UNKNOWNS.into_iter().chain(GIVEN).chain(capitals.iter().map(String::as_str)).collect();
     let doubtful: Vec<&str> = usual.iter().copied().chain(DOUBTFUL).collect();
     let own: Vec<&str> = doubtful.iter().copied().chain(OWN).collect();
-    let vocabularies = [with(&usual), with(&doubtful), with(&own)];
+    let mut vocabularies = vec![with(&usual), with(&doubtful), with(&own)];
+    // A student may choose i and j where the question has none.
+    if !vectors {
+        vocabularies.push(Vocabulary { letters: with(&own).letters, vectors: true });
+    }
     let lines = working.iter().flat_map(|cell| cell.lines()).map(str::trim).filter(|line| !line.is_empty());
     let read = |(place, typed): (usize, &str)| Line {
         number: place + 1,
@@ -133,6 +139,7 @@ fn readings(typed: &str, vocabularies: &[Vocabulary]) -> Vec<ReadLine> {
 /// The line, and the line without the words before its formula: `CLM: …`, `by conservation of momentum …`.
 fn candidates(typed: &str) -> Vec<String> {
     let typed = typed.trim_start_matches(['∴', '→', '⇒', '•']).trim_start_matches("=>").trim();
+    let typed = REMARKS.iter().find_map(|remark| typed.strip_suffix(remark)).unwrap_or(typed).trim();
     // A bullet stands apart; a minus sign does not.
     let typed = ["- ", "* "].iter().find_map(|bullet| typed.strip_prefix(bullet)).unwrap_or(typed).trim();
     let typed = LEAD_INS.iter().find_map(|word| typed.strip_prefix(word)?.strip_prefix(' ')).unwrap_or(typed).trim();
@@ -157,6 +164,10 @@ fn candidates(typed: &str) -> Vec<String> {
     }
     all
 }
+
+/// What is said of a component that stays as it is.
+const REMARKS: [&str; 6] =
+    [" unchanged", " (unchanged)", ", unchanged", " is unchanged", " remains unchanged", " stays the same"];
 
 /// Is it a function or `sinθ`, which looks like a word?
 fn is_formula(word: &str) -> bool {
@@ -210,5 +221,5 @@ fn read_line(reading: Reading) -> ReadLine {
             is_given,
         }));
     }
-    ReadLine { printed: reading.printed, equations, members, statements: reading.statements }
+    ReadLine { printed: reading.printed, equations, members, statements: reading.statements, is_guessed: false }
 }

@@ -111,7 +111,7 @@ impl Working<'_> {
     /// The equations of a line, with what is named as the result in its place; a line that begins with an equals sign goes
     /// on from the one before.
     fn equations(&self, reading: &ReadLine, before: Option<Expr>) -> (Vec<(Expr, Expr)>, Option<Expr>) {
-        let mut equations = reading.equations.clone();
+        let mut equations = if reading.is_guessed { Vec::new() } else { reading.equations.clone() };
         let mut named = before;
         for statement in &reading.statements {
             let printed = statement.label.as_ref().and_then(|label| self.printed_right_side(&label.typed));

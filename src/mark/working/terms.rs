@@ -11,6 +11,7 @@ use super::convention::is_value;
 use super::evidence::Evidence;
 use super::examine::{Studied, Working, context};
 use super::linear::{Context, constant};
+use super::pair::BOTH;
 use super::points::Points;
 use super::spread::Spread;
 use crate::bank::Code;
@@ -71,7 +72,7 @@ impl Numbers {
         }
     }
 
-    /// What a letter may stand for that is not known by its name.
+    /// What a letter may stand for that is not known by its name: see [`may_stand_for`].
     fn anything(&self) -> Vec<f64> {
         let [v, w] = self.after;
         let mut all = vec![v, w, -v, -w, self.e];
@@ -102,14 +103,16 @@ impl ByNumbers {
 impl Working<'_> {
     /// One of the two equations by its terms.
     pub(super) fn by_terms(&self, law: Law, code: Code) -> Option<Evidence> {
-        let equation = [Quantity::MomentumEquation, Quantity::RestitutionEquation]
-            .into_iter()
-            .find(|equation| law.gives(*equation))?;
+        let equation = BOTH.into_iter().find(|equation| law.gives(*equation))?;
         let line =
             |agreements: &[Option<Agrees>], least: Agrees| agreements.iter().position(|agrees| *agrees >= Some(least));
-        let right = self.by_numbers.right(equation, || {
-            self.agreements(equation, &|point| self.prepared.where_found(point).unwrap_or(&self.prepared.known[point]))
-        });
+        let right_of = |equation| {
+            self.by_numbers.right(equation, || {
+                let there = |point| self.prepared.where_found(point).unwrap_or(&self.prepared.known[point]);
+                self.agreements(equation, &there)
+            })
+        };
+        let right = right_of(equation);
         if let Some(place) = line(right, Agrees::Fully) {
             return Some(Evidence::given(place, law.name()));
         }
@@ -119,7 +122,13 @@ impl Working<'_> {
                 false => self.agreements(equation, &|point| &self.followed[point]),
             })
         };
-        let (place, note, feedback) = match line(right, Agrees::ButForSigns) {
+        let but_for_signs = || {
+            let place = line(right, Agrees::ButForSigns)?;
+            // What is as near to the other law is neither.
+            let other = BOTH.into_iter().find(|other| *other != equation)?;
+            right_of(other).get(place).is_none_or(Option::is_none).then_some(place)
+        };
+        let (place, note, feedback) = match but_for_signs() {
             Some(place) => (place, Some("sign-error"), "a sign or a number in it is wrong"),
             None => (line(own(), Agrees::ButForSigns)?, None, "it starts from a value that is not right"),
         };
@@ -152,7 +161,9 @@ impl Working<'_> {
             .iter()
             .filter(|equation| !is_value(equation))
             .filter_map(|(left, right)| self.of_equation(left, right, equation, numbers));
-        let of_quotients = quotients.filter_map(|member| self.of_quotient(&member.expr, numbers));
+        let of_quotients = quotients
+            .filter(|member| reading.members.iter().all(|other| self.may_be_e(&other.expr, &member.expr, numbers)))
+            .filter_map(|member| self.of_quotient(&member.expr, numbers));
         of_equations.chain(of_quotients).max()
     }
 
@@ -168,6 +179,18 @@ impl Working<'_> {
                 agreement_of_three(&terms, &at.with_sum_before(equation)).filter(|agrees| *agrees == Agrees::Fully)
             })
         })
+    }
+
+    /// Is what a line sets equal to a quotient e: by its letter, by its value, or as what the quotient comes to?
+    fn may_be_e(&self, other: &Expr, quotient: &Expr, numbers: &[Numbers]) -> bool {
+        let at = |expr: &Expr, point: usize| constant(expr, &context(self.prepared, point));
+        let is = |(point, at_point): (usize, &Numbers)| {
+            let Some(value) = at(other, point) else { return false };
+            let own = at(quotient, point).map(Spread::middle);
+            near(value.absolute(), at_point.e) || own.is_some_and(|own| near(value, own))
+        };
+        let is_letter = matches!(other, Expr::Name(name) if name.text == "e");
+        other == quotient || is_letter || numbers.iter().enumerate().all(is)
     }
 
     /// `(w − v)/(a − b)`, which is e.
@@ -186,8 +209,13 @@ impl Working<'_> {
                         _ => (agreement(&above, &[w, -v]), agreement(&below, &[a, -b])),
                     };
                     let ((above, scale), (below, other)) = above.zip(below)?;
-                    let is_e = (scale - other).abs() <= 1e-6 * scale.abs();
-                    Some(if is_e { above.min(below) } else { Agrees::ButForSigns })
+                    // A number alone would agree with anything, were the factor another.
+                    let is = |other: f64| (scale - other).abs() <= SLACK * scale.abs();
+                    match (is(other), is(-other)) {
+                        (true, _) => Some(above.min(below)),
+                        (false, true) => Some(Agrees::ButForSigns),
+                        (false, false) => None,
+                    }
                 });
                 best.set(best.get().max(agrees));
             }
@@ -216,9 +244,13 @@ impl Working<'_> {
         let found = self.prepared.found.iter().map(|(letter, _)| letter.name().to_owned());
         let found: Vec<String> = found.collect();
         open.retain(|name| !found.contains(&(*name).to_owned()));
+        let is_velocity = |name: &str| open.contains(&name) && may_stand_for(name)[0] == 0;
+        if open.len() > 2 || formulas.iter().any(|formula| degree(formula, &is_velocity) > 1) {
+            return None;
+        }
         let anything: Vec<Vec<f64>> = numbers.iter().map(Numbers::anything).collect();
-        let many = anything.first()?.len();
-        let trials = many.checked_pow(u32::try_from(open.len()).ok()?).filter(|_| open.len() <= 2)?;
+        let choices: Vec<&[usize]> = open.iter().map(|name| may_stand_for(name)).collect();
+        let trials = choices.iter().map(|choices| choices.len()).product();
         let points: Vec<Points> =
             (0..numbers.len()).map(|point| self.prepared.points.with(&self.prepared.found, point)).collect();
         let mut names = self.prepared.names.clone();
@@ -226,8 +258,11 @@ impl Working<'_> {
         names.extend(open.iter().map(|name| ((*name).to_owned(), vec![0.0; numbers.len()])));
         let mut best = None;
         for trial in 0..trials {
-            for (place, (_, values)) in names[known..].iter_mut().enumerate() {
-                let chosen = trial / many.pow(place as u32) % many;
+            let chosen = chosen(trial, &choices);
+            if chosen.len() == 2 && are_of_one(chosen[0], chosen[1]) {
+                continue;
+            }
+            for (chosen, (_, values)) in chosen.into_iter().zip(&mut names[known..]) {
                 values.iter_mut().zip(&anything).for_each(|(value, anything)| *value = anything[chosen]);
             }
             let at = |(point, at): (usize, &Numbers)| {
@@ -240,6 +275,45 @@ impl Working<'_> {
             }
         }
         best
+    }
+}
+
+/// What a letter may stand for by its name, as places in [`Numbers::anything`]: a velocity after the impact either way, a
+/// mass, or e.
+fn may_stand_for(name: &str) -> &'static [usize] {
+    match name.chars().next() {
+        Some('e') if name == "e" => &[4],
+        Some('m' | 'M') => &[5, 6],
+        Some('u' | 'v' | 'w' | 'U' | 'V' | 'W' | 'x' | 'y' | 'X' | 'Y' | 'p' | 'q') => &[0, 1, 2, 3],
+        _ => &[0, 1, 2, 3, 4, 5, 6],
+    }
+}
+
+/// Two letters are not both the velocity of one sphere.
+fn are_of_one(one: usize, other: usize) -> bool {
+    one == other || (one < 4 && other < 4 && one % 2 == other % 2)
+}
+
+/// One choice for each letter, by the number of the trial.
+fn chosen(trial: usize, choices: &[&[usize]]) -> Vec<usize> {
+    let mut rest = trial;
+    let one = |choices: &&[usize]| {
+        let chosen = choices[rest % choices.len()];
+        rest /= choices.len();
+        chosen
+    };
+    choices.iter().map(one).collect()
+}
+
+/// The degree of a formula in letters of some kind; what is under a power or a root is of more than one.
+fn degree(expr: &Expr, is_one: &dyn Fn(&str) -> bool) -> usize {
+    let of = |expr: &Expr| degree(expr, is_one);
+    match expr {
+        Expr::Name(name) => usize::from(is_one(&name.text)),
+        Expr::Product(factors) => factors.iter().map(of).sum(),
+        Expr::Quotient(above, below) => of(above) + of(below),
+        Expr::Power(base, _) | Expr::Call(_, base) => 2 * of(base),
+        other => other.children().into_iter().map(of).max().unwrap_or(0),
     }
 }
 

@@ -160,13 +160,15 @@ impl Working<'_> {
         let [x, y] = Sphere::BOTH.map(|sphere| at(sphere, Moment::After));
         let (a, b, x, y) = (a?, b?, x?, y?);
         let scales = self.scales();
-        let is = |expr: &Expr, sizes: [f64; 2]| {
-            let candidates: Vec<Vec<f64>> =
-                scales.iter().flat_map(|scale| sizes.map(|size| vec![size * scale])).collect();
+        let is = |expr: &Expr, sizes: [f64; 2], scale: f64| {
+            let candidates: Vec<Vec<f64>> = sizes.iter().map(|size| vec![size * scale]).collect();
             self.is_one_of(expr, &candidates)
         };
         let is_quotient = |expr: &Expr| match expr {
-            Expr::Quotient(above, below) => is(above, [y - x, y + x]) && is(below, [a - b, a + b]),
+            Expr::Quotient(above, below) => {
+                let mut scales = scales.iter();
+                scales.any(|scale| is(above, [y - x, y + x], *scale) && is(below, [a - b, a + b], *scale))
+            }
             _ => false,
         };
         let line = self.lines.iter().position(|studied| {
