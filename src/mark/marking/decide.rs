@@ -228,7 +228,7 @@ fn charge(how_often: Charge, charged: &mut bool) -> Worth {
 }
 
 /// The blank whose value the mark is for.
-fn own_blank(mark: &KeyedMark, part: &KeyedPart) -> Option<usize> {
+pub(super) fn own_blank(mark: &KeyedMark, part: &KeyedPart) -> Option<usize> {
     part.blanks.iter().position(|blank| match &mark.earned_for {
         EarnedFor::Quantity(quantity) => blank.find.quantities().contains(quantity),
         EarnedFor::Unknown(name) => blank.find == Find::Unknown(name.clone()),

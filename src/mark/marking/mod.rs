@@ -9,6 +9,7 @@ mod answers;
 mod causes;
 mod decide;
 mod follow;
+mod left;
 mod memory;
 mod overrule;
 
@@ -94,8 +95,8 @@ fn looked_through(
     let mut marked = Vec::new();
     for part in &question.parts {
         let handed_in = together(script, &part.label);
-        let (mut answers, judged) = answers::judged(part, &handed_in, profile, memory);
         let mut examined = examine(question, part, &handed_in.working, &theirs);
+        let (mut answers, judged) = answers::judged(part, &handed_in, profile, memory, &examined);
         let followed = follow::answers(question, part, &answers, &judged, &examined);
         follow::say(&mut answers, &followed);
         causes::name(question, part, &mut answers, &judged, &examined);

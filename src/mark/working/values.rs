@@ -8,9 +8,9 @@ use super::points::sizes;
 use crate::answer::Kind;
 use crate::bank::Code;
 use crate::expr::{Expr, Function};
-use crate::mark::judging::{Model, Verdict, judge};
+use crate::mark::judging::{Model, Verdict, is_of_a_part, judge};
 use crate::mark::key::KeyedMark;
-use crate::mark::reading::{Form, Reading, Said, Statement, Vocabulary};
+use crate::mark::reading::{Form, Label, Reading, Said, Statement, Vocabulary};
 use crate::mechanics::{Axis, Datum, Moment, Quantity, Sphere};
 
 impl Working<'_> {
@@ -40,6 +40,8 @@ impl Working<'_> {
                     (Some(_), _) => false,
                     (None, _) => statement.label.is_some() || statement.said.len() > 1,
                 };
+                let of_a_part = |label: &Label| is_of_a_part(&label.typed, quantity) || self.is_of_unknown(label);
+                let is_named = is_named && !statement.label.as_ref().is_some_and(of_a_part);
                 if !is_named {
                     continue;
                 }
@@ -66,6 +68,12 @@ impl Working<'_> {
             return Some(Evidence::followed(line, format!("{quantity}")));
         }
         None
+    }
+
+    /// Is it a formula with a letter of which nothing is known: `w²`, `2v`? Its value is not that of the letter.
+    fn is_of_unknown(&self, label: &Label) -> bool {
+        let is_formula = |expr: &&Expr| matches!(expr, Expr::Power(..) | Expr::Product(_) | Expr::Quotient(..));
+        label.expr.as_ref().filter(is_formula).is_some_and(|expr| self.values_of(expr).is_none())
     }
 
     /// Is nothing left to find, where the student's own values leave nought?
