@@ -14,7 +14,7 @@ use crate::expr::Expr;
 use crate::mark::award::{Award, Place};
 use crate::mark::judging::{Judgement, Verdict, is_named};
 use crate::mark::key::{KeyedBlank, KeyedPart};
-use crate::mark::reading::{Form, Statement};
+use crate::mark::reading::Statement;
 use crate::mark::script::PartScript;
 use crate::mark::working::Examined;
 
@@ -94,7 +94,8 @@ impl<'s> Left<'s> {
     fn is_called(&self, blank: &KeyedBlank, statement: &Statement) -> bool {
         match &blank.find {
             Find::Unknown(name) => statement.label.as_ref().is_some_and(|label| label.typed == *name),
-            _ if blank.model.kind == Kind::Range => statement.said.iter().any(|said| matches!(said.form, Form::Range(..))),
+            // An inequality names its letter.
+            _ if blank.model.kind == Kind::Range => true,
             _ => {
                 let mut others = self.part.blanks.iter().filter(|other| other.name != blank.name);
                 is_named(&blank.model, statement) && !others.any(|other| is_named(&other.model, statement))

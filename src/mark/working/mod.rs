@@ -14,6 +14,7 @@ mod evidence;
 mod examine;
 mod line;
 mod linear;
+mod own;
 mod pair;
 mod points;
 mod prepared;

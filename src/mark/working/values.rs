@@ -11,7 +11,7 @@ use crate::expr::{Expr, Function};
 use crate::mark::judging::{Model, Verdict, is_of_a_part, judge};
 use crate::mark::key::KeyedMark;
 use crate::mark::reading::{Form, Label, Reading, Said, Statement, Vocabulary};
-use crate::mechanics::{Axis, Datum, Moment, Quantity, Sphere};
+use crate::mechanics::{Axis, Datum, Moment, Quantity, Setting, Sphere};
 
 impl Working<'_> {
     /// A mark for a value: a line states it, with the figures that are asked for.
@@ -50,16 +50,22 @@ impl Working<'_> {
                 {
                     continue;
                 }
-                let model = mark.stated(is_reversed, || self.model_of(along, is_reversed))?;
-                let verdict = |statement: Statement| {
-                    let reading = Reading { statements: vec![statement], printed: String::new(), decided: Vec::new() };
-                    judge(model, &Ok(vec![reading])).verdict
-                };
-                let mut end = statement.clone();
-                end.said.drain(..end.said.len().saturating_sub(1));
-                // A right formula that is worked out wrongly is no right value. Most lines end in another value.
-                if verdict(end) != Verdict::Wrong && verdict(statement.clone()) == Verdict::Correct {
-                    return Some(Evidence::given(place, format!("{quantity}")));
+                // A rebound from a wall may be counted either way.
+                let is_rebound = self.prepared.setting == Setting::Wall && matches!(along, Quantity::Velocity(..));
+                let ways: &[bool] = if is_rebound { &[false, true] } else { std::slice::from_ref(&is_reversed) };
+                for is_reversed in ways.iter().copied() {
+                    let model = mark.stated(is_reversed, || self.model_of(along, is_reversed))?;
+                    let verdict = |statement: Statement| {
+                        let (statements, printed) = (vec![statement], String::new());
+                        let reading = Reading { statements, printed, decided: Vec::new() };
+                        judge(model, &Ok(vec![reading])).verdict
+                    };
+                    let mut end = statement.clone();
+                    end.said.drain(..end.said.len().saturating_sub(1));
+                    // A right formula that is worked out wrongly is no right value. Most lines end in another value.
+                    if verdict(end) != Verdict::Wrong && verdict(statement.clone()) == Verdict::Correct {
+                        return Some(Evidence::given(place, format!("{quantity}")));
+                    }
                 }
             }
         }
