@@ -3,8 +3,10 @@
 //! A letter of the student's own (`v`, `x`, `w`) names nothing in particular. Only what the subject has one name for
 //! does: words such as `impulse` and `deflection`, I or J for an impulse, e for the coefficient of restitution.
 
+use crate::answer::Kind;
+use crate::expr::Expr;
 use crate::mark::reading::Statement;
-use crate::mechanics::Quantity;
+use crate::mechanics::{Moment, Quantity};
 
 use super::finding::Finding;
 use super::statements::{named_sphere, sphere};
@@ -42,6 +44,61 @@ pub(super) fn as_called(model: &Model, statement: &Statement, finding: Finding) 
         return finding.at_most_partial(Note::Sign);
     }
     finding
+}
+
+/// Is a value called what is asked for, by a name that the subject has for it? A letter of the student's own is none, nor
+/// is what names a part of it.
+pub(in crate::mark) fn is_named(model: &Model, statement: &Statement) -> bool {
+    let Some(label) = &statement.label else { return false };
+    if matches!(model.kind, Kind::Vector | Kind::Velocity | Kind::Line) {
+        return true;
+    }
+    let Some(asked) = model.quantity else { return false };
+    let spheres = (sphere(asked), named_sphere(statement));
+    if is_of_a_part(&label.typed, asked) || spheres.1.is_some_and(|named| spheres.0 != Some(named)) {
+        return false;
+    }
+    let has = |wanted: &[&str]| words(&label.typed).any(|word| wanted.contains(&word.to_lowercase().as_str()));
+    let is_sort = || words(&label.typed).filter_map(sort).any(|sort| suits(asked, sort));
+    let letter = match &label.expr {
+        Some(Expr::Name(name)) => name.text.as_str(),
+        _ => "",
+    };
+    let is_own_letter = || !model.vocabulary.letters.iter().any(|own| own.name() == letter);
+    match asked.of_its_impact() {
+        Quantity::Speed(..) | Quantity::Velocity(..) => is_sort() || (spheres.1.is_some() && letter.starts_with(['v', 'V'])),
+        Quantity::EnergyLost | Quantity::SphereEnergyLost(_) => {
+            has(&["lost", "loss", "loses", "change", "decrease"]) || label.typed.contains(['Δ', '∆'])
+        }
+        Quantity::FractionLost => has(&["fraction", "proportion", "lost", "loss"]),
+        Quantity::TanDeflection(_) | Quantity::TanToLine(..) => label.typed.starts_with("tan") || is_sort(),
+        _ if asked.is_angle() => {
+            is_sort() || (["theta", "phi", "alpha", "beta", "gamma", "delta"].contains(&letter) && is_own_letter())
+        }
+        Quantity::Mass(_) => is_sort() || (spheres.1.is_some() && letter.starts_with(['m', 'M'])),
+        Quantity::Impulse(..) | Quantity::ImpulseMagnitude | Quantity::Restitution => is_sort(),
+        Quantity::KineticEnergy(..) | Quantity::TotalEnergy(_) => is_sort(),
+        _ => false,
+    }
+}
+
+/// Does a label speak of a component, or of another moment, where that is not what is asked?
+pub(in crate::mark) fn is_of_a_part(label: &str, asked: Quantity) -> bool {
+    const COMPONENT: [&str; 14] = [
+        "component", "components", "comp", "comps", "cpt", "perpendicular", "perp", "parallel", "para", "along", "i", "j",
+        "x", "y",
+    ];
+    const BEFORE: [&str; 4] = ["before", "initial", "initially", "original"];
+    let asked = asked.of_its_impact();
+    let is_whole = matches!(asked, Quantity::Speed(..));
+    let is_after = matches!(asked, Quantity::Speed(_, Moment::After) | Quantity::Velocity(_, Moment::After, _))
+        || matches!(asked, Quantity::KineticEnergy(_, Moment::After) | Quantity::TotalEnergy(Moment::After))
+        || matches!(asked, Quantity::EnergyLost | Quantity::SphereEnergyLost(_));
+    let several = words(label).count() > 1;
+    words(label).map(str::to_lowercase).any(|word| {
+        let is = |list: &[&str]| list.contains(&word.as_str());
+        (is_whole && several && is(&COMPONENT)) || (is_after && is(&BEFORE) && !label.contains("after"))
+    })
 }
 
 fn words(label: &str) -> impl Iterator<Item = &str> {

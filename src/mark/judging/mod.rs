@@ -37,6 +37,7 @@ use crate::unit::Unit;
 
 use super::reading::{Reading, Said, Unreadable, Vocabulary};
 use finding::Finding;
+pub(super) use called::{is_named, is_of_a_part};
 use known::Prepared;
 pub use model_text::ModelOptions;
 pub use note::Note;

@@ -4,14 +4,15 @@ use std::borrow::Cow;
 use std::rc::Rc;
 
 use super::memory::{Judged, Memory};
+use super::left::Left;
 use crate::answer::{Accept, Kind};
-use crate::expr::Expr;
 use crate::mark::award::MarkedAnswer;
 use crate::mark::judging::{Judgement, Model, Note, Verdict, judge, judge_together};
 use crate::mark::key::{KeyedBlank, KeyedPart};
 use crate::mark::profile::Profile;
 use crate::mark::reading::{Unreadable, read_answer};
 use crate::mark::script::PartScript;
+use crate::mark::working::Examined;
 use crate::number::Places;
 
 /// A verdict for each blank, in the order of the key, and what was found of each answer that was given to it alone.
@@ -20,6 +21,7 @@ pub(super) fn judged(
     script: &PartScript,
     profile: &Profile,
     memory: &mut Memory,
+    examined: &Examined,
 ) -> (Vec<MarkedAnswer>, Vec<Rc<Judged>>) {
     let unnamed = script.answers.iter().rev().find(|(name, _)| name.is_none()).map(|(_, answer)| answer.as_str());
     let all_at_once = |answer: &str| {
@@ -27,18 +29,14 @@ pub(super) fn judged(
             part.blanks.iter().map(|blank| in_profile(&blank.model, profile).into_owned()).collect();
         judge_together(&models, &read_answer(answer, &together_vocabulary(&models)))
     };
-    let is_right = |judgement: &Judgement| judgement.verdict == Verdict::Correct;
-    let last_line = || {
-        let line = script.working.iter().flat_map(|cell| cell.lines()).rfind(|line| !line.trim().is_empty());
-        line.filter(|line| script.answers.is_empty() && all_at_once(line).iter().all(is_right))
-    };
-    let unnamed = unnamed.or_else(|| if part.blanks.len() > 1 { last_line() } else { None });
+    let left = Left::of(part, script, examined);
+    let unnamed = unnamed.or_else(|| left.for_all(&all_at_once).filter(|_| script.answers.is_empty()));
     let mut together = match (unnamed, part.blanks.as_slice()) {
         (None, _) | (Some(_), [_]) => Vec::new(),
         (Some(answer), _) => all_at_once(answer),
     }
     .into_iter();
-    let each = part.blanks.iter().map(|blank| {
+    let each = part.blanks.iter().enumerate().map(|(place, blank)| {
         // The last word counts where a blank was filled in twice.
         let own = script
             .answers
@@ -46,49 +44,28 @@ pub(super) fn judged(
             .rev()
             .find(|(name, _)| name.as_deref().is_some_and(|name| is_name_of(name, &blank.name)));
         let alone = own.map(|(_, answer)| answer.as_str()).or(unnamed.filter(|_| part.blanks.len() == 1));
-        let alone = alone.or_else(|| left_in_working(blank, part, script, profile).filter(|_| unnamed.is_none()));
         let together = together.next();
-        let found = match (alone, together) {
-            (Some(answer), _) => memory.judged(blank, answer, || {
+        let mut judged = |answer: &str| {
+            memory.judged(blank, answer, || {
                 let model = in_profile(&blank.model, profile);
                 let readings = read_answer(answer, &model.vocabulary);
                 Judged::new(profiled(judge(&model, &readings), profile).in_setting(part.setting), readings.ok())
-            }),
-            (None, Some(together)) => Judged::new(profiled(together, profile).in_setting(part.setting), None),
-            (None, None) => Judged::new(judge(&blank.model, &Err(Unreadable::Blank)), None),
+            })
         };
-        let typed = alone.or(unnamed).map(str::to_owned);
+        let left = if alone.or(unnamed).is_none() { left.for_one(place, &mut judged) } else { None };
+        let typed = alone.or(unnamed).or(left.as_ref().map(|(line, _)| *line)).map(str::to_owned);
+        let found = match (alone, left, together) {
+            (Some(answer), ..) => judged(answer),
+            (None, Some((_, found)), _) => found,
+            (None, None, Some(together)) => {
+                Judged::new(profiled(together, profile).in_setting(part.setting), None)
+            }
+            (None, None, None) => Judged::new(judge(&blank.model, &Err(Unreadable::Blank)), None),
+        };
         let (name, judgement) = (blank.name.clone(), found.judgement.clone());
         (MarkedAnswer { name, typed, judgement, causes: Vec::new() }, found)
     });
     each.unzip()
-}
-
-/// A right answer that was left where the working ends, and not filled in: one of the last lines, as many as there are
-/// blanks. What is not right there may be a step on the way.
-fn left_in_working<'s>(
-    blank: &KeyedBlank,
-    part: &KeyedPart,
-    script: &'s PartScript,
-    profile: &Profile,
-) -> Option<&'s str> {
-    let lines = script.working.iter().flat_map(|cell| cell.lines()).map(str::trim).filter(|line| !line.is_empty());
-    let last = lines.collect::<Vec<_>>().into_iter().rev().take(part.blanks.len());
-    let model = in_profile(&blank.model, profile);
-    let is_right = |line: &&str| {
-        let readings = read_answer(line, &model.vocabulary);
-        let Some(statements) = readings.as_ref().ok().and_then(|all| all.first()).map(|one| &one.statements) else {
-            return false;
-        };
-        // `v = 3, w = 5` is for two blanks, and not the second value for either; `w − v = 3` is for none.
-        let is_alone = part.blanks.len() == 1 || statements.len() == 1;
-        let is_equation = |typed: &str| typed.contains(['+', '-', '−', '*', '×', '/', '(']);
-        let is_result = statements.iter().filter_map(|one| one.label.as_ref()).all(|label| !is_equation(&label.typed));
-        is_alone && is_result && profiled(judge(&model, &readings), profile).verdict == Verdict::Correct
-    };
-    // Nought may be anything's: that a sphere is at rest is often given.
-    let is_wanted = !is_shown(blank) && blank.model.value != Expr::integer(0);
-    last.filter(|_| is_wanted).find(is_right)
 }
 
 /// Is what was written the name of this blank, however it is spaced?

@@ -2,10 +2,12 @@
 
 use std::rc::Rc;
 
+use super::by_lines::ByLines;
+use super::follow::{Followed, is_near_miss, say_of};
 use super::memory::Judged;
 use crate::bank::{EarnedFor, Find};
 use crate::mark::award::{Cause, MarkedAnswer};
-use crate::mark::judging::{Note, Verdict};
+use crate::mark::judging::Verdict;
 use crate::mark::key::{KeyedBlank, KeyedPart, KeyedQuestion};
 use crate::mark::reading::{Reading, Said};
 use crate::mark::slips::{self, EARLY_ROUNDING, early_rounding};
@@ -14,6 +16,15 @@ use crate::mark::working::Examined;
 /// The most mistakes that are listed for one answer.
 const MOST: usize = 12;
 
+/// What the causes of a part are named by, besides its answers.
+pub(super) struct Seen<'a> {
+    /// What the lines show.
+    pub(super) by_lines: &'a ByLines,
+    /// Is a value wrong that the student found in an earlier part?
+    pub(super) is_wrong_before: bool,
+    pub(super) followed: &'a [Option<Followed>],
+}
+
 /// Names the mistakes behind each answer of a part that is not right.
 pub(super) fn name(
     question: &KeyedQuestion,
@@ -21,37 +32,61 @@ pub(super) fn name(
     answers: &mut [MarkedAnswer],
     judged: &[Rc<Judged>],
     examined: &Examined,
+    seen: &Seen,
 ) {
-    for ((blank, answer), judged) in part.blanks.iter().zip(answers).zip(judged) {
-        let near = answer.judgement.note == Some(Note::NearMiss.tag());
-        let is_open = answer.judgement.verdict == Verdict::Wrong || near;
+    for (place, (blank, judged)) in part.blanks.iter().zip(judged).enumerate() {
+        let answer = &mut answers[place];
+        let is_open = answer.judgement.verdict == Verdict::Wrong || is_near_miss(&answer.judgement);
         let Some(readings) = judged.readings.as_ref().filter(|_| is_open) else { continue };
-        let behind = || behind(question, part, blank, readings, examined);
-        // Values on the way belong to a student, and so does what comes of rounding them.
-        answer.causes = match examined.theirs.0.is_empty() {
+        let behind = || behind(question, part, blank, readings, examined, seen.by_lines);
+        // What is on paper belongs to a student, and so does what comes of rounding it.
+        let mut found = match examined.lines.is_empty() && examined.theirs.0.is_empty() {
             true => judged.causes.get_or_init(behind).clone(),
             false => behind(),
         };
+        if seen.followed[place].is_some() && (seen.is_wrong_before || !found.iter().any(|cause| cause.is_of_law)) {
+            found.clear();
+            say_of(answer);
+        }
+        if found.is_empty() && !is_near_miss(&answer.judgement) {
+            found.extend(seen.by_lines.arithmetic(part, place).map(of_figures));
+        }
+        answer.causes = found.into_iter().map(|found| found.cause).collect();
     }
 }
 
-/// Every mistake behind an answer.
+/// A mistake as it is told.
+#[derive(Clone, Debug)]
+pub(super) struct Found {
+    cause: Cause,
+    /// Is it in the use of a law, and not in the figures?
+    is_of_law: bool,
+}
+
+fn of_figures(cause: Cause) -> Found {
+    Found { cause, is_of_law: false }
+}
+
+/// Every mistake behind an answer that the working does not speak against.
 fn behind(
     question: &KeyedQuestion,
     part: &KeyedPart,
     blank: &KeyedBlank,
     readings: &[Reading],
     examined: &Examined,
-) -> Vec<Cause> {
+    by_lines: &ByLines,
+) -> Vec<Found> {
     let asked = blank.find.quantities();
     if asked.is_empty() {
         return Vec::new();
     }
-    let mut causes: Vec<Cause> = rounded(question, &blank.find, readings, examined).into_iter().collect();
+    let mut found: Vec<Found> =
+        rounded(question, &blank.find, readings, examined).into_iter().map(of_figures).collect();
     let each = readings.iter().filter_map(last_said).map(|said| question.mistakes().causes(&asked, said));
-    let found = each.into_iter().find(|found| !found.is_empty()).unwrap_or_default();
-    causes.extend(found.iter().take(MOST).map(|cause| explained(cause, part)));
-    causes
+    let causes = each.into_iter().find(|found| !found.is_empty()).unwrap_or_default();
+    let fitting = causes.iter().filter(|cause| by_lines.allows(part, cause)).take(MOST);
+    found.extend(fitting.map(|cause| Found { cause: explained(cause, part), is_of_law: !cause.laws.is_empty() }));
+    found
 }
 
 /// What the answer comes to in the end.

@@ -1,9 +1,10 @@
 //! Each mark of a scheme given or withheld.
 
 use super::answers::is_shown;
+use super::follow::Followed;
 use crate::bank::{Code, EarnedFor, Find};
 use crate::mark::award::{Award, Evidence, Examiner, MarkedAnswer, Place};
-use crate::mark::judging::{Judgement, Note, Verdict};
+use crate::mark::judging::{Note, Verdict};
 use crate::mark::key::{KeyedMark, KeyedPart};
 use crate::mark::profile::{Charge, Profile};
 use crate::mechanics::{Quantity, Seen};
@@ -24,7 +25,7 @@ pub(super) struct Findings<'a> {
     /// What the working shows of each mark.
     pub(super) by_working: Vec<Option<Award>>,
     /// What is right for the student's own values, a blank each.
-    pub(super) followed: &'a [Option<Judgement>],
+    pub(super) followed: &'a [Option<Followed>],
     /// For each mark: does the working state another value than the one that it is for?
     pub(super) contradicted: Vec<bool>,
 }
@@ -132,15 +133,23 @@ fn in_profile(award: Award, mark: &KeyedMark, profile: &Profile) -> Award {
 }
 
 /// A mark for an answer that is right for what the student had found before.
-fn by_followed(mark: &KeyedMark, part: &KeyedPart, followed: &[Option<Judgement>]) -> Option<Award> {
-    let blank = mark.blanks.iter().copied().find(|place| followed[*place].is_some())?;
-    let judgement = followed[blank].as_ref()?;
+fn by_followed(mark: &KeyedMark, part: &KeyedPart, followed: &[Option<Followed>]) -> Option<Award> {
+    let mut each = mark.blanks.iter().filter_map(|place| Some((*place, followed[*place].as_ref()?)));
+    each.find_map(|(place, followed)| by_one_followed(mark, part, place, followed))
+}
+
+fn by_one_followed(mark: &KeyedMark, part: &KeyedPart, blank: usize, followed: &Followed) -> Option<Award> {
+    let Followed { judgement, is_marked } = followed;
     let is_value =
         matches!(&mark.earned_for, EarnedFor::Quantity(q) if part.blanks[blank].find.quantities().contains(q));
     // The method that leads to it is implied; what stands before the student's own value is not.
+    let is_last_step =
+        *is_marked || matches!(mark.earned_for, EarnedFor::Law(law, _) if matches!(law.seen(), Seen::Value(..)));
     let is_method = mark.code.is_method()
+        && is_last_step
         && part.scheme.iter().any(|other| {
-            other.code == Code::A1FollowThrough
+            let is_own = if *is_marked { other.code == Code::A1FollowThrough } else { own_blank(other, part) == Some(blank) };
+            is_own
                 && other.blanks.contains(&blank)
                 && other.depends.iter().any(|id| part.scheme[*id].id == mark.id)
         });
@@ -233,7 +242,7 @@ fn charge(how_often: Charge, charged: &mut bool) -> Worth {
 }
 
 /// The blank whose value the mark is for.
-fn own_blank(mark: &KeyedMark, part: &KeyedPart) -> Option<usize> {
+pub(super) fn own_blank(mark: &KeyedMark, part: &KeyedPart) -> Option<usize> {
     part.blanks.iter().position(|blank| match &mark.earned_for {
         EarnedFor::Quantity(quantity) => blank.find.quantities().contains(quantity),
         EarnedFor::Unknown(name) => blank.find == Find::Unknown(name.clone()),

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use super::memory::Judged;
-use crate::answer::Accept;
+use crate::answer::{Accept, Kind};
 use crate::bank::{Code, EarnedFor, Find};
 use crate::expr::{Expr, Text};
 use crate::mark::award::MarkedAnswer;
@@ -15,24 +15,35 @@ use crate::mechanics::{Datum, Derivation, Line, Quantity, Show};
 use crate::number::{Fraction, Places, round};
 use crate::paper::WorkingLine;
 
-/// For each blank the verdict against what follows from the student's own values, where the scheme follows through.
+/// An answer that is right for what the student had found before.
+pub(super) struct Followed {
+    pub(super) judgement: Judgement,
+    /// Does the scheme have a mark for it? Else it only shows the method.
+    pub(super) is_marked: bool,
+}
+
+/// For each blank the verdict against what follows from the student's own values.
 pub(super) fn answers(
     question: &KeyedQuestion,
     part: &KeyedPart,
     answers: &[MarkedAnswer],
     judged: &[Rc<Judged>],
     examined: &Examined,
-) -> Vec<Option<Judgement>> {
+) -> Vec<Option<Followed>> {
+    let is_wrong_before = examined.theirs.wrong(question).next().is_some();
     let each = part.blanks.iter().zip(answers).zip(judged);
     each.map(|((blank, answer), judged)| {
         let Find::Quantity(quantity) = blank.find else { return None };
-        let follows = part
+        let is_marked = part
             .scheme
             .iter()
             .any(|mark| mark.code == Code::A1FollowThrough && mark.earned_for == EarnedFor::Quantity(quantity));
         // What is right but for its form follows from nothing wrong.
         let is_right =
             answer.judgement.verdict == Verdict::Correct || answer.judgement.note == Some(Note::ExactWanted.tag());
+        let is_wrong = || answer.judgement.verdict == Verdict::Wrong || is_near_miss(&answer.judgement);
+        let is_value = || matches!(blank.model.kind, Kind::Number | Kind::Angle);
+        let follows = is_marked || (is_wrong_before && is_wrong() && is_value());
         let open = follows && !is_right && !examined.theirs.0.is_empty();
         // A formula in letters is followed at points only, which is no proof.
         if !open || !question.letters.is_empty() {
@@ -43,6 +54,9 @@ pub(super) fn answers(
         if value == 0.0 && question.prepared().known_size(quantity) != Some(0.0) {
             return None;
         }
+        if !is_marked && (is_stated(question, examined, value) || is_right_already(question, quantity, value)) {
+            return None;
+        }
         let value = Expr::Decimal(format!("{:.12}", value.abs()));
         // It is known in figures, so that nobody can be asked for more.
         let accept = match &blank.model.accept {
@@ -51,20 +65,47 @@ pub(super) fn answers(
         };
         let model = Model { quantity: blank.model.quantity, accept, ..blank.model.of_value(value) };
         let judgement = judge(&model, &Ok(judged.readings.clone()?));
-        (judgement.verdict == Verdict::Correct).then(|| judgement.in_setting(part.setting))
+        let is_in_figures = !is_marked && judgement.note == Some(Note::UnderAccurate.tag());
+        let follows = judgement.verdict == Verdict::Correct || is_in_figures;
+        follows.then(|| Followed { judgement: judgement.in_setting(part.setting), is_marked })
     })
     .collect()
 }
 
+/// Is it less than one hundredth off?
+pub(super) fn is_near_miss(judgement: &Judgement) -> bool {
+    judgement.note == Some(Note::NearMiss.tag())
+}
+
+/// Is it one of the student's own wrong values itself, so that nothing follows?
+fn is_stated(question: &KeyedQuestion, examined: &Examined, value: f64) -> bool {
+    let is_it = |quantity: Quantity| match examined.theirs.0.get(&quantity).map(|(values, _)| values.as_slice()) {
+        Some([own]) => (own.abs() - value.abs()).abs() < 1e-6 * value.abs(),
+        _ => false,
+    };
+    examined.theirs.wrong(question).any(|(quantity, _)| is_it(quantity))
+}
+
+/// Do the wrong values not come into it?
+fn is_right_already(question: &KeyedQuestion, quantity: Quantity, value: f64) -> bool {
+    let right = question.prepared().known_size(quantity);
+    right.is_some_and(|right| (right.abs() - value.abs()).abs() < 1e-3 * right.abs())
+}
+
 /// Answers that follow from the student's own values say so, and no other mistake is looked for in them.
-pub(super) fn say(answers: &mut [MarkedAnswer], followed: &[Option<Judgement>]) {
+pub(super) fn say(answers: &mut [MarkedAnswer], followed: &[Option<Followed>]) {
     for (answer, followed) in answers.iter_mut().zip(followed) {
-        if followed.is_some() {
-            answer.judgement.verdict = Verdict::Partial;
-            answer.judgement.note = Some("follow-through");
-            answer.judgement.feedback = "Right for the values that you had found before.".to_owned();
+        if followed.as_ref().is_some_and(|followed| followed.is_marked) {
+            say_of(answer);
         }
     }
+}
+
+/// Says of an answer that it follows.
+pub(super) fn say_of(answer: &mut MarkedAnswer) {
+    answer.judgement.verdict = Verdict::Partial;
+    answer.judgement.note = Some("follow-through");
+    answer.judgement.feedback = "Right for the values that you had found before.".to_owned();
 }
 
 /// The solution of the rest of a part from the values that the student found, as it would be written on paper. Nothing if

@@ -4,7 +4,7 @@ use std::cell::OnceCell;
 use std::collections::HashMap;
 use std::rc::Rc;
 
-use crate::mark::award::Cause;
+use super::causes::Found;
 use crate::mark::judging::Judgement;
 use crate::mark::key::KeyedBlank;
 use crate::mark::reading::Reading;
@@ -28,8 +28,8 @@ pub(super) struct Judged {
     pub(super) judgement: Judgement,
     /// How it was read; nothing if it was not, or if it does not stand for this blank alone.
     pub(super) readings: Option<Vec<Reading>>,
-    /// The mistakes behind it, where the student shows no value of an own on the way.
-    pub(super) causes: OnceCell<Vec<Cause>>,
+    /// The mistakes behind it, where the student shows nothing on the way.
+    pub(super) causes: OnceCell<Vec<Found>>,
 }
 
 impl Judged {

@@ -6,9 +6,11 @@
 //! mark only once in a question is charged once.
 
 mod answers;
+mod by_lines;
 mod causes;
 mod decide;
 mod follow;
+mod left;
 mod memory;
 mod overrule;
 
@@ -91,14 +93,18 @@ fn looked_through(
 ) -> Vec<MarkedPart> {
     let mut charged = decide::Charged::default();
     let mut theirs = Theirs::default();
+    let mut by_lines = by_lines::ByLines::default();
     let mut marked = Vec::new();
     for part in &question.parts {
         let handed_in = together(script, &part.label);
-        let (mut answers, judged) = answers::judged(part, &handed_in, profile, memory);
         let mut examined = examine(question, part, &handed_in.working, &theirs);
+        let (mut answers, judged) = answers::judged(part, &handed_in, profile, memory, &examined);
         let followed = follow::answers(question, part, &answers, &judged, &examined);
         follow::say(&mut answers, &followed);
-        causes::name(question, part, &mut answers, &judged, &examined);
+        by_lines = by_lines.go_on(part, &examined.awards, question.scene.then.is_empty());
+        let is_wrong_before = theirs.wrong(question).next().is_some();
+        let seen = causes::Seen { by_lines: &by_lines, is_wrong_before, followed: &followed };
+        causes::name(question, part, &mut answers, &judged, &examined, &seen);
         let by_working = std::mem::take(&mut examined.awards);
         let needed = question.needed(part);
         let contradicted = contradicted(question, part, &theirs, &examined.theirs);

@@ -29,6 +29,9 @@ use sample::Sample;
 use table::{Answer, Values};
 use written::Written;
 
+/// The tag where the working has all that is needed and no known mistake explains the answer.
+pub const ARITHMETIC: &str = "arithmetic";
+
 /// The most pairs of slips that are tried.
 const MOST_PAIRS: usize = 200;
 
@@ -309,6 +312,12 @@ pub fn all() -> Vec<Listed> {
     let of_calculator = calculator::SLIPS.iter().map(|slip| (Vec::new(), slip));
     let mut slips: Vec<(Vec<Law>, &Slip)> = of_laws.chain(of_calculator).collect();
     slips.sort_by_key(|(_, slip)| slip.place);
+    let arithmetic = Listed {
+        tag: ARITHMETIC,
+        laws: Vec::new(),
+        did: "worked out something wrongly after right equations",
+        sentence: "What you need is there: look for an error in the arithmetic after it.",
+    };
     let listed =
         |(laws, slip): (Vec<Law>, &Slip)| Listed { tag: slip.tag, laws, did: slip.did, sentence: slip.sentence };
     let last = last_step::ALL.iter().map(|step| Listed {
@@ -317,5 +326,5 @@ pub fn all() -> Vec<Listed> {
         did: step.did,
         sentence: step.sentence,
     });
-    slips.into_iter().map(listed).chain(last).collect()
+    slips.into_iter().map(listed).chain(last).chain([arithmetic]).collect()
 }

@@ -13,7 +13,7 @@ use super::shapes::components_in;
 use crate::answer::Kind;
 use crate::bank::Code;
 use crate::expr::Expr;
-use crate::mark::judging::{Note, judge};
+use crate::mark::judging::{Note, is_of_a_part, judge};
 use crate::mark::reading::Reading;
 use crate::mechanics::{Axis, Datum, Known, Law, Moment, Quantity, Seen, Setting, Shape, Sphere};
 
@@ -117,8 +117,10 @@ impl Working<'_> {
             studied.matched.is_empty()
                 && !self.is_printed_result(studied)
                 && self.members(studied).any(|(member, values)| {
+                    let of_a_part = |label: &String| is_of_a_part(label, quantity);
                     let worth = member.label.is_some() || is_composite(&member.expr);
                     worth
+                        && !member.label.as_ref().is_some_and(of_a_part)
                         && !member.is_given
                         && !self.is_taken(member, quantity)
                         && values.iter().zip(&right).all(|(value, right)| comes(*value, *right))

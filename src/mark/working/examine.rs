@@ -6,7 +6,7 @@ use super::evidence::Evidence as Shown;
 use super::line::{self, Line, ReadLine};
 use super::linear::{Context, Sum};
 use super::pair::{BOTH, Convention, Departure, Matched};
-use super::points::sizes;
+use super::points::{size, sizes};
 use super::prepared::Prepared;
 use super::spread::Spread;
 use super::terms::ByNumbers;
@@ -58,7 +58,7 @@ impl Examined {
     /// What follows for a quantity from the student's own values, where the question has no letters.
     pub(crate) fn followed(&self, question: &KeyedQuestion, quantity: Quantity) -> Option<f64> {
         match self.followed.as_deref() {
-            Some([known]) => known.number(quantity),
+            Some([known]) => size(known, quantity),
             Some(_) => None,
             None => follow_to(question.prepared(), &self.theirs, quantity),
         }
@@ -284,7 +284,10 @@ impl Working<'_> {
                 }
             }
             (EarnedFor::Law(law, _), _) if law.seen() == Seen::Unknown => self.solved(),
-            (EarnedFor::Law(law, sphere), code) => self.by_law(*law, *sphere, code),
+            (EarnedFor::Law(law, sphere), code) => match self.by_law(*law, *sphere, code) {
+                Some(shown) if shown.given => Some(shown),
+                shown => self.by_own(*law, code).or(shown),
+            },
             (EarnedFor::Condition, _) => self.uses_condition(mark),
             (EarnedFor::Quantity(quantity), code) => self.value_of(*quantity, code, mark),
             (EarnedFor::Unknown(_), _) => None,

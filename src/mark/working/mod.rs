@@ -15,6 +15,7 @@ mod examine;
 mod impulse;
 mod line;
 mod linear;
+mod own;
 mod pair;
 mod points;
 mod prepared;

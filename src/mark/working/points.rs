@@ -74,6 +74,11 @@ impl Points {
     }
 }
 
+/// A quantity at one point; an angle in degrees.
+pub(super) fn size(known: &Known<f64>, quantity: Quantity) -> Option<f64> {
+    sizes(std::slice::from_ref(known), quantity)?.first().copied()
+}
+
 /// A quantity at each point; an angle in degrees.
 pub(super) fn sizes(at_points: &[Known<f64>], quantity: Quantity) -> Option<Vec<f64>> {
     at_points

@@ -4,14 +4,14 @@ use std::collections::BTreeMap;
 
 use super::examine::{Studied, Value, value};
 use super::pair::{Convention, sphere};
-use super::points::sizes;
+use super::points::{size, sizes};
 use super::prepared::{Prepared, complete};
 use super::spread::Spread;
 use crate::bank::Find;
 use crate::expr::Expr;
 use crate::mark::key::{KeyedPart, KeyedQuestion};
 use crate::mark::reading::{Form, Reading};
-use crate::mechanics::{Axis, Datum, Derivation, Known, Moment, Quantity, Sphere};
+use crate::mechanics::{Axis, Datum, Derivation, Known, Moment, Quantity, Setting, Sphere};
 
 /// A student's own values, by quantity: at every point, and as they were written.
 #[derive(Clone, Debug, Default)]
@@ -149,6 +149,8 @@ fn is_asked_speed(part: &KeyedPart, sphere: Sphere, values: &[f64], prepared: &P
 fn unknown_sphere(prepared: &Prepared) -> Option<Sphere> {
     let given = |sphere| prepared.given[0].0.contains_key(&Quantity::Velocity(sphere, Moment::After, Axis::X));
     match (given(Sphere::A), given(Sphere::B)) {
+        // A particle that receives an impulse is alone.
+        _ if prepared.setting == Setting::Impulse => Some(Sphere::A),
         (true, false) => Some(Sphere::B),
         (false, true) => Some(Sphere::A),
         _ => None,
@@ -190,5 +192,5 @@ pub(super) fn follow_to(prepared: &Prepared, theirs: &Theirs, quantity: Quantity
     let mut start = start(prepared, theirs);
     let [known] = start.as_mut_slice() else { return None };
     Derivation::carry_out(known, &[quantity]);
-    known.number(quantity)
+    size(known, quantity)
 }

@@ -8,10 +8,10 @@ use super::points::sizes;
 use crate::answer::Kind;
 use crate::bank::Code;
 use crate::expr::{Expr, Function};
-use crate::mark::judging::{Model, Verdict, judge};
+use crate::mark::judging::{Model, Verdict, is_of_a_part, judge};
 use crate::mark::key::KeyedMark;
-use crate::mark::reading::{Form, Reading, Said, Statement, Vocabulary};
-use crate::mechanics::{Axis, Datum, Moment, Quantity, Sphere};
+use crate::mark::reading::{Form, Label, Reading, Said, Statement, Vocabulary};
+use crate::mechanics::{Axis, Datum, Moment, Quantity, Setting, Sphere};
 
 impl Working<'_> {
     /// A mark for a value: a line states it, with the figures that are asked for.
@@ -40,6 +40,8 @@ impl Working<'_> {
                     (Some(_), _) => false,
                     (None, _) => statement.label.is_some() || statement.said.len() > 1,
                 };
+                let of_a_part = |label: &Label| is_of_a_part(&label.typed, quantity) || self.is_of_unknown(label);
+                let is_named = is_named && !statement.label.as_ref().is_some_and(of_a_part);
                 if !is_named {
                     continue;
                 }
@@ -48,16 +50,22 @@ impl Working<'_> {
                 {
                     continue;
                 }
-                let model = mark.stated(is_reversed, || self.model_of(along, is_reversed))?;
-                let verdict = |statement: Statement| {
-                    let reading = Reading { statements: vec![statement], printed: String::new(), decided: Vec::new() };
-                    judge(model, &Ok(vec![reading])).verdict
-                };
-                let mut end = statement.clone();
-                end.said.drain(..end.said.len().saturating_sub(1));
-                // A right formula that is worked out wrongly is no right value. Most lines end in another value.
-                if verdict(end) != Verdict::Wrong && verdict(statement.clone()) == Verdict::Correct {
-                    return Some(Evidence::given(place, format!("{quantity}")));
+                // A rebound from a wall may be counted either way.
+                let is_rebound = self.prepared.setting == Setting::Wall && matches!(along, Quantity::Velocity(..));
+                let ways: &[bool] = if is_rebound { &[false, true] } else { std::slice::from_ref(&is_reversed) };
+                for is_reversed in ways.iter().copied() {
+                    let model = mark.stated(is_reversed, || self.model_of(along, is_reversed))?;
+                    let verdict = |statement: Statement| {
+                        let (statements, printed) = (vec![statement], String::new());
+                        let reading = Reading { statements, printed, decided: Vec::new() };
+                        judge(model, &Ok(vec![reading])).verdict
+                    };
+                    let mut end = statement.clone();
+                    end.said.drain(..end.said.len().saturating_sub(1));
+                    // A right formula that is worked out wrongly is no right value. Most lines end in another value.
+                    if verdict(end) != Verdict::Wrong && verdict(statement.clone()) == Verdict::Correct {
+                        return Some(Evidence::given(place, format!("{quantity}")));
+                    }
                 }
             }
         }
@@ -66,6 +74,12 @@ impl Working<'_> {
             return Some(Evidence::followed(line, format!("{quantity}")));
         }
         None
+    }
+
+    /// Is it a formula with a letter of which nothing is known: `w²`, `2v`? Its value is not that of the letter.
+    fn is_of_unknown(&self, label: &Label) -> bool {
+        let is_formula = |expr: &&Expr| matches!(expr, Expr::Power(..) | Expr::Product(_) | Expr::Quotient(..));
+        label.expr.as_ref().filter(is_formula).is_some_and(|expr| self.values_of(expr).is_none())
     }
 
     /// Is nothing left to find, where the student's own values leave nought?

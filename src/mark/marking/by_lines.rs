@@ -1,0 +1,92 @@
+//! What the lines of working say of the mistakes that may be behind an answer: a law that stands there rightly was not
+//! mistaken.
+
+use super::decide::own_blank;
+use crate::bank::EarnedFor;
+use crate::mark::award::{Award, Cause, Place};
+use crate::mark::key::KeyedPart;
+use crate::mark::slips::{self, ARITHMETIC};
+use crate::mechanics::{Law, Quantity, Seen, Setting};
+
+/// Mistakes that a line shows plainly, so that another mistake in the same law is none.
+const PLAIN: [&str; 7] =
+    ["masses-swapped", "masses-omitted", "e-taken-as-1", "e-wrong-side", "coalesce", "not-resolved", "sincos-swap"];
+
+/// The laws and values that lines of a part, or of parts before it, have right.
+#[derive(Clone, Debug, Default)]
+pub(super) struct ByLines {
+    laws: Vec<Law>,
+    values: Vec<Quantity>,
+    /// What is plainly wrong with a law.
+    wrong: Vec<(Law, &'static str)>,
+    /// The marks of this part that lines earn, and the last of those lines.
+    earned: Vec<bool>,
+    last: Option<usize>,
+    /// Does every equation of this part stand there rightly?
+    has_all_equations: bool,
+}
+
+impl ByLines {
+    /// With what the lines of the next part show. What is known of the laws holds for one impact only.
+    pub(super) fn go_on(self, part: &KeyedPart, awards: &[Option<Award>], is_one_impact: bool) -> ByLines {
+        let mut all = match is_one_impact {
+            true => ByLines { earned: Vec::new(), last: None, has_all_equations: false, ..self },
+            false => ByLines::default(),
+        };
+        let mut equations = Vec::new();
+        for (mark, award) in part.scheme.iter().zip(awards) {
+            let line = award.as_ref().and_then(|award| match award.evidence.as_ref()?.place {
+                Place::Line(number) => Some((award, number)),
+                Place::Answer(_) => None,
+            });
+            let given = line.filter(|(award, _)| award.given && award.note.is_none());
+            all.earned.push(line.is_some_and(|(award, _)| award.given));
+            if !mark.code.is_accuracy() {
+                continue;
+            }
+            all.last = all.last.max(given.map(|(_, number)| number));
+            match &mark.earned_for {
+                EarnedFor::Law(law, _) if is_equation(*law) => {
+                    equations.push(given.is_some());
+                    all.laws.extend(given.map(|_| *law));
+                    let note = line.and_then(|(award, _)| award.note).filter(|note| PLAIN.contains(note));
+                    all.wrong.extend(note.map(|note| (*law, note)));
+                }
+                EarnedFor::Quantity(quantity) => all.values.extend(given.map(|_| *quantity)),
+                _ => {}
+            }
+        }
+        all.has_all_equations = !equations.is_empty() && equations.iter().all(|given| *given);
+        all
+    }
+
+    /// May this be the mistake? Not if it spoils what a line has right, nor if a line has another in the same law.
+    pub(super) fn allows(&self, part: &KeyedPart, cause: &slips::Cause) -> bool {
+        // A wall does not move on with the sphere.
+        let is_out_of_place = part.setting == Setting::Wall && cause.tags.contains(&"coalesce");
+        let is_of_law = !cause.laws.is_empty();
+        let spoils = || {
+            self.laws.iter().any(|law| !cause.earns_accuracy(*law))
+                || self.values.iter().any(|quantity| !cause.keeps(*quantity))
+        };
+        let is_another = || {
+            let differs = |(law, note): &(Law, &str)| cause.laws.contains(law) && !cause.tags.contains(note);
+            self.wrong.iter().any(differs)
+        };
+        !is_out_of_place && !(is_of_law && (spoils() || is_another()))
+    }
+
+    /// Where every equation is right and the method for the answer is seen, what is left is a slip in the arithmetic.
+    pub(super) fn arithmetic(&self, part: &KeyedPart, blank: usize) -> Option<Cause> {
+        let own = part.scheme.iter().find(|mark| own_blank(mark, part) == Some(blank))?;
+        let has_method = !own.depends.is_empty() && own.depends.iter().all(|mark| self.earned[*mark]);
+        let last = self.last.filter(|_| has_method && self.has_all_equations)?;
+        let sentence = format!("What you need is there: look for an error in the arithmetic after line {last}.");
+        Some(Cause { tag: ARITHMETIC.to_owned(), sentence, probable: Vec::new() })
+    }
+}
+
+/// Is it momentum or restitution as an equation?
+fn is_equation(law: Law) -> bool {
+    matches!(law.seen(), Seen::Equation | Seen::VectorEquation)
+}

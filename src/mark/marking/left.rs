@@ -1,0 +1,126 @@
+//! Answers that were left where the working ends, and not filled in.
+//!
+//! A number there may be anything: a step on the way, a component, a mass. It is an answer where it is called what is asked
+//! for, or where the method for it is seen on other lines; and only if it is right.
+
+use std::rc::Rc;
+
+use super::answers::is_shown;
+use super::decide::own_blank;
+use super::memory::Judged;
+use crate::answer::Kind;
+use crate::bank::Find;
+use crate::expr::Expr;
+use crate::mark::award::{Award, Place};
+use crate::mark::judging::{Judgement, Verdict, is_named};
+use crate::mark::key::{KeyedBlank, KeyedPart};
+use crate::mark::reading::Statement;
+use crate::mark::script::PartScript;
+use crate::mark::working::Examined;
+
+/// The last lines of the working of a part, as many as it has blanks.
+pub(super) struct Left<'s> {
+    part: &'s KeyedPart,
+    /// Each with its number in the working; the last line first.
+    lines: Vec<(usize, &'s str)>,
+    /// What the lines earn, a mark each.
+    by_lines: &'s [Option<Award>],
+}
+
+impl<'s> Left<'s> {
+    pub(super) fn of(part: &'s KeyedPart, script: &'s PartScript, examined: &'s Examined) -> Left<'s> {
+        let lines = script.working.iter().flat_map(|cell| cell.lines()).map(str::trim).filter(|line| !line.is_empty());
+        let mut lines: Vec<(usize, &str)> = lines.enumerate().map(|(place, line)| (place + 1, line)).collect();
+        lines.reverse();
+        lines.truncate(part.blanks.len());
+        Left { part, lines, by_lines: &examined.awards }
+    }
+
+    /// The last line, if it has the right answers to all of several blanks: `v = 3, w = 5`.
+    pub(super) fn for_all(&self, judge: &dyn Fn(&str) -> Vec<Judgement>) -> Option<&'s str> {
+        let (number, line) = self.lines.first().filter(|_| self.part.blanks.len() > 1)?;
+        let has_method = || (0..self.part.blanks.len()).all(|blank| self.has_method(blank, *number));
+        let is_right = |judgement: &Judgement| judgement.verdict == Verdict::Correct;
+        ((calls_something(line) || has_method()) && judge(line).iter().all(is_right)).then_some(*line)
+    }
+
+    /// A right answer to one blank, with what was found of it.
+    pub(super) fn for_one(
+        &self,
+        place: usize,
+        judged: &mut dyn FnMut(&str) -> Rc<Judged>,
+    ) -> Option<(&'s str, Rc<Judged>)> {
+        let blank = &self.part.blanks[place];
+        // Nought may be anything's: that a sphere is at rest is often given.
+        if is_shown(blank) || blank.model.value == Expr::integer(0) {
+            return None;
+        }
+        let is_range = blank.model.kind == Kind::Range;
+        self.lines.iter().find_map(|(number, line)| {
+            let line = if is_range { concluded(line) } else { line };
+            let has_method = self.has_method(place, *number);
+            if !has_method && !calls_something(line) {
+                return None;
+            }
+            let found = judged(line);
+            let statements = found.readings.as_ref()?.first().map(|one| &one.statements)?;
+            // `v = 3, w = 5` is for two blanks, and not the second value for either; `w − v = 3` is for none.
+            let is_alone = self.part.blanks.len() == 1 || statements.len() == 1;
+            let mut labels = statements.iter().filter_map(|one| one.label.as_ref());
+            let is_result = labels.all(|label| !is_formula(&label.typed));
+            let is_answer = || has_method || statements.iter().any(|statement| self.is_called(blank, statement));
+            let is_right = found.judgement.verdict == Verdict::Correct;
+            (is_right && is_alone && is_result && is_answer()).then_some((line, found))
+        })
+    }
+
+    /// Do lines show how the value of a blank is found? The method on which its own mark depends, and something besides
+    /// the line itself.
+    fn has_method(&self, blank: usize, line: usize) -> bool {
+        let seen = |mark: usize| match self.by_lines[mark].as_ref().filter(|award| award.given)?.evidence.as_ref()?.place {
+            Place::Line(number) => Some(number),
+            Place::Answer(_) => None,
+        };
+        let scheme = &self.part.scheme;
+        let own = scheme.iter().find(|mark| own_blank(mark, self.part) == Some(blank));
+        let mut leads = own.map(|mark| mark.depends.as_slice()).unwrap_or_default().iter();
+        let elsewhere = |mark: usize| seen(mark).is_some_and(|number| number != line);
+        let mut methods = (0..scheme.len()).filter(|mark| scheme[*mark].code.is_method());
+        leads.all(|mark| seen(*mark).is_some())
+            && methods.any(|mark| scheme[mark].blanks.contains(&blank) && elsewhere(mark))
+    }
+
+    /// Is a value called what the blank asks for, and not what another of the part does?
+    fn is_called(&self, blank: &KeyedBlank, statement: &Statement) -> bool {
+        match &blank.find {
+            Find::Unknown(name) => statement.label.as_ref().is_some_and(|label| label.typed == *name),
+            // An inequality names its letter.
+            _ if blank.model.kind == Kind::Range => true,
+            _ => {
+                let mut others = self.part.blanks.iter().filter(|other| other.name != blank.name);
+                is_named(&blank.model, statement) && !others.any(|other| is_named(&other.model, statement))
+            }
+        }
+    }
+}
+
+/// May a line call its value by a name, or is it an inequality? That can be seen before it is read.
+fn calls_something(line: &str) -> bool {
+    let name = line.split(['=', '<', '>', '≤', '≥', '≈', ':']).next().unwrap_or_default();
+    name.len() < line.len() && name.contains(char::is_alphabetic) || line.contains(" is ")
+}
+
+/// Is a label a formula rather than a name?
+fn is_formula(label: &str) -> bool {
+    label.contains(['+', '-', '−', '*', '×', '/', '(', '^', '²', '√'])
+}
+
+/// What is concluded in a line about a range: `e > 3/4` from `v < 0 so e > 3/4`.
+fn concluded(line: &str) -> &str {
+    let is_inequality = |text: &str| text.contains(['<', '>', '≤', '≥']);
+    let ends = [" so ", "⇒", "=>", "∴", "hence ", "therefore ", "then ", "gives ", ","];
+    let cuts = ends.iter().filter_map(|end| line.rfind(end).map(|at| at + end.len()));
+    let cut = cuts.filter(|at| is_inequality(&line[..*at].replace("=>", ""))).max().unwrap_or_default();
+    let end = line[cut..].trim();
+    if is_inequality(end) { end } else { line }
+}

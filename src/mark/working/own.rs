@@ -1,0 +1,114 @@
+//! Methods that are seen where a student goes on from a wrong value, though nothing of what the law gives is right.
+
+use super::compare::{any_within, is_vector};
+use super::evidence::Evidence;
+use super::examine::{Value, Working};
+use super::points::sizes;
+use crate::bank::Code;
+use crate::expr::Expr;
+use crate::mechanics::{Axis, Law, Moment, Quantity, Seen, Setting, Shape, Sphere};
+
+impl Working<'_> {
+    /// A method mark for a law used with a value of the student's own, or with a sign that is condoned.
+    pub(super) fn by_own(&self, law: Law, code: Code) -> Option<Evidence> {
+        if code.is_accuracy() {
+            return None;
+        }
+        match law.seen() {
+            Seen::Value(_, Shape::ChangeOfMomentum) | Seen::AlongLine => self.impulse_of_own(law),
+            Seen::Value(_, Shape::DifferenceOfSquares) => self.energy_of_one(law),
+            _ => None,
+        }
+    }
+
+    /// The change of momentum of a sphere whose velocity after the impact is the student's own; or the velocity of a
+    /// particle that receives an impulse, with the impulse on the wrong side.
+    fn impulse_of_own(&self, law: Law) -> Option<Evidence> {
+        let vectors: Vec<[Vec<f64>; 2]> = match self.prepared.setting {
+            Setting::Impulse => self.impulse_on_wrong_side().into_iter().collect(),
+            _ => Sphere::BOTH.into_iter().filter_map(|sphere| self.own_change(sphere)).collect(),
+        };
+        let line = self.lines.iter().position(|studied| {
+            self.members(studied).any(|(member, values)| {
+                let is_worked_out = !matches!(member.expr, Expr::Vector(..)) || member.label.is_some();
+                let is = |[x, y]: &[Vec<f64>; 2]| is_vector(values, x, y, 1.0) || is_vector(values, x, y, -1.0);
+                is_worked_out && vectors.iter().any(is)
+            })
+        })?;
+        Some(Evidence::given(line, law.name()))
+    }
+
+    /// `m(v - u)` for the student's own v.
+    fn own_change(&self, sphere: Sphere) -> Option<[Vec<f64>; 2]> {
+        let mass = sizes(&self.prepared.known, Quantity::Mass(sphere))?;
+        let along = |axis| {
+            let (own, _) = self.theirs.0.get(&Quantity::Velocity(sphere, Moment::After, axis))?;
+            let before = sizes(&self.prepared.known, Quantity::Velocity(sphere, Moment::Before, axis))?;
+            let each = mass.iter().zip(own.iter().zip(before));
+            Some(each.map(|(mass, (after, before))| mass * (after - before)).collect::<Vec<f64>>())
+        };
+        let [x, y] = [along(Axis::X)?, along(Axis::Y)?];
+        x.iter().chain(&y).any(|size| size.abs() > 1e-9).then_some([x, y])
+    }
+
+    /// `u - I/m` for the velocity after an impulse, `v + I/m` for the one before it.
+    fn impulse_on_wrong_side(&self) -> Option<[Vec<f64>; 2]> {
+        let is_given = |moment| {
+            self.prepared.given[0].0.contains_key(&Quantity::Velocity(Sphere::A, moment, Axis::X))
+                && self.prepared.given[0].0.contains_key(&Quantity::Velocity(Sphere::A, moment, Axis::Y))
+        };
+        let (from, sign) = match (is_given(Moment::Before), is_given(Moment::After)) {
+            (true, false) => (Moment::Before, -1.0),
+            (false, true) => (Moment::After, 1.0),
+            _ => return None,
+        };
+        let given = |quantity| self.prepared.given.iter().map(|known| known.number(quantity)).collect::<Option<Vec<f64>>>();
+        let mass = given(Quantity::Mass(Sphere::A))?;
+        let along = |axis| {
+            let velocity = given(Quantity::Velocity(Sphere::A, from, axis))?;
+            let impulse = given(Quantity::Impulse(Sphere::A, axis))?;
+            let each = mass.iter().zip(velocity.iter().zip(impulse));
+            Some(each.map(|(mass, (velocity, impulse))| velocity + sign * impulse / mass).collect::<Vec<f64>>())
+        };
+        Some([along(Axis::X)?, along(Axis::Y)?])
+    }
+
+    /// The energy of one sphere before an impact less that after it, in which the speed after may be wrong.
+    fn energy_of_one(&self, law: Law) -> Option<Evidence> {
+        if !matches!(self.prepared.setting, Setting::Wall | Setting::Impulse) {
+            return None;
+        }
+        let before = sizes(&self.prepared.known, Quantity::KineticEnergy(Sphere::A, Moment::Before))?;
+        let line = self.lines.iter().position(|studied| {
+            let members = studied.reading.as_ref().map(|reading| reading.members.as_slice()).unwrap_or_default();
+            members.iter().any(|member| self.is_energy_less_another(&member.expr, &before))
+        })?;
+        Some(Evidence::given(line, law.name()))
+    }
+
+    /// `½mu² - ½mv²` or `½m(u² - v²)`, the first of them right and the other a square.
+    fn is_energy_less_another(&self, expr: &Expr, before: &[f64]) -> bool {
+        let (factors, sum): (Vec<&Expr>, &Expr) = match expr {
+            Expr::Product(factors) => match factors.iter().position(|factor| matches!(factor, Expr::Sum(_))) {
+                Some(at) => {
+                    let others = factors.iter().enumerate().filter(|(place, _)| *place != at).map(|(_, other)| other);
+                    (others.collect(), &factors[at])
+                }
+                None => return false,
+            },
+            _ => (Vec::new(), expr),
+        };
+        let Expr::Sum(terms) = sum else { return false };
+        let [one, Expr::Negative(other)] = terms.as_slice() else { return false };
+        let product = |last: &Expr| Expr::Product(factors.iter().map(|factor| (*factor).clone()).chain([last.clone()]).collect());
+        let values = |last: &Expr| self.values_of(&if factors.is_empty() { last.clone() } else { product(last) });
+        let is_square = |inner: &Expr| matches!(inner, Expr::Power(_, exponent) if **exponent == Expr::integer(2));
+        let (Some(first), Some(second)) = (values(one), values(other)) else { return false };
+        let is_before = first.iter().zip(before).all(|(value, right)| super::compare::comes_to(*value, *right));
+        let is_another = second.iter().zip(before).all(|(value, right)| match value {
+            Value::Number(spread) => spread.low > 1e-9 && spread.high < 2.0 * right,
+            Value::Vector(..) => false,
+        });
+        is_before && is_another && any_within(other, &is_square)
+    }
+}
