@@ -66,7 +66,9 @@ pub(in crate::mark) fn is_named(model: &Model, statement: &Statement) -> bool {
     };
     let is_own_letter = || !model.vocabulary.letters.iter().any(|own| own.name() == letter);
     match asked.of_its_impact() {
-        Quantity::Speed(..) | Quantity::Velocity(..) => is_sort() || (spheres.1.is_some() && letter.starts_with(['v', 'V'])),
+        Quantity::Speed(..) | Quantity::Velocity(..) => {
+            is_sort() || (spheres.1.is_some() && letter.starts_with(['v', 'V']))
+        }
         Quantity::EnergyLost | Quantity::SphereEnergyLost(_) => {
             has(&["lost", "loss", "loses", "change", "decrease"]) || label.typed.contains(['Δ', '∆'])
         }
@@ -85,8 +87,20 @@ pub(in crate::mark) fn is_named(model: &Model, statement: &Statement) -> bool {
 /// Does a label speak of a component, or of another moment, where that is not what is asked?
 pub(in crate::mark) fn is_of_a_part(label: &str, asked: Quantity) -> bool {
     const COMPONENT: [&str; 14] = [
-        "component", "components", "comp", "comps", "cpt", "perpendicular", "perp", "parallel", "para", "along", "i", "j",
-        "x", "y",
+        "component",
+        "components",
+        "comp",
+        "comps",
+        "cpt",
+        "perpendicular",
+        "perp",
+        "parallel",
+        "para",
+        "along",
+        "i",
+        "j",
+        "x",
+        "y",
     ];
     const BEFORE: [&str; 4] = ["before", "initial", "initially", "original"];
     let asked = asked.of_its_impact();

@@ -36,8 +36,8 @@ use crate::mechanics::{Quantity, Setting};
 use crate::unit::Unit;
 
 use super::reading::{Reading, Said, Unreadable, Vocabulary};
-use finding::Finding;
 pub(super) use called::{is_named, is_of_a_part};
+use finding::Finding;
 use known::Prepared;
 pub use model_text::ModelOptions;
 pub use note::Note;

@@ -3,8 +3,8 @@
 use std::borrow::Cow;
 use std::rc::Rc;
 
-use super::memory::{Judged, Memory};
 use super::left::Left;
+use super::memory::{Judged, Memory};
 use crate::answer::{Accept, Kind};
 use crate::mark::award::MarkedAnswer;
 use crate::mark::judging::{Judgement, Model, Note, Verdict, judge, judge_together};
@@ -57,9 +57,7 @@ pub(super) fn judged(
         let found = match (alone, left, together) {
             (Some(answer), ..) => judged(answer),
             (None, Some((_, found)), _) => found,
-            (None, None, Some(together)) => {
-                Judged::new(profiled(together, profile).in_setting(part.setting), None)
-            }
+            (None, None, Some(together)) => Judged::new(profiled(together, profile).in_setting(part.setting), None),
             (None, None, None) => Judged::new(judge(&blank.model, &Err(Unreadable::Blank)), None),
         };
         let (name, judgement) = (blank.name.clone(), found.judgement.clone());

@@ -148,10 +148,9 @@ fn by_one_followed(mark: &KeyedMark, part: &KeyedPart, blank: usize, followed: &
     let is_method = mark.code.is_method()
         && is_last_step
         && part.scheme.iter().any(|other| {
-            let is_own = if *is_marked { other.code == Code::A1FollowThrough } else { own_blank(other, part) == Some(blank) };
-            is_own
-                && other.blanks.contains(&blank)
-                && other.depends.iter().any(|id| part.scheme[*id].id == mark.id)
+            let is_own =
+                if *is_marked { other.code == Code::A1FollowThrough } else { own_blank(other, part) == Some(blank) };
+            is_own && other.blanks.contains(&blank) && other.depends.iter().any(|id| part.scheme[*id].id == mark.id)
         });
     let follows = (is_value && mark.code == Code::A1FollowThrough) || is_method;
     follows.then(|| Award {

@@ -77,10 +77,11 @@ impl<'s> Left<'s> {
     /// Do lines show how the value of a blank is found? The method on which its own mark depends, and something besides
     /// the line itself.
     fn has_method(&self, blank: usize, line: usize) -> bool {
-        let seen = |mark: usize| match self.by_lines[mark].as_ref().filter(|award| award.given)?.evidence.as_ref()?.place {
-            Place::Line(number) => Some(number),
-            Place::Answer(_) => None,
-        };
+        let seen =
+            |mark: usize| match self.by_lines[mark].as_ref().filter(|award| award.given)?.evidence.as_ref()?.place {
+                Place::Line(number) => Some(number),
+                Place::Answer(_) => None,
+            };
         let scheme = &self.part.scheme;
         let own = scheme.iter().find(|mark| own_blank(mark, self.part) == Some(blank));
         let mut leads = own.map(|mark| mark.depends.as_slice()).unwrap_or_default().iter();

@@ -209,7 +209,8 @@ impl Working<'_> {
         let known = |quantity| sizes(&self.prepared.known, quantity);
         let before = |axis| known(Quantity::Velocity(sphere, Moment::Before, axis));
         let is_given = before(Axis::X).zip(before(Axis::Y)).is_some_and(|(x, y)| is_vector(values, &x, &y, 1.0));
-        let is_along = |axis| known(Quantity::Line(axis)).is_some_and(|line| line.iter().all(|size| size.abs() > 1.0 - 1e-9));
+        let is_along =
+            |axis| known(Quantity::Line(axis)).is_some_and(|line| line.iter().all(|size| size.abs() > 1.0 - 1e-9));
         let across = if is_along(Axis::X) { Some(Axis::Y) } else { Some(Axis::X).filter(|_| is_along(Axis::Y)) };
         let signed = across.filter(|_| has_vectors(self.question)).and_then(|axis| Some((axis, before(axis)?)));
         let is_one = |(point, value): (usize, &Value)| match (value, &signed) {

@@ -144,7 +144,10 @@ fn shows_approach((left, right): &(Expr, Expr), prepared: &Prepared) -> bool {
     let is_approach = |expr: &Expr| {
         let values = value(expr, prepared, &prepared.names).and_then(|values| numbers(&values));
         values.is_some_and(|values| {
-            values.iter().zip(a.iter().zip(&b)).all(|(value, (a, b))| (value.abs() - (a - b).abs()).abs() < 0.005 * value.abs())
+            values
+                .iter()
+                .zip(a.iter().zip(&b))
+                .all(|(value, (a, b))| (value.abs() - (a - b).abs()).abs() < 0.005 * value.abs())
         })
     };
     let has_factors = |factors: &[Expr]| {

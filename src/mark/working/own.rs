@@ -62,7 +62,8 @@ impl Working<'_> {
             (false, true) => (Moment::After, 1.0),
             _ => return None,
         };
-        let given = |quantity| self.prepared.given.iter().map(|known| known.number(quantity)).collect::<Option<Vec<f64>>>();
+        let given =
+            |quantity| self.prepared.given.iter().map(|known| known.number(quantity)).collect::<Option<Vec<f64>>>();
         let mass = given(Quantity::Mass(Sphere::A))?;
         let along = |axis| {
             let velocity = given(Quantity::Velocity(Sphere::A, from, axis))?;
@@ -100,7 +101,8 @@ impl Working<'_> {
         };
         let Expr::Sum(terms) = sum else { return false };
         let [one, Expr::Negative(other)] = terms.as_slice() else { return false };
-        let product = |last: &Expr| Expr::Product(factors.iter().map(|factor| (*factor).clone()).chain([last.clone()]).collect());
+        let product =
+            |last: &Expr| Expr::Product(factors.iter().map(|factor| (*factor).clone()).chain([last.clone()]).collect());
         let values = |last: &Expr| self.values_of(&if factors.is_empty() { last.clone() } else { product(last) });
         let is_square = |inner: &Expr| matches!(inner, Expr::Power(_, exponent) if **exponent == Expr::integer(2));
         let (Some(first), Some(second)) = (values(one), values(other)) else { return false };
