@@ -77,9 +77,9 @@ impl ByLines {
     }
 
     /// Where every equation is right and the method for the answer is seen, what is left is a slip in the arithmetic.
-    pub(super) fn arithmetic(&self, part: &KeyedPart, blank: usize) -> Option<Cause> {
+    pub(super) fn arithmetic(&self, part: &KeyedPart, blank: usize, follows: bool) -> Option<Cause> {
         let own = part.scheme.iter().find(|mark| own_blank(mark, part) == Some(blank))?;
-        let has_method = !own.depends.is_empty() && own.depends.iter().all(|mark| self.earned[*mark]);
+        let has_method = follows || !own.depends.is_empty() && own.depends.iter().all(|mark| self.earned[*mark]);
         let last = self.last.filter(|_| has_method && self.has_all_equations)?;
         let sentence = format!("What you need is there: look for an error in the arithmetic after line {last}.");
         Some(Cause { tag: ARITHMETIC.to_owned(), sentence, probable: Vec::new() })

@@ -22,6 +22,8 @@ pub(super) struct Seen<'a> {
     pub(super) by_lines: &'a ByLines,
     /// Is a value wrong that the student found in an earlier part?
     pub(super) is_wrong_before: bool,
+    /// Is an unknown wrong that was asked for in an earlier part?
+    pub(super) is_unknown_wrong: bool,
     pub(super) followed: &'a [Option<Followed>],
 }
 
@@ -44,12 +46,15 @@ pub(super) fn name(
             true => judged.causes.get_or_init(behind).clone(),
             false => behind(),
         };
-        if seen.followed[place].is_some() && (seen.is_wrong_before || !found.iter().any(|cause| cause.is_of_law)) {
+        // An unknown that was found wrongly goes into all that is worked out with it.
+        found.retain(|found| !(found.is_of_law && seen.is_unknown_wrong));
+        let follows = seen.followed[place].is_some();
+        if follows && (seen.is_wrong_before || !found.iter().any(|found| found.explains)) {
             found.clear();
             say_of(answer);
         }
-        if found.is_empty() && !is_near_miss(&answer.judgement) {
-            found.extend(seen.by_lines.arithmetic(part, place).map(of_figures));
+        if found.is_empty() && !is_near_miss(&answer.judgement) && !seen.is_wrong_before {
+            found.extend(seen.by_lines.arithmetic(part, place, follows).map(of_figures));
         }
         answer.causes = found.into_iter().map(|found| found.cause).collect();
     }
@@ -61,10 +66,12 @@ pub(super) struct Found {
     cause: Cause,
     /// Is it in the use of a law, and not in the figures?
     is_of_law: bool,
+    /// Is it more than the figures of the answer?
+    explains: bool,
 }
 
 fn of_figures(cause: Cause) -> Found {
-    Found { cause, is_of_law: false }
+    Found { cause, is_of_law: false, explains: false }
 }
 
 /// Every mistake behind an answer that the working does not speak against.
@@ -80,12 +87,16 @@ fn behind(
     if asked.is_empty() {
         return Vec::new();
     }
+    let rounded = rounded(question, &blank.find, readings, examined);
     let mut found: Vec<Found> =
-        rounded(question, &blank.find, readings, examined).into_iter().map(of_figures).collect();
+        rounded.into_iter().map(|cause| Found { cause, is_of_law: false, explains: true }).collect();
     let each = readings.iter().filter_map(last_said).map(|said| question.mistakes().causes(&asked, said));
     let causes = each.into_iter().find(|found| !found.is_empty()).unwrap_or_default();
     let fitting = causes.iter().filter(|cause| by_lines.allows(part, cause)).take(MOST);
-    found.extend(fitting.map(|cause| Found { cause: explained(cause, part), is_of_law: !cause.laws.is_empty() }));
+    found.extend(fitting.map(|cause| {
+        let is_of_law = !cause.laws.is_empty();
+        Found { cause: explained(cause, part), is_of_law, explains: is_of_law }
+    }));
     found
 }
 

@@ -19,12 +19,13 @@ pub use overrule::{Word, overrule};
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use super::award::{MarkedLine, MarkedPart};
+use super::award::{MarkedAnswer, MarkedLine, MarkedPart};
+use super::judging::Verdict;
 use super::key::{KeyedMark, KeyedPart, KeyedQuestion};
 use super::profile::Profile;
 use super::script::{PartScript, Script};
 use super::working::{Theirs, examine};
-use crate::bank::EarnedFor;
+use crate::bank::{EarnedFor, Find};
 use crate::mechanics::Quantity;
 
 /// Marks what a student handed in for a question: a [`MarkedPart`] for each part, in the order of the key.
@@ -93,6 +94,7 @@ fn looked_through(
 ) -> Vec<MarkedPart> {
     let mut charged = decide::Charged::default();
     let mut theirs = Theirs::default();
+    let mut is_unknown_wrong = false;
     let mut by_lines = by_lines::ByLines::default();
     let mut marked = Vec::new();
     for part in &question.parts {
@@ -103,8 +105,11 @@ fn looked_through(
         follow::say(&mut answers, &followed);
         by_lines = by_lines.go_on(part, &examined.awards, question.scene.then.is_empty());
         let is_wrong_before = theirs.wrong(question).next().is_some();
-        let seen = causes::Seen { by_lines: &by_lines, is_wrong_before, followed: &followed };
+        let seen = causes::Seen { by_lines: &by_lines, is_wrong_before, is_unknown_wrong, followed: &followed };
         causes::name(question, part, &mut answers, &judged, &examined, &seen);
+        let is_unknown = |place: usize| matches!(part.blanks[place].find, Find::Unknown(_));
+        let is_wrong = |answer: &MarkedAnswer| answer.judgement.verdict == Verdict::Wrong;
+        is_unknown_wrong |= answers.iter().enumerate().any(|(place, answer)| is_unknown(place) && is_wrong(answer));
         let by_working = std::mem::take(&mut examined.awards);
         let needed = question.needed(part);
         let contradicted = contradicted(question, part, &theirs, &examined.theirs);
@@ -149,7 +154,6 @@ fn together(script: &Script, label: &str) -> PartScript {
 mod tests {
     use super::*;
     use crate::diagnostic::Source;
-    use crate::mark::judging::Verdict;
     use crate::mark::key::AnswerKey;
     use crate::paper::{Key, compose, key_question};
 

@@ -121,6 +121,7 @@ impl Working<'_> {
                     let worth = member.label.is_some() || is_composite(&member.expr);
                     worth
                         && !member.label.as_ref().is_some_and(of_a_part)
+                        && self.may_be_loss(member, quantity)
                         && !member.is_given
                         && !self.is_taken(member, quantity)
                         && values.iter().zip(&right).all(|(value, right)| comes(*value, *right))

@@ -1,6 +1,6 @@
 //! Methods that are seen where a student goes on from a wrong value, though nothing of what the law gives is right.
 
-use super::compare::{any_within, is_vector};
+use super::compare::{any_within, comes_to, is_vector};
 use super::evidence::Evidence;
 use super::examine::{Value, Working};
 use super::points::sizes;
@@ -32,7 +32,12 @@ impl Working<'_> {
             self.members(studied).any(|(member, values)| {
                 let is_worked_out = !matches!(member.expr, Expr::Vector(..)) || member.label.is_some();
                 let is = |[x, y]: &[Vec<f64>; 2]| is_vector(values, x, y, 1.0) || is_vector(values, x, y, -1.0);
-                is_worked_out && vectors.iter().any(is)
+                let is_change = || {
+                    let mut spheres = Sphere::BOTH.into_iter();
+                    self.prepared.setting == Setting::Oblique
+                        && spheres.any(|sphere| self.is_change_of(sphere, &member.expr))
+                };
+                (is_worked_out && vectors.iter().any(is)) || is_change()
             })
         })?;
         Some(Evidence::given(line, law.name()))
@@ -74,6 +79,23 @@ impl Working<'_> {
         Some([along(Axis::X)?, along(Axis::Y)?])
     }
 
+    /// `m(v - u)` where v may be anything, and m and u belong to one sphere: in either component a difference, for a vector
+    /// is read as its components.
+    fn is_change_of(&self, sphere: Sphere, expr: &Expr) -> bool {
+        let (Some(mass), Expr::Vector(x, y)) = (sizes(&self.prepared.known, Quantity::Mass(sphere)), expr) else {
+            return false;
+        };
+        let is_change = |expr: &Expr, axis| {
+            let before = sizes(&self.prepared.known, Quantity::Velocity(sphere, Moment::Before, axis));
+            let (Some(before), Some((factors, after, other))) = (before, difference(expr)) else { return false };
+            let momentum: Vec<f64> = before.iter().zip(&mass).map(|(before, mass)| before * mass).collect();
+            let has_mass = |inner: &Expr| self.is_one_of(inner, std::slice::from_ref(&mass));
+            self.is_one_of(&product(&factors, other), &[momentum])
+                && (!factors.is_empty() || any_within(after, &has_mass))
+        };
+        is_change(x, Axis::X) && is_change(y, Axis::Y)
+    }
+
     /// The energy of one sphere before an impact less that after it, in which the speed after may be wrong.
     fn energy_of_one(&self, law: Law) -> Option<Evidence> {
         if !matches!(self.prepared.setting, Setting::Wall | Setting::Impulse) {
@@ -89,28 +111,41 @@ impl Working<'_> {
 
     /// `½mu² - ½mv²` or `½m(u² - v²)`, the first of them right and the other a square.
     fn is_energy_less_another(&self, expr: &Expr, before: &[f64]) -> bool {
-        let (factors, sum): (Vec<&Expr>, &Expr) = match expr {
-            Expr::Product(factors) => match factors.iter().position(|factor| matches!(factor, Expr::Sum(_))) {
-                Some(at) => {
-                    let others = factors.iter().enumerate().filter(|(place, _)| *place != at).map(|(_, other)| other);
-                    (others.collect(), &factors[at])
-                }
-                None => return false,
-            },
-            _ => (Vec::new(), expr),
-        };
-        let Expr::Sum(terms) = sum else { return false };
-        let [one, Expr::Negative(other)] = terms.as_slice() else { return false };
-        let product =
-            |last: &Expr| Expr::Product(factors.iter().map(|factor| (*factor).clone()).chain([last.clone()]).collect());
-        let values = |last: &Expr| self.values_of(&if factors.is_empty() { last.clone() } else { product(last) });
+        let Some((factors, one, other)) = difference(expr) else { return false };
+        let values = |last: &Expr| self.values_of(&product(&factors, last));
         let is_square = |inner: &Expr| matches!(inner, Expr::Power(_, exponent) if **exponent == Expr::integer(2));
         let (Some(first), Some(second)) = (values(one), values(other)) else { return false };
-        let is_before = first.iter().zip(before).all(|(value, right)| super::compare::comes_to(*value, *right));
+        let is_before = first.iter().zip(before).all(|(value, right)| comes_to(*value, *right));
         let is_another = second.iter().zip(before).all(|(value, right)| match value {
             Value::Number(spread) => spread.low > 1e-9 && spread.high < 2.0 * right,
             Value::Vector(..) => false,
         });
         is_before && is_another && any_within(other, &is_square)
+    }
+}
+
+/// `a - b` as it stands, or multiplied by what is common to both: those factors, a and b.
+fn difference(expr: &Expr) -> Option<(Vec<&Expr>, &Expr, &Expr)> {
+    let (factors, sum): (Vec<&Expr>, &Expr) = match expr {
+        Expr::Product(all) => {
+            let at = all.iter().position(|factor| matches!(factor, Expr::Sum(_)))?;
+            (all.iter().enumerate().filter(|(place, _)| *place != at).map(|(_, factor)| factor).collect(), &all[at])
+        }
+        _ => (Vec::new(), expr),
+    };
+    match sum {
+        Expr::Sum(terms) => match terms.as_slice() {
+            [one, Expr::Negative(other)] => Some((factors, one, other)),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// The factors times what comes last.
+fn product(factors: &[&Expr], last: &Expr) -> Expr {
+    match factors {
+        [] => last.clone(),
+        _ => Expr::Product(factors.iter().map(|factor| (*factor).clone()).chain([last.clone()]).collect()),
     }
 }

@@ -1,8 +1,9 @@
 //! Marks for a value that a line states.
 
-use super::compare::is_vector;
+use super::compare::{any_within, is_composite, is_vector};
 use super::evidence::Evidence;
 use super::examine::Working;
+use super::line::Member;
 use super::linear::constant;
 use super::points::sizes;
 use crate::answer::Kind;
@@ -101,6 +102,38 @@ impl Working<'_> {
             }),
             _ => false,
         }
+    }
+
+    /// May a member be the energy that both spheres lose together? Arithmetic that comes to it has something of either
+    /// sphere, or is the difference of the energies; else it must be called a loss.
+    pub(super) fn may_be_loss(&self, member: &Member, quantity: Quantity) -> bool {
+        let known = &self.prepared.known;
+        let masses = Sphere::BOTH.map(|sphere| sizes(known, Quantity::Mass(sphere)));
+        let ([Some(a), Some(b)], Quantity::EnergyLost, true) = (&masses, quantity, self.question.letters.is_empty())
+        else {
+            return true;
+        };
+        let names_loss = |label: &String| {
+            let label = label.to_lowercase();
+            label.contains(['δ', '∆']) || ["los", "change", "decrease"].iter().any(|word| label.contains(word))
+        };
+        let has = |mass: &[f64]| {
+            let halved: Vec<f64> = mass.iter().map(|mass| mass / 2.0).collect();
+            let either = [mass.to_vec(), halved];
+            any_within(&member.expr, &|inner| !is_composite(inner) && self.is_one_of(inner, &either))
+        };
+        let is_total = |expr: &Expr, moment| {
+            let total = sizes(known, Quantity::TotalEnergy(moment));
+            total.is_some_and(|total| self.is_one_of(expr, &[total]))
+        };
+        let is_difference = || match &member.expr {
+            Expr::Sum(terms) => match terms.as_slice() {
+                [before, Expr::Negative(after)] => is_total(before, Moment::Before) && is_total(after, Moment::After),
+                _ => false,
+            },
+            _ => false,
+        };
+        member.label.as_ref().is_some_and(names_loss) || is_difference() || (has(a) && has(b))
     }
 
     fn vector_of(&self, quantity: Quantity) -> Option<Evidence> {
