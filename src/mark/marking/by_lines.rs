@@ -52,7 +52,8 @@ impl ByLines {
                     let note = line.and_then(|(award, _)| award.note).filter(|note| PLAIN.contains(note));
                     all.wrong.extend(note.map(|note| (*law, note)));
                 }
-                EarnedFor::Quantity(quantity) => all.values.extend(given.map(|_| *quantity)),
+                // A speed may be right though its law was not used rightly: the root of one square is its base.
+                EarnedFor::Quantity(quantity @ Quantity::Velocity(..)) => all.values.extend(given.map(|_| *quantity)),
                 _ => {}
             }
         }

@@ -9,7 +9,7 @@ use crate::expr::Expr;
 use crate::mechanics::{Axis, Law, Moment, Quantity, Seen, Setting, Shape, Sphere};
 
 impl Working<'_> {
-    /// A method mark for a law used with a value of the student's own, or with a sign that is condoned.
+    /// A method mark for a law used with a value of the student's own.
     pub(super) fn by_own(&self, law: Law, code: Code) -> Option<Evidence> {
         if code.is_accuracy() {
             return None;
@@ -21,24 +21,17 @@ impl Working<'_> {
         }
     }
 
-    /// The change of momentum of a sphere whose velocity after the impact is the student's own; or the velocity of a
-    /// particle that receives an impulse, with the impulse on the wrong side.
+    /// The change of momentum of a sphere whose velocity after the impact is the student's own.
     fn impulse_of_own(&self, law: Law) -> Option<Evidence> {
-        let vectors: Vec<[Vec<f64>; 2]> = match self.prepared.setting {
-            Setting::Impulse => self.impulse_on_wrong_side().into_iter().collect(),
-            _ => Sphere::BOTH.into_iter().filter_map(|sphere| self.own_change(sphere)).collect(),
-        };
+        if self.prepared.setting != Setting::Oblique || !self.is_in_vectors() {
+            return None;
+        }
+        let own: Vec<[Vec<f64>; 2]> = Sphere::BOTH.into_iter().filter_map(|sphere| self.own_change(sphere)).collect();
+        let is_own =
+            |values: &[Value]| own.iter().any(|[x, y]| [1.0, -1.0].iter().any(|sign| is_vector(values, x, y, *sign)));
+        let is_change = |expr: &Expr| Sphere::BOTH.into_iter().any(|sphere| self.is_change_of(sphere, expr));
         let line = self.lines.iter().position(|studied| {
-            self.members(studied).any(|(member, values)| {
-                let is_worked_out = !matches!(member.expr, Expr::Vector(..)) || member.label.is_some();
-                let is = |[x, y]: &[Vec<f64>; 2]| is_vector(values, x, y, 1.0) || is_vector(values, x, y, -1.0);
-                let is_change = || {
-                    let mut spheres = Sphere::BOTH.into_iter();
-                    self.prepared.setting == Setting::Oblique
-                        && spheres.any(|sphere| self.is_change_of(sphere, &member.expr))
-                };
-                (is_worked_out && vectors.iter().any(is)) || is_change()
-            })
+            self.members(studied).any(|(member, values)| is_own(values) || is_change(&member.expr))
         })?;
         Some(Evidence::given(line, law.name()))
     }
@@ -56,29 +49,6 @@ impl Working<'_> {
         x.iter().chain(&y).any(|size| size.abs() > 1e-9).then_some([x, y])
     }
 
-    /// `u - I/m` for the velocity after an impulse, `v + I/m` for the one before it.
-    fn impulse_on_wrong_side(&self) -> Option<[Vec<f64>; 2]> {
-        let is_given = |moment| {
-            self.prepared.given[0].0.contains_key(&Quantity::Velocity(Sphere::A, moment, Axis::X))
-                && self.prepared.given[0].0.contains_key(&Quantity::Velocity(Sphere::A, moment, Axis::Y))
-        };
-        let (from, sign) = match (is_given(Moment::Before), is_given(Moment::After)) {
-            (true, false) => (Moment::Before, -1.0),
-            (false, true) => (Moment::After, 1.0),
-            _ => return None,
-        };
-        let given =
-            |quantity| self.prepared.given.iter().map(|known| known.number(quantity)).collect::<Option<Vec<f64>>>();
-        let mass = given(Quantity::Mass(Sphere::A))?;
-        let along = |axis| {
-            let velocity = given(Quantity::Velocity(Sphere::A, from, axis))?;
-            let impulse = given(Quantity::Impulse(Sphere::A, axis))?;
-            let each = mass.iter().zip(velocity.iter().zip(impulse));
-            Some(each.map(|(mass, (velocity, impulse))| velocity + sign * impulse / mass).collect::<Vec<f64>>())
-        };
-        Some([along(Axis::X)?, along(Axis::Y)?])
-    }
-
     /// `m(v - u)` where v may be anything, and m and u belong to one sphere: in either component a difference, for a vector
     /// is read as its components.
     fn is_change_of(&self, sphere: Sphere, expr: &Expr) -> bool {
@@ -87,11 +57,20 @@ impl Working<'_> {
         };
         let is_change = |expr: &Expr, axis| {
             let before = sizes(&self.prepared.known, Quantity::Velocity(sphere, Moment::Before, axis));
-            let (Some(before), Some((factors, after, other))) = (before, difference(expr)) else { return false };
-            let momentum: Vec<f64> = before.iter().zip(&mass).map(|(before, mass)| before * mass).collect();
+            let Some(before) = before else { return false };
+            if before.iter().all(|before| *before == 0.0) {
+                return true;
+            }
+            let Some((factors, after, taken)) = two_terms(expr) else { return false };
+            let Some(taken) = self.values_of(&product(&factors, taken)) else { return false };
+            let is_momentum = taken.iter().zip(before.iter().zip(&mass)).all(|(taken, (before, mass))| match taken {
+                Value::Number(taken) => taken.may_be(-before * mass),
+                Value::Vector(..) => false,
+            });
             let has_mass = |inner: &Expr| self.is_one_of(inner, std::slice::from_ref(&mass));
-            self.is_one_of(&product(&factors, other), &[momentum])
-                && (!factors.is_empty() || any_within(after, &has_mass))
+            // `2 × 5m` has the mass 2m in it, though not as it stands.
+            let has_mass = !factors.is_empty() || !after.names().is_empty() || any_within(after, &has_mass);
+            is_momentum && has_mass
         };
         is_change(x, Axis::X) && is_change(y, Axis::Y)
     }
@@ -111,7 +90,7 @@ impl Working<'_> {
 
     /// `½mu² - ½mv²` or `½m(u² - v²)`, the first of them right and the other a square.
     fn is_energy_less_another(&self, expr: &Expr, before: &[f64]) -> bool {
-        let Some((factors, one, other)) = difference(expr) else { return false };
+        let Some((factors, one, Expr::Negative(other))) = two_terms(expr) else { return false };
         let values = |last: &Expr| self.values_of(&product(&factors, last));
         let is_square = |inner: &Expr| matches!(inner, Expr::Power(_, exponent) if **exponent == Expr::integer(2));
         let (Some(first), Some(second)) = (values(one), values(other)) else { return false };
@@ -124,8 +103,8 @@ impl Working<'_> {
     }
 }
 
-/// `a - b` as it stands, or multiplied by what is common to both: those factors, a and b.
-fn difference(expr: &Expr) -> Option<(Vec<&Expr>, &Expr, &Expr)> {
+/// A sum of two terms as it stands, or multiplied by what is common to both: those factors, and the terms.
+fn two_terms(expr: &Expr) -> Option<(Vec<&Expr>, &Expr, &Expr)> {
     let (factors, sum): (Vec<&Expr>, &Expr) = match expr {
         Expr::Product(all) => {
             let at = all.iter().position(|factor| matches!(factor, Expr::Sum(_)))?;
@@ -135,7 +114,7 @@ fn difference(expr: &Expr) -> Option<(Vec<&Expr>, &Expr, &Expr)> {
     };
     match sum {
         Expr::Sum(terms) => match terms.as_slice() {
-            [one, Expr::Negative(other)] => Some((factors, one, other)),
+            [one, other] => Some((factors, one, other)),
             _ => None,
         },
         _ => None,
