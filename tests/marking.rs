@@ -165,6 +165,30 @@ fn the_rest_is_solved_again_from_the_values_that_the_student_found() {
 }
 
 #[test]
+fn a_slip_is_named_only_where_the_working_does_not_speak_against_it() {
+    let tags = |working: &str| {
+        let row = Row {
+            name: String::new(),
+            question: "rest/speeds-and-directions".into(),
+            part: String::new(),
+            answers: [("speed of B".to_owned(), "2.31".to_owned())].into(),
+            answer: None,
+            working: working.into(),
+            before: Vec::new(),
+            profile: None,
+            codes: String::new(),
+            notes: Vec::new(),
+        };
+        let answers = marked(&row).answers.into_iter().filter(|answer| answer.name == "speed of B");
+        answers.flat_map(|answer| answer.causes).map(|cause| cause.tag).collect::<Vec<_>>()
+    };
+    let omitted = "masses-omitted".to_owned();
+    assert!(tags("").contains(&omitted));
+    assert!(tags("4cos30 = v + w\nw - v = 4cos30/3\nw = 2.31").contains(&omitted));
+    assert_eq!(tags("4*4cos30 = 4v + 2w\nw - v = 4cos30/3\nw = 2.31"), ["arithmetic"]);
+}
+
+#[test]
 fn what_is_solved_again_starts_from_a_speed_as_the_velocity_along_the_line() {
     let table: Table = toml::from_str(include_str!("data/scripts.toml")).unwrap();
     let row = table.script.iter().find(|row| row.name.starts_with("a wrong speed taken into")).unwrap();
