@@ -80,7 +80,11 @@ impl Working<'_> {
             let swapped: Vec<Known<f64>> = swapped.collect::<Option<_>>()?;
             self.line_that_is(&swapped, after)
         };
-        let right = self.line_that_is(&self.prepared.known, after);
+        // The tangent after the impact has the component in it.
+        let is_shown = self.part.blanks.iter().any(|blank| blank.model.kind == Kind::Shown);
+        let angle = Quantity::AngleToLine(Sphere::A, Moment::After);
+        let by_tangent = || self.line_that_is(&self.prepared.known, angle).filter(|_| !is_shown);
+        let right = self.line_that_is(&self.prepared.known, after).or_else(by_tangent);
         let line = right.or_else(|| if code.is_accuracy() { None } else { exchanged() })?;
         Some(Evidence::given(line, "restitution"))
     }
@@ -208,11 +212,14 @@ impl Working<'_> {
     fn has_component(&self, values: &[Value], sphere: Sphere, right: &[f64]) -> bool {
         let known = |quantity| sizes(&self.prepared.known, quantity);
         let before = |axis| known(Quantity::Velocity(sphere, Moment::Before, axis));
-        let is_given = before(Axis::X).zip(before(Axis::Y)).is_some_and(|(x, y)| is_vector(values, &x, &y, 1.0));
+        // Components of a speed that is given with an angle have been found.
+        let in_vectors = has_vectors(self.question);
+        let given = before(Axis::X).zip(before(Axis::Y)).filter(|_| in_vectors);
+        let is_given = given.is_some_and(|(x, y)| is_vector(values, &x, &y, 1.0));
         let is_along =
             |axis| known(Quantity::Line(axis)).is_some_and(|line| line.iter().all(|size| size.abs() > 1.0 - 1e-9));
         let across = if is_along(Axis::X) { Some(Axis::Y) } else { Some(Axis::X).filter(|_| is_along(Axis::Y)) };
-        let signed = across.filter(|_| has_vectors(self.question)).and_then(|axis| Some((axis, before(axis)?)));
+        let signed = across.filter(|_| in_vectors).and_then(|axis| Some((axis, before(axis)?)));
         let is_one = |(point, value): (usize, &Value)| match (value, &signed) {
             (Value::Vector(_, y), Some((Axis::Y, own))) => y.may_be(own[point]),
             (Value::Vector(x, _), Some((_, own))) => x.may_be(own[point]),

@@ -179,8 +179,24 @@ fn is_formula(word: &str) -> bool {
 }
 
 /// Words with which a sentence goes on to its formula.
-const LEAD_INS: [&str; 12] =
-    ["so", "So", "and", "then", "hence", "Hence", "thus", "therefore", "giving", "gives", "or", "as"];
+const LEAD_INS: [&str; 16] = [
+    "let",
+    "Let",
+    "put",
+    "Put",
+    "so",
+    "So",
+    "and",
+    "then",
+    "hence",
+    "Hence",
+    "thus",
+    "therefore",
+    "giving",
+    "gives",
+    "or",
+    "as",
+];
 
 const FUNCTIONS: [&str; 12] =
     ["sin", "cos", "tan", "sqrt", "root", "arctan", "arcsin", "arccos", "atan", "theta", "alpha", "beta"];
