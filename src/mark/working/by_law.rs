@@ -48,8 +48,9 @@ impl Working<'_> {
                 let counts =
                     |quantity: &&Quantity| about(quantity) && (!is_before(quantity) || self.has_energy_before());
                 let quantities: Vec<Quantity> = quantities.iter().filter(counts).copied().collect();
+                let is_of_deflection = quantities.iter().any(|quantity| matches!(quantity, Quantity::TanDeflection(_)));
                 let found = self.by_value(law, &quantities, code).or_else(|| self.by_shape(law, shape, sphere, code));
-                found.or_else(|| self.compound_angle(law).filter(|_| law == Law::Deflection && code == Code::M1))
+                found.or_else(|| self.compound_angle(law).filter(|_| code == Code::M1 && is_of_deflection))
             }
             Seen::AlongLine | Seen::Unknown => None,
         }
