@@ -50,6 +50,7 @@ impl Working<'_> {
                 let quantities: Vec<Quantity> = quantities.iter().filter(counts).copied().collect();
                 let is_of_deflection = quantities.iter().any(|quantity| matches!(quantity, Quantity::TanDeflection(_)));
                 let found = self.by_value(law, &quantities, code).or_else(|| self.by_shape(law, shape, sphere, code));
+                let found = found.or_else(|| if code.is_accuracy() { None } else { self.fraction_of_energies(law) });
                 found.or_else(|| self.compound_angle(law).filter(|_| code == Code::M1 && is_of_deflection))
             }
             Seen::AlongLine | Seen::Unknown => None,
@@ -63,6 +64,18 @@ impl Working<'_> {
             _ => false,
         };
         self.part.scheme.iter().filter_map(|mark| mark.equation.as_ref()).any(is_energy_before)
+    }
+
+    /// Where a fraction is asked for, all the energy before and all that is left are as good as their difference.
+    fn fraction_of_energies(&self, law: Law) -> Option<Evidence> {
+        let asks = |quantity| self.part.blanks.iter().any(|blank| blank.find.quantities().contains(&quantity));
+        if !law.gives(Quantity::FractionLost) || !asks(Quantity::FractionLost) {
+            return None;
+        }
+        let seen = |known: &[Known<f64>], moment| self.line_that_is(known, Quantity::TotalEnergy(moment));
+        let before = seen(&self.prepared.known, Moment::Before)?;
+        let after = seen(&self.prepared.known, Moment::After).or_else(|| seen(&self.followed, Moment::After))?;
+        Some(Evidence::given(before.max(after), law.name()))
     }
 
     /// Restitution at a wall gives the one component after at once. A method mark condones sine for cosine.
@@ -243,9 +256,16 @@ impl Working<'_> {
 fn is_called_otherwise(member: &Member, sphere: Sphere) -> bool {
     const OTHERS: [&str; 9] = ["time", "mass", "distance", "momentum", "impulse", "force", "energy", "ke", "radius"];
     let label = member.label.as_deref().unwrap_or_default();
-    let words: Vec<String> = label.split(|sign: char| !sign.is_alphanumeric()).map(str::to_lowercase).collect();
-    let names = |sphere: Sphere| words.contains(&sphere.name().to_lowercase());
-    words.iter().any(|word| OTHERS.contains(&word.as_str())) || (names(sphere.other()) && !names(sphere))
+    let words: Vec<&str> = label.split(|sign: char| !sign.is_alphanumeric()).collect();
+    // `b` is a letter, `B` a sphere, and `vB` its velocity.
+    let names = |sphere: Sphere| {
+        let is_name = |word: &&str| {
+            let before = word.strip_suffix(sphere.name());
+            before.is_some_and(|before| before.is_empty() || (before.len() == 1 && "uvwUVW".contains(before)))
+        };
+        words.iter().any(is_name)
+    };
+    words.iter().any(|word| OTHERS.contains(&word.to_lowercase().as_str())) || (names(sphere.other()) && !names(sphere))
 }
 
 /// How many numbers and letters stand in a formula.

@@ -188,7 +188,8 @@ impl Working<'_> {
         let is = |(point, at_point): (usize, &Numbers)| {
             let Some(value) = at(other, point) else { return false };
             let own = at(quotient, point).map(Spread::middle);
-            near(value.absolute(), at_point.e) || own.is_some_and(|own| near(value, own))
+            let is_own = |own: f64| (value.middle() - own).abs() <= 0.02 * own.abs();
+            near(value.absolute(), at_point.e) || own.is_some_and(is_own)
         };
         let is_letter = matches!(other, Expr::Name(name) if name.text == "e");
         other == quotient || is_letter || numbers.iter().enumerate().all(is)
