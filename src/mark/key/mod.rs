@@ -17,7 +17,7 @@ use super::slips::Mistakes;
 use super::working::Prepared;
 use crate::bank::{Code, EarnedFor, Find};
 use crate::expr::{Angles, Expr, degrees, read};
-use crate::mechanics::{Derivation, Known, Meeting, Quantity, Scene, SceneText, Setting, pose};
+use crate::mechanics::{Derivation, Known, Meeting, Quantity, Scene, SceneText, Setting, VelocityText, pose};
 use crate::number::{Letter, Value};
 use crate::paper::KeyQuestion;
 
@@ -362,7 +362,17 @@ fn angles(question: &KeyQuestion) -> Vec<(String, f64)> {
         let turn = degrees(&angle, &|_| None).ok()?;
         Some((name.clone(), turn.enclose(ANGLE_BITS)?.to_f64()))
     };
-    own.filter_map(angle).collect()
+    own.filter_map(angle).chain(angle_by_tangent(question)).collect()
+}
+
+/// The angle α of a question whose words give its tangent, and whose scene has its cosine and sine.
+fn angle_by_tangent(question: &KeyQuestion) -> Option<(String, f64)> {
+    let name = question.scene.symbols.keys().find(|name| *name == "alpha")?;
+    let Some(VelocityText::Polar(polar)) = &question.scene.before.a else { return None };
+    let (cos, sin) = polar.cos.as_ref().zip(polar.sin.as_ref())?;
+    let angle = read(&format!("atan(({sin})/({cos}))/deg"), Angles::Degrees).ok()?;
+    let turn = degrees(&angle, &|_| None).ok()?;
+    Some((name.clone(), turn.enclose(ANGLE_BITS)?.to_f64().abs()))
 }
 
 /// How precisely an angle is known that students have a letter for.

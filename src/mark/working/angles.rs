@@ -7,6 +7,9 @@ use super::linear::constant;
 use super::prepared::Prepared;
 use crate::expr::{Expr, Function};
 
+/// Letters for angles that are still to be found: nobody calls a given one so, unless the question does.
+const NEW: [&str; 4] = ["beta", "gamma", "delta", "phi"];
+
 /// Puts the angles that letters stand for in their places under sines, cosines and tangents.
 ///
 /// A letter stands for what the working says of it before it is first used; else for the angle of that name in the
@@ -26,7 +29,8 @@ pub(super) fn put_in_place(lines: &mut [Line], prepared: &Prepared) {
         for name in used(reading) {
             let is_open = prepared.points.letter(&name, 0).is_none() && known.iter().all(|(own, _)| *own != name);
             let named = prepared.angles.iter().find(|(own, _)| *own == name);
-            let only = || prepared.angles.first().filter(|_| prepared.angles.len() == 1);
+            let is_new = NEW.contains(&name.as_str());
+            let only = || prepared.angles.first().filter(|_| prepared.angles.len() == 1 && !is_new);
             if let Some((_, angle)) = named.or_else(only).filter(|_| is_open) {
                 guessed.extend(named.is_none().then(|| name.clone()));
                 known.push((name.clone(), in_degrees(*angle)));

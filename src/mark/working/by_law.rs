@@ -48,8 +48,10 @@ impl Working<'_> {
                 let counts =
                     |quantity: &&Quantity| about(quantity) && (!is_before(quantity) || self.has_energy_before());
                 let quantities: Vec<Quantity> = quantities.iter().filter(counts).copied().collect();
+                let is_of_deflection = quantities.iter().any(|quantity| matches!(quantity, Quantity::TanDeflection(_)));
                 let found = self.by_value(law, &quantities, code).or_else(|| self.by_shape(law, shape, sphere, code));
-                found.or_else(|| self.compound_angle(law).filter(|_| law == Law::Deflection && code == Code::M1))
+                let found = found.or_else(|| if code.is_accuracy() { None } else { self.fraction_of_energies(law) });
+                found.or_else(|| self.compound_angle(law).filter(|_| code == Code::M1 && is_of_deflection))
             }
             Seen::AlongLine | Seen::Unknown => None,
         }
@@ -62,6 +64,18 @@ impl Working<'_> {
             _ => false,
         };
         self.part.scheme.iter().filter_map(|mark| mark.equation.as_ref()).any(is_energy_before)
+    }
+
+    /// Where a fraction is asked for, all the energy before and all that is left are as good as their difference.
+    fn fraction_of_energies(&self, law: Law) -> Option<Evidence> {
+        let asks = |quantity| self.part.blanks.iter().any(|blank| blank.find.quantities().contains(&quantity));
+        if !law.gives(Quantity::FractionLost) || !asks(Quantity::FractionLost) {
+            return None;
+        }
+        let seen = |known: &[Known<f64>], moment| self.line_that_is(known, Quantity::TotalEnergy(moment));
+        let before = seen(&self.prepared.known, Moment::Before)?;
+        let after = seen(&self.prepared.known, Moment::After).or_else(|| seen(&self.followed, Moment::After))?;
+        Some(Evidence::given(before.max(after), law.name()))
     }
 
     /// Restitution at a wall gives the one component after at once. A method mark condones sine for cosine.
@@ -80,7 +94,11 @@ impl Working<'_> {
             let swapped: Vec<Known<f64>> = swapped.collect::<Option<_>>()?;
             self.line_that_is(&swapped, after)
         };
-        let right = self.line_that_is(&self.prepared.known, after);
+        // The tangent after the impact has the component in it.
+        let is_shown = self.part.blanks.iter().any(|blank| blank.model.kind == Kind::Shown);
+        let angle = Quantity::AngleToLine(Sphere::A, Moment::After);
+        let by_tangent = || self.line_that_is(&self.prepared.known, angle).filter(|_| !is_shown);
+        let right = self.line_that_is(&self.prepared.known, after).or_else(by_tangent);
         let line = right.or_else(|| if code.is_accuracy() { None } else { exchanged() })?;
         Some(Evidence::given(line, "restitution"))
     }
@@ -209,11 +227,14 @@ impl Working<'_> {
     fn has_component(&self, values: &[Value], sphere: Sphere, right: &[f64]) -> bool {
         let known = |quantity| sizes(&self.prepared.known, quantity);
         let before = |axis| known(Quantity::Velocity(sphere, Moment::Before, axis));
-        let is_given = before(Axis::X).zip(before(Axis::Y)).is_some_and(|(x, y)| is_vector(values, &x, &y, 1.0));
+        // Components of a speed that is given with an angle have been found.
+        let in_vectors = has_vectors(self.question);
+        let given = before(Axis::X).zip(before(Axis::Y)).filter(|_| in_vectors);
+        let is_given = given.is_some_and(|(x, y)| is_vector(values, &x, &y, 1.0));
         let is_along =
             |axis| known(Quantity::Line(axis)).is_some_and(|line| line.iter().all(|size| size.abs() > 1.0 - 1e-9));
         let across = if is_along(Axis::X) { Some(Axis::Y) } else { Some(Axis::X).filter(|_| is_along(Axis::Y)) };
-        let signed = across.filter(|_| has_vectors(self.question)).and_then(|axis| Some((axis, before(axis)?)));
+        let signed = across.filter(|_| in_vectors).and_then(|axis| Some((axis, before(axis)?)));
         let is_one = |(point, value): (usize, &Value)| match (value, &signed) {
             (Value::Vector(_, y), Some((Axis::Y, own))) => y.may_be(own[point]),
             (Value::Vector(x, _), Some((_, own))) => x.may_be(own[point]),
@@ -236,9 +257,16 @@ impl Working<'_> {
 fn is_called_otherwise(member: &Member, sphere: Sphere) -> bool {
     const OTHERS: [&str; 9] = ["time", "mass", "distance", "momentum", "impulse", "force", "energy", "ke", "radius"];
     let label = member.label.as_deref().unwrap_or_default();
-    let words: Vec<String> = label.split(|sign: char| !sign.is_alphanumeric()).map(str::to_lowercase).collect();
-    let names = |sphere: Sphere| words.contains(&sphere.name().to_lowercase());
-    words.iter().any(|word| OTHERS.contains(&word.as_str())) || (names(sphere.other()) && !names(sphere))
+    let words: Vec<&str> = label.split(|sign: char| !sign.is_alphanumeric()).collect();
+    // `b` is a letter, `B` a sphere, and `vB` its velocity.
+    let names = |sphere: Sphere| {
+        let is_name = |word: &&str| {
+            let before = word.strip_suffix(sphere.name());
+            before.is_some_and(|before| before.is_empty() || (before.len() == 1 && "uvwUVW".contains(before)))
+        };
+        words.iter().any(is_name)
+    };
+    words.iter().any(|word| OTHERS.contains(&word.to_lowercase().as_str())) || (names(sphere.other()) && !names(sphere))
 }
 
 /// How many numbers and letters stand in a formula.

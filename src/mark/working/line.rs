@@ -171,16 +171,32 @@ const REMARKS: [&str; 6] =
 
 /// Is it a function or `sinθ`, which looks like a word?
 fn is_formula(word: &str) -> bool {
-    let of_angle = |function: &&str| {
-        let angle = word.strip_prefix(*function).unwrap_or_default();
+    let of_angle = |function: &str| {
+        let angle = word.strip_prefix(function).unwrap_or_default();
         angle.chars().count() == 1 || FUNCTIONS.contains(&angle)
     };
-    FUNCTIONS.contains(&word) || ["sin", "cos", "tan"].iter().any(|function| of_angle(&function))
+    FUNCTIONS.contains(&word) || ["sin", "cos", "tan"].iter().any(|function| of_angle(function))
 }
 
 /// Words with which a sentence goes on to its formula.
-const LEAD_INS: [&str; 12] =
-    ["so", "So", "and", "then", "hence", "Hence", "thus", "therefore", "giving", "gives", "or", "as"];
+const LEAD_INS: [&str; 16] = [
+    "let",
+    "Let",
+    "put",
+    "Put",
+    "so",
+    "So",
+    "and",
+    "then",
+    "hence",
+    "Hence",
+    "thus",
+    "therefore",
+    "giving",
+    "gives",
+    "or",
+    "as",
+];
 
 const FUNCTIONS: [&str; 12] =
     ["sin", "cos", "tan", "sqrt", "root", "arctan", "arcsin", "arccos", "atan", "theta", "alpha", "beta"];

@@ -24,6 +24,7 @@ mod shapes;
 mod spread;
 mod terms;
 mod theirs;
+mod trials;
 mod values;
 mod vectors;
 

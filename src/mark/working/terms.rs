@@ -14,6 +14,7 @@ use super::linear::{Context, constant};
 use super::pair::BOTH;
 use super::points::Points;
 use super::spread::Spread;
+use super::trials::{are_of_one, chosen, degree, may_stand_for};
 use crate::bank::Code;
 use crate::expr::{Expr, Relation};
 use crate::mechanics::{Axis, Known, Law, Moment, Quantity, Sphere};
@@ -187,7 +188,8 @@ impl Working<'_> {
         let is = |(point, at_point): (usize, &Numbers)| {
             let Some(value) = at(other, point) else { return false };
             let own = at(quotient, point).map(Spread::middle);
-            near(value.absolute(), at_point.e) || own.is_some_and(|own| near(value, own))
+            let is_own = |own: f64| (value.middle() - own).abs() <= 0.02 * own.abs();
+            near(value.absolute(), at_point.e) || own.is_some_and(is_own)
         };
         let is_letter = matches!(other, Expr::Name(name) if name.text == "e");
         other == quotient || is_letter || numbers.iter().enumerate().all(is)
@@ -275,45 +277,6 @@ impl Working<'_> {
             }
         }
         best
-    }
-}
-
-/// What a letter may stand for by its name, as places in [`Numbers::anything`]: a velocity after the impact either way, a
-/// mass, or e.
-fn may_stand_for(name: &str) -> &'static [usize] {
-    match name.chars().next() {
-        Some('e') if name == "e" => &[4],
-        Some('m' | 'M') => &[5, 6],
-        Some('u' | 'v' | 'w' | 'U' | 'V' | 'W' | 'x' | 'y' | 'X' | 'Y' | 'p' | 'q') => &[0, 1, 2, 3],
-        _ => &[0, 1, 2, 3, 4, 5, 6],
-    }
-}
-
-/// Two letters are not both the velocity of one sphere.
-fn are_of_one(one: usize, other: usize) -> bool {
-    one == other || (one < 4 && other < 4 && one % 2 == other % 2)
-}
-
-/// One choice for each letter, by the number of the trial.
-fn chosen(trial: usize, choices: &[&[usize]]) -> Vec<usize> {
-    let mut rest = trial;
-    let one = |choices: &&[usize]| {
-        let chosen = choices[rest % choices.len()];
-        rest /= choices.len();
-        chosen
-    };
-    choices.iter().map(one).collect()
-}
-
-/// The degree of a formula in letters of some kind; what is under a power or a root is of more than one.
-fn degree(expr: &Expr, is_one: &dyn Fn(&str) -> bool) -> usize {
-    let of = |expr: &Expr| degree(expr, is_one);
-    match expr {
-        Expr::Name(name) => usize::from(is_one(&name.text)),
-        Expr::Product(factors) => factors.iter().map(of).sum(),
-        Expr::Quotient(above, below) => of(above) + of(below),
-        Expr::Power(base, _) | Expr::Call(_, base) => 2 * of(base),
-        other => other.children().into_iter().map(of).max().unwrap_or(0),
     }
 }
 

@@ -1,0 +1,42 @@
+//! What letters that nobody has explained may stand for in the two equations, tried one after the other.
+
+use crate::expr::Expr;
+
+/// What a letter may stand for by its name, as places in a list of both velocities, both the other way, e and both masses: a velocity after the impact either way, a
+/// mass, or e.
+pub(super) fn may_stand_for(name: &str) -> &'static [usize] {
+    match name.chars().next() {
+        Some('e') if name == "e" => &[4],
+        Some('m' | 'M') => &[5, 6],
+        Some('u' | 'v' | 'w' | 'U' | 'V' | 'W' | 'x' | 'y' | 'X' | 'Y' | 'p' | 'q') => &[0, 1, 2, 3],
+        _ => &[0, 1, 2, 3, 4, 5, 6],
+    }
+}
+
+/// Two letters are not both the velocity of one sphere.
+pub(super) fn are_of_one(one: usize, other: usize) -> bool {
+    one == other || (one < 4 && other < 4 && one % 2 == other % 2)
+}
+
+/// One choice for each letter, by the number of the trial.
+pub(super) fn chosen(trial: usize, choices: &[&[usize]]) -> Vec<usize> {
+    let mut rest = trial;
+    let one = |choices: &&[usize]| {
+        let chosen = choices[rest % choices.len()];
+        rest /= choices.len();
+        chosen
+    };
+    choices.iter().map(one).collect()
+}
+
+/// The degree of a formula in letters of some kind; what is under a power or a root is of more than one.
+pub(super) fn degree(expr: &Expr, is_one: &dyn Fn(&str) -> bool) -> usize {
+    let of = |expr: &Expr| degree(expr, is_one);
+    match expr {
+        Expr::Name(name) => usize::from(is_one(&name.text)),
+        Expr::Product(factors) => factors.iter().map(of).sum(),
+        Expr::Quotient(above, below) => of(above) + of(below),
+        Expr::Power(base, _) | Expr::Call(_, base) => 2 * of(base),
+        other => other.children().into_iter().map(of).max().unwrap_or(0),
+    }
+}
