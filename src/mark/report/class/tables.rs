@@ -5,13 +5,13 @@ use crate::table::{append, one_line};
 
 /// A row for each student: the marks of each question, empty where it was not handed in.
 pub fn students_table(report: &ClassReport) -> String {
-    let head = ["student", "marks", "available", "per_cent"].map(str::to_owned).into_iter();
+    let head = ["student", "name", "marks", "available", "per_cent"].map(str::to_owned).into_iter();
     let head = head.chain(report.questions.iter().map(|question| format!("question {}", question.label)));
     let rows = report.students.iter().map(|student| {
         let sums = [student.marks, student.available, student.per_cent()].map(Some).into_iter();
         let cells = sums.chain(student.questions.iter().copied());
         let cells = cells.map(|cell| cell.map(|marks| marks.to_string()).unwrap_or_default());
-        std::iter::once(one_line(&student.id)).chain(cells).collect()
+        [one_line(&student.id), one_line(student.own_name())].into_iter().chain(cells).collect()
     });
     append(std::iter::once(head.collect::<Vec<String>>()).chain(rows))
 }
