@@ -149,7 +149,7 @@ fn letters_that_tex_lacks_are_left_to_a_browser_and_where_there_is_none_to_the_p
         assert_eq!(said(&output).contains(SAID), is_warned, "{number}: {}", said(&output));
         assert_eq!(said(&output).contains("look whether they are all there"), !is_warned, "{number}");
         // Names that TeX has are no reason for anything.
-        let plain = machine.sheet(&["--format", "pdf", "--school", "Łukasz Müller", "--out", "plain"]);
+        let plain = machine.sheet(&["--format", "pdf", "--school", "Łukasz Müller"]);
         let told = said(&plain);
         assert!(told.contains("latex") && !told.contains("warning"), "{number}: {told}");
     }
@@ -161,7 +161,7 @@ fn latex_says_which_names_it_prints_as_question_marks() {
     fs::write(machine.folder.join("class.csv"), "student,name\n1,Владимир\n2,Zoë\n3,李小龍\n").unwrap();
     let told = said(&machine.sheet(&["--format", "latex,html", "--class", "class.csv"]));
     let said_once =
-        "warning: `Владимир`, `李小龍` have letters that LaTeX's own fonts lack: in the LaTeX each is a `?`";
+        "warning: `Владимир (1)`, `李小龍 (3)` have letters that LaTeX's own fonts lack: in the LaTeX each is a `?`";
     assert!(told.contains(said_once) && told.matches("warning").count() == 1, "{told}");
     let told = said(&machine.sheet(&["--format", "html", "--class", "class.csv"]));
     assert!(!told.contains("warning"), "{told}");
