@@ -78,6 +78,8 @@ fn one_slip_of_the_pen_is_one_fault() {
         "later-without-of",
         "list-never-closed",
         "marks-never-closed",
+        "no-part",
+        "not-equal-misspelt",
         "quotes-forgotten",
         "stem-never-closed",
         "stem-never-opened",

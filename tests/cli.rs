@@ -347,6 +347,23 @@ fn a_scene_is_worked_out_by_the_least_that_suffices_or_by_the_method_asked_for()
 }
 
 #[test]
+fn velocities_before_and_after_determine_e_also_where_the_line_of_centres_has_a_long_form() {
+    let scene = r#"{"masses": {"A": "2", "B": "4"}, "after": {"A": ["2", "0"], "B": null},
+        "before": {"A": {"speed": "6", "angle_deg": "10"}, "B": ["0", "0"]}}"#;
+    let output = with_stdin(&["solve", "-"], scene.as_bytes());
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    // e = 2(1 - cos 10°)/(3 - cos 10°), from the components along the change of the velocity of A.
+    assert!(stdout(&output).contains("≈ 0.0151") && !stderr(&output).contains("left open"), "{}", stdout(&output));
+}
+
+#[test]
+fn the_momentum_of_a_sphere_at_rest_is_a_product_and_no_number_of_two_digits() {
+    let scene = r#"{"masses": {"A": "1", "B": "2"}, "before": {"A": ["5", "0"], "B": ["0", "0"]}, "after": {"A": ["1", "2"], "B": null}}"#;
+    let output = with_stdin(&["solve", "-"], scene.as_bytes());
+    assert!(stdout(&output).contains("5i + 2 × 0 = (i + 2j) + 2v_B"), "{}", stdout(&output));
+}
+
+#[test]
 fn an_impossible_scene_is_refused_with_the_mechanics() {
     // Exercise 12 as it is printed: the spheres would pass through each other.
     let scene = r#"{"masses": {"A": "1", "B": "2"}, "before": {"A": ["2", "5"], "B": ["3", "-1"]}, "after": {"A": ["3", "2"]}}"#;

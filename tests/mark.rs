@@ -214,7 +214,7 @@ fn a_file_that_is_wrong_as_a_whole_is_refused_and_nothing_is_written() {
     let cases: [(&[u8], &[&str]); 9] = [
         (b"student,question,part,blank,answer\nZo\xeb,1,,,2\n", &["not in UTF-8: line 2", "CSV UTF-8"]),
         (&utf_16, &["UTF-16", "CSV UTF-8"]),
-        (b"", &["no columns `student`, `question`, `answer`"]),
+        (b"", &["no columns `student`, `question`, `answer`", "the file is empty"]),
         (b"student,question,part,blank,answer,working\n", &["has no answers", "carom mark --help"]),
         (b"student,question,part,blank,answer,working\n,1,,,,\n", &["name a question and no student", "fill in"]),
         (b"student,question,anwser\nAda,1,2\n", &["no column `answer`", "submissions.csv:1:18", "^^^^^^"]),
@@ -247,10 +247,12 @@ fn a_column_that_is_nearly_right_is_told_of() {
 #[test]
 fn a_quote_that_is_never_closed_is_told_of_where_it_opens() {
     let folder = folder("quote");
-    let rows = "student,question,answer,working\nAda,1,2,\nBen,1,2,\"v = 2\nCy,1,2,\nDee,1,2,\n";
-    let output = mark(&folder, rows, &[]);
-    assert!(stderr(&output).contains("line 3: a quote is opened here and never closed"), "{}", stderr(&output));
-    assert_eq!(marks(&folder, 0, 1), ["Ada"]);
+    for row in ["Ben,1,2,\"v = 2\nCy,1,2,\nDee,1,2,\n", "\"Ben,1,2,\nCy,1,2,\n", "\"Ben,1,2,\n", "Ben,1,\"2\n"] {
+        let rows = format!("student,question,answer,working\nAda,1,2,\n{row}");
+        let output = mark(&folder, rows, &[]);
+        assert!(stderr(&output).contains("line 3: a quote is opened here and never closed"), "{}", stderr(&output));
+        assert_eq!(marks(&folder, 0, 1), ["Ada"], "{row}");
+    }
 }
 
 #[test]
@@ -297,7 +299,72 @@ fn each_student_of_a_class_is_marked_against_a_paper_of_their_own() {
     assert_eq!(marks(&folder, 0, 6), ["Ada Lovelace|1|||correct|11", "Ben|1|||wrong|0"]);
     let said = stderr(&output);
     assert!(said.contains("the key has no paper for `Ada Lovelac`; did you mean `Ada Lovelace`?"), "{said}");
-    assert!(said.contains("the key has no paper for `Eve`; the key has papers for 2 students"), "{said}");
+    assert!(said.contains("no paper for `Eve`; its 2 students are `Ada Lovelace` to `Ben`"), "{said}");
+}
+
+#[test]
+fn a_student_is_known_by_number_and_by_a_name_that_nobody_else_has() {
+    let folder = folder("by-name");
+    let key: Json = serde_json::from_str(&fs::read_to_string(folder.join("sheet/key.json")).unwrap()).unwrap();
+    let paper = |student: &str, name: &str| {
+        let mut question = key["questions"][1].clone();
+        question["number"] = 1.into();
+        json!({"student": student, "name": name, "code": "X", "questions": [question]})
+    };
+    let class = [("1", "Ada Byron"), ("2", "Ben Ali"), ("3", "Ben Ali"), ("4", "2")].map(|(id, name)| paper(id, name));
+    fs::write(folder.join("sheet/key.json"), json!({ "papers": class }).to_string()).unwrap();
+    let rows = "student,question,blank,answer\nAda Byron,1,speed of A,4√39/9\n1,1,speed of B,3.08\n\
+                ben ali,1,speed of A,1\n2,1,speed of A,4√39/9\nAda  BYRON,1,direction of A,46.1\nEve,1,speed of A,1\n";
+    fs::write(folder.join("words.csv"), "student,question,part,mark,given,comment\nAda Byron,1,,A1a,0,no\n").unwrap();
+    let output = mark(&folder, rows, &["--overrides", "words.csv"]);
+    let said = stderr(&output);
+    assert!(output.status.success(), "{said}");
+    // However she was called she is one student, and the report has her name.
+    let students: Vec<String> = marks(&folder, 0, 1);
+    assert!(students.iter().all(|student| ["1", "2"].contains(&student.as_str())), "{students:?}");
+    let table = table(folder.join("marks/report.csv"));
+    assert_eq!((table.len(), &table[1][..2]), (3, &["1".to_owned(), "Ada Byron".to_owned()][..]));
+    assert!(said.contains("several students are called `ben ali`; they are `2` and `3`"), "{said}");
+    assert!(said.contains("no paper for `Eve`; its 4 students are `1` to `4`"), "{said}");
+    assert!(!said.contains("overrides is about what was not handed in"), "{said}");
+    let page = fs::read_to_string(folder.join("marks/feedback/1.html")).unwrap();
+    assert!(page.contains("<h1>Ada Byron (1)</h1>"), "{page}");
+}
+
+#[test]
+fn a_table_that_nobody_filled_in_is_told_of_and_is_not_called_too_hard() {
+    let folder = folder("unfilled");
+    let rows: String = (1..=6).map(|student| format!("{student},2,speed of A,,\n{student},3,speed of A,,\n")).collect();
+    let rows = format!("student,question,blank,answer,working\n{rows}");
+    let said = |output: &Output| {
+        assert!(output.status.success(), "{}", stderr(output));
+        let report = fs::read_to_string(folder.join("marks/report.html")).unwrap();
+        (stderr(output).contains("has no answers: 6 students and not one filled in"), stdout(output) + &report)
+    };
+    let (is_told, report) = said(&mark(&folder, &rows, &[]));
+    assert!(is_told && report.contains("Nobody wrote anything for it") && !report.contains("too hard"), "{report}");
+    // A question that was left out is told of by itself; one answer is enough for a class that did something.
+    let (is_told, report) = said(&mark(&folder, rows.replacen("1,2,speed of A,,", "1,2,speed of A,,5 = 2", 1), &[]));
+    assert!(!is_told && report.contains("question 3: Nobody wrote anything"), "{report}");
+    assert!(report.contains("question 2: None of its marks were won: is it too hard"), "{report}");
+}
+
+#[test]
+fn a_code_for_more_than_one_student_says_that_all_have_its_numbers() {
+    let folder = folder("one-code");
+    let made = carom(&folder, &["sheet", "5C-2", "--seed", "3", "--format", "text", "--out", "one"]);
+    assert!(made.status.success(), "{}", stderr(&made));
+    let key: Json = serde_json::from_str(&fs::read_to_string(folder.join("one/key.json")).unwrap()).unwrap();
+    let code = key["code"].as_str().unwrap();
+    for (rows, is_said) in [("Ada,1,3\nBen,1,4\n", true), ("Ada,1,3\n", false)] {
+        fs::write(folder.join("rows.csv"), format!("student,question,answer\n{rows}")).unwrap();
+        for (key, is_code) in [(code, true), ("one/key.json", false)] {
+            let output = carom(&folder, &["mark", key, "rows.csv"]);
+            assert!(output.status.success(), "{}", stderr(&output));
+            let told = format!("all 2 students are marked on the numbers of the one sheet {code}");
+            assert_eq!(stderr(&output).contains(&told), is_said && is_code, "{key}: {}", stderr(&output));
+        }
+    }
 }
 
 /// Names that want out of the folder, into the page, into the spreadsheet, or nowhere at all.

@@ -67,6 +67,11 @@ fn faults_of_the_numbers_are_named() {
             ),
             ("no-variant", &[("\"q > p\"", "\"q > 100*p\"")], "style `friendly` has no variant"),
             (
+                "restitution",
+                &[("\"1/2\", \"2/3\", \"3/4\"", "\"1/2\", \"4/3\", \"3/4\"")],
+                "`restitution` may be 4/3, and a coefficient of restitution is from 0 to 1",
+            ),
+            (
                 "too-many",
                 &[
                     ("\"1..5\"", "\"1..50000\""),
@@ -146,6 +151,7 @@ fn texts_that_read_badly_are_named() {
         &[
             ("unreduced", &[("\"1/2\", \"2/3\"", "\"2/4\", \"2/3\"")], "not in its lowest terms: `2/4`"),
             ("twice", &[("of mass {mB}, which", "of masses {mB} and {mB}, which")], "the same thing said twice"),
+            ("article-twice", &[("is moving", "is a a moving")], "a word said twice: `a a`"),
             ("word-twice", &[("the spheres is {", "the the spheres is {")], "a word said twice: `the the`"),
             ("stray", &[("{restitution}.", "{restitution} .")], "a stray sign"),
             ("full-stop", &[("line of centres.\n'''", "line of centres\n'''")], "a sentence without a full stop"),
@@ -196,6 +202,25 @@ fn texts_that_read_badly_are_named() {
             ),
         ],
     );
+}
+
+#[test]
+fn a_stray_sign_is_shown_once_and_where_it_stands() {
+    let edits = [("As a result of the collision", "As a *result of the collision")];
+    let (_, said) = checked("at-its-line", "rest-letters/turned-through-a-right-angle", &edits);
+    assert_eq!(said.matches("a stray sign").count(), 1, "{said}");
+    let mut lines = said.lines().skip_while(|line| !line.contains("| spheres. As a *result of the"));
+    assert!(lines.next().is_some() && lines.next().is_some_and(|line| line.contains("^ here")), "{said}");
+}
+
+#[test]
+fn where_nothing_can_be_printed_nothing_is_said_of_slips() {
+    let edits = [
+        ("\"q > p\"", "\"q > 100*p\""),
+        ("[parameters]\np ", "alike = [\"sincos-swap = wrong-axis\"]\n\n[parameters]\np "),
+    ];
+    let (is_sound, said) = checked("no-slips", "rest-letters/turned-through-a-right-angle", &edits);
+    assert!(!is_sound && said.contains("has no variant") && !said.contains("alike"), "{said}");
 }
 
 #[test]

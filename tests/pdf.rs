@@ -124,6 +124,50 @@ fn carom_takes_the_best_that_a_machine_has_and_says_what() {
 }
 
 #[test]
+fn letters_that_tex_lacks_are_left_to_a_browser_and_where_there_is_none_to_the_person() {
+    const SAID: &str = "warning: `Владимир` has letters that LaTeX's own fonts lack: in the PDF each is a `?`";
+    type Case<'a> = (&'a [(&'a str, &'a str)], &'a [(&'static str, &'a str)], &'a str, bool);
+    let cases: [Case; 5] = [
+        (&[("pdflatex", PRINTS), ("chromium", PRINTS)], &[], "chromium", false),
+        (&[("pdflatex", PRINTS)], &[], "pdflatex", true),
+        (&[("pdflatex", PRINTS), ("chromium", PRINTS)], &[("CAROM_TEX", "pdflatex")], "pdflatex", true),
+        (&[("pdflatex", PRINTS), ("chromium", PRINTS)], &[("CAROM_BROWSER", "none")], "pdflatex", true),
+        (&[("pdflatex", PRINTS), ("chromium", "exit 1")], &[], "pdflatex", true),
+    ];
+    for (number, (programs, settings, expected, is_warned)) in cases.into_iter().enumerate() {
+        let mut machine = Machine::new(&format!("letters-{number}"));
+        for (program, script) in programs {
+            machine = machine.with(program, script);
+        }
+        for (name, value) in settings {
+            machine = machine.set(name, value);
+        }
+        let output = machine.sheet(&["--format", "pdf", "--school", "Владимир"]);
+        assert_eq!(code(&output), 0, "{}", said(&output));
+        let pdf = String::from_utf8(machine.read("out/question-sheet.pdf")).unwrap();
+        assert!(pdf.ends_with(&format!("by {expected}\n%%EOF\n")), "{number}: {pdf}");
+        assert_eq!(said(&output).contains(SAID), is_warned, "{number}: {}", said(&output));
+        assert_eq!(said(&output).contains("look whether they are all there"), !is_warned, "{number}");
+        // Names that TeX has are no reason for anything.
+        let plain = machine.sheet(&["--format", "pdf", "--school", "Łukasz Müller"]);
+        let told = said(&plain);
+        assert!(told.contains("latex") && !told.contains("warning"), "{number}: {told}");
+    }
+}
+
+#[test]
+fn latex_says_which_names_it_prints_as_question_marks() {
+    let machine = Machine::new("question-marks");
+    fs::write(machine.folder.join("class.csv"), "student,name\n1,Владимир\n2,Zoë\n3,李小龍\n").unwrap();
+    let told = said(&machine.sheet(&["--format", "latex,html", "--class", "class.csv"]));
+    let said_once =
+        "warning: `Владимир (1)`, `李小龍 (3)` have letters that LaTeX's own fonts lack: in the LaTeX each is a `?`";
+    assert!(told.contains(said_once) && told.matches("warning").count() == 1, "{told}");
+    let told = said(&machine.sheet(&["--format", "html", "--class", "class.csv"]));
+    assert!(!told.contains("warning"), "{told}");
+}
+
+#[test]
 fn a_browser_that_falls_over_in_starting_is_asked_once_more() {
     let falls = r#"[ -e fallen ] || { : > fallen; kill -s SEGV $$; }"#;
     let machine = Machine::new("falls").with("chromium", &format!("{falls}\n{PRINTS}"));

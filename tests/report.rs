@@ -118,8 +118,8 @@ fn a_question_is_the_same_whichever_number_and_numbers_it_has() {
     assert!(of("rest/speeds-and-directions").iter().all(|row| row.contains(",1,1,100,")), "{marks}");
     assert!(of("rest/heavier-sphere-struck").iter().all(|row| row.contains(",2,2,100,")), "{marks}");
     assert_eq!(marks.lines().count(), 1 + 2 * 11);
-    // Tables go by what the marks go by, the page has the name too; what was not handed in is no nought.
-    assert!(read(&folder, "report.csv").contains("\nBen,11,22,50,,11\n"), "{}", read(&folder, "report.csv"));
+    // Tables have the name beside what the marks go by, the page too; what was not handed in is no nought.
+    assert!(read(&folder, "report.csv").contains("\nBen,The Ben,11,22,50,,11\n"), "{}", read(&folder, "report.csv"));
     assert!(read(&folder, "report.html").contains("The Ben (Ben)"));
 }
 

@@ -3,10 +3,11 @@
 use std::path::Path;
 
 use super::failure::{Failure, warn};
-use super::output::say;
-use super::pdf::{self, Engine, OwnTemplates};
+use super::output::{listed, say};
+use super::pdf::{self, Engine, Letters, OwnTemplates};
 use super::template_folder::own_templates;
 use super::write::OutputFile;
+use crate::expr::print::{latex_lacks, words_unicode};
 use crate::paper::Paper;
 use crate::render::{Formats, RenderFault, RenderedFile};
 
@@ -29,6 +30,43 @@ pub enum Work<'p> {
     Sheet(&'p Paper),
     /// The sheets of a class, all in the same files.
     Class(&'p [Paper]),
+}
+
+impl<'p> Work<'p> {
+    /// The names and other words of its pages' heads that LaTeX cannot print with its own fonts, without repeats.
+    fn lacked_by_latex(self) -> Vec<&'p str> {
+        let papers = match self {
+            Work::Sheet(paper) => std::slice::from_ref(paper),
+            Work::Class(papers) => papers,
+        };
+        let mut lacked = Vec::new();
+        for words in papers.iter().flat_map(|paper| [&paper.student, &paper.title, &paper.school, &paper.date]) {
+            if latex_lacks(words) && !lacked.contains(&words.as_str()) {
+                lacked.push(words.as_str());
+            }
+        }
+        lacked
+    }
+}
+
+/// That some of the words stand in question marks, and what to do.
+pub fn question_marks(place: &str, lacked: &[&str]) -> String {
+    let (names, verb) = (first_of(lacked), if lacked.len() == 1 { "has" } else { "have" });
+    format!(
+        "warning: {names} {verb} letters that LaTeX's own fonts lack: in {place} each is a `?`; the HTML has \
+         them all, and Chrome, Chromium or Edge prints it"
+    )
+}
+
+/// The first few of some names: of a class that would be too many for a line.
+fn first_of(names: &[&str]) -> String {
+    const TOLD: usize = 5;
+    let told =
+        listed(names.iter().take(TOLD).map(|name| words_unicode(name)).collect::<Vec<_>>().iter().map(String::as_str));
+    match names.len().saturating_sub(TOLD) {
+        0 => told,
+        more => format!("{told} and {more} more"),
+    }
 }
 
 /// A paper in the formats asked for.
@@ -101,11 +139,17 @@ impl FormatsAsked {
     /// A template that is at fault is a failure. That PDF cannot be made is none yet: the other files are whole.
     pub fn print(&self, work: Work, out: &Path) -> Result<Printed, Failure> {
         let mut files = self.render(work)?;
+        let lacked = work.lacked_by_latex();
+        if !lacked.is_empty() && self.names.iter().any(|name| name == "latex") {
+            say(&question_marks("the LaTeX", &lacked));
+        }
         if !self.pdf {
             return Ok(Printed { files, missing: None });
         }
-        let missing = match pdf::engine() {
-            Ok(Some(engine)) => self.print_with(&engine, work, out, &mut files)?,
+        // A teacher's own templates for LaTeX are not passed over for the sake of a name.
+        let others = !lacked.is_empty() && !self.own.files.iter().any(|file| file.path.starts_with("latex/"));
+        let missing = match pdf::engines(if others { Letters::Others } else { Letters::OfTex }) {
+            Ok(engines) if !engines.is_empty() => self.print_with(&engines, work, &lacked, out, &mut files)?,
             unfound => {
                 self.instead("html", work, &mut files)?;
                 Some(unfound.err().unwrap_or_else(pdf::nothing))
@@ -114,25 +158,41 @@ impl FormatsAsked {
         Ok(Printed { files, missing })
     }
 
+    /// Prints with the first of the engines that can.
     fn print_with(
         &self,
-        engine: &Engine,
+        engines: &[Engine],
         work: Work,
+        lacked: &[&str],
         out: &Path,
         files: &mut Vec<OutputFile>,
     ) -> Result<Option<Failure>, Failure> {
-        say(&format!("PDF by `{}`, {}", engine.name(), engine.program().display()));
-        let sources = self.rendered(engine.format(), work)?;
-        match engine.print(&sources, out, &self.own) {
-            Ok(pdf) => {
-                files.extend(pdf);
-                Ok(None)
-            }
-            Err(failure) => {
-                self.instead(engine.format(), work, files)?;
-                Ok(Some(failure))
+        let mut last = None;
+        for (at, engine) in engines.iter().enumerate() {
+            let format = engine.format();
+            say(&format!("PDF by `{}`, {}", engine.name(), engine.program().display()));
+            let sources = self.rendered(format, work)?;
+            match engine.print(&sources, out, &self.own) {
+                Ok(pdf) => {
+                    match (engine, lacked) {
+                        (_, []) => {}
+                        (Engine::Tex(_), _) => say(&question_marks("the PDF", lacked)),
+                        (Engine::Browser(_), _) => say(&format!(
+                            "{} in the letters that this machine has: look whether they are all there",
+                            first_of(lacked)
+                        )),
+                    }
+                    files.extend(pdf);
+                    return Ok(None);
+                }
+                // The letters are worth a try; that it failed does not cost the PDF.
+                Err(_) if at + 1 < engines.len() => say(&format!("`{}` made none", engine.name())),
+                Err(failure) => last = Some((format, failure)),
             }
         }
+        let Some((format, failure)) = last else { return Ok(None) };
+        self.instead(format, work, files)?;
+        Ok(Some(failure))
     }
 
     /// Where PDF alone was asked for and there is none: that of which it would have been made, to be looked at or

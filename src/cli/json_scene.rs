@@ -6,7 +6,7 @@ use std::ops::Range;
 use super::json_places::{offset, places};
 use crate::bank::scene_names;
 use crate::diagnostic::{Diagnostic, Source, near};
-use crate::expr::Angles;
+use crate::expr::{Angles, Fault, Span};
 use crate::mechanics::{Scene, SceneFault, SceneText};
 
 /// Reads a scene of the exchange format.
@@ -18,30 +18,59 @@ pub fn read(source: &Source) -> Result<Scene, Vec<Diagnostic>> {
     if !source.text.trim_start().starts_with('{') {
         // A list would do for serde, its fields in order; what is no JSON at all is said below.
         if let Err(error) = serde_json::from_str::<serde_json::Value>(&source.text) {
-            return Err(vec![not_a_scene(source, &error)]);
+            return Err(vec![not_a_scene(source, &[], &error)]);
         }
         let start = source.text.len() - source.text.trim_start().len();
         let fault =
             Diagnostic::new("this is no scene", source, start..start + 1, "expected `{` and the fields of a scene");
         return Err(vec![fault.with_help("`carom solve --help` shows a scene")]);
     }
-    let text: SceneText = serde_json::from_str(&source.text).map_err(|error| vec![not_a_scene(source, &error)])?;
-    let places: Vec<_> =
-        places(&source.text).into_iter().filter(|(_, place)| source.text[place.clone()].starts_with('"')).collect();
+    let of_all = places(&source.text);
+    let text: SceneText = serde_json::from_str(&source.text).map_err(|error| {
+        let is_json = serde_json::from_str::<serde_json::Value>(&source.text).is_ok();
+        // What serde takes for the end of a list that goes on is a list of too many.
+        let vector = is_json.then(|| no_vector(source, &of_all)).flatten();
+        vec![vector.unwrap_or_else(|| not_a_scene(source, &of_all, &error))]
+    })?;
+    let is_words = |place: &Range<usize>| source.text[place.clone()].starts_with('"');
+    let places: Vec<_> = of_all.into_iter().filter(|(_, place)| is_words(place)).collect();
     if let Some(fault) = no_vector(source, &places) {
         return Err(vec![fault]);
     }
     let faults = match (Scene::read(&text, &BTreeMap::new(), Angles::Radians), scene_names(&text)) {
-        (Ok(scene), amiss) if amiss.is_empty() => return Ok(scene),
+        (Ok(scene), amiss) if amiss.is_empty() => {
+            let weightless = weightless(&scene, &text);
+            if weightless.is_empty() {
+                return Ok(scene);
+            }
+            weightless
+        }
         (Ok(_), amiss) => amiss,
         (Err(faults), _) => faults,
     };
     Err(faults.into_iter().map(|fault| located(source, &places, fault)).collect())
 }
 
-/// A velocity that is a list of more or fewer than two: serde would take it for a speed and an angle.
+/// Masses that are nought or below it, whatever the letters are.
+fn weightless(scene: &Scene, text: &SceneText) -> Vec<SceneFault> {
+    let masses = [("A", &text.masses.a), ("B", &text.masses.b)].into_iter().zip(&scene.masses);
+    let faults = masses.filter_map(|((sphere, written), mass)| {
+        let (written, mass) = (written.as_ref()?, mass.as_ref()?);
+        let span = Span { start: 0, end: written.len() };
+        let fault = Fault::new(format!("the mass of {sphere} is not positive"), span, "a mass in kg, above 0");
+        let fault = fault.try_this("leave the mass out if it is not given");
+        mass.value.sign()?.is_le().then(|| SceneFault {
+            field: format!("masses.{sphere}"),
+            fault,
+            is_of_the_form: false,
+        })
+    });
+    faults.collect()
+}
+
+/// A vector that is a list of more or fewer than two; of a velocity serde would take that for a speed and an angle.
 fn no_vector(source: &Source, places: &[(String, Range<usize>)]) -> Option<Diagnostic> {
-    for velocity in ["before.A", "before.B", "after.A", "after.B"] {
+    for velocity in ["before.A", "before.B", "after.A", "after.B", "line_of_centres", "impulse"] {
         let below = format!("{velocity}[");
         let within: Vec<_> = places.iter().filter(|(path, _)| path.starts_with(&below)).collect();
         if let (Some((_, first)), Some((_, last))) = (within.first(), within.last())
@@ -57,31 +86,52 @@ fn no_vector(source: &Source, places: &[(String, Range<usize>)]) -> Option<Diagn
 }
 
 /// What serde_json says, in our words where a teacher is likely to meet it.
-fn not_a_scene(source: &Source, error: &serde_json::Error) -> Diagnostic {
+fn not_a_scene(source: &Source, places: &[(String, Range<usize>)], error: &serde_json::Error) -> Diagnostic {
     let at = offset(&source.text, error.line(), error.column());
     let said = error.to_string();
     let said = said.split(" at line ").next().unwrap_or_default();
     if !error.is_data() {
         return Diagnostic::new(format!("this is no JSON: {said}"), source, at..at + 1, "expected readable JSON");
     }
+    // It is told of once the value has been read: the place of its last byte, or just behind it.
+    let ends = |(_, place): &&(String, Range<usize>)| place.end == at + 1 || place.end == at;
+    let value = places.iter().filter(ends).max_by_key(|(_, place)| place.end);
+    let (field, span) = match value {
+        Some((field, place)) => (field.as_str(), place.clone()),
+        None => ("", at..at + 1),
+    };
     if said.contains("untagged enum") {
-        return Diagnostic::new("a velocity that cannot be read", source, at..at + 1, "it ends here").with_help(
-            "write `[\"x\", \"y\"]`, or `{\"speed\": \"6\", \"angle_deg\": \"10\"}`, every number as a string",
-        );
+        return Diagnostic::new("a velocity that cannot be read", source, span, "not as a velocity is written")
+            .with_help(
+                "write `[\"x\", \"y\"]`, or `{\"speed\": \"6\", \"angle_deg\": \"10\"}`, every number as a string",
+            );
+    }
+    if field == "sense" && said.starts_with("unknown variant") {
+        let help = "turn the line of centres round for the other sense: write its components with the other signs";
+        let written = &source.text[span.clone()];
+        let fault = Diagnostic::new(format!("no sense {written}"), source, span, "expected `A_to_B` or `either`");
+        return fault.with_help(help);
     }
     if let Some((what, expected)) = said.strip_prefix("invalid type: ").and_then(|rest| rest.split_once(", expected "))
     {
         let expected = expected.replace("struct Pair", "a pair `{\"A\": …, \"B\": …}`");
-        let fault = Diagnostic::new(format!("{what} in a scene"), source, at..at + 1, format!("expected {expected}"));
-        let is_number = what.starts_with("integer") || what.starts_with("floating");
-        return if is_number { fault.with_help("write every number as a string: `\"1/2\"`") } else { fault };
+        let help = match what {
+            _ if what.starts_with("integer") || what.starts_with("floating") => {
+                let written = source.text.get(span.clone()).unwrap_or_default();
+                format!("write every number as a string: `\"{written}\"`")
+            }
+            "null" => "leave out what is not given".to_owned(),
+            _ => "`carom solve --help` shows a scene".to_owned(),
+        };
+        let fault = Diagnostic::new(format!("{what} in a scene"), source, span, format!("expected {expected}"));
+        return fault.with_help(help);
     }
     if let Some((what, known)) = said.split_once(", expected ") {
         let name = what.split('`').nth(1).unwrap_or_default();
         let near = near(name, known.split('`').skip(1).step_by(2));
-        return Diagnostic::new(what, source, at..at + 1, format!("expected {known}")).with_near(near);
+        return Diagnostic::new(what, source, span, format!("expected {known}")).with_near(near);
     }
-    Diagnostic::new(said, source, at..at + 1, "not as a scene has it")
+    Diagnostic::new(said, source, span, "not as a scene has it")
 }
 
 fn located(source: &Source, places: &[(String, Range<usize>)], fault: SceneFault) -> Diagnostic {
@@ -121,6 +171,41 @@ mod tests {
             ["{\"e\": 0.5}", "{\"before\": {\"A\": [\"1\"]}}", "{\"mases\": {}}", "[1", "nonsense", "{\"e\": \"\"}"]
         {
             assert!(!read(&Source::new("scene.json", text)).unwrap_err().is_empty(), "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_wrong_in_a_scene_is_under_its_caret_with_one_thing_to_try() {
+        let scene = |line: &str| {
+            format!(
+                "{{\"masses\": {{\"A\": \"2\", \"B\": \"4\"}}, \"before\": {{\"A\": [\"1\", \"0\"], \"B\": [\"0\", \"0\"]}}, {line}}}"
+            )
+        };
+        let rows = [
+            (r#""line_of_centres": ["1", "0", "0"]"#, r#""1", "0", "0""#, "write `[\"x\", \"y\"]`"),
+            (r#""sense": "B_to_A""#, r#""B_to_A""#, "turn the line of centres round"),
+            (r#""e": "10^(-400)""#, "10^(-400)", ""),
+            (r#""e": "5e-1""#, "e", "write a power of ten as `5*10^2`"),
+            (r#""e": "1e300""#, "e300", "write a power of ten"),
+            (r#""e": "0,5""#, "0,5", "write `0.5`"),
+            (r#""e": "2 kg""#, "kg", "leave the unit out"),
+            (r#""e": "2 q""#, "q", "declare letters in `symbols`"),
+            (r#""e": "k""#, "k", "declare letters in `symbols`"),
+            (r#""e": true"#, "true", "shows a scene"),
+            (r#""e": 0.5, "sense": "A_to_B""#, "0.5", "write every number as a string: `\"0.5\"`"),
+            (r#""after": null, "e": "1""#, "null", "leave out what is not given"),
+        ];
+        for (line, at, help) in rows {
+            let faults = read(&Source::new("scene.json", scene(line))).unwrap_err();
+            let found = faults[0].source.text[faults[0].span.clone()].trim_matches(['[', ']']);
+            assert_eq!(found, at, "{line}");
+            assert!(faults[0].help.clone().unwrap_or_default().contains(help), "{line}: {:?}", faults[0].help);
+        }
+        for mass in ["0", "-2"] {
+            let text = format!("{{\"masses\": {{\"A\": \"{mass}\", \"B\": \"1\"}}}}");
+            let faults = read(&Source::new("scene.json", text)).unwrap_err();
+            assert_eq!(faults[0].message, "the mass of A is not positive");
+            assert_eq!(&faults[0].source.text[faults[0].span.clone()], mass);
         }
     }
 }

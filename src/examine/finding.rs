@@ -60,11 +60,49 @@ impl Finding {
         let row = self.row.and_then(|(part, list, row)| row_span(&source.text, part, list, row));
         let within = self.within.clone().unwrap_or(0..source.text.len());
         let text = source.text.get(within.clone()).unwrap_or_default();
-        let found = text.find(&self.at).filter(|_| !self.at.is_empty()).map(|at| within.start + at);
-        let found = found.map(|start| start..start + self.at.len()).or(self.within.clone());
+        let found = place(text, &self.at).map(|place| within.start + place.start..within.start + place.end);
+        let found = found.or(self.within.clone());
         let span = key.or(row).or(found);
         let label = if span.is_some() { self.label.as_str() } else { "" };
         let fault = Diagnostic::new(format!("`{id}`: {}", self.message), source, span.unwrap_or(0..0), label);
         Diagnostic { severity: self.severity, help: self.help.clone(), ..fault }
+    }
+}
+
+/// Where words stand in a text, which may break the line between any two of them.
+fn place(text: &str, words: &str) -> Option<Range<usize>> {
+    let mut rest = words.split_whitespace();
+    let first = rest.next()?;
+    let rest: Vec<&str> = rest.collect();
+    text.match_indices(first).find_map(|(start, _)| {
+        let mut end = start + first.len();
+        for word in &rest {
+            let after = &text[end..];
+            let next = after.trim_start();
+            if next.len() == after.len() || !next.starts_with(word) {
+                return None;
+            }
+            end = text.len() - next.len() + word.len();
+        }
+        Some(start..end)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_are_found_across_the_ends_of_lines_and_only_whole() {
+        let text = "The sphere *A* has mass 2.\nThe mass of\n  *A of it.";
+        for (words, found) in [
+            ("mass of *A of", Some("mass of\n  *A of")),
+            ("sphere *A*", Some("sphere *A*")),
+            ("masses of", None),
+            ("mass  2.", Some("mass 2.")),
+            ("", None),
+        ] {
+            assert_eq!(place(text, words).map(|place| &text[place]), found, "{words}");
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! Does each mark stand for a step that the question takes, and does each answer earn one?
 
 use super::finding::Finding;
-use crate::bank::{Contents, Question};
+use crate::bank::{Contents, EarnedFor, Find, Question};
 use crate::diagnostic::near;
 use crate::generate::reference;
 use crate::paper::{compose, key_question};
@@ -37,9 +37,14 @@ pub fn unrewarded(question: &Question) -> Vec<Finding> {
             let help = "name a step of the worked solution, which `carom preview` shows, or take the row out";
             findings.push(Finding::new(message, "", "nobody can earn it").with_help(help).at_row(place, "marks", row));
         }
-        for (row, blank) in part.blanks.iter().enumerate() {
+        let asked = &question.parts[place];
+        for (row, (blank, answer)) in part.blanks.iter().zip(&asked.answers).enumerate() {
             let rewards = |code: &str| code.starts_with(['A', 'B']);
-            if !part.scheme.iter().any(|mark| rewards(&mark.code) && mark.blanks.contains(&blank.name)) {
+            let own = part.scheme.iter().zip(&asked.marks).any(|(keyed, mark)| {
+                let belongs = || keyed.blanks.contains(&blank.name) && is_for(&mark.earned_for, &answer.find);
+                rewards(&keyed.code) && (belongs() || is_beside(&mark.earned_for, &answer.find))
+            });
+            if !own {
                 let message = format!("no accuracy mark is for the answer `{}`", blank.name);
                 let help = "add a row with `code = \"A1\"` that is `for` what it finds";
                 let found = Finding::new(message, "", "a wrong value costs nothing");
@@ -48,6 +53,22 @@ pub fn unrewarded(question: &Question) -> Vec<Finding> {
         }
     }
     findings
+}
+
+/// Is a mark for the value of an answer, and not for a step on the way to it?
+fn is_for(earned_for: &EarnedFor, find: &Find) -> bool {
+    let quantities = find.quantities();
+    match earned_for {
+        EarnedFor::Quantity(quantity) => quantities.contains(quantity),
+        EarnedFor::Unknown(name) => *find == Find::Unknown(name.clone()),
+        EarnedFor::Condition => matches!(find, Find::Unknown(_)),
+        EarnedFor::Law(law, _) => quantities.iter().any(|quantity| law.gives(quantity.of_its_impact())),
+    }
+}
+
+/// Is it the mark for a speed, which is for the direction beside it as well?
+fn is_beside(earned_for: &EarnedFor, find: &Find) -> bool {
+    find.quantities().iter().any(|direction| earned_for.is_speed_beside(*direction))
 }
 
 #[cfg(test)]
@@ -63,18 +84,40 @@ mod tests {
     fn the_numbers_words_and_marks_of_every_shipped_question_are_in_order() {
         let exercises = exercises();
         assert!(exercises.len() >= 17);
+        let mut amiss: Vec<String> = Vec::new();
         for (id, text) in shipped() {
             let question = read_question(id, &Source::new(id, text)).unwrap();
             let mut found = unrewarded(&question);
             found.extend(unknown_exercise(&question, &exercises));
             found.extend(units::astray(&question));
-            assert!(found.is_empty(), "{id}: {found:#?}");
+            amiss.extend(found.into_iter().map(|finding| format!("{id}: {}", finding.message)));
             for style in &question.styles {
                 let mut remarks = Vec::new();
                 let variant = Deal::new(&question, style, 1).next().unwrap();
                 sentences::unreadable(&words(&question, style, &variant), &variant, &mut remarks);
-                assert!(remarks.is_empty(), "{id}: {remarks:#?}");
+                amiss.extend(remarks.iter().map(|remark| format!("{id}: {remark:?}")));
             }
+        }
+        assert!(amiss.is_empty(), "{amiss:#?}");
+    }
+
+    #[test]
+    fn a_mark_on_the_way_to_an_answer_is_no_mark_for_it() {
+        let (id, text) = shipped().find(|(id, _)| *id == "rest/speeds-and-directions").unwrap();
+        // The mark for a speed is for its direction as well, and that for a component on the way is for neither.
+        for (step, lacking) in [
+            ("A.after.n", &[][..]),
+            ("A.after.angle_to_loc_deg", &[]),
+            ("A.after.speed", &["speed of A"]),
+            ("B.after.speed", &["speed of B", "direction of B"]),
+        ] {
+            let is_its_row = |line: &&str| line.contains("\"A1\"") && line.contains(&format!("for = \"{step}\""));
+            let row = text.lines().find(is_its_row).unwrap();
+            let without = text.replacen(&format!("{row}\n"), "", 1);
+            let question = read_question(id, &Source::new(id, without)).unwrap();
+            let found: Vec<String> = unrewarded(&question).into_iter().map(|finding| finding.message).collect();
+            let expected = lacking.iter().map(|name| format!("no accuracy mark is for the answer `{name}`"));
+            assert_eq!(found, expected.collect::<Vec<_>>(), "{step}");
         }
     }
 

@@ -49,6 +49,19 @@ fn remark(what: &str, shown: &str, help: &str) -> Remark {
     Remark::new(format!("a text that reads badly, {what}"), "", "", help).showing(shown)
 }
 
+/// The same, of the author's own words, which stand in the file as they are here.
+fn remark_at(what: &str, at: &str, shown: &str, help: &str) -> Remark {
+    Remark::new(format!("a text that reads badly, {what}"), at, "here", help).showing(shown)
+}
+
+/// A place in words with the two words before it and the two after, so that no other place is taken for it.
+fn around(words: &str, at: usize) -> &str {
+    let (before, after) = words.split_at(at);
+    let start = before.rmatch_indices(char::is_whitespace).nth(2).map_or(0, |(space, _)| space);
+    let end = after.match_indices(char::is_whitespace).nth(3).map_or(words.len(), |(space, _)| at + space);
+    words[start..end].trim()
+}
+
 /// Pieces in the order in which they are read, those in italics among them.
 fn in_order<'t>(pieces: &'t [Piece], found: &mut Vec<&'t Piece>) {
     for piece in pieces {
@@ -100,26 +113,25 @@ fn tail(text: &Text) -> String {
 /// Words alone: punctuation and doubled words.
 fn of_words(words: &str, remarks: &mut Vec<Remark>) {
     for sign in [" .", " ,", " ;", "..", ",,", "( ", " )", "$", "\\", "*", "_", "{", "}"] {
-        if words.contains(sign) && !words.contains("...") {
-            remarks.push(remark("a stray sign", words.trim(), &format!("mend `{sign}`")));
+        if let Some(at) = words.find(sign).filter(|_| !words.contains("...")) {
+            remarks.push(remark_at("a stray sign", around(words, at), words.trim(), &format!("mend `{sign}`")));
         }
     }
     let mut before = "";
-    for word in words.split(' ') {
-        if word.len() > 1
-            && word.eq_ignore_ascii_case(before)
-            && word.chars().all(char::is_alphabetic)
-            && word != "that"
-        {
-            remarks.push(remark("a word said twice", &format!("{before} {word}"), "take one of them out"));
+    let mut at = 0;
+    for word in words.split_whitespace() {
+        at += words[at..].find(word).unwrap_or(0);
+        // A letter alone may stand twice as the name of something; `a` as an article may not.
+        let is_word = word.len() > 1 || word == "a";
+        if is_word && word.eq_ignore_ascii_case(before) && word.chars().all(char::is_alphabetic) && word != "that" {
+            let shown = format!("{before} {word}");
+            remarks.push(remark_at("a word said twice", around(words, at), &shown, "take one of them out"));
         }
         if word.starts_with(|c: char| c.is_ascii_lowercase()) && takes_the_other_article(before, word) {
-            remarks.push(remark(
-                "`a` or `an` before a word",
-                &format!("{before} {word}"),
-                "write the other of the two",
-            ));
+            let (shown, help) = (format!("{before} {word}"), "write the other of the two");
+            remarks.push(remark_at("`a` or `an` before a word", around(words, at), &shown, help));
         }
+        at += word.len();
         before = word;
     }
 }
@@ -310,6 +322,10 @@ mod tests {
             ("An {7 kg} mass, an {7 kg} mass.", "an 7 kg"),
             ("The the mass is {m} , they say.", "stray sign"),
             ("It is the the mass.", "the the"),
+            ("It is a a smooth sphere.", "a a"),
+            ("A a smooth sphere.", "A a"),
+            ("It lies on the\nthe plane.", "the the"),
+            ("It starts at a, a point of the plane.", ""),
             ("The the mass is {m}.", "The the"),
             ("A uniform sphere, an elastic one, a mass, an hour, an {8 kg} mass.", ""),
             ("It is an smooth sphere.", "an smooth"),

@@ -156,6 +156,10 @@ fn are_one(one: f64, other: f64, accept: &Accept, is_exact: bool) -> bool {
 
 /// What a question's numbers hide and do not say, and what it says without need.
 pub fn findings(question: &Question, styles: &[Slips], numbers: &dyn Fn(usize, u64) -> String) -> Vec<Finding> {
+    // Where no style has a variant nothing has been followed, and nothing can be said.
+    if styles.iter().all(|slips| slips.variants() == 0) {
+        return Vec::new();
+    }
     let acting = styles.iter().fold(0, |acting, slips| acting | slips.acting());
     let mut findings = Vec::new();
     let mut hidden: Vec<(&str, Vec<String>, String)> = Vec::new();

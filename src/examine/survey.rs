@@ -1,5 +1,6 @@
 //! Questions examined, every set of numbers of every style, on all processors.
 
+use std::collections::BTreeSet;
 use std::num::NonZero;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
@@ -10,9 +11,12 @@ use super::report::{Report, StyleReport};
 use super::shows;
 use super::tally::{Tally, numbers};
 use super::{again, author, exact_form, given, scheme, units};
-use crate::bank::{Question, Style};
+use crate::bank::{Givens, Posed, Question, Style, Unposed};
 use crate::diagnostic::Severity;
+use crate::expr::{self, Expr, print};
 use crate::generate::{Deal, MOST_SETS, Unfit, out_of, reference};
+
+use crate::number::Fraction;
 
 /// How many variants of each style are marked as handed in by students whose marks are known, beside the reference
 /// numbers. To mark one costs as much as to examine hundreds, and what a student of theirs can show is in the scheme, which
@@ -137,9 +141,11 @@ impl Done {
         findings.extend(exact_form::unkept(question));
         findings.extend(scheme::unrewarded(question));
         findings.extend(scheme::unknown_exercise(question, exercises));
+        let mut told = BTreeSet::new();
         for (style, tally) in question.styles.iter().zip(&self.tallies) {
+            findings.extend(restitutions(question, style));
             findings.extend(unposed(question, style, tally));
-            findings.extend(tally.findings(style));
+            findings.extend(tally.findings(style, &mut told));
         }
         let slips: Vec<_> = self.tallies.iter().map(|tally| tally.slips.clone()).collect();
         let shown = |place: usize, index| numbers(&question.styles[place], index);
@@ -188,11 +194,46 @@ fn unposed(question: &Question, style: &Style, tally: &Tally) -> Vec<Finding> {
             style.name,
             numbers(style, *first)
         );
+        let message = match refusal(question, style, *first) {
+            Some(reason) => format!("{message}: {reason}"),
+            None => message,
+        };
         let found = Finding::new(message, at.as_str(), "they are never dealt, and every deal has to try them");
         let help = "require what makes the collision possible, in `require`";
         findings.push(Finding { severity: Severity::Warning, ..found.with_help(help) });
     }
     findings
+}
+
+/// Why a set of numbers makes no collision, in words of mechanics.
+fn refusal(question: &Question, style: &Style, index: u64) -> Option<String> {
+    let givens = Givens::new(style, &style.parameters_at(index), &question.scene).ok()?;
+    match Posed::new(question, style, givens) {
+        Err(Unposed::Refused(refusal)) => Some(refusal.reason),
+        _ => None,
+    }
+}
+
+/// The most values of a parameter that are looked at one by one.
+const MOST_VALUES: u64 = 1000;
+
+/// Values of the coefficient of restitution that no impact has: whatever else is dealt, they are dealt in vain.
+fn restitutions(question: &Question, style: &Style) -> Option<Finding> {
+    let name = question.scene.e.as_deref()?.trim();
+    let (_, domain) = style.parameters.iter().find(|(parameter, _)| parameter == name)?;
+    let is_none = |value: &Expr| {
+        let number = expr::number(value, &|_| None);
+        number.is_ok_and(|value| {
+            value.as_fraction().is_some_and(|number| number.sign().is_lt() || *number > Fraction::ONE)
+        })
+    };
+    let value = (0..domain.size().min(MOST_VALUES)).map(|index| domain.value(index)).find(is_none)?;
+    let message = format!(
+        "`{name}` may be {}, and a coefficient of restitution is from 0 to 1: no impact has another",
+        print::unicode(&value)
+    );
+    let found = Finding::at_parameter(message, style.name, name, "every value is to be possible");
+    Some(found.with_help("take the value out; perhaps its fraction stands on its head"))
 }
 
 /// Marks that measure nothing, and students who earn what is not due.

@@ -1,6 +1,6 @@
 //! What was seen of some sets of numbers of one style; the tallies of all threads are added up.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::finding::Finding;
 use super::shows::Slips;
@@ -94,8 +94,9 @@ impl Tally {
         }
     }
 
-    /// What was seen amiss, each with the first variant that has it.
-    pub fn findings(&self, style: &Style) -> Vec<Finding> {
+    /// What was seen amiss, each with the first variant that has it. What has a place in the words of the question is the
+    /// same in every style, and told of the first.
+    pub fn findings(&self, style: &Style, told: &mut BTreeSet<(String, String)>) -> Vec<Finding> {
         let found = |seen: &Seen| {
             let Remark { what, at, label, help, shown } = &seen.remark;
             let shown = if shown.is_empty() { String::new() } else { format!(": `{shown}`") };
@@ -109,7 +110,11 @@ impl Tally {
             let at = if at.is_empty() { format!("[style.{}]", style.name) } else { at.clone() };
             Finding::new(message, at, label.as_str()).with_help(help.as_str())
         };
-        self.seen.values().map(found).collect()
+        let is_new = |seen: &&Seen| {
+            let Remark { what, at, .. } = &seen.remark;
+            at.is_empty() || told.insert((what.clone(), at.clone()))
+        };
+        self.seen.values().filter(is_new).map(found).collect()
     }
 }
 

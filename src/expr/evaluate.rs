@@ -261,7 +261,11 @@ fn power(base: Meaning, exponent: Meaning) -> Result<Meaning, Fault> {
         _ => return Err(fault("an exponent is no whole or half number", "a whole exponent such as `2`")),
     };
     if whole.abs() > MOST_POWER {
-        return Err(fault(format!("the exponent {whole} is too high"), format!("at most {MOST_POWER}")));
+        let (message, label) = match whole < 0 {
+            true => (format!("the exponent {whole} is too low"), format!("at least -{MOST_POWER}")),
+            false => (format!("the exponent {whole} is too high"), format!("at most {MOST_POWER}")),
+        };
+        return Err(fault(message, label));
     }
     let mut result = Value::ONE;
     for _ in 0..whole.abs() {

@@ -25,7 +25,7 @@ pub(super) fn page(feedback: &Feedback, notation: Notation, wanted: &Wanted) -> 
     let printer = Printer { notation, wanted };
     let page = printer
         .thing("feedback")
-        .with("student", || printer.typed(feedback.student))
+        .with("student", || printer.typed(&feedback.shown))
         .with("code", || plain(feedback.code))
         .with("marks", || feedback.marks().into())
         .with("available", || feedback.available().into())

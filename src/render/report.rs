@@ -194,6 +194,7 @@ mod tests {
             scripts: 1,
             marks: 3,
             available: 4,
+            answered: 1,
             unreadable: 0,
             scheme: vec![mark],
         };

@@ -44,7 +44,14 @@ pub fn read<const N: usize>(
         let (line, start) = begin(text, &record);
         let cell = |place: Option<usize>| place.and_then(|place| record.get(place)).unwrap_or_default();
         let cells = header.places.map(cell);
-        let fault = header.fault(&record).or_else(|| never_closed(&text[start.min(end)..end], &record));
+        let is_open = never_closed(&text[start.min(end)..end], &record);
+        let fault = match (header.fault(&record), is_open) {
+            // A row that is short for want of a quote at its end lacks the quote, and not the cells.
+            (Some(short), false) => Some(short),
+            (None, true) if !record.as_slice().contains('\n') => None,
+            (_, is_open) => is_open
+                .then(|| "a quote is opened here and never closed, so that all that follows is part of it".to_owned()),
+        };
         take(Record { line, start, cells, fault });
     }
     Ok(header.warnings)
@@ -109,6 +116,7 @@ impl<const N: usize> Header<N> {
             let near = near(first, strangers());
             faults.push(match near {
                 Some(near) => Diagnostic { span: at(near), label: format!("`{first}` is meant, perhaps"), ..fault },
+                None if start == end => fault.with_help("the file is empty: was it saved?"),
                 None => fault,
             });
         }
@@ -152,14 +160,13 @@ impl<const N: usize> Header<N> {
     }
 }
 
-/// A quote that is opened and never closed swallows all that follows, of which the blanks at its end are left out here.
-fn never_closed(rest: &str, record: &StringRecord) -> Option<String> {
+/// Is it the last record, with a quote that is opened and never closed? That swallows all that follows, of which the blanks
+/// at its end are left out here.
+fn never_closed(rest: &str, record: &StringRecord) -> bool {
     // Only the last record reaches to the end of the text.
     let is_last = record.as_slice().len() + record.len() + 2 >= rest.len();
-    let swallows = || record.as_slice().contains('\n');
     let is_odd = || rest.bytes().filter(|byte| *byte == b'"').count() % 2 == 1;
-    (is_last && swallows() && is_odd())
-        .then(|| "a quote is opened here and never closed, so that all rows below are part of it".to_owned())
+    is_last && is_odd()
 }
 
 fn quoted(names: &[&str]) -> String {

@@ -126,6 +126,10 @@ fn exact_in(answer: &AnswerFile, file: &QuestionFile) -> Vec<StyleName> {
 fn exact_names(file: &QuestionFile, faults: &mut Faults) {
     let answers = file.parts.iter().flat_map(|part| &part.answers).filter_map(|answer| answer.name.as_ref());
     let names: Vec<&str> = answers.map(|name| name.get_ref().as_str()).collect();
+    // That there are no answers at all is a fault of its own, and told as such.
+    if names.is_empty() {
+        return;
+    }
     for wanted in file.styles.iter().flat_map(|style| &style.exact) {
         let text = wanted.get_ref().as_str();
         if !names.contains(&text) {

@@ -3,8 +3,11 @@
 use std::path::Path;
 
 use super::super::failure::{Failure, warn};
+use super::super::formats::question_marks;
+use super::super::output::say;
 use super::super::template_folder::own_templates;
 use super::super::write::OutputFile;
+use crate::expr::print::latex_lacks;
 use crate::mark::report::{ClassReport, Feedback, MarkReport, marks_table, mistakes_table, students_table};
 use crate::render::{Formats, RenderFault};
 
@@ -59,6 +62,13 @@ impl FeedbackAsked {
     pub fn pages(&self, report: &MarkReport) -> Result<Vec<OutputFile>, Failure> {
         let mut files = Vec::new();
         let students = if self.names.is_empty() { Vec::new() } else { Feedback::of(report) };
+        if self.names.iter().any(|name| name == "latex") {
+            let shown = students.iter().map(|feedback| feedback.shown.as_str());
+            let lacked: Vec<&str> = shown.filter(|student| latex_lacks(student)).collect();
+            if !lacked.is_empty() {
+                say(&question_marks("the LaTeX", &lacked));
+            }
+        }
         for feedback in &students {
             for name in &self.names {
                 let Some(page) = self.formats.feedback(name, feedback)? else {

@@ -27,6 +27,11 @@ pub fn read(path: &Path, bank: Option<&Path>) -> Result<(AnswerKey, Digest), Fai
         .map_err(|faults| Failure::Faults(faults.into_iter().map(|fault| located(&source, fault)).collect()))
 }
 
+/// Is it a code in place of a file?
+pub fn is_code(path: &Path) -> bool {
+    code(path).is_some()
+}
+
 /// What stands in place of a file, if it can only be a code.
 fn code(path: &Path) -> Option<&str> {
     let text = path.to_str().filter(|text| !path.exists() && !text.contains(['.', '/', '\\']) && *text != "-")?;

@@ -23,7 +23,7 @@ use super::text_file;
 use super::write::{OutputFile, spares, write_all};
 use crate::diagnostic::near;
 use crate::mark::report::{ClassReport, MARKS, MarkReport, Names, marks_csv, marks_jsonl, not_marked_csv};
-use crate::mark::submissions::{Rows, SetAside, Sorted, read_overrides, read_rows, sort};
+use crate::mark::submissions::{HandedIn, Rows, SetAside, Sorted, read_overrides, read_rows, sort};
 use crate::mark::{AnswerKey, Profile};
 
 const AFTER: &str = "Examples:
@@ -117,6 +117,10 @@ pub fn run(arguments: &MarkArguments) -> Result<(), Failure> {
     if scripts.is_empty() {
         return Err(nothing(&set_aside, unfilled, &submissions.file));
     }
+    tell_of_blanks(&scripts, &submissions.file);
+    if key::is_code(&arguments.key) {
+        tell_of_one_sheet(&scripts);
+    }
     let overrides = overrides(arguments.overrides.as_deref(), &key)?;
     let report = MarkReport::new(&scripts, &profile, overrides);
     for word in &report.idle {
@@ -207,6 +211,31 @@ fn tell(set_aside: &[SetAside], file: &str, without_names: bool) {
     if set_aside.len() > TOLD {
         say(&format!("warning: {} more, all in `not-marked.csv`", set_aside.len() - TOLD));
     }
+}
+
+/// Says that a table which nobody filled in gives marks of nought.
+fn tell_of_blanks(scripts: &[HandedIn], file: &str) {
+    if !scripts.iter().any(HandedIn::says_something) {
+        let students = count(students(scripts), "student");
+        say(&format!(
+            "warning: `{file}` has no answers: {students} and not one filled in `answer` or `working`, so all marks are 0"
+        ));
+    }
+}
+
+/// Says that all are marked on the numbers of one sheet: in a class each may have a sheet of another code.
+fn tell_of_one_sheet(scripts: &[HandedIn]) {
+    if let (several @ 2.., Some(script)) = (students(scripts), scripts.first()) {
+        say(&format!(
+            "warning: all {several} students are marked on the numbers of the one sheet {}; if each has another sheet, as \
+             `--class` makes them, name the `key.json` of the class in place of the code",
+            script.paper.code
+        ));
+    }
+}
+
+fn students(scripts: &[HandedIn]) -> usize {
+    scripts.iter().map(HandedIn::student).collect::<HashSet<_>>().len()
 }
 
 /// There is nothing that could be marked.

@@ -67,14 +67,31 @@ const BROWSERS_ON_WINDOWS: [(&str, &str); 5] = [
     ("ProgramFiles", r"Microsoft\Edge\Application\msedge.exe"),
 ];
 
-/// What to print with, or nothing if this machine has nothing.
+/// What to print with, the best first; nothing if this machine has nothing.
 ///
-/// `CAROM_TEX` and `CAROM_BROWSER` name a program, by its name or its path, or say `none`.
-pub fn engine() -> Result<Option<Engine>, Failure> {
-    if let Some(program) = chosen("CAROM_TEX", tex)? {
-        return Ok(Some(Engine::Tex(program)));
+/// `CAROM_TEX` and `CAROM_BROWSER` name a program, by its name or its path, or say `none`. TeX comes first; but where
+/// its own fonts lack letters, a browser that knows those of the machine does, unless a person has named the TeX engine.
+pub fn engines(letters: Letters) -> Result<Vec<Engine>, Failure> {
+    let tex = chosen("CAROM_TEX", tex)?.map(Engine::Tex);
+    let is_named = env::var_os("CAROM_TEX").is_some_and(|value| !value.is_empty());
+    if let Some(tex) = tex {
+        if is_named || letters == Letters::OfTex {
+            return Ok(vec![tex]);
+        }
+        // A browser that cannot be had is no fault here: there is TeX.
+        let browser = chosen("CAROM_BROWSER", browser).ok().flatten().map(Engine::Browser);
+        return Ok(browser.into_iter().chain([tex]).collect());
     }
-    Ok(chosen("CAROM_BROWSER", browser)?.map(Engine::Browser))
+    Ok(chosen("CAROM_BROWSER", browser)?.map(Engine::Browser).into_iter().collect())
+}
+
+/// The letters of a work.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Letters {
+    /// TeX's own fonts have them all.
+    OfTex,
+    /// Those fonts lack some: of a name in another script, say.
+    Others,
 }
 
 /// The program that a variable names, else the one that is found.

@@ -22,7 +22,7 @@ use super::failure::Failure;
 use super::write::OutputFile;
 use crate::render::RenderedFile;
 
-pub use machine::{Engine, engine, nothing};
+pub use machine::{Engine, Letters, engines, nothing};
 pub use tex_fault::OwnTemplates;
 
 impl Engine {

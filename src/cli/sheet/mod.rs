@@ -39,7 +39,7 @@ sheet. `lock.json` beside the sheets records who got what; while it is there the
 prints the same sheets again, and fresh ones for students who are new.
 
 PDF is made with what the machine has: pdflatex, lualatex or xelatex, else Chrome, Chromium or
-Edge without a window.
+Edge without a window. Names in letters that TeX's own fonts lack are left to the browser first.
   CAROM_TEX          the TeX engine to take, by name or path; `none` leaves it to the browser
   CAROM_BROWSER      the browser to take, by name or path; `none` for no browser
   CAROM_PDF_SECONDS  how long one run of either may take, in place of 120 seconds";

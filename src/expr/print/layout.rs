@@ -278,7 +278,8 @@ fn is_times_shown(before: Option<&Item>, factor: &Expr, next: &[Item]) -> bool {
 
 fn begins_with_digit(row: &[Item]) -> bool {
     match row.first() {
-        Some(Item::Digits(_)) => true,
+        // A nought in bold is one too: `2 0` would be twenty.
+        Some(Item::Digits(_) | Item::Bold('0')) => true,
         Some(Item::Fraction(inner, _) | Item::Power(inner, _)) => begins_with_digit(inner),
         _ => false,
     }

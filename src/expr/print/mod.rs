@@ -25,7 +25,7 @@ pub use svg::text_svg;
 pub use text::{text_html, text_latex, text_unicode};
 pub use unicode::unicode;
 pub use unit::{unit_latex, unit_mathml, unit_unicode};
-pub use words::{words_html, words_latex, words_unicode};
+pub use words::{latex_lacks, words_html, words_latex, words_unicode};
 
 /// What most formulas and sentences take in bytes, so that few need more room while they are written.
 const ROOM: usize = 1000;

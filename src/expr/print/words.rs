@@ -27,6 +27,18 @@ pub(super) fn write_words_latex(text: &str, out: &mut String) {
     }
 }
 
+/// Has LaTeX `?` for a letter of these words?
+///
+/// ```
+/// use carom::expr::print::latex_lacks;
+/// assert!(latex_lacks("Владимир") && !latex_lacks("Zoë Müller"));
+/// ```
+pub fn latex_lacks(text: &str) -> bool {
+    let is_had =
+        |c: char| c.is_ascii() || c.is_whitespace() || is_hidden(c) || is_composed(c) || latex_command(c).is_some();
+    !text.chars().all(is_had)
+}
+
 /// Words for HTML, in text and in attribute values.
 pub fn words_html(text: &str) -> String {
     let mut out = String::with_capacity(text.len());

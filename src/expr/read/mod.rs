@@ -5,6 +5,7 @@
 mod call;
 mod lexer;
 mod markup;
+mod meant;
 mod parser;
 mod range;
 

@@ -355,11 +355,13 @@ impl<'a> Parser<'a> {
             }
             None => Fault::new("the expression ends too early", span, "expected a number, letter or `(`"),
             Some(Token::Close(close)) => Fault::new(format!("unexpected `{close}`"), span, "nothing to close here"),
-            Some(Token::Comma) => Fault::new("unexpected `,`", span, "a vector needs brackets")
-                .try_this("write a vector as `[2, 3]` or `2i + 3j`"),
-            Some(Token::Relation(_)) => {
+            Some(Token::Comma) => self.decimal_comma().unwrap_or_else(|| {
+                Fault::new("unexpected `,`", span, "a vector needs brackets")
+                    .try_this("write a vector as `[2, 3]` or `2i + 3j`")
+            }),
+            Some(Token::Relation(second)) => self.two_relations(*second).unwrap_or_else(|| {
                 Fault::new("a relation without its left side", span, "expected a number, letter or `(`")
-            }
+            }),
             Some(_) => Fault::new("a sign without its operand", span, "expected a number, letter or `(`"),
         }
     }

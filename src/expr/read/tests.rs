@@ -94,6 +94,24 @@ fn carom_knows_that_students_measure_in_degrees() {
 
 /// Text, message, what stands above the caret, label.
 #[test]
+fn what_is_nearly_right_is_told_as_it_is_meant() {
+    let rows = [
+        ("mA <> mB", "write `!=`"),
+        ("a >< b", "write `!=`"),
+        ("a =< b", "write `<=`"),
+        ("a => b", "write `>=`"),
+        ("a === b", "write `=`"),
+        ("0,5", "write `0.5`"),
+        ("u + 12,25*e", "write `12.25`"),
+        ("1, 2", "write a vector as `[2, 3]` or `2i + 3j`"),
+        ("1.5,2", "write a vector as `[2, 3]` or `2i + 3j`"),
+    ];
+    for (text, help) in rows {
+        assert_eq!(read(text, Angles::Degrees).unwrap_err().help.as_deref(), Some(help), "{text}");
+    }
+}
+
+#[test]
 fn carom_knows_where_a_text_goes_wrong() {
     let rows = [
         ("", "an empty expression", ""),
@@ -106,6 +124,9 @@ fn carom_knows_where_a_text_goes_wrong() {
         ("a = b = c", "a second relation", "="),
         ("(a = b)", "a relation in brackets", "="),
         ("= 3", "a relation without its left side", "="),
+        ("a <> b", "two relations in a row", "<>"),
+        ("a = < b", "two relations in a row", "= <"),
+        ("0,5", "a decimal comma", "0,5"),
         ("2 $ 3", "unknown character `$`", "$"),
         ("2 3", "a number without a sign before it", "3"),
         ("sin", "`sin` without its argument", "sin"),

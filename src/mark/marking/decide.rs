@@ -38,7 +38,8 @@ pub(super) fn awards(part: &KeyedPart, found: Findings, profile: &Profile, charg
     for (((mark, by_working), needed), contradicted) in part.scheme.iter().zip(by_working).zip(needed).zip(contradicted)
     {
         // Where the answer itself was given, it is the student's last word on the value.
-        let answered = own_blank(mark, part).is_some_and(|place| answers[place].judgement.verdict != Verdict::Blank);
+        let own = own_blank(mark, part).map(|place| answers[place].judgement.verdict);
+        let answered = own.is_some_and(|verdict| verdict != Verdict::Blank);
         let by_working = by_working
             .filter(|_| !answered || mark.code == Code::A1Shown)
             .map(|award| in_profile(award, mark, profile));
@@ -51,7 +52,7 @@ pub(super) fn awards(part: &KeyedPart, found: Findings, profile: &Profile, charg
             }
             (Some(award), _) => award,
             (None, Some(shown)) if shown.given => shown,
-            (None, shown) => by_followed(mark, part, followed).or(shown).unwrap_or_else(|| withheld(mark)),
+            (None, shown) => by_followed(mark, part, followed).or(shown).unwrap_or_else(|| unearned(mark, own)),
         };
         awards.push(award);
     }
@@ -287,6 +288,17 @@ fn by_answers(
         evidence: Some(Evidence { place: Place::Answer(earned), reading }),
         feedback,
     })
+}
+
+/// A mark that nothing earns: where it is for an answer that was given, the verdict on that is the reason.
+fn unearned(mark: &KeyedMark, own: Option<Verdict>) -> Award {
+    let feedback = match own {
+        Some(Verdict::Partial) => "the answer is only partly right",
+        Some(Verdict::Wrong) => "the answer is not right",
+        Some(Verdict::Unreadable) => "the answer cannot be read",
+        _ => "",
+    };
+    Award { feedback: feedback.to_owned(), ..withheld(mark) }
 }
 
 fn withheld(mark: &KeyedMark) -> Award {

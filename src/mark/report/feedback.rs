@@ -3,12 +3,15 @@
 use std::collections::HashMap;
 
 use super::{MarkReport, MarkedScript, file_names};
+use crate::mark::key::KeyedPaper;
 
 /// The page of a student.
 #[derive(Clone, Debug)]
 pub struct Feedback<'r> {
     /// The student.
     pub student: &'r str,
+    /// The same with the name, where the key of a class has both: `Ada Lovelace (1001)`.
+    pub shown: String,
     /// The name of its file, without an ending.
     pub file: String,
     /// The code of the paper.
@@ -25,7 +28,8 @@ impl<'r> Feedback<'r> {
         for script in &report.scripts {
             let (student, code) = (script.student.as_str(), script.paper.code.as_str());
             let place = *places.entry(student).or_insert_with(|| {
-                pages.push(Feedback { student, file: String::new(), code, scripts: Vec::new() });
+                let shown = shown(student, script.paper);
+                pages.push(Feedback { student, shown, file: String::new(), code, scripts: Vec::new() });
                 pages.len() - 1
             });
             pages[place].scripts.push(script);
@@ -49,4 +53,9 @@ impl<'r> Feedback<'r> {
         let parts = paper.into_iter().flat_map(|paper| &paper.questions).flat_map(|question| &question.parts);
         parts.map(|part| part.available()).sum()
     }
+}
+
+/// A student by name, if the key has one, and by what the school calls the student.
+pub(super) fn shown(student: &str, paper: &KeyedPaper) -> String {
+    if paper.name.is_empty() { student.to_owned() } else { format!("{} ({student})", paper.name) }
 }

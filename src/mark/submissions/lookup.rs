@@ -12,14 +12,39 @@ pub(super) fn paper<'k>(key: &'k AnswerKey, student: &str) -> Result<&'k KeyedPa
     if student.is_empty() {
         return Err("whose is this? the student is not named".to_owned());
     }
-    key.paper(student).ok_or_else(|| {
-        let names: Vec<&str> = key.papers.iter().filter_map(|paper| paper.student.as_deref()).collect();
-        let help = match near(student, names.iter().copied()) {
-            Some(near) => format!("did you mean {}?", shown(near)),
-            None => format!("the key has papers for {} students, each by name", names.len()),
-        };
-        format!("the key has no paper for {}; {help}", shown(student))
-    })
+    if let Some(paper) = key.paper(student) {
+        return Ok(paper);
+    }
+    let named: Vec<&KeyedPaper> = key.papers.iter().filter(|paper| same_name(&paper.name, student)).collect();
+    match named.as_slice() {
+        [only] => Ok(only),
+        [] => Err(no_paper(key, student)),
+        several => {
+            let each: Vec<String> = several.iter().filter_map(|paper| Some(shown(paper.student.as_deref()?))).collect();
+            Err(format!("several students are called {}; they {}", shown(student), are(&each)))
+        }
+    }
+}
+
+/// Is it the same name, however it is spaced and whatever its capitals?
+fn same_name(name: &str, typed: &str) -> bool {
+    let words = |text: &str| text.split_whitespace().map(str::to_lowercase).collect::<Vec<_>>();
+    !name.is_empty() && words(name) == words(typed)
+}
+
+/// That nobody of the class is called so, and how they are called.
+fn no_paper(key: &AnswerKey, student: &str) -> String {
+    let students: Vec<&str> = key.papers.iter().filter_map(|paper| paper.student.as_deref()).collect();
+    let names = key.papers.iter().map(|paper| paper.name.as_str()).filter(|name| !name.is_empty());
+    let help = match near(student, students.iter().copied().chain(names)) {
+        Some(near) => format!("did you mean {}?", shown(near)),
+        None => match students.as_slice() {
+            [] => "it has no paper at all".to_owned(),
+            [only] => format!("its one student is {}", shown(only)),
+            [first, .., last] => format!("its {} students are {} to {}", students.len(), shown(first), shown(last)),
+        },
+    };
+    format!("the key has no paper for {}; {help}", shown(student))
 }
 
 /// A question by its number on the sheet, with `Q` or without, or by its id: its place.

@@ -71,6 +71,7 @@ fn one(line: usize, cells: [&str; 6], key: &AnswerKey) -> Result<Override, (Stri
         "0" => false,
         other => return Err((format!("{} is neither 1 nor 0", lookup::shown(other)), 4)),
     };
+    let student = paper.student.as_deref().unwrap_or(student).to_owned();
     let comment = comment.trim().to_owned();
-    Ok(Override { line, student: student.to_owned(), question: question.number, part, mark, given, comment })
+    Ok(Override { line, student, question: question.number, part, mark, given, comment })
 }

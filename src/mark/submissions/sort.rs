@@ -65,7 +65,7 @@ pub fn sort<'k>(key: &'k AnswerKey, rows: Rows) -> Sorted<'k> {
         }
         match look_up(key, student, &row) {
             Ok((paper, question, part, blank)) => {
-                let own = students.scripts(student);
+                let own = students.scripts(paper.student.as_deref().unwrap_or(student));
                 let handed = HandedRow { part, blank, row };
                 match own.iter().find(|(place, _)| *place == question) {
                     Some((_, script)) => scripts[*script].rows.push(handed),
@@ -121,9 +121,15 @@ fn look_up<'k>(key: &'k AnswerKey, student: &str, row: &Row) -> Result<Place<'k>
 }
 
 impl HandedIn<'_> {
-    /// The student.
+    /// The student, as the key of a class says; whatever was typed where all have the same paper.
     pub fn student(&self) -> &str {
-        self.rows.first().map_or("", |handed| handed.row.student().trim())
+        let typed = || self.rows.first().map_or("", |handed| handed.row.student().trim());
+        self.paper.student.as_deref().unwrap_or_else(typed)
+    }
+
+    /// Did the student write anything, an answer or a line of working?
+    pub fn says_something(&self) -> bool {
+        self.rows.iter().any(|handed| handed.row.says_something())
     }
 
     /// Where the same is answered twice, drops the earlier answers.

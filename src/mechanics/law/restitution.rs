@@ -2,9 +2,9 @@
 //!
 //! `y - x = e (a - b)` for the components a, b before and x, y after, all positive from A to B.
 
-use super::{Seen, ALONG, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, components, first_equation, is_at_rest_before, number, rule, unresolved, with_inputs};
+use super::{Seen, ALONG, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, components, first_equation, is_at_rest_before, number, rule, unresolved, velocity, with_inputs};
 use crate::expr::{Expr, written};
-use crate::mechanics::{Moment, Quantity, Setting, Sphere};
+use crate::mechanics::{Axis, Moment, Quantity, Setting, Sphere};
 use crate::mechanics::formula::{difference, times};
 use crate::number::Number;
 
@@ -120,6 +120,13 @@ pub const SLIPS: &[Slip] = &[
 const EQUATION: u8 = 0;
 const OF_E: u8 = 5;
 
+/// Where the line of centres is known from the velocities alone: e from components along the change of A's velocity,
+/// each times the length of that change, which cancels. Its numbers stay short where a unit vector's do not.
+const OF_E_ALONG_CHANGE: u8 = 6;
+
+/// More than any other way to e costs, so that this is the last.
+const LAST: u32 = 1000;
+
 pub fn rules() -> Vec<Rule> {
     let [a, b, x, y] = ALONG;
     let e = Quantity::Restitution;
@@ -129,6 +136,8 @@ pub fn rules() -> Vec<Rule> {
         let needs: Vec<Quantity> = all.into_iter().filter(|quantity| *quantity != unknown).collect();
         rules.push(rule(Law::Restitution, index as u8 + 1, &needs, &[unknown], 2));
     }
+    let full: Vec<Quantity> = Sphere::BOTH.into_iter().flat_map(both_moments).flatten().collect();
+    rules.push(rule(Law::Restitution, OF_E_ALONG_CHANGE, &full, &[e], LAST));
     rules
 }
 
@@ -146,8 +155,23 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
         2 => number(at(a)? - (at(y)? - at(x)?).over(&at(e)?)?),
         3 => number(at(y)? - at(e)? * (at(a)? - at(b)?)),
         4 => number(at(x)? + at(e)? * (at(a)? - at(b)?)),
+        OF_E_ALONG_CHANGE => number(along_change(known)?),
         _ => number(evaluate_e(known)?),
     }
+}
+
+/// The components of a sphere's velocity before the impact, and those after it.
+fn both_moments(sphere: Sphere) -> [[Quantity; 2]; 2] {
+    [Moment::Before, Moment::After].map(|moment| [Axis::X, Axis::Y].map(|axis| velocity(sphere, moment, axis)))
+}
+
+fn along_change<N: Number>(known: &Known<N>) -> Option<N> {
+    let [[a, x], [b, y]] = Sphere::BOTH.map(both_moments);
+    let [a, b, x, y] = [known.numbers(a)?, known.numbers(b)?, known.numbers(x)?, known.numbers(y)?];
+    let less = |[p, q]: &[N; 2], [r, s]: &[N; 2]| [p.clone() - r.clone(), q.clone() - s.clone()];
+    let change = less(&x, &a);
+    let along = |[p, q]: [N; 2]| p * change[0].clone() + q * change[1].clone();
+    along(less(&y, &x)).over(&along(less(&a, &b)))
 }
 
 pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
@@ -213,6 +237,16 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
         return vec![Line::numbered(words, show.with_simplified(equation, Quantity::RestitutionEquation))];
     }
     let unknown = rule.gives[0];
+    if rule.form == OF_E_ALONG_CHANGE {
+        let [[a, x], [b, y]] = Sphere::BOTH.map(both_moments).map(|moments| moments.map(|both| both.map(|one| show.shown_value(one))));
+        let less = |[p, q]: &[Expr; 2], [r, s]: &[Expr; 2]| [difference(p.clone(), r.clone()), difference(q.clone(), s.clone())];
+        let change = less(&x, &a);
+        let along = |[p, q]: [Expr; 2]| Expr::sum([times(p, change[0].clone()), times(q, change[1].clone())]);
+        let quotient = Expr::Quotient(Box::new(along(less(&y, &x))), Box::new(along(less(&a, &b))));
+        let chain = Show::chain(Expr::name("e"), [quotient, show.shown_value(unknown)]);
+        let words = "By Newton's law of restitution, separation over approach along the line of centres, to which the change of the velocity of A is parallel:";
+        return vec![Line::plain(words, chain)];
+    }
     if unknown == Quantity::Restitution {
         let [a, b, x, y] = ALONG.map(|quantity| show.shown_value(quantity));
         let quotient = Expr::Quotient(Box::new(difference(y, x)), Box::new(difference(a, b)));

@@ -191,12 +191,8 @@ impl Reader<'_> {
             fault.span = Span { start: 0, end: text.len() };
         }
         if fault.message.starts_with("unknown name") && fault.help.is_none() {
-            let known: Vec<String> = self.letters.iter().map(|letter| format!("`{}`", letter.name())).collect();
-            fault.help = Some(if known.is_empty() {
-                "declare letters in `symbols`, each as `positive`, `unit`, `acute` or `real`".to_string()
-            } else {
-                format!("the letters declared in `symbols` are {}", known.join(", "))
-            });
+            let known = known_letters(&self.letters);
+            fault.help = Some(not_a_letter(text, &fault).unwrap_or(known));
         }
         self.fault(field, fault);
     }
@@ -322,6 +318,30 @@ impl Reader<'_> {
         }
         conditions
     }
+}
+
+/// Which letters there are, or how they are declared.
+fn known_letters(letters: &[Letter]) -> String {
+    let known: Vec<String> = letters.iter().map(|letter| format!("`{}`", letter.name())).collect();
+    match known.is_empty() {
+        true => "declare letters in `symbols`, each as `positive`, `unit`, `acute` or `real`".to_owned(),
+        false => format!("the letters declared in `symbols` are {}", known.join(", ")),
+    }
+}
+
+/// What stands straight behind a number and was hardly meant as a letter: a unit, or a power of ten as calculators write it.
+fn not_a_letter(text: &str, fault: &Fault) -> Option<String> {
+    const UNITS: [&str; 12] = ["kg", "g", "m", "cm", "mm", "km", "s", "ms", "h", "N", "Ns", "J"];
+    let (before, name) = (text.get(..fault.span.start)?, text.get(fault.span.start..fault.span.end)?);
+    if !before.trim_end().ends_with(|c: char| c.is_ascii_digit()) {
+        return None;
+    }
+    let power = name.strip_prefix(['e', 'E']).filter(|_| before.ends_with(|c: char| c.is_ascii_digit()));
+    if power.is_some_and(|digits| digits.bytes().all(|byte| byte.is_ascii_digit())) {
+        return Some("write a power of ten as `5*10^2` or `5*10^(-2)`, or the number as a decimal".to_owned());
+    }
+    let unit = UNITS.contains(&name);
+    unit.then(|| "leave the unit out: masses are in kg, speeds in m/s, impulses in N s, angles in degrees".to_owned())
 }
 
 /// How long a name, of a letter or of an angle in degrees, may be.

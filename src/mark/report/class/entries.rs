@@ -4,6 +4,7 @@ use std::cmp::Reverse;
 use std::collections::HashMap;
 
 use super::{Names, StudentMarks};
+use crate::mark::report::feedback::shown;
 use crate::mark::report::{MarkReport, MarkedScript};
 
 /// The scripts of a class.
@@ -62,7 +63,7 @@ impl<'r> Class<'r> {
         };
         let entry = |(id, handed): (&str, Vec<(usize, &'r MarkedScript<'r>)>)| Entry {
             id: id.to_owned(),
-            name: shown(id, &handed),
+            name: handed.first().map_or_else(|| id.to_owned(), |(_, script)| shown(id, script.paper)),
             scripts: by_question(handed),
         };
         let mut entries: Vec<Entry> = entries.into_iter().map(entry).collect();
@@ -80,12 +81,6 @@ impl<'r> Class<'r> {
     pub fn scripts(&self, column: usize) -> impl Iterator<Item = (usize, &'r MarkedScript<'r>)> {
         self.entries.iter().enumerate().filter_map(move |(student, entry)| Some((student, entry.scripts[column]?)))
     }
-}
-
-/// A student by name, if the key has one, and by what the school calls the student.
-fn shown(id: &str, handed: &[(usize, &MarkedScript)]) -> String {
-    let name = handed.first().map_or("", |(_, script)| script.paper.name.as_str());
-    if name.is_empty() { id.to_owned() } else { format!("{name} ({id})") }
 }
 
 /// Which time on its sheet a question stands there: the same question may be asked twice, with other numbers.

@@ -19,7 +19,7 @@ const SEVERAL: usize = 3;
 /// Something that looks wrong with a question.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Finding {
-    /// A fixed tag: `hard`, `easy`, `never-won`, `against`, `unreadable`, `same-value`.
+    /// A fixed tag: `unanswered`, `hard`, `easy`, `never-won`, `against`, `unreadable`, `same-value`.
     pub tag: &'static str,
     /// The question's place among all.
     pub question: usize,
@@ -31,6 +31,7 @@ pub struct Finding {
 pub(super) fn all(class: &Class, questions: &[QuestionFigures]) -> Vec<Finding> {
     let of_one = |(place, question): (usize, &QuestionFigures)| {
         let mut said: Vec<(&'static str, String)> = Vec::new();
+        said.extend(unanswered(question));
         said.extend(level(question));
         said.extend(never_won(question));
         said.extend(against(question));
@@ -42,10 +43,16 @@ pub(super) fn all(class: &Class, questions: &[QuestionFigures]) -> Vec<Finding> 
     questions.iter().enumerate().flat_map(of_one).collect()
 }
 
+/// A question that nobody wrote anything for says nothing of the students, and nothing of itself.
+fn unanswered(question: &QuestionFigures) -> Option<(&'static str, String)> {
+    let is_said = question.scripts > 0 && question.answered == 0;
+    is_said.then(|| ("unanswered", "Nobody wrote anything for it: are the answers filled in?".to_owned()))
+}
+
 fn level(question: &QuestionFigures) -> Option<(&'static str, String)> {
     let facility = question.facility();
     let all = question.scripts;
-    if all < FEWEST || question.available == 0 {
+    if all < FEWEST || question.available == 0 || question.answered == 0 {
         return None;
     }
     if facility <= HARD {

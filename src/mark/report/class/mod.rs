@@ -75,6 +75,14 @@ pub struct StudentMarks {
     pub questions: Vec<Option<usize>>,
 }
 
+impl StudentMarks {
+    /// The name alone, where the key of a class has one; else empty.
+    pub fn own_name(&self) -> &str {
+        let with_id = self.name.strip_suffix(')').and_then(|name| name.strip_suffix(self.id.as_str()));
+        with_id.and_then(|name| name.strip_suffix(" (")).unwrap_or("")
+    }
+}
+
 /// How often something was noted.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NoteCount {

@@ -18,6 +18,8 @@ pub struct QuestionFigures {
     pub mirrors: String,
     /// How many handed it in.
     pub scripts: usize,
+    /// How many of them wrote something there: an answer or a line of working.
+    pub answered: usize,
     /// All marks earned with it.
     pub marks: usize,
     /// The marks of one script.
@@ -68,7 +70,8 @@ pub(super) fn figures(class: &Class) -> Vec<QuestionFigures> {
 fn of_question(class: &Class, place: usize) -> QuestionFigures {
     let column = &class.columns[place];
     let mut scheme: Vec<(MarkFigures, Sums)> = Vec::new();
-    let (mut scripts, mut marks, mut available, mut unreadable, mut mirrors) = (0, 0, 0, 0, None);
+    let (mut scripts, mut answered, mut marks, mut available, mut unreadable) = (0, 0, 0, 0, 0);
+    let mut mirrors = None;
     for (student, script) in class.scripts(place) {
         let total = class.entries[student].marks();
         scripts += 1;
@@ -76,6 +79,9 @@ fn of_question(class: &Class, place: usize) -> QuestionFigures {
         available = available.max(script.available());
         mirrors = mirrors.or(script.question.mirrors.as_deref());
         let answers = || script.parts.iter().flat_map(|part| &part.marked.answers);
+        let is_written = answers().any(|answer| answer.typed.is_some())
+            || script.parts.iter().any(|part| !part.marked.lines.is_empty());
+        answered += usize::from(is_written);
         unreadable += usize::from(answers().any(|answer| answer.judgement.verdict == Verdict::Unreadable));
         for part in &script.question.parts {
             let handed = script.parts.iter().find(|handed| handed.marked.label == part.label);
@@ -102,6 +108,7 @@ fn of_question(class: &Class, place: usize) -> QuestionFigures {
         id: column.id.to_owned(),
         mirrors: mirrors.unwrap_or_default().to_owned(),
         scripts,
+        answered,
         marks,
         available,
         unreadable,

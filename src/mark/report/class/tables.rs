@@ -3,15 +3,19 @@
 use super::{ClassReport, Mistake, QuestionFigures};
 use crate::table::{append, one_line};
 
-/// A row for each student: the marks of each question, empty where it was not handed in.
+/// A row for each student: the marks of each question, empty where it was not handed in. Where the key of a class has
+/// names, the second column has them.
 pub fn students_table(report: &ClassReport) -> String {
-    let head = ["student", "marks", "available", "per_cent"].map(str::to_owned).into_iter();
+    let has_names = report.students.iter().any(|student| !student.own_name().is_empty());
+    let head = ["student"].into_iter().chain(has_names.then_some("name")).chain(["marks", "available", "per_cent"]);
+    let head = head.map(str::to_owned);
     let head = head.chain(report.questions.iter().map(|question| format!("question {}", question.label)));
     let rows = report.students.iter().map(|student| {
         let sums = [student.marks, student.available, student.per_cent()].map(Some).into_iter();
         let cells = sums.chain(student.questions.iter().copied());
         let cells = cells.map(|cell| cell.map(|marks| marks.to_string()).unwrap_or_default());
-        std::iter::once(one_line(&student.id)).chain(cells).collect()
+        let name = has_names.then(|| one_line(student.own_name()));
+        [one_line(&student.id)].into_iter().chain(name).chain(cells).collect()
     });
     append(std::iter::once(head.collect::<Vec<String>>()).chain(rows))
 }
