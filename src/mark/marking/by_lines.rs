@@ -6,7 +6,7 @@ use crate::bank::EarnedFor;
 use crate::mark::award::{Award, Cause, Place};
 use crate::mark::key::KeyedPart;
 use crate::mark::slips::{self, ARITHMETIC};
-use crate::mechanics::{Law, Quantity, Seen, Setting};
+use crate::mechanics::{Law, Quantity, Seen};
 
 /// Mistakes that a line shows plainly, so that another mistake in the same law is none.
 const PLAIN: [&str; 7] =
@@ -62,9 +62,7 @@ impl ByLines {
     }
 
     /// May this be the mistake? Not if it spoils what a line has right, nor if a line has another in the same law.
-    pub(super) fn allows(&self, part: &KeyedPart, cause: &slips::Cause) -> bool {
-        // A wall does not move on with the sphere.
-        let is_out_of_place = part.setting == Setting::Wall && cause.tags.contains(&"coalesce");
+    pub(super) fn allows(&self, cause: &slips::Cause) -> bool {
         let is_of_law = !cause.laws.is_empty();
         let spoils = || {
             self.laws.iter().any(|law| !cause.earns_accuracy(*law))
@@ -74,7 +72,7 @@ impl ByLines {
             let differs = |(law, note): &(Law, &str)| cause.laws.contains(law) && !cause.tags.contains(note);
             self.wrong.iter().any(differs)
         };
-        !is_out_of_place && !(is_of_law && (spoils() || is_another()))
+        !(is_of_law && (spoils() || is_another()))
     }
 
     /// Where every equation is right and the method for the answer is seen, what is left is a slip in the arithmetic.

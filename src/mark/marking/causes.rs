@@ -92,7 +92,7 @@ fn behind(
         rounded.into_iter().map(|cause| Found { cause, is_of_law: false, explains: true }).collect();
     let each = readings.iter().filter_map(last_said).map(|said| question.mistakes().causes(&asked, said));
     let causes = each.into_iter().find(|found| !found.is_empty()).unwrap_or_default();
-    let fitting = causes.iter().filter(|cause| by_lines.allows(part, cause)).take(MOST);
+    let fitting = causes.iter().filter(|cause| by_lines.allows(cause)).take(MOST);
     found.extend(fitting.map(|cause| {
         let is_of_law = !cause.laws.is_empty();
         Found { cause: explained(cause, part), is_of_law, explains: is_of_law }
