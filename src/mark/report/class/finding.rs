@@ -45,7 +45,7 @@ pub(super) fn all(class: &Class, questions: &[QuestionFigures]) -> Vec<Finding> 
 
 /// A question that nobody wrote anything for says nothing of the students, and nothing of itself.
 fn unanswered(question: &QuestionFigures) -> Option<(&'static str, String)> {
-    let is_said = question.scripts > 0 && question.answered == 0;
+    let is_said = question.scripts >= FEWEST && question.answered == 0;
     is_said.then(|| ("unanswered", "Nobody wrote anything for it: are the answers filled in?".to_owned()))
 }
 
