@@ -36,11 +36,17 @@ pub(super) fn as_called(model: &Model, statement: &Statement, finding: Finding) 
     if !finding.is_credited() {
         return finding;
     }
-    let others = named_sphere(statement).zip(sphere(asked)).is_some_and(|(named, asked)| named != asked);
+    let others = named_sphere(statement).is_some_and(|named| match sphere(asked) {
+        Some(asked) => named != asked,
+        None => model.is_of_both,
+    });
     // `speed of separation/speed of approach` is neither of the two.
     let is_ratio = label.typed.contains('/') || words(&label.typed).any(|word| word.eq_ignore_ascii_case("ratio"));
     let sorts: Vec<Sort> = words(&label.typed).filter_map(sort).filter(|_| !is_ratio).collect();
-    if others || !(sorts.is_empty() || sorts.iter().any(|sort| suits(asked, *sort))) {
+    // `angle of deflection` is no other angle.
+    let is_special = |sort: &&Sort| matches!(sort, Sort::Deflection | Sort::Bearing);
+    let is_else = sorts.iter().find(is_special).is_some_and(|sort| !suits(asked, *sort));
+    if others || is_else || !(sorts.is_empty() || sorts.iter().any(|sort| suits(asked, *sort))) {
         return Finding::unreadable(Note::NamedOtherwise);
     }
     let is_loss = matches!(asked, Quantity::EnergyLost | Quantity::SphereEnergyLost(_) | Quantity::FractionLost);
@@ -135,7 +141,7 @@ pub(super) fn as_remarked(model: &Model, statement: &Statement, finding: Finding
         if remarks.iter().any(|remark| is_gain(remark)) && finding.note != Some(Note::ChangeNotLoss) {
             return finding.at_most_partial(Note::Sign);
         }
-        if has(&STATES) {
+        if has(states(asked)) {
             return Finding::unreadable(Note::NamedOtherwise);
         }
     }
@@ -273,7 +279,12 @@ fn letter_suits(asked: Quantity, letter: Sort) -> bool {
 }
 
 /// Words that name what there is before or after an impact, and not what is lost in it.
-const STATES: [&str; 9] = ["before", "after", "initial", "final", "left", "remaining", "remains", "retained", "kept"];
+const STATES: [&str; 9] = ["before", "initial", "after", "final", "left", "remaining", "remains", "retained", "kept"];
+/// Those of them that do not go with what is asked: a fraction may be one of the energy before.
+fn states(asked: Quantity) -> &'static [&'static str] {
+    if asked == Quantity::FractionLost { &STATES[2..] } else { &STATES }
+}
+
 const LOSSES: [&str; 10] =
     ["loss", "losses", "lost", "lose", "loses", "decrease", "decreases", "decreased", "change", "dissipated"];
 const EARLIER: [&str; 4] = ["before", "initial", "initially", "original"];
@@ -292,7 +303,7 @@ pub(super) fn words_fit(model: &Model, typed: &str) -> bool {
     let is_loss = matches!(asked, Quantity::EnergyLost | Quantity::SphereEnergyLost(_) | Quantity::FractionLost);
     if is_loss {
         let is_difference = small.contains(['-', '−', '–']) || has(&["minus"]);
-        return !has(&STATES) || has(&LOSSES) || is_gain(typed) || is_change(typed) || is_difference;
+        return !has(states(asked)) || has(&LOSSES) || is_gain(typed) || is_change(typed) || is_difference;
     }
     // Of several impacts one comes before the other.
     let is_of_several = has(&SEVERAL);
@@ -327,6 +338,7 @@ fn is_multiplied(typed: &str) -> bool {
     let begins = !number.is_empty()
         && !number.ends_with('.')
         && word.starts_with(|sign: char| sign.is_alphabetic() || matches!(sign, '-' | '−'))
+        && !rest.trim_start().starts_with("kg")
         && !(["st", "nd", "rd", "th"].contains(&word.as_str()) && rest.starts_with(char::is_alphabetic));
     let negative = typed.strip_prefix(['-', '−']).is_some_and(|rest| rest.starts_with(char::is_alphabetic));
     let after_word = |rest: &str| rest.trim_end().ends_with(char::is_alphabetic);

@@ -1,7 +1,11 @@
 //! Tables of what stands left of an equals sign.
 
+use super::tests::named;
 use super::typed_tests::{Asked, earn};
+use super::{Model, ModelOptions, judge};
 use crate::answer::Kind;
+use crate::expr::{Angles, Expr, read};
+use crate::mark::reading::read_answer;
 
 const OTHERWISE: &str = "unreadable named-otherwise";
 
@@ -105,6 +109,7 @@ fn an_equation_for_an_angle_or_its_tangent_is_true_of_it() {
             ("v = 63.4", OTHERWISE),
             ("bearing 063.4", OTHERWISE),
             ("turned through 63.4°", OTHERWISE),
+            ("angle of deflection = 63.4°", OTHERWISE),
             ("α = 63.4", "correct"),
             ("tan θ = 2", "partial angle-not-evaluated"),
             ("cot θ = 1/2", "partial angle-not-evaluated"),
@@ -164,6 +169,7 @@ fn words_name_what_is_lost_or_what_there_is() {
             ("KE after/KE before = 4/9", OTHERWISE),
             ("1 - x = 4/9", "wrong"),
             ("KE lost/KE before = 4/9", "correct"),
+            ("fraction of initial KE = 4/9", "correct"),
         ],
     );
     earn(
@@ -198,4 +204,33 @@ fn words_that_turn_a_component_are_for_a_person() {
         &Asked("i - j", Some(Kind::Line), "", None),
         &[("at 45° below i", "unreadable cannot-be-compared"), ("at 30° below i", "wrong")],
     );
+}
+
+#[test]
+fn what_is_known_of_the_impact_is_held_against_the_words() {
+    let asked = |right: &str, quantity: &str| {
+        Model::read(right, &ModelOptions { quantity: quantity.parse().ok(), ..ModelOptions::default() }).unwrap()
+    };
+    let earns = |model: &Model, typed: &str| named(&judge(model, &read_answer(typed, &model.vocabulary)));
+    let of_both = Model { is_of_both: true, ..asked("30", "ke.lost") };
+    for (typed, expected) in
+        [("KE lost by A = 30", OTHERWISE), ("KE lost by A and B = 30", "correct"), ("30", "correct")]
+    {
+        assert_eq!(earns(&of_both, typed), expected, "{typed}");
+    }
+    assert_eq!(earns(&asked("30", "ke.lost"), "KE lost by A = 30"), "correct");
+    const UNCHECKED: &str = "partial direction-unchecked";
+    let along = Model { path: Some(Expr::integer(0)), ..asked("5", "B.after.speed") };
+    let slanting = Model { path: read("atan(2)", Angles::Radians).ok(), ..asked("5", "B.after.speed") };
+    for (typed, of_along, of_slanting) in [
+        ("5 along the line of centres", "correct", UNCHECKED),
+        ("5 perpendicular to the line of centres", UNCHECKED, UNCHECKED),
+        ("5 at 63.4° to the line of centres", UNCHECKED, "correct"),
+        ("5 at 26.6° to the common tangent", UNCHECKED, "correct"),
+        ("5 at 60° to the line of centres", UNCHECKED, UNCHECKED),
+        ("5 m/s", "correct", "correct"),
+    ] {
+        assert_eq!(earns(&along, typed), of_along, "{typed}");
+        assert_eq!(earns(&slanting, typed), of_slanting, "{typed}");
+    }
 }

@@ -62,6 +62,8 @@ pub struct Model {
     /// Of a speed: the acute angle between the path of the sphere and the line of centres. A direction told beside a speed
     /// can be judged only where that is known.
     pub path: Option<Expr>,
+    /// Is it of two spheres together, as the energy lost in their impact is? Then no sphere alone is its name.
+    pub is_of_both: bool,
     /// What has been worked out of it.
     pub(crate) prepared: Prepared,
 }
@@ -70,6 +72,7 @@ impl Model {
     /// A model of which no more is known than its value, its kind, the rule and the letters.
     pub fn new(value: Expr, kind: Kind, accept: Accept, vocabulary: Vocabulary) -> Model {
         Model {
+            is_of_both: false,
             value,
             kind,
             accept,

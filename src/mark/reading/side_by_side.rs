@@ -97,11 +97,13 @@ fn outer_equals(tokens: &[Placed]) -> Vec<usize> {
     found
 }
 
-/// A name and nothing else.
+/// A name and nothing else, or its power, sine or tangent: `v`, `v²`, `tan θ`.
 fn is_label(tokens: &[Placed]) -> bool {
+    let is_name = |placed: &Placed| matches!(placed.token, Token::Word(_) | Token::Greek(_));
+    let is_figure = |placed: &Placed| matches!(placed.token, Token::Number(_) | Token::Sign('^' | '⟦' | '⟧'));
     match tokens {
-        [Placed { token: Token::Word(_) | Token::Greek(_), .. }] => true,
         [] => false,
+        [first, rest @ ..] if is_name(first) => rest.iter().all(|placed| is_name(placed) || is_figure(placed)),
         words => words.iter().all(is_word),
     }
 }
