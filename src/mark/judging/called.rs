@@ -305,6 +305,10 @@ pub(super) fn words_fit(model: &Model, typed: &str) -> bool {
         let is_difference = small.contains(['-', '−', '–']) || has(&["minus"]);
         return !has(states(asked)) || has(&LOSSES) || is_gain(typed) || is_change(typed) || is_difference;
     }
+    // The component of a velocity is no speed.
+    if matches!(asked, Quantity::Speed(..)) && has(&["component", "components", "comp", "comps"]) {
+        return false;
+    }
     // Of several impacts one comes before the other.
     let is_of_several = has(&SEVERAL);
     match moment(asked) {
@@ -335,19 +339,17 @@ fn is_multiplied(typed: &str) -> bool {
     let rest = typed.trim_start_matches(is_number);
     let number = &typed[..typed.len() - rest.len()];
     let word: String = rest.trim_start().trim_start_matches(['*', '×']).trim_start().chars().take(2).collect();
-    let begins = !number.is_empty()
-        && !number.ends_with('.')
-        && word.starts_with(|sign: char| sign.is_alphabetic() || matches!(sign, '-' | '−'))
-        && !rest.trim_start().starts_with("kg")
-        && !(["st", "nd", "rd", "th"].contains(&word.as_str()) && rest.starts_with(char::is_alphabetic));
+    let is_ordinal = rest.starts_with(char::is_alphabetic) && ["st", "nd", "rd", "th"].contains(&word.as_str());
+    let is_mass = rest.trim_start().starts_with("kg");
+    let leads = word.starts_with(|sign: char| sign.is_alphabetic() || matches!(sign, '-' | '−'));
+    let begins = leads && !(number.is_empty() || number.ends_with('.') || is_mass || is_ordinal);
     let negative = typed.strip_prefix(['-', '−']).is_some_and(|rest| rest.starts_with(char::is_alphabetic));
     let after_word = |rest: &str| rest.trim_end().ends_with(char::is_alphabetic);
-    let is_power = |power: &&str| typed.strip_suffix(*power).is_some_and(after_word);
+    let is_power = |power: &str| typed.strip_suffix(power).is_some_and(after_word);
     let is_share = |(word, below): (&str, &str)| {
         let below = below.trim();
         after_word(word) && !below.is_empty() && below.chars().all(|sign| sign.is_ascii_digit())
     };
-    let ends =
-        ["²", "^2", "squared"].iter().any(|power| is_power(&power)) || typed.rsplit_once('/').is_some_and(is_share);
+    let ends = ["²", "^2", "squared"].into_iter().any(is_power) || typed.rsplit_once('/').is_some_and(is_share);
     begins || negative || ends
 }

@@ -179,6 +179,7 @@ fn words_name_what_is_lost_or_what_there_is() {
             ("8.94 before the collision", OTHERWISE),
             ("8.94, the same as before", "correct"),
             ("final speed of A = 8.94", "correct"),
+            ("component of the velocity of A = 8.94", OTHERWISE),
             ("A: 4√5 = 8.94", "correct"),
         ],
     );

@@ -8,7 +8,7 @@ use crate::answer::{Accept, Kind};
 use crate::bank::{Code, EarnedFor, Find};
 use crate::expr::{Angles, Expr, Function, read_range, written};
 use crate::mark::judging::{Model, ModelOptions};
-use crate::mechanics::{Axis, Derivation, Known, Meeting, Quantity, Scene, Setting};
+use crate::mechanics::{Axis, Derivation, Known, Meeting, Quantity, Scene, Sphere};
 use crate::number::Value;
 use crate::paper::{Blank, KeyMark, KeyPart};
 
@@ -35,7 +35,7 @@ impl KeyedPart {
         for blank in &mut blanks {
             blank.model.rebounds = rebounds(&blank.find, known);
             blank.model.path = path(&blank.find, known);
-            blank.model.is_of_both = matches!(scene.setting, Setting::Oblique | Setting::Direct)
+            blank.model.is_of_both = Quantity::Mass(Sphere::B).is_in(scene.setting)
                 && matches!(
                     blank.model.quantity,
                     Some(
