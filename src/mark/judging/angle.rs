@@ -185,13 +185,17 @@ fn direction(model: &Model, right: &Turn, own: ReferenceLine, named: Option<Refe
     }
 }
 
-/// The sine, cosine or tangent where the angle is asked: a step short.
-fn ratio_of_angle(model: &Model, function: Function, value: &Expr) -> Finding {
-    let angle = match model.known().meaning() {
+/// The model's value as an angle, of which sines can be taken.
+pub(super) fn in_turns(model: &Model) -> Expr {
+    match model.known().meaning() {
         Some(Meaning::Angle(_)) => model.value.clone(),
         _ => Expr::degrees(model.value.clone()),
-    };
-    let of_angle = model.of_value(Expr::call(function, angle));
+    }
+}
+
+/// The sine, cosine or tangent where the angle is asked: a step short.
+fn ratio_of_angle(model: &Model, function: Function, value: &Expr) -> Finding {
+    let of_angle = model.of_value(Expr::call(function, in_turns(model)));
     let finding = number::value(&of_angle, value, &Written::of(value));
     if finding.is_correct() { Finding::partial(Note::RatioOfAngle) } else { Finding::WRONG }
 }

@@ -1,16 +1,18 @@
 //! What a student calls a value: a right value under the name of another sphere or another quantity is for a person.
 //!
-//! A letter of the student's own (`v`, `x`, `w`) names nothing in particular. Only what the subject has one name for
-//! does: words such as `impulse` and `deflection`, I or J for an impulse, e for the coefficient of restitution.
+//! A letter of the student's own (`x`, `k`, `s`) names nothing in particular. What the subject has names for does: words such as
+//! `impulse` and `deflection`, u, v and w for velocities, m for a mass, I or J for an impulse, E for an energy, e for the
+//! coefficient of restitution, Greek letters for angles. A letter that the question gives is the name of what it gives.
 
 use crate::answer::Kind;
 use crate::expr::Expr;
 use crate::mark::reading::Statement;
-use crate::mechanics::{Moment, Quantity};
+use crate::mechanics::{Axis, Moment, Quantity};
+use crate::unit::Unit;
 
 use super::finding::Finding;
 use super::statements::{named_sphere, sphere};
-use super::{Model, Note};
+use super::{Model, Note, left_side};
 
 /// What a name is the name of.
 #[derive(Clone, Copy, PartialEq)]
@@ -22,6 +24,8 @@ enum Sort {
     Impulse,
     Angle,
     Deflection,
+    /// From the north, which no question has.
+    Bearing,
     Restitution,
     Mass,
 }
@@ -32,11 +36,17 @@ pub(super) fn as_called(model: &Model, statement: &Statement, finding: Finding) 
     if !finding.is_credited() {
         return finding;
     }
-    let others = named_sphere(statement).zip(sphere(asked)).is_some_and(|(named, asked)| named != asked);
+    let others = named_sphere(statement).is_some_and(|named| match sphere(asked) {
+        Some(asked) => named != asked,
+        None => model.is_of_both,
+    });
     // `speed of separation/speed of approach` is neither of the two.
     let is_ratio = label.typed.contains('/') || words(&label.typed).any(|word| word.eq_ignore_ascii_case("ratio"));
     let sorts: Vec<Sort> = words(&label.typed).filter_map(sort).filter(|_| !is_ratio).collect();
-    if others || !(sorts.is_empty() || sorts.iter().any(|sort| suits(asked, *sort))) {
+    // `angle of deflection` is no other angle.
+    let is_special = |sort: &&Sort| matches!(sort, Sort::Deflection | Sort::Bearing);
+    let is_else = sorts.iter().find(is_special).is_some_and(|sort| !suits(asked, *sort));
+    if others || is_else || !(sorts.is_empty() || sorts.iter().any(|sort| suits(asked, *sort))) {
         return Finding::unreadable(Note::NamedOtherwise);
     }
     let is_loss = matches!(asked, Quantity::EnergyLost | Quantity::SphereEnergyLost(_) | Quantity::FractionLost);
@@ -115,6 +125,46 @@ pub(in crate::mark) fn is_of_a_part(label: &str, asked: Quantity) -> bool {
     })
 }
 
+/// What was found of a value, if the words around it say nothing else of it.
+pub(super) fn as_remarked(model: &Model, statement: &Statement, finding: Finding) -> Finding {
+    let Some(asked) = model.quantity else { return finding };
+    let remarks: Vec<&String> = statement.said.iter().flat_map(|said| &said.remarks).collect();
+    if remarks.is_empty() || !(finding.is_credited() || finding.note == Some(Note::Sign)) {
+        return finding;
+    }
+    let label = statement.label.as_ref().map_or("", |label| &label.typed);
+    let has = |wanted: &[&str]| remarks.iter().flat_map(|remark| words(remark)).any(|word| wanted.contains(&word));
+    let says = |phrase: &str| remarks.iter().any(|remark| remark.contains(phrase));
+    let is_loss = matches!(asked, Quantity::EnergyLost | Quantity::SphereEnergyLost(_) | Quantity::FractionLost);
+    let calls_it_loss = has(&LOSSES) || words(&label.to_lowercase()).any(|word| LOSSES.contains(&word));
+    if is_loss && !calls_it_loss {
+        if remarks.iter().any(|remark| is_gain(remark)) && finding.note != Some(Note::ChangeNotLoss) {
+            return finding.at_most_partial(Note::Sign);
+        }
+        if has(states(asked)) {
+            return Finding::unreadable(Note::NamedOtherwise);
+        }
+    }
+    // `7.31 as before`, `perpendicular to its direction before`
+    let compares = has(&SEVERAL) || has(&["as", "same", "direction", "path", "motion", "line", "velocity"]);
+    let is_of_another_moment = match moment(asked) {
+        Some(Moment::After) => has(&["before", "initially"]) && !has(&LATER),
+        Some(Moment::Before) => has(&["after", "finally"]) && !has(&EARLIER),
+        None => false,
+    };
+    if is_of_another_moment && !compares {
+        return Finding::unreadable(Note::NamedOtherwise);
+    }
+    let is_turned = match asked {
+        // Back along the line, or to a side of the page that nobody has drawn.
+        Quantity::Velocity(_, _, Axis::N) => {
+            has(&["perpendicular", "perp", "left", "back", "backwards"]) || says("rebound") || says("bounc")
+        }
+        _ => false,
+    };
+    if is_turned { Finding::unreadable(Note::DirectionUnchecked) } else { finding }
+}
+
 fn words(label: &str) -> impl Iterator<Item = &str> {
     label.split(|letter: char| !letter.is_alphanumeric())
 }
@@ -123,6 +173,14 @@ fn words(label: &str) -> impl Iterator<Item = &str> {
 pub(super) fn is_gain(label: &str) -> bool {
     let is = |wanted: &[&str]| words(label).any(|word| wanted.contains(&word.to_lowercase().as_str()));
     is(&["gain", "gains", "gained", "increase", "increases", "increased"]) && !is(&["loss", "lost", "loses"])
+}
+
+/// Does the label speak of a change, after minus before?
+pub(super) fn is_change(label: &str) -> bool {
+    let label = label.trim().to_lowercase();
+    is_gain(&label)
+        || ['Δ', 'δ', '∆'].iter().any(|delta| label.starts_with(*delta))
+        || ["delta", "change", "\\delta"].iter().any(|word| label.starts_with(word))
 }
 
 fn sort(word: &str) -> Option<Sort> {
@@ -136,8 +194,9 @@ fn sort(word: &str) -> Option<Sort> {
         "velocity" | "velocities" | "vel" => Some(Sort::Velocity),
         "ke" | "kinetic" | "energy" => Some(Sort::Energy),
         "impulse" | "momentum" => Some(Sort::Impulse),
-        "angle" | "angles" | "direction" | "bearing" => Some(Sort::Angle),
-        "deflection" | "deflected" => Some(Sort::Deflection),
+        "angle" | "angles" | "direction" => Some(Sort::Angle),
+        "bearing" => Some(Sort::Bearing),
+        "deflection" | "deflected" | "turned" => Some(Sort::Deflection),
         "restitution" => Some(Sort::Restitution),
         "mass" => Some(Sort::Mass),
         _ => None,
@@ -148,6 +207,7 @@ fn sort(word: &str) -> Option<Sort> {
 fn suits(asked: Quantity, sort: Sort) -> bool {
     use Quantity::*;
     match asked {
+        _ if sort == Sort::Bearing => false,
         Velocity(..) | Speed(..) | Approach | Separation => matches!(sort, Sort::Speed | Sort::Velocity),
         KineticEnergy(..) | TotalEnergy(_) | EnergyLost | SphereEnergyLost(_) | FractionLost => sort == Sort::Energy,
         SphereMomentum(..) | TotalMomentum(_) | Impulse(..) | ImpulseMagnitude => sort == Sort::Impulse,
@@ -159,4 +219,137 @@ fn suits(asked: Quantity, sort: Sort) -> bool {
         Mass(_) | MassRatio => sort == Sort::Mass,
         _ => true,
     }
+}
+
+/// Can what is asked be called by this name?
+pub(super) fn may_be_called(model: &Model, name: &str, typed: &str) -> bool {
+    let is_own = !left_side::is_given(model, name)
+        // A capital that was typed for itself.
+        || (typed.chars().count() == 1 && typed != name && typed.to_lowercase() == name);
+    let Some(asked) = model.quantity else { return !is_product(name) };
+    let letter = of_letter(name);
+    match is_own {
+        true => !is_product(name) && letter.is_none_or(|letter| letter_suits(asked, letter)),
+        false => {
+            matches!((asked, letter), (Quantity::Restitution, Some(Sort::Restitution)) | (Quantity::Alpha, Some(_)))
+        }
+    }
+}
+
+/// `mv`: two letters of quantities side by side, and no letter with its subscript.
+fn is_product(name: &str) -> bool {
+    (2..=3).contains(&name.len()) && name.chars().all(|letter| "mMuvwVIe".contains(letter))
+}
+
+/// What a letter stands for by the custom of the subject, whatever its subscript.
+fn of_letter(name: &str) -> Option<Sort> {
+    if matches!(name, "alpha" | "beta" | "gamma" | "delta" | "theta" | "phi" | "psi") {
+        return Some(Sort::Angle);
+    }
+    let mut letters = name.chars();
+    let first = letters.next()?;
+    let subscript = letters.as_str().trim_start_matches('_');
+    let is_subscript =
+        subscript.len() <= 2 && subscript.chars().all(|sign| "ABCPQabcpqxyntijkf0123456789".contains(sign));
+    if !is_subscript || matches!(name, "max" | "min") {
+        return None;
+    }
+    match first {
+        'u' | 'v' | 'w' | 'U' | 'V' => Some(Sort::Speed),
+        'm' | 'M' => Some(Sort::Mass),
+        'I' | 'J' => Some(Sort::Impulse),
+        'E' | 'K' => Some(Sort::Energy),
+        'e' => Some(Sort::Restitution),
+        'α' | 'β' | 'γ' | 'δ' | 'θ' | 'φ' | 'ψ' => Some(Sort::Angle),
+        _ => None,
+    }
+}
+
+/// May the quantity be called by such a letter?
+fn letter_suits(asked: Quantity, letter: Sort) -> bool {
+    use Quantity::*;
+    let is_speed = matches!(asked, Velocity(..) | Speed(..) | Approach | Separation);
+    match letter {
+        Sort::Speed | Sort::Velocity => is_speed,
+        Sort::Angle | Sort::Deflection => asked.unit() == Unit::Degree,
+        // A capital may be meant for the coefficient.
+        Sort::Energy => asked == Restitution || (!is_speed && suits(asked, letter)),
+        _ => asked.unit() != Unit::Degree && !left_side::is_tangent(Some(asked)) && suits(asked, letter),
+    }
+}
+
+/// Words that name what there is before or after an impact, and not what is lost in it.
+const STATES: [&str; 9] = ["before", "initial", "after", "final", "left", "remaining", "remains", "retained", "kept"];
+/// Those of them that do not go with what is asked: a fraction may be one of the energy before.
+fn states(asked: Quantity) -> &'static [&'static str] {
+    if asked == Quantity::FractionLost { &STATES[2..] } else { &STATES }
+}
+
+const LOSSES: [&str; 10] =
+    ["loss", "losses", "lost", "lose", "loses", "decrease", "decreases", "decreased", "change", "dissipated"];
+const EARLIER: [&str; 4] = ["before", "initial", "initially", "original"];
+const LATER: [&str; 4] = ["after", "afterwards", "final", "finally"];
+
+const SEVERAL: [&str; 9] = ["first", "1st", "second", "2nd", "third", "3rd", "fourth", "4th", "next"];
+
+/// Do the words on the left name what is asked?
+pub(super) fn words_fit(model: &Model, typed: &str) -> bool {
+    if is_multiplied(typed) {
+        return false;
+    }
+    let Some(asked) = model.quantity else { return true };
+    let small = typed.to_lowercase();
+    let has = |wanted: &[&str]| words(&small).any(|word| wanted.contains(&word));
+    let is_loss = matches!(asked, Quantity::EnergyLost | Quantity::SphereEnergyLost(_) | Quantity::FractionLost);
+    if is_loss {
+        let is_difference = small.contains(['-', '−', '–']) || has(&["minus"]);
+        return !has(states(asked)) || has(&LOSSES) || is_gain(typed) || is_change(typed) || is_difference;
+    }
+    // The component of a velocity is no speed.
+    if matches!(asked, Quantity::Speed(..)) && has(&["component", "components", "comp", "comps"]) {
+        return false;
+    }
+    // Of several impacts one comes before the other.
+    let is_of_several = has(&SEVERAL);
+    match moment(asked) {
+        _ if is_of_several => true,
+        Some(Moment::After) => !has(&EARLIER) || has(&LATER),
+        Some(Moment::Before) => !has(&LATER) || has(&EARLIER),
+        None => true,
+    }
+}
+
+fn moment(asked: Quantity) -> Option<Moment> {
+    use Quantity::*;
+    match asked {
+        Velocity(_, moment, _) | Speed(_, moment) | KineticEnergy(_, moment) | SphereMomentum(_, moment, _) => {
+            Some(moment)
+        }
+        AngleToLine(_, moment) | AngleFromN(_, moment) | AngleFromI(_, moment) | AngleToWall(_, moment) => Some(moment),
+        TanToLine(_, moment) | TOverN(_, moment) | TanToWall(_, moment) => Some(moment),
+        TotalEnergy(moment) | AngleBetween(moment) => Some(moment),
+        _ => None,
+    }
+}
+
+/// `½ KE`, `2 speed`, `-KE lost`, `speed²`, `KE/2`: a multiple or power of what the words name.
+fn is_multiplied(typed: &str) -> bool {
+    let typed = typed.trim();
+    let is_number = |sign: char| sign.is_ascii_digit() || matches!(sign, '.' | '/' | '½' | '⅓' | '¼' | '⅔' | '¾');
+    let rest = typed.trim_start_matches(is_number);
+    let number = &typed[..typed.len() - rest.len()];
+    let word: String = rest.trim_start().trim_start_matches(['*', '×']).trim_start().chars().take(2).collect();
+    let is_ordinal = rest.starts_with(char::is_alphabetic) && ["st", "nd", "rd", "th"].contains(&word.as_str());
+    let is_mass = rest.trim_start().starts_with("kg");
+    let leads = word.starts_with(|sign: char| sign.is_alphabetic() || matches!(sign, '-' | '−'));
+    let begins = leads && !(number.is_empty() || number.ends_with('.') || is_mass || is_ordinal);
+    let negative = typed.strip_prefix(['-', '−']).is_some_and(|rest| rest.starts_with(char::is_alphabetic));
+    let after_word = |rest: &str| rest.trim_end().ends_with(char::is_alphabetic);
+    let is_power = |power: &str| typed.strip_suffix(power).is_some_and(after_word);
+    let is_share = |(word, below): (&str, &str)| {
+        let below = below.trim();
+        after_word(word) && !below.is_empty() && below.chars().all(|sign| sign.is_ascii_digit())
+    };
+    let ends = ["²", "^2", "squared"].into_iter().any(is_power) || typed.rsplit_once('/').is_some_and(is_share);
+    begins || negative || ends
 }

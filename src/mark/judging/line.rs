@@ -1,12 +1,12 @@
 //! The direction of a line: any vector along it, in either sense, or its gradient.
 
-use crate::expr::{Expr, Meaning};
+use crate::expr::{Expr, Function, Meaning};
 use crate::mark::reading::{ACROSS, Form, Label, Said};
 
 use super::accuracy::{Coarsest, Written};
 use super::exact::{self, Equality, same};
 use super::finding::Finding;
-use super::{Model, Note, number, vector};
+use super::{Model, Note, number, selection, vector};
 
 /// Judges one value against a line.
 pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
@@ -23,6 +23,15 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Findin
     }
     if let Some((x, y, _)) = vector::said_components(model, said) {
         return parallel(model, (&right_x, &right_y), (&x, &y));
+    }
+    // `45° below i`: which way it is measured is for a person to see.
+    if let (Form::Value(angle), true) = (&said.form, selection::is_angular(said)) {
+        let slope = Expr::call(Function::Tan, Expr::degrees(angle.clone()));
+        let turned = Expr::integer(1).over(slope.clone());
+        let slopes = [slope.clone(), turned.clone(), slope.negated(), turned.negated()];
+        let size = |slope: &Expr| exact::value(slope, &model.vocabulary.letters).is_some();
+        let fits = |slope: &Expr| size(slope) && by_gradient(model, &right_x, &right_y, slope).is_credited();
+        return if slopes.iter().any(fits) { Finding::unreadable(Note::CannotBeCompared) } else { Finding::WRONG };
     }
     let named = label.is_some_and(|label| {
         let typed = label.typed.trim().to_lowercase();

@@ -13,6 +13,7 @@ mod equation;
 mod exact;
 mod finding;
 mod known;
+mod left_side;
 mod line;
 mod model_text;
 mod note;
@@ -58,6 +59,11 @@ pub struct Model {
     pub quantity: Option<Quantity>,
     /// Does the sphere move from B towards A? An angle measured from BA can be judged only where that is known.
     pub rebounds: Option<bool>,
+    /// Of a speed: the acute angle between the path of the sphere and the line of centres. A direction told beside a speed
+    /// can be judged only where that is known.
+    pub path: Option<Expr>,
+    /// Is it of two spheres together, as the energy lost in their impact is? Then no sphere alone is its name.
+    pub is_of_both: bool,
     /// What has been worked out of it.
     pub(crate) prepared: Prepared,
 }
@@ -65,7 +71,17 @@ pub struct Model {
 impl Model {
     /// A model of which no more is known than its value, its kind, the rule and the letters.
     pub fn new(value: Expr, kind: Kind, accept: Accept, vocabulary: Vocabulary) -> Model {
-        Model { value, kind, accept, vocabulary, quantity: None, rebounds: None, prepared: Prepared::default() }
+        Model {
+            is_of_both: false,
+            value,
+            kind,
+            accept,
+            vocabulary,
+            quantity: None,
+            rebounds: None,
+            path: None,
+            prepared: Prepared::default(),
+        }
     }
 
     /// The right unit, if it is known what is asked for.
@@ -183,13 +199,17 @@ fn one(model: &Model, reading: &Reading) -> Finding {
     if count_said(reading) > MOST_SAID {
         return Finding::unreadable(Note::TooLong);
     }
+    let whole = reading;
     let Some(reading) = &selection::counted(model, reading) else {
         return Finding::unreadable(Note::CannotBeCompared);
     };
     if let Some(finding) = range::out_of_place(model, reading) {
         return finding;
     }
-    let finding = by_kind(model, reading);
+    let finding = match sense::is_beside_the_path(model, whole) {
+        true => by_kind(model, reading).at_most_partial(Note::DirectionUnchecked),
+        false => by_kind(model, reading),
+    };
     if finding.is_credited() && is_turned_by_words(model, reading, finding) {
         return Finding::unreadable(Note::CannotBeCompared);
     }
@@ -214,7 +234,8 @@ fn by_kind(model: &Model, reading: &Reading) -> Finding {
         Kind::Angle => statements::judge(model, reading, &|said, label| angle::judge(model, said, label)),
         Kind::Vector => match vector::of_its_components(model, reading) {
             Some(said) => vector::judge(model, &said),
-            None => statements::judge(model, reading, &|said, _| vector::judge(model, said)),
+            None => vector::is_of_size_and_angle(model, reading)
+                .unwrap_or_else(|| statements::judge(model, reading, &|said, _| vector::judge(model, said))),
         },
         Kind::Ratio => match ratio::of_its_terms(reading) {
             Some((said, label)) => ratio::judge(model, &said, label.as_ref()),
@@ -248,6 +269,8 @@ fn report(finding: Finding, reading: Option<&Reading>) -> Judgement {
 mod effort_tests;
 #[cfg(test)]
 mod kinds_tests;
+#[cfg(test)]
+mod left_side_tests;
 #[cfg(test)]
 mod range_tests;
 #[cfg(test)]

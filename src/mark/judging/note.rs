@@ -101,6 +101,8 @@ notes! {
     VectorForScalar, "magnitude-not-evaluated", "Right so far: find the magnitude of this vector.";
     /// The square of what is asked.
     SquareLeft, "square-not-rooted", "Right so far: this is the square; take its root.";
+    /// A true equation in powers, roots or functions of what is asked.
+    Unsolved, "not-solved", "Right so far: solve this equation for what is asked.";
     /// The components of a velocity, one by one.
     ComponentsLeft, "components-not-combined", "Right so far: put the components together to a size and a direction.";
     /// The components in the wrong order.

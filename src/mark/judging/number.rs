@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use crate::answer::Kind;
 use crate::expr::{Expr, Function, Meaning, Relation};
-use crate::mark::reading::{Form, Label, Said};
+use crate::mark::reading::{Form, Label, Notation, Said};
 use crate::mechanics::Quantity;
 use crate::number::{Fraction, Places, Range, Value};
 use crate::unit::Unit;
@@ -16,7 +16,7 @@ use super::exact::{self, Equality, same};
 use super::finding::Finding;
 use super::known::Further;
 use super::units::{self, UnitCheck};
-use super::{Model, Note, angle, called, sense};
+use super::{Model, Note, angle, called, left_side, sense};
 
 /// Judges one value against a number or formula.
 pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
@@ -57,6 +57,15 @@ fn as_it_stands(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
         Form::Value(expr) => (expr, false),
         Form::Percentage(expr) => (expr, true),
         Form::AtRest => (&nought, false),
+        // `4.8 N s in the direction -j`: the size, and a direction that is not asked.
+        Form::Vector(x, y, Notation::Words) if x.is_zero() != y.is_zero() && !has_a_sense(model.quantity) => {
+            let size = if x.is_zero() { y } else { x };
+            let sized =
+                |expr: &Expr| as_it_stands(model, &Said { form: Form::Value(expr.clone()), ..said.clone() }, label);
+            let finding = sized(size).or_better(sized(&size.clone().negated()));
+            let is_impulse = model.quantity == Some(Quantity::ImpulseMagnitude);
+            return if is_impulse { finding } else { finding.at_most_partial(Note::DirectionUnchecked) };
+        }
         Form::Vector(x, y, _) => return magnitude_left(model, x, y),
         Form::Ratio(above, below) => {
             let quotient = above.clone().over(below.clone());
@@ -123,7 +132,7 @@ fn signed(model: &Model, expr: &Expr, written: &Option<Written>, label: Option<&
         return Finding::wrong(Note::Sign);
     }
     match label {
-        Some(label) if is_change(&label.typed) => Finding { note: Some(Note::ChangeNotLoss), ..turned },
+        Some(label) if called::is_change(&label.typed) => Finding { note: Some(Note::ChangeNotLoss), ..turned },
         _ => Finding::partial(Note::Sign),
     }
 }
@@ -151,14 +160,6 @@ pub(super) fn has_a_sense(quantity: Option<Quantity>) -> bool {
                 | Quantity::TanDeflection(_)
         )
     )
-}
-
-/// Does the label speak of a change, after minus before?
-fn is_change(label: &str) -> bool {
-    let label = label.trim().to_lowercase();
-    called::is_gain(&label)
-        || ['Δ', 'δ', '∆'].iter().any(|delta| label.starts_with(*delta))
-        || ["delta", "change", "\\delta"].iter().any(|word| label.starts_with(word))
 }
 
 /// The comparison itself.
@@ -286,12 +287,18 @@ fn magnitude_left(model: &Model, x: &Expr, y: &Expr) -> Finding {
 
 /// An angle where its tangent is asked, said to be one by its unit, its label or its form.
 fn through_its_tangent(model: &Model, said: &Said, label: Option<&Label>) -> Option<Finding> {
-    let tangent_asked =
-        matches!(model.quantity, Some(Quantity::TanDeflection(_) | Quantity::TanToLine(..) | Quantity::TOverN(..)));
+    let tangent_asked = left_side::is_tangent(model.quantity);
     if !(tangent_asked || model.quantity.is_none()) {
         return None;
     }
     let Form::Value(expr) = &said.form else { return None };
+    // `arctan(e tan α)`
+    if let Expr::Call(Function::Atan, tangent) = expr
+        && tangent_asked
+        && model.known().has_names()
+    {
+        return Some(value(model, tangent, &Written::of(tangent)).at_most_partial(Note::AngleForTangent));
+    }
     let is_angle = said.unit.as_ref().is_some_and(|unit| unit.degrees || unit.dimension == [0, 0, 0, 1])
         || exact::is_angle(expr, &model.vocabulary.letters);
     let names_angle = |label: &Label| matches!(&label.expr, Some(Expr::Name(name)) if is_angle_name(&name.text));

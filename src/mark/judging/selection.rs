@@ -86,14 +86,16 @@ fn holds(relation: Relation, sign: Ordering) -> bool {
     }
 }
 
+/// Is it an angle, by its unit or by the line from which it is measured?
+pub(super) fn is_angular(said: &Said) -> bool {
+    said.unit.as_ref().is_some_and(|unit| unit.degrees || unit.dimension == [0, 0, 0, 1])
+        || (said.unit.is_none() && said.reference.is_some_and(|line| !line.is_direction()))
+}
+
 /// `3.61 m/s at 56.3° to the line of centres`, where the speed or the direction is asked: the other is told besides. A
 /// direction in words goes with the one value that is left.
 fn without_told_besides(model: &Model, statements: Vec<Statement>) -> Vec<Statement> {
     let Some(unit) = model.unit() else { return statements };
-    let is_angular = |said: &Said| {
-        said.unit.as_ref().is_some_and(|unit| unit.degrees || unit.dimension == [0, 0, 0, 1])
-            || (said.unit.is_none() && said.reference.is_some_and(|line| !line.is_direction()))
-    };
     let is_besides = |statement: &Statement| {
         let Some(said) = statement.said.last().filter(|said| !is_rival(said)) else { return false };
         match (&said.form, unit) {

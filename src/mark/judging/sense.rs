@@ -6,12 +6,13 @@
 
 use std::cmp::Ordering;
 
+use crate::answer::Kind;
 use crate::expr::Expr;
-use crate::mark::reading::{Form, Label, ReferenceLine, Said, Sense};
+use crate::mark::reading::{Form, Label, Reading, ReferenceLine, Said, Sense};
 use crate::mechanics::{Axis, Quantity, Sphere};
 
 use super::finding::Finding;
-use super::{Model, Note, exact, number};
+use super::{Model, Note, Verdict, angle, exact, number, selection};
 
 /// Does a sphere that moves so, backwards or not, move in the sense that is said? `None` if nobody knows.
 pub(super) fn agrees(said: Option<Sense>, backwards: Option<bool>) -> Option<bool> {
@@ -33,7 +34,13 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Option
         Quantity::Impulse(sphere, axis) => (sphere, axis),
         Quantity::Speed(..) => {
             let agrees = agrees(line.sense(), model.rebounds) != Some(false);
-            return (!agrees).then(|| plain().at_most_partial(Note::DirectionUnchecked));
+            let lies = |degrees: i64| model.path.as_ref().is_none_or(|path| *path == Expr::integer(degrees));
+            let lies = match line.unsensed() {
+                ReferenceLine::AlongLineOfCentres => lies(0),
+                ReferenceLine::AlongCommonTangent => lies(90),
+                _ => true,
+            };
+            return (!(agrees && lies)).then(|| plain().at_most_partial(Note::DirectionUnchecked));
         }
         _ => return None,
     };
@@ -57,6 +64,17 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Option
         (true, _) => turned,
         (false, true) => Finding::wrong(Note::Sign),
     })
+}
+
+/// Is an angle told beside a speed that is not the one at which the sphere moves?
+pub(super) fn is_beside_the_path(model: &Model, reading: &Reading) -> bool {
+    let (Some(path), Some(Quantity::Speed(..))) = (&model.path, model.quantity) else { return false };
+    let to_centres =
+        |line: ReferenceLine| matches!(line.unsensed(), ReferenceLine::LineOfCentres | ReferenceLine::CommonTangent);
+    let angle_model = Model { kind: Kind::Angle, ..model.of_value(path.clone()) };
+    let said = reading.statements.iter().flat_map(|statement| &statement.said);
+    let mut angles = said.filter(|said| selection::is_angular(said) && said.reference.is_some_and(to_centres));
+    angles.any(|said| angle::judge(&angle_model, said, None).verdict == Verdict::Wrong)
 }
 
 fn is_negative(expr: &Expr) -> bool {

@@ -11,6 +11,7 @@ use crate::mechanics::{Quantity, Sphere};
 
 use super::accuracy::Written;
 use super::finding::Finding;
+use super::left_side::{self, Equation, Left};
 use super::{Model, Note, Verdict, called};
 
 /// How a kind judges one value.
@@ -55,7 +56,39 @@ pub(super) fn unnamed<'s>((statement, said): (&Statement, &'s Said)) -> Option<&
 
 /// One statement, perhaps a chain of equals signs.
 fn chain(model: &Model, statement: &Statement, one: One) -> Finding {
-    called::as_called(model, statement, links(statement, one))
+    let left = statement.label.as_ref().map_or(Left::Name, |label| left_side::of(model, label));
+    let of_equation = |equation: &Equation| {
+        let finding = links(statement, &|said, _| equation.judge(model, said, one));
+        // `v² = 7.70 = 2.78`: the value itself, at the end of what led to it.
+        let leads = statement.said.first().is_some_and(|first| equation.judge(model, first, one).is_credited());
+        match statement.said.as_slice() {
+            [_, .., last] if leads => finding.or_better(one(last, None)),
+            _ => finding,
+        }
+    };
+    let finding = match &left {
+        Left::Equation(equation) => of_equation(equation),
+        _ => links(statement, &|said, label| match left_side::unnamed(model, said) {
+            Some((equation, right)) => {
+                let of_right = equation.judge(model, &Said { form: Form::Value(right.clone()), ..said.clone() }, one);
+                of_right.or_better(one(said, label))
+            }
+            None => one(said, label),
+        }),
+    };
+    match left {
+        // The angle itself, where its tangent is asked.
+        Left::Another if left_side::is_tangent(model.quantity) && statement.said.iter().any(is_of_angle) => finding,
+        Left::Another if finding.is_credited() && finding.note != Some(Note::AngleForTangent) => {
+            Finding::unreadable(Note::NamedOtherwise)
+        }
+        Left::NameOrPower(equation) if !finding.is_credited() => of_equation(&equation),
+        _ => called::as_remarked(model, statement, called::as_called(model, statement, finding)),
+    }
+}
+
+fn is_of_angle(said: &Said) -> bool {
+    said.unit.as_ref().is_some_and(|unit| unit.degrees)
 }
 
 fn links(statement: &Statement, one: One) -> Finding {

@@ -19,8 +19,11 @@ pub(super) fn said(form: Form) -> Said {
 }
 
 pub(super) fn reading(label: Option<&str>, said: Vec<Said>) -> Reading {
-    let label =
-        label.map(|typed| Label { typed: typed.to_owned(), expr: read_as_written(typed, Angles::Degrees).ok() });
+    // Words are no formula.
+    let formula = |typed: &str| {
+        read_as_written(typed, Angles::Degrees).ok().filter(|_| !typed.contains("KE") && !typed.contains(' '))
+    };
+    let label = label.map(|typed| Label { typed: typed.to_owned(), expr: formula(typed) });
     Reading { statements: vec![Statement { label, said }], printed: "as written".to_owned(), decided: Vec::new() }
 }
 

@@ -6,9 +6,14 @@ use crate::mark::reading::read_answer;
 use crate::number::{Letter, Range};
 
 /// What is asked: the model, its kind, the quantity, and whether the sphere moves from B towards A.
-struct Asked(&'static str, Option<Kind>, &'static str, Option<bool>);
+pub(super) struct Asked(
+    pub(super) &'static str,
+    pub(super) Option<Kind>,
+    pub(super) &'static str,
+    pub(super) Option<bool>,
+);
 
-fn earn(Asked(right, kind, quantity, rebounds): &Asked, rows: &[(&str, &str)]) {
+pub(super) fn earn(Asked(right, kind, quantity, rebounds): &Asked, rows: &[(&str, &str)]) {
     let letters = [
         ("m", Range::Positive),
         ("u", Range::Positive),

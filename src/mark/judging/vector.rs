@@ -1,5 +1,6 @@
 //! Vectors: component by component, however they are written.
 
+use crate::answer::Kind;
 use crate::expr::{Expr, Function, Meaning, written};
 use crate::mark::reading::{Form, Notation, Reading, Said, Statement};
 
@@ -8,7 +9,7 @@ use super::exact;
 use super::finding::Finding;
 use super::statements::{named_sphere, pair, sphere, unnamed};
 use super::units::{self, UnitCheck};
-use super::{Model, Note, number};
+use super::{Model, Note, number, selection};
 
 /// The magnitude of a vector.
 pub(super) fn magnitude(x: &Expr, y: &Expr) -> Expr {
@@ -81,6 +82,18 @@ pub(super) fn of_its_components(model: &Model, reading: &Reading) -> Option<Said
     };
     let remarks = [first.1, second.1].into_iter().flat_map(|said| said.remarks.clone()).collect();
     Some(Said { form: Form::Vector(x, y, notation), unit: second.1.unit.clone(), reference: None, remarks })
+}
+
+/// A size and an angle where a vector is asked: `4.25 m/s at 19.9° below i`. Which way it points is for a person to see.
+pub(super) fn is_of_size_and_angle(model: &Model, reading: &Reading) -> Option<Finding> {
+    let [(_, size), (_, angle)] = pair(reading)?;
+    if selection::is_angular(size) || !selection::is_angular(angle) || !matches!(size.form, Form::Value(_)) {
+        return None;
+    }
+    let (x, y) = components(model)?;
+    let of_size = Model { kind: Kind::Number, ..model.of_value(magnitude(&x, &y)) };
+    let is_right = number::judge(&of_size, &Said { reference: None, ..size.clone() }, None).is_credited();
+    Some(if is_right { Finding::unreadable(Note::DirectionUnchecked) } else { Finding::WRONG })
 }
 
 /// The axis along which a label says that a component lies: `i`, `v_x`, `vy`, `x component`.

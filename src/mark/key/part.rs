@@ -6,9 +6,9 @@ use std::collections::BTreeSet;
 use super::{KeyFault, KeyedBlank, KeyedMark, KeyedPart};
 use crate::answer::{Accept, Kind};
 use crate::bank::{Code, EarnedFor, Find};
-use crate::expr::{Angles, read_range};
+use crate::expr::{Angles, Expr, Function, read_range, written};
 use crate::mark::judging::{Model, ModelOptions};
-use crate::mechanics::{Derivation, Known, Meeting, Quantity, Scene};
+use crate::mechanics::{Axis, Derivation, Known, Meeting, Quantity, Scene, Sphere};
 use crate::number::Value;
 use crate::paper::{Blank, KeyMark, KeyPart};
 
@@ -34,6 +34,17 @@ impl KeyedPart {
         let (derivation, _) = Derivation::carry_out(known, &asked);
         for blank in &mut blanks {
             blank.model.rebounds = rebounds(&blank.find, known);
+            blank.model.path = path(&blank.find, known);
+            blank.model.is_of_both = Quantity::Mass(Sphere::B).is_in(scene.setting)
+                && matches!(
+                    blank.model.quantity,
+                    Some(
+                        Quantity::EnergyLost
+                            | Quantity::FractionLost
+                            | Quantity::TotalEnergy(_)
+                            | Quantity::TotalMomentum(_)
+                    )
+                );
         }
         let last = derivation.steps.iter().map(|step| step.impact()).max();
         let then = scene.then.iter().find(|then| Some(then.meeting.number) == last);
@@ -124,6 +135,21 @@ fn rebounds(find: &Find, known: &Known<Value>) -> Option<bool> {
     let Find::Quantity(quantity) = find else { return None };
     let along = known.number(quantity.along_the_line()?)?;
     along.sign().map(Ordering::is_lt)
+}
+
+/// The acute angle between the path of a sphere whose speed is asked and the line of centres.
+fn path(find: &Find, known: &Known<Value>) -> Option<Expr> {
+    let Find::Quantity(quantity) = find else { return None };
+    let along = quantity.along_the_line()?;
+    let size = |axis: Axis| Some(Expr::call(Function::Abs, written(&known.number(along.along(axis))?)));
+    let is_nought =
+        |axis: Axis| known.number(along.along(axis)).is_some_and(|value| value.sign() == Some(Ordering::Equal));
+    match (is_nought(Axis::N), is_nought(Axis::T)) {
+        (true, true) => None,
+        (true, false) => Some(Expr::integer(90)),
+        (false, true) => Some(Expr::integer(0)),
+        (false, false) => Some(Expr::call(Function::Atan, size(Axis::T)?.over(size(Axis::N)?))),
+    }
 }
 
 /// The equation that was to be shown, where that is what is asked: the mark for it has both sides.

@@ -31,6 +31,8 @@ pub(super) enum Doubt {
     Names,
     /// `4u (2)`: the number of the equation, or a factor.
     EquationNumber,
+    /// `v = 4 w = 6`: two statements, or one with a product in it.
+    SideBySide,
     /// `0.3(6)` and `2.77...`: recurring or not.
     Recurring,
 }

@@ -245,6 +245,10 @@ impl Walk<'_> {
             return Some(noun);
         }
         let word = self.word(noun)?;
+        // `to the perpendicular`: to what?
+        if matches!(word, "perpendicular" | "perp") {
+            return Some(noun);
+        }
         let harmless = lexicon::sort(word).is_some()
             || self.any(noun, &lexicon::REST).is_some()
             || self.any(noun, &lexicon::REMARKS).is_some()

@@ -197,6 +197,14 @@ impl<'a> Parser<'a> {
         if self.eat('^') {
             let exponent = self.nested(Self::exponent)?;
             value = power(value, exponent).or_else(|message| self.fault(message))?;
+        } else if let Expr::Name(name) = &value
+            && self.any_name
+            && single
+            && self.subscript_follows()
+        {
+            // `v1` is a name; `v2` may be a square, too.
+            value = Expr::name(format!("{}_1", name.text));
+            self.at += 1;
         } else if single && matches!(value, Expr::Name(_)) && !self.spaced(0) && self.small_digit() {
             // `v2` where the question has no such letter: the raised two of another keyboard.
             let exponent = self.operand()?;
@@ -209,6 +217,12 @@ impl<'a> Parser<'a> {
             value = self.minutes(value)?;
         }
         Ok(value)
+    }
+
+    /// A one close behind, which is no power.
+    fn subscript_follows(&self) -> bool {
+        let more = !self.spaced(1) && matches!(self.token(1), Some(Token::Number(_)) | Some(Token::Sign('^' | '.')));
+        self.token(0) == Some(&Token::Number(Expr::integer(1))) && !self.spaced(0) && !more
     }
 
     /// A two or three that stands by itself.

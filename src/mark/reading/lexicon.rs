@@ -186,7 +186,13 @@ pub(super) const TOWARDS: [&str; 6] =
 pub(super) const AWAY_FROM: [&str; 1] = ["away from"];
 
 /// The direction in which a sphere moved before.
-pub(super) const ORIGINAL: [&str; 14] = [
+pub(super) const ORIGINAL: [&str; 20] = [
+    "path before",
+    "path",
+    "direction before",
+    "line of motion before",
+    "velocity before",
+    "motion before",
     "original direction",
     "initial direction",
     "original direction of motion",
@@ -256,7 +262,7 @@ const SINGLE: [(Sort, &str); 8] = [
         "impossible wrong incorrect not never no isn't isnt aren't doesn't doesnt don't dont cannot can't cant won't wasn't neither nor unless \
          except minimum maximum least most than under over less more half twice double triple treble quarter third \
          hundred hundreds thousand thousands million dozen ten twenty squared cubed power unsure guess maybe \
-         negative opposite reverse reversed backwards one two three four five six seven eight nine zero \
+         negative opposite reverse backwards one two three four five six seven eight nine zero \
          nought point divided multiplied",
     ),
     (
@@ -268,7 +274,7 @@ const SINGLE: [(Sort, &str); 8] = [
          i.e ie eg sf dp s.f d.p rounded decimal places significant figures correct collision impact afterwards \
          that this these for on off each other line centres centers vector unit magnitude required shown qed \
          respectively simplified exact value surd form answer ans path motion travel axis oe awrt cao sense \
-         immediately original towards heading bounces bouncing rebounds rebounding rebounded separates separating yes \
+         immediately original towards heading bounces bouncing rebounds rebounding rebounded separates separating yes reversed unchanged \
          hopefully think calculator working see diagram there here now very nearly almost precisely overall resultant \
          scalar using used calculated find found get got have we solution value values part question result results \
          answers both my our checked units metric decimal fraction respectively clm com colm pclm plm nel nlr nlor nli \

@@ -29,6 +29,7 @@ mod ranges;
 mod reference;
 mod said;
 mod segments;
+mod side_by_side;
 mod sides;
 mod signs;
 mod statements;
@@ -75,7 +76,29 @@ const PATIENCE: usize = 2_000;
 ///
 /// The first thing that makes no sense in the likeliest reading, if no reading makes sense.
 pub fn read_answer(text: &str, vocabulary: &Vocabulary) -> Result<Vec<Reading>, Unreadable> {
-    counted(text, vocabulary).0
+    let readings = counted(text, vocabulary).0;
+    // `|3i + 4j| = 5` where no answer is a vector.
+    let has_own = vocabulary.vectors || vocabulary.letters.iter().any(|letter| matches!(letter.name(), "i" | "j"));
+    if has_own || !matches!(readings, Err(Unreadable::Sign(..))) || !has_unit_vector(text) {
+        return readings;
+    }
+    let with_vectors = Vocabulary { vectors: true, ..vocabulary.clone() };
+    match counted(text, &with_vectors).0 {
+        Ok(found) if !found.iter().any(is_of_direction) => Ok(found),
+        _ => readings,
+    }
+}
+
+/// How **i** lies where no answer is a vector, nobody says.
+fn is_of_direction(reading: &Reading) -> bool {
+    let mut said = reading.statements.iter().flat_map(|statement| &statement.said);
+    said.any(|said| said.reference.is_some() || matches!(said.form, Form::Vector(_, _, Notation::Words)))
+}
+
+/// Does an i or j stand by itself, or after figures?
+fn has_unit_vector(text: &str) -> bool {
+    let mut words = text.split(|sign: char| !sign.is_alphabetic());
+    words.any(|word| matches!(word, "i" | "j"))
 }
 
 /// The readings, and how many steps it took to find them.

@@ -84,7 +84,7 @@ impl Parser<'_> {
             Some(Token::Function(_) | Token::Reciprocal(_) | Token::Root { .. } | Token::Pi) => true,
             Some(Token::Letter(_) | Token::Along(_)) => true,
             Some(Token::Sign('(' | '[' | '{')) => {
-                !(self.outside() && (self.unit_here().is_some() || self.repeats_the_value()))
+                !(self.outside() && (self.is_unit_in_brackets() || self.repeats_the_value()))
             }
             Some(Token::Sign(OPEN)) => true,
             Some(Token::Sign('|')) => !self.in_bars(),
@@ -117,6 +117,17 @@ impl Parser<'_> {
             _ => false,
         };
         (grouped || stroke && whole(1) && whole(3) && self.spaced(0)) && factor && !self.spaced(1)
+    }
+
+    /// `2 (m)`: a unit, or a letter of the question if it stands close by.
+    fn is_unit_in_brackets(&mut self) -> bool {
+        let Some((_, next)) = self.unit_here() else { return false };
+        let is_letter = match self.token(1) {
+            Some(Token::Word(word)) => next == self.at + 3 && names::letter(word, self.vocabulary).is_some(),
+            _ => false,
+        };
+        let place = self.place();
+        !is_letter || (self.choices.otherwise(Doubt::Unit, place) != self.spaced(0))
     }
 
     /// `25/7 (3.57)`: a blank, and in brackets at the end a decimal, which says the same again.

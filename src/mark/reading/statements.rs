@@ -140,6 +140,11 @@ impl Statements<'_> {
 
     /// Sides with relations between them.
     pub(super) fn chain(&mut self, tokens: &[Placed]) -> Result<(), Unreadable> {
+        if let Some(next) = self.next_statement(tokens) {
+            let (first, rest) = tokens.split_at(next);
+            self.chain(first)?;
+            return self.chain(rest);
+        }
         let mut sides: Vec<&[Placed]> = Vec::new();
         let mut relations: Vec<(char, usize)> = Vec::new();
         let (mut depth, mut start) = (0_usize, 0);

@@ -192,6 +192,14 @@ impl Values<'_> {
         let label = self.label(tokens, lead);
         let phrases: Vec<Phrase> = lead.iter().filter_map(|at| phrase_at(tokens, *at)).collect();
         let words = lead.first().map(|first| self.slice(tokens, *first, lead[lead.len() - 1] + 1).to_lowercase());
+        // `A rebounds with 2.41`: what is said between the name and the value.
+        let last_name = lead.iter().rposition(|at| names_something(tokens, *at));
+        let between = last_name.map_or(&[][..], |last| &lead[last + 1..]);
+        let is_plain = |at: &usize| phrase_at(tokens, *at) == Some(Phrase::Remark);
+        let after_name = between
+            .iter()
+            .any(is_plain)
+            .then(|| self.slice(tokens, between[0], between[between.len() - 1] + 1).to_lowercase());
         let toward = phrases.last() == Some(&Phrase::Toward);
         let across = phrases.contains(&Phrase::Across);
         lead.clear();
@@ -235,6 +243,7 @@ impl Values<'_> {
                 said.remarks.push(words);
             }
         }
+        said.remarks.extend(after_name);
         found.values.push((label, said));
         Ok(parsed.next)
     }

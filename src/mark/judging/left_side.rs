@@ -1,0 +1,301 @@
+//! What stands left of an equals sign: a name of what is asked, an equation for it, or something else.
+//!
+//! * A single name, words, or what the quantity is made of (`E_1 − E_2` for an energy lost) name what stands on the right.
+//! * An expression in one letter that can be what is asked is an equation: `2v = 17.9`, `90 − θ = 26.6`, `1/e = 14/11`. It
+//!   must be true of the right value. Sums and signs are undone first, so that the figures are those of the value itself;
+//!   what is left is worked out for the right value and compared. With powers, roots, sines and tangents the last step is
+//!   still missing.
+//! * Anything else, as `v_A/v_B`, is the name of something else.
+
+use crate::answer::Kind;
+use crate::expr::{Expr, Function, Relation};
+use crate::mark::reading::{Form, Label, Said, SaidUnit};
+use crate::mechanics::Quantity;
+use crate::number::{Places, round};
+
+use super::accuracy::Written;
+use super::called;
+use super::exact;
+use super::finding::Finding;
+use super::statements::One;
+use super::{Model, Note, angle, number, vector};
+
+/// What the left side is to the value on the right.
+pub(super) enum Left {
+    /// Its name.
+    Name,
+    /// A name, or else the power of one: `v2`.
+    NameOrPower(Equation),
+    /// An expression in what is asked.
+    Equation(Equation),
+    /// The name of something else.
+    Another,
+}
+
+/// An expression in one letter that stands for what is asked.
+pub(super) struct Equation {
+    left: Expr,
+    unknown: String,
+}
+
+/// What a label is where this is asked.
+pub(super) fn of(model: &Model, label: &Label) -> Left {
+    if !matches!(model.kind, Kind::Number | Kind::Expression | Kind::Angle | Kind::Vector) {
+        return Left::Name;
+    }
+    let typed = label.typed.trim();
+    let Some(expr) = &label.expr else {
+        return if called::words_fit(model, typed) { Left::Name } else { Left::Another };
+    };
+    // `ΔE`
+    if called::is_change(typed) {
+        return Left::Name;
+    }
+    match expr {
+        // `|−1|`
+        number if number.names().is_empty() => Left::Name,
+        Expr::Name(name) => match called::may_be_called(model, &name.text, typed) {
+            true => Left::Name,
+            false => Left::Another,
+        },
+        // What is asked may be the sine or the tangent itself.
+        _ if model.quantity.is_none() && model.kind != Kind::Angle && is_ratio_of_angle(expr) => Left::Name,
+        Expr::Call(Function::Abs, inner) if matches!(**inner, Expr::Name(_)) => Left::Name,
+        Expr::Call(Function::Tan, angle) if is_tangent(model.quantity) && names_an_angle(model, angle) => Left::Name,
+        Expr::Call(_, angle) if is_deflection(model.quantity) && matches!(**angle, Expr::Sum(_)) => Left::Name,
+        _ if is_made_of_others(model.quantity, expr) => Left::Name,
+        _ => match unknown(model, expr) {
+            // `v2`: a subscript, or the raised two of another keyboard.
+            Some(equation) if is_name_and_digit(typed) => Left::NameOrPower(equation),
+            Some(equation) => Left::Equation(equation),
+            None => Left::Another,
+        },
+    }
+}
+
+/// The equation that is said without a name, in the one letter of the question that can be what is asked: `2k = 16`.
+pub(super) fn unnamed<'s>(model: &Model, said: &'s Said) -> Option<(Equation, &'s Expr)> {
+    let Form::Equation(Expr::Relation(left, Relation::Equal, right)) = &said.form else { return None };
+    let equation =
+        unknown(model, left).filter(|_| matches!(model.kind, Kind::Number | Kind::Expression | Kind::Angle))?;
+    let is_solved = right.names().iter().all(|name| is_given(model, &name.text));
+    is_solved.then_some((equation, &**right))
+}
+
+fn is_name_and_digit(typed: &str) -> bool {
+    let mut signs = typed.chars();
+    let letter = signs.next().is_some_and(char::is_alphabetic);
+    letter && signs.next().is_some_and(|sign| sign.is_ascii_digit()) && signs.next().is_none()
+}
+
+/// Is the tangent of an angle asked?
+pub(super) fn is_tangent(asked: Option<Quantity>) -> bool {
+    use Quantity::{TOverN, TanDeflection, TanToLine, TanToWall};
+    matches!(asked, Some(TanDeflection(_) | TanToLine(..) | TOverN(..) | TanToWall(..)))
+}
+
+/// The sum or difference of two angles may be the one that is asked.
+fn is_deflection(asked: Option<Quantity>) -> bool {
+    matches!(asked, Some(Quantity::Deflection(_) | Quantity::SignedDeflection(_)))
+}
+
+/// An angle by its letter, which the question has not given, or as a sum of such: `tan β`, `tan(β − α)`.
+fn names_an_angle(model: &Model, angle: &Expr) -> bool {
+    match angle {
+        Expr::Name(name) => !is_given(model, &name.text),
+        Expr::Sum(terms) => terms.len() == 2 && terms.iter().all(|term| matches!(unsigned(term), Expr::Name(_))),
+        _ => false,
+    }
+}
+
+fn unsigned(term: &Expr) -> &Expr {
+    match term {
+        Expr::Negative(inner) => inner,
+        other => other,
+    }
+}
+
+/// A letter of the question in which the value is: of others nobody knows but that they may be what is asked.
+pub(super) fn is_given(model: &Model, name: &str) -> bool {
+    let is_of_value = || model.value.names().iter().any(|own| own.text == name);
+    model.vocabulary.letters.iter().any(|letter| letter.name() == name) && is_of_value()
+}
+
+fn distinct(expr: &Expr) -> Vec<String> {
+    let mut names: Vec<String> = expr.names().iter().map(|name| name.text.clone()).collect();
+    names.sort();
+    names.dedup();
+    names
+}
+
+/// Formulas that say what is asked by other quantities: separation over approach, energy before less energy after.
+fn is_made_of_others(asked: Option<Quantity>, expr: &Expr) -> bool {
+    use Quantity::*;
+    let Some(asked) = asked else { return false };
+    let count = distinct(expr).len();
+    let is_difference = |expr: &Expr| match expr {
+        Expr::Sum(terms) => terms.iter().any(|term| matches!(term, Expr::Negative(_))),
+        _ => false,
+    };
+    let has_difference = |expr: &Expr| is_difference(expr) || expr.children().into_iter().any(is_difference);
+    match (asked, expr) {
+        (Restitution, Expr::Quotient(above, below)) => {
+            let is_of_speeds = |name: &String| name.starts_with(['v', 'u', 'w', 'V', 'x', 'y', 's', 'a']);
+            distinct(above).iter().all(is_of_speeds) && distinct(below).iter().all(is_of_speeds) && count > 1
+        }
+        (FractionLost, Expr::Quotient(above, _)) => is_difference(above),
+        (FractionLost, Expr::Sum(_)) => count > 1 && is_difference(expr),
+        (MassRatio | TanToLine(..) | TOverN(..) | TanToWall(..) | TanDeflection(_), Expr::Quotient(..)) => count > 1,
+        (EnergyLost | SphereEnergyLost(_) | Separation | Approach, _) => count > 1 && has_difference(expr),
+        (Impulse(..) | ImpulseMagnitude, Expr::Sum(_)) => count > 1 && is_difference(expr),
+        (Impulse(..) | ImpulseMagnitude, Expr::Product(_)) => {
+            distinct(expr).iter().any(|name| name.starts_with(['m', 'M'])) && count > 1
+        }
+        (KineticEnergy(..) | TotalEnergy(_), _) => {
+            distinct(expr).iter().any(|name| name.starts_with(['m', 'M'])) && count > 1
+        }
+        (Speed(..), Expr::Call(Function::Sqrt, _)) => count > 1,
+        (Velocity(..), Expr::Product(factors)) => {
+            let is_share = |factor: &Expr| matches!(factor, Expr::Call(Function::Sin | Function::Cos, _));
+            factors.iter().any(is_share) && count > 1
+        }
+        (Deflection(_) | SignedDeflection(_) | AngleBetween(_), Expr::Sum(terms)) => {
+            terms.len() == 2 && terms.iter().all(|term| matches!(unsigned(term), Expr::Name(_)))
+        }
+        _ => false,
+    }
+}
+
+/// The one letter of the expression that the question does not give, if it can be what is asked.
+fn unknown(model: &Model, expr: &Expr) -> Option<Equation> {
+    let own: Vec<String> = distinct(expr).into_iter().filter(|name| !is_given(model, name)).collect();
+    let [unknown] = own.as_slice() else { return None };
+    let is_angle = is_tangent(model.quantity) && has_function(expr);
+    let fits = is_angle || called::may_be_called(model, unknown, unknown);
+    fits.then(|| Equation { left: expr.clone(), unknown: unknown.clone() })
+}
+
+/// `tan β`, `tan²θ`
+fn is_ratio_of_angle(expr: &Expr) -> bool {
+    match expr {
+        Expr::Power(base, _) => is_ratio_of_angle(base),
+        Expr::Call(Function::Sin | Function::Cos | Function::Tan, angle) => !angle.names().is_empty(),
+        _ => false,
+    }
+}
+
+fn has_function(expr: &Expr) -> bool {
+    matches!(expr, Expr::Call(Function::Sin | Function::Cos | Function::Tan, _))
+        || expr.children().into_iter().any(has_function)
+}
+
+/// What is still to be done once an equation is true.
+fn step_left(expr: &Expr, atom: &dyn Fn(&Expr) -> bool) -> Option<Note> {
+    if atom(expr) {
+        return None;
+    }
+    let own = match expr {
+        Expr::Power(..) => Some(Note::SquareLeft),
+        Expr::Call(Function::Sin | Function::Cos | Function::Tan, _) => Some(Note::RatioOfAngle),
+        Expr::Call(..) => Some(Note::Unsolved),
+        _ => None,
+    };
+    let inner = expr.children().into_iter().filter(|child| !child.names().is_empty());
+    match (own, inner.filter_map(|child| step_left(child, atom)).next()) {
+        (Some(_), Some(_)) => Some(Note::Unsolved),
+        (own, inner) => own.or(inner),
+    }
+}
+
+impl Equation {
+    /// Is the equation true of what is asked, and solved but for arithmetic?
+    pub(super) fn judge(&self, model: &Model, said: &Said, one: One) -> Finding {
+        let (left, form, unit) = self.peeled(said);
+        let said = &Said { form, unit, ..said.clone() };
+        if matches!(&left, Expr::Name(_)) {
+            return one(said, None);
+        }
+        let is_atom = |expr: &Expr| match expr {
+            Expr::Name(_) => true,
+            Expr::Call(Function::Tan, angle) if is_tangent(model.quantity) => matches!(**angle, Expr::Name(_)),
+            _ => false,
+        };
+        let right = match model.kind {
+            Kind::Angle => angle::in_turns(model),
+            _ if is_tangent(model.quantity) && has_function(&left) => Expr::call(Function::Atan, model.value.clone()),
+            _ => model.value.clone(),
+        };
+        let of_right = left.substitute(&|name| (name == self.unknown).then(|| right.clone()));
+        let worked_out = model.of_value(of_right);
+        let finding = match (model.kind, &said.form) {
+            (Kind::Vector, _) => vector::judge(&worked_out, said),
+            (Kind::Angle, _) if !has_function(&left) => angle::judge(&worked_out, said, None),
+            (_, Form::Value(value)) => {
+                number::value(&Model { kind: Kind::Number, ..worked_out }, value, &Written::of(value))
+            }
+            _ => Finding::WRONG,
+        };
+        // A sum inside may swallow figures.
+        let swallows = has_sum(&left) && !finding.exact && finding.is_credited();
+        match step_left(&left, &is_atom) {
+            _ if swallows => Finding::unreadable(Note::CannotBeCompared),
+            Some(Note::SquareLeft) => finding.at_most_partial(Note::SquareLeft),
+            Some(note) if finding.is_correct() => Finding::partial(note),
+            Some(_) => Finding::WRONG,
+            None => finding,
+        }
+    }
+
+    /// Signs and sums on the left undone on the right.
+    fn peeled(&self, said: &Said) -> (Expr, Form, Option<SaidUnit>) {
+        let (mut left, mut form, unit) = (self.left.clone(), said.form.clone(), said.unit.clone());
+        let has = |expr: &Expr| expr.names().iter().any(|name| name.text == self.unknown);
+        loop {
+            let next = match (&left, &form) {
+                (Expr::Negative(inner), Form::Value(value)) => Some(((**inner).clone(), value.clone().negated())),
+                (Expr::Sum(terms), Form::Value(value)) => {
+                    let (with, rest): (Vec<&Expr>, Vec<&Expr>) = terms.iter().partition(|term| has(term));
+                    let [one] = with.as_slice() else { break };
+                    Some(((*one).clone(), less(value, Expr::sum(rest.into_iter().cloned()))))
+                }
+                _ => None,
+            };
+            let Some((inner, value)) = next else { break };
+            (left, form) = (inner, Form::Value(value));
+        }
+        (left, form, unit)
+    }
+}
+
+fn has_sum(expr: &Expr) -> bool {
+    matches!(expr, Expr::Sum(_)) || expr.children().into_iter().any(has_sum)
+}
+
+/// One less the other, with the decimal places that both have.
+fn less(value: &Expr, other: Expr) -> Expr {
+    let bare = |expr: &Expr| match expr {
+        Expr::Degrees(inner) => (**inner).clone(),
+        plain => plain.clone(),
+    };
+    let difference = || Expr::sum([value.clone(), other.clone().negated()]);
+    let numbers = Written::of(value).zip(exact::value(&bare(&other), &[]));
+    let Some((written, taken)) = numbers.and_then(|(written, taken)| Some((written, taken.as_fraction()?.clone())))
+    else {
+        return difference();
+    };
+    if !matches!(value, Expr::Decimal(_)) {
+        return Expr::Number(&written.value - &taken);
+    }
+    let of_other = Written::of(&bare(&other)).filter(|_| matches!(bare(&other), Expr::Decimal(_)));
+    let places = of_other.map_or(written.places, |other| other.places.min(written.places));
+    match u32::try_from(places) {
+        Ok(places) => {
+            let rounded = round(&(&written.value - &taken), &Places::DecimalPlaces(places)).to_string();
+            match rounded.strip_prefix('-') {
+                Some(size) => Expr::Decimal(size.to_owned()).negated(),
+                None => Expr::Decimal(rounded),
+            }
+        }
+        Err(_) => difference(),
+    }
+}

@@ -1,0 +1,237 @@
+//! Tables of what stands left of an equals sign.
+
+use super::tests::named;
+use super::typed_tests::{Asked, earn};
+use super::{Model, ModelOptions, judge};
+use crate::answer::Kind;
+use crate::expr::{Angles, Expr, read};
+use crate::mark::reading::read_answer;
+
+const OTHERWISE: &str = "unreadable named-otherwise";
+
+#[test]
+fn an_equation_for_a_speed_must_be_true_of_it() {
+    earn(
+        &Asked("4*sqrt(5)", None, "A.after.speed", None),
+        &[
+            ("v² = 8.94", "wrong"),
+            ("v² = 80", "partial square-not-rooted"),
+            ("v² = 80 = 8.94", "correct"),
+            ("v² = 8.94 = 8.94", "wrong"),
+            ("2v = 8.94", "wrong"),
+            ("2v = 17.9", "correct"),
+            ("v/2 = 4.47", "correct"),
+            ("1/v = 8.94", "wrong"),
+            ("√v = 8.94", "wrong"),
+            ("√v = 2.99", "partial not-solved"),
+            ("v - 1 = 8.94", "wrong"),
+            ("v - 1 = 7.94", "correct"),
+            // The sum swallows the figures.
+            ("v + 1000 = 1009", "wrong too-few-figures"),
+            ("-v = 8.94", "partial sign"),
+            ("v2 = 8.94", "correct"),
+            ("v1 = 8.94", "correct"),
+            ("|v| = 8.94", "correct"),
+            ("V = 8.94", "correct"),
+            ("√(x² + y²) = 8.94", "correct"),
+            ("v + w = 8.94", OTHERWISE),
+            ("v_A/v_B = 8.94", OTHERWISE),
+            ("m v = 8.94", OTHERWISE),
+            ("mv = 8.94", OTHERWISE),
+            ("v + w = 5", "wrong"),
+        ],
+    );
+}
+
+#[test]
+fn a_letter_is_the_name_of_what_the_subject_calls_by_it() {
+    earn(
+        &Asked("4*sqrt(5)", None, "A.after.speed", None),
+        &[("θ = 8.94", OTHERWISE), ("m = 8.94", OTHERWISE), ("E = 8.94", OTHERWISE), ("s = 8.94", "correct")],
+    );
+    earn(
+        &Asked("11/14", None, "e", None),
+        &[
+            ("v = 11/14", OTHERWISE),
+            ("E = 11/14", "correct"),
+            ("k = 11/14", "correct"),
+            ("(w - v)/u = 11/14", "correct"),
+        ],
+    );
+    earn(
+        &Asked("5*m/2", None, "B.mass", None),
+        &[("m = 5m/2", OTHERWISE), ("m_B = 5m/2", "correct"), ("2m_B = 5m", "correct"), ("M = 5m/2", "correct")],
+    );
+    earn(
+        &Asked("24/5", None, "impulse.magnitude", None),
+        &[("v = 4.8", OTHERWISE), ("mI = 4.8", OTHERWISE), ("mv - mu = 4.8", "correct"), ("2I = 9.6", "correct")],
+    );
+    earn(
+        &Asked("4*i - 29/20*j", Some(Kind::Vector), "A.after.x", None),
+        &[
+            ("2v = 4i - 1.45j", "wrong"),
+            ("2v = 8i - 2.9j", "correct"),
+            ("v_A - u_A = 4i - 1.45j", OTHERWISE),
+            ("I = 4i - 1.45j", OTHERWISE),
+        ],
+    );
+}
+
+#[test]
+fn an_equation_for_the_coefficient_of_restitution_is_solved() {
+    earn(
+        &Asked("11/14", None, "e", None),
+        &[
+            ("e² = 11/14", "wrong"),
+            ("e² = 121/196", "partial square-not-rooted"),
+            ("1/e = 14/11", "correct"),
+            ("1/e = 11/14", "wrong inverted"),
+            ("14e = 11", "correct"),
+            ("2(1 - e) = 3/7", "correct"),
+            ("1 - e = 11/14", "wrong"),
+            ("1 - e = 3/14", "correct"),
+            ("1 - e = 0.21", "partial under-accurate"),
+        ],
+    );
+}
+
+#[test]
+fn an_equation_for_an_angle_or_its_tangent_is_true_of_it() {
+    earn(
+        &Asked("atan(2)/deg", Some(Kind::Angle), "A.after.angle_to_loc_deg", None),
+        &[
+            ("2θ = 63.4", "wrong"),
+            ("2θ = 126.9", "correct"),
+            ("90 - θ = 63.4", "wrong complement"),
+            ("90 - θ = 26.6", "correct"),
+            ("90° - θ = 26.6°", "correct"),
+            ("θ - α = 63.4", OTHERWISE),
+            ("v = 63.4", OTHERWISE),
+            ("bearing 063.4", OTHERWISE),
+            ("turned through 63.4°", OTHERWISE),
+            ("angle of deflection = 63.4°", OTHERWISE),
+            ("α = 63.4", "correct"),
+            ("tan θ = 2", "partial angle-not-evaluated"),
+            ("cot θ = 1/2", "partial angle-not-evaluated"),
+            ("tan 2θ = 2", "wrong"),
+            ("sin²θ = 4/5", "partial not-solved"),
+        ],
+    );
+    earn(
+        &Asked("12/71", None, "A.tan_deflection", None),
+        &[
+            ("tan θ = 12/71", "correct"),
+            ("tan(β - α) = 12/71", "correct"),
+            ("θ = 12/71", OTHERWISE),
+            ("sin θ = 12/71", "wrong"),
+            ("tan²θ = 12/71", "wrong"),
+            ("tan 2θ = 12/71", "wrong"),
+            ("tan(θ/2) = 12/71", "wrong"),
+            ("cot θ = 71/12", "correct"),
+            ("2tan θ = 24/71", "correct"),
+        ],
+    );
+    earn(
+        &Asked("e*tan(alpha)", None, "A.after.tan_to_wall", None),
+        &[
+            ("tan γ = e tan α", "correct"),
+            ("tan α = e tan α", OTHERWISE),
+            ("β = arctan(e tan α)", "partial angle-for-tangent"),
+        ],
+    );
+    earn(&Asked("8", None, "", None), &[("k = 8", "correct"), ("2k = 16", "correct"), ("k/2 = 8", "wrong")]);
+}
+
+#[test]
+fn words_name_what_is_lost_or_what_there_is() {
+    earn(
+        &Asked("30", None, "ke.lost", None),
+        &[
+            ("KE after = 30", OTHERWISE),
+            ("KE before = 30", OTHERWISE),
+            ("final KE = 30 J", OTHERWISE),
+            ("½KE = 30", OTHERWISE),
+            ("-KE lost = 30", OTHERWISE),
+            ("2E = 30", "wrong"),
+            ("KE before - KE after = 30", "correct"),
+            ("E_1 - E_2 = 30", "correct"),
+            ("KE lost = 30", "correct"),
+            ("ΔKE = 30", "correct"),
+            ("energy = 30", "correct"),
+            ("30 J gained", "partial sign"),
+            ("30 J is left", OTHERWISE),
+        ],
+    );
+    earn(
+        &Asked("4/9", None, "ke.fraction_lost", None),
+        &[
+            ("fraction left = 4/9", OTHERWISE),
+            ("KE after/KE before = 4/9", OTHERWISE),
+            ("1 - x = 4/9", "wrong"),
+            ("KE lost/KE before = 4/9", "correct"),
+            ("fraction of initial KE = 4/9", "correct"),
+        ],
+    );
+    earn(
+        &Asked("4*sqrt(5)", None, "A.after.speed", None),
+        &[
+            ("speed of A before = 8.94", OTHERWISE),
+            ("8.94 before the collision", OTHERWISE),
+            ("8.94, the same as before", "correct"),
+            ("final speed of A = 8.94", "correct"),
+            ("component of the velocity of A = 8.94", OTHERWISE),
+            ("A: 4√5 = 8.94", "correct"),
+        ],
+    );
+}
+
+#[test]
+fn words_that_turn_a_component_are_for_a_person() {
+    const UNCHECKED: &str = "unreadable direction-unchecked";
+    earn(
+        &Asked("241/100", None, "A.after.n", Some(false)),
+        &[
+            ("2.41 left", UNCHECKED),
+            ("A rebounds with 2.41", UNCHECKED),
+            ("2.41 perpendicular", UNCHECKED),
+            ("2.41 right", "correct"),
+        ],
+    );
+    earn(
+        &Asked("4*i - 29/20*j", Some(Kind::Vector), "A.after.x", None),
+        &[("4.25 m/s at 19.9° below i", UNCHECKED), ("5 m/s at 19.9° below i", "wrong")],
+    );
+    earn(
+        &Asked("i - j", Some(Kind::Line), "", None),
+        &[("at 45° below i", "unreadable cannot-be-compared"), ("at 30° below i", "wrong")],
+    );
+}
+
+#[test]
+fn what_is_known_of_the_impact_is_held_against_the_words() {
+    let asked = |right: &str, quantity: &str| {
+        Model::read(right, &ModelOptions { quantity: quantity.parse().ok(), ..ModelOptions::default() }).unwrap()
+    };
+    let earns = |model: &Model, typed: &str| named(&judge(model, &read_answer(typed, &model.vocabulary)));
+    let of_both = Model { is_of_both: true, ..asked("30", "ke.lost") };
+    for (typed, expected) in
+        [("KE lost by A = 30", OTHERWISE), ("KE lost by A and B = 30", "correct"), ("30", "correct")]
+    {
+        assert_eq!(earns(&of_both, typed), expected, "{typed}");
+    }
+    assert_eq!(earns(&asked("30", "ke.lost"), "KE lost by A = 30"), "correct");
+    const UNCHECKED: &str = "partial direction-unchecked";
+    let along = Model { path: Some(Expr::integer(0)), ..asked("5", "B.after.speed") };
+    let slanting = Model { path: read("atan(2)", Angles::Radians).ok(), ..asked("5", "B.after.speed") };
+    for (typed, of_along, of_slanting) in [
+        ("5 along the line of centres", "correct", UNCHECKED),
+        ("5 perpendicular to the line of centres", UNCHECKED, UNCHECKED),
+        ("5 at 63.4° to the line of centres", UNCHECKED, "correct"),
+        ("5 at 26.6° to the common tangent", UNCHECKED, "correct"),
+        ("5 at 60° to the line of centres", UNCHECKED, UNCHECKED),
+        ("5 m/s", "correct", "correct"),
+    ] {
+        assert_eq!(earns(&along, typed), of_along, "{typed}");
+        assert_eq!(earns(&slanting, typed), of_slanting, "{typed}");
+    }
+}

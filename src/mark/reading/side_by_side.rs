@@ -1,0 +1,113 @@
+//! Statements with nothing but a blank between them: `v = 4 w = 6`, `A = 3 B = 5`.
+
+use super::choices::Doubt;
+use super::names;
+use super::phrases::Phrase;
+use super::statements::Statements;
+use super::tokens::{Placed, Token};
+use super::units::{is_unit_word, unit};
+
+impl Statements<'_> {
+    /// Where the second of two statements begins: at a name, with a blank before it, between a value and an equals sign.
+    ///
+    /// A name that the question does not have can be no factor of the value before it. One that it has may be; then it is
+    /// read as a name if numbers stand on both sides, and otherwise in a further reading.
+    pub(super) fn next_statement(&mut self, tokens: &[Placed]) -> Option<usize> {
+        let equals = outer_equals(tokens);
+        let first = *equals.first()?;
+        if !is_label(&tokens[..first]) {
+            return None;
+        }
+        for pair in equals.windows(2) {
+            let (value, after) = (&tokens[pair[0] + 1..pair[1]], &tokens[pair[1] + 1..]);
+            let words = value.iter().rev().take_while(|placed| is_word(placed)).count();
+            let is_named = value[value.len() - words..]
+                .iter()
+                .any(|placed| matches!(placed.token, Token::Phrase(Phrase::Sphere | Phrase::Noun)) && placed.spaced);
+            let (name, is_known) = match value {
+                _ if words > 0 && words < value.len() && is_named => (words, false),
+                [_, .., last] if last.spaced => match &last.token {
+                    Token::Word(name) if !is_unit_word(name) => match names::letter(name, self.vocabulary).is_some() {
+                        false if names::is_made_of_letters(name, self.vocabulary) => continue,
+                        is_known => (1, is_known),
+                    },
+                    Token::Greek(name) => (1, names::letter(name, self.vocabulary).is_some()),
+                    _ => continue,
+                },
+                _ => continue,
+            };
+            let value = &value[..value.len() - name];
+            let at = pair[1] - name;
+            let may_be_product = is_known
+                && (!self.is_of_figures(value)
+                    || !after.first().is_some_and(|first| self.is_figure(first))
+                    || self.choices.otherwise(Doubt::SideBySide, tokens[at].start));
+            if self.ends_a_value(value) && !may_be_product {
+                return Some(at);
+            }
+        }
+        None
+    }
+
+    /// Is it a number or a vector in numbers, with its unit or without?
+    fn is_of_figures(&self, value: &[Placed]) -> bool {
+        let unit = (1..value.len()).find(|at| unit(value, *at, self.text).is_some_and(|(_, end)| end == value.len()));
+        let unit =
+            unit.filter(|at| !matches!(&value[*at..], [Placed { token: Token::Word(word), .. }] if word.len() == 1));
+        value[..unit.unwrap_or(value.len())].iter().all(|placed| self.is_figure(placed))
+    }
+
+    fn is_figure(&self, placed: &Placed) -> bool {
+        match &placed.token {
+            Token::Number(_) | Token::Root { .. } => true,
+            Token::Sign(sign) => matches!(sign, '-' | '+' | '/' | '(' | ')' | '°' | '⟦' | '⟧'),
+            Token::Word(word) => self.vocabulary.vectors && matches!(word.as_str(), "i" | "j"),
+            _ => false,
+        }
+    }
+
+    /// Does a value end here, so that what follows is no argument of a function and no operand?
+    fn ends_a_value(&self, tokens: &[Placed]) -> bool {
+        match tokens.last().map(|last| &last.token) {
+            Some(Token::Number(_) | Token::Sign(')' | ']' | '°' | '%' | '⟧')) => true,
+            Some(Token::Phrase(Phrase::Line(_) | Phrase::Rest)) => true,
+            Some(Token::Greek(name)) => names::letter(name, self.vocabulary).is_some(),
+            Some(Token::Word(word)) => {
+                is_unit_word(word)
+                    || names::letter(word, self.vocabulary).is_some()
+                    || (self.vocabulary.vectors && matches!(word.as_str(), "i" | "j"))
+            }
+            _ => false,
+        }
+    }
+}
+
+/// The places of the equals signs outside brackets; none where other relations stand among them.
+fn outer_equals(tokens: &[Placed]) -> Vec<usize> {
+    let mut depth = 0_usize;
+    let mut found = Vec::new();
+    for (at, placed) in tokens.iter().enumerate() {
+        match placed.token {
+            Token::Sign('(' | '[' | '{' | '⟦') => depth += 1,
+            Token::Sign(')' | ']' | '}' | '⟧') => depth = depth.saturating_sub(1),
+            Token::Sign('=') if depth == 0 => found.push(at),
+            _ => {}
+        }
+    }
+    found
+}
+
+/// A name and nothing else, or its power, sine or tangent: `v`, `v²`, `tan θ`.
+fn is_label(tokens: &[Placed]) -> bool {
+    let is_name = |placed: &Placed| matches!(placed.token, Token::Word(_) | Token::Greek(_));
+    let is_figure = |placed: &Placed| matches!(placed.token, Token::Number(_) | Token::Sign('^' | '⟦' | '⟧'));
+    match tokens {
+        [] => false,
+        [first, rest @ ..] if is_name(first) => rest.iter().all(|placed| is_name(placed) || is_figure(placed)),
+        words => words.iter().all(is_word),
+    }
+}
+
+fn is_word(placed: &Placed) -> bool {
+    matches!(placed.token, Token::Phrase(Phrase::Sphere | Phrase::Noun | Phrase::Remark | Phrase::Joiner))
+}
