@@ -223,7 +223,13 @@ fn change_of_speed<N: Number>(known: &Known<N>, sphere: Sphere) -> Option<N> {
 
 /// What earns the mark for accuracy.
 pub fn earning(rule: &Rule, show: &Show) -> Option<Expr> {
-    first_equation(&lines(rule, show))
+    let lines = lines(rule, show);
+    // In terms of a letter that is to be found the velocity itself is what the next step needs.
+    let is_open = rule.gives.iter().any(|quantity| !show.exact(*quantity).is_constant());
+    match rule.form {
+        AFTER_GIVEN if is_open => lines.last().and_then(|line| line.equations.last().cloned()),
+        _ => first_equation(&lines),
+    }
 }
 
 pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
@@ -281,5 +287,6 @@ fn size(show: &Show, vector: Option<[Value; 2]>) -> Vec<Line> {
     });
     let mut equations = Show::chain(left.clone(), root.into_iter().chain([written(&value)]));
     equations.extend(Show::approximately(&left, &value));
-    vec![Line::plain("So the magnitude of the impulse, in newton seconds, is", equations)]
+    let words = format!("So the magnitude of the impulse{} is", show.in_units(&value, "newton seconds"));
+    vec![Line::plain(&words, equations)]
 }
