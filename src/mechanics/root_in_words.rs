@@ -47,6 +47,9 @@ fn with_value(letter: Letter, value: &Value, square: Option<Expr>) -> Vec<Expr> 
     if !acute || value.is_constant() || equations.is_empty() {
         equations.push(Expr::equation(base(letter), written(value)));
     }
+    if !acute {
+        equations.extend(Show::approximately(&name, value));
+    }
     if let Some(angle) = Angle::of(value, &Value::ONE).filter(|_| acute && value.is_constant()) {
         equations.push(Expr::equation(name.clone(), written_angle(&angle)));
         equations.extend(Show::approximate_angle(&name, &angle));
@@ -157,7 +160,7 @@ mod tests {
         for (range, coefficients, value, under_root, expected) in [
             (Range::Positive, [-6, 3, 0], two(), false, "So x = 2"),
             (Range::Positive, [-4, 0, 1], two(), false, "So x² = 4; x = 2"),
-            (Range::Positive, [-3, 0, 1], Value::from(3).square_root().unwrap(), false, "So x² = 3; x = √3"),
+            (Range::Positive, [-3, 0, 1], Value::from(3).square_root().unwrap(), false, "So x² = 3; x = √3; x ≈ 1.73"),
             (
                 Range::Positive,
                 [-6, 1, 1],

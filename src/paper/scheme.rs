@@ -9,7 +9,7 @@ use crate::answer::Kind;
 use crate::bank::{Answer, Code, EarnedFor, Find, Mark};
 use crate::expr::{Expr, Piece, Text, read_markup, written};
 use crate::generate::Variant;
-use crate::mechanics::{Axis, Derivation, Known, Law, Moment, Quantity, Rule, Scene, Setting, Show, Sphere, pose};
+use crate::mechanics::{Axis, Derivation, Known, Moment, Quantity, Rule, Scene, Setting, Show, Sphere, pose};
 use crate::number::{Places, Value};
 use crate::unit::Unit;
 
@@ -137,7 +137,7 @@ fn equations(
         EarnedFor::Unknown(name) => one(unknown(name, here, variant, with_units)),
         EarnedFor::Condition => (here.condition().into_iter().collect(), None),
         // What solving comes to stands in the next row.
-        EarnedFor::Law(Law::Solve, _) => Default::default(),
+        EarnedFor::Law(law, _) if law.only_solves() => Default::default(),
         _ if mark.code.is_method() && has_accuracy(place, marks) => Default::default(),
         step => (law_equations(step, count_before(place, marks), mark.code, worked), None),
     }
@@ -178,7 +178,7 @@ fn law_equations(step: &EarnedFor, before: usize, code: Code, worked: &[WorkedPa
         };
         let found = Some(of_step(&part.behind)).filter(|found| !found.is_empty());
         let found = found.unwrap_or_else(|| of_step(&part.steps));
-        let of_all = matches!(step, EarnedFor::Law(Law::Resolve | Law::Perpendicular, _)) && before == 0;
+        let of_all = matches!(step, EarnedFor::Law(law, _) if law.is_of_components()) && before == 0;
         if of_all && (code == Code::B1 || code.is_accuracy()) && !found.is_empty() {
             return found.concat();
         }

@@ -272,9 +272,11 @@ fn of_given(show: &Show, sphere: Sphere, moment: Moment) -> Vec<Line> {
         false => times(show.mass(sphere), show.vector(sphere, of)),
     };
     let equation = Expr::equation(impulse, difference(momentum(After), momentum(Before)));
-    let found = Expr::equation(Expr::name(show.vector_letter(sphere, moment)), show.vector(sphere, moment));
+    let name = Expr::name(show.vector_letter(sphere, moment));
+    let mut equations = vec![equation, Expr::equation(name.clone(), show.vector(sphere, moment))];
+    equations.extend(show.approximate_velocity(&name, sphere, moment));
     let words = "The impulse on {A} is its change of momentum:";
-    vec![Line::with(words, &[("A", Expr::name(sphere.name()))], vec![equation, found])]
+    vec![Line::with(words, &[("A", Expr::name(sphere.name()))], equations)]
 }
 
 /// The magnitude, of a vector by Pythagoras, with its decimal.

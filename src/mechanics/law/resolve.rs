@@ -148,9 +148,10 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
             if !show.along_an_axis() {
                 return vec![recombined(show, sphere, moment)];
             }
+            let stated = show.approximate_velocity(&vector, sphere, moment).unwrap_or(vector);
             vec![Line::with(
                 "So the velocity of {A} after the impact is {v m/s}.",
-                &[("A", Expr::name(sphere.name())), ("v", vector)],
+                &[("A", Expr::name(sphere.name())), ("v", stated)],
                 vec![],
             )]
         }
@@ -207,7 +208,9 @@ fn recombined(show: &Show, sphere: Sphere, moment: Moment) -> Line {
     let name = Expr::name(show.vector_letter(sphere, moment));
     let unit = show.in_units(&show.exact(velocity(sphere, moment, X)), "metres per second");
     let words = format!("So the velocity of {{A}} {moment} the impact{unit} is");
-    Line::with(&words, &[("A", Expr::name(sphere.name()))], Show::chain(name, [sum, show.vector(sphere, moment)]))
+    let mut equations = Show::chain(name.clone(), [sum, show.vector(sphere, moment)]);
+    equations.extend(show.approximate_velocity(&name, sphere, moment));
+    Line::with(&words, &[("A", Expr::name(sphere.name()))], equations)
 }
 
 /// `u cos α` and `u sin α` for a sphere that strikes one at rest.

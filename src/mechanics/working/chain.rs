@@ -2,13 +2,14 @@
 
 use super::Show;
 use crate::expr::{Expr, Relation, print, written, written_angle};
+use crate::mechanics::{Axis, Moment, Quantity, Sphere};
 use crate::number::{Angle, Fraction, Letter, Places, Value};
 
 /// The most signs of a value that stands as it is in a longer formula.
 const LONG: usize = 16;
 
 /// A fraction with a smaller denominator is as good as its decimal.
-const SMALL: i64 = 20;
+const SMALL: i64 = 10;
 
 impl Show<'_> {
     /// Equations with one left side.
@@ -53,6 +54,18 @@ impl Show<'_> {
     pub fn stated(value: &Value) -> Expr {
         let exact = written(value);
         Show::approximately(&exact, value).unwrap_or(exact)
+    }
+
+    /// The same of a velocity, along i and j.
+    pub fn approximate_velocity(&self, left: &Expr, sphere: Sphere, moment: Moment) -> Option<Expr> {
+        let values = [Axis::X, Axis::Y].map(|axis| self.exact(Quantity::Velocity(sphere, moment, axis)));
+        let rounded = |value: &Value| match Show::approximately(left, value) {
+            Some(Expr::Relation(_, _, decimal)) => (decimal, true),
+            _ => (Box::new(written(value)), false),
+        };
+        let [(x, one), (y, other)] = [&values[0], &values[1]].map(rounded);
+        let vector = Box::new(Expr::Vector(x, y));
+        (one || other).then(|| Expr::Relation(Box::new(left.clone()), Relation::Approximately, vector))
     }
 
     /// Does it hold sines and cosines of given degrees, which nobody can picture?
