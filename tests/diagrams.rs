@@ -14,7 +14,7 @@ fn scene(text: &Json) -> Scene {
 
 fn drawn(text: &Json, vectors: bool) -> Vec<Diagram> {
     let scene = scene(text);
-    let manner = Manner { vectors, with_units: &[] };
+    let manner = Manner { vectors, with_units: &[], angles: &[] };
     given(&scene, manner).into_iter().chain(solution(&scene, manner)).collect()
 }
 
@@ -301,7 +301,7 @@ fn a_question_shows_what_is_given_and_nothing_else() {
         (backwards, true, &[]),
     ];
     for (text, vectors, expected) in cases {
-        let figures = given(&scene(&text), Manner { vectors, with_units: &[] });
+        let figures = given(&scene(&text), Manner { vectors, with_units: &[], angles: &[] });
         let shown: Vec<String> = figures.iter().flat_map(labels).collect();
         assert_eq!(shown, expected, "{text}");
     }
@@ -329,7 +329,7 @@ fn the_words_of_a_figure_tell_all_that_is_written_in_it() {
     }
     let [figure] = &given(
         &scene(&impact(polar("6", 30), json!(["0", "0"]), ["1", "0"])),
-        Manner { vectors: false, with_units: &[] },
+        Manner { vectors: false, with_units: &[], angles: &[] },
     )[..] else {
         panic!("one figure")
     };

@@ -1,8 +1,8 @@
 //! Worked solutions as they are read: an equation has a number because a later line refers to it.
 
-use carom::bank::{Bank, Question};
+use carom::bank::{Bank, EarnedFor, Question};
 use carom::diagnostic::render_all;
-use carom::expr::{Expr, print};
+use carom::expr::{Expr, Relation, print};
 use carom::generate::{Deal, Variant, reference};
 use carom::paper::{PrintedQuestion, compose};
 
@@ -51,6 +51,31 @@ fn idle(printed: &PrintedQuestion) -> Vec<String> {
     equations.filter(both).map(|equation| format!("`{}` says nothing", print::unicode(equation))).collect()
 }
 
+/// Chains that go on as if exact after they were rounded, and rows of the mark scheme with a value that is not there.
+fn gaps(question: &Question, printed: &PrintedQuestion) -> Vec<String> {
+    let mut gaps = Vec::new();
+    for line in printed.parts.iter().flat_map(|part| &part.working) {
+        for pair in line.equations.windows(2) {
+            if let [Expr::Relation(left, Relation::Approximately, _), Expr::Relation(next, Relation::Equal, right)] =
+                pair
+                && left == next
+            {
+                gaps.push(format!("`= {}` follows what is rounded", print::unicode(right)));
+            }
+        }
+    }
+    for (part, printed) in question.parts.iter().zip(&printed.parts) {
+        for (mark, row) in part.marks.iter().zip(&printed.scheme) {
+            let has_value = !matches!(mark.earned_for, EarnedFor::Law(..));
+            let note = print::text_unicode(&row.note);
+            if has_value && row.equation.is_none() && !note.contains("awrt") {
+                gaps.push(format!("`{}` for {} has no value", row.id, mark.earned_for));
+            }
+        }
+    }
+    gaps
+}
+
 #[test]
 fn every_numbered_equation_is_referred_to_and_every_reference_has_its_equation() {
     let bank = Bank::shipped().unwrap_or_else(|faults| panic!("{}", render_all(&faults, false)));
@@ -59,7 +84,13 @@ fn every_numbered_equation_is_referred_to_and_every_reference_has_its_equation()
         let printed = compose(question, variant, 1);
         numbered += printed.parts.iter().flat_map(|part| &part.working).filter(|line| line.label.is_some()).count();
         let name = format!("{} {} {:?}", question.id, variant.style.name(), variant.index);
-        complaints.extend(faults(&printed).into_iter().chain(idle(&printed)).map(|fault| format!("{name}: {fault}")));
+        complaints.extend(
+            faults(&printed)
+                .into_iter()
+                .chain(idle(&printed))
+                .chain(gaps(question, &printed))
+                .map(|fault| format!("{name}: {fault}")),
+        );
     };
     for question in &bank.questions {
         read(question, &reference(question).unwrap_or_else(|_| panic!("{}", question.id)));
@@ -126,7 +157,47 @@ fn after_a_wall_the_mark_scheme_and_the_working_have_the_component_away_from_it(
     let worked = part.working.iter().flat_map(|line| &line.equations).map(print::plain);
     assert!(worked.into_iter().any(|equation| equation.ends_with("= 6")));
     let rows: Vec<String> = part.scheme.iter().filter_map(|row| row.equation.as_ref()).map(print::plain).collect();
-    assert_eq!(rows, ["x = 6", "30"]);
+    assert_eq!(rows, ["x = (2/3)*9", "x = 6", "I = 2*(-6 - 9)", "30"]);
+    let note =
+        print::text_unicode(&with_reference_numbers("walls/rebound-speed-and-direction").parts[0].scheme[2].note);
+    assert!(!note.contains('−'), "{note}");
+}
+
+/// The lines of a part, one under the other, words and equations.
+fn told(printed: &PrintedQuestion, part: usize) -> String {
+    let lines = printed.parts[part].working.iter();
+    let line = |line: &carom::paper::WorkingLine| {
+        let words = std::iter::once(print::text_unicode(&line.words));
+        words.chain(line.equations.iter().map(print::unicode)).collect::<Vec<_>>()
+    };
+    lines.flat_map(line).collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn a_letter_is_found_in_steps_that_can_be_followed_and_put_in() {
+    let printed = with_reference_numbers("vector-impulse/mass-from-the-speed-after");
+    let found = told(&printed, 0);
+    for step in ["Squaring both sides and collecting terms:", "m² ", " = 0\n(", " or m = −", "and m is positive:\nm = "]
+    {
+        assert!(found.contains(step), "`{step}` is not in\n{found}");
+    }
+    let put_in = told(&printed, 1);
+    assert!(put_in.starts_with("With m = "), "{put_in}");
+    assert!(!put_in.contains("impulse"), "{put_in}");
+}
+
+#[test]
+fn the_greatest_deflection_is_found_by_a_derivative_and_not_by_solving_the_impact_twice() {
+    let told = told(&with_reference_numbers("deflection/elastic"), 0);
+    assert!(told.contains("d tan δ/(d tan α) = "), "{told}");
+    assert_eq!(told.matches("Newton's law").count(), 1, "{told}");
+    assert!(told.contains("With α = 30°,"), "{told}");
+}
+
+#[test]
+fn what_is_to_be_shown_ends_the_working() {
+    let told = told(&with_reference_numbers("rest-letters/turned-through-a-right-angle"), 0);
+    assert!(told.ends_with("as required.") && !told.contains('≈'), "{told}");
 }
 
 #[test]

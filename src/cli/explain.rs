@@ -209,6 +209,7 @@ fn example(printed: &PrintedQuestion) -> String {
                 words: line.words.clone(),
                 equations: line.equations.clone(),
                 numbered: line.label.is_some(),
+                of_condition: false,
             })
             .collect();
         text.push_str(&worked(&lines));

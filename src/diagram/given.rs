@@ -161,12 +161,12 @@ impl Given<'_> {
                 Setting::Wall => Angle::acute(&along, &across)?,
                 _ => Angle::acute(&across, &along)?,
             };
-            let angle = written_angle(&angle);
+            let (name, angle) = (self.manner.angle(&angle), written_angle(&angle));
             let slants = !across.is_zero() && (self.scene.setting != Setting::Wall || !along.is_zero());
             match speed(velocity, &x, &y, &angle) {
                 Some(speed) => {
                     let label = self.manner.quantity(&speed, Unit::MetrePerSecond);
-                    vec![motion(label, Some(formula(angle)).filter(|_| slants))]
+                    vec![motion(label, Some(formula(name)).filter(|_| slants))]
                 }
                 None => {
                     let motions =

@@ -30,7 +30,8 @@ pub use solution::solution;
 pub use svg::svg;
 pub use tikz::tikz;
 
-use crate::expr::{Expr, Piece, Text};
+use crate::expr::{Expr, Piece, Text, written_angle};
+use crate::number::{Angle, Value};
 use crate::unit::Unit;
 
 /// One picture of a question or of its solution.
@@ -51,9 +52,18 @@ pub struct Manner<'a> {
     pub vectors: bool,
     /// The letters that the words give with a unit, such as `m` in 'a mass of 3m kg'.
     pub with_units: &'a [String],
+    /// The angles that the words name by a letter, each with its tangent: 'where tan α = 2'.
+    pub angles: &'a [(Expr, Value)],
 }
 
 impl Manner<'_> {
+    /// An angle by the letter that the words have for it, or as it is written.
+    fn angle(self, angle: &Angle) -> Expr {
+        let is_it = |tangent: &Value| (angle.y() - &(tangent * angle.x())).is_zero();
+        let named = self.angles.iter().find(|(_, tangent)| is_it(tangent));
+        named.map_or_else(|| written_angle(angle), |(name, _)| name.clone())
+    }
+
     /// A value with its unit, where its letters have one.
     fn quantity(self, value: &Expr, unit: Unit) -> Text {
         let has_unit = value

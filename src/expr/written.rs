@@ -37,7 +37,13 @@ pub fn written(value: &Value) -> Expr {
     };
     // A denominator known to be negative, such as e - 1, is turned round.
     let below_value = Value::quotient(below.clone(), Polynomial::one());
-    let turned = below_value.sign().is_some_and(|sign| sign.is_lt());
+    // And so is one that takes the minus before the whole away: `8/(3 - 5e)` for `-8/(5e - 3)`.
+    let signs: Vec<bool> = below.terms().iter().map(|(_, number)| number.sign().is_lt()).collect();
+    let is_difference = signs.contains(&true) && signs.contains(&false);
+    let turned = match below_value.sign() {
+        Some(sign) => sign.is_lt(),
+        None => is_difference && scale.sign().is_lt(),
+    };
     let below = if turned { -&below } else { below };
     let negative = scale.sign().is_lt() != turned;
     let scale = scale.abs();

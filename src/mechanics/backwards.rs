@@ -7,12 +7,13 @@
 use std::cmp::Ordering;
 
 use super::condition::{fault, name_of, put_back, residual, vanishes};
-use super::conditions_in_words::{condition_line, found_line, no_roots};
+use super::conditions_in_words::{condition_line, no_roots};
 use super::extreme;
 use super::law::Known;
 use super::line::Line;
 use super::range::{self, Values};
 use super::refusal::Refusal;
+use super::root_in_words;
 use super::scene::{Condition, Scene};
 use super::scene_reader::meaning;
 use super::unknowns::{mentions, substituted, with_letters};
@@ -169,6 +170,20 @@ impl<'a> Posed<'a> {
         solve_system(&equations, unknowns).map_err(no_roots)
     }
 
+    /// The one equation for the one unknown, where there is no other.
+    fn equation(&self) -> Option<Value> {
+        let [unknown] = self.scene.unknowns.as_slice() else { return None };
+        if let Some(quantity) = self.scene.maximise {
+            return self.slope(quantity);
+        }
+        let letters = |name: &str| meaning(&self.scene.letters, name);
+        let gap = |condition| residual(condition, &letters, &self.known).ok().map(|gap| gap.value);
+        let conditions: Option<Vec<Value>> = self.scene.conditions.iter().map(gap).collect();
+        let mut open: Vec<Value> = conditions?.into_iter().chain(self.broken_laws()).collect();
+        open.retain(|value| value.letters().contains(unknown));
+        open.pop().filter(|_| open.is_empty())
+    }
+
     /// What the laws demand beyond the derivation, where more is given than it needs.
     fn broken_laws(&self) -> Vec<Value> {
         broken_laws(&self.known).into_iter().map(|(_, difference)| difference).collect()
@@ -237,10 +252,12 @@ impl<'a> Posed<'a> {
         }
         if let Some(quantity) = self.scene.maximise {
             let values: Vec<Value> = values.iter().map(|(_, value)| value.clone()).collect();
-            lines.push(self.largest_line(quantity, &values));
+            let largest = self.largest_lines(quantity, &values).into_iter();
+            lines.extend(largest.map(|line| Line { of_condition: true, ..line }));
         }
+        let equation = self.equation();
         for (letter, value) in values {
-            lines.push(found_line(*letter, value));
+            lines.extend(root_in_words::lines(equation.as_ref(), *letter, value));
         }
         lines.into_iter().map(Line::with_masses_in_symbols).collect()
     }

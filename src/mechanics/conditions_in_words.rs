@@ -4,10 +4,9 @@ use super::Line;
 use super::later;
 use super::refusal::Refusal;
 use super::scene::{Condition, Scene};
-use super::working::Show;
 use super::{Axis, Moment, Quantity, Setting, Sphere};
-use crate::expr::{Expr, Relation, written, written_angle};
-use crate::number::{Angle, Letter, NoRoots, Range, Value};
+use crate::expr::{Expr, Relation};
+use crate::number::NoRoots;
 
 /// The condition as a teacher says it.
 pub(super) fn condition_line(condition: &Condition, scene: &Scene) -> Line {
@@ -202,29 +201,6 @@ pub(super) fn without_markup(words: &str) -> String {
     words.replace(['*', '{', '}'], "")
 }
 
-/// `tan² θ = (2e - 1)/3` where the unknown is a root, then the unknown itself.
-pub(super) fn found_line(letter: Letter, value: &Value) -> Line {
-    use crate::expr::Function;
-    let name = Expr::name(letter.name().replace("A.mass", "m_A").replace("B.mass", "m_B"));
-    let acute = letter.range() == Range::Acute;
-    let base = if acute { Expr::call(Function::Tan, name.clone()) } else { name.clone() };
-    let mut equations = Vec::new();
-    let square = value * value;
-    if value.as_fraction().is_none() && square.roots().is_empty() {
-        equations.push(Expr::equation(base.clone().to_the(2), written(&square)));
-    }
-    if acute && value.is_constant() {
-        equations.push(Expr::equation(base, written(value)));
-        if let Some(angle) = Angle::of(value, &Value::ONE) {
-            equations.push(Expr::equation(name.clone(), written_angle(&angle)));
-            equations.extend(Show::approximate_angle(&name, &angle));
-        }
-    } else if !acute || equations.is_empty() {
-        equations.push(Expr::equation(base, written(value)));
-    }
-    Line::plain("Solving for the unknown:", equations)
-}
-
 /// What must be so for something to happen, and the same in the unknown.
 pub(super) fn inequality_words(condition: &Condition, inequality: Expr, scene: &Scene) -> Line {
     let to_nought = condition.right.is_zero();
@@ -241,9 +217,24 @@ pub(super) fn inequality_words(condition: &Condition, inequality: Expr, scene: &
     };
     let (subject, other) = (said(&condition.left, "{l}"), said(&condition.right, "{r}"));
     let short = to_nought && matches!(condition.relation, Relation::Less | Relation::Greater);
-    let words = if short { format!("For this {subject} {must}") } else { format!("For this {subject} {must} {other}") };
+    // Two velocities in one line are compared with their signs.
+    let is_velocity = |side: &Expr| {
+        quantity_of(side).is_some_and(|quantity| matches!(quantity.of_its_impact(), Quantity::Velocity(..)))
+    };
+    let signs = if scene.setting == Setting::Direct && is_velocity(&condition.left) && is_velocity(&condition.right) {
+        ", both positive from *A* towards *B*"
+    } else {
+        ""
+    };
+    let subject = capitalised(&subject);
+    let words = if short { format!("{subject} {must}") } else { format!("{subject} {must} {other}{signs}") };
     let formulas = [("r", &condition.right), ("l", &condition.left)];
     Symbols::of(condition, scene).line(&words, ":", &formulas, vec![inequality]).said_of(scene.setting)
+}
+
+fn capitalised(words: &str) -> String {
+    let mut letters = words.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 /// Why a system was not solved, in words.

@@ -4,12 +4,17 @@ use std::cmp::Ordering;
 
 use super::backwards::{Found, MOST_SHOWN, Posed};
 use super::conditions_in_words::{in_english, no_roots, without_markup};
+use super::formula::{difference, times};
 use super::law::Known;
 use super::line::Line;
 use super::refusal::Refusal;
+use super::working::Show;
 use super::{Derivation, Quantity, pose};
-use crate::expr::{Expr, Relation, written, written_angle};
+use crate::expr::{Expr, Function, Relation, print, written, written_angle};
 use crate::number::{Angle, Demand, Letter, NoRoots, Polynomial, Range, Span, Value, solve_inequalities, solve_system};
+
+/// So many signs stand above the line of a derivative.
+const WIDEST: usize = 40;
 
 /// Of several places where a quantity may be largest, those that no other surpasses.
 pub(super) fn only_largest(found: &mut Vec<Found>, quantity: Quantity) {
@@ -88,6 +93,59 @@ impl Posed<'_> {
             .ok_or_else(|| Refusal::beyond(format!("the largest `{quantity}` is beyond the methods used here")))
     }
 
+    /// The one rate of change.
+    pub(super) fn slope(&self, quantity: Quantity) -> Option<Value> {
+        self.stationary(quantity).ok().and_then(|mut slopes| slopes.pop())
+    }
+
+    /// What is differentiated: the quantity, of an angle its tangent, and the square of what is a root.
+    fn differentiated(&self, quantity: Quantity, unknown: Letter) -> Option<Value> {
+        let number = self.known.number(quantity);
+        let value = number.or_else(|| self.known.direction(quantity).and_then(|(y, x)| y.divided_by(&x)))?;
+        if value.derivative(unknown).is_some() { Some(value) } else { Some(&value * &value) }
+    }
+
+    /// The rate of change as it is first written down, by the rule for a quotient, and as it comes out.
+    fn differentiation(&self, quantity: Quantity, unknown: Letter) -> Vec<Expr> {
+        let Some(value) = self.differentiated(quantity, unknown) else { return Vec::new() };
+        let symbol = match quantity.of_its_impact() {
+            Quantity::TanDeflection(_) | Quantity::Deflection(_) => Expr::call(Function::Tan, Expr::name("delta")),
+            Quantity::EnergyLost if self.known.number(quantity).is_some() => Expr::name("L"),
+            _ => return Vec::new(),
+        };
+        let step = |of: Expr| Expr::product([Expr::name("d"), of]);
+        let left = Expr::Quotient(Box::new(step(symbol)), Box::new(step(written(&Value::letter(unknown)))));
+        let quotient = value.as_quotient().filter(|(_, below)| below.degree(unknown) > 0);
+        let rights = match quotient {
+            Some((above, below)) => {
+                let slopes = [above.derivative(unknown), below.derivative(unknown)];
+                let [slope, ..] = &slopes;
+                // What would begin with a minus above the line is turned round with what stands below it.
+                let turned = matches!(written(&Value::quotient(slope.clone(), Polynomial::one())), Expr::Negative(_));
+                let whole = |polynomial: Polynomial| {
+                    Value::quotient(if turned { -&polynomial } else { polynomial }, Polynomial::one())
+                };
+                let [du, dv] = slopes.map(whole);
+                let [u, v] = [above, below].map(whole);
+                let square = written(&v).to_the(2);
+                let by_rule = difference(times(written(&du), written(&v)), times(written(&u), written(&dv)));
+                let top = &(&du * &v) - &(&u * &dv);
+                if top.terms() > MOST_SHOWN {
+                    return Vec::new();
+                }
+                // No line holds a longer fraction.
+                let by_rule = Some(by_rule).filter(|by_rule| print::unicode(by_rule).chars().count() <= WIDEST);
+                let over = |top: Expr| Expr::Quotient(Box::new(top), Box::new(square.clone()));
+                by_rule.into_iter().chain([written(&top)]).map(over).collect()
+            }
+            None => {
+                let slope = value.derivative(unknown).filter(|slope| slope.terms() <= MOST_SHOWN);
+                Vec::from_iter(slope.map(|slope| written(&slope)))
+            }
+        };
+        Show::chain(left, rights)
+    }
+
     /// Is it an end of the range of the unknown?
     fn is_end(&self, values: &[Value]) -> bool {
         let is_end = |value: &Value| value.is_zero() || value.equals(&Value::ONE);
@@ -114,29 +172,35 @@ impl Posed<'_> {
     }
 
     /// Why it is there that the quantity is largest, and what says so, where that is short.
-    pub(super) fn largest_line(&self, quantity: Quantity, values: &[Value]) -> Line {
+    pub(super) fn largest_lines(&self, quantity: Quantity, values: &[Value]) -> Vec<Line> {
         let setting = self.scene.setting;
         let what = in_english(quantity, setting);
-        let slope = self.stationary(quantity).ok().and_then(|mut slopes| slopes.pop());
-        if let ([unknown], [at]) = (self.scene.unknowns.as_slice(), values)
-            && let Some(slope) = &slope
-            && self.is_end(values)
-            && !slope.substitute(*unknown, at).is_some_and(|there| there.is_zero())
-        {
-            return self.end_line(quantity, slope, *unknown, at).said_of(setting);
-        }
-        // A quotient is nought where what stands above the line is.
-        let above = slope.map(|slope| &slope * &Value::quotient(slope.denominator(), Polynomial::one()));
-        let line = match above.filter(|above| !above.is_constant() && above.terms() <= MOST_SHOWN) {
-            Some(above) => {
-                let words = format!(
-                    "At the largest value of {what} its rate of change is nought, and so is what stands above the line in it:"
-                );
-                Line::plain(&words, vec![Expr::equation(written(&above), Expr::integer(0))])
-            }
-            None => Line::plain(&format!("At the largest value of {what} its rate of change is nought."), vec![]),
+        let slope = self.slope(quantity);
+        let ([unknown], [at], Some(slope)) = (self.scene.unknowns.as_slice(), values, slope) else {
+            return vec![
+                Line::plain(&format!("At the largest value of {what} its rate of change is nought."), vec![])
+                    .said_of(setting),
+            ];
         };
-        line.said_of(setting)
+        if self.is_end(values) && !slope.substitute(*unknown, at).is_some_and(|there| there.is_zero()) {
+            return vec![self.end_line(quantity, &slope, *unknown, at).said_of(setting)];
+        }
+        let variable = written(&Value::letter(*unknown));
+        let found = self.differentiation(quantity, *unknown);
+        // A quotient is nought where what stands above the line is.
+        let above = &slope * &Value::quotient(slope.denominator(), Polynomial::one());
+        let above = Some(above).filter(|above| !above.is_constant() && above.terms() <= MOST_SHOWN);
+        let equations = Vec::from_iter(above.map(|above| Expr::equation(written(&above), Expr::integer(0))));
+        let nought = if equations.is_empty() { "." } else { ":" };
+        let lines = if found.is_empty() {
+            let words = format!("Where {what} is largest, its derivative with respect to {{x}} is zero{nought}");
+            vec![Line::with(&words, &[("x", variable)], equations)]
+        } else {
+            let words = format!("Differentiating {what} with respect to {{x}}:");
+            let second = format!("Where it is largest, this is zero{nought}");
+            vec![Line::with(&words, &[("x", variable)], found), Line::plain(&second, equations)]
+        };
+        lines.into_iter().map(|line| line.said_of(setting)).collect()
     }
 
     /// Why a quantity is largest at an end of the range of the unknown, where its rate of change is not nought: it grows or

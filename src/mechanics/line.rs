@@ -13,6 +13,8 @@ pub struct Line {
     pub equations: Vec<Expr>,
     /// Does the last equation get a number by which later lines refer to it?
     pub numbered: bool,
+    /// Does it say what a condition of the scene comes to?
+    pub of_condition: bool,
 }
 
 impl Line {
@@ -35,7 +37,7 @@ impl Line {
             let replaced = text.map_formulas(&mut |expr: &Expr| Ok::<_, ()>(expr.substitute(&replace)));
             pieces.extend(replaced.unwrap_or_default().0.into_iter().map(without_second_unit));
         }
-        Line { words: Text(pieces), equations, numbered: false }
+        Line { words: Text(pieces), equations, numbered: false, of_condition: false }
     }
 }
 
@@ -65,7 +67,8 @@ impl Line {
 
     /// The same line of a condition on a scene; where impacts follow, the impact is the first.
     pub(super) fn of_condition(self, scene: &Scene) -> Line {
-        if scene.then.is_empty() { self } else { self.said_by(&|words| later::numbered(0, words)) }
+        let line = if scene.then.is_empty() { self } else { self.said_by(&|words| later::numbered(0, words)) };
+        Line { of_condition: true, ..line }
     }
 
     /// The same line in the words of another setting.

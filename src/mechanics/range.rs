@@ -5,7 +5,7 @@
 //! each other, and e lies between 0 and 1.
 
 use super::backwards::{Found, Posed};
-use super::condition::residual;
+use super::condition::{name_of, residual};
 use super::conditions_in_words::{inequality_words, no_roots};
 use super::later::Meeting;
 use super::line::Line;
@@ -15,7 +15,7 @@ use super::scene_reader::meaning;
 use super::validity::broken_laws;
 use super::working::Show;
 use super::{Derivation, Quantity, Sphere, pose};
-use crate::expr::{Expr, Relation, print, written};
+use crate::expr::{Expr, Relation, number, print, written};
 use crate::number::{Demand, End, Letter, Range, Span, Value, solve_inequalities};
 
 /// The values of an unknown for which the conditions hold.
@@ -87,7 +87,11 @@ pub(super) fn values(posed: &Posed) -> Result<Found, Refusal> {
             return Err(Refusal::beyond("an inequality between angles is not solved here")
                 .try_this("compare their tangents, as `A.after.tan_to_loc`"));
         }
-        shown.push(Expr::Relation(Box::new(written(&gap.value)), condition.relation, Box::new(Expr::integer(0))));
+        // Both sides as they were found, where they are numbers.
+        let side = |expr: &Expr| number(expr, &|name| name_of(name, &letters, &posed.known)).ok();
+        let (left, right) =
+            side(&condition.left).zip(side(&condition.right)).unwrap_or((gap.value.clone(), Value::ZERO));
+        shown.push(Expr::Relation(Box::new(written(&left)), condition.relation, Box::new(written(&right))));
         stated.push(match condition.relation {
             Relation::Greater => (gap.value, Demand::Positive),
             Relation::GreaterOrEqual => (gap.value, Demand::NotNegative),

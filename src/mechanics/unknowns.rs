@@ -6,7 +6,7 @@ use crate::expr::{Expr, Turn, written, written_angle};
 use crate::number::{Angle, Letter, Value};
 
 /// `e`, `A.mass` and `B.mass` among the unknowns stand where the scene leaves a gap.
-pub(super) fn with_letters(scene: &Scene) -> Scene {
+pub fn with_letters(scene: &Scene) -> Scene {
     let mut scene = scene.clone();
     for letter in scene.unknowns.clone() {
         let given = Given {

@@ -36,6 +36,23 @@ pub fn solve_system(equations: &[Value], unknowns: &[Letter]) -> Result<Vec<Vec<
     eliminate(equations, unknowns)
 }
 
+/// The coefficients of the powers 0, 1, 2, … of the unknown in an equation whose other side is nought, once it is free of
+/// denominators and of roots that hold the unknown; and whether it had to be squared for that.
+pub fn collected(equation: &Value, unknown: Letter) -> Option<(Vec<Value>, bool)> {
+    let holds = |root: &Root| match root {
+        Root::Nested { radicand, .. } => radicand.letters().contains(&unknown),
+        Root::Cosine(tangent) => *tangent == unknown,
+        Root::Prime(_) => false,
+    };
+    let is_squared = equation.roots().iter().any(holds);
+    let cleared = without_common_factor(&clear(equation, &[unknown]).ok()?, unknown);
+    let cleared = match cleared.as_quotient() {
+        Some((polynomial, _)) => Value::quotient(polynomial.primitive(), Polynomial::one()),
+        None => cleared,
+    };
+    Some((coefficients(&cleared, unknown), is_squared))
+}
+
 fn eliminate(equations: &[Value], unknowns: &[Letter]) -> Result<Vec<Vec<Value>>, NoRoots> {
     match unknowns {
         [] => Ok(vec![Vec::new()]),

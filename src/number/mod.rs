@@ -30,7 +30,7 @@ pub use angle::Angle;
 pub use arithmetic::Number;
 pub use direction::Direction;
 pub use enclose::Assignment;
-pub use equation::{NoRoots, solve_system};
+pub use equation::{NoRoots, collected, solve_system};
 pub use fraction::{Fraction, NotAFraction};
 pub use inequality::{Demand, End, Span, solve_inequalities};
 pub use interval::Interval;

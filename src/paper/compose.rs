@@ -35,8 +35,9 @@ pub fn compose(question: &Question, variant: &Variant, number: usize) -> Printed
         style.filter(|style| !style.note.is_empty()).map(|style| wording::sentence(&style.note, variant, None)),
     );
     let with_units = wording::letters_with_units(&stem);
-    let manner = Manner { vectors: wording::has_unit_vectors(&stem), with_units: &with_units };
-    let worked = working::work(question, variant, manner.vectors);
+    let angles = wording::named_angles(&stem);
+    let manner = Manner { vectors: wording::has_unit_vectors(&stem), with_units: &with_units, angles: &angles };
+    let worked = working::work(question, variant, manner);
     // Letters that are found are letters until they are.
     let finding = !variant.solution.finding().is_empty();
     let worked_scene = if finding { &variant.scene } else { variant.solution.scene() };

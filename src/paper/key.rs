@@ -10,6 +10,7 @@ use super::working::{self, WorkedPart};
 use super::{PrintedPart, PrintedQuestion, Sheet, compose, scheme};
 use crate::answer::Kind;
 use crate::bank::{Answer, Find, Question};
+use crate::diagram::Manner;
 use crate::expr::{Angles, Expr, print, read};
 use crate::generate::Variant;
 use crate::mechanics::{Pair, PolarText, Quantity, SceneText, ThenText, VelocityText};
@@ -144,9 +145,9 @@ pub struct KeyMark {
 
 /// The key of a question as it was printed.
 pub fn key_question(question: &Question, variant: &Variant, printed: &PrintedQuestion) -> KeyQuestion {
-    let unit_vectors = super::wording::has_unit_vectors(&printed.stem);
-    let worked = working::work(question, variant, unit_vectors);
     let with_units = super::wording::letters_with_units(&printed.stem);
+    let vectors = super::wording::has_unit_vectors(&printed.stem);
+    let worked = working::work(question, variant, Manner { vectors, with_units: &with_units, angles: &[] });
     let parts = worked.iter().zip(&printed.parts).map(|(part, printed)| key_part(part, printed, variant, &with_units));
     let plain = |expr: &Expr| Json::from(print::plain(expr));
     KeyQuestion {

@@ -35,18 +35,32 @@ pub fn part(mut part: PrintedPart) -> PrintedPart {
     part
 }
 
-/// A line of working; a carried value is left out where its rounded one follows.
+/// A line of working. In a chain what is exact stands before what is not; a carried value is left out where another
+/// follows.
 fn line(mut line: WorkingLine) -> WorkingLine {
-    let legible: Vec<Expr> = line.equations.iter().map(|equation| formula(equation, PIECE)).collect();
-    let follows = |place: usize| matches!(legible.get(place + 1), Some(Expr::Relation(_, Relation::Approximately, _)));
-    let is_carried = |place: usize| {
-        legible[place] != line.equations[place]
-            && matches!(&legible[place], Expr::Relation(_, _, right) if matches!(**right, Expr::Decimal(_)))
+    let side = |equation: &Expr| match equation {
+        Expr::Relation(left, ..) => Some((**left).clone()),
+        _ => None,
     };
-    line.equations = (0..legible.len())
-        .filter(|place| !(*place > 0 && is_carried(*place) && follows(*place)))
-        .map(|place| legible[place].clone())
-        .collect();
+    let is_about = |equation: &Expr| matches!(equation, Expr::Relation(_, Relation::Approximately, _));
+    let is_decimal =
+        |equation: &Expr| matches!(equation, Expr::Relation(_, _, right) if matches!(**right, Expr::Decimal(_)));
+    let mut chains: Vec<Vec<(Expr, bool)>> = Vec::new();
+    for equation in &line.equations {
+        let legible = formula(equation, PIECE);
+        let is_carried = legible != *equation && is_decimal(&legible);
+        match chains.last_mut().filter(|chain| side(&chain[0].0).is_some_and(|left| Some(left) == side(&legible))) {
+            Some(chain) => chain.push((legible, is_carried)),
+            None => chains.push(vec![(legible, is_carried)]),
+        }
+    }
+    for chain in &mut chains {
+        if chain.len() > 1 && chain.iter().any(|(_, is_carried)| !is_carried) {
+            chain.retain(|(_, is_carried)| !is_carried);
+        }
+        chain.sort_by_key(|(equation, _)| is_about(equation));
+    }
+    line.equations = chains.into_iter().flatten().map(|(equation, _)| equation).collect();
     line
 }
 

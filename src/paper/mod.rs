@@ -14,6 +14,7 @@ mod key;
 mod legible;
 mod lock;
 mod pool;
+mod put_in;
 mod scheme;
 mod sheet;
 mod wording;

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::answer::{self, Size};
-use super::working::{WorkedPart, result};
+use super::working::{Step, WorkedPart, result};
 use super::{SchemeRow, wording};
 use crate::answer::Kind;
 use crate::bank::{Answer, Code, EarnedFor, Find, Mark};
@@ -20,14 +20,14 @@ pub fn rows(worked: &[WorkedPart], variant: &Variant, with_units: &[String]) -> 
     let row = |(place, mark): (usize, &Mark)| {
         let impact = variant.scene.of_impact(impact_of(place, here));
         let setting = impact.map_or(variant.scene.setting, |scene| scene.setting);
-        let before = marks[..place].iter().filter(|other| same_step(other, mark)).count();
-        let (equation, rounded) = equation(mark, before, worked, variant, with_units);
+        let (mut equations, rounded) = equations(place, worked, variant, with_units);
+        let equation = equations.pop();
         let earned = mark.text.as_ref().map(|text| wording::sentence(text, variant, None));
         let note = mark.note.as_ref().map(|text| wording::sentence(text, variant, None));
         SchemeRow {
             id: mark.id.clone(),
             code: mark.code.name().to_owned(),
-            earned: earned.unwrap_or_else(|| usual_words(mark, here, setting)),
+            earned: with_others(earned.unwrap_or_else(|| usual_words(mark, here, setting)), equations),
             equation,
             note: with_rounded(rounded, note.unwrap_or_else(|| usual_note(mark, setting))),
             depends: mark.depends.clone(),
@@ -105,47 +105,104 @@ fn is_about(quantity: Quantity, sphere: Sphere) -> bool {
     quantity.of_its_impact().sphere().is_none_or(|of| of == sphere)
 }
 
-/// Is it another equation of the same law for accuracy?
-fn same_step(other: &Mark, mark: &Mark) -> bool {
-    other.code.is_accuracy() && mark.code.is_accuracy() && other.earned_for == mark.earned_for
+/// How many marks before this one are for the same, and of its kind: for the method, or for accuracy.
+fn count_before(place: usize, marks: &[Mark]) -> usize {
+    let mark = &marks[place];
+    let alike = |other: &&Mark| other.code.is_accuracy() == mark.code.is_accuracy();
+    marks[..place].iter().filter(alike).filter(|other| other.earned_for == mark.earned_for).count()
 }
 
-/// The equation or value that earns a mark, and its decimal.
-fn equation(
-    mark: &Mark,
-    before: usize,
+/// Has the method mark an accuracy mark of its own, which then has the equation?
+fn has_accuracy(place: usize, marks: &[Mark]) -> bool {
+    let accuracy = |other: &&Mark| other.code.is_accuracy() && other.earned_for == marks[place].earned_for;
+    marks.iter().filter(accuracy).count() > count_before(place, marks)
+}
+
+/// The equations or the value that earn a mark, and its decimal.
+fn equations(
+    place: usize,
     worked: &[WorkedPart],
     variant: &Variant,
     with_units: &[String],
-) -> (Option<Expr>, Option<(Expr, Unit)>) {
-    let Some(here) = worked.last() else { return (None, None) };
-    if mark.code == Code::A1Shown {
-        return (here.part.answers.iter().find_map(|answer| result(answer, variant)), None);
-    }
+) -> (Vec<Expr>, Option<(Expr, Unit)>) {
+    let Some(here) = worked.last() else { return Default::default() };
+    let marks = &here.part.marks;
+    let mark = &marks[place];
+    let one = |(equation, rounded): (Option<Expr>, _)| (equation.into_iter().collect(), rounded);
     match &mark.earned_for {
-        EarnedFor::Quantity(quantity) => value(*quantity, here, variant, with_units),
-        EarnedFor::Unknown(name) => (answer::letter(variant, name).map(|size| size.exact()), None),
-        step if mark.code.is_accuracy() || mark.code == Code::B1 => {
-            (law_equation(step, before, mark.code, worked), None)
+        _ if mark.code == Code::A1Shown => {
+            (here.part.answers.iter().filter_map(|answer| result(answer, variant)).take(1).collect(), None)
         }
-        _ => (None, None),
+        EarnedFor::Quantity(quantity) => one(value(*quantity, here, variant, with_units)),
+        EarnedFor::Unknown(name) => one(unknown(name, here, variant, with_units)),
+        EarnedFor::Condition => (here.condition().into_iter().collect(), None),
+        // What solving comes to stands in the next row.
+        EarnedFor::Law(law, _) if law.only_solves() => Default::default(),
+        _ if mark.code.is_method() && has_accuracy(place, marks) => Default::default(),
+        step => (law_equations(step, count_before(place, marks), mark.code, worked), None),
     }
 }
 
-/// The equation of the step that uses a law, or of the next one if earlier marks have had it. A `B1` for
-/// several such steps at once has none.
-fn law_equation(step: &EarnedFor, before: usize, code: Code, worked: &[WorkedPart]) -> Option<Expr> {
-    for part in worked.iter().rev() {
-        let of_step = part.steps.iter().chain(&part.behind).filter(|other| is_of(&other.rule, step));
-        let equations: Vec<Expr> = of_step.filter_map(|step| step.equation.clone()).collect();
-        if code == Code::B1 && equations.len() > 1 {
-            return None;
+/// A letter that was found, or the values that it may have.
+fn unknown(
+    name: &str,
+    here: &WorkedPart,
+    variant: &Variant,
+    with_units: &[String],
+) -> (Option<Expr>, Option<(Expr, Unit)>) {
+    let symbol = || Expr::name(name.replace("A.mass", "m_A").replace("B.mass", "m_B"));
+    let asked = |answer: &&Answer| answer.find == Find::Unknown(name.to_owned()) && answer.show.is_none();
+    match here.part.answers.iter().find(asked) {
+        Some(answer) => {
+            let rounded = answer::rounded(answer, variant);
+            let unit = answer::unit(answer, variant, with_units);
+            let exact = answer::exact(answer, variant);
+            let equation = exact.map(|exact| match exact {
+                range @ Expr::Relation(..) => range,
+                value => Expr::equation(symbol(), value),
+            });
+            (equation, rounded.map(|rounded| (rounded, unit)))
         }
-        if let Some(found) = equations.get(before).or(equations.last()) {
-            return Some(found.clone());
+        None => (answer::letter(variant, name).map(|size| Expr::equation(symbol(), size.exact())), None),
+    }
+}
+
+/// The equation of the step that uses a law, or of the next one if earlier marks have had it. A mark for several
+/// components at once has an equation for each.
+fn law_equations(step: &EarnedFor, before: usize, code: Code, worked: &[WorkedPart]) -> Vec<Expr> {
+    for part in worked.iter().rev() {
+        // What leads to the letters comes first, and what is found again with their values is the same step.
+        let of_step = |steps: &[Step]| -> Vec<Vec<Expr>> {
+            let of_step = steps.iter().filter(|other| is_of(&other.rule, step));
+            of_step.map(|step| step.equations.clone()).filter(|equations| !equations.is_empty()).collect()
+        };
+        let found = Some(of_step(&part.behind)).filter(|found| !found.is_empty());
+        let found = found.unwrap_or_else(|| of_step(&part.steps));
+        let of_all = matches!(step, EarnedFor::Law(law, _) if law.is_of_components()) && before == 0;
+        if of_all && (code == Code::B1 || code.is_accuracy()) && !found.is_empty() {
+            return found.concat();
+        }
+        if code == Code::B1 && found.len() > 1 {
+            return Vec::new();
+        }
+        if let Some(equations) = found.get(before).or(found.last()) {
+            return equations.first().cloned().into_iter().collect();
         }
     }
-    None
+    Vec::new()
+}
+
+/// Several equations of one mark: all but the last stand with the words.
+fn with_others(mut earned: Text, others: Vec<Expr>) -> Text {
+    let count = others.len();
+    for (place, equation) in others.into_iter().enumerate() {
+        earned.0.push(Piece::Words(if place == 0 { ": " } else { ", " }.to_owned()));
+        earned.0.push(Piece::Formula(equation));
+        if place + 1 == count {
+            earned.0.push(Piece::Words(" and".to_owned()));
+        }
+    }
+    earned
 }
 
 /// The value of a quantity, as an equation where the working has a letter for it, and its decimal.
@@ -165,15 +222,19 @@ fn value(
     let found_first = !here.finding.is_empty();
     let scene = if found_first { &variant.scene } else { variant.solution.scene() };
     let Some(known) = known_with(quantity, here, found_first.then_some(scene)) else { return (None, None) };
-    let size = known.number(quantity).map(Size::Number);
     let Some((show, in_law)) = Show::new(scene, &known, &here.asked).of(quantity) else { return (None, None) };
     let named_by = |letter| tangent(letter, quantity.impact(), show.value(in_law), here);
+    // The decimal is that of what stands there, with the sign that the working gives it.
+    let mut size = known.number(quantity);
     let exact = match in_law {
-        // After a wall the working has the component away from it.
-        Quantity::Velocity(_, Moment::After, Axis::N) if show.setting().works_away_from_b() => {
-            Expr::equation(show.symbol(in_law), written(&-show.exact(in_law)))
+        Quantity::Velocity(_, Moment::After, Axis::N) => {
+            // After a wall the working has the component away from it.
+            let away = show.setting().works_away_from_b();
+            let worked = if away { -show.exact(in_law) } else { show.worked(in_law) };
+            let equation = Expr::equation(show.symbol(in_law), written(&worked));
+            size = Some(worked);
+            equation
         }
-        Quantity::Velocity(_, Moment::After, Axis::N) => Expr::equation(show.symbol(in_law), show.shown_value(in_law)),
         Quantity::Velocity(sphere, moment @ Moment::After, axis @ (Axis::X | Axis::Y)) if show.along_an_axis() => {
             // Along the axis of the line of centres the working has its letters.
             let along = Quantity::Velocity(sphere, moment, Axis::N);
@@ -198,7 +259,8 @@ fn value(
     let places = Places::SignificantFigures(3);
     // Where only the exact value is accepted, no decimal stands beside it.
     let is_exact = answer.is_some_and(|answer| answer.accept(variant.style).places().is_none());
-    let rounded = size.filter(|size| !is_exact && !size.is_short(&places)).and_then(|size| size.rounded(&places));
+    let size = size.map(Size::Number).filter(|size| !is_exact && !size.is_short(&places));
+    let rounded = size.and_then(|size| size.rounded(&places));
     let rounded = rounded.map(|rounded| (Expr::Decimal(rounded.to_string()), Unit::None));
     (Some(show.named(&exact)), rounded)
 }

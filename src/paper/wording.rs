@@ -1,7 +1,8 @@
 //! The words of a question with its numbers put in.
 
-use crate::expr::{Expr, Markup, Meaning, Piece, Text, evaluate, written};
+use crate::expr::{Expr, Function, Markup, Meaning, Piece, Relation, Text, evaluate, number, written};
 use crate::generate::Variant;
+use crate::number::Value;
 use crate::unit::Unit;
 
 /// The paragraphs with numbers in place of names; `result` stands for what is to be shown.
@@ -94,4 +95,18 @@ pub fn has_unit_vectors(paragraphs: &[Text]) -> bool {
         Expr::Name(name) => matches!(name.text.as_str(), "i" | "j"),
         _ => false,
     })
+}
+
+/// The angles that the words name by a letter and give by their tangent: 'where tan α = 2'.
+pub fn named_angles(paragraphs: &[Text]) -> Vec<(Expr, Value)> {
+    let named = |formula: &Expr| match formula {
+        Expr::Relation(left, Relation::Equal, right) => match &**left {
+            Expr::Call(Function::Tan, name) if matches!(**name, Expr::Name(_)) => {
+                Some(((**name).clone(), number(right, &|_| None).ok()?))
+            }
+            _ => None,
+        },
+        _ => None,
+    };
+    paragraphs.iter().flat_map(Text::formulas).filter_map(named).collect()
 }

@@ -4,10 +4,12 @@ use std::collections::BTreeSet;
 
 use super::WorkingLine;
 use super::answer;
+use super::put_in::InLetters;
 use crate::bank::{Answer, Find, Part, Question};
+use crate::diagram::Manner;
 use crate::expr::{Expr, Function, Text};
 use crate::generate::Variant;
-use crate::mechanics::{Derivation, Known, Line, Quantity, Rule, Scene, Show, pose};
+use crate::mechanics::{Derivation, Known, Line, Quantity, Rule, Show, pose};
 use crate::number::Value;
 
 /// A step as it is printed.
@@ -17,16 +19,16 @@ pub struct Step {
     pub rule: Rule,
     /// Its lines of working.
     pub lines: Vec<Line>,
-    /// The equation that earns a mark.
-    pub equation: Option<Expr>,
+    /// The equations that earn a mark.
+    pub equations: Vec<Expr>,
 }
 
 impl Step {
     fn new(rule: Rule, show: &Show, letters: &[Letter]) -> Step {
         let letters: Vec<Letter> = of_impact(rule.impact(), letters).cloned().collect();
         let lines = rule.lines(show).into_iter().map(|line| renamed(line, &letters)).collect();
-        let equation = rule.equation(show).map(|equation| rename(&equation, &letters));
-        Step { rule, lines, equation }
+        let equations = rule.equations(show).iter().map(|equation| rename(equation, &letters)).collect();
+        Step { rule, lines, equations }
     }
 }
 
@@ -59,37 +61,33 @@ struct Letter {
     theirs: String,
 }
 
-/// Every part of a question, worked in the manner of its words, which have unit vectors or have none. Nothing if the scene
-/// cannot be posed, which a variant's can.
-pub fn work<'q>(question: &'q Question, variant: &Variant, unit_vectors: bool) -> Vec<WorkedPart<'q>> {
+/// Every part of a question, worked in the manner of its words. Nothing if the scene cannot be posed, which a variant's
+/// can.
+pub fn work<'q>(question: &'q Question, variant: &Variant, manner: Manner) -> Vec<WorkedPart<'q>> {
     let scene = variant.solution.scene();
     let Ok(mut known) = pose(scene) else { return Vec::new() };
     let letters = letters(question);
     let mut finding = variant.solution.finding().to_vec();
-    let mut behind = if finding.is_empty() { Vec::new() } else { behind_conditions(&variant.scene, &letters) };
+    let in_letters = if finding.is_empty() { None } else { InLetters::of(&variant.scene, variant.solution.found()) };
+    let step = |found: &InLetters, rule: &Rule| Step::new(rule.clone(), &found.show(), &letters);
+    let mut behind: Vec<Step> =
+        in_letters.iter().flat_map(|found| found.rules.iter().map(|rule| step(found, rule))).collect();
     let mut worked = Vec::new();
     for part in &question.parts {
         let asked: Vec<Quantity> = part.answers.iter().flat_map(|answer| answer.find.quantities()).collect();
         let given = known.0.keys().copied().collect();
         let (derivation, _) = Derivation::carry_out(&mut known, &asked);
-        let show = Show::new(scene, &known, &asked).in_words_of(unit_vectors);
-        let steps = derivation.steps.into_iter().map(|rule| Step::new(rule.clone(), &show, &letters)).collect();
+        let show = Show::new(scene, &known, &asked).in_words_of(manner.vectors, manner.with_units);
+        let mut steps: Vec<Step> =
+            derivation.steps.into_iter().map(|rule| Step::new(rule.clone(), &show, &letters)).collect();
+        if let Some(found) = &in_letters {
+            found.put_into(&mut steps, &show, &asked);
+        }
         let (finding, behind) = (std::mem::take(&mut finding), std::mem::take(&mut behind));
         let (known, letters) = (known.clone(), letters.clone());
         worked.push(WorkedPart { part, given, known, asked, finding, steps, behind, letters });
     }
     worked
-}
-
-/// The steps from a scene with unknown letters to the quantities of its conditions.
-fn behind_conditions(scene: &Scene, letters: &[Letter]) -> Vec<Step> {
-    let Ok(mut known) = pose(scene) else { return Vec::new() };
-    let sides = scene.conditions.iter().flat_map(|condition| [&condition.left, &condition.right]);
-    let names = sides.flat_map(Expr::names);
-    let asked: Vec<Quantity> = names.filter_map(|name| name.text.parse().ok()).collect();
-    let (derivation, _) = Derivation::carry_out(&mut known, &asked);
-    let show = Show::new(scene, &known, &asked);
-    derivation.steps.into_iter().map(|rule| Step::new(rule.clone(), &show, letters)).collect()
 }
 
 impl WorkedPart<'_> {
@@ -112,13 +110,24 @@ impl WorkedPart<'_> {
                 printed.push(line);
             }
         }
+        let all_shown = self.part.answers.iter().all(|answer| answer.show.is_some());
         for result in self.part.answers.iter().filter_map(|answer| result(answer, variant)) {
+            // What is to be shown ends the part: nobody asked for more.
+            if let Some(line) = printed.last_mut().filter(|_| all_shown && self.steps.is_empty()) {
+                let place = line.equations.iter().position(|equation| *equation == result);
+                line.equations.truncate(place.map_or(line.equations.len(), |place| place + 1));
+            }
             let there = printed.last().and_then(|line| line.equations.last()) == Some(&result);
             let (words, equations) =
                 if there { ("as required.", Vec::new()) } else { ("Hence, as required,", vec![result]) };
             printed.push(WorkingLine { words: Text::words(words), equations, label: None });
         }
         printed
+    }
+
+    /// What the condition from which letters are found comes to.
+    pub fn condition(&self) -> Option<Expr> {
+        self.finding.iter().filter(|line| line.of_condition).find_map(|line| line.equations.first().cloned())
     }
 
     /// An expression of the working of an impact in the question's own letters.

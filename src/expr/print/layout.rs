@@ -260,12 +260,19 @@ fn product<'e>(factors: &'e [Expr], items: &mut Row<'e>) {
     }
 }
 
-/// Does a multiplication sign show before the factor? It does before digits and negative numbers.
+/// Does a multiplication sign show before the factor? It does before digits and negative numbers, and where two fractions
+/// or roots would run into each other.
 fn is_times_shown(before: Option<&Item>, factor: &Expr, next: &[Item]) -> bool {
     if let Expr::Negative(size) = factor {
         return matches!(**size, Expr::Number(_) | Expr::Decimal(_)) || is_times_shown(before, size, &[]);
     }
     match next.first() {
+        Some(Item::Fraction(..)) if matches!(before, Some(Item::Fraction(..) | Item::Root(_) | Item::Call(..))) => true,
+        Some(Item::Root(inner)) => match before {
+            Some(Item::Root(_) | Item::Call(..)) => true,
+            Some(Item::Letter(_) | Item::Power(..)) => matches!(inner[..], [Item::Digits(_)]),
+            _ => false,
+        },
         Some(Item::Fraction(top, bottom)) => {
             let number = matches!((&top[..], &bottom[..]), ([Item::Digits(_)], [Item::Digits(_)]));
             // A number straight before a fraction of numbers would look like a mixed number.

@@ -9,7 +9,7 @@ use crate::mechanics::Velocity;
 use crate::mechanics::formula::{difference, times};
 use crate::mechanics::Axis::{N, T, X, Y};
 use crate::mechanics::Moment::{After, Before};
-use crate::mechanics::{Quantity, Sphere};
+use crate::mechanics::{Axis, Quantity, Sphere};
 use crate::number::Number;
 
 pub const NAME: &str = "deflection";
@@ -165,7 +165,11 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
 
 /// What earns the mark for accuracy.
 pub fn earning(rule: &Rule, show: &Show) -> Option<Expr> {
-    first_equation(&lines(rule, show))
+    match rule.gives[0] {
+        // The cosine of the angle has it.
+        Quantity::DeflectionDot(sphere) if show.is_asked(Quantity::Deflection(sphere)) => None,
+        _ => first_equation(&lines(rule, show)),
+    }
 }
 
 pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
@@ -191,11 +195,15 @@ fn by_tangents(show: &Show, sphere: Sphere) -> Vec<Line> {
     vec![Line::with(words, &formulas, Show::chain(left, [quotient, found]))]
 }
 
+/// The axes in which the velocities are multiplied.
+fn axes(show: &Show) -> [Axis; 2] {
+    if show.along_an_axis() || !show.scene().before.iter().flatten().any(is_components) { [N, T] } else { [X, Y] }
+}
+
 /// The scalar product of the velocities before and after, in numbers.
 fn scalar_product(show: &Show, sphere: Sphere) -> Vec<Line> {
-    let axes = if show.along_an_axis() || !show.scene().before.iter().flatten().any(is_components) { [N, T] } else { [X, Y] };
     let at = |moment, axis| written(&show.worked(velocity(sphere, moment, axis)));
-    let terms = axes.map(|axis| match (at(Before, axis), at(After, axis)) {
+    let terms = axes(show).map(|axis| match (at(Before, axis), at(After, axis)) {
         (before, after) if before == after => written(&show.exact(velocity(sphere, Before, axis)).squared()),
         (before, after) => times(before, after),
     });
@@ -209,20 +217,28 @@ fn is_components(velocity: &Velocity) -> bool {
     matches!(velocity, Velocity::Components(..))
 }
 
-/// The angle between the velocities before and after.
+/// The angle between the velocities before and after, by its cosine.
 fn turned(show: &Show, sphere: Sphere) -> Vec<Line> {
     let Some(angle) = show.angle(Quantity::Deflection(sphere)) else { return silent() };
     let left = Expr::name("delta");
-    let mut equations = Vec::new();
     let dot = show.exact(Quantity::DeflectionDot(sphere));
-    let size = &show.exact(Quantity::DeflectionCross(sphere)).absolute();
-    if !dot.is_zero() {
-        equations.push(Expr::equation(Expr::call(Function::Tan, left.clone()), ratio(size, &dot)));
-    }
-    equations.push(Expr::equation(left.clone(), Show::angle_expr(&angle)));
-    equations.extend(Show::approximate_angle(&left, &angle));
-    let words = "The path of {A} turns through the angle {d} between its velocities before and after:";
-    vec![Line::with(words, &[("A", Expr::name(sphere.name())), ("d", left)], equations)]
+    let mut found = vec![Expr::equation(left.clone(), Show::angle_expr(&angle))];
+    found.extend(Show::approximate_angle(&left, &angle));
+    let name = ("A", Expr::name(sphere.name()));
+    let sizes = [Before, After].map(|moment| {
+        let [first, second] = axes(show).map(|axis| show.exact(velocity(sphere, moment, axis)));
+        (first.squared() + second.squared()).root()
+    });
+    let [Some(before), Some(after)] = sizes else {
+        let words = "The path of {A} turns through the angle {d} between its velocities before and after:";
+        return vec![Line::with(words, &[name, ("d", left)], found)];
+    };
+    let product = &before * &after;
+    let quotient = Expr::Quotient(Box::new(written(&dot)), Box::new(times(written(&before), written(&after))));
+    let cosine = Show::chain(Expr::call(Function::Cos, left.clone()), [quotient, ratio(&dot, &product)]);
+    let words = "The path of {A} turns through the angle {d} between these velocities, of magnitudes {p m/s} and {q m/s}:";
+    let formulas = [name, ("d", left), ("p", written(&before)), ("q", written(&after))];
+    vec![Line::with(words, &formulas, [cosine, found].concat())]
 }
 
 fn by_products(show: &Show, sphere: Sphere) -> Vec<Line> {

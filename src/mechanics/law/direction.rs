@@ -179,8 +179,8 @@ fn angle_to_line(show: &Show, sphere: Sphere, moment: Moment) -> Vec<Line> {
 fn angle_of_impulse(show: &Show) -> Vec<Line> {
     let Some(angle) = show.angle(Quantity::ImpulseAngle) else { return silent() };
     let left = Expr::name("beta");
-    let at = |axis| Box::new(written(&show.exact(Quantity::Impulse(Sphere::A, axis)).absolute()));
-    let tangent = Expr::Quotient(at(Y), at(X));
+    let at = |axis| written(&show.exact(Quantity::Impulse(Sphere::A, axis)).absolute());
+    let tangent = at(Y).over(at(X));
     let mut equations = vec![Expr::equation(Expr::call(Function::Tan, left.clone()), tangent)];
     equations.push(Expr::equation(left.clone(), Show::angle_expr(&angle)));
     equations.extend(Show::approximate_angle(&left, &angle));
@@ -203,16 +203,17 @@ fn tangent_to_wall(show: &Show, sphere: Sphere, moment: Moment) -> Vec<Line> {
         return silent();
     }
     let left = Expr::call(Function::Tan, Expr::name("beta"));
-    let found = Expr::equation(left, show.value(Quantity::TanToWall(sphere, moment)));
+    let found = show.value(Quantity::TanToWall(sphere, moment));
     let words = "The path of {A} makes an angle {b} with the wall, where";
     let formulas = [("A", Expr::name(sphere.name())), ("b", Expr::name("beta"))];
-    vec![Line::with(words, &formulas, vec![wall_tangent(show, sphere, moment), found])]
+    let quotient = wall_tangent(show, sphere, moment);
+    vec![Line::with(words, &formulas, with_value(quotient, left, found))]
 }
 
 /// `tan β = v/p`, in numbers, β with the wall.
 fn wall_tangent(show: &Show, sphere: Sphere, moment: Moment) -> Expr {
     let at = |axis| written(&show.worked(velocity(sphere, moment, axis)).absolute());
-    let quotient = Expr::Quotient(Box::new(at(N)), Box::new(at(T)));
+    let quotient = at(N).over(at(T));
     Expr::equation(Expr::call(Function::Tan, Expr::name("beta")), quotient)
 }
 
@@ -222,8 +223,14 @@ fn tangent_equation(show: &Show, sphere: Sphere, moment: Moment, size: bool) -> 
         let value = show.worked(velocity(sphere, moment, axis));
         written(&if size && value.sign() == Some(std::cmp::Ordering::Less) { -value } else { value })
     };
-    let quotient = Expr::Quotient(Box::new(at(T)), Box::new(at(N)));
+    let quotient = at(T).over(at(N));
     Expr::equation(Expr::call(Function::Tan, Expr::name("beta")), quotient)
+}
+
+/// An equation, and the value of its left side where that is another form.
+fn with_value(equation: Expr, left: Expr, value: Expr) -> Vec<Expr> {
+    let found = Expr::equation(left, value);
+    if found == equation { vec![equation] } else { vec![equation, found] }
 }
 
 fn tangent_of_direction(show: &Show, sphere: Sphere, moment: Moment, quantity: Quantity) -> Vec<Line> {
@@ -232,10 +239,8 @@ fn tangent_of_direction(show: &Show, sphere: Sphere, moment: Moment, quantity: Q
         return silent();
     }
     let left = Expr::call(Function::Tan, Expr::name("beta"));
-    let equations = vec![
-        tangent_equation(show, sphere, moment, quantity == Quantity::TanToLine(sphere, moment)),
-        Expr::equation(left, show.value(quantity)),
-    ];
+    let quotient = tangent_equation(show, sphere, moment, quantity == Quantity::TanToLine(sphere, moment));
+    let equations = with_value(quotient, left, show.value(quantity));
     let words = "The path of {A} then makes an angle {b} with the line of centres, where";
     vec![Line::with(words, &[("A", Expr::name(sphere.name())), ("b", Expr::name("beta"))], equations)]
 }

@@ -8,7 +8,7 @@ use crate::expr::{Expr, written};
 use crate::mechanics::Moment;
 use crate::mechanics::formula::times;
 use crate::number::{Fraction, Value};
-use crate::mechanics::Axis::{N, X, Y};
+use crate::mechanics::Axis::{N, T, X, Y};
 use crate::mechanics::Moment::{After, Before};
 use crate::mechanics::Sphere::{A, B};
 use crate::mechanics::{Quantity, Setting, Sphere};
@@ -237,17 +237,25 @@ fn half(show: &Show, sphere: Sphere) -> Expr {
 /// The energy of both spheres at a moment, by their speeds.
 fn total(show: &Show, moment: Moment) -> Vec<Line> {
     let terms = show.spheres().iter().map(|sphere| times(half(show, *sphere), square(show, *sphere, moment)));
-    let (words, left) = match moment {
-        Before => ("The kinetic energy before the impact, in joules, is", "E_1"),
-        After => ("The kinetic energy after the impact, in joules, is", "E_2"),
-    };
-    vec![Line::plain(words, Show::chain(Expr::name(left), [Expr::sum(terms), show.value(Quantity::TotalEnergy(moment))]))]
+    let value = show.exact(Quantity::TotalEnergy(moment));
+    let left = if moment == Before { "E_1" } else { "E_2" };
+    let words = format!("The kinetic energy {moment} the impact{} is", show.in_units(&value, "joules"));
+    vec![Line::plain(&words, Show::chain(Expr::name(left), [Expr::sum(terms), written(&value)]))]
 }
 
-/// The square of a speed: a speed that is a root gives its radicand.
+/// The square of a speed: one that is long goes by its letter.
 fn square(show: &Show, sphere: Sphere, moment: Moment) -> Expr {
     let speed = show.exact(Quantity::Speed(sphere, moment));
-    if speed.is_zero() { Expr::integer(0) } else { written(&speed).to_the(2) }
+    let size = written(&speed);
+    if speed.is_zero() {
+        return Expr::integer(0);
+    }
+    if moment == Before || !Show::is_long(&size) {
+        return size.to_the(2);
+    }
+    let at = |axis| show.exact(velocity(sphere, moment, axis));
+    if at(T).is_zero() { show.symbol(velocity(sphere, moment, N)) } else { show.symbol(Quantity::Speed(sphere, moment)) }
+        .to_the(2)
 }
 
 /// What both spheres lose, by the components that change.
@@ -257,7 +265,12 @@ fn lost(show: &Show) -> Vec<Line> {
         let sphere = *sphere;
         let part = |moment| {
             if along {
-                squared(&show.worked(velocity(sphere, moment, N)))
+                let component = velocity(sphere, moment, N);
+                match squared(&show.worked(component)) {
+                    // Its letter has been given its value.
+                    long if moment == After && Show::is_long(&long) => show.symbol(component).to_the(2),
+                    square => square,
+                }
             } else {
                 let at = |axis| size_of(&show.exact(velocity(sphere, moment, axis))).to_the(2);
                 Expr::Sum(vec![at(X), at(Y)])
@@ -269,12 +282,13 @@ fn lost(show: &Show) -> Vec<Line> {
     let left = Expr::name("L");
     let mut equations = Show::chain(left.clone(), [Expr::sum(terms), written(&value)]);
     equations.extend(Show::approximately(&left, &value));
+    let unit = show.in_units(&value, "joules");
     let words = if along && show.scene().setting != Setting::Direct {
-        "The components perpendicular to the line of centres do not change, so the kinetic energy lost, in joules, is"
+        format!("The components perpendicular to the line of centres do not change, so the kinetic energy lost{unit} is")
     } else {
-        "The kinetic energy lost, in joules, is"
+        format!("The kinetic energy lost{unit} is")
     };
-    vec![Line::plain(words, equations)]
+    vec![Line::plain(&words, equations)]
 }
 
 fn size_of(value: &Value) -> Expr {
@@ -296,8 +310,14 @@ fn difference_of(before: Expr, after: Expr) -> Expr {
 
 fn fraction(show: &Show) -> Vec<Line> {
     let at = |moment| show.value(Quantity::TotalEnergy(moment));
-    let lost = Expr::Sum(vec![at(Before), at(After).negated()]);
-    let quotient = Expr::Quotient(Box::new(lost), Box::new(at(Before)));
-    let rights = [quotient, show.value(Quantity::FractionLost)];
-    vec![Line::plain("The fraction of the kinetic energy that is lost is", Show::chain(Expr::name("f"), rights))]
+    let [before, after] = match [at(Before), at(After)] {
+        long if long.iter().any(Show::is_long) => ["E_1", "E_2"].map(Expr::name),
+        short => short,
+    };
+    let lost = Expr::Sum(vec![before.clone(), after.negated()]);
+    let quotient = Expr::Quotient(Box::new(lost), Box::new(before));
+    let (left, value) = (Expr::name("f"), show.exact(Quantity::FractionLost));
+    let mut equations = Show::chain(left.clone(), [quotient, written(&value)]);
+    equations.extend(Show::approximately(&left, &value));
+    vec![Line::plain("The fraction of the kinetic energy that is lost is", equations)]
 }

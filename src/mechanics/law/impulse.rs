@@ -223,7 +223,13 @@ fn change_of_speed<N: Number>(known: &Known<N>, sphere: Sphere) -> Option<N> {
 
 /// What earns the mark for accuracy.
 pub fn earning(rule: &Rule, show: &Show) -> Option<Expr> {
-    first_equation(&lines(rule, show))
+    let lines = lines(rule, show);
+    // In terms of a letter that is to be found the velocity itself is what the next step needs.
+    let is_open = rule.gives.iter().any(|quantity| !show.exact(*quantity).is_constant());
+    match rule.form {
+        AFTER_GIVEN if is_open => lines.last().and_then(|line| line.equations.last().cloned()),
+        _ => first_equation(&lines),
+    }
 }
 
 pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
@@ -266,9 +272,11 @@ fn of_given(show: &Show, sphere: Sphere, moment: Moment) -> Vec<Line> {
         false => times(show.mass(sphere), show.vector(sphere, of)),
     };
     let equation = Expr::equation(impulse, difference(momentum(After), momentum(Before)));
-    let found = Expr::equation(Expr::name(show.vector_letter(sphere, moment)), show.vector(sphere, moment));
+    let name = Expr::name(show.vector_letter(sphere, moment));
+    let mut equations = vec![equation, Expr::equation(name.clone(), show.vector(sphere, moment))];
+    equations.extend(show.approximate_velocity(&name, sphere, moment));
     let words = "The impulse on {A} is its change of momentum:";
-    vec![Line::with(words, &[("A", Expr::name(sphere.name()))], vec![equation, found])]
+    vec![Line::with(words, &[("A", Expr::name(sphere.name()))], equations)]
 }
 
 /// The magnitude, of a vector by Pythagoras, with its decimal.
@@ -281,5 +289,6 @@ fn size(show: &Show, vector: Option<[Value; 2]>) -> Vec<Line> {
     });
     let mut equations = Show::chain(left.clone(), root.into_iter().chain([written(&value)]));
     equations.extend(Show::approximately(&left, &value));
-    vec![Line::plain("So the magnitude of the impulse, in newton seconds, is", equations)]
+    let words = format!("So the magnitude of the impulse{} is", show.in_units(&value, "newton seconds"));
+    vec![Line::plain(&words, equations)]
 }

@@ -194,6 +194,18 @@ macro_rules! laws {
     };
 }
 
+impl Law {
+    /// Does it solve equations that other laws give, so that what it comes to is a value?
+    pub fn only_solves(self) -> bool {
+        self == Law::Solve
+    }
+
+    /// Does one mark stand for every component of a velocity that it gives?
+    pub fn is_of_components(self) -> bool {
+        matches!(self, Law::Resolve | Law::Perpendicular)
+    }
+}
+
 laws! {
     /// A velocity that one impact leaves is that with which the next begins.
     Carried in carried;

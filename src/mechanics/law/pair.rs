@@ -7,7 +7,7 @@
 use super::{Seen, ALONG, Datum, Known, Law, Line, MASSES, Outcome, Rule, Show, Slip, rule, first_equation};
 use crate::expr::{Expr, written};
 use crate::mechanics::formula::multiple;
-use crate::mechanics::Quantity;
+use crate::mechanics::{Axis, Moment, Quantity, Sphere};
 use crate::number::Number;
 
 pub const NAME: &str = "solve";
@@ -138,15 +138,36 @@ fn solved(show: &Show) -> Vec<Line> {
         equations.push(Expr::equation(multiple(&left, v.clone()), written(&right)));
     }
     equations.push(Expr::equation(v.clone(), value));
+    equations.extend(decimal(show, x));
     let eliminated = if q.equals(&crate::number::Value::ONE) {
         Line::plain("Subtracting equation (2) from equation (1):", equations)
     } else {
         Line::with("Subtracting {q} times equation (2) from equation (1):", &[("q", written(&q))], equations)
     };
-    let substituted = Line::plain("Then from equation (2):", vec![Expr::equation(w, show.shown_value(y))]);
-    let mut lines = vec![eliminated, substituted];
+    let mut second = vec![Expr::equation(w, show.shown_value(y))];
+    second.extend(decimal(show, y));
+    let mut lines = vec![eliminated, Line::plain("Then from equation (2):", second)];
     lines.extend(remark(show));
+    lines.extend(components_asked(show));
     lines
+}
+
+/// The decimal of a component in sines and cosines of given degrees.
+fn decimal(show: &Show, quantity: Quantity) -> Option<Expr> {
+    let value = show.worked(quantity);
+    Show::approximately(&show.symbol(quantity), &value).filter(|_| Show::has_degrees(&value))
+}
+
+/// Both components of a velocity, where they are what is asked for.
+fn components_asked(show: &Show) -> Vec<Line> {
+    let both = |sphere| [Axis::N, Axis::T].map(|axis| Quantity::Velocity(sphere, Moment::After, axis));
+    let asked = Sphere::BOTH.into_iter().filter(|sphere| both(*sphere).iter().all(|component| show.is_asked(*component)));
+    let words = "So the components of the velocity of {A} after the impact are {v m/s} along the line of centres and {p m/s} perpendicular to it.";
+    let line = |sphere: Sphere| {
+        let [along, across] = both(sphere).map(|component| Show::stated(&show.worked(component)));
+        Line::with(words, &[("A", Expr::name(sphere.name())), ("v", along), ("p", across)], vec![])
+    };
+    asked.map(line).collect()
 }
 
 /// What the signs say of the directions.

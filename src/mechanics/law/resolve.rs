@@ -145,9 +145,13 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
         TO_I_J if show.setting() == Setting::Direct => silent(),
         TO_I_J if show.is_asked(rule.gives[0]) || show.is_asked(rule.gives[1]) => {
             let vector = show.vector(sphere, moment);
+            if !show.along_an_axis() {
+                return vec![recombined(show, sphere, moment)];
+            }
+            let stated = show.approximate_velocity(&vector, sphere, moment).unwrap_or(vector);
             vec![Line::with(
                 "So the velocity of {A} after the impact is {v m/s}.",
-                &[("A", Expr::name(sphere.name())), ("v", vector)],
+                &[("A", Expr::name(sphere.name())), ("v", stated)],
                 vec![],
             )]
         }
@@ -186,6 +190,27 @@ fn at_a_slanted_wall(show: &Show, moment: Moment) -> Vec<Line> {
     let parallel = format!("The unit vector parallel to the wall is {{n}}. The component along it {when} is");
     let perpendicular = if moment == Moment::Before { "u_A" } else { "v_A" };
     vec![part(&towards, &n, perpendicular, N), part(&parallel, &t, "p", T)]
+}
+
+/// Both components times their unit vectors, where neither of these is i or j.
+fn recombined(show: &Show, sphere: Sphere, moment: Moment) -> Line {
+    let at = |axis| show.exact(velocity(sphere, moment, axis));
+    let (along, across) = (at(N), at(T));
+    let [x, y] = [X, Y].map(|axis| show.exact(Quantity::Line(axis)));
+    // The unit vector along the wall points as the sphere moves.
+    let backwards = across.sign().is_some_and(|sign| sign.is_lt());
+    let parallel = if backwards { [y.clone(), -&x] } else { [-&y, x.clone()] };
+    let vector = |[x, y]: &[Value; 2]| Expr::Vector(Box::new(written(x)), Box::new(written(y)));
+    let part = |size: &Value, unit: &[Value; 2]| if size.is_zero() { Expr::integer(0) } else { times(written(size), vector(unit)) };
+    let across = part(&across.absolute(), &parallel);
+    let along = part(&along, &[x, y]);
+    let sum = if across.is_zero() { along } else { Expr::sum([across, along]) };
+    let name = Expr::name(show.vector_letter(sphere, moment));
+    let unit = show.in_units(&show.exact(velocity(sphere, moment, X)), "metres per second");
+    let words = format!("So the velocity of {{A}} {moment} the impact{unit} is");
+    let mut equations = Show::chain(name.clone(), [sum, show.vector(sphere, moment)]);
+    equations.extend(show.approximate_velocity(&name, sphere, moment));
+    Line::with(&words, &[("A", Expr::name(sphere.name()))], equations)
 }
 
 /// `u cos α` and `u sin α` for a sphere that strikes one at rest.

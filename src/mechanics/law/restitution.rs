@@ -250,7 +250,8 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
     if unknown == Quantity::Restitution {
         let [a, b, x, y] = ALONG.map(|quantity| show.shown_value(quantity));
         let quotient = Expr::Quotient(Box::new(difference(y, x)), Box::new(difference(a, b)));
-        let chain = Show::chain(Expr::name("e"), [quotient, show.shown_value(unknown)]);
+        let mut chain = Show::chain(Expr::name("e"), [quotient, show.shown_value(unknown)]);
+        chain.extend(Show::approximately(&Expr::name("e"), &show.exact(unknown)));
         return vec![Line::plain("By Newton's law of restitution, separation over approach along the line of centres:", chain)];
     }
     let equation = Expr::equation(show.separation(), show.e_times_approach());

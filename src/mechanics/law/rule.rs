@@ -2,8 +2,8 @@
 
 use super::{Known, Law, Line, Outcome, Show, silent};
 use crate::expr::Expr;
-use crate::mechanics::Quantity;
 use crate::mechanics::later::Meeting;
+use crate::mechanics::{Axis, Quantity};
 use crate::number::Number;
 
 /// A way to use a law: from the quantities in `needs` to those in `gives`.
@@ -62,13 +62,23 @@ impl Rule {
     }
 
     /// The equation, as a student first writes it, that a mark for accuracy is given for.
-    pub fn equation(&self, show: &Show) -> Option<Expr> {
+    fn equation(&self, show: &Show) -> Option<Expr> {
         match self.later {
             Some((meeting, rule)) => {
                 let show = show.of_later(meeting)?;
                 rule.earning(&show).map(|equation| show.named(&equation))
             }
             None => self.earning(show),
+        }
+    }
+
+    /// All such equations: resolving has one for each component, any other law one alone.
+    pub fn equations(&self, show: &Show) -> Vec<Expr> {
+        match self.law {
+            Law::Resolve if matches!(self.gives[0].of_its_impact(), Quantity::Velocity(_, _, Axis::N)) => {
+                self.lines(show).iter().filter_map(|line| line.equations.first().cloned()).collect()
+            }
+            _ => self.equation(show).into_iter().collect(),
         }
     }
 

@@ -98,10 +98,9 @@ fn pythagoras(show: &Show, sphere: Sphere, moment: Moment, in_i_j: bool) -> Vec<
     let value = show.exact(Quantity::Speed(sphere, moment));
     let when = if moment == Moment::Before { "before" } else { "after" };
     let name = Expr::name(sphere.name());
-    let words = format!("The speed of {{A}} {when} the impact is");
     if along.is_zero() || across.is_zero() {
         let words = format!("The speed of {{A}} {when} the impact is {{v m/s}}");
-        let mut text = Line::with(&words, &[("A", name), ("v", written(&value))], vec![]);
+        let mut text = Line::with(&words, &[("A", name), ("v", Show::stated(&value))], vec![]);
         let direction = match (in_i_j, along.is_zero(), across.is_zero()) {
             (_, true, true) => ": it is at rest.",
             (false, true, _) => ", perpendicular to the line of centres.",
@@ -119,5 +118,6 @@ fn pythagoras(show: &Show, sphere: Sphere, moment: Moment, in_i_j: bool) -> Vec<
     let root = Expr::call(Function::Sqrt, Expr::sum([square(&along), square(&across)]));
     let mut equations = Show::chain(left.clone(), [root, written(&value)]);
     equations.extend(Show::approximately(&left, &value));
+    let words = format!("The speed of {{A}} {when} the impact{} is", show.in_units(&value, "metres per second"));
     vec![Line::with(&words, &[("A", name)], equations)]
 }

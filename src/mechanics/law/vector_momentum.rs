@@ -149,7 +149,7 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
             let equation = Expr::equation(total(show, Before, unknown), total(show, After, unknown));
             vec![
                 Line::plain("Momentum is conserved:", vec![equation]),
-                Line::plain("", vec![Expr::equation(name, show.vector(sphere, moment))]),
+                found(show, sphere, moment, name),
             ]
         }
         MASS_OF_A | MASS_OF_B => {
@@ -159,6 +159,16 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
         }
         _ => silent(),
     }
+}
+
+/// The velocity with its unit; one that is only on the way needs no words.
+fn found(show: &Show, sphere: Sphere, moment: Moment, name: Expr) -> Line {
+    let mut equations = vec![Expr::equation(name.clone(), show.vector(sphere, moment))];
+    equations.extend(show.approximate_velocity(&name, sphere, moment));
+    let asked = [X, Y].iter().any(|axis| show.is_asked(velocity(sphere, moment, *axis)));
+    let unit = show.in_units(&show.exact(velocity(sphere, moment, X)), "metres per second");
+    let words = if asked { format!("So the velocity of {{A}} {moment} the impact{unit} is") } else { String::new() };
+    Line::with(&words, &[("A", Expr::name(sphere.name()))], equations)
 }
 
 /// The total momentum at a moment, the velocity to be found under its letter.

@@ -1,8 +1,15 @@
 //! Chains of equations, as far as the figures that are printed at their end.
 
 use super::Show;
-use crate::expr::{Expr, Relation, written_angle};
-use crate::number::{Angle, Places, Value};
+use crate::expr::{Expr, Relation, print, written, written_angle};
+use crate::mechanics::{Axis, Moment, Quantity, Sphere};
+use crate::number::{Angle, Fraction, Letter, Places, Value};
+
+/// The most signs of a value that stands as it is in a longer formula.
+const LONG: usize = 16;
+
+/// A fraction with a smaller denominator is as good as its decimal.
+const SMALL: i64 = 10;
 
 impl Show<'_> {
     /// Equations with one left side.
@@ -17,14 +24,53 @@ impl Show<'_> {
         chain
     }
 
+    /// Is it too long to stand in a longer formula, where a letter for it is at hand?
+    pub fn is_long(expr: &Expr) -> bool {
+        print::unicode(expr).chars().count() > LONG
+    }
+
+    /// `, in joules,`: the unit of a value in which no letter carries its own.
+    pub fn in_units(&self, value: &Value, unit: &str) -> String {
+        let is_given =
+            |letter: &Letter| letter.is_constant() || self.with_units.iter().any(|name| name == letter.name());
+        if value.letters().iter().all(is_given) { format!(", in {unit},") } else { String::new() }
+    }
+
     /// A value with its rounded decimal where it is no short fraction.
     pub fn approximately(left: &Expr, value: &Value) -> Option<Expr> {
-        if value.as_fraction().is_some() || !value.is_constant() {
+        if !value.is_constant() {
             return None;
         }
         let rounded = value.rounded(&Places::SignificantFigures(3)).ok()?;
+        let is_short = |number: &Fraction| *number == rounded.to_fraction() || number.denominator() < SMALL.into();
+        if value.as_fraction().is_some_and(is_short) {
+            return None;
+        }
         let right = Box::new(Expr::Decimal(rounded.to_string()));
         Some(Expr::Relation(Box::new(left.clone()), Relation::Approximately, right))
+    }
+
+    /// A value in a sentence, with its decimal where it has one: `8 cos 25°/3 ≈ 2.42`.
+    pub fn stated(value: &Value) -> Expr {
+        let exact = written(value);
+        Show::approximately(&exact, value).unwrap_or(exact)
+    }
+
+    /// The same of a velocity, along i and j.
+    pub fn approximate_velocity(&self, left: &Expr, sphere: Sphere, moment: Moment) -> Option<Expr> {
+        let values = [Axis::X, Axis::Y].map(|axis| self.exact(Quantity::Velocity(sphere, moment, axis)));
+        let rounded = |value: &Value| match Show::approximately(left, value) {
+            Some(Expr::Relation(_, _, decimal)) => (decimal, true),
+            _ => (Box::new(written(value)), false),
+        };
+        let [(x, one), (y, other)] = [&values[0], &values[1]].map(rounded);
+        let vector = Box::new(Expr::Vector(x, y));
+        (one || other).then(|| Expr::Relation(Box::new(left.clone()), Relation::Approximately, vector))
+    }
+
+    /// Does it hold sines and cosines of given degrees, which nobody can picture?
+    pub fn has_degrees(value: &Value) -> bool {
+        value.letters().iter().any(Letter::is_constant)
     }
 
     /// The same for an angle.

@@ -36,6 +36,8 @@ pub struct Show<'a> {
     against_n: bool,
     /// Do the words of the question have unit vectors, where that is known?
     unit_vectors: Option<bool>,
+    /// The letters that the words of the question give with a unit.
+    with_units: &'a [String],
 }
 
 impl<'a> Show<'a> {
@@ -67,12 +69,14 @@ impl<'a> Show<'a> {
             axis,
             against_n,
             unit_vectors: None,
+            with_units: &[],
         }
     }
 
-    /// The same view for a question whose words have unit vectors or have none: the working speaks as they do.
-    pub fn in_words_of(self, unit_vectors: bool) -> Show<'a> {
-        Show { unit_vectors: Some(unit_vectors), ..self }
+    /// The same view for a question whose words have unit vectors or have none, and these letters with a unit: the
+    /// working speaks as they do.
+    pub fn in_words_of(self, unit_vectors: bool, with_units: &'a [String]) -> Show<'a> {
+        Show { unit_vectors: Some(unit_vectors), with_units, ..self }
     }
 
     /// What the impact is between.
@@ -337,8 +341,18 @@ impl<'a> Show<'a> {
     pub fn with_simplified(&self, equation: Expr, which: Quantity) -> Vec<Expr> {
         let Some(coefficients) = self.equation(which) else { return vec![equation] };
         let simple = self.linear(&coefficients);
-        let same = crate::expr::print::plain(&simple) == crate::expr::print::plain(&equation);
-        if same { vec![equation] } else { vec![equation, simple] }
+        let plain = crate::expr::print::plain;
+        let turned = match &equation {
+            Expr::Relation(left, relation, right) => Expr::Relation(right.clone(), *relation, left.clone()),
+            other => other.clone(),
+        };
+        if plain(&simple) == plain(&equation) {
+            vec![equation]
+        } else if plain(&simple) == plain(&turned) {
+            vec![simple]
+        } else {
+            vec![equation, simple]
+        }
     }
 
     /// The scene that is shown.

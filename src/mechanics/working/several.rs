@@ -16,7 +16,8 @@ impl<'a> Show<'a> {
         let is_earlier =
             |quantity: &&Quantity| quantity.of_its_impact().is_equation() && quantity.impact() < meeting.number;
         let numbered_before = self.known.0.keys().filter(is_earlier).count();
-        Some(Show { meeting, one_of_several: true, numbered_before, unit_vectors: self.unit_vectors, ..show })
+        let (unit_vectors, with_units) = (self.unit_vectors, self.with_units);
+        Some(Show { meeting, one_of_several: true, numbered_before, unit_vectors, with_units, ..show })
     }
 
     /// The view of the impact that a quantity is of, and what the laws call the quantity there.
