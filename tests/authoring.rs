@@ -258,7 +258,7 @@ absent-mark accuracy-without-method angle-where-number asked-for-twice brace-nev
 condition-misspelt condition-without-equation crlf derived-beside-parameter derived-in-wrong-order
 division-by-nought empty-title empty-words exact-of-no-answer impossible-restitution impossible later-line-of-centres-missing
 later-mass-given-again later-newcomer-without-mass later-newcomer-without-velocity later-struck-by-nobody
-later-wall-along-the-line letters-beyond-ascii long-line no-relation parameter-and-letter reference-lacks-parameter
+later-wall-along-the-line letters-beyond-ascii long-line no-relation not-equal-misspelt parameter-and-letter reference-lacks-parameter
 requirement-without-truth result-in-stem result-without-show reversed-range shown-is-an-equation shown-is-not-found
 style-lacks-parameter tabs two-answers-of-one-name underdetermined unit-misspelt unknown-name
 unknown-quantity-required unknown-that-is-given unreadable-formula unused-parameter value-from-parameter wrong-kind
