@@ -291,7 +291,7 @@ fn carom_says_that_a_quantity_is_largest_at_an_end() {
     );
     // The energy lost is largest where its rate of change is nought indeed, though that is an end as well.
     let text = said(&at_most(json!("e"), "ke.lost", ["1", "2"]));
-    assert!(text.contains("its rate of change is nought"), "{text}");
+    assert!(text.contains("Where it is largest, this is zero:\n    −32e/3 = 0\n"), "{text}");
     // The component of A, 4(2 - 3e)/5, is nought in between: its speed falls and grows again.
     let text = said(&at_most(json!("e"), "A.after.speed", ["2", "3"]));
     let words = "Where its rate of change with e is nought, and at the ends of the range, the speed of A after the impact is \
