@@ -197,18 +197,15 @@ impl Setting {
         // Most letters begin no phrase.
         let initials = phrases.iter().fold(0_u128, |initials, (spheres, _)| initials | initial(spheres));
         // Phrase by phrase, so that what is said already is not said again.
-        while let Some(first) = rest.chars().next() {
-            let phrase = match initials & initial(rest) {
-                0 => None,
-                _ => phrases.iter().find(|(spheres, _)| rest.starts_with(spheres)),
-            };
-            let (taken, here) = match phrase {
-                Some((spheres, here)) => (spheres.len(), *here),
-                None => (first.len_utf8(), &rest[..first.len_utf8()]),
-            };
-            said.push_str(here);
-            rest = &rest[taken..];
+        while let Some(next) = rest.char_indices().find(|(at, _)| initials & initial(&rest[*at..]) != 0) {
+            let (before, here) = rest.split_at(next.0);
+            said.push_str(before);
+            let phrase = phrases.iter().find(|(spheres, _)| here.starts_with(spheres));
+            let (taken, ours) = phrase.map_or((1, &here[..1]), |(spheres, ours)| (spheres.len(), *ours));
+            said.push_str(ours);
+            rest = &here[taken..];
         }
+        said.push_str(rest);
         Cow::Owned(said)
     }
 }

@@ -13,7 +13,7 @@
 
 use crate::answer::Accept;
 use crate::expr::Expr;
-use crate::number::{Decimal, Fraction, Interval, Places, Uncertain, Value, round, round_certified};
+use crate::number::{Decimal, FloatInterval, Fraction, Interval, Places, Uncertain, Value, round, round_certified};
 
 use super::Note;
 use super::angle::Enclosed;
@@ -87,6 +87,12 @@ impl Written {
         Some(Written { value, figures, places: decimals.len() as i64, noughts, worked_out: false })
     }
 
+    /// Is it further from a number than any rule forgives?
+    pub(super) fn is_far_from(&self, exact: FloatInterval, wanted: &Places) -> bool {
+        let last_place = if self.noughts > 0 { -i64::from(self.noughts) } else { self.places };
+        is_far(FloatInterval::from_fraction(&self.value), last_place, exact, wanted)
+    }
+
     /// The decimal with its sign changed.
     pub(super) fn negated(&self) -> Written {
         Written { value: -self.value.clone(), ..self.clone() }
@@ -107,7 +113,7 @@ impl Written {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Coarsest {
     figures: u32,
-    places: i64,
+    pub(super) places: i64,
 }
 
 impl Coarsest {
@@ -145,12 +151,26 @@ fn suffices(figures: u32, places: i64, wanted: &Places) -> bool {
     }
 }
 
+/// Enclosures of one number: to [`BITS`], and between doubles.
+#[derive(Clone)]
+pub(super) struct Nearly {
+    pub(super) finely: Interval,
+    pub(super) roughly: FloatInterval,
+}
+
+impl Nearly {
+    pub(super) fn of(finely: Interval) -> Nearly {
+        let roughly = FloatInterval::from_interval(&finely);
+        Nearly { finely, roughly }
+    }
+}
+
 /// An exact number that a decimal is held against.
 pub(super) enum Target<'a> {
-    /// A value, with its enclosure to [`BITS`] where that is known.
-    Value(&'a Value, Option<&'a Interval>),
-    /// A formula without letters that is too long for its exact value, with its enclosure.
-    Formula(&'a Expr, Option<&'a Interval>),
+    /// A value, with its enclosures where they are known.
+    Value(&'a Value, Option<&'a Nearly>),
+    /// A formula without letters that is too long for its exact value, with its enclosures.
+    Formula(&'a Expr, Option<&'a Nearly>),
     /// An angle as so many degrees.
     Degrees(&'a Enclosed),
     /// An angle as so many radians.
@@ -158,8 +178,8 @@ pub(super) enum Target<'a> {
 }
 
 impl Target<'_> {
-    /// Its enclosure to [`BITS`], where that is known.
-    fn nearly(&self) -> Option<&Interval> {
+    /// Its enclosures, where they are known.
+    fn nearly(&self) -> Option<&Nearly> {
         match self {
             Target::Value(_, nearly) | Target::Formula(_, nearly) => *nearly,
             Target::Degrees(angle) => angle.enclosure(),
@@ -171,7 +191,7 @@ impl Target<'_> {
         match self {
             // A rounding may be certified by any enclosure that is narrow enough.
             Target::Value(_, Some(nearly)) | Target::Formula(_, Some(nearly)) if bits <= BITS => {
-                Some((*nearly).clone())
+                Some(nearly.finely.clone())
             }
             Target::Value(value, _) => value.enclose_constant(bits),
             Target::Formula(expr, _) => enclose(expr, &[], 0, bits),
@@ -183,7 +203,11 @@ impl Target<'_> {
     }
 
     pub(super) fn equals(&self, number: &Fraction) -> bool {
-        if self.nearly().is_some_and(|nearly| !nearly.overlaps(&Interval::from_fraction(number, BITS))) {
+        let is_apart = |nearly: &Nearly| {
+            !nearly.roughly.overlaps(FloatInterval::from_fraction(number))
+                || !nearly.finely.overlaps(&Interval::from_fraction(number, BITS))
+        };
+        if self.nearly().is_some_and(is_apart) {
             return false;
         }
         match self {
@@ -219,7 +243,11 @@ pub(super) fn places(accept: &Accept) -> Places {
 /// How a decimal fares by the rules above.
 pub(super) fn decimal(written: &Written, target: &Target, accept: &Accept) -> Finding {
     let wanted = places(accept);
-    if target.enclose(BITS).is_some_and(|exact| is_far(written, &exact, &wanted)) {
+    let roughly = match target.nearly() {
+        Some(nearly) => Some(nearly.roughly),
+        None => target.enclose(BITS).as_ref().map(FloatInterval::from_interval),
+    };
+    if roughly.is_some_and(|exact| written.is_far_from(exact, &wanted)) {
         return Finding::WRONG;
     }
     if target.equals(&written.value) {
@@ -255,26 +283,22 @@ pub(super) fn decimal(written: &Written, target: &Target, accept: &Accept) -> Fi
     }
 }
 
-/// Is it further off than any rule forgives? Most wrong answers are, and an enclosure shows it.
+/// Is a value, of which the last figure has that place, further off than any rule forgives? Most wrong answers are, and
+/// doubles show it.
 ///
 /// Two that round to one value are at most a unit of that rounding apart; what is rounded or cut off is within a unit
 /// of its own last figure; a near miss is within a hundredth.
-pub(super) fn is_far(written: &Written, exact: &Interval, wanted: &Places) -> bool {
-    let size = exact.abs().upper();
+pub(super) fn is_far(found: FloatInterval, last_place: i64, exact: FloatInterval, wanted: &Places) -> bool {
+    let size = exact.abs().upper;
+    let tenths = |places: u32, most: u32| 0.1_f64.powi(places.min(most).cast_signed());
     let unit = match wanted {
-        Places::SignificantFigures(figures) => {
-            let tenths = i32::try_from(figures.saturating_sub(1)).unwrap_or(i32::MAX).min(2);
-            Fraction::new(1, 10).power(tenths).map(|share| &size * &share)
-        }
-        Places::DecimalPlaces(places) => Fraction::new(1, 10).power(i32::try_from(*places).unwrap_or(0).min(60)),
-        Places::Nearest(step) => Some(step.decimal().to_fraction()),
+        Places::SignificantFigures(figures) => size * tenths(figures.saturating_sub(1), 2),
+        Places::DecimalPlaces(places) => tenths(*places, 60),
+        Places::Nearest(step) => step.decimal().to_fraction().to_f64(),
     };
-    let last = i32::try_from((-written.places).max(i64::from(written.noughts)).clamp(-MOST_PLACES, MOST_PLACES)).ok();
-    let last = last.and_then(|power| Fraction::from(10).power(power));
-    let Some((unit, last)) = unit.zip(last) else { return false };
-    let gap = (Interval::from_fraction(&written.value, BITS) - exact.clone()).abs().lower();
-    let hundredth = &size * &Fraction::new(1, 100);
-    gap > unit && gap > last && gap > hundredth
+    let last = 10_f64.powi(-(last_place.clamp(-MOST_PLACES, MOST_PLACES) as i32));
+    // Doubles are rounded, but not by so much.
+    (found - exact).abs().lower > unit.max(last).max(size / 100.0) * 1.000_001
 }
 
 /// What the last figure that was written is.

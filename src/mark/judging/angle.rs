@@ -12,9 +12,9 @@ use std::sync::OnceLock;
 use crate::expr::{Expr, Function, Meaning, Relation, Turn};
 use crate::mark::reading::{Form, Label, ReferenceLine, Said, Sense};
 use crate::mechanics::Quantity;
-use crate::number::{Fraction, Interval, Letter, Places};
+use crate::number::{FloatInterval, Fraction, Interval, Letter, Places};
 
-use super::accuracy::{BITS, Coarsest, Target, Written, decimal, is_far, places};
+use super::accuracy::{BITS, Coarsest, Nearly, Target, Written, decimal, places};
 use super::exact;
 use super::finding::Finding;
 use super::{Model, Note, number, sense};
@@ -74,7 +74,7 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Findin
 #[derive(Clone)]
 pub(super) struct Enclosed {
     pub(super) turn: Turn,
-    degrees: OnceLock<Option<Interval>>,
+    degrees: OnceLock<Option<Nearly>>,
 }
 
 impl Enclosed {
@@ -85,18 +85,18 @@ impl Enclosed {
     /// So many degrees less the angle.
     fn from(&self, degrees: i64) -> Option<Enclosed> {
         let turn = Turn::degrees(Fraction::from(degrees)).plus(&self.turn.reversed())?;
-        let enclosure = self.enclosure().map(|own| Interval::integer(degrees, BITS) - own.clone());
-        Some(Enclosed { turn, degrees: enclosure.into() })
+        let enclosure = self.enclosure().map(|own| Interval::integer(degrees, BITS) - own.finely.clone());
+        Some(Enclosed { turn, degrees: enclosure.map(Nearly::of).into() })
     }
 
     /// In degrees; `None` while there are letters in it.
-    pub(super) fn enclosure(&self) -> Option<&Interval> {
-        self.degrees.get_or_init(|| self.turn.enclose(BITS)).as_ref()
+    pub(super) fn enclosure(&self) -> Option<&Nearly> {
+        self.degrees.get_or_init(|| self.turn.enclose(BITS).map(Nearly::of)).as_ref()
     }
 
     pub(super) fn enclose(&self, bits: usize) -> Option<Interval> {
         // A rounding may be certified by any enclosure that is narrow enough.
-        if bits <= BITS { self.enclosure().cloned() } else { self.turn.enclose(bits) }
+        if bits <= BITS { self.enclosure().map(|nearly| nearly.finely.clone()) } else { self.turn.enclose(bits) }
     }
 }
 
@@ -248,17 +248,11 @@ fn rounded(found: Turn, decimals: &Coarsest, right: &Enclosed, model: &Model) ->
 
 /// Is a plain number far from the angle, its complement, its supplement, its negative and its radians alike?
 fn is_unrelated(expr: &Expr, right: &Enclosed, wanted: &Places) -> bool {
-    let Some((written, degrees)) = Written::of(expr).zip(right.enclosure().cloned()) else { return false };
-    let whole = |degrees: i64| Interval::integer(degrees, BITS);
-    let Some(degree) = Interval::pi(BITS).checked_div(&whole(180)) else { return false };
-    let others = [
-        whole(90) - degrees.clone(),
-        whole(180) - degrees.clone(),
-        -degrees.clone(),
-        degrees.clone() * degree,
-        degrees,
-    ];
-    others.iter().all(|other| is_far(&written, other, wanted))
+    let Some((written, nearly)) = Written::of(expr).zip(right.enclosure()) else { return false };
+    let (degrees, whole) = (nearly.roughly, FloatInterval::point);
+    let radians = (degrees * FloatInterval::pi()).checked_div(whole(180.0));
+    let others = [Some(whole(90.0) - degrees), Some(whole(180.0) - degrees), Some(-degrees), radians, Some(degrees)];
+    others.iter().flatten().all(|other| written.is_far_from(*other, wanted))
 }
 
 /// Why the number is not the one asked for, where that can be told.

@@ -4,9 +4,10 @@
 //! nothing, and is never taken for proof. The points are fixed so that the same answer earns the same marks for ever.
 
 use std::cell::OnceCell;
+use std::ops::{Add, Mul, Neg};
 
 use crate::expr::{Expr, Function};
-use crate::number::{Fraction, Interval, Letter, Range};
+use crate::number::{FloatInterval, Fraction, Interval, Letter, Range};
 
 /// How many points are looked at where letters remain.
 pub(super) const POINTS: u32 = 6;
@@ -28,118 +29,197 @@ pub(super) fn at_point(letter: &Letter, point: u32) -> Fraction {
 /// Beyond 2 to this power, up or down, nothing is enclosed: towers of powers grow without end.
 const LARGEST: usize = 600;
 
+/// What a value can be enclosed in, angles in radians.
+trait Enclosure: Clone + Add<Output = Self> + Mul<Output = Self> + Neg<Output = Self> {
+    /// How finely.
+    type Bits: Copy;
+    fn of(value: &Fraction, bits: Self::Bits) -> Self;
+    fn pi(bits: Self::Bits) -> Self;
+    /// The quotient; `None` if the divisor may be nought.
+    fn over(&self, divisor: &Self) -> Option<Self>;
+    /// The outcome of a function; `None` where it has none, or it is not certain that it has one.
+    fn through(&self, function: Function) -> Option<Self>;
+    fn cube_root(&self) -> Option<Self>;
+    /// Is all of it below nought?
+    fn is_negative(&self) -> bool;
+    /// Is it so large that nothing more is said of it?
+    fn is_too_large(&self) -> bool;
+}
+
+impl Enclosure for Interval {
+    type Bits = usize;
+    fn of(value: &Fraction, bits: usize) -> Interval {
+        Interval::from_fraction(value, bits)
+    }
+    fn pi(bits: usize) -> Interval {
+        Interval::pi(bits)
+    }
+    fn over(&self, divisor: &Interval) -> Option<Interval> {
+        self.checked_div(divisor)
+    }
+    fn through(&self, function: Function) -> Option<Interval> {
+        match function {
+            Function::Sqrt => self.sqrt(),
+            Function::Sin => Some(self.sin()),
+            Function::Cos => Some(self.cos()),
+            Function::Tan => self.tan(),
+            Function::Asin => self.asin(),
+            Function::Acos => self.acos(),
+            Function::Atan => Some(self.atan()),
+            Function::Abs => Some(self.abs()),
+        }
+    }
+    fn cube_root(&self) -> Option<Interval> {
+        Interval::cube_root(self)
+    }
+    fn is_negative(&self) -> bool {
+        self.sign().is_some_and(|sign| sign.is_lt())
+    }
+    fn is_too_large(&self) -> bool {
+        self.exceeds(LARGEST)
+    }
+}
+
+impl Enclosure for FloatInterval {
+    type Bits = ();
+    fn of(value: &Fraction, (): ()) -> FloatInterval {
+        FloatInterval::from_fraction(value)
+    }
+    fn pi((): ()) -> FloatInterval {
+        FloatInterval::pi()
+    }
+    fn over(&self, divisor: &FloatInterval) -> Option<FloatInterval> {
+        self.checked_div(*divisor)
+    }
+    fn through(&self, function: Function) -> Option<FloatInterval> {
+        match function {
+            Function::Sqrt => self.sqrt(),
+            Function::Sin => Some(self.sin()),
+            Function::Cos => Some(self.cos()),
+            Function::Tan => self.sin().checked_div(self.cos()),
+            Function::Asin => self.asin(),
+            Function::Acos => self.acos(),
+            Function::Atan => Some(self.atan()),
+            Function::Abs => Some(self.abs()),
+        }
+    }
+    fn cube_root(&self) -> Option<FloatInterval> {
+        FloatInterval::cube_root(*self)
+    }
+    fn is_negative(&self) -> bool {
+        self.sign().is_some_and(|sign| sign.is_lt())
+    }
+    fn is_too_large(&self) -> bool {
+        !self.is_finite()
+    }
+}
+
 /// A point, and how finely values are enclosed there.
-struct At<'a> {
+struct At<'a, N: Enclosure> {
     letters: &'a [Letter],
     point: u32,
-    bits: usize,
+    bits: N::Bits,
     /// The angles in radians, letter by letter, each worked out when it is first met: it may be met hundreds of times.
-    angles: Vec<OnceCell<Interval>>,
+    angles: Vec<OnceCell<N>>,
 }
 
 /// An interval that holds the value of the expression at a point, angles in radians; `None` where it has no value, or
 /// the precision does not tell.
 pub(super) fn enclose(expr: &Expr, letters: &[Letter], point: u32, bits: usize) -> Option<Interval> {
-    At { letters, point, bits, angles: vec![OnceCell::new(); letters.len()] }.enclose(expr)
+    at(letters, point, bits).enclose(expr)
 }
 
-impl At<'_> {
-    fn enclose(&self, expr: &Expr) -> Option<Interval> {
-        self.parts(expr).filter(|found| !found.exceeds(LARGEST))
+/// The same between two doubles, which is quick, and tells most values apart.
+pub(super) fn enclose_roughly(expr: &Expr, letters: &[Letter], point: u32) -> Option<FloatInterval> {
+    at(letters, point, ()).enclose(expr)
+}
+
+fn at<N: Enclosure>(letters: &[Letter], point: u32, bits: N::Bits) -> At<'_, N> {
+    At { letters, point, bits, angles: vec![OnceCell::new(); letters.len()] }
+}
+
+impl<N: Enclosure> At<'_, N> {
+    fn enclose(&self, expr: &Expr) -> Option<N> {
+        self.parts(expr).filter(|found| !found.is_too_large())
     }
 
-    fn parts(&self, expr: &Expr) -> Option<Interval> {
-        let bits = self.bits;
+    fn of(&self, value: &Fraction) -> N {
+        N::of(value, self.bits)
+    }
+
+    fn parts(&self, expr: &Expr) -> Option<N> {
         let inner = |expr: &Expr| self.enclose(expr);
         match expr {
-            Expr::Number(value) => Some(Interval::from_fraction(value, bits)),
-            Expr::Decimal(text) => Some(Interval::from_fraction(&text.parse().ok()?, bits)),
+            Expr::Number(value) => Some(self.of(value)),
+            Expr::Decimal(text) => Some(self.of(&text.parse().ok()?)),
             Expr::Name(name) => self.letter(&name.text),
-            Expr::Pi => Some(Interval::pi(bits)),
-            Expr::Degrees(degrees) => Some(inner(degrees)? * degree(bits)?),
+            Expr::Pi => Some(N::pi(self.bits)),
+            Expr::Degrees(degrees) => (inner(degrees)? * N::pi(self.bits)).over(&self.of(&Fraction::from(180))),
             Expr::Negative(value) => Some(-inner(value)?),
-            Expr::Sum(terms) => terms.iter().try_fold(Interval::integer(0, bits), |sum, term| Some(sum + inner(term)?)),
-            Expr::Product(factors) => factors.iter().try_fold(Interval::integer(1, bits), |product, factor| {
-                Some(product * inner(factor)?).filter(|product| !product.exceeds(LARGEST))
+            Expr::Sum(terms) => terms.iter().try_fold(self.of(&Fraction::ZERO), |sum, term| Some(sum + inner(term)?)),
+            Expr::Product(factors) => factors.iter().try_fold(self.of(&Fraction::ONE), |product, factor| {
+                Some(product * inner(factor)?).filter(|product| !product.is_too_large())
             }),
-            Expr::Quotient(above, below) => inner(above)?.checked_div(&inner(below)?),
-            Expr::Power(base, exponent) => power(&inner(base)?, exponent, bits),
+            Expr::Quotient(above, below) => inner(above)?.over(&inner(below)?),
+            Expr::Power(base, exponent) => self.power(&inner(base)?, exponent),
             Expr::Call(function, argument) => match self.of_acute(*function, argument) {
                 Some(found) => Some(found),
-                None => call(*function, &inner(argument)?),
+                None => inner(argument)?.through(*function),
             },
             Expr::Vector(..) | Expr::Relation(..) => None,
         }
     }
 
-    fn letter(&self, name: &str) -> Option<Interval> {
+    fn letter(&self, name: &str) -> Option<N> {
         let letter = super::exact::letter(self.letters, name)?;
-        let value = || Interval::from_fraction(&at_point(letter, self.point), self.bits);
+        let value = || self.of(&at_point(letter, self.point));
         if letter.range() != Range::Acute {
             return Some(value());
         }
         let place = self.letters.iter().position(|other| other == letter)?;
-        Some(self.angles[place].get_or_init(|| value().atan()).clone())
+        if self.angles[place].get().is_none() {
+            self.angles[place].set(value().through(Function::Atan)?).ok();
+        }
+        self.angles[place].get().cloned()
     }
 
     /// The tangent, sine or cosine of an acute letter, which stands for its tangent: no angle need be worked out.
-    fn of_acute(&self, function: Function, of: &Expr) -> Option<Interval> {
+    fn of_acute(&self, function: Function, of: &Expr) -> Option<N> {
         let Expr::Name(name) = of else { return None };
         let letter = super::exact::letter(self.letters, &name.text).filter(|letter| letter.range() == Range::Acute)?;
         let tangent = at_point(letter, self.point);
         let above = match function {
-            Function::Tan => return Some(Interval::from_fraction(&tangent, self.bits)),
-            Function::Sin => Interval::from_fraction(&tangent, self.bits),
-            Function::Cos => Interval::integer(1, self.bits),
+            Function::Tan => return Some(self.of(&tangent)),
+            Function::Sin => self.of(&tangent),
+            Function::Cos => self.of(&Fraction::ONE),
             _ => return None,
         };
-        let secant = Interval::from_fraction(&(&Fraction::ONE + &(&tangent * &tangent)), self.bits).sqrt()?;
-        above.checked_div(&secant)
+        let secant = self.of(&(&Fraction::ONE + &(&tangent * &tangent))).through(Function::Sqrt)?;
+        above.over(&secant)
     }
-}
 
-/// One degree in radians.
-fn degree(bits: usize) -> Option<Interval> {
-    Interval::pi(bits).checked_div(&Interval::integer(180, bits))
-}
-
-fn power(base: &Interval, exponent: &Expr, bits: usize) -> Option<Interval> {
-    let (count, below) = match exponent {
-        Expr::Number(number) => number.as_small()?,
-        Expr::Decimal(text) => text.parse::<Fraction>().ok()?.as_small()?,
-        Expr::Negative(inner) => {
-            return Interval::integer(1, bits).checked_div(&power(base, inner, bits)?);
-        }
-        Expr::Quotient(above, below) => match (&**above, &**below) {
-            (Expr::Number(above), Expr::Number(below)) => (above * &below.reciprocal()?).as_small()?,
+    fn power(&self, base: &N, exponent: &Expr) -> Option<N> {
+        let one = || self.of(&Fraction::ONE);
+        let (count, below) = match exponent {
+            Expr::Number(number) => number.as_small()?,
+            Expr::Decimal(text) => text.parse::<Fraction>().ok()?.as_small()?,
+            Expr::Negative(inner) => return one().over(&self.power(base, inner)?),
+            Expr::Quotient(above, below) => match (&**above, &**below) {
+                (Expr::Number(above), Expr::Number(below)) => (above * &below.reciprocal()?).as_small()?,
+                _ => return None,
+            },
             _ => return None,
-        },
-        _ => return None,
-    };
-    let base = match below {
-        1 => base.clone(),
-        2 if base.sign().is_none_or(|sign| sign.is_ge()) => base.sqrt()?,
-        3 => base.cube_root()?,
-        _ => return None,
-    };
-    if !(0..=MOST_POWER).contains(&count) {
-        return None;
-    }
-    (0..count).try_fold(Interval::integer(1, bits), |product, _| {
-        Some(product * base.clone()).filter(|product| !product.exceeds(LARGEST))
-    })
-}
-
-fn call(function: Function, argument: &Interval) -> Option<Interval> {
-    match function {
-        Function::Sqrt => argument.sqrt(),
-        Function::Sin => Some(argument.sin()),
-        Function::Cos => Some(argument.cos()),
-        Function::Tan => argument.tan(),
-        Function::Asin => argument.asin(),
-        Function::Acos => argument.acos(),
-        Function::Atan => Some(argument.atan()),
-        Function::Abs => Some(argument.abs()),
+        };
+        let base = match below {
+            1 => base.clone(),
+            2 if !base.is_negative() => base.through(Function::Sqrt)?,
+            3 => base.cube_root()?,
+            _ => return None,
+        };
+        if !(0..=MOST_POWER).contains(&count) {
+            return None;
+        }
+        (0..count).try_fold(one(), |product, _| Some(product * base.clone()).filter(|product| !product.is_too_large()))
     }
 }
 
@@ -153,10 +233,10 @@ mod tests {
         let theta = Expr::name("theta");
         for function in [Function::Sin, Function::Cos, Function::Tan] {
             for point in 0..POINTS {
-                let at = At { letters: &letters, point, bits: 96, angles: vec![OnceCell::new()] };
+                let at: At<Interval> = at(&letters, point, 96);
                 let quick = at.of_acute(function, &theta).unwrap();
                 let angle = at.enclose(&theta).unwrap();
-                assert!(quick.overlaps(&call(function, &angle).unwrap()), "{function:?} at {point}");
+                assert!(quick.overlaps(&angle.through(function).unwrap()), "{function:?} at {point}");
             }
         }
     }

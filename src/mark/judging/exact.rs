@@ -1,11 +1,11 @@
 //! Is what a student wrote exactly equal to the model answer? Refuted by intervals, proved by the normal form.
 
 use crate::expr::{Expr, Function, Meaning, Turn, evaluate, holds};
-use crate::number::{Angle, Fraction, Interval, Letter, Range, Value};
+use crate::number::{Angle, FloatInterval, Fraction, Interval, Letter, Range, Value};
 
 use super::Model;
 use super::effort::{MOST_EFFORT, effort, effort_at_point};
-use super::enclosure::{POINTS, at_point, enclose};
+use super::enclosure::{POINTS, at_point, enclose, enclose_roughly};
 
 /// The precision of the enclosures that refute.
 pub(super) const BITS: usize = 96;
@@ -77,8 +77,8 @@ pub(super) fn unknown_letter(expr: &Expr, letters: &[Letter]) -> Option<String> 
 
 /// Are the two equal, whatever their letters stand for?
 pub(super) fn same(model: &Expr, student: &Expr, letters: &[Letter]) -> Equality {
-    let known = |point: u32| enclose(model, letters, point, BITS);
-    if refuted(known, student, letters) {
+    let roughly = |point: u32| enclose_roughly(model, letters, point);
+    if refuted(roughly, |point| enclose(model, letters, point, BITS), student, letters) {
         return Equality::Different;
     }
     proved(model, student, letters)
@@ -87,7 +87,7 @@ pub(super) fn same(model: &Expr, student: &Expr, letters: &[Letter]) -> Equality
 /// Is a student's expression equal to the model answer?
 pub(super) fn equals(model: &Model, student: &Expr) -> Equality {
     let (known, letters) = (model.known(), &model.vocabulary.letters);
-    if refuted(|point| known.enclosure(point), student, letters) {
+    if refuted(|point| known.roughly(point), |point| known.enclosure(point), student, letters) {
         return Equality::Different;
     }
     let said = match (known.value(), effort(student)) {
@@ -118,12 +118,22 @@ fn proved(model: &Expr, student: &Expr, letters: &[Letter]) -> Equality {
     }
 }
 
-/// Do enclosures keep apart at any of the fixed points?
-fn refuted(known: impl Fn(u32) -> Option<Interval>, student: &Expr, letters: &[Letter]) -> bool {
-    points(letters).any(|point| {
-        let both = known(point).and_then(|right| Some((right, enclose(student, letters, point, BITS)?)));
+/// Do enclosures keep apart at any of the fixed points? Most wrong values are seen between doubles.
+fn refuted(
+    roughly: impl Fn(u32) -> Option<FloatInterval>,
+    finely: impl Fn(u32) -> Option<Interval>,
+    student: &Expr,
+    letters: &[Letter],
+) -> bool {
+    let are_apart_roughly = |point| {
+        let both = roughly(point).zip(enclose_roughly(student, letters, point));
+        both.is_some_and(|(right, said)| !right.overlaps(said))
+    };
+    let are_apart = |point| {
+        let both = finely(point).and_then(|right| Some((right, enclose(student, letters, point, BITS)?)));
         both.is_some_and(|(right, said)| !right.overlaps(&said))
-    })
+    };
+    points(letters).any(are_apart_roughly) || points(letters).any(are_apart)
 }
 
 /// The points at which enclosures are compared: one is enough where there are no letters.

@@ -4,11 +4,11 @@ use std::sync::{Arc, OnceLock};
 
 use crate::answer::Kind;
 use crate::expr::{Expr, Meaning};
-use crate::number::{Interval, Letter, Value};
+use crate::number::{FloatInterval, Interval, Letter, Value};
 
-use super::accuracy::{BITS, Target};
+use super::accuracy::{BITS, Nearly, Target};
 use super::angle::{Enclosed, as_turn};
-use super::enclosure::enclose;
+use super::enclosure::{enclose, enclose_roughly};
 use super::equation::Difference;
 use super::{Model, exact};
 
@@ -36,11 +36,12 @@ pub(super) struct Known {
     of: Expr,
     letters: Vec<Letter>,
     enclosures: Vec<OnceLock<Option<Interval>>>,
+    rough: Vec<OnceLock<Option<FloatInterval>>>,
     meaning: OnceLock<Option<Meaning>>,
     has_names: OnceLock<bool>,
     written: OnceLock<Option<Expr>>,
     /// The value, where it is a constant, nearly.
-    nearly: OnceLock<Option<Interval>>,
+    nearly: OnceLock<Option<Nearly>>,
     turn: OnceLock<Option<Enclosed>>,
     difference: OnceLock<Option<Difference>>,
     further: [OnceLock<Model>; Further::COUNT],
@@ -65,10 +66,12 @@ impl Known {
     fn of(model: &Model) -> Known {
         let letters = model.vocabulary.letters.clone();
         let enclosures = exact::points(&letters).map(|_| OnceLock::new()).collect();
+        let rough = exact::points(&letters).map(|_| OnceLock::new()).collect();
         Known {
             of: model.value.clone(),
             letters,
             enclosures,
+            rough,
             meaning: OnceLock::new(),
             has_names: OnceLock::new(),
             written: OnceLock::new(),
@@ -81,13 +84,14 @@ impl Known {
 
     /// The enclosure of the value at a fixed point.
     pub(super) fn enclosure(&self, point: u32) -> Option<Interval> {
-        self.enclosed(point).cloned()
+        let known = self.enclosures.get(point as usize)?;
+        known.get_or_init(|| enclose(&self.of, &self.letters, point, exact::BITS)).clone()
     }
 
-    /// The same where it is kept.
-    pub(super) fn enclosed(&self, point: u32) -> Option<&Interval> {
-        let known = self.enclosures.get(point as usize)?;
-        known.get_or_init(|| enclose(&self.of, &self.letters, point, exact::BITS)).as_ref()
+    /// The enclosure between doubles.
+    pub(super) fn roughly(&self, point: u32) -> Option<FloatInterval> {
+        let known = self.rough.get(point as usize)?;
+        *known.get_or_init(|| enclose_roughly(&self.of, &self.letters, point))
     }
 
     /// The exact meaning.
@@ -108,11 +112,19 @@ impl Known {
         }
     }
 
-    /// The exact value as what a decimal is held against.
+    /// What a decimal is held against, where it is a plain number; with letters it has no enclosure.
     pub(super) fn target(&self) -> Option<Target<'_>> {
-        let value = self.value()?;
-        let nearly = self.nearly.get_or_init(|| value.enclose_constant(BITS));
-        Some(Target::Value(value, nearly.as_ref()))
+        Some(Target::Value(self.value()?, self.nearly()))
+    }
+
+    /// Its enclosures, if it is a constant.
+    pub(super) fn nearly(&self) -> Option<&Nearly> {
+        let enclosed = || match self.value() {
+            Some(value) => value.enclose_constant(BITS),
+            None if self.has_names() => None,
+            None => self.enclosure(0),
+        };
+        self.nearly.get_or_init(|| enclosed().map(Nearly::of)).as_ref()
     }
 
     /// The angle that it means; a plain number is degrees.

@@ -6,12 +6,12 @@ use crate::answer::Kind;
 use crate::expr::{Expr, Function, Meaning, Relation};
 use crate::mark::reading::{Form, Label, Notation, Said};
 use crate::mechanics::Quantity;
-use crate::number::{Fraction, Places, Range, Value};
+use crate::number::{FloatInterval, Fraction, Places, Range, Value};
 use crate::unit::Unit;
 
-use super::accuracy::{Coarsest, Target, Written, decimal};
+use super::accuracy::{Coarsest, Target, Written, decimal, is_far, places};
 use super::coefficients;
-use super::enclosure::enclose;
+use super::enclosure::enclose_roughly;
 use super::exact::{self, Equality, same};
 use super::finding::Finding;
 use super::known::Further;
@@ -137,14 +137,25 @@ fn signed(model: &Model, expr: &Expr, written: &Option<Written>, label: Option<&
     }
 }
 
-/// Is it so plainly an exact number of another size that its sign need not be looked at?
+/// Is it so plainly a number of another size that its sign need not be looked at?
 fn is_of_another_size(model: &Model, expr: &Expr) -> bool {
-    let letters = &model.vocabulary.letters;
-    if !letters.is_empty() || Coarsest::of(expr).is_some() {
-        return false;
+    if let Some(decimals) = Coarsest::of(expr) {
+        return is_far_off(model, expr, &decimals, FloatInterval::abs);
     }
-    let sizes = model.known().enclosure(0).zip(enclose(expr, letters, 0, exact::BITS));
-    sizes.is_some_and(|(right, found)| !right.abs().overlaps(&found.abs()))
+    between_doubles(model, expr).is_some_and(|(right, found)| !right.abs().overlaps(found.abs()))
+}
+
+/// Is a number that was worked out with decimals farther off than any rule forgives?
+fn is_far_off(model: &Model, expr: &Expr, decimals: &Coarsest, size: impl Fn(FloatInterval) -> FloatInterval) -> bool {
+    let is_far = |(right, found)| is_far(size(found), decimals.places, size(right), &places(&model.accept));
+    between_doubles(model, expr).is_some_and(is_far)
+}
+
+/// The model answer and what was found, where the question has no letters.
+fn between_doubles(model: &Model, expr: &Expr) -> Option<(FloatInterval, FloatInterval)> {
+    let letters = &model.vocabulary.letters;
+    let right = model.known().roughly(0).filter(|_| letters.is_empty())?;
+    Some((right, enclose_roughly(expr, letters, 0)?))
 }
 
 /// Is the sign of the quantity part of the answer?
@@ -169,11 +180,16 @@ pub(super) fn value(model: &Model, expr: &Expr, written: &Option<Written>) -> Fi
         let bare = matches!(expr, Expr::Name(_));
         return if bare { Finding::unreadable(Note::UnknownLetter) } else { Finding::wrong(Note::UnknownLetter) };
     }
+    let known = model.known();
+    if let Some((written, target)) = written.as_ref().zip(known.target())
+        && known.value().is_some_and(Value::is_constant)
+    {
+        return decimal(written, &target, &model.accept);
+    }
     let equality = exact::equals(model, expr);
     if equality == Equality::Equal {
         return Finding::EXACT;
     }
-    let known = model.known();
     let Some(right) = known.value() else {
         if let (Some(written), Some(Meaning::Angle(_)), Some(angle)) = (written, known.meaning(), known.turn()) {
             // A number such as pi is that of an angle in radians.
@@ -184,7 +200,7 @@ pub(super) fn value(model: &Model, expr: &Expr, written: &Option<Written>) -> Fi
             && !known.has_names()
         {
             // Too long to be worked out exactly; its figures can be proved all the same.
-            return decimal(written, &Target::Formula(&model.value, known.enclosed(0)), &model.accept);
+            return decimal(written, &Target::Formula(&model.value, known.nearly()), &model.accept);
         }
         return if equality == Equality::Different {
             Finding::WRONG
@@ -192,18 +208,15 @@ pub(super) fn value(model: &Model, expr: &Expr, written: &Option<Written>) -> Fi
             Finding::unreadable(Note::CannotBeCompared)
         };
     };
-    if let Some((written, target)) = written.as_ref().zip(known.target())
-        && right.is_constant()
-    {
-        return decimal(written, &target, &model.accept);
-    }
     let mut finding = Finding::WRONG;
     if let Some(decimals) = Coarsest::of(expr) {
         if !worth_working_out(model, expr) {
             return Finding::WRONG;
         }
-        let Some(found) = exact::value(expr, letters) else { return Finding::unreadable(Note::CannotBeCompared) };
-        finding = coefficients::compare(right, &found, &decimals, &model.accept);
+        if !is_far_off(model, expr, &decimals, |number| number) {
+            let Some(found) = exact::value(expr, letters) else { return Finding::unreadable(Note::CannotBeCompared) };
+            finding = coefficients::compare(right, &found, &decimals, &model.accept);
+        }
         if finding.is_credited() {
             return finding;
         }
@@ -242,11 +255,11 @@ fn worth_working_out(model: &Model, expr: &Expr) -> bool {
     let (known, letters) = (model.known(), &model.vocabulary.letters);
     let near = |expr: &Expr| {
         exact::points(letters).all(|point| {
-            let found = enclose(expr, letters, point, exact::BITS);
-            known.enclosure(point).zip(found).is_none_or(|(right, found)| {
-                let gap = (right.clone() - found).abs();
-                gap.lower() <= right.abs().upper()
-            })
+            let found = enclose_roughly(expr, letters, point);
+            known
+                .roughly(point)
+                .zip(found)
+                .is_none_or(|(right, found)| (right - found).abs().lower <= right.abs().upper)
         })
     };
     near(expr) || missing_letters(model, expr).any(|product| near(&product))

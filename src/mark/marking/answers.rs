@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::rc::Rc;
 
 use super::left::Left;
-use super::memory::{Judged, Memory};
+use super::memory::{Judged, Lines, Memory};
 use crate::answer::{Accept, Kind};
 use crate::mark::award::MarkedAnswer;
 use crate::mark::judging::{Judgement, Model, Note, Verdict, judge, judge_together};
@@ -30,6 +30,7 @@ pub(super) fn judged(
         judge_together(&models, &read_answer(answer, &together_vocabulary(&models)))
     };
     let left = Left::of(part, script, examined);
+    let mut lines = Lines::default();
     let unnamed = unnamed.or_else(|| left.for_all(&all_at_once).filter(|_| script.answers.is_empty()));
     let mut together = match (unnamed, part.blanks.as_slice()) {
         (None, _) | (Some(_), [_]) => Vec::new(),
@@ -48,7 +49,7 @@ pub(super) fn judged(
         let mut judged = |answer: &str| {
             memory.judged(blank, answer, || {
                 let model = in_profile(&blank.model, profile);
-                let readings = read_answer(answer, &model.vocabulary);
+                let readings = lines.read(answer, &model.vocabulary);
                 Judged::new(profiled(judge(&model, &readings), profile).in_setting(part.setting), readings.ok())
             })
         };

@@ -7,7 +7,7 @@ use std::rc::Rc;
 use super::causes::Found;
 use crate::mark::judging::Judgement;
 use crate::mark::key::KeyedBlank;
-use crate::mark::reading::Reading;
+use crate::mark::reading::{Reading, Unreadable, Vocabulary, read_answer};
 
 /// How many answers are remembered at most; when there are more everything is forgotten.
 const MOST: usize = 1 << 13;
@@ -21,6 +21,22 @@ pub(in crate::mark) struct Memory {
     /// By blank, which stays where it is while it is marked by; then by what was typed.
     judged: HashMap<usize, HashMap<Box<str>, Rc<Judged>>>,
     count: usize,
+}
+
+/// What the lines of a part were read as. Its blanks have the letters of one question, and each may look at every line.
+#[derive(Default)]
+pub(super) struct Lines(Vec<(String, bool, Result<Vec<Reading>, Unreadable>)>);
+
+impl Lines {
+    pub(super) fn read(&mut self, typed: &str, vocabulary: &Vocabulary) -> Result<Vec<Reading>, Unreadable> {
+        let is_it = |(known, vectors, _): &&(String, bool, _)| known == typed && *vectors == vocabulary.vectors;
+        if let Some((_, _, readings)) = self.0.iter().find(is_it) {
+            return readings.clone();
+        }
+        let readings = read_answer(typed, vocabulary);
+        self.0.push((typed.to_owned(), vocabulary.vectors, readings.clone()));
+        readings
+    }
 }
 
 /// What was found of an answer by itself.

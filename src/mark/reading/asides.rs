@@ -20,6 +20,9 @@ impl Walk<'_> {
             Token::Word(word) => matches!(word.as_str(), "one" | "two" | "three" | "four"),
             _ => false,
         };
+        if !(counts && (led || at > 0)) {
+            return None;
+        }
         let kinds = [
             "sf",
             "dp",
@@ -30,7 +33,7 @@ impl Walk<'_> {
             "decimal places",
             "decimal place",
         ];
-        let end = self.any(number + 1, &kinds).filter(|_| counts && (led || at > 0))?;
+        let end = self.any(number + 1, &kinds)?;
         let end = end + usize::from(self.tokens.get(end).is_some_and(|token| token.is('.')));
         match open {
             true => self.tokens.get(end).is_some_and(|token| token.is(')')).then_some(end + 1),

@@ -74,9 +74,12 @@ pub(super) fn with_signs(tokens: &[Placed]) -> Vec<Placed> {
     let mut at = 0;
     while let Some(placed) = tokens.get(at) {
         let stands = |words: &str| words.split(' ').enumerate().all(|(ahead, wanted)| is(at + ahead, wanted));
-        // Most of an answer is no word.
-        let standing =
-            word(at).and_then(|_| SIGNS.iter().filter(|(words, _)| stands(words)).max_by_key(|(words, _)| words.len()));
+        // Most of an answer is no word, and most words begin otherwise.
+        let standing = word(at).and_then(|word| {
+            let initial = word.bytes().next().map(|byte| byte.to_ascii_lowercase());
+            let begins = |words: &str| words.bytes().next() == initial;
+            SIGNS.iter().filter(|(words, _)| begins(words) && stands(words)).max_by_key(|(words, _)| words.len())
+        });
         // `0.3 recurring`: the last digit recurs.
         if let Token::Number(Expr::Decimal(digits)) = &placed.token
             && let Some((whole, decimals)) = digits.split_once('.').filter(|(_, decimals)| !decimals.is_empty())
