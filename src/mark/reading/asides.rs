@@ -43,6 +43,7 @@ impl Walk<'_> {
 
     /// `eqn 2`, `from (1)`, `in equation (1)`: which equation is meant; the token after it.
     pub(super) fn named_equation(&self, at: usize) -> Option<usize> {
+        self.word(at)?;
         let lead = self.any(at, &["from", "using", "in", "into", "sub into", "by", "of"]);
         let named = self.any(lead.unwrap_or(at), &["eq", "eqn", "equation", "eqs", "eqns", "equations"]);
         let number = named.or(lead)?;
@@ -114,6 +115,9 @@ fn said_again(tokens: &[Placed], start: usize) -> Option<usize> {
         let opens = inside.iter().any(|placed| placed.is('('));
         return (!opens).then_some(close);
     }
+    if is_the_same(&tokens[..start], inside) {
+        return Some(close);
+    }
     // A speed, an impulse or an energy: no letters of a question look like their units.
     let whole = |unit: &SaidUnit| unit.dimension[1] != 0 && unit.dimension[2] != 0;
     let end = match unit(tokens, start + 2, "").filter(|(unit, _)| whole(unit)) {
@@ -125,6 +129,25 @@ fn said_again(tokens: &[Placed], start: usize) -> Option<usize> {
         }
     };
     (matches!(inner.token, Token::Number(_)) && tokens.get(end)?.is(')')).then_some(end)
+}
+
+/// Is a number or a fraction in brackets nearly the decimal before them: `0.75 (3/4)`? A product would be another number.
+fn is_the_same(before: &[Placed], inside: &[Placed]) -> bool {
+    let number = |placed: &Placed| match &placed.token {
+        Token::Number(Expr::Number(value)) => Some(value.to_f64()),
+        Token::Number(Expr::Decimal(text)) => text.parse().ok(),
+        _ => None,
+    };
+    let value = |tokens: &[Placed]| match tokens {
+        [only] => number(only),
+        [above, line, below] if line.is('/') => Some(number(above)? / number(below)?),
+        _ => None,
+    };
+    let begins = |placed: &Placed| placed.is('=') || placed.is('≈') || placed.is(',');
+    let stated = before.iter().rposition(begins).map_or(before, |at| &before[at + 1..]);
+    let is_decimal = matches!(stated, [Placed { token: Token::Number(Expr::Decimal(_)), .. }]);
+    let both: Option<(f64, f64)> = value(stated).zip(value(inside)).filter(|_| is_decimal);
+    both.is_some_and(|(one, other)| (one - other).abs() < 0.01 * one.abs())
 }
 
 /// Where the unit ends that stands after a note on accuracy, and belongs to the number before: `3.61 (3sf) m/s`.

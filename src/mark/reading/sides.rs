@@ -5,6 +5,7 @@ use super::grammar::Parser;
 use super::phrases::Phrase;
 use super::statements::Statements;
 use super::tokens::{Placed, Token};
+use super::units::is_unit_word;
 use super::values::formula;
 use super::vectors::{Shape, shape};
 use super::{Form, Label};
@@ -105,6 +106,14 @@ impl Statements<'_> {
         let Ok(Side::Label(label)) = self.what_is(tokens) else { return None };
         let is_name = |expr: &Expr| is_a_name(expr) && (after_number || self.has_strange_names(expr));
         label.expr.as_ref().is_none_or(is_name).then_some(label)
+    }
+
+    /// Is it a number of times one letter, and no number with its unit?
+    pub(super) fn is_multiple(&self, tokens: &[Placed]) -> bool {
+        let [number, letter] = tokens else { return false };
+        let is_letter = matches!(&letter.token, Token::Word(word) if word.chars().count() == 1 && !is_unit_word(word));
+        let is_unit_vector = matches!(&letter.token, Token::Word(word) if word == "i" || word == "j");
+        matches!(number.token, Token::Number(_)) && is_letter && !letter.spaced && !is_unit_vector
     }
 
     /// Is there a name in it that the question does not have?

@@ -299,6 +299,12 @@ impl Statements<'_> {
         {
             return self.labelled(Some(label), values);
         }
+        // `17.9 = 2v`
+        if let ([value, multiple], Side::Number) = (sides, &left)
+            && self.is_multiple(multiple)
+        {
+            return self.equality(&[multiple, value]);
+        }
         match left {
             Side::Label(label) => self.labelled(Some(label), &sides[1..]),
             Side::Number => self.labelled(None, sides),

@@ -118,6 +118,8 @@ fn own_capitals(working: &[String], letters: &[Letter]) -> Vec<String> {
 
 fn readings(typed: &str, vocabularies: &[Vocabulary]) -> Vec<ReadLine> {
     let mut found: Vec<ReadLine> = Vec::new();
+    let may_equate =
+        typed.contains(['=', '≈', '<', '>', '≤', '≥']) || typed.contains("equal") || typed.contains(" is ");
     for vocabulary in vocabularies {
         for text in candidates(typed) {
             let Ok(readings) = read_answer(&text, vocabulary) else { continue };
@@ -131,6 +133,10 @@ fn readings(typed: &str, vocabularies: &[Vocabulary]) -> Vec<ReadLine> {
             if found.iter().any(|line| !line.equations.is_empty()) {
                 return found;
             }
+        }
+        // What makes sense without an equation has none in other letters.
+        if !found.is_empty() && !may_equate {
+            return found;
         }
     }
     found
