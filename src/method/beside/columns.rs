@@ -10,8 +10,9 @@ use crate::number::Value;
 /// Columns of doubles.
 pub(in crate::method) struct Columns;
 
-/// How many impacts are taken at a time.
-const LANES: usize = 8;
+/// How many impacts are taken at a time: enough for processors with many registers, and not too many for others.
+const LANES: usize = 32;
+type Lanes = [f64; LANES];
 
 /// Five columns in and two out.
 #[derive(Default)]
@@ -70,18 +71,21 @@ impl Method for Columns {
 
 impl Prepared for Table {
     fn run(&mut self) {
-        let mut outs = self.v_a.chunks_exact_mut(LANES).zip(self.v_b.chunks_exact_mut(LANES));
-        let masses = self.m_a.chunks_exact(LANES).zip(self.m_b.chunks_exact(LANES));
-        let speeds = self.a.chunks_exact(LANES).zip(self.b.chunks_exact(LANES));
-        let ins = masses.zip(speeds).zip(self.e.chunks_exact(LANES));
-        for ((((m_a, m_b), (a, b)), e), (v_a, v_b)) in ins.zip(&mut outs) {
-            for lane in 0..LANES {
-                [v_a[lane], v_b[lane]] = on_line([m_a[lane], m_b[lane]], [a[lane], b[lane]], e[lane]);
-            }
+        let Table { m_a, m_b, a, b, e, v_a, v_b, .. } = self;
+        let rows = a.len() / LANES * LANES..a.len();
+        let masses = lanes(m_a).zip(lanes(m_b));
+        let ins = masses.zip(lanes(a).zip(lanes(b))).zip(lanes(e));
+        let outs = v_a.as_chunks_mut::<LANES>().0.iter_mut().zip(v_b.as_chunks_mut::<LANES>().0);
+        for ((((m_a, m_b), (a, b)), e), (v_a, v_b)) in ins.zip(outs) {
+            // A stage for all of them before the next stage: else wide processors gather what lies side by side.
+            let per_mass: Lanes =
+                std::array::from_fn(|lane| per_mass([m_a[lane], m_b[lane]], [a[lane], b[lane]], e[lane]));
+            *v_a = std::array::from_fn(|lane| a[lane] - per_mass[lane] * m_b[lane]);
+            *v_b = std::array::from_fn(|lane| b[lane] + per_mass[lane] * m_a[lane]);
         }
-        for row in self.a.len() / LANES * LANES..self.a.len() {
-            let after = on_line([self.m_a[row], self.m_b[row]], [self.a[row], self.b[row]], self.e[row]);
-            [self.v_a[row], self.v_b[row]] = after;
+        for row in rows {
+            let per_mass = per_mass([m_a[row], m_b[row]], [a[row], b[row]], e[row]);
+            (v_a[row], v_b[row]) = (a[row] - per_mass * m_b[row], b[row] + per_mass * m_a[row]);
         }
     }
 
@@ -97,7 +101,10 @@ impl Prepared for Table {
 }
 
 #[inline(always)]
-fn on_line([m_a, m_b]: [f64; 2], [a, b]: [f64; 2], e: f64) -> [f64; 2] {
-    let per_mass = (1.0 + e) * (a - b) / (m_a + m_b);
-    [a - per_mass * m_b, b + per_mass * m_a]
+fn per_mass([m_a, m_b]: [f64; 2], [a, b]: [f64; 2], e: f64) -> f64 {
+    (1.0 + e) * (a - b) / (m_a + m_b)
+}
+
+fn lanes(column: &[f64]) -> std::slice::Iter<'_, Lanes> {
+    column.as_chunks().0.iter()
 }
