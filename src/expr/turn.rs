@@ -2,6 +2,9 @@
 
 use crate::number::{Angle, Direction, Fraction, Interval, Value};
 
+/// The longest number, in bits, in an angle that is multiplied: about 300 figures.
+const LONGEST: usize = 1_000;
+
 /// An angle that can be added to others: so many degrees, and the angle of a vector.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Turn {
@@ -44,7 +47,8 @@ impl Turn {
         Turn { degrees: -self.degrees.clone(), rest }
     }
 
-    /// A multiple; the part known by its tangent can only be multiplied by a whole number.
+    /// A multiple; the part known by its tangent can only be multiplied by a whole number, and not again and again until
+    /// nobody can wait for it.
     pub fn times(&self, factor: &Fraction) -> Option<Turn> {
         let degrees = &self.degrees * factor;
         if self.rest.is_none() {
@@ -56,7 +60,12 @@ impl Turn {
         }
         let base = if count < 0 { self.reversed() } else { self.clone() };
         let rest = Turn { degrees: Fraction::ZERO, rest: base.rest };
-        (0..count.abs()).try_fold(Turn::degrees(degrees), |sum, _| sum.plus(&rest))
+        (0..count.abs()).try_fold(Turn::degrees(degrees), |sum, _| sum.plus(&rest).filter(Turn::is_short))
+    }
+
+    /// Are its numbers such as can be worked with?
+    fn is_short(&self) -> bool {
+        self.rest.as_ref().is_none_or(|angle| angle.y().longest_number().max(angle.x().longest_number()) <= LONGEST)
     }
 
     /// A positive multiple of the sine, without the root that makes it the sine itself: nought where the
@@ -108,5 +117,20 @@ impl Turn {
     /// The tangent; `None` at a right angle. No root is taken for it.
     pub fn tangent(&self) -> Option<Value> {
         self.cross()?.divided_by(&self.dot()?)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_angle_is_not_multiplied_until_nobody_can_wait_for_it() {
+        let angle = Angle::of(&Value::from(7), &Value::from(1 << 20)).unwrap();
+        let three = Fraction::from(3);
+        // 3 to the power 40 times, as in `mm…m arctan u` where m is 3.
+        let often = (0..40).try_fold(Turn::of(angle.clone()), |turn, _| turn.times(&three));
+        assert_eq!(often, None);
+        assert!(Turn::of(angle).times(&three).and_then(|turn| turn.times(&three)).is_some());
     }
 }

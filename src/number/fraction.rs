@@ -96,6 +96,14 @@ impl Fraction {
         }
     }
 
+    /// The length of numerator and denominator together, in bits.
+    pub(crate) fn length(&self) -> usize {
+        match &self.0 {
+            Repr::Small(n, d) => (128 - n.unsigned_abs().leading_zeros() - d.unsigned_abs().leading_zeros()) as usize,
+            Repr::Big(value) => bits(value),
+        }
+    }
+
     /// The numerator in lowest terms; it carries the sign.
     pub fn numerator(&self) -> IBig {
         match &self.0 {

@@ -305,6 +305,14 @@ impl Value {
         Some(&(&a - &(&b * &Value::root(root))) * &norm.reciprocal()?)
     }
 
+    /// The length of the longest number in it, in bits.
+    pub(crate) fn longest_number(&self) -> usize {
+        let Value::Compound(compound) = self else { return self.as_fraction().map_or(0, Fraction::length) };
+        let above = compound.terms.values();
+        let numbers = above.chain([&compound.denominator]).flat_map(|polynomial| polynomial.terms());
+        numbers.map(|(_, number)| number.length()).max().unwrap_or_default()
+    }
+
     /// Would its reciprocal be a formula that nobody wants to read? Each root doubles it, and letters
     /// let it grow further, as given angles do, whose tangents are letters too.
     pub fn is_laborious(&self) -> bool {
