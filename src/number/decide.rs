@@ -37,6 +37,10 @@ impl Value {
             // No nested root and no given angle: the normal form is nought only as nought itself.
             return false;
         }
+        // Nearly always a rough enclosure tells.
+        if self.is_constant() && self.enclose_constant(64).is_some_and(|interval| !interval.contains_zero()) {
+            return false;
+        }
         let (terms, _) = self.parts();
         by_letters(&terms).values().all(constant_is_zero)
     }
@@ -78,6 +82,9 @@ impl Value {
     /// if the argument above does not show it.
     pub fn sign(&self) -> Option<Ordering> {
         let Value::Compound(compound) = self else { return Some(self.as_fraction()?.sign()) };
+        if self.is_constant() {
+            return constant_sign(self);
+        }
         let below = common_sign(&Terms::from([(Vec::new(), compound.denominator.clone())]))?;
         let above = common_sign(&compound.terms)?;
         Some(if below.is_lt() { above.reverse() } else { above })
