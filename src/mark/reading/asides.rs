@@ -1,14 +1,37 @@
 //! What is said beside a value or an equation and is no part of it: how far it is rounded, which equation is used.
 
-use super::SaidUnit;
+use super::Vocabulary;
 use super::phrases::Walk;
+use super::said_again::said_again;
 use super::tokens::{Placed, Token};
 use super::units::unit;
 use crate::expr::Expr;
 
 impl Walk<'_> {
+    /// `(nearest degree)`, `to the nearest tenth of a degree`: the token after it.
+    fn nearest_degree(&self, at: usize) -> Option<usize> {
+        let open = self.tokens[at].is('(');
+        let start = at + usize::from(open);
+        let start = self.any(start, &["correct to", "rounded to", "to"]).map_or(start, |next| self.article(next));
+        let step = self.words(start, "nearest")?;
+        let part = self.any(step, &["tenth of", "hundredth of", "whole", "tenth", "hundredth"]);
+        let step = self.article(part.unwrap_or(step));
+        let number = |at: usize| matches!(self.tokens.get(at).map(|placed| &placed.token), Some(Token::Number(_)));
+        let step = step + usize::from(number(step));
+        let is = |sign: char| self.tokens.get(step).is_some_and(|placed| placed.is(sign));
+        let end =
+            if is('°') { step + 1 } else { self.any(step, &["integer", "whole number"]).or(part.filter(|_| !open))? };
+        match open {
+            true => self.tokens.get(end).is_some_and(|token| token.is(')')).then_some(end + 1),
+            false => Some(end),
+        }
+    }
+
     /// `(3 s.f.)`, `to 2 dp`: how far a value is rounded; the token after it.
     pub(super) fn accuracy(&self, at: usize) -> Option<usize> {
+        if let Some(end) = self.nearest_degree(at) {
+            return Some(end);
+        }
         let open = self.tokens[at].is('(');
         let start = at + usize::from(open);
         let words = ["correct to", "rounded to", "to"];
@@ -72,9 +95,9 @@ impl Walk<'_> {
 
 /// Brackets around words are an aside, and part it from the rest as commas would: `0 m/s (at rest)`. So are brackets in
 /// which a value is said again, or a condition: `√13 (3.61 m/s)`, `√13 (= 3.61)`, `8 (k > 0)`.
-pub(super) fn with_asides_set_off(mut tokens: Vec<Placed>) -> Vec<Placed> {
+pub(super) fn with_asides_set_off(mut tokens: Vec<Placed>, vocabulary: &Vocabulary) -> Vec<Placed> {
     for start in 1..tokens.len() {
-        if let Some(end) = said_again(&tokens, start) {
+        if let Some(end) = said_again(&tokens, start, vocabulary) {
             tokens[start].token = Token::Sign(',');
             tokens[end].token = Token::Sign(',');
         }
@@ -98,56 +121,6 @@ pub(super) fn with_asides_set_off(mut tokens: Vec<Placed>) -> Vec<Placed> {
         }
     }
     tokens
-}
-
-/// The closing bracket of a value that is said again, or of a condition, in the bracket that opens here.
-fn said_again(tokens: &[Placed], start: usize) -> Option<usize> {
-    let after_value =
-        matches!(tokens[start - 1].token, Token::Number(_) | Token::Word(_) | Token::Sign(')' | '°' | '⟧'));
-    if !tokens[start].is('(') || !after_value || !tokens[start].spaced {
-        return None;
-    }
-    let inner = tokens.get(start + 1)?;
-    let close = start + tokens[start..].iter().position(|placed| placed.is(')'))?;
-    let inside = &tokens[start + 1..close];
-    let compares = |placed: &Placed| matches!(placed.token, Token::Sign('<' | '>' | '≤' | '≥'));
-    if inner.is('=') || inner.is('≈') || inside.iter().any(compares) {
-        let opens = inside.iter().any(|placed| placed.is('('));
-        return (!opens).then_some(close);
-    }
-    if is_the_same(&tokens[..start], inside) {
-        return Some(close);
-    }
-    // A speed, an impulse or an energy: no letters of a question look like their units.
-    let whole = |unit: &SaidUnit| unit.dimension[1] != 0 && unit.dimension[2] != 0;
-    let end = match unit(tokens, start + 2, "").filter(|(unit, _)| whole(unit)) {
-        Some((_, end)) => end,
-        // `√13 m/s (3.61)`
-        None => {
-            let before = (1..start).filter_map(|at| unit(&tokens[..start], at, ""));
-            before.filter(|(unit, end)| *end == start && whole(unit)).map(|_| start + 2).next()?
-        }
-    };
-    (matches!(inner.token, Token::Number(_)) && tokens.get(end)?.is(')')).then_some(end)
-}
-
-/// Is a number or a fraction in brackets nearly the decimal before them: `0.75 (3/4)`? A product would be another number.
-fn is_the_same(before: &[Placed], inside: &[Placed]) -> bool {
-    let number = |placed: &Placed| match &placed.token {
-        Token::Number(Expr::Number(value)) => Some(value.to_f64()),
-        Token::Number(Expr::Decimal(text)) => text.parse().ok(),
-        _ => None,
-    };
-    let value = |tokens: &[Placed]| match tokens {
-        [only] => number(only),
-        [above, line, below] if line.is('/') => Some(number(above)? / number(below)?),
-        _ => None,
-    };
-    let begins = |placed: &Placed| placed.is('=') || placed.is('≈') || placed.is(',');
-    let stated = before.iter().rposition(begins).map_or(before, |at| &before[at + 1..]);
-    let is_decimal = matches!(stated, [Placed { token: Token::Number(Expr::Decimal(_)), .. }]);
-    let both: Option<(f64, f64)> = value(stated).zip(value(inside)).filter(|_| is_decimal);
-    both.is_some_and(|(one, other)| (one - other).abs() < 0.01 * one.abs())
 }
 
 /// Where the unit ends that stands after a note on accuracy, and belongs to the number before: `3.61 (3sf) m/s`.

@@ -111,6 +111,33 @@ pub(super) fn without_pointed_brackets(mut glyphs: Vec<Glyph>) -> Vec<Glyph> {
     glyphs
 }
 
+/// `4**i** + **j**`, `**2.78**`: bold letters of Markdown without its stars. Between a base and a bare exponent two stars
+/// are a power.
+pub(super) fn without_bold(mut glyphs: Vec<Glyph>) -> Vec<Glyph> {
+    let mut from = 0;
+    loop {
+        let sign = |at: usize| glyphs.get(at).map_or(' ', |glyph| glyph.sign);
+        let stars = |at: &usize| sign(*at) == '*' && sign(*at + 1) == '*';
+        let Some(open) = (from..glyphs.len()).find(stars) else { return glyphs };
+        let before = open.checked_sub(1).map_or(' ', sign);
+        let of_vector = matches!(sign(open + 2), 'i' | 'j') && stars(&(open + 3));
+        let may_open = of_vector || matches!(before, ' ' | '+' | '-' | '=' | ',' | '\n');
+        let may_close = |at: &usize| {
+            let after = sign(*at + 2);
+            stars(at) && sign(*at - 1) != ' ' && !after.is_alphanumeric() && after != '('
+        };
+        let close = (open + 3..glyphs.len()).find(may_close).filter(|_| may_open && sign(open + 2) != ' ');
+        match close {
+            Some(close) => {
+                glyphs.drain(close..close + 2);
+                glyphs.drain(open..open + 2);
+                from = open;
+            }
+            None => from = open + 2,
+        }
+    }
+}
+
 fn unknown(character: char, place: usize) -> Unreadable {
     let shown: String =
         if character.is_alphanumeric() { character.into() } else { character.escape_unicode().collect() };

@@ -11,6 +11,8 @@ pub(super) enum Doubt {
     Argument,
     /// `sin x^2`: what is squared.
     Square,
+    /// `e2v`: the square of e, or e times 2v.
+    Multiple,
     /// `2^3/2`: how far the exponent reaches.
     Exponent,
     /// `√uv`: how far the root reaches.

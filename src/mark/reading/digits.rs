@@ -1,7 +1,7 @@
 //! Digits into numbers: decimal points and commas, thousands, recurring decimals, powers of ten.
 
 use super::Unreadable;
-use super::characters::{Glyph, RECURS};
+use super::characters::{CLOSE, Glyph, OPEN, RECURS};
 use super::choices::{Choices, Doubt};
 use crate::expr::Expr;
 use crate::number::{Fraction, Letter};
@@ -219,7 +219,13 @@ impl Digits<'_> {
         }
         if self.sign(0) == '(' && self.run(1) > 0 && self.sign(1 + self.run(1)) == ')' {
             let place = self.place();
-            if !decimals.is_empty() && choices.otherwise(Doubt::Recurring, place) {
+            let product_first = !decimals.is_empty() && self.stands_in_arithmetic();
+            if !decimals.is_empty() && choices.otherwise(Doubt::Recurring, place) != product_first {
+                if product_first {
+                    let block: String =
+                        self.glyphs[self.at..self.at + 2 + self.run(1)].iter().map(|g| g.sign).collect();
+                    choices.note(|| format!("{}{block} read as a product", self.typed()));
+                }
                 return Ok(None);
             }
             self.at += 1;
@@ -248,6 +254,24 @@ impl Digits<'_> {
         let value = self.repeating(before, block);
         choices.note(|| format!("{} read as {}", self.typed(), crate::expr::print::unicode(&value)));
         Ok(Some(value))
+    }
+
+    /// `0.5(9) - 0.5(4)`: beside other terms and factors a bracket is a factor, too.
+    fn stands_in_arithmetic(&self) -> bool {
+        let signs = |at: usize| self.glyphs.get(at).map(|glyph| glyph.sign);
+        let is_blank = |at: &usize| signs(*at) == Some(' ');
+        let close = self.at + 1 + self.run(1);
+        let after = (close + 1..self.glyphs.len()).find(|at| !is_blank(at)).and_then(signs);
+        let mut before = (0..self.start).rev().filter(|at| !is_blank(at)).map_while(signs);
+        let is_operation =
+            |sign: char| matches!(sign, '+' | '-' | '*' | '/' | '÷' | '⋅' | '·' | '(' | '[' | '√' | OPEN);
+        let is_term = |sign: char| sign.is_alphanumeric() || matches!(sign, ')' | ']' | CLOSE);
+        let joined = match before.next() {
+            Some('+' | '-') => before.next().is_some_and(is_term),
+            Some(sign) => matches!(sign, '*' | '/' | '÷' | '⋅' | '·' | '√' | ')' | CLOSE),
+            None => false,
+        };
+        joined || after.is_some_and(is_operation)
     }
 
     /// The fraction of a whole part, decimals that do not recur and a block that does.
@@ -292,7 +316,7 @@ pub(super) fn recurring_value(whole: &str, before: &str, block: &str) -> Expr {
 }
 
 /// Decimals as what comes before, the shortest block that ends them at least twice, and how often it stands there.
-fn repeated(decimals: &str) -> (&str, &str, usize) {
+pub(super) fn repeated(decimals: &str) -> (&str, &str, usize) {
     for length in 1..=decimals.len() / 2 {
         let (mut rest, block) = decimals.split_at(decimals.len() - length);
         let mut times = 1;

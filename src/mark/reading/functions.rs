@@ -67,7 +67,11 @@ impl Parser<'_> {
         let closely = self.sign(0) == Some('-') && one(self.token(1)) && !self.spaced(0) && !self.spaced(1);
         if closely && (self.sign(2) == Some('(') || self.sign(2) == Some(OPEN) || self.spaced(2)) {
             self.at += 2;
-            self.choices.note(|| format!("{}-1 read as {}", function.name(), arc(inverse)));
+            let is_reciprocal = matches!(self.tokens[self.at - 3].token, Token::Reciprocal(_));
+            self.choices.note(|| match is_reciprocal {
+                true => format!("{0}-1 read as arc{0}", one_over(function)),
+                false => format!("{}-1 read as {}", function.name(), arc(inverse)),
+            });
             return Ok((inverse, None));
         }
         if !self.eat('^') {
@@ -201,6 +205,15 @@ impl Parser<'_> {
     fn is_angle(&self, name: &str) -> bool {
         let letter = self.vocabulary.letters.iter().find(|letter| letter.name() == name);
         letter.is_none_or(|letter| !matches!(letter.range(), Range::Positive | Range::Unit))
+    }
+}
+
+/// The name of one over a function.
+fn one_over(function: Function) -> &'static str {
+    match function {
+        Function::Sin => "cosec",
+        Function::Cos => "sec",
+        _ => "cot",
     }
 }
 

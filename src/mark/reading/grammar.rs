@@ -206,10 +206,17 @@ impl<'a> Parser<'a> {
             value = Expr::name(format!("{}_1", name.text));
             self.at += 1;
         } else if single && matches!(value, Expr::Name(_)) && !self.spaced(0) && self.small_digit() {
-            // `v2` where the question has no such letter: the raised two of another keyboard.
-            let exponent = self.operand()?;
+            // `v2` where the question has no such letter: the raised two of another keyboard. `e2v` may be e times 2v.
+            let place = self.place();
+            let is_e = matches!(&value, Expr::Name(name) if name.text == "e");
+            let letter_next = !self.spaced(1) && matches!(self.token(1), Some(Token::Word(_) | Token::Letter(_)));
+            let multiplies = is_e && letter_next && self.choices.otherwise(Doubt::Multiple, place);
+            let digit = self.operand()?;
             let typed = self.typed(start);
-            value = Expr::Power(Box::new(value), Box::new(exponent));
+            value = match multiplies {
+                true => Expr::Product(vec![value, digit]),
+                false => Expr::Power(Box::new(value), Box::new(digit)),
+            };
             self.choices.note(|| format!("{typed} read as {}", crate::expr::print::unicode(&value)));
         }
         while self.sign(0) == Some('°') {

@@ -82,6 +82,11 @@ impl Rewriter<'_> {
                 Ok(())
             }
             '_' => self.subscript(),
+            '~' => {
+                self.at += 1;
+                self.put(' ', from);
+                Ok(())
+            }
             sign => {
                 self.at += 1;
                 self.put(sign, from);
@@ -212,7 +217,8 @@ impl Rewriter<'_> {
                 self.put(infix_fraction::OVER, from);
                 Ok(())
             }
-            "text" | "mathrm" | "textrm" | "textbf" | "textit" | "mbox" | "operatorname" | "rm" | "textnormal" => {
+            "text" | "mathrm" | "textrm" | "textbf" | "textit" | "mbox" | "operatorname" | "rm" | "textnormal"
+            | "boxed" | "fbox" => {
                 let inside = self.argument(&letters)?;
                 self.put(' ', from);
                 self.out.extend(inside);

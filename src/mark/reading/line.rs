@@ -8,7 +8,7 @@ use super::names;
 use super::statements::Statements;
 use super::tokens::{Placed, Token};
 use super::vectors::rational;
-use super::{Form, Said, Unreadable, Vocabulary};
+use super::{Form, Said, Statement, Unreadable, Vocabulary};
 use crate::expr::Expr;
 use crate::number::{Letter, Range};
 
@@ -29,6 +29,16 @@ impl Statements<'_> {
         };
         Ok(Some(Said { form: Form::Gradient(gradient), unit: None, reference: None, remarks: Vec::new() }))
     }
+}
+
+/// `5x + 4y = 21, y - x = 3, so x = 1`: two equations that are not of one line, or one beside a value of x or y.
+pub(super) fn are_unknowns(lines: &[Expr], statements: &[Statement]) -> bool {
+    let is_value = |statement: &Statement| {
+        let label = statement.label.as_ref().is_some_and(|label| matches!(&*label.typed, "x" | "y"));
+        label && statement.said.iter().any(|said| matches!(said.form, Form::Value(_)))
+    };
+    let Some((first, others)) = lines.split_first() else { return false };
+    others.iter().any(|other| other != first) || statements.iter().any(is_value)
 }
 
 /// The gradient of the line with this equation, where x and y are coordinates and no letters of the question.

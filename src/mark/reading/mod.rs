@@ -28,6 +28,7 @@ mod products;
 mod ranges;
 mod reference;
 mod said;
+mod said_again;
 mod segments;
 mod side_by_side;
 mod sides;
@@ -106,17 +107,21 @@ fn counted(text: &str, vocabulary: &Vocabulary) -> (Result<Vec<Reading>, Unreada
     if text.len() > LONGEST {
         return (Err(Unreadable::TooLong), 0);
     }
-    let glyphs =
-        match characters::glyphs(text).map(without_crossed_out).and_then(|glyphs| latex::without_latex(&glyphs)) {
-            Ok(glyphs) if glyphs.iter().all(|glyph| glyph.sign.is_whitespace()) => return (Err(Unreadable::Blank), 0),
-            Ok(glyphs) if vocabulary.vectors => characters::without_pointed_brackets(glyphs),
-            Ok(glyphs) => glyphs,
-            Err(reason) => return (Err(reason), 0),
-        };
+    let glyphs = match characters::glyphs(text)
+        .map(characters::without_bold)
+        .map(without_crossed_out)
+        .and_then(|glyphs| latex::without_latex(&glyphs))
+    {
+        Ok(glyphs) if glyphs.iter().all(|glyph| glyph.sign.is_whitespace()) => return (Err(Unreadable::Blank), 0),
+        Ok(glyphs) if vocabulary.vectors => characters::without_pointed_brackets(glyphs),
+        Ok(glyphs) => glyphs,
+        Err(reason) => return (Err(reason), 0),
+    };
     let read = |flips: &[Flip]| {
         let mut choices = Choices::flipping(flips);
         let statements = tokens::tokens(&glyphs, &vocabulary.letters, &mut choices)
-            .and_then(|tokens| phrases::with_phrases(&tokens, vocabulary))
+            .map(|tokens| units::with_joules(tokens, vocabulary))
+            .and_then(|tokens| phrases::with_phrases(&tokens, vocabulary, &mut choices))
             .and_then(|tokens| statements::statements(&tokens, text, vocabulary, &mut choices));
         (statements, choices)
     };

@@ -23,9 +23,21 @@ const FUNCTIONS: [(&str, Function); 13] = [
     ("tan", Function::Tan),
 ];
 
-/// What is one over a function, by every name.
-const RECIPROCALS: [(&str, Function); 4] =
-    [("cosec", Function::Sin), ("csc", Function::Sin), ("sec", Function::Cos), ("cot", Function::Tan)];
+/// What is one over a function, or the inverse of that, by every name.
+const RECIPROCALS: [(&str, Function); 12] = [
+    ("arccosec", Function::Asin),
+    ("arccsc", Function::Asin),
+    ("arcsec", Function::Acos),
+    ("arccot", Function::Atan),
+    ("acosec", Function::Asin),
+    ("acsc", Function::Asin),
+    ("asec", Function::Acos),
+    ("acot", Function::Atan),
+    ("cosec", Function::Sin),
+    ("csc", Function::Sin),
+    ("sec", Function::Cos),
+    ("cot", Function::Tan),
+];
 
 /// Names of the root sign.
 const ROOTS: [&str; 2] = ["sqrt", "root"];

@@ -7,6 +7,7 @@ use super::choices::Doubt;
 use super::grammar::{Parsed, Parser};
 use super::names;
 use super::tokens::{Placed, Token};
+use super::vectors::rational;
 use crate::expr::{Expr, Function};
 use crate::number::Fraction;
 
@@ -75,7 +76,14 @@ impl Parser<'_> {
             Some(Token::Reciprocal(function)) => {
                 let function = *function;
                 self.at += 1;
-                return Ok(Expr::integer(1).over(self.nested(|parser| parser.call(function))?));
+                return Ok(match self.nested(|parser| parser.call(function))? {
+                    // `arccot 7` is the angle whose tangent is one over seven.
+                    Expr::Call(inverse @ (Function::Asin | Function::Acos | Function::Atan), argument) => {
+                        let share = rational(&argument).and_then(|number| number.reciprocal());
+                        Expr::call(inverse, share.map_or_else(|| Expr::integer(1).over(*argument), Expr::Number))
+                    }
+                    value => Expr::integer(1).over(value),
+                });
             }
             Some(Token::Sign('|')) => {
                 self.at += 1;

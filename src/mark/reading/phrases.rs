@@ -1,6 +1,7 @@
 //! Words that are no formula: reference lines, rest, labels, and what says nothing about the value.
 
 use super::asides::{unit_before_accuracy, with_asides_set_off};
+use super::choices::Choices;
 use super::lexicon::{self, Sort};
 use super::signs::with_signs;
 use super::tokens::{Placed, Token, is_greek};
@@ -39,8 +40,12 @@ pub(super) enum Phrase {
 }
 
 /// The tokens with words that are no formula understood, and those for signs (`times`, `over`) put as signs.
-pub(super) fn with_phrases(tokens: &[Placed], vocabulary: &Vocabulary) -> Result<Vec<Placed>, Unreadable> {
-    let tokens = with_signs(tokens);
+pub(super) fn with_phrases(
+    tokens: &[Placed],
+    vocabulary: &Vocabulary,
+    choices: &mut Choices,
+) -> Result<Vec<Placed>, Unreadable> {
+    let tokens = with_signs(tokens, choices);
     let small = |placed: &Placed| match &placed.token {
         Token::Word(word) => word.to_ascii_lowercase(),
         _ => String::new(),
@@ -73,7 +78,7 @@ pub(super) fn with_phrases(tokens: &[Placed], vocabulary: &Vocabulary) -> Result
             }
         }
     }
-    Ok(with_asides_set_off(out))
+    Ok(with_asides_set_off(out, vocabulary))
 }
 
 /// The words of an answer, to be looked through for what they say.

@@ -43,3 +43,19 @@ fn next_sphere(tokens: &[Placed]) -> Option<usize> {
     let first_noun = before[name..].iter().position(|placed| placed.token == Token::Phrase(Phrase::Noun));
     (colon.is(':') && name > 0).then(|| first_noun.map_or(before.len(), |noun| name + noun))
 }
+
+/// An answer between quotation marks without them.
+pub(super) fn unquoted(tokens: &[Placed]) -> &[Placed] {
+    match tokens {
+        [first, inner @ .., last] if first.token == last.token && (first.is('"') || first.is('\'')) => inner,
+        _ => tokens,
+    }
+}
+
+/// Are all brackets closed?
+pub(super) fn outside(tokens: &[Placed]) -> bool {
+    let count = |signs: [char; 4]| {
+        tokens.iter().filter(|placed| matches!(placed.token, Token::Sign(sign) if signs.contains(&sign))).count()
+    };
+    count(['(', '[', '{', '⟦']) <= count([')', ']', '}', '⟧'])
+}

@@ -16,7 +16,7 @@ impl Statements<'_> {
         let equals = outer_equals(tokens);
         let first = *equals.first()?;
         if !is_label(&tokens[..first]) {
-            return None;
+            return self.next_equation(tokens, &equals);
         }
         for pair in equals.windows(2) {
             let (value, after) = (&tokens[pair[0] + 1..pair[1]], &tokens[pair[1] + 1..]);
@@ -46,7 +46,51 @@ impl Statements<'_> {
                 return Some(at);
             }
         }
+        self.next_equation(tokens, &equals)
+    }
+
+    /// Where the second of two equations begins, `18 = 3v+w  w-v = 2`: after several blanks at letters or numbers of them;
+    /// after one at letters that stood there before, as no product would have them again.
+    fn next_equation(&mut self, tokens: &[Placed], equals: &[usize]) -> Option<usize> {
+        for pair in equals.windows(2) {
+            for at in pair[0] + 2..pair[1] {
+                if !tokens[at].spaced || !self.ends_a_value(&tokens[pair[0] + 1..at]) {
+                    continue;
+                }
+                let gap = self.text.get(tokens[at - 1].end..tokens[at].start).unwrap_or_default();
+                let is_wide = gap.len() > 1 && gap.trim().is_empty();
+                let side = &tokens[at..pair[1]];
+                if !self.is_sum_of_letters(side, is_wide) {
+                    continue;
+                }
+                let after = tokens.get(pair[1] + 1);
+                let stood_before = |placed: &Placed| {
+                    is_sign_of_sum(placed) || tokens[..at].iter().any(|before| before.token == placed.token)
+                };
+                let is_close = side[1..].iter().all(|placed| !placed.spaced);
+                let likely = is_close
+                    && side.iter().all(stood_before)
+                    && (side.len() > 1 || after.is_some_and(|after| self.is_figure(after)));
+                if is_wide || (likely && !self.choices.otherwise(Doubt::SideBySide, tokens[at].start)) {
+                    return Some(at);
+                }
+            }
+        }
         None
+    }
+
+    /// `w`, `w-v`, and after several blanks `4v`, too.
+    fn is_sum_of_letters(&self, side: &[Placed], is_wide: bool) -> bool {
+        let is_letter = |placed: &Placed| match &placed.token {
+            Token::Word(word) => !is_unit_word(word) || names::letter(word, self.vocabulary).is_some(),
+            Token::Greek(_) => true,
+            _ => false,
+        };
+        let is_number = |placed: &Placed| is_wide && matches!(placed.token, Token::Number(_));
+        let begins = side.first().is_some_and(|first| is_letter(first) || is_number(first));
+        begins
+            && side.last().is_some_and(is_letter)
+            && side.iter().all(|placed| is_letter(placed) || is_number(placed) || is_sign_of_sum(placed))
     }
 
     /// Is it a number or a vector in numbers, with its unit or without?
@@ -80,6 +124,10 @@ impl Statements<'_> {
             _ => false,
         }
     }
+}
+
+fn is_sign_of_sum(placed: &Placed) -> bool {
+    placed.is('+') || placed.is('-')
 }
 
 /// The places of the equals signs outside brackets; none where other relations stand among them.

@@ -133,6 +133,12 @@ impl Statements<'_> {
         is_formula.then(|| self.slice(tokens).to_lowercase())
     }
 
+    /// `if e = 1`, `when e = 1`: who knows whether it is?
+    pub(super) fn is_condition(&self, reason: &[Placed]) -> bool {
+        let word = reason.first().map(|first| self.slice(std::slice::from_ref(first)).to_lowercase());
+        matches!(word.as_deref(), Some("if" | "when")) && reason.iter().any(|placed| placed.is('='))
+    }
+
     /// One side of an equation, whose names must be known.
     pub(super) fn side(&mut self, tokens: &[Placed]) -> Result<Expr, Unreadable> {
         let place = tokens[0].start;

@@ -1,12 +1,13 @@
 //! Words that stand for signs: `times`, `over`, `is equal to`, `greater than`.
 
 use super::characters::{CLOSE, OPEN};
-use super::digits::recurring_value;
+use super::choices::{Choices, Doubt};
+use super::digits::{recurring_value, repeated};
 use super::tokens::{Placed, Token};
 use crate::expr::Expr;
 
 /// Words that stand for signs or functions, and these.
-const SIGNS: [(&str, &str); 54] = [
+const SIGNS: [(&str, &str); 58] = [
     ("times", "*"),
     ("multiplied by", "*"),
     ("over", "/"),
@@ -38,6 +39,10 @@ const SIGNS: [(&str, &str); 54] = [
     ("inverse tan of", "arctan"),
     ("inverse tangent of", "arctan"),
     ("tan inverse", "arctan"),
+    ("inverse cot", "arccot"),
+    ("inverse sec", "arcsec"),
+    ("inverse cosec", "arccosec"),
+    ("out of", "/"),
     ("greater than", ">"),
     ("more than", ">"),
     ("larger than", ">"),
@@ -63,8 +68,18 @@ const SIGNS: [(&str, &str); 54] = [
     ("element of", "∈"),
 ];
 
+/// With so many decimals it is not the last figure alone that recurs.
+const SURELY_ROUNDED: usize = 6;
+
+/// The block with which decimals begin and go on, to the last of them: `714285` of `7142857`.
+fn period(decimals: &str) -> &str {
+    let goes_on = |length: &usize| decimals.bytes().skip(*length).eq(decimals.bytes().take(decimals.len() - length));
+    let length = (1..decimals.len()).find(goes_on).unwrap_or(decimals.len());
+    &decimals[..length]
+}
+
 /// The tokens with words for signs as those signs; `square root` is one root.
-pub(super) fn with_signs(tokens: &[Placed]) -> Vec<Placed> {
+pub(super) fn with_signs(tokens: &[Placed], choices: &mut Choices) -> Vec<Placed> {
     let word = |at: usize| match tokens.get(at).map(|placed| &placed.token) {
         Some(Token::Word(word)) => Some(word.as_str()),
         _ => None,
@@ -85,8 +100,18 @@ pub(super) fn with_signs(tokens: &[Placed]) -> Vec<Placed> {
             && let Some((whole, decimals)) = digits.split_once('.').filter(|(_, decimals)| !decimals.is_empty())
             && ["recurring", "recurs", "rec"].iter().any(|recurs| is(at + 1, recurs))
         {
-            let (before, last) = decimals.split_at(decimals.len() - 1);
-            let token = Token::Number(recurring_value(whole, before, last));
+            let (before, block, times) = repeated(decimals);
+            let is_long = decimals.len() >= SURELY_ROUNDED;
+            let token = match () {
+                () if times > 1 => Token::Number(recurring_value(whole, before, block)),
+                // All of `0.714285` recurs, or it goes on as a calculator's number does.
+                () if is_long && choices.otherwise(Doubt::Recurring, placed.start) => placed.token.clone(),
+                () if is_long => Token::Number(recurring_value(whole, "", period(decimals))),
+                () => {
+                    let (before, last) = decimals.split_at(decimals.len() - 1);
+                    Token::Number(recurring_value(whole, before, last))
+                }
+            };
             out.push(Placed { token, end: tokens[at + 1].end, ..placed.clone() });
             at += 2;
             continue;

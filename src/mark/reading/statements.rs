@@ -7,7 +7,7 @@ use super::line;
 use super::part_label::without_part_label;
 use super::phrases::Phrase;
 use super::ranges;
-use super::segments::segments;
+use super::segments::{outside, segments, unquoted};
 use super::sides::{Side, is_called};
 use super::tokens::{Placed, Token, excerpt};
 use super::values::{Values, formula};
@@ -22,13 +22,18 @@ pub(super) fn statements(
     choices: &mut Choices,
 ) -> Result<Vec<Statement>, Unreadable> {
     let tokens = &ranges::with_round_brackets(tokens);
-    let mut reader = Statements { text, vocabulary, choices, found: Vec::new(), remarks: Vec::new() };
+    let mut reader =
+        Statements { text, vocabulary, choices, found: Vec::new(), remarks: Vec::new(), lines: Vec::new() };
     let tokens = ranges::without_set_builder(without_part_label(unquoted(tokens), vocabulary));
     for (concludes, segment) in segments(tokens) {
         let segment = without_number(segment, reader.choices);
         reader.segment(segment, concludes)?;
     }
-    let Statements { mut found, remarks, .. } = reader;
+    let Statements { mut found, remarks, lines, .. } = reader;
+    if line::are_unknowns(&lines, &found) {
+        let place = tokens.first().map_or(0, |first| first.start);
+        return Err(Unreadable::Sign(place, "x and y are unknowns here, and no line is meant".to_owned()));
+    }
     match found.last_mut().and_then(|last| last.said.last_mut()) {
         Some(last) => last.remarks.extend(remarks),
         None => {
@@ -37,14 +42,6 @@ pub(super) fn statements(
         }
     }
     Ok(found)
-}
-
-/// An answer between quotation marks without them.
-fn unquoted(tokens: &[Placed]) -> &[Placed] {
-    match tokens {
-        [first, inner @ .., last] if first.token == last.token && (first.is('"') || first.is('\'')) => inner,
-        _ => tokens,
-    }
 }
 
 /// What is remarked of a value that is drawn from what stands before it.
@@ -57,12 +54,17 @@ pub(super) struct Statements<'a> {
     pub(super) found: Vec<Statement>,
     /// Words before the first value.
     remarks: Vec<String>,
+    /// The gradients of lines that were given by their equations.
+    lines: Vec<Expr>,
 }
 
 impl Statements<'_> {
     fn segment(&mut self, tokens: &[Placed], concludes: bool) -> Result<(), Unreadable> {
         let reason = tokens.iter().position(|placed| placed.token == Token::Phrase(Phrase::Because));
         let (tokens, reason) = tokens.split_at(reason.unwrap_or(tokens.len()));
+        if self.is_condition(reason) && !(tokens.is_empty() && self.found.is_empty()) {
+            return Err(Unreadable::Sign(reason[0].start, "the answer holds on a condition".to_owned()));
+        }
         if let Some((label, said)) = self.range_in_words(tokens)? {
             self.found.push(Statement { label, said: vec![said] });
             return Ok(());
@@ -284,6 +286,7 @@ impl Statements<'_> {
         if let [left, right] = sides
             && let Some(gradient) = line::gradient(left, right, self.text, self.vocabulary)
         {
+            self.lines.push(gradient.clone());
             let said = Said { form: Form::Gradient(gradient), unit: None, reference: None, remarks: Vec::new() };
             self.found.push(Statement { label: None, said: vec![said] });
             return Ok(());
@@ -389,12 +392,4 @@ impl Statements<'_> {
         self.found.extend(more);
         Ok(())
     }
-}
-
-/// Are all brackets closed?
-fn outside(tokens: &[Placed]) -> bool {
-    let count = |signs: [char; 4]| {
-        tokens.iter().filter(|placed| matches!(placed.token, Token::Sign(sign) if signs.contains(&sign))).count()
-    };
-    count(['(', '[', '{', '⟦']) <= count([')', ']', '}', '⟧'])
 }

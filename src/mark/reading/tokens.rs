@@ -23,7 +23,7 @@ pub(super) enum Token {
     Along(char),
     /// A function by its name.
     Function(Function),
-    /// One over a function: `cot` over the tangent.
+    /// One over a function, `cot` for the tangent; for the arctangent it is `arccot`, the angle of one over.
     Reciprocal(Function),
     /// The sign or word of a square root, or of a cube root.
     Root { cube: bool },
@@ -202,6 +202,8 @@ impl Lexer<'_> {
         };
         match token {
             '(' | '[' | '{' | OPEN => self.depth += 1,
+            // `]2,5[` opens with it.
+            ']' if self.depth == 0 => self.depth = 1,
             ')' | ']' | '}' | CLOSE => self.depth = self.depth.saturating_sub(1),
             '√' | '∛' => {
                 self.put(Token::Root { cube: token == '∛' }, 1);
@@ -287,7 +289,10 @@ impl Lexer<'_> {
         if self.sign(length) == Some('.') && ABBREVIATED.contains(&word.to_ascii_lowercase().as_str()) {
             whole += 1;
         }
+        // `4surd39`
+        let figure_next = self.sign(whole).is_some_and(|next| next.is_ascii_digit() || next == '(');
         match word.to_ascii_lowercase().as_str() {
+            "surd" if figure_next => self.put(Token::Root { cube: false }, whole),
             "deg" | "degs" | "degree" | "degrees" => self.put(Token::Sign('°'), whole),
             _ => self.put(Token::Word(word), whole),
         }

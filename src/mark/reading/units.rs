@@ -1,8 +1,8 @@
 //! Units in every spelling: `m s^-1`, `ms-1`, `m/s`, `metres per second`, `kg m s⁻¹`, `Ns`, `kJ`, `rad`.
 
-use super::SaidUnit;
 use super::characters::{CLOSE, OPEN};
 use super::tokens::{Placed, Token, excerpt};
+use super::{SaidUnit, Vocabulary};
 use crate::expr::Expr;
 use crate::number::Fraction;
 
@@ -82,6 +82,23 @@ const MEASURED: [Dimension; 17] = [
     [0, 0, -1, 1],
 ];
 
+/// `1.92 j` where there is no vector and no letter j: joules.
+pub(super) fn with_joules(mut tokens: Vec<Placed>, vocabulary: &Vocabulary) -> Vec<Placed> {
+    let word = |placed: &Placed, name: &str| matches!(&placed.token, Token::Word(word) if word == name);
+    let known = |name: &str| vocabulary.letters.iter().any(|letter| letter.name() == name);
+    if vocabulary.vectors || known("j") || tokens.iter().any(|placed| word(placed, "i")) {
+        return tokens;
+    }
+    for at in 1..tokens.len() {
+        let ends =
+            tokens.get(at + 1).is_none_or(|next| matches!(next.token, Token::Sign(',' | ';' | '.' | '\n' | ')')));
+        if word(&tokens[at], "j") && matches!(tokens[at - 1].token, Token::Number(_)) && ends {
+            tokens[at].token = Token::Word("J".to_owned());
+        }
+    }
+    tokens
+}
+
 /// Is it the name of a unit written out, or of one alone?
 pub(super) fn is_unit_word(word: &str) -> bool {
     whole(word).is_some() || symbols(word).is_some()
@@ -151,7 +168,8 @@ pub(super) fn unit(tokens: &[Placed], at: usize, text: &str) -> Option<(SaidUnit
 
 /// A unit as typed, without what only LaTeX needs.
 fn plain(typed: &str) -> String {
-    let mut plain = typed.replace("\\,", " ").replace("\\ ", " ").replace("\\;", " ").replace("\\cdot", "·");
+    let mut plain =
+        typed.replace("\\,", " ").replace('~', " ").replace("\\ ", " ").replace("\\;", " ").replace("\\cdot", "·");
     for command in ["\\mathrm", "\\text", "\\left", "\\right"] {
         plain = plain.replace(command, "");
     }

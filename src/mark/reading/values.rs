@@ -44,6 +44,15 @@ impl Values<'_> {
                 Token::Phrase(phrase) => {
                     at = self.word(&tokens, at, phrase, &mut lead, &mut found)?;
                 }
+                // `81.9'`: minutes, without their degrees?
+                Token::Sign('\'')
+                    if at > 0
+                        && matches!(tokens[at - 1].token, Token::Number(_))
+                        && !tokens[at].spaced
+                        && !tokens[..at].iter().any(|placed| placed.is('\'')) =>
+                {
+                    return Err(Unreadable::Sign(tokens[at].start, "`'` after a number".to_owned()));
+                }
                 Token::Sign('.' | '!' | '?' | '"' | '\'') => at += 1,
                 Token::Sign('≈') if found.values.is_empty() || !lead.is_empty() => at += 1,
                 Token::Sign(':') if !lead.is_empty() => at += 1,

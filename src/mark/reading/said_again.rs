@@ -1,0 +1,140 @@
+//! A value that is said again in brackets: `0.75 (3/4)`, `4√39/9 [2.78]`, `81.9° (1.43 rad)`, or another one there.
+
+use super::choices::Choices;
+use super::grammar::Parser;
+use super::tokens::{Placed, Token};
+use super::units::{is_unit_word, unit};
+use super::{SaidUnit, Vocabulary};
+use crate::expr::{Expr, Function};
+
+/// The closing bracket of a value that is said again, or of a condition, in the bracket that opens here.
+pub(super) fn said_again(tokens: &[Placed], start: usize, vocabulary: &Vocabulary) -> Option<usize> {
+    let after_value =
+        matches!(tokens[start - 1].token, Token::Number(_) | Token::Word(_) | Token::Sign(')' | '°' | '%' | '⟧'));
+    if !after_value {
+        return None;
+    }
+    if let Some(close) = same_or_rival(tokens, start, vocabulary) {
+        return Some(close);
+    }
+    if !tokens[start].is('(') || !tokens[start].spaced {
+        return None;
+    }
+    let inner = tokens.get(start + 1)?;
+    let close = start + tokens[start..].iter().position(|placed| placed.is(')'))?;
+    let inside = &tokens[start + 1..close];
+    let compares = |placed: &Placed| matches!(placed.token, Token::Sign('<' | '>' | '≤' | '≥'));
+    if inner.is('=') || inner.is('≈') || inside.iter().any(compares) {
+        let opens = inside.iter().any(|placed| placed.is('('));
+        return (!opens).then_some(close);
+    }
+    // A speed, an impulse or an energy: no letters of a question look like their units.
+    let whole = |unit: &SaidUnit| unit.dimension[1] != 0 && unit.dimension[2] != 0;
+    let end = match unit(tokens, start + 2, "").filter(|(unit, _)| whole(unit)) {
+        Some((_, end)) => end,
+        // `√13 m/s (3.61)`
+        None => {
+            let before = (1..start).filter_map(|at| unit(&tokens[..start], at, ""));
+            before.filter(|(unit, end)| *end == start && whole(unit)).map(|_| start + 2).next()?
+        }
+    };
+    (matches!(inner.token, Token::Number(_)) && tokens.get(end)?.is(')')).then_some(end)
+}
+
+/// The closing bracket where what stands in brackets is nearly the value before them, in which no product would be
+/// meant; or where it is another value at the end, as two answers are.
+fn same_or_rival(tokens: &[Placed], start: usize, vocabulary: &Vocabulary) -> Option<usize> {
+    let closing = match tokens[start].token {
+        Token::Sign('(') => ')',
+        Token::Sign('[') => ']',
+        Token::Sign('{') => '}',
+        // Braces of LaTeX, or a student's own.
+        Token::Sign('⟦') => '⟧',
+        _ => return None,
+    };
+    let (before, after) = tokens.split_at(start);
+    let close = after.iter().position(|placed| placed.is(closing))?;
+    let inside = &after[1..close];
+    let begins = |placed: &Placed| {
+        matches!(placed.token, Token::Phrase(_) | Token::Sign('=' | '≈' | ',' | ';' | ':' | '\n' | '⇒'))
+    };
+    let stated = before.iter().rposition(begins).map_or(before, |at| &before[at + 1..]);
+    let only_decimal = |tokens: &[Placed]| matches!(tokens, [Placed { token: Token::Number(Expr::Decimal(_)), .. }]);
+    let measure = matches!(tokens[start - 1].token, Token::Word(_) | Token::Sign('°' | '%'));
+    let follows = |next: &Placed| match &next.token {
+        // `0.5 \frac{1}{2} v` is a product.
+        _ if closing == '⟧' => false,
+        Token::Word(word) => is_unit_word(word),
+        Token::Phrase(_) | Token::Sign(',' | ';' | '.' | '\n' | '⇒') => true,
+        _ => false,
+    };
+    let ends = after.get(close + 1).is_none_or(follows);
+    if inside.is_empty() || !(tokens[start].spaced || measure) || !ends || inside.iter().any(begins) {
+        return None;
+    }
+    let (one, other) = (measured(stated, vocabulary)?, measured(inside, vocabulary)?);
+    let gap = (one - other).abs();
+    let is_same = gap < 0.01 * one.abs() || gap <= half_unit(stated) || gap <= half_unit(inside);
+    let is_last = start + close + 1 == tokens.len();
+    if is_last && closing == ')' && only_decimal(inside) {
+        // `25/7 (3.57)`, where nothing more is said, or another answer.
+        return (measure || !is_same).then_some(start + close);
+    }
+    let is_decimal = only_decimal(stated) || only_decimal(inside) || measure;
+    (is_decimal && is_same).then_some(start + close)
+}
+
+/// The number that is said, in degrees if it is an angle; `None` if there are letters in it.
+fn measured(tokens: &[Placed], vocabulary: &Vocabulary) -> Option<f64> {
+    let (value, scale) = match tokens {
+        [value @ .., percent] if percent.is('%') => (value, 0.01),
+        _ => match (1..tokens.len())
+            .find_map(|at| Some((at, unit(tokens, at, "").filter(|(_, end)| *end == tokens.len())?)))
+        {
+            Some((at, (unit, _))) => {
+                (&tokens[..at], if unit.dimension == [0, 0, 0, 1] { 1_f64.to_degrees() } else { 1.0 })
+            }
+            None => (tokens, 1.0),
+        },
+    };
+    let mut choices = Choices::default();
+    let mut parser = Parser::new(value.to_vec(), "", vocabulary, &mut choices);
+    let expr = parser.sum().ok().filter(|_| parser.at == parser.end)?;
+    Some(size(&expr)? * scale)
+}
+
+/// Half of the last figure of a decimal: what it was rounded from lies no farther away.
+fn half_unit(tokens: &[Placed]) -> f64 {
+    match tokens {
+        [Placed { token: Token::Number(Expr::Decimal(text)), .. }, ..] => {
+            let decimals = text.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+            0.5001 * 0.1_f64.powi(i32::try_from(decimals).unwrap_or(0))
+        }
+        _ => 0.0,
+    }
+}
+
+/// About how much it is.
+fn size(expr: &Expr) -> Option<f64> {
+    let found = match expr {
+        Expr::Number(value) => value.to_f64(),
+        Expr::Decimal(text) => text.parse().ok()?,
+        Expr::Degrees(inner) => size(inner)?,
+        Expr::Negative(inner) => -size(inner)?,
+        Expr::Sum(terms) => terms.iter().map(size).sum::<Option<f64>>()?,
+        Expr::Product(factors) => factors.iter().map(size).product::<Option<f64>>()?,
+        Expr::Quotient(above, below) => size(above)? / size(below)?,
+        Expr::Call(function, argument) => {
+            let argument = size(argument)?;
+            match function {
+                Function::Sqrt => argument.sqrt(),
+                Function::Asin => argument.asin().to_degrees(),
+                Function::Acos => argument.acos().to_degrees(),
+                Function::Atan => argument.atan().to_degrees(),
+                _ => return None,
+            }
+        }
+        _ => return None,
+    };
+    found.is_finite().then_some(found)
+}
