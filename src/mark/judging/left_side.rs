@@ -15,7 +15,7 @@ use crate::number::{Places, round};
 
 use super::accuracy::Written;
 use super::called;
-use super::exact;
+use super::exact::{self, Equality};
 use super::finding::Finding;
 use super::statements::One;
 use super::{Model, Note, angle, number, vector};
@@ -242,6 +242,10 @@ impl Equation {
             }
             _ => Finding::WRONG,
         };
+        // `v − v = 0` is true whatever v is.
+        if finding.is_credited() && !self.tells_apart(model, &left, &right) {
+            return Finding::unreadable(Note::CannotBeCompared);
+        }
         // A sum inside may swallow figures.
         let swallows = has_sum(&left) && !finding.exact && finding.is_credited();
         match step_left(&left, &is_atom) {
@@ -251,6 +255,13 @@ impl Equation {
             Some(_) => Finding::WRONG,
             None => finding,
         }
+    }
+
+    /// Would the left side be another, were the answer another?
+    fn tells_apart(&self, model: &Model, left: &Expr, right: &Expr) -> bool {
+        let other = if right.is_zero() { Expr::integer(1) } else { Expr::product([Expr::integer(2), right.clone()]) };
+        let of = |value: &Expr| left.substitute(&|name| (name == self.unknown).then(|| value.clone()));
+        exact::same(&of(right), &of(&other), &model.vocabulary.letters) == Equality::Different
     }
 
     /// Signs and sums on the left undone on the right.

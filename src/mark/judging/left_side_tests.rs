@@ -46,6 +46,9 @@ fn an_equation_for_a_speed_must_be_true_of_it() {
             ("m v = 8.94", OTHERWISE),
             ("mv = 8.94", OTHERWISE),
             ("v + w = 5", "wrong"),
+            ("v - v = 0", "unreadable cannot-be-compared"),
+            ("v/v = 1", "unreadable cannot-be-compared"),
+            ("2v - 2v + 1 = 1", "unreadable cannot-be-compared"),
         ],
     );
 }
