@@ -242,3 +242,40 @@ fn what_is_known_of_the_impact_is_held_against_the_words() {
         assert_eq!(earns(&slanting, typed), of_slanting, "{typed}");
     }
 }
+
+#[test]
+fn a_label_names_the_line_from_which_an_angle_is_measured() {
+    const REFERENCE: &str = "wrong reference-wrong";
+    earn(
+        &Asked("atan(7)", None, "A.after.angle_to_loc_deg", None),
+        &[
+            ("angle with tangent = 81.9°", REFERENCE),
+            ("angle to tangent: 81.9", REFERENCE),
+            ("angle from common tangent = 81.9", REFERENCE),
+            ("angle with the common tangent at impact = 81.9°", REFERENCE),
+            ("θ to tangent = 81.9", REFERENCE),
+            ("to the tangent: 81.9°", REFERENCE),
+            ("tangent: 81.9°", REFERENCE),
+            ("angle between velocity and tangent = 81.9°", REFERENCE),
+            ("81.9° between path and tangent", REFERENCE),
+            ("the tangent makes 81.9° with A's path", REFERENCE),
+            ("angle with the perpendicular to the line of centres = 81.9", REFERENCE),
+            ("angle with the wall: 81.9", REFERENCE),
+            ("angle with tangent = 8.13°", "correct"),
+            ("angle from the tangent is 8.13°", "correct"),
+            ("angle between the tangent and v = 8.13°", "correct"),
+            ("8.13° between path and tangent", "correct"),
+            ("angle to loc: 81.9, angle to tangent: 8.13", "correct"),
+            ("angle to tangent: 8.13, angle to loc: 81.9", "correct"),
+            ("makes an angle with the line of centres of 81.9°", "correct"),
+            ("angle with AB = 81.9°", "correct"),
+            ("angle with the line of centres AB = 81.9°", "correct"),
+            ("angle between tangent and line of centres = 81.9°", "unreadable reference-unchecked"),
+            ("angle with j = 81.9", "unreadable reference-unchecked"),
+            // The tangent of an angle is no line.
+            ("tan θ = 7", "partial angle-not-evaluated"),
+            ("tan θ = 7, θ = 81.9", "correct"),
+            ("tangent of the angle = 7, angle = 81.9", "correct"),
+        ],
+    );
+}

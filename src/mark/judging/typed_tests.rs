@@ -287,3 +287,17 @@ fn directions_told_in_one_breath_with_sizes_are_shared_out() {
         assert!(judged.iter().all(|judgement| judgement.verdict == Verdict::Correct), "{typed}: {judged:?}");
     }
 }
+
+#[test]
+fn a_rival_that_lacks_a_letter_or_has_another_unit_is_a_rival() {
+    const RIVALS: &str = "wrong rival-answers";
+    earn(&Asked("9*m", None, "", None), &[("9m or 9", RIVALS), ("9m, 9", RIVALS), ("9m or 9m", "correct")]);
+    earn(&Asked("9*m*u", None, "", None), &[("9mu or 9u", RIVALS), ("9u or 9mu", RIVALS)]);
+    earn(&Asked("u*(1 + e)/3", None, "", None), &[("u(1+e)/3 or (1+e)/3", RIVALS)]);
+    earn(&Asked("48/25", None, "ke.lost", None), &[("1.92 J or 1.92 kJ", RIVALS), ("1.92 J, 1.92 kJ", RIVALS)]);
+    earn(
+        &Asked("25/7", None, "A.after.speed", None),
+        &[("3.57 m/s or 3.57 cm/s", RIVALS), ("3.57 m/s or 357 cm/s", "correct"), ("25/7 or 3.57 m/s", "correct")],
+    );
+    earn(&Asked("9", None, "impulse.magnitude", None), &[("9 Ns or 9 kN s", RIVALS)]);
+}
