@@ -19,6 +19,7 @@ mod measured;
 mod model_text;
 mod note;
 mod number;
+mod otherwise;
 mod range;
 mod ratio;
 mod selection;

@@ -117,6 +117,13 @@ fn without_told_besides(model: &Model, statements: Vec<Statement>) -> Vec<Statem
         .filter(|said| said.form == Form::Direction)
         .filter_map(|said| said.reference)
         .collect();
+    // `2.78 (component along LOC)`
+    if let ([only], [Statement { label: Some(label), .. }]) = (kept.as_mut_slice(), besides.as_slice())
+        && only.label.is_none()
+        && label.typed.to_lowercase().starts_with("comp")
+    {
+        only.label = Some(label.clone());
+    }
     if let ([Statement { said, .. }], [direction]) = (kept.as_mut_slice(), directions.as_slice())
         && let Some(last) = said.last_mut()
         && last.reference.is_none()
