@@ -50,7 +50,7 @@ pub(super) fn as_called(model: &Model, statement: &Statement, finding: Finding) 
     if others || is_else || !(sorts.is_empty() || sorts.iter().any(|sort| suits(asked, *sort))) {
         return Finding::unreadable(Note::NamedOtherwise);
     }
-    let is_loss = matches!(asked, Quantity::EnergyLost | Quantity::SphereEnergyLost(_) | Quantity::FractionLost);
+    let is_loss = is_of_loss(asked);
     if is_loss && is_gain(&label.typed) && finding.note != Some(Note::ChangeNotLoss) {
         return finding.at_most_partial(Note::Sign);
     }
@@ -139,7 +139,7 @@ pub(super) fn as_remarked(model: &Model, statement: &Statement, finding: Finding
     let label = statement.label.as_ref().map_or("", |label| &label.typed);
     let has = |wanted: &[&str]| remarks.iter().flat_map(|remark| words(remark)).any(|word| wanted.contains(&word));
     let says = |phrase: &str| remarks.iter().any(|remark| remark.contains(phrase));
-    let is_loss = matches!(asked, Quantity::EnergyLost | Quantity::SphereEnergyLost(_) | Quantity::FractionLost);
+    let is_loss = is_of_loss(asked);
     let calls_it_loss = has(&LOSSES) || words(&label.to_lowercase()).any(|word| LOSSES.contains(&word));
     if is_loss && !calls_it_loss {
         if remarks.iter().any(|remark| is_gain(remark)) && finding.note != Some(Note::ChangeNotLoss) {
@@ -231,6 +231,10 @@ pub(super) fn may_be_called(model: &Model, name: &str, typed: &str) -> bool {
         // A capital that was typed for itself.
         || (typed.chars().count() == 1 && typed != name && typed.to_lowercase() == name);
     let Some(asked) = model.quantity else { return !is_product(name) };
+    // A capital, though the question has an e.
+    if typed == "E" && suits(asked, Sort::Energy) {
+        return true;
+    }
     let letter = of_letter(name);
     // `v_x`: a component.
     if matches!(asked, Quantity::Speed(..)) && matches!(name, "v_x" | "v_y" | "vx" | "vy" | "V_x" | "V_y") {
@@ -288,12 +292,17 @@ fn letter_suits(asked: Quantity, letter: Sort) -> bool {
 
 /// Words that name what there is before or after an impact, and not what is lost in it.
 const STATES: [&str; 9] = ["before", "initial", "after", "final", "left", "remaining", "remains", "retained", "kept"];
+/// Is it lost in an impact?
+pub(super) fn is_of_loss(asked: Quantity) -> bool {
+    matches!(asked, Quantity::EnergyLost | Quantity::SphereEnergyLost(_) | Quantity::FractionLost)
+}
+
 /// Those of them that do not go with what is asked: a fraction may be one of the energy before.
-fn states(asked: Quantity) -> &'static [&'static str] {
+pub(super) fn states(asked: Quantity) -> &'static [&'static str] {
     if asked == Quantity::FractionLost { &STATES[2..] } else { &STATES }
 }
 
-const LOSSES: [&str; 10] =
+pub(super) const LOSSES: [&str; 10] =
     ["loss", "losses", "lost", "lose", "loses", "decrease", "decreases", "decreased", "change", "dissipated"];
 const EARLIER: [&str; 4] = ["before", "initial", "initially", "original"];
 const LATER: [&str; 4] = ["after", "afterwards", "final", "finally"];
@@ -308,7 +317,7 @@ pub(super) fn words_fit(model: &Model, typed: &str) -> bool {
     let Some(asked) = model.quantity else { return true };
     let small = typed.to_lowercase();
     let has = |wanted: &[&str]| words(&small).any(|word| wanted.contains(&word));
-    let is_loss = matches!(asked, Quantity::EnergyLost | Quantity::SphereEnergyLost(_) | Quantity::FractionLost);
+    let is_loss = is_of_loss(asked);
     if is_loss && has(&["pe", "gpe", "potential"]) {
         return false;
     }
