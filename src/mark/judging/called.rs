@@ -11,12 +11,13 @@ use crate::mechanics::{Axis, Moment, Quantity};
 use crate::unit::Unit;
 
 use super::finding::Finding;
+use super::otherwise::{is_another, names_another};
 use super::statements::{named_sphere, sphere};
 use super::{Model, Note, left_side};
 
 /// What a name is the name of.
 #[derive(Clone, Copy, PartialEq)]
-enum Sort {
+pub(super) enum Sort {
     Speed,
     /// It has a size and a direction, and either may be called by it.
     Velocity,
@@ -49,7 +50,7 @@ pub(super) fn as_called(model: &Model, statement: &Statement, finding: Finding) 
     if others || is_else || !(sorts.is_empty() || sorts.iter().any(|sort| suits(asked, *sort))) {
         return Finding::unreadable(Note::NamedOtherwise);
     }
-    let is_loss = matches!(asked, Quantity::EnergyLost | Quantity::SphereEnergyLost(_) | Quantity::FractionLost);
+    let is_loss = is_of_loss(asked);
     if is_loss && is_gain(&label.typed) && finding.note != Some(Note::ChangeNotLoss) {
         return finding.at_most_partial(Note::Sign);
     }
@@ -132,10 +133,13 @@ pub(super) fn as_remarked(model: &Model, statement: &Statement, finding: Finding
     if remarks.is_empty() || !(finding.is_credited() || finding.note == Some(Note::Sign)) {
         return finding;
     }
+    if remarks.iter().any(|remark| names_another(model, asked, &remarks, remark)) {
+        return Finding::unreadable(Note::NamedOtherwise);
+    }
     let label = statement.label.as_ref().map_or("", |label| &label.typed);
     let has = |wanted: &[&str]| remarks.iter().flat_map(|remark| words(remark)).any(|word| wanted.contains(&word));
     let says = |phrase: &str| remarks.iter().any(|remark| remark.contains(phrase));
-    let is_loss = matches!(asked, Quantity::EnergyLost | Quantity::SphereEnergyLost(_) | Quantity::FractionLost);
+    let is_loss = is_of_loss(asked);
     let calls_it_loss = has(&LOSSES) || words(&label.to_lowercase()).any(|word| LOSSES.contains(&word));
     if is_loss && !calls_it_loss {
         if remarks.iter().any(|remark| is_gain(remark)) && finding.note != Some(Note::ChangeNotLoss) {
@@ -165,7 +169,7 @@ pub(super) fn as_remarked(model: &Model, statement: &Statement, finding: Finding
     if is_turned { Finding::unreadable(Note::DirectionUnchecked) } else { finding }
 }
 
-fn words(label: &str) -> impl Iterator<Item = &str> {
+pub(super) fn words(label: &str) -> impl Iterator<Item = &str> {
     label.split(|letter: char| !letter.is_alphanumeric())
 }
 
@@ -183,7 +187,7 @@ pub(super) fn is_change(label: &str) -> bool {
         || ["delta", "change", "\\delta"].iter().any(|word| label.starts_with(word))
 }
 
-fn sort(word: &str) -> Option<Sort> {
+pub(super) fn sort(word: &str) -> Option<Sort> {
     match word {
         "I" | "J" => return Some(Sort::Impulse),
         "e" => return Some(Sort::Restitution),
@@ -204,7 +208,7 @@ fn sort(word: &str) -> Option<Sort> {
 }
 
 /// May the quantity be called so?
-fn suits(asked: Quantity, sort: Sort) -> bool {
+pub(super) fn suits(asked: Quantity, sort: Sort) -> bool {
     use Quantity::*;
     match asked {
         _ if sort == Sort::Bearing => false,
@@ -227,7 +231,15 @@ pub(super) fn may_be_called(model: &Model, name: &str, typed: &str) -> bool {
         // A capital that was typed for itself.
         || (typed.chars().count() == 1 && typed != name && typed.to_lowercase() == name);
     let Some(asked) = model.quantity else { return !is_product(name) };
+    // A capital, though the question has an e.
+    if typed == "E" && suits(asked, Sort::Energy) {
+        return true;
+    }
     let letter = of_letter(name);
+    // `v_x`: a component.
+    if matches!(asked, Quantity::Speed(..)) && matches!(name, "v_x" | "v_y" | "vx" | "vy" | "V_x" | "V_y") {
+        return false;
+    }
     match is_own {
         true => !is_product(name) && letter.is_none_or(|letter| letter_suits(asked, letter)),
         false => {
@@ -280,12 +292,17 @@ fn letter_suits(asked: Quantity, letter: Sort) -> bool {
 
 /// Words that name what there is before or after an impact, and not what is lost in it.
 const STATES: [&str; 9] = ["before", "initial", "after", "final", "left", "remaining", "remains", "retained", "kept"];
+/// Is it lost in an impact?
+pub(super) fn is_of_loss(asked: Quantity) -> bool {
+    matches!(asked, Quantity::EnergyLost | Quantity::SphereEnergyLost(_) | Quantity::FractionLost)
+}
+
 /// Those of them that do not go with what is asked: a fraction may be one of the energy before.
-fn states(asked: Quantity) -> &'static [&'static str] {
+pub(super) fn states(asked: Quantity) -> &'static [&'static str] {
     if asked == Quantity::FractionLost { &STATES[2..] } else { &STATES }
 }
 
-const LOSSES: [&str; 10] =
+pub(super) const LOSSES: [&str; 10] =
     ["loss", "losses", "lost", "lose", "loses", "decrease", "decreases", "decreased", "change", "dissipated"];
 const EARLIER: [&str; 4] = ["before", "initial", "initially", "original"];
 const LATER: [&str; 4] = ["after", "afterwards", "final", "finally"];
@@ -300,13 +317,15 @@ pub(super) fn words_fit(model: &Model, typed: &str) -> bool {
     let Some(asked) = model.quantity else { return true };
     let small = typed.to_lowercase();
     let has = |wanted: &[&str]| words(&small).any(|word| wanted.contains(&word));
-    let is_loss = matches!(asked, Quantity::EnergyLost | Quantity::SphereEnergyLost(_) | Quantity::FractionLost);
+    let is_loss = is_of_loss(asked);
+    if is_loss && has(&["pe", "gpe", "potential"]) {
+        return false;
+    }
     if is_loss {
         let is_difference = small.contains(['-', '−', '–']) || has(&["minus"]);
         return !has(states(asked)) || has(&LOSSES) || is_gain(typed) || is_change(typed) || is_difference;
     }
-    // The component of a velocity is no speed.
-    if matches!(asked, Quantity::Speed(..)) && has(&["component", "components", "comp", "comps"]) {
+    if is_another(model, asked, &small) {
         return false;
     }
     // Of several impacts one comes before the other.

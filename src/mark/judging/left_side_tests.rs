@@ -229,6 +229,11 @@ fn what_is_known_of_the_impact_is_held_against_the_words() {
     {
         assert_eq!(earns(&of_both, typed), expected, "{typed}");
     }
+    for (typed, expected) in
+        [("30 J lost by B", OTHERWISE), ("30 J (by A)", OTHERWISE), ("30 J lost by A and B", "correct")]
+    {
+        assert_eq!(earns(&of_both, typed), expected, "{typed}");
+    }
     assert_eq!(earns(&asked("30", "ke.lost"), "KE lost by A = 30"), "correct");
     const UNCHECKED: &str = "partial direction-unchecked";
     let along = Model { path: Some(Expr::integer(0)), ..asked("5", "B.after.speed") };
@@ -244,4 +249,104 @@ fn what_is_known_of_the_impact_is_held_against_the_words() {
         assert_eq!(earns(&along, typed), of_along, "{typed}");
         assert_eq!(earns(&slanting, typed), of_slanting, "{typed}");
     }
+}
+
+#[test]
+fn a_label_names_the_line_from_which_an_angle_is_measured() {
+    const REFERENCE: &str = "wrong reference-wrong";
+    earn(
+        &Asked("atan(7)", None, "A.after.angle_to_loc_deg", None),
+        &[
+            ("angle with tangent = 81.9°", REFERENCE),
+            ("angle to tangent: 81.9", REFERENCE),
+            ("angle from common tangent = 81.9", REFERENCE),
+            ("angle with the common tangent at impact = 81.9°", REFERENCE),
+            ("θ to tangent = 81.9", REFERENCE),
+            ("to the tangent: 81.9°", REFERENCE),
+            ("tangent: 81.9°", REFERENCE),
+            ("angle between velocity and tangent = 81.9°", REFERENCE),
+            ("81.9° between path and tangent", REFERENCE),
+            ("the tangent makes 81.9° with A's path", REFERENCE),
+            ("angle with the perpendicular to the line of centres = 81.9", REFERENCE),
+            ("angle with the wall: 81.9", REFERENCE),
+            ("angle with tangent = 8.13°", "correct"),
+            ("angle from the tangent is 8.13°", "correct"),
+            ("angle between the tangent and v = 8.13°", "correct"),
+            ("8.13° between path and tangent", "correct"),
+            ("angle to loc: 81.9, angle to tangent: 8.13", "correct"),
+            ("angle to tangent: 8.13, angle to loc: 81.9", "correct"),
+            ("makes an angle with the line of centres of 81.9°", "correct"),
+            ("angle with AB = 81.9°", "correct"),
+            ("angle with the line of centres AB = 81.9°", "correct"),
+            ("angle between tangent and line of centres = 81.9°", "unreadable reference-unchecked"),
+            ("angle with j = 81.9", "unreadable reference-unchecked"),
+            // The tangent of an angle is no line.
+            ("tan θ = 7", "partial angle-not-evaluated"),
+            ("tan θ = 7, θ = 81.9", "correct"),
+            ("tangent of the angle = 7, angle = 81.9", "correct"),
+        ],
+    );
+}
+
+#[test]
+fn a_right_value_by_the_name_of_another_is_for_a_person() {
+    earn(
+        &Asked("25/9", None, "A.after.speed", None),
+        &[
+            ("2.78 (B)", OTHERWISE),
+            ("2.78 (speed of B)", OTHERWISE),
+            ("2.78 m/s (sphere B)", OTHERWISE),
+            ("2.78, B", OTHERWISE),
+            ("2.78 (A)", "correct"),
+            ("initial speed 2.78", OTHERWISE),
+            ("relative speed 2.78", OTHERWISE),
+            ("average speed 2.78", OTHERWISE),
+            ("final speed 2.78", "correct"),
+            ("speed of separation = 2.78", OTHERWISE),
+            ("speed of approach = 2.78", OTHERWISE),
+            ("change in speed = 2.78", OTHERWISE),
+            ("speed lost = 2.78", OTHERWISE),
+            ("v_x = 2.78", OTHERWISE),
+            ("v_y=2.78", OTHERWISE),
+            ("velocity along loc = 2.78", OTHERWISE),
+            ("the component along the line of centres is 2.78", OTHERWISE),
+            ("2.78 (component along LOC)", OTHERWISE),
+            ("2.78 (momentum)", OTHERWISE),
+            ("2.78 (speed)", "correct"),
+        ],
+    );
+    earn(&Asked("5", None, "B.after.speed", None), &[("5 (A)", OTHERWISE), ("5 m/s (sphere A)", OTHERWISE)]);
+    earn(
+        &Asked("9", None, "impulse.magnitude", None),
+        &[
+            ("momentum before = 9", OTHERWISE),
+            ("momentum of A after = 9", OTHERWISE),
+            ("final momentum = 9", OTHERWISE),
+            ("total momentum = 9", OTHERWISE),
+            ("force is 9", OTHERWISE),
+            ("change in momentum = 9", "correct"),
+            ("momentum after - momentum before = 9", "correct"),
+            ("impulse = 9", "correct"),
+        ],
+    );
+    earn(&Asked("48/25", None, "ke.lost", None), &[("PE lost = 1.92", OTHERWISE), ("1.92 J each", OTHERWISE)]);
+    const ORDER: &str = "unreadable ratio-unchecked";
+    earn(
+        &Asked("2/3", Some(Kind::Ratio), "", None),
+        &[("2:3 (B to A)", ORDER), ("2:3 (B first)", ORDER), ("2:3 (A to B)", "correct"), ("2:3", "correct")],
+    );
+}
+
+#[test]
+fn a_number_of_degrees_is_an_angle_where_one_is_asked() {
+    earn(
+        &Asked("30", None, "A.after.angle_to_loc_deg", None),
+        &[
+            ("30° to the tangent", "wrong reference-wrong"),
+            ("60° to the tangent", "correct"),
+            ("π/6", "correct"),
+            ("arctan(1/√3)", "correct"),
+            ("30", "correct"),
+        ],
+    );
 }

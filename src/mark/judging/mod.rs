@@ -15,9 +15,11 @@ mod finding;
 mod known;
 mod left_side;
 mod line;
+mod measured;
 mod model_text;
 mod note;
 mod number;
+mod otherwise;
 mod range;
 mod ratio;
 mod selection;
@@ -199,7 +201,8 @@ fn one(model: &Model, reading: &Reading) -> Finding {
     if count_said(reading) > MOST_SAID {
         return Finding::unreadable(Note::TooLong);
     }
-    let whole = reading;
+    let (reading, is_from_unknown) = &measured::from_named_lines(model, reading);
+    let whole = &**reading;
     let Some(reading) = &selection::counted(model, reading) else {
         return Finding::unreadable(Note::CannotBeCompared);
     };
@@ -210,6 +213,9 @@ fn one(model: &Model, reading: &Reading) -> Finding {
         true => by_kind(model, reading).at_most_partial(Note::DirectionUnchecked),
         false => by_kind(model, reading),
     };
+    if finding.is_credited() && *is_from_unknown {
+        return Finding::unreadable(Note::ReferenceUnchecked);
+    }
     if finding.is_credited() && is_turned_by_words(model, reading, finding) {
         return Finding::unreadable(Note::CannotBeCompared);
     }

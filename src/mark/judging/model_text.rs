@@ -57,7 +57,9 @@ impl Model {
         let mut letters = options.letters.clone();
         declare(&value, false, &mut letters, whole)?;
         let inferred = infer(&value, &letters).map_err(|fault| placed(fault, whole))?;
-        let kind = options.kind.unwrap_or(inferred);
+        // A number of degrees, where an angle is asked.
+        let is_angle = inferred == Kind::Number && options.quantity.is_some_and(Quantity::is_angle);
+        let kind = options.kind.unwrap_or(if is_angle { Kind::Angle } else { inferred });
         fits(kind, inferred, whole)?;
         let lettered = letters.iter().any(|letter| value.names().iter().any(|name| name.text == letter.name()));
         let accept = options.accept.clone().unwrap_or(

@@ -5,9 +5,11 @@
 
 use crate::expr::{Expr, Meaning, written};
 use crate::mark::reading::{Form, Label, Reading, Said};
+use crate::mechanics::Sphere;
 
 use super::accuracy::Written;
 use super::finding::Finding;
+use super::otherwise::spheres_in_remark;
 use super::statements::{named_spheres, pair, unnamed};
 use super::{Model, Note, number};
 
@@ -32,6 +34,15 @@ pub(super) fn of_its_terms(reading: &Reading) -> Option<(Said, Option<Label>)> {
 pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
     let finding = as_it_stands(model, said);
     let order = label.map(|label| named_spheres(&label.typed)).unwrap_or_default();
+    // `2:3 (B to A)`, `2:3 (B first)`
+    let is_turned = |remark: &String| {
+        let spheres = spheres_in_remark(remark);
+        let is_first = remark.contains("first");
+        spheres.len() == if is_first { 1 } else { 2 } && spheres[0] != Sphere::A
+    };
+    if finding.is_credited() && said.remarks.iter().any(is_turned) {
+        return Finding::unreadable(Note::RatioUnchecked);
+    }
     let [first, second] = order.as_slice() else { return finding };
     let usual = (*first as usize) < *second as usize;
     match finding.is_credited() && !usual || finding.note == Some(Note::Inverted) {

@@ -9,8 +9,9 @@ use crate::expr::{Expr, Relation};
 use crate::mark::reading::{Form, Reading, ReferenceLine, Said, Statement};
 use crate::unit::Unit;
 
+use super::called::{LOSSES, is_of_loss, states, words};
 use super::statements::is_rival;
-use super::{Model, exact};
+use super::{Model, exact, number, vector};
 
 /// Words that take back the value beside them.
 const REJECTIONS: [&str; 9] =
@@ -23,7 +24,10 @@ pub(super) fn counted<'r>(model: &Model, reading: &'r Reading) -> Option<Cow<'r,
         return None;
     }
     let kept = match model.kind {
-        Kind::Number | Kind::Expression => without_told_besides(model, meeting_conditions(model, kept)),
+        Kind::Number | Kind::Expression => {
+            without_told_besides(model, meeting_conditions(model, without_steps_to_a_loss(model, kept)))
+        }
+        Kind::Vector => without_size(model, kept),
         Kind::Angle => without_told_besides(model, kept),
         _ => kept,
     };
@@ -92,6 +96,58 @@ pub(super) fn is_angular(said: &Said) -> bool {
         || (said.unit.is_none() && said.reference.is_some_and(|line| !line.is_direction()))
 }
 
+/// `5.44 before, 3.52 after, 1.92 lost` where the loss is asked: what there is before and after leads to it.
+fn without_steps_to_a_loss(model: &Model, statements: Vec<Statement>) -> Vec<Statement> {
+    let Some(asked) = model.quantity.filter(|_| statements.len() > 1) else { return statements };
+    let says = |statement: &Statement, wanted: &[&str]| {
+        let label = statement.label.iter().map(|label| &label.typed);
+        let texts = label.chain(statement.said.iter().flat_map(|said| &said.remarks));
+        texts.flat_map(|text| words(text)).any(|word| wanted.contains(&word.to_lowercase().as_str()))
+    };
+    let is_loss = |statement: &Statement| says(statement, &LOSSES);
+    let is_step = |statement: &Statement| says(statement, states(asked)) && !is_loss(statement);
+    match is_of_loss(asked) && statements.iter().any(is_loss) {
+        true => statements.into_iter().filter(|statement| !is_step(statement)).collect(),
+        false => statements,
+    }
+}
+
+/// `4i + j (speed √17)`: the size of the vector, told besides, where it is right.
+fn without_size(model: &Model, statements: Vec<Statement>) -> Vec<Statement> {
+    let is_vector =
+        |statement: &Statement| statement.said.last().is_some_and(|said| matches!(said.form, Form::Vector(..)));
+    if statements.len() < 2 || !statements.iter().any(is_vector) {
+        return statements;
+    }
+    let Some((x, y)) = vector::components(model) else { return statements };
+    let of_size = Model { kind: Kind::Number, ..model.of_value(vector::magnitude(&x, &y)) };
+    let names_size = |label: &str| {
+        let is_size = |word: &str| matches!(&*word.to_lowercase(), "speed" | "magnitude" | "size");
+        label.starts_with('|') || words(label).any(is_size)
+    };
+    let is_size = |statement: &Statement| {
+        let is_named = statement.label.as_ref().is_some_and(|label| names_size(&label.typed));
+        let is_right =
+            |said: &Said| matches!(said.form, Form::Value(_)) && number::judge(&of_size, said, None).is_correct();
+        is_named
+            && !statement.said.is_empty()
+            && !statement.said.iter().any(is_rival)
+            && statement.said.iter().all(is_right)
+    };
+    statements.into_iter().filter(|statement| !is_size(statement)).collect()
+}
+
+/// Is it called an angle?
+fn is_called_an_angle(statement: &Statement) -> bool {
+    statement.label.as_ref().is_some_and(|label| match &label.expr {
+        Some(Expr::Name(name)) => {
+            matches!(name.text.as_str(), "theta" | "phi" | "alpha" | "beta" | "θ" | "φ" | "α" | "β")
+        }
+        Some(_) => false,
+        None => words(&label.typed).any(|word| word.eq_ignore_ascii_case("angle")),
+    })
+}
+
 /// `3.61 m/s at 56.3° to the line of centres`, where the speed or the direction is asked: the other is told besides. A
 /// direction in words goes with the one value that is left.
 fn without_told_besides(model: &Model, statements: Vec<Statement>) -> Vec<Statement> {
@@ -102,7 +158,7 @@ fn without_told_besides(model: &Model, statements: Vec<Statement>) -> Vec<Statem
             (_, Unit::None) => false,
             (Form::Value(_), Unit::Degree) => said.unit.is_some() && !is_angular(said),
             (_, Unit::Degree) => false,
-            (Form::Value(_), _) => is_angular(said),
+            (Form::Value(_), _) => is_angular(said) || (said.unit.is_none() && is_called_an_angle(statement)),
             (Form::Direction, _) => true,
             _ => false,
         }
@@ -117,6 +173,13 @@ fn without_told_besides(model: &Model, statements: Vec<Statement>) -> Vec<Statem
         .filter(|said| said.form == Form::Direction)
         .filter_map(|said| said.reference)
         .collect();
+    // `2.78 (component along LOC)`
+    if let ([only], [Statement { label: Some(label), .. }]) = (kept.as_mut_slice(), besides.as_slice())
+        && only.label.is_none()
+        && label.typed.to_lowercase().starts_with("comp")
+    {
+        only.label = Some(label.clone());
+    }
     if let ([Statement { said, .. }], [direction]) = (kept.as_mut_slice(), directions.as_slice())
         && let Some(last) = said.last_mut()
         && last.reference.is_none()

@@ -165,6 +165,12 @@ fn last_or_rivals(model: &Model, statements: &[&Statement], one: One) -> Finding
     let right = findings.iter().copied().find(Finding::is_correct);
     // A value and its opposite are two values.
     let spoilt = findings.iter().any(|finding| !finding.is_credited() || finding.note == Some(Note::Sign));
+    // A right value and one that lacks a letter, or has another unit, are two values.
+    let differs = |finding: &Finding| {
+        matches!(finding.note, Some(Note::LetterMissing | Note::UnitWrong | Note::UnitNotNeeded))
+            && !finding.is_correct()
+    };
+    let spoilt = spoilt || (right.is_some() && findings.iter().any(differs));
     match right {
         // `m = 2 or −18/13, so m = 2`
         _ if spoilt && is_concluded(statements) => last,

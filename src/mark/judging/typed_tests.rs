@@ -287,3 +287,63 @@ fn directions_told_in_one_breath_with_sizes_are_shared_out() {
         assert!(judged.iter().all(|judgement| judgement.verdict == Verdict::Correct), "{typed}: {judged:?}");
     }
 }
+
+#[test]
+fn a_rival_that_lacks_a_letter_or_has_another_unit_is_a_rival() {
+    const RIVALS: &str = "wrong rival-answers";
+    earn(&Asked("9*m", None, "", None), &[("9m or 9", RIVALS), ("9m, 9", RIVALS), ("9m or 9m", "correct")]);
+    earn(&Asked("9*m*u", None, "", None), &[("9mu or 9u", RIVALS), ("9u or 9mu", RIVALS)]);
+    earn(&Asked("u*(1 + e)/3", None, "", None), &[("u(1+e)/3 or (1+e)/3", RIVALS)]);
+    earn(&Asked("48/25", None, "ke.lost", None), &[("1.92 J or 1.92 kJ", RIVALS), ("1.92 J, 1.92 kJ", RIVALS)]);
+    earn(
+        &Asked("25/7", None, "A.after.speed", None),
+        &[("3.57 m/s or 3.57 cm/s", RIVALS), ("3.57 m/s or 357 cm/s", "correct"), ("25/7 or 3.57 m/s", "correct")],
+    );
+    earn(&Asked("9", None, "impulse.magnitude", None), &[("9 Ns or 9 kN s", RIVALS)]);
+}
+
+#[test]
+fn what_is_true_besides_is_no_rival() {
+    const RIVALS: &str = "wrong rival-answers";
+    earn(
+        &Asked("4*i + j", None, "", None),
+        &[
+            ("4i+j, speed √17", "correct"),
+            ("4i + j (speed √17)", "correct"),
+            ("v=4i+j so |v|=√17", "correct"),
+            ("(4i+j) m/s, magnitude 4.12", "correct"),
+            ("4i+j, speed 5", RIVALS),
+            ("4i+j or speed √17", RIVALS),
+            ("4i+2j, speed √17", "wrong"),
+            ("speed √17", "wrong scalar-for-vector"),
+        ],
+    );
+    earn(
+        &Asked("5", None, "A.after.speed", None),
+        &[
+            ("v=5,θ=53.1", "correct"),
+            ("speed 5 angle 53.1", "correct"),
+            ("v = 3, θ = 5", "wrong"),
+            ("θ = 5", "unreadable named-otherwise"),
+        ],
+    );
+    earn(
+        &Asked("48/25", None, "ke.lost", None),
+        &[
+            ("KE before 5.44, after 3.52, loss 1.92", "correct"),
+            ("5.44 before, 3.52 after, 1.92 lost", "correct"),
+            ("KE after = 1.92, KE lost = 3.52", "wrong"),
+            ("1.92 after, 3.52 lost", "wrong"),
+            ("E = 1.92 J", "correct"),
+        ],
+    );
+    earn(
+        &Asked("10/43", None, "ke.fraction_lost", None),
+        &[
+            ("lost 10/43, kept 33/43", "correct"),
+            ("fraction lost = 10/43, fraction remaining = 33/43", "correct"),
+            ("10/43 lost, 33/43 left", "correct"),
+            ("33/43 lost, 10/43 left", "wrong"),
+        ],
+    );
+}

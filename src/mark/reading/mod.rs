@@ -19,6 +19,7 @@ mod infix_fraction;
 mod latex;
 mod lexicon;
 mod line;
+mod named_line;
 mod names;
 mod operands;
 mod part_label;
@@ -42,6 +43,7 @@ mod values;
 mod vectors;
 
 pub(crate) use line::ACROSS;
+pub(crate) use named_line::{NamedLine, named_line};
 pub use reference::{ReferenceLine, Sense};
 pub use said::{End, Form, Label, Notation, Reading, Said, SaidUnit, Statement, Unreadable, Vocabulary};
 

@@ -25,6 +25,9 @@ pub(super) struct Values<'a> {
     pub choices: &'a mut Choices,
 }
 
+/// Words before a noun that make it the name of something else.
+const OTHERS: [&str; 7] = ["initial", "original", "relative", "average", "mean", "final", "total"];
+
 impl Values<'_> {
     /// Every value of a stretch, in order.
     pub(super) fn stretch(&mut self, tokens: &[Placed]) -> Result<Stretch, Unreadable> {
@@ -185,8 +188,12 @@ impl Values<'_> {
     /// What words before a value call it: those that name a quantity or a sphere.
     fn label(&self, tokens: &[Placed], lead: &[usize]) -> Option<String> {
         let names = |at: &&usize| names_something(tokens, **at);
-        let first = lead.iter().find(names)?;
+        let place = lead.iter().position(|at| names(&at))?;
         let last = lead.iter().rev().find(names)?;
+        // `initial speed`, `relative speed`
+        let is_other = |at: usize| OTHERS.contains(&self.slice(tokens, at, at + 1).to_lowercase().as_str());
+        let before = place.checked_sub(1).and_then(|place| lead.get(place)).filter(|at| is_other(**at));
+        let first = before.unwrap_or(&lead[place]);
         Some(self.slice(tokens, *first, *last + 1).to_owned())
     }
 

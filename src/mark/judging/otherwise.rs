@@ -1,0 +1,97 @@
+//! Words that name another sphere or another quantity than the one that is asked.
+
+use crate::expr::Expr;
+use crate::mechanics::{Quantity, Sphere};
+
+use super::Model;
+use super::called::{sort, suits, words};
+use super::statements::sphere;
+
+/// Does a remark that is no more than a name, as `(B)` or `(speed of B)`, name another sphere or another quantity?
+pub(super) fn names_another(model: &Model, asked: Quantity, remarks: &[&String], remark: &str) -> bool {
+    const FILLERS: [&str; 16] = [
+        "",
+        "the",
+        "of",
+        "by",
+        "for",
+        "is",
+        "sphere",
+        "ball",
+        "particle",
+        "lost",
+        "loses",
+        "after",
+        "before",
+        "impact",
+        "collision",
+        "s",
+    ];
+    if asked == Quantity::EnergyLost && words(remark).any(|word| word == "each") {
+        return true;
+    }
+    if matches!(asked, Quantity::Impulse(..) | Quantity::ImpulseMagnitude) && words(remark).any(|word| word == "force")
+    {
+        return true;
+    }
+    let is_name = |word: &str| {
+        let small = word.to_lowercase();
+        FILLERS.contains(&small.as_str()) || sort(&small).is_some() || matches!(&*small, "a" | "b" | "c")
+    };
+    if !words(remark).all(is_name) {
+        return false;
+    }
+    // `by A and B` is two remarks.
+    let is_alone = || remarks.iter().map(|remark| spheres_in_remark(remark).len()).sum::<usize>() == 1;
+    let is_of_another = match (sphere(asked), spheres_in_remark(remark).as_slice()) {
+        (Some(asked), [named]) => *named != asked && is_alone(),
+        (None, [_]) => model.is_of_both && is_alone(),
+        _ => false,
+    };
+    let mut sorts = words(remark).filter_map(|word| sort(&word.to_lowercase())).peekable();
+    is_of_another || (sorts.peek().is_some() && !sorts.any(|sort| suits(asked, sort)))
+}
+
+/// The spheres that a remark names. In small letters an `a` is an article, unless it ends the words or goes before `to`.
+pub(super) fn spheres_in_remark(remark: &str) -> Vec<Sphere> {
+    let words: Vec<&str> = words(remark).filter(|word| !word.is_empty()).collect();
+    let named = words.iter().enumerate().filter_map(|(at, word)| match *word {
+        "a" => matches!(words.get(at + 1), None | Some(&("to" | "first"))).then_some(Sphere::A),
+        "A" => Some(Sphere::A),
+        "b" | "B" => Some(Sphere::B),
+        "c" | "C" => Some(Sphere::C),
+        _ => None,
+    });
+    named.collect()
+}
+
+/// Do words that name a speed or a momentum name another than is asked: a component of a velocity, a difference of speeds?
+pub(super) fn is_another(model: &Model, asked: Quantity, small: &str) -> bool {
+    let has = |wanted: &[&str]| words(small).any(|word| wanted.contains(&word));
+    let is_along = || model.path.as_ref().is_some_and(Expr::is_zero);
+    match asked {
+        Quantity::Speed(..) => {
+            const PARTS: [&str; 4] = ["component", "components", "comp", "comps"];
+            const DIFFERENCES: [&str; 10] = [
+                "relative",
+                "average",
+                "mean",
+                "separation",
+                "approach",
+                "change",
+                "difference",
+                "lost",
+                "loss",
+                "gained",
+            ];
+            has(&PARTS) || has(&DIFFERENCES) || (has(&["along", "parallel", "perpendicular", "perp"]) && !is_along())
+        }
+        Quantity::Impulse(..) | Quantity::ImpulseMagnitude => {
+            let is_difference = || has(&["change", "difference", "lost", "loss", "gain", "gained", "minus"]);
+            let is_state =
+                has(&["before", "after", "initial", "final", "original", "total"]) && !small.contains(['-', '−']);
+            has(&["force"]) || (has(&["momentum", "momenta"]) && is_state && !is_difference())
+        }
+        _ => false,
+    }
+}
