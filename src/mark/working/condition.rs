@@ -18,7 +18,8 @@ impl Working<'_> {
             let Some(reading) = &studied.reading else { return false };
             let statements = || reading.statements.iter().flat_map(|statement| &statement.said);
             let is_inequality = || statements().any(|said| self.is_demanded(&said.form, mark));
-            let holds = || reading.equations.iter().any(|equation| self.holds_only_where_found(equation));
+            let mut worked = reading.equations.iter().filter(|(_, right)| !self.is_printed_value(right));
+            let mut holds = || worked.any(|equation| self.holds_only_where_found(equation));
             !self.is_printed_result(studied) && studied.matched.is_empty() && (holds() || is_inequality())
         })?;
         Some(Evidence::given(line, "uses what is given of the motion after the impact"))
