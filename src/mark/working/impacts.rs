@@ -26,8 +26,8 @@ pub(crate) fn examine(question: &KeyedQuestion, part: &KeyedPart, working: &[Str
     }
     let about = about(question, part, &impacts);
     let mut all = match impacts.first() {
-        None | Some(0) => examine_one(question, part, working, before, &[]),
-        Some(_) => Examined::nothing(part, working, before),
+        None | Some(0) if !is_done_before(question, part) => examine_one(question, part, working, before, &[]),
+        _ => Examined::nothing(part, working, before),
     };
     all.keep_of(0, &about);
     for meeting in impacts.into_iter().filter_map(|number| question.meeting(number)) {
@@ -63,6 +63,16 @@ fn examine_later(
         ..line
     });
     Some(Examined { lines: lines.collect(), theirs, followed: None, ..examined })
+}
+
+/// Is the first impact the business of an earlier part alone, so that letters here are of what comes later?
+fn is_done_before(question: &KeyedQuestion, part: &KeyedPart) -> bool {
+    let has_momentum = |part: &KeyedPart| {
+        let is_momentum = |mark: &KeyedMark| matches!(mark.earned_for, EarnedFor::Law(law, _) if law.gives(Quantity::MomentumEquation));
+        part.scheme.iter().any(is_momentum)
+    };
+    let mut earlier = question.parts.iter().take_while(|other| other.label != part.label);
+    !has_momentum(part) && earlier.any(has_momentum)
 }
 
 /// The impact that each mark for a law is about, where every impact that uses the law has a method mark for it.
