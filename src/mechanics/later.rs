@@ -200,7 +200,7 @@ impl Meeting {
         let mut said = String::with_capacity(typed.len());
         while let Some(sign) = signs.next() {
             let ends = !signs.peek().is_some_and(|next| next.is_alphanumeric());
-            let begun = before == '_' || before == '{' || before.is_lowercase();
+            let begun = matches!(before, '_' | '{' | 'U' | 'V' | 'W') || before.is_lowercase();
             let sphere = Sphere::ALL.into_iter().find(|sphere| ends && begun && sphere.name().starts_with(sign));
             match sphere.and_then(|sphere| self.part(sphere)) {
                 Some(part) => said.push_str(part.name()),

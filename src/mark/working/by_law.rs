@@ -142,6 +142,7 @@ impl Working<'_> {
                         && self.may_be_loss(member, quantity)
                         && !member.is_given
                         && !self.is_taken(member, quantity)
+                        && !self.is_printed_value(&member.expr)
                         && values.iter().zip(&right).all(|(value, right)| comes(*value, *right))
                 })
         })
@@ -203,11 +204,15 @@ impl Working<'_> {
 
     /// Does a line show this component: as a value, in Pythagoras, in a tangent, or in a vector?
     fn shows_component(&self, studied: &Studied, sphere: Sphere, right: &[f64]) -> bool {
+        if says_along(&studied.line.typed) {
+            return false;
+        }
         let is_right = |values: &[Value]| values.iter().zip(right).all(|(value, right)| comes_to(*value, *right));
         let whole = studied.matched.is_empty()
             && self.members(studied).any(|(member, values)| {
                 let is_composite = is_composite(&member.expr);
-                let named = (member.label.is_some() || is_composite) && !is_called_otherwise(member, sphere);
+                let is_called = member.label.is_some() || is_composite || self.says_across(&studied.line.typed);
+                let named = is_called && !is_called_otherwise(member, sphere);
                 let before = member.letter.as_ref().is_some_and(|letter| letter.starts_with('u') && !is_composite);
                 let unknown = member.letter.as_ref().is_some_and(|letter| self.is_unknown(letter));
                 (named && !unknown && !before && !member.is_given && is_right(values))
@@ -221,6 +226,11 @@ impl Working<'_> {
         let formulas = reading.members.iter().filter(|_| studied.matched.is_empty());
         let mut components = formulas.flat_map(|member| components_in(&member.expr, is_tangent(member)));
         components.any(|expr| self.values_of(&expr).is_some_and(|values| is_right(&values)))
+    }
+
+    /// Is it in words that a number is perpendicular to the line of centres? At a wall that is the other component.
+    fn says_across(&self, typed: &str) -> bool {
+        self.prepared.setting != Setting::Wall && typed.to_lowercase().contains("perp")
     }
 
     /// Is it a vector with this component, and not the one that was given? Along i or j it keeps its sign.
@@ -251,6 +261,14 @@ impl Working<'_> {
         };
         (0..self.prepared.points.count).map(at).collect()
     }
+}
+
+/// Does a line say of what it has that it is along the line of centres, and of nothing that it is across?
+fn says_along(typed: &str) -> bool {
+    let typed = typed.to_lowercase();
+    let is_of_centres = |rest: &str| rest.trim_start().trim_start_matches("the ").trim_start().starts_with("l");
+    let (along, across) = (typed.split("along").skip(1), ["perp", "across", "tan"]);
+    along.into_iter().any(|rest| is_of_centres(rest)) && !across.iter().any(|word| typed.contains(word))
 }
 
 /// Is a value said to be something else than a component of this sphere?

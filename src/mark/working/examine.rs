@@ -3,6 +3,7 @@
 use super::angles;
 use super::convention::take_as_laws;
 use super::evidence::Evidence as Shown;
+use super::impacts::{set_aside_of_others, short_of_law};
 use super::line::{self, Line, ReadLine};
 use super::linear::{Context, Sum};
 use super::pair::{BOTH, Convention, Departure, Matched};
@@ -15,7 +16,7 @@ use crate::bank::{Code, EarnedFor};
 use crate::expr::Expr;
 use crate::mark::award::{Award, Evidence, Examiner, MarkedLine, Place};
 use crate::mark::key::{KeyedMark, KeyedPart, KeyedQuestion};
-use crate::mechanics::{Axis, Known, Law, Meeting, Moment, Quantity, Seen, Sphere};
+use crate::mechanics::{Axis, Known, Law, Moment, Quantity, Seen, Sphere};
 
 /// What looking through the working of a part found.
 pub(crate) struct Examined {
@@ -26,35 +27,12 @@ pub(crate) struct Examined {
     /// The values that the student found, in this part and before.
     pub(crate) theirs: Theirs,
     /// Everything that follows from them, at every point, where that was worked out to look through the lines.
-    followed: Option<Vec<Known<f64>>>,
+    pub(super) followed: Option<Vec<Known<f64>>>,
+    /// What each line is short of one of the two equations, if it is one.
+    pub(super) short_of_law: Vec<Option<u32>>,
 }
 
 impl Examined {
-    /// Before anything has been looked at.
-    fn nothing(part: &KeyedPart, working: &[String], before: &Theirs) -> Examined {
-        let awards = part.scheme.iter().map(|_| None).collect();
-        let line = |typed: &String| MarkedLine { typed: typed.clone(), reading: None, role: String::new() };
-        let lines = working.iter().map(line).collect();
-        Examined { awards, lines, theirs: before.clone(), followed: None }
-    }
-
-    /// With what was found in the same lines as working of another impact: a mark that is earned there is earned.
-    fn join(&mut self, later: Examined) {
-        for (award, other) in self.awards.iter_mut().zip(later.awards) {
-            let is_given = |award: &Option<Award>| award.as_ref().map(|award| award.given);
-            if is_given(&other) > is_given(award) {
-                *award = other;
-            }
-        }
-        for (line, other) in self.lines.iter_mut().zip(later.lines) {
-            if line.reading.is_none() || line.role.is_empty() {
-                *line = other;
-            }
-        }
-        self.theirs = later.theirs;
-        self.followed = None;
-    }
-
     /// What follows for a quantity from the student's own values, where the question has no letters.
     pub(crate) fn followed(&self, question: &KeyedQuestion, quantity: Quantity) -> Option<f64> {
         match self.followed.as_deref() {
@@ -100,53 +78,14 @@ pub(super) struct Working<'a> {
     pub(super) by_numbers: ByNumbers,
 }
 
-/// Looks through the working of a part; `before` is what the student found in earlier parts.
-pub(crate) fn examine(question: &KeyedQuestion, part: &KeyedPart, working: &[String], before: &Theirs) -> Examined {
-    if working.is_empty() {
-        let awards = part.scheme.iter().map(|_| None).collect();
-        return Examined { awards, lines: Vec::new(), theirs: before.clone(), followed: None };
-    }
-    if question.scene.then.is_empty() {
-        return examine_one(question, part, working, before);
-    }
-    let impacts = part.impacts();
-    let mut all = match impacts.first() {
-        None | Some(0) => examine_one(question, part, working, before),
-        Some(_) => Examined::nothing(part, working, before),
-    };
-    for meeting in impacts.into_iter().filter_map(|number| question.meeting(number)) {
-        if let Some(later) = examine_later(question, part, working, &all.theirs, meeting) {
-            all.join(later);
-        }
-    }
-    all
-}
-
-/// A part looked through as working of a later impact, in which the student goes on from what was found before.
-fn examine_later(
+/// Looks through the working of one impact; `of_others` is what each line is short of a law of those before it.
+pub(super) fn examine_one(
     question: &KeyedQuestion,
     part: &KeyedPart,
     working: &[String],
     before: &Theirs,
-    meeting: Meeting,
-) -> Option<Examined> {
-    let impact = question.impact(meeting, before)?;
-    let typed: Vec<String> = working.iter().map(|line| meeting.in_law_names(line)).collect();
-    let here = before.0.iter().filter_map(|(quantity, own)| Some((meeting.in_law(*quantity)?, own.clone())));
-    let part = impact.parts.iter().find(|other| other.label == part.label)?;
-    let examined = examine_one(&impact, part, &typed, &Theirs(here.collect()));
-    let own = examined.theirs.0.into_iter().map(|(quantity, own)| (meeting.quantity(quantity), own));
-    let theirs = Theirs(before.0.clone().into_iter().chain(own).collect());
-    let lines = examined.lines.into_iter().zip(working).map(|(line, typed)| MarkedLine {
-        typed: typed.clone(),
-        role: line.role.parse().map_or(line.role, |quantity| meeting.quantity(quantity).to_string()),
-        ..line
-    });
-    Some(Examined { lines: lines.collect(), theirs, followed: None, ..examined })
-}
-
-/// Looks through the working of one impact.
-fn examine_one(question: &KeyedQuestion, part: &KeyedPart, working: &[String], before: &Theirs) -> Examined {
+    of_others: &[Option<u32>],
+) -> Examined {
     let prepared = question.prepared();
     let vectors = has_vectors(question);
     let mut read = line::read(working, &question.letters, vectors);
@@ -158,7 +97,11 @@ fn examine_one(question: &KeyedQuestion, part: &KeyedPart, working: &[String], b
             Studied { line, reading, values: Vec::new(), matched: Vec::new(), role: String::new() }
         })
         .collect();
-    let convention = take_as_laws(&mut lines, prepared);
+    let mut convention = take_as_laws(&mut lines, prepared);
+    if set_aside_of_others(&mut lines, of_others) {
+        convention = take_as_laws(&mut lines, prepared);
+    }
+    let short_of_law = lines.iter().map(short_of_law).collect();
     set_aside_replaced(&mut lines);
     evaluate(&mut lines, prepared, &prepared.names);
     let mut theirs = before.clone();
@@ -189,7 +132,7 @@ fn examine_one(question: &KeyedQuestion, part: &KeyedPart, working: &[String], b
         role: part.setting.say(&studied.role).into_owned(),
     });
     let lines = lines.collect();
-    Examined { awards, lines, theirs: working.theirs, followed: Some(working.followed) }
+    Examined { awards, lines, theirs: working.theirs, followed: Some(working.followed), short_of_law }
 }
 
 /// A line that is crossed out does not count where the same law, or the same letter, stands again without a stroke.
@@ -337,14 +280,16 @@ impl Working<'_> {
         Some(Shown { line, given, note, feedback, role: law.name().to_owned() })
     }
 
-    /// The mark for solving the two equations: a value of one of the unknowns follows them.
+    /// The mark for solving the two equations: a value of one of the unknowns follows them. With the other still in it
+    /// nothing has been solved: an equation is only written the other way round.
     fn solved(&self) -> Option<Shown> {
         let convention = self.convention.as_ref()?;
         let states = |studied: &Studied| {
             let members = studied.reading.as_ref().map(|reading| reading.members.as_slice()).unwrap_or_default();
             members.iter().zip(&studied.values).any(|(member, value)| {
                 let is_unknown = member.letter.as_ref().is_some_and(|letter| convention.letters.contains(letter));
-                is_unknown && value.is_some()
+                let mut names = member.expr.names().into_iter();
+                is_unknown && value.is_some() && !names.any(|name| convention.letters.contains(&name.text))
             })
         };
         let line = self.lines.iter().position(states)?;

@@ -12,6 +12,7 @@ mod convention;
 mod departure;
 mod evidence;
 mod examine;
+mod impacts;
 mod impulse;
 mod line;
 mod linear;
@@ -28,6 +29,7 @@ mod trials;
 mod values;
 mod vectors;
 
-pub(super) use examine::{Examined, examine};
+pub(super) use examine::Examined;
+pub(super) use impacts::examine;
 pub(super) use prepared::Prepared;
 pub(super) use theirs::Theirs;

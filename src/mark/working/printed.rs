@@ -41,6 +41,12 @@ impl Working<'_> {
         self.part.blanks.iter().map(|blank| &blank.model).filter(|model| model.kind == Kind::Shown)
     }
 
+    /// Is it what a result comes to, as it is printed? Whoever copies it has not found it.
+    pub(super) fn is_printed_value(&self, expr: &Expr) -> bool {
+        let is = |model: &Model| matches!(&model.value, Expr::Relation(_, Relation::Equal, right) if **right == *expr);
+        self.printed_models().any(is)
+    }
+
     fn ends_with_result(&self, last: usize) -> bool {
         let end = |place: usize| self.lines[place].reading.as_ref()?.statements.last().cloned();
         let Some(mut end) = end(last) else { return false };

@@ -1,7 +1,7 @@
 //! Marks of collisions that are given backwards, in vectors: momentum as a vector, the line of centres from an impulse,
 //! components along it, and e from those.
 
-use super::compare::{any_within, is_parallel, is_vector};
+use super::compare::{any_within, is_composite, is_parallel, is_vector};
 use super::evidence::Evidence;
 use super::examine::{Value, Working};
 use super::points::sizes;
@@ -164,7 +164,10 @@ impl Working<'_> {
             let candidates: Vec<Vec<f64>> = sizes.iter().map(|size| vec![size * scale]).collect();
             self.is_one_of(expr, &candidates)
         };
+        // Where e is given, two numbers are e as it stands in the question.
+        let is_given = self.prepared.given[0].0.contains_key(&Quantity::Restitution);
         let is_quotient = |expr: &Expr| match expr {
+            Expr::Quotient(above, below) if is_given && !is_composite(above) && !is_composite(below) => false,
             Expr::Quotient(above, below) => {
                 let mut scales = scales.iter();
                 scales.any(|scale| is(above, [y - x, y + x], *scale) && is(below, [a - b, a + b], *scale))

@@ -1,0 +1,160 @@
+//! Working of several impacts that follow one another: each is looked through by itself, in its own letters.
+
+use super::examine::{Examined, Studied, examine_one};
+use super::pair::Matched;
+use super::theirs::Theirs;
+use crate::bank::EarnedFor;
+use crate::mark::award::{Award, MarkedLine};
+use crate::mark::key::{KeyedMark, KeyedPart, KeyedQuestion};
+use crate::mechanics::{Law, Meeting, Quantity, Sphere};
+
+/// Looks through the working of a part; `before` is what the student found in earlier parts.
+pub(crate) fn examine(question: &KeyedQuestion, part: &KeyedPart, working: &[String], before: &Theirs) -> Examined {
+    if working.is_empty() {
+        let awards = part.scheme.iter().map(|_| None).collect();
+        let (lines, short_of_law) = (Vec::new(), Vec::new());
+        return Examined { awards, lines, theirs: before.clone(), followed: None, short_of_law };
+    }
+    if question.scene.then.is_empty() {
+        return examine_one(question, part, working, before, &[]);
+    }
+    let mut impacts = part.impacts();
+    // A range is not derived in steps: every impact may have to do with it.
+    if impacts.is_empty() {
+        impacts.push(0);
+        impacts.extend(question.scene.then.iter().map(|then| then.meeting.number));
+    }
+    let about = about(question, part, &impacts);
+    let mut all = match impacts.first() {
+        None | Some(0) if !is_done_before(question, part) => examine_one(question, part, working, before, &[]),
+        _ => Examined::nothing(part, working, before),
+    };
+    all.keep_of(0, &about);
+    for meeting in impacts.into_iter().filter_map(|number| question.meeting(number)) {
+        if let Some(mut later) = examine_later(question, part, working, &all, meeting) {
+            later.keep_of(meeting.number, &about);
+            all.join(later);
+        }
+    }
+    all
+}
+
+/// A part looked through as working of a later impact, in which the student goes on from what was found before.
+fn examine_later(
+    question: &KeyedQuestion,
+    part: &KeyedPart,
+    working: &[String],
+    before: &Examined,
+    meeting: Meeting,
+) -> Option<Examined> {
+    let (before, of_others) = (&before.theirs, before.short_of_law.as_slice());
+    let impact = question.impact(meeting, before)?;
+    // `V_B'` after `V_B`: the stroke says that it is of a later impact, and here all is.
+    let plain = |line: &String| meeting.in_law_names(&line.replace(['\'', '’', '′'], ""));
+    let typed: Vec<String> = working.iter().map(plain).collect();
+    let here = before.0.iter().filter_map(|(quantity, own)| Some((meeting.in_law(*quantity)?, own.clone())));
+    let part = impact.parts.iter().find(|other| other.label == part.label)?;
+    let examined = examine_one(&impact, part, &typed, &Theirs(here.collect()), of_others);
+    let own = examined.theirs.0.into_iter().map(|(quantity, own)| (meeting.quantity(quantity), own));
+    let theirs = Theirs(before.0.clone().into_iter().chain(own).collect());
+    let lines = examined.lines.into_iter().zip(working).map(|(line, typed)| MarkedLine {
+        typed: typed.clone(),
+        role: line.role.parse().map_or(line.role, |quantity| meeting.quantity(quantity).to_string()),
+        ..line
+    });
+    Some(Examined { lines: lines.collect(), theirs, followed: None, ..examined })
+}
+
+/// Is the first impact the business of an earlier part alone, so that letters here are of what comes later?
+fn is_done_before(question: &KeyedQuestion, part: &KeyedPart) -> bool {
+    let has_momentum = |part: &KeyedPart| {
+        let is_momentum = |mark: &KeyedMark| matches!(mark.earned_for, EarnedFor::Law(law, _) if law.gives(Quantity::MomentumEquation));
+        part.scheme.iter().any(is_momentum)
+    };
+    let mut earlier = question.parts.iter().take_while(|other| other.label != part.label);
+    !has_momentum(part) && earlier.any(has_momentum)
+}
+
+/// The impact that each mark for a law is about, where every impact that uses the law has a method mark for it.
+fn about(question: &KeyedQuestion, part: &KeyedPart, impacts: &[u8]) -> Vec<Option<u8>> {
+    let steps = &part.derivation.steps;
+    let is_of_two = |number: u8| {
+        let then = question.scene.then.iter().find(|then| then.meeting.number == number);
+        Quantity::Mass(Sphere::B).is_in(then.map_or(&question.scene, |then| &then.scene).setting)
+    };
+    let uses = |law: Law, number: u8| match steps.is_empty() {
+        // A wall has no momentum that is known.
+        true => !law.gives(Quantity::MomentumEquation) || is_of_two(number),
+        false => steps.iter().any(|step| step.law == law && step.impact() == number),
+    };
+    let of_mark = |place: usize| {
+        let mark = &part.scheme[place];
+        let EarnedFor::Law(law, _) = mark.earned_for else { return None };
+        let with_law: Vec<u8> = impacts.iter().copied().filter(|number| uses(law, *number)).collect();
+        let alike = |other: &&KeyedMark| other.earned_for == mark.earned_for;
+        let methods = part.scheme.iter().filter(alike).filter(|other| !other.code.is_accuracy()).count();
+        let of_kind = |other: &&KeyedMark| other.code.is_accuracy() == mark.code.is_accuracy();
+        let before = part.scheme[..place].iter().filter(alike).filter(of_kind).count();
+        (methods == with_law.len()).then(|| with_law.get(before).copied()).flatten()
+    };
+    (0..part.scheme.len()).map(of_mark).collect()
+}
+
+impl Examined {
+    /// Before anything has been looked at.
+    fn nothing(part: &KeyedPart, working: &[String], before: &Theirs) -> Examined {
+        let awards = part.scheme.iter().map(|_| None).collect();
+        let line = |typed: &String| MarkedLine { typed: typed.clone(), reading: None, role: String::new() };
+        let lines = working.iter().map(line).collect();
+        Examined { awards, lines, theirs: before.clone(), followed: None, short_of_law: Vec::new() }
+    }
+
+    /// Without what was found of marks that are about another impact.
+    fn keep_of(&mut self, number: u8, about: &[Option<u8>]) {
+        for (award, _) in self.awards.iter_mut().zip(about).filter(|(_, own)| own.is_some_and(|own| own != number)) {
+            *award = None;
+        }
+    }
+
+    /// With what was found in the same lines as working of another impact: a mark that is earned there is earned.
+    fn join(&mut self, later: Examined) {
+        for (award, other) in self.awards.iter_mut().zip(later.awards) {
+            let is_given = |award: &Option<Award>| award.as_ref().map(|award| award.given);
+            if is_given(&other) > is_given(award) {
+                *award = other;
+            }
+        }
+        for (line, other) in self.lines.iter_mut().zip(later.lines) {
+            if line.reading.is_none() || line.role.is_empty() {
+                *line = other;
+            }
+        }
+        self.theirs = later.theirs;
+        self.followed = None;
+        let both = self.short_of_law.len().max(later.short_of_law.len());
+        self.short_of_law.resize(both, None);
+        for (own, other) in self.short_of_law.iter_mut().zip(later.short_of_law) {
+            *own = [*own, other].into_iter().flatten().min();
+        }
+    }
+}
+
+/// What a line is short of one of the two equations, if it is one as far as a method goes.
+pub(super) fn short_of_law(studied: &Studied) -> Option<u32> {
+    studied.matched.iter().filter(|matched| matched.is_method()).map(Matched::weight).min()
+}
+
+/// An equation of one impact is none of another, unless it comes nearer to that or is right for both. Are there any?
+pub(super) fn set_aside_of_others(lines: &mut [Studied], of_others: &[Option<u32>]) -> bool {
+    let mut any = false;
+    for (studied, other) in lines.iter_mut().zip(of_others) {
+        let Some(other) = *other else { continue };
+        let is_own = short_of_law(studied).is_some_and(|own| own < other || own == 0);
+        if !is_own {
+            studied.line.readings.clear();
+            (studied.reading, studied.matched) = (None, Vec::new());
+            any = true;
+        }
+    }
+    any
+}
