@@ -268,7 +268,7 @@ fn says_along(typed: &str) -> bool {
     let typed = typed.to_lowercase();
     let is_of_centres = |rest: &str| rest.trim_start().trim_start_matches("the ").trim_start().starts_with("l");
     let (along, across) = (typed.split("along").skip(1), ["perp", "across", "tan"]);
-    along.into_iter().any(|rest| is_of_centres(rest)) && !across.iter().any(|word| typed.contains(word))
+    along.into_iter().any(is_of_centres) && !across.iter().any(|word| typed.contains(word))
 }
 
 /// Is a value said to be something else than a component of this sphere?
