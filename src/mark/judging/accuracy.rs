@@ -29,6 +29,8 @@ const FEWEST_NEAR: u32 = 3;
 const FIGURES_FOR_EXACT: u32 = 3;
 /// The precision of enclosures that tell what is far from what.
 pub(super) const BITS: usize = 96;
+/// The finest enclosure of a formula that is too long for its exact value.
+const MOST_BITS: usize = 2048;
 /// No rounding is tried beyond so many decimal places: the figures after them say nothing about a mark.
 const MOST_PLACES: i64 = 60;
 
@@ -194,6 +196,9 @@ impl Target<'_> {
                 Some(nearly.finely.clone())
             }
             Target::Value(value, _) => value.enclose_constant(bits),
+            // What has no enclosure has none that is finer, and a tie that is not decided by so many bits is for a person.
+            Target::Formula(_, None) => None,
+            Target::Formula(..) if bits > MOST_BITS => None,
             Target::Formula(expr, _) => enclose(expr, &[], 0, bits),
             Target::Degrees(angle) => angle.enclose(bits),
             Target::Radians(angle) => {

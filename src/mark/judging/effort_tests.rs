@@ -23,7 +23,7 @@ const MODELS: [(&str, Option<Kind>); 14] = [
 ];
 
 /// Formulas that are short to write and long to work out.
-const LABORIOUS: [&str; 52] = [
+const LABORIOUS: [&str; 53] = [
     "((2^16)^16)^16",
     "(((((((9^16)^16)^16)^16)^16)^16)^16)^16",
     "((1.23456789^16)^16)^16",
@@ -63,6 +63,7 @@ const LABORIOUS: [&str; 52] = [
     "arctan(arctan(arctan(0.1)))",
     "arctan(tan(12θ))",
     "sin(arctan(√2)+arctan(√3)+arctan(√5))",
+    "m^tan3=0",
     "√123456789012345678901234567891",
     "√(123456789012345678901234567891*987654321098765432109876543211)",
     "√((10^20+39)*(10^20+129))+√((10^20+39)*(10^20+130))",

@@ -151,6 +151,18 @@ fn choose(model: &Model, statements: &[&Statement], one: One) -> Finding {
 }
 
 fn last_or_rivals(model: &Model, statements: &[&Statement], one: One) -> Finding {
+    // `tan θ = 3/4, speed 5`: what has the name of something else is no rival.
+    let is_of_another = |statement: &&&Statement| {
+        let label = statement.label.as_ref().filter(|_| model.quantity.is_some());
+        let is_another = label.is_some_and(|label| matches!(left_side::of(model, label), Left::Another));
+        is_another && !statement.said.iter().any(is_rival)
+    };
+    let (others, own): (Vec<&Statement>, Vec<&Statement>) = statements.iter().partition(is_of_another);
+    match own.as_slice() {
+        [single] if !others.is_empty() => return chain(model, single, one),
+        [_, _, ..] if !others.is_empty() => return last_or_rivals(model, &own, one),
+        _ => {}
+    }
     let findings: Vec<Finding> = statements.iter().map(|statement| chain(model, statement, one)).collect();
     let typed = |statement: &&Statement| statement.label.as_ref().map(|label| label.typed.trim().to_lowercase());
     let labels: Vec<Option<String>> = statements.iter().map(typed).collect();

@@ -141,7 +141,7 @@ impl Statements<'_> {
 
     /// One side of an equation, whose names must be known.
     pub(super) fn side(&mut self, tokens: &[Placed]) -> Result<Expr, Unreadable> {
-        let place = tokens[0].start;
+        let place = tokens.first().map_or(self.text.len(), |first| first.start);
         let read = formula(tokens.to_vec(), 0, self.text, self.vocabulary, self.choices)?;
         let rest = &read.tokens[read.next..];
         let words = rest.iter().all(|placed| {
