@@ -290,13 +290,13 @@ fn letter_suits(asked: Quantity, letter: Sort) -> bool {
     }
 }
 
-/// Words that name what there is before or after an impact, and not what is lost in it.
-const STATES: [&str; 9] = ["before", "initial", "after", "final", "left", "remaining", "remains", "retained", "kept"];
 /// Is it lost in an impact?
 pub(super) fn is_of_loss(asked: Quantity) -> bool {
     matches!(asked, Quantity::EnergyLost | Quantity::SphereEnergyLost(_) | Quantity::FractionLost)
 }
 
+/// Words that name what there is before or after an impact, and not what is lost in it.
+const STATES: [&str; 9] = ["before", "initial", "after", "final", "left", "remaining", "remains", "retained", "kept"];
 /// Those of them that do not go with what is asked: a fraction may be one of the energy before.
 pub(super) fn states(asked: Quantity) -> &'static [&'static str] {
     if asked == Quantity::FractionLost { &STATES[2..] } else { &STATES }
@@ -351,6 +351,9 @@ fn moment(asked: Quantity) -> Option<Moment> {
     }
 }
 
+/// How a square ends in words.
+pub(super) const SQUARED: [&str; 3] = ["²", "^2", "squared"];
+
 /// `½ KE`, `2 speed`, `-KE lost`, `speed²`, `KE/2`: a multiple or power of what the words name.
 fn is_multiplied(typed: &str) -> bool {
     let typed = typed.trim();
@@ -369,6 +372,6 @@ fn is_multiplied(typed: &str) -> bool {
         let below = below.trim();
         after_word(word) && !below.is_empty() && below.chars().all(|sign| sign.is_ascii_digit())
     };
-    let ends = ["²", "^2", "squared"].into_iter().any(is_power) || typed.rsplit_once('/').is_some_and(is_share);
+    let ends = SQUARED.into_iter().any(is_power) || typed.rsplit_once('/').is_some_and(is_share);
     begins || negative || ends
 }

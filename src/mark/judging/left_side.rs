@@ -46,7 +46,7 @@ pub(super) fn of(model: &Model, label: &Label) -> Left {
     let typed = label.typed.trim();
     let Some(expr) = &label.expr else {
         // `speed² = 80`
-        let of_square = ["²", "^2", "squared"].iter().find_map(|power| typed.strip_suffix(power));
+        let of_square = called::SQUARED.iter().find_map(|power| typed.strip_suffix(power));
         let is_speed = |word: &str| word.to_lowercase().contains("speed") || word.to_lowercase().contains("velocity");
         if of_square.is_some_and(|word| is_speed(word) && called::words_fit(model, word.trim())) {
             let unknown = "x".to_owned();

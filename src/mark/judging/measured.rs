@@ -5,7 +5,7 @@ use std::borrow::Cow;
 
 use crate::answer::Kind;
 use crate::expr::Expr;
-use crate::mark::reading::{Form, NamedLine, Reading, Said, Statement, named_line};
+use crate::mark::reading::{Form, NamedLine, Reading, ReferenceLine, Said, Statement, named_line};
 use crate::mechanics::Quantity;
 
 use super::{Model, selection};
@@ -16,35 +16,42 @@ pub(super) fn from_named_lines<'r>(model: &Model, reading: &'r Reading) -> (Cow<
     if !is_of_angle && !matches!(model.quantity, Some(Quantity::Speed(..))) {
         return (Cow::Borrowed(reading), false);
     }
+    let lines: Vec<Option<NamedLine>> = reading.statements.iter().map(|statement| line_of(model, statement)).collect();
+    let is_direction = |statement: &Statement| line_alone(statement).is_some();
+    if lines.iter().all(Option::is_none) && !reading.statements.iter().any(is_direction) {
+        return (Cow::Borrowed(reading), false);
+    }
     let mut statements: Vec<Statement> = Vec::with_capacity(reading.statements.len());
     let mut is_unknown = false;
-    for statement in &reading.statements {
-        let mut statement = statement.clone();
-        if let Some(line) = line_of(model, &statement) {
-            let is_free = |said: &&mut Said| said.reference.is_none() && is_angle(model, said);
-            for said in statement.said.iter_mut().filter(is_free) {
-                match line {
-                    NamedLine::Known(line) => said.reference = Some(line),
-                    NamedLine::Unknown => is_unknown = true,
-                }
+    for (mut statement, line) in reading.statements.iter().cloned().zip(lines) {
+        let is_free = |said: &&mut Said| said.reference.is_none() && is_angle(model, said);
+        for said in statement.said.iter_mut().filter(is_free) {
+            match line {
+                Some(NamedLine::Known(line)) => said.reference = Some(line),
+                Some(NamedLine::Unknown) => is_unknown = true,
+                None => {}
             }
         }
         // `an angle with the tangent of 8.13°`
-        if let ([first, ..], Some(before)) = (statement.said.as_mut_slice(), statements.last())
-            && let [Said { form: Form::Direction, reference: Some(line), .. }] = before.said.as_slice()
-            && !line.is_direction()
+        if let ([first, ..], Some(line)) = (statement.said.as_mut_slice(), statements.last().and_then(line_alone))
             && statement.label.is_none()
             && first.reference.is_none()
             && is_angle(model, first)
         {
-            first.reference = Some(*line);
+            first.reference = Some(line);
             statement.label = statements.pop().and_then(|before| before.label);
         }
         statements.push(statement);
     }
-    let same = statements == reading.statements;
-    let reading = if same { Cow::Borrowed(reading) } else { Cow::Owned(Reading { statements, ..reading.clone() }) };
-    (reading, is_unknown)
+    (Cow::Owned(Reading { statements, ..reading.clone() }), is_unknown)
+}
+
+/// The line that a statement names and from which it measures nothing itself.
+fn line_alone(statement: &Statement) -> Option<ReferenceLine> {
+    match statement.said.as_slice() {
+        [Said { form: Form::Direction, reference: Some(line), .. }] if !line.is_direction() => Some(*line),
+        _ => None,
+    }
 }
 
 /// The line that a statement's label names, or the words between which its angle lies.

@@ -216,9 +216,9 @@ pub(super) fn value(model: &Model, expr: &Expr, written: &Option<Written>) -> Fi
         if !is_far_off(model, expr, &decimals, |number| number) {
             let Some(found) = exact::value(expr, letters) else { return Finding::unreadable(Note::CannotBeCompared) };
             finding = coefficients::compare(right, &found, &decimals, &model.accept);
-        }
-        if finding.is_credited() {
-            return finding;
+            if finding.is_credited() {
+                return finding;
+            }
         }
     } else if equality == Equality::Undecided {
         return Finding::unreadable(Note::CannotBeCompared);
@@ -333,6 +333,6 @@ fn through_its_tangent(model: &Model, said: &Said, label: Option<&Label>) -> Opt
 }
 
 /// Is it the name of an angle, by the custom of the subject?
-fn is_angle_name(name: &str) -> bool {
+pub(super) fn is_angle_name(name: &str) -> bool {
     matches!(name, "theta" | "alpha" | "beta" | "phi" | "delta" | "gamma" | "θ" | "α" | "β" | "φ" | "δ" | "γ")
 }

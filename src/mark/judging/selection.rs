@@ -140,9 +140,7 @@ fn without_size(model: &Model, statements: Vec<Statement>) -> Vec<Statement> {
 /// Is it called an angle?
 fn is_called_an_angle(statement: &Statement) -> bool {
     statement.label.as_ref().is_some_and(|label| match &label.expr {
-        Some(Expr::Name(name)) => {
-            matches!(name.text.as_str(), "theta" | "phi" | "alpha" | "beta" | "θ" | "φ" | "α" | "β")
-        }
+        Some(Expr::Name(name)) => number::is_angle_name(&name.text),
         Some(_) => false,
         None => words(&label.typed).any(|word| word.eq_ignore_ascii_case("angle")),
     })

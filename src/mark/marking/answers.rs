@@ -46,10 +46,15 @@ pub(super) fn judged(
             .find(|(name, _)| name.as_deref().is_some_and(|name| is_name_of(name, &blank.name)));
         let alone = own.map(|(_, answer)| answer.as_str()).or(unnamed.filter(|_| part.blanks.len() == 1));
         let together = together.next();
+        let is_typed = alone.or(unnamed).is_some();
         let mut judged = |answer: &str| {
             memory.judged(blank, answer, || {
                 let model = in_profile(&blank.model, profile);
-                let readings = lines.read(answer, &model.vocabulary);
+                // Every blank may look at every line, and nobody else at an answer.
+                let readings = match is_typed {
+                    true => read_answer(answer, &model.vocabulary),
+                    false => lines.read(answer, &model.vocabulary),
+                };
                 Judged::new(profiled(judge(&model, &readings), profile).in_setting(part.setting), readings.ok())
             })
         };

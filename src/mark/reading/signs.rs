@@ -102,15 +102,16 @@ pub(super) fn with_signs(tokens: &[Placed], choices: &mut Choices) -> Vec<Placed
         {
             let (before, block, times) = repeated(decimals);
             let is_long = decimals.len() >= SURELY_ROUNDED;
-            let token = match () {
-                () if times > 1 => Token::Number(recurring_value(whole, before, block)),
-                // All of `0.714285` recurs, or it goes on as a calculator's number does.
-                () if is_long && choices.otherwise(Doubt::Recurring, placed.start) => placed.token.clone(),
-                () if is_long => Token::Number(recurring_value(whole, "", period(decimals))),
-                () => {
-                    let (before, last) = decimals.split_at(decimals.len() - 1);
-                    Token::Number(recurring_value(whole, before, last))
-                }
+            let token = if times > 1 {
+                Token::Number(recurring_value(whole, before, block))
+            } else if !is_long {
+                let (before, last) = decimals.split_at(decimals.len() - 1);
+                Token::Number(recurring_value(whole, before, last))
+            } else if choices.otherwise(Doubt::Recurring, placed.start) {
+                // It goes on as a calculator's number does.
+                placed.token.clone()
+            } else {
+                Token::Number(recurring_value(whole, "", period(decimals)))
             };
             out.push(Placed { token, end: tokens[at + 1].end, ..placed.clone() });
             at += 2;

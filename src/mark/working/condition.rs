@@ -59,12 +59,10 @@ impl Working<'_> {
         if is_sought(left) || is_sought(right) || !self.is_of_stated(left) || !self.is_of_stated(right) {
             return false;
         }
-        let count = self.prepared.points.count;
-        let stated = (0..count).map(|point| self.excess(left, *relation, right, point));
-        let Some(stated) = stated.collect::<Option<Vec<f64>>>() else { return false };
+        let Some(stated) = self.excess(left, *relation, right) else { return false };
         let of_scheme = || {
             let Some(Expr::Relation(left, relation, right)) = &mark.equation else { return None };
-            (0..count).map(|point| self.excess(left, *relation, right, point)).collect::<Option<Vec<f64>>>()
+            self.excess(left, *relation, right)
         };
         let of_own = || {
             let mut conditions = self.question.scene.conditions.iter();
@@ -94,12 +92,13 @@ impl Working<'_> {
         expr.names().into_iter().all(|name| is_stated(&name.text))
     }
 
-    /// By how much the side that is to be greater is, at a point.
-    fn excess(&self, left: &Expr, relation: Relation, right: &Expr, point: usize) -> Option<f64> {
-        match super::linear::difference(left, right, &self.context(point))? {
+    /// By how much the side that is to be greater is, at every point.
+    fn excess(&self, left: &Expr, relation: Relation, right: &Expr) -> Option<Vec<f64>> {
+        let at = |point| match super::linear::difference(left, right, &self.context(point))? {
             super::linear::Sum::Number(linear) if linear.is_number() => oriented(linear.constant.middle(), relation),
             _ => None,
-        }
+        };
+        (0..self.prepared.points.count).map(at).collect()
     }
 
     /// Is one the other with a positive factor: a number, or with it the masses together or letters that were cancelled?
