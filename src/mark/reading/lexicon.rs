@@ -304,6 +304,16 @@ pub(super) fn sort(word: &str) -> Option<Sort> {
     SORTS.get(word).copied()
 }
 
+/// Does a word that does this stand for itself, whatever letters the question has?
+pub(super) fn stands_for_itself(word: &str, sort: Option<Sort>) -> bool {
+    word.len() >= 4 && sort.is_some()
+}
+
+/// Is it a word that is never made of letters of the question?
+pub(crate) fn is_never_letters(word: &str) -> bool {
+    stands_for_itself(word, sort(&word.to_ascii_lowercase()))
+}
+
 /// Can a phrase begin with this word?
 pub(super) fn begins_a_phrase(word: &str) -> bool {
     STARTS.contains(word)

@@ -102,29 +102,16 @@ fn pieces(word: &str, vocabulary: &Vocabulary, long: bool) -> Option<Vec<Token>>
 /// What the rest of a word can begin with, the longest first.
 fn candidates(rest: &str, vocabulary: &Vocabulary) -> Vec<Piece> {
     let begins = |name: &str| rest.get(..name.len()).is_some_and(|start| start.eq_ignore_ascii_case(name));
-    let mut found: Vec<Piece> = Vec::new();
-    for (name, function) in FUNCTIONS {
-        if begins(name) {
-            found.push((Token::Function(function), name.len()));
-        }
-    }
-    for (name, function) in RECIPROCALS {
-        if begins(name) {
-            found.push((Token::Reciprocal(function), name.len()));
-        }
-    }
-    for name in ROOTS {
-        if begins(name) {
-            found.push((Token::Root { cube: false }, name.len()));
-        }
-    }
-    if begins("cbrt") {
-        found.push((Token::Root { cube: true }, 4));
-    }
-    if begins("pi") {
-        found.push((Token::Pi, 2));
-    }
     let first = rest.bytes().next().unwrap_or_default();
+    let mut found: Vec<Piece> = Vec::new();
+    if b"acisrtp".contains(&first.to_ascii_lowercase()) {
+        let functions = FUNCTIONS.into_iter().map(|(name, function)| (name, Token::Function(function)));
+        let reciprocals = RECIPROCALS.into_iter().map(|(name, function)| (name, Token::Reciprocal(function)));
+        let roots = ROOTS.into_iter().map(|name| (name, Token::Root { cube: false }));
+        let others = [("cbrt", Token::Root { cube: true }), ("pi", Token::Pi)];
+        let named = functions.chain(reciprocals).chain(roots).chain(others);
+        found.extend(named.filter(|(name, _)| begins(name)).map(|(name, token)| (token, name.len())));
+    }
     let own = vocabulary.letters.iter().filter(|letter| letter.begins_with(first));
     let longest = own.map(|letter| letter.name().len()).max().unwrap_or(0).max(1);
     for length in (1..=rest.len().min(longest)).rev() {

@@ -159,8 +159,7 @@ impl Walk<'_> {
         if let Some(Sort::Negation) = sort {
             return Err(Unreadable::Sign(placed.start, format!("`{word}` may turn the answer round")));
         }
-        let may_be_letters = word.len() < 4 || sort.is_none();
-        if may_be_letters && names::is_made_of_letters(self.typed(at), self.vocabulary) {
+        if !lexicon::stands_for_itself(word, sort) && names::is_made_of_letters(self.typed(at), self.vocabulary) {
             return Ok(None);
         }
         let alone = self.tokens.get(at + 1).is_none_or(|next| next.spaced || !matches!(next.token, Token::Number(_)));

@@ -33,7 +33,7 @@ pub(super) fn is_vector(values: &[Value], x: &[f64], y: &[f64], scale: f64) -> b
 pub(super) fn is_parallel(values: &[Value], x: &[f64], y: &[f64]) -> bool {
     values.iter().zip(x.iter().zip(y)).all(|(value, (x, y))| match value {
         Value::Vector(along_i, along_j) => {
-            let cross = *along_i * Spread::exactly(*y) - *along_j * Spread::exactly(*x);
+            let cross = along_i.times(*y) - along_j.times(*x);
             let size = along_i.absolute().high + along_j.absolute().high;
             size > 0.0 && cross.may_be_nought(size)
         }

@@ -144,7 +144,7 @@ impl Along {
     fn of(&self, linear: &Linear, point: usize) -> Option<Agrees> {
         let [(_, number)] = linear.unknowns.as_slice() else { return None };
         let size = linear.size.max((number.middle() * self.sought[point]).abs());
-        if (*number * Spread::exactly(self.sought[point]) + linear.constant).may_be_nought(size) {
+        if (number.times(self.sought[point]) + linear.constant).may_be_nought(size) {
             return Some(Agrees::Fully);
         }
         let scale = number.middle() / self.weight[point];

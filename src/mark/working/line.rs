@@ -1,7 +1,7 @@
 //! A line of working as a student writes it: a few words, then an equation, a chain of equals signs, or values.
 
 use crate::expr::{Expr, Relation};
-use crate::mark::reading::{Form, Reading, Said, Statement, Vocabulary, read_answer};
+use crate::mark::reading::{Form, Reading, Said, Statement, Vocabulary, is_never_letters, read_answer};
 use crate::number::{Letter, Range};
 
 /// A line of working, read.
@@ -89,7 +89,7 @@ pub(super) fn read(working: &[String], letters: &[Letter], vectors: bool) -> Vec
     let mut vocabularies = vec![with(&usual), with(&doubtful), with(&own)];
     // A student may choose i and j where the question has none.
     if !vectors {
-        vocabularies.push(Vocabulary { letters: with(&own).letters, vectors: true });
+        vocabularies.push(Vocabulary { vectors: true, ..vocabularies[2].clone() });
     }
     let lines = working.iter().flat_map(|cell| cell.lines()).map(str::trim).filter(|line| !line.is_empty());
     let read = |(place, typed): (usize, &str)| Line {
@@ -120,7 +120,10 @@ fn readings(typed: &str, vocabularies: &[Vocabulary]) -> Vec<ReadLine> {
     let mut found: Vec<ReadLine> = Vec::new();
     let may_equate =
         typed.contains(['=', '≈', '<', '>', '≤', '≥']) || typed.contains("equal") || typed.contains(" is ");
-    for vocabulary in vocabularies {
+    for (place, vocabulary) in vocabularies.iter().enumerate() {
+        if place > 0 && !says_more(typed, &vocabularies[place - 1], vocabulary) {
+            continue;
+        }
         for text in candidates(typed) {
             let Ok(readings) = read_answer(&text, vocabulary) else { continue };
             for reading in readings {
@@ -140,6 +143,25 @@ fn readings(typed: &str, vocabularies: &[Vocabulary]) -> Vec<ReadLine> {
         }
     }
     found
+}
+
+/// May a line say something else with more letters, or with vectors? What only remarks and figures stand in does not.
+fn says_more(typed: &str, few: &Vocabulary, more: &Vocabulary) -> bool {
+    let added = |sign: char| more.letters[few.letters.len()..].iter().any(|letter| letter.name().starts_with(sign));
+    let is_vector = |sign: char| more.vectors && !few.vectors && matches!(sign, 'i' | 'j');
+    let mut words =
+        typed.split(|sign: char| !sign.is_alphabetic()).filter(|word| !is_formula(word) && !is_never_letters(word));
+    words.any(|word| word.contains(|sign| added(sign) || is_vector(sign)))
+        || (more.vectors && !few.vectors && may_have_column(typed))
+}
+
+/// Do brackets stand here that may hold the components of a vector?
+fn may_have_column(typed: &str) -> bool {
+    let is_component = |sign: char| sign.is_ascii_digit() || " .-−/".contains(sign);
+    let inside = |opened: &&str| {
+        opened.split(')').next().is_some_and(|inside| inside.trim().contains(' ') && inside.chars().all(is_component))
+    };
+    typed.contains([',', ';', '[', '<', '⟨', '\\', '&']) || typed.split('(').skip(1).any(|opened| inside(&opened))
 }
 
 /// The line, and the line without the words before its formula: `CLM: …`, `by conservation of momentum …`.

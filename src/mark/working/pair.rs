@@ -63,6 +63,8 @@ struct Inputs {
 #[derive(Clone, Debug)]
 pub(super) struct Laws {
     inputs: Vec<Inputs>,
+    /// The numbers `p`, `q` that some changed law has at every point, each once: few, and most lines have others.
+    unknowns: Vec<Vec<[f64; 2]>>,
     changed: Vec<Changed>,
 }
 
@@ -71,6 +73,8 @@ pub(super) struct Laws {
 struct Changed {
     /// Its place among all changes.
     change: usize,
+    /// The place of `p` and `q` among those of all.
+    unknowns: usize,
     numbers: Vec<[f64; 3]>,
 }
 
@@ -121,11 +125,18 @@ impl Laws {
             })
         });
         let inputs: Vec<Inputs> = inputs.collect::<Option<_>>()?;
-        let changed = changes().iter().enumerate().filter_map(|(place, change)| {
-            let numbers = inputs.iter().map(|at| change.numbers(at)).collect::<Option<_>>()?;
-            Some(Changed { change: place, numbers })
-        });
-        Some(Laws { changed: changed.collect(), inputs })
+        let mut laws = Laws { inputs, unknowns: Vec::new(), changed: Vec::new() };
+        for (change, how) in changes().iter().enumerate() {
+            let numbers: Option<Vec<[f64; 3]>> = laws.inputs.iter().map(|at| how.numbers(at)).collect();
+            let Some(numbers) = numbers else { continue };
+            let own: Vec<[f64; 2]> = numbers.iter().map(|[p, q, _]| [*p, *q]).collect();
+            let unknowns = laws.unknowns.iter().position(|known| *known == own).unwrap_or_else(|| {
+                laws.unknowns.push(own);
+                laws.unknowns.len() - 1
+            });
+            laws.changed.push(Changed { change, unknowns, numbers });
+        }
+        Some(laws)
     }
 
     /// What a line is, its unknowns in this convention; `None` if it is neither law, however changed.
@@ -137,9 +148,12 @@ impl Laws {
             return None;
         }
         let sides: Vec<Side> = line.iter().map(|line| Side::of(line, convention)).collect();
+        let has = |unknowns: &Vec<[f64; 2]>| unknowns.iter().zip(&sides).all(|(numbers, side)| side.has(*numbers));
+        let in_proportion: Vec<bool> = self.unknowns.iter().map(has).collect();
         let is_line = |changed: &&Changed| {
             let tolerance = changes()[changed.change].tolerance;
-            changed.numbers.iter().zip(&sides).all(|(numbers, side)| side.is_law(*numbers, tolerance))
+            in_proportion[changed.unknowns]
+                && changed.numbers.iter().zip(&sides).all(|(numbers, side)| side.is_law(*numbers, tolerance))
         };
         match self.changed.iter().find(is_line).map(|changed| &changes()[changed.change]) {
             Some(change) => {
@@ -309,25 +323,24 @@ impl Side {
         Side { unknowns, are_there, constant: line.constant, size: line.size }
     }
 
-    /// Is it this law, up to a factor?
+    /// Do the unknowns stand in it as in this law, up to a factor? Nobody rounds a mass.
+    fn has(&self, [p, q]: [f64; 2]) -> bool {
+        let [v, w] = self.unknowns;
+        self.are_there == [p != 0.0, q != 0.0]
+            && (v.times(q) - w.times(p)).may_be_nought(self.size.max(1e-300) * p.abs().max(q.abs()))
+    }
+
+    /// Is it this law, up to a factor that the unknowns have?
     fn is_law(&self, [p, q, r]: [f64; 3], tolerance: f64) -> bool {
-        if self.are_there != [p != 0.0, q != 0.0] {
-            return false;
-        }
         let [v, w] = self.unknowns;
         // In proportion: (v, w, constant) is a multiple of (p, q, -r).
         let scale = self.size.max(1e-300) * p.abs().max(q.abs()).max(r.abs());
-        let times = |one: Spread, number: f64| one * Spread::exactly(number);
-        // Nobody rounds a mass. Most changes end here.
-        if !(times(v, q) - times(w, p)).may_be_nought(scale) {
-            return false;
-        }
         let close = |one: Spread, other: Spread| {
             let difference = one - other;
             let slack = tolerance * one.middle().abs().max(other.middle().abs());
             Spread { low: difference.low - slack, high: difference.high + slack }.may_be_nought(scale)
         };
-        close(times(self.constant, p), times(v, -r)) && close(times(self.constant, q), times(w, -r))
+        close(self.constant.times(p), v.times(-r)) && close(self.constant.times(q), w.times(-r))
     }
 }
 

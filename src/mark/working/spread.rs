@@ -43,6 +43,12 @@ impl Spread {
         (self - Spread::exactly(value)).may_be_nought(value.abs().max(self.size()))
     }
 
+    /// Multiplied by a number that is as it is.
+    pub(super) fn times(self, number: f64) -> Spread {
+        let (one, other) = (self.low * number, self.high * number);
+        Spread { low: one.min(other), high: one.max(other) }
+    }
+
     pub(super) fn over(self, below: Spread) -> Option<Spread> {
         if below.low <= 0.0 && below.high >= 0.0 {
             return None;

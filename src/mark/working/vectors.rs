@@ -54,7 +54,7 @@ impl Working<'_> {
             };
             let [(name, number)] = along_i.unknowns.as_slice() else { return false };
             let holds = |linear: &super::linear::Linear, value: f64| {
-                let total = linear.before(name) * Spread::exactly(value) + linear.constant;
+                let total = linear.before(name).times(value) + linear.constant;
                 total.may_be_nought(linear.size.max((number.middle() * value).abs()))
             };
             holds(&along_i, x[point]) && holds(&along_j, y[point])
