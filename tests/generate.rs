@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use carom::bank::{Question, StyleName, read_question};
 use carom::diagnostic::{Source, render_all};
 use carom::expr::print;
-use carom::generate::{Deal, End, MOST_SETS, Unfit, Variant, enumerate, examine, out_of, reference};
+use carom::generate::{Census, Deal, End, MOST_SETS, Unfit, Variant, enumerate, examine, out_of, reference};
 
 const HEAD_ON: &str = r#"
 title = "A strikes B at rest"
@@ -171,6 +171,30 @@ fn carom_says_of_how_many_sets_of_numbers_it_has_examined_the_first() {
     assert_eq!(told.into_inner(), MOST_SETS);
     assert_eq!(out_of(census.examined, census.size), "the first 500000 of 21600000");
     assert_eq!(out_of(144, 144), "144");
+}
+
+#[test]
+fn carom_estimates_what_each_requirement_keeps_out_alone() {
+    let text = HEAD_ON.replace("u = \"1..6\"", "u = \"1..300\"");
+    let question = question(&text);
+    let style = question.style(StyleName::Friendly).unwrap();
+    let count = |mut census: Census| {
+        for index in 0..style.size() {
+            census.examine(&question, style, index);
+        }
+        census
+    };
+    let estimated = count(Census::asking(style.size()));
+    let exact = count(Census { one_in: 1, ..Census::new(style.size()) });
+    let untold = count(Census::new(style.size()));
+    assert_eq!((estimated.one_in, style.size()), (8, 7200));
+    assert_eq!((&estimated.unfit, &estimated.first), (&exact.unfit, &exact.first));
+    assert_eq!((&untold.unfit, untold.alone.len()), (&exact.unfit, 0));
+    for (reason, alone) in &exact.alone {
+        let about = estimated.alone.get(reason).copied().unwrap_or(0);
+        assert!(about.abs_diff(*alone) <= 48 + alone / 5, "{reason:?}: about {about}, and not {alone}");
+    }
+    assert!(exact.alone.values().any(|alone| *alone > 400), "{:?}", exact.alone);
 }
 
 #[test]

@@ -173,7 +173,7 @@ fn on_terminal(solutions: &[Solution], asked: &[Quantity]) -> String {
         let lines = solution.lines();
         // Once the unknown is found, the rest would repeat the same steps with its value.
         let finding = solution.finding();
-        text.push_str(&worked(if finding.is_empty() { &lines } else { finding }));
+        text.push_str(&worked(if finding.is_empty() { &lines } else { &finding }));
         for remark in solution.remarks() {
             text.push_str(&format!("{remark}\n"));
         }

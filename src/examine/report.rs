@@ -31,6 +31,8 @@ pub struct StyleReport {
     pub examined: u64,
     /// How many of them are fit for print.
     pub variants: u64,
+    /// Of how many that are turned away one is asked whether nothing else would turn it away.
+    pub one_in: u64,
     /// What turns the others away, in the order in which that is examined.
     pub turned_away: Vec<Turned>,
     /// The form of each answer.
@@ -48,7 +50,7 @@ pub struct Turned {
     pub requirement: Option<String>,
     /// How many it turns away that came so far.
     pub count: u64,
-    /// How many variants there would be more without it.
+    /// How many variants there would be more without it; an estimate, where not all are asked.
     pub alone: u64,
 }
 
@@ -91,6 +93,7 @@ impl StyleReport {
             sets: census.size,
             examined: census.examined,
             variants: census.fit,
+            one_in: census.one_in,
             turned_away: turned_away.collect(),
             forms: forms.collect(),
             hidden: hidden.map(|(slip, count, _)| Hidden { slip: slip.to_owned(), count }).collect(),

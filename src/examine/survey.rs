@@ -118,11 +118,7 @@ struct Done {
 
 impl Done {
     fn new(question: &Question) -> Done {
-        let tallies = question.styles.iter().map(|style| {
-            let mut tally = Tally::default();
-            tally.census.size = style.size();
-            tally
-        });
+        let tallies = question.styles.iter().map(|style| Tally::new(style.size()));
         Done { tallies: tallies.collect(), coverage: Vec::new() }
     }
 

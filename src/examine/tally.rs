@@ -7,7 +7,7 @@ use super::shows::Slips;
 use super::{apart, exact_form, promise, sentences};
 use crate::bank::{Question, Style};
 use crate::expr::print;
-use crate::generate::{Census, examine_further};
+use crate::generate::Census;
 use crate::paper::words;
 
 /// Something amiss with one variant; of others with the same words only the first is told, and how many there are.
@@ -52,11 +52,14 @@ pub struct Tally {
 }
 
 impl Tally {
+    /// Of nothing yet, of a style with so many sets.
+    pub fn new(size: u64) -> Tally {
+        Tally { census: Census::asking(size), ..Tally::default() }
+    }
+
     /// Examines one set of numbers, and looks at it if it is fit for print.
     pub fn examine(&mut self, question: &Question, style: &Style, index: u64) {
-        let examined = examine_further(question, style, index);
-        self.census.count(question, index, &examined);
-        let Ok(variant) = examined else { return };
+        let Some(variant) = self.census.examine(question, style, index) else { return };
         let mut remarks = Vec::new();
         let words = words(question, style, &variant);
         sentences::unreadable(&words, &variant, &mut remarks);

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
 
 use super::form::Form;
-use super::variant::{Unfit, Variant, examine_further};
+use super::variant::{Unfit, Variant, examine, examine_further};
 use crate::bank::{Question, Style};
 
 /// What became of every set of numbers of a question in a style.
@@ -20,8 +20,10 @@ pub struct Census {
     pub fit: u64,
     /// How many each reason turned away, in the order in which reasons are examined.
     pub unfit: BTreeMap<Unfit, u64>,
-    /// How many of these nothing else would have turned away.
+    /// How many of these nothing else would have turned away. An estimate, where not all of them are asked.
     pub alone: BTreeMap<Unfit, u64>,
+    /// Of how many that are turned away one is asked whether anything else would have turned it away; nought for none.
+    pub one_in: u64,
     /// The first set that each reason turned away.
     pub first: BTreeMap<Unfit, u64>,
     /// In how many variants each answer, in the order of the question, has which form.
@@ -30,6 +32,13 @@ pub struct Census {
 
 /// The most sets of numbers of one style that are examined. Nobody waits for more; of a style that has more the first are.
 pub const MOST_SETS: u64 = 500_000;
+
+/// Of a style with more sets than this one in [`SAMPLE`] is asked for a second reason: that takes longer than all the rest,
+/// and whoever thinks about a requirement wants to know whether it costs ten variants or a thousand.
+const ALL_ASKED: u64 = 2048;
+
+/// One in so many. Which ones follows from their index, so that every run says the same.
+const SAMPLE: u64 = 8;
 
 /// Out of how many sets something was counted: `144`, or `the first 500000 of 900000`.
 pub fn out_of(examined: u64, size: u64) -> String {
@@ -42,29 +51,55 @@ impl Census {
         self.unfit.iter().map(|(reason, count)| (in_words(reason, question, style), *count)).collect()
     }
 
-    /// Counts one set.
-    pub fn count(&mut self, question: &Question, index: u64, examined: &Result<Variant, (Unfit, bool)>) {
+    /// Of a style with so many sets; nobody is asked for a second reason.
+    pub fn new(size: u64) -> Census {
+        Census { size, ..Census::default() }
+    }
+
+    /// The same, and of those turned away it is to be found how many nothing else would have turned away.
+    pub fn asking(size: u64) -> Census {
+        Census { one_in: if size > ALL_ASKED { SAMPLE } else { 1 }, ..Census::new(size) }
+    }
+
+    /// Is a set asked for a second reason? By the fractional parts of multiples of the golden ratio, which lie evenly.
+    fn is_asked(&self, index: u64) -> bool {
+        let spread = index.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        self.one_in > 0 && spread <= u64::MAX / self.one_in
+    }
+
+    /// Examines one set and counts it; the variant, if it is fit for print.
+    pub fn examine(&mut self, question: &Question, style: &Style, index: u64) -> Option<Variant> {
         self.examined += 1;
+        let examined = match self.is_asked(index) {
+            true => examine_further(question, style, index),
+            false => examine(question, style, index).map_err(|reason| (reason, false)),
+        };
         match examined {
             Ok(variant) => {
-                self.fit += 1;
-                let answers = question.parts.iter().flat_map(|part| &part.answers);
-                for (place, answer) in answers.enumerate() {
-                    if self.forms.len() <= place {
-                        self.forms.resize_with(place + 1, BTreeMap::new);
-                    }
-                    if let Some(form) = Form::of_answer(answer, &variant.solution) {
-                        *self.forms[place].entry(form).or_default() += 1;
-                    }
-                }
+                self.count_fit(question, &variant);
+                Some(variant)
             }
             Err((reason, is_alone)) => {
-                *self.unfit.entry(reason.clone()).or_default() += 1;
-                if *is_alone {
-                    *self.alone.entry(reason.clone()).or_default() += 1;
+                if is_alone {
+                    *self.alone.entry(reason.clone()).or_default() += self.one_in;
                 }
                 let first = self.first.entry(reason.clone()).or_insert(index);
                 *first = index.min(*first);
+                *self.unfit.entry(reason).or_default() += 1;
+                None
+            }
+        }
+    }
+
+    fn count_fit(&mut self, question: &Question, variant: &Variant) {
+        self.fit += 1;
+        let answers = question.parts.iter().flat_map(|part| &part.answers);
+        for (place, answer) in answers.enumerate() {
+            if self.forms.len() <= place {
+                self.forms.resize_with(place + 1, BTreeMap::new);
+            }
+            if let Some(form) = Form::of_answer(answer, &variant.solution) {
+                *self.forms[place].entry(form).or_default() += 1;
             }
         }
     }
@@ -141,24 +176,20 @@ pub fn enumerate(
     let most = size.min(MOST_SETS);
     let next = AtomicU64::new(0);
     let worker = || {
-        let mut census = Census { size, ..Census::default() };
+        let mut census = Census::new(size);
         loop {
             let from = next.fetch_add(PORTION, Ordering::Relaxed);
             if from >= most {
                 return census;
             }
             for index in from..most.min(from.saturating_add(PORTION)) {
-                let examined = examine_further(question, style, index);
-                census.count(question, index, &examined);
-                if let Ok(variant) = examined {
-                    visit(variant);
-                }
+                census.examine(question, style, index).into_iter().for_each(visit);
             }
             progress(most.min(from.saturating_add(PORTION)));
         }
     };
     let threads = thread::available_parallelism().map_or(1, NonZero::get);
-    let mut total = Census { size, ..Census::default() };
+    let mut total = Census::new(size);
     thread::scope(|scope| {
         let workers: Vec<_> = (0..threads).map(|_| scope.spawn(worker)).collect();
         for worker in workers {

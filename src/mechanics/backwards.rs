@@ -5,6 +5,7 @@
 //! back into the scene, tried in the original condition, and tested for whether it can happen.
 
 use std::cmp::Ordering;
+use std::sync::Arc;
 
 use super::condition::{fault, name_of, put_back, residual, vanishes};
 use super::conditions_in_words::{condition_line, no_roots};
@@ -32,10 +33,32 @@ pub struct Found {
     pub values: Vec<(Letter, Value)>,
     /// The values that an unknown may have, where inequalities determine no single one; it stays a letter.
     pub range: Option<Values>,
-    /// How they were found.
-    pub lines: Vec<Line>,
     /// Roots that were left out and why, and what the letters that remain must satisfy.
     pub remarks: Vec<String>,
+    /// What was derived when the values were put back; none where nothing was.
+    pub derived: Option<Known<Value>>,
+    /// What they were found from; none where nothing was to be found.
+    posed: Option<Arc<Posed>>,
+}
+
+impl Found {
+    fn from(posed: Arc<Posed>, scene: Scene) -> Found {
+        Found { scene, values: Vec::new(), range: None, remarks: Vec::new(), derived: None, posed: Some(posed) }
+    }
+
+    /// Was there something to be found?
+    pub fn is_of_unknowns(&self) -> bool {
+        self.posed.is_some()
+    }
+
+    /// How the unknowns were found.
+    pub fn lines(&self) -> Vec<Line> {
+        match (&self.posed, &self.range) {
+            (None, _) => Vec::new(),
+            (Some(posed), Some(values)) => range::lines(posed, values),
+            (Some(posed), None) => posed.lines(&self.values),
+        }
+    }
 }
 
 /// Finds the unknowns of a scene. A scene without unknowns is its own only solution.
@@ -47,13 +70,8 @@ pub struct Found {
 pub fn backwards(scene: &Scene) -> Result<Vec<Found>, Refusal> {
     if scene.unknowns.is_empty() {
         if scene.conditions.is_empty() && scene.maximise.is_none() {
-            return Ok(vec![Found {
-                scene: scene.clone(),
-                values: vec![],
-                range: None,
-                lines: vec![],
-                remarks: vec![],
-            }]);
+            let scene = scene.clone();
+            return Ok(vec![Found { scene, values: vec![], range: None, remarks: vec![], derived: None, posed: None }]);
         }
         return Err(Refusal::underdetermined("there are conditions, but no unknown to be found from them")
             .try_this("name what is to be found in `unknowns`"));
@@ -67,17 +85,21 @@ pub fn backwards(scene: &Scene) -> Result<Vec<Found>, Refusal> {
             )));
         }
     }
-    let posed = Posed::new(&scene)?;
+    let posed = Arc::new(Posed::new(scene)?);
+    let scene = &posed.scene;
     if scene.conditions.iter().any(Condition::is_inequality) {
-        return Ok(vec![range::values(&posed)?]);
+        let range = Some(range::values(&posed)?);
+        // The letter stays one: what else is asked is asked in it.
+        let scene = Scene { unknowns: Vec::new(), conditions: Vec::new(), ..scene.clone() };
+        return Ok(vec![Found { range, ..Found::from(posed, scene) }]);
     }
     let candidates = posed.candidates()?;
     let mut found = Vec::new();
     let mut left_out = Vec::new();
     for values in candidates {
-        match posed.tried(&values) {
+        match tried(&posed, &values) {
             Ok(one) => found.push(one),
-            Err(reason) => left_out.push(format!("{} is left out: {reason}", in_words(&scene.unknowns, &values))),
+            Err(reason) => left_out.push(format!("{} is left out: {reason}", in_words(&posed.scene.unknowns, &values))),
         }
     }
     if let Some(quantity) = scene.maximise {
@@ -106,16 +128,17 @@ fn in_words(unknowns: &[Letter], values: &[Value]) -> String {
 }
 
 /// A scene derived forwards with its unknowns as letters.
-pub(super) struct Posed<'a> {
-    pub(super) scene: &'a Scene,
+#[derive(Debug)]
+pub(super) struct Posed {
+    pub(super) scene: Scene,
     pub(super) known: Known<Value>,
     pub(super) derivation: Derivation,
     pub(super) asked: Vec<Quantity>,
 }
 
-impl<'a> Posed<'a> {
-    fn new(scene: &'a Scene) -> Result<Posed<'a>, Refusal> {
-        let mut known = pose(scene)?;
+impl Posed {
+    fn new(scene: Scene) -> Result<Posed, Refusal> {
+        let mut known = pose(&scene)?;
         let mut asked: Vec<Quantity> = scene.maximise.into_iter().collect();
         for condition in &scene.conditions {
             for side in [&condition.left, &condition.right] {
@@ -189,64 +212,12 @@ impl<'a> Posed<'a> {
         broken_laws(&self.known).into_iter().map(|(_, difference)| difference).collect()
     }
 
-    /// A candidate put back: its ranges, the original conditions, and whether it can happen.
-    fn tried(&self, values: &[Value]) -> Result<Found, String> {
-        let unknowns = &self.scene.unknowns;
-        let mut remarks = Vec::new();
-        for (unknown, value) in unknowns.iter().zip(values) {
-            in_range(*unknown, value, &mut remarks)?;
-        }
-        let scene = substituted(self.scene, unknowns, values).ok_or("a quantity does not exist there")?;
-        let mut known = pose(&scene).map_err(|refusal| refusal.reason)?;
-        check(&known).map_err(|refusal| refusal.reason)?;
-        Derivation::carry_out(&mut known, &self.asked);
-        for condition in &self.scene.conditions {
-            let put_back = |expr: &Expr| put_back(expr, unknowns, values);
-            let condition = Condition {
-                left: put_back(&condition.left),
-                relation: condition.relation,
-                right: put_back(&condition.right),
-            };
-            let relation = Expr::equation(condition.left.clone(), condition.right.clone());
-            let letters = |name: &str| {
-                let place = unknowns.iter().position(|unknown| unknown.name() == name);
-                match place.filter(|place| unknowns[*place].range() == Range::Acute) {
-                    Some(place) => Some(Meaning::Angle(Turn::of(Angle::of(&values[place], &Value::ONE)?))),
-                    None => meaning(&scene.letters, name),
-                }
-            };
-            let near = || residual(&condition, &letters, &known).is_ok_and(|gap| vanishes(&gap.value));
-            let of_angles = || residual(&condition, &letters, &known).is_ok_and(|gap| gap.of_angles);
-            match holds(&relation, &|name| name_of(name, &letters, &known)) {
-                Ok(Some(true)) => {}
-                // The sine of the gap is nought half a turn away too.
-                Ok(Some(false)) if of_angles() => {
-                    return Err(format!(
-                        "it does not satisfy `{}`: the direction would be opposite",
-                        print::plain(&relation)
-                    ));
-                }
-                _ if near() => {}
-                _ if self.scene.conditions.len() > 1 => {
-                    return Err(format!("it does not satisfy `{}`", print::plain(&relation)));
-                }
-                _ => return Err("it does not satisfy the condition itself, only its square".to_string()),
-            }
-        }
-        if let Some(quantity) = self.scene.maximise {
-            self.is_maximum(quantity, values)?;
-        }
-        let values: Vec<(Letter, Value)> = unknowns.iter().copied().zip(values.iter().cloned()).collect();
-        let lines = self.lines(&values);
-        Ok(Found { scene, values, range: None, lines, remarks })
-    }
-
     /// The forward derivation in letters, the condition, and what follows from it.
     fn lines(&self, values: &[(Letter, Value)]) -> Vec<Line> {
-        let show = Show::new(self.scene, &self.known, &self.asked);
+        let show = Show::new(&self.scene, &self.known, &self.asked);
         let mut lines: Vec<Line> = self.derivation.steps.iter().flat_map(|step| step.lines(&show)).collect();
         for condition in &self.scene.conditions {
-            let mut line = condition_line(condition, self.scene).of_condition(self.scene);
+            let mut line = condition_line(condition, &self.scene).of_condition(&self.scene);
             line.equations.extend(self.condition_in_unknowns(condition));
             lines.push(line);
         }
@@ -263,10 +234,61 @@ impl<'a> Posed<'a> {
     }
 }
 
+/// A candidate put back: its ranges, the original conditions, and whether it can happen.
+fn tried(posed: &Arc<Posed>, values: &[Value]) -> Result<Found, String> {
+    let unknowns = &posed.scene.unknowns;
+    let mut remarks = Vec::new();
+    for (unknown, value) in unknowns.iter().zip(values) {
+        in_range(*unknown, value, &mut remarks)?;
+    }
+    let scene = substituted(&posed.scene, unknowns, values).ok_or("a quantity does not exist there")?;
+    let mut known = pose(&scene).map_err(|refusal| refusal.reason)?;
+    let derived = check(&known).map_err(|refusal| refusal.reason)?;
+    Derivation::carry_out_with(&mut known, &derived, &posed.asked);
+    for condition in &posed.scene.conditions {
+        let put_back = |expr: &Expr| put_back(expr, unknowns, values);
+        let condition = Condition {
+            left: put_back(&condition.left),
+            relation: condition.relation,
+            right: put_back(&condition.right),
+        };
+        let relation = Expr::equation(condition.left.clone(), condition.right.clone());
+        let letters = |name: &str| {
+            let place = unknowns.iter().position(|unknown| unknown.name() == name);
+            match place.filter(|place| unknowns[*place].range() == Range::Acute) {
+                Some(place) => Some(Meaning::Angle(Turn::of(Angle::of(&values[place], &Value::ONE)?))),
+                None => meaning(&scene.letters, name),
+            }
+        };
+        let near = || residual(&condition, &letters, &known).is_ok_and(|gap| vanishes(&gap.value));
+        let of_angles = || residual(&condition, &letters, &known).is_ok_and(|gap| gap.of_angles);
+        match holds(&relation, &|name| name_of(name, &letters, &known)) {
+            Ok(Some(true)) => {}
+            // The sine of the gap is nought half a turn away too.
+            Ok(Some(false)) if of_angles() => {
+                return Err(format!(
+                    "it does not satisfy `{}`: the direction would be opposite",
+                    print::plain(&relation)
+                ));
+            }
+            _ if near() => {}
+            _ if posed.scene.conditions.len() > 1 => {
+                return Err(format!("it does not satisfy `{}`", print::plain(&relation)));
+            }
+            _ => return Err("it does not satisfy the condition itself, only its square".to_string()),
+        }
+    }
+    if let Some(quantity) = posed.scene.maximise {
+        posed.is_maximum(quantity, values)?;
+    }
+    let values: Vec<(Letter, Value)> = unknowns.iter().copied().zip(values.iter().cloned()).collect();
+    Ok(Found { values, remarks, derived: Some(derived), ..Found::from(Arc::clone(posed), scene) })
+}
+
 /// Longer equations would not help a reader.
 pub(super) const MOST_SHOWN: usize = 8;
 
-impl Posed<'_> {
+impl Posed {
     /// The condition with what was derived put in, where that is short: of angles their tangents.
     fn condition_in_unknowns(&self, condition: &Condition) -> Option<Expr> {
         let names = |name: &str| name_of(name, &|name| meaning(&self.scene.letters, name), &self.known);

@@ -7,6 +7,8 @@ use std::borrow::Cow;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
+use foldhash::fast::FixedState;
+
 use super::later::Meeting;
 use super::law::{Known, Outcome, Rule, all_rules};
 use super::{Quantity, Sphere};
@@ -59,27 +61,24 @@ impl Derivation {
     /// The cheapest derivation of those asked quantities that follow from the given ones, without the
     /// banned rules; and the asked quantities that do not follow.
     pub fn plan(given: &BTreeSet<Quantity>, asked: &[Quantity], banned: &[Rule]) -> (Derivation, Vec<Quantity>) {
-        Derivation::plan_on(Road::Shortest, given, asked, banned)
+        Derivation::plan_on(Road::Shortest, &given.iter().copied().collect::<Vec<_>>(), asked, banned)
     }
 
     /// The same on a road.
     ///
     /// All variants of a question have one plan, so plans are remembered.
-    fn plan_on(
-        road: Road,
-        given: &BTreeSet<Quantity>,
-        asked: &[Quantity],
-        banned: &[Rule],
-    ) -> (Derivation, Vec<Quantity>) {
+    fn plan_on(road: Road, given: &[Quantity], asked: &[Quantity], banned: &[Rule]) -> (Derivation, Vec<Quantity>) {
         type Key = (Road, Vec<Quantity>, Vec<Quantity>, Vec<Rule>);
-        thread_local!(static PLANS: RefCell<HashMap<Key, (Derivation, Vec<Quantity>)>> = RefCell::default());
-        let key = (road, given.iter().copied().collect(), asked.to_vec(), banned.to_vec());
+        type Plans = HashMap<Key, (Derivation, Vec<Quantity>), FixedState>;
+        thread_local!(static PLANS: RefCell<Plans> = RefCell::default());
+        let key = (road, given.to_vec(), asked.to_vec(), banned.to_vec());
         PLANS.with_borrow_mut(|plans| {
             // A stream of scenes of all kinds must not fill the memory.
             if plans.len() >= MOST_PLANS {
                 plans.clear();
             }
-            plans.entry(key).or_insert_with(|| Derivation::planned(road, given, asked, banned)).clone()
+            let planned = || Derivation::planned(road, &given.iter().copied().collect(), asked, banned);
+            plans.entry(key).or_insert_with(planned).clone()
         })
     }
 
@@ -190,7 +189,7 @@ impl Derivation {
         computed: &Known<N>,
         asked: &[Quantity],
     ) -> (Derivation, Vec<Quantity>) {
-        let given: BTreeSet<Quantity> = known.0.keys().copied().collect();
+        let given: Vec<Quantity> = known.0.keys().copied().collect();
         let mut banned = Vec::new();
         // A step before a dead end stays what it is on the way round it, and is not taken twice.
         let mut computed = Cow::Borrowed(computed);

@@ -42,7 +42,7 @@ pub(super) fn only_largest(found: &mut Vec<Found>, quantity: Quantity) {
     found.retain(|_| kept.next().unwrap_or(true));
 }
 
-impl Posed<'_> {
+impl Posed {
     /// Where the rate of change is nought, and the ends of a range that has them.
     pub(super) fn extremes(&self, quantity: Quantity) -> Result<Vec<Vec<Value>>, Refusal> {
         let slopes = self.stationary(quantity)?;

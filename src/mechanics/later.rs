@@ -9,6 +9,8 @@ use std::collections::HashMap;
 use std::fmt;
 use std::sync::OnceLock;
 
+use foldhash::fast::FixedState;
+
 use super::law::Known;
 use super::{Axis, Moment, Quantity, Sphere};
 use crate::number::Number;
@@ -37,7 +39,7 @@ pub struct Later {
 
 struct Table {
     quantities: Vec<Quantity>,
-    places: HashMap<Quantity, u8>,
+    places: HashMap<Quantity, u8, FixedState>,
     names: HashMap<String, u8>,
 }
 

@@ -4,13 +4,13 @@
 //! everything without which there is no collision: the masses are positive, the spheres approach, they do not pass through
 //! each other, and e lies between 0 and 1.
 
-use super::backwards::{Found, Posed};
+use super::backwards::Posed;
 use super::condition::{name_of, residual};
 use super::conditions_in_words::{inequality_words, no_roots};
 use super::later::Meeting;
 use super::line::Line;
 use super::refusal::Refusal;
-use super::scene::{Condition, Contact, Scene};
+use super::scene::{Condition, Contact};
 use super::scene_reader::meaning;
 use super::validity::broken_laws;
 use super::working::Show;
@@ -65,8 +65,8 @@ impl Condition {
 ///
 /// More than one unknown, equations beside inequalities, more given than the impact needs, values that are not from one
 /// number to another, none or all of them, or inequalities beyond the methods of an exam.
-pub(super) fn values(posed: &Posed) -> Result<Found, Refusal> {
-    let scene = posed.scene;
+pub(super) fn values(posed: &Posed) -> Result<Values, Refusal> {
+    let scene = &posed.scene;
     let [unknown] = scene.unknowns.as_slice() else {
         return Err(Refusal::beyond("an inequality is solved for one unknown only"));
     };
@@ -78,29 +78,10 @@ pub(super) fn values(posed: &Posed) -> Result<Found, Refusal> {
     }
     not_determined_already(posed, *unknown)?;
     approached_from_one_side(posed, *unknown)?;
-    let mut stated = Vec::new();
-    let mut shown = Vec::new();
-    for condition in &scene.conditions {
-        let letters = |name: &str| meaning(&scene.letters, name);
-        let gap = residual(condition, &letters, &posed.known).map_err(super::condition::fault)?;
-        if gap.of_angles {
-            return Err(Refusal::beyond("an inequality between angles is not solved here")
-                .try_this("compare their tangents, as `A.after.tan_to_loc`"));
-        }
-        // Both sides as they were found, where they are numbers.
-        let side = |expr: &Expr| number(expr, &|name| name_of(name, &letters, &posed.known)).ok();
-        let (left, right) =
-            side(&condition.left).zip(side(&condition.right)).unwrap_or((gap.value.clone(), Value::ZERO));
-        shown.push(Expr::Relation(Box::new(written(&left)), condition.relation, Box::new(written(&right))));
-        stated.push(match condition.relation {
-            Relation::Greater => (gap.value, Demand::Positive),
-            Relation::GreaterOrEqual => (gap.value, Demand::NotNegative),
-            Relation::Less => (-gap.value, Demand::Positive),
-            _ => (-gap.value, Demand::NotNegative),
-        });
-    }
+    let stated = posed.stated()?;
     let physical = posed.physical();
-    let demands: Vec<(Value, Demand)> = physical.iter().map(Physical::demanded).chain(stated.iter().cloned()).collect();
+    let demands: Vec<(Value, Demand)> =
+        physical.iter().map(Physical::demanded).chain(stated.into_iter().map(|one| one.demanded)).collect();
     let mut spans = solve_inequalities(&demands, *unknown).map_err(no_roots)?;
     let name = unknown.name();
     match spans.len() {
@@ -115,11 +96,7 @@ pub(super) fn values(posed: &Posed) -> Result<Found, Refusal> {
             return Err(Refusal::beyond(format!("the values of {name} are not in one piece: {}", all.join(", or "))));
         }
     }
-    let values = Values { letter: *unknown, span: spans.remove(0) };
-    let lines = lines(posed, shown, &stated, &physical, &values);
-    // The letter stays one: what else is asked is asked in it.
-    let scene = Scene { unknowns: Vec::new(), conditions: Vec::new(), ..scene.clone() };
-    Ok(Found { scene, values: Vec::new(), range: Some(values), lines, remarks: Vec::new() })
+    Ok(Values { letter: *unknown, span: spans.remove(0) })
 }
 
 /// Where more is given than an impact needs, a law determines the unknown by itself, and there is no range of it.
@@ -141,7 +118,7 @@ fn not_determined_already(posed: &Posed, unknown: Letter) -> Result<(), Refusal>
 /// Where no sense of the line of centres is given it points as the bodies approach. If that depends on the unknown, the
 /// set of values has a part for either way, and only one would be found.
 fn approached_from_one_side(posed: &Posed, unknown: Letter) -> Result<(), Refusal> {
-    let first = (Meeting::FIRST, posed.scene);
+    let first = (Meeting::FIRST, &posed.scene);
     for (meeting, scene) in
         std::iter::once(first).chain(posed.scene.then.iter().map(|then| (then.meeting, &then.scene)))
     {
@@ -158,6 +135,13 @@ fn approached_from_one_side(posed: &Posed, unknown: Letter) -> Result<(), Refusa
         }
     }
     Ok(())
+}
+
+/// A condition as an inequality in the unknown.
+struct Stated {
+    /// Both sides as they were found, where they are numbers.
+    sides: [Value; 2],
+    demanded: (Value, Demand),
 }
 
 /// Something without which there is no collision.
@@ -209,30 +193,29 @@ fn ends_at(value: &Value, demand: Demand, letter: Letter, end: &End) -> bool {
 }
 
 /// The forward derivation in letters, each condition as an inequality, what else ends the range, and what follows.
-fn lines(
-    posed: &Posed,
-    shown: Vec<Expr>,
-    stated: &[(Value, Demand)],
-    physical: &[Physical],
-    values: &Values,
-) -> Vec<Line> {
+pub(super) fn lines(posed: &Posed, values: &Values) -> Vec<Line> {
+    // They have been found once, or there would be no values.
+    let stated = posed.stated().unwrap_or_default();
+    let physical = posed.physical();
     // What a letter may be at all needs no reason.
     let domain = Span::of(values.letter.range());
     let is_of_letter = |end: &End| domain.low.iter().chain(&domain.high).any(|other| other.value.equals(&end.value));
     let ends = values.span.low.iter().chain(&values.span.high).filter(|end| !is_of_letter(end));
     let because = ends.filter_map(|end| {
-        let is_stated = stated.iter().any(|(value, demand)| ends_at(value, *demand, values.letter, end));
+        let is_stated =
+            stated.iter().any(|Stated { demanded: (value, demand), .. }| ends_at(value, *demand, values.letter, end));
         physical.iter().find(|physical| !is_stated && physical.ends_at(values.letter, end))
     });
     let because: Vec<&Physical> = because.collect();
     // What a line speaks of is derived first, even if no condition speaks of it.
     let asked: Vec<Quantity> = posed.asked.iter().copied().chain(because.iter().map(|one| one.quantity)).collect();
-    let mut known = pose(posed.scene).unwrap_or_default();
+    let mut known = pose(&posed.scene).unwrap_or_default();
     let (derivation, _) = Derivation::carry_out(&mut known, &asked);
-    let show = Show::new(posed.scene, &known, &asked);
+    let show = Show::new(&posed.scene, &known, &asked);
     let mut lines: Vec<Line> = derivation.steps.iter().flat_map(|step| step.lines(&show)).collect();
-    for (condition, inequality) in posed.scene.conditions.iter().zip(shown) {
-        lines.push(inequality_words(condition, inequality, posed.scene).of_condition(posed.scene));
+    for (condition, Stated { sides: [left, right], .. }) in posed.scene.conditions.iter().zip(&stated) {
+        let inequality = Expr::Relation(Box::new(written(left)), condition.relation, Box::new(written(right)));
+        lines.push(inequality_words(condition, inequality, &posed.scene).of_condition(&posed.scene));
     }
     lines.extend(because.into_iter().map(|one| one.line().said_of(posed.scene.setting)));
     let is_end = |end: &Option<End>, at: &Value| end.as_ref().is_some_and(|end| end.included && end.value.equals(at));
@@ -248,7 +231,30 @@ fn lines(
     lines.into_iter().map(Line::with_masses_in_symbols).collect()
 }
 
-impl Posed<'_> {
+impl Posed {
+    /// The conditions as inequalities.
+    fn stated(&self) -> Result<Vec<Stated>, Refusal> {
+        let letters = |name: &str| meaning(&self.scene.letters, name);
+        let one = |condition: &Condition| {
+            let gap = residual(condition, &letters, &self.known).map_err(super::condition::fault)?;
+            if gap.of_angles {
+                return Err(Refusal::beyond("an inequality between angles is not solved here")
+                    .try_this("compare their tangents, as `A.after.tan_to_loc`"));
+            }
+            let side = |expr: &Expr| number(expr, &|name| name_of(name, &letters, &self.known)).ok();
+            let sides = side(&condition.left).zip(side(&condition.right));
+            let (left, right) = sides.unwrap_or((gap.value.clone(), Value::ZERO));
+            let demanded = match condition.relation {
+                Relation::Greater => (gap.value, Demand::Positive),
+                Relation::GreaterOrEqual => (gap.value, Demand::NotNegative),
+                Relation::Less => (-gap.value, Demand::Positive),
+                _ => (-gap.value, Demand::NotNegative),
+            };
+            Ok(Stated { sides: [left, right], demanded })
+        };
+        self.scene.conditions.iter().map(one).collect()
+    }
+
     /// What must hold for there to be a collision at all, as far as it depends on the unknown.
     fn physical(&self) -> Vec<Physical> {
         let of_one = [

@@ -12,16 +12,16 @@ use super::{Axis, Derivation, Moment, Quantity, Sphere};
 use crate::expr::{print, written};
 use crate::number::Value;
 
-/// Refuses what cannot happen, as far as what is known determines it.
+/// Refuses what cannot happen, as far as what is known determines it; all that was derived on the way.
 ///
 /// # Errors
 ///
 /// The first reason found.
-pub fn check(known: &Known<Value>) -> Result<(), Refusal> {
-    check_with(known, &Known::default()).map(drop)
+pub fn check(known: &Known<Value>) -> Result<Known<Value>, Refusal> {
+    check_with(known, &Known::default())
 }
 
-/// The same, where some results have been computed already; all that was derived on the way.
+/// The same, where some results have been computed already.
 ///
 /// # Errors
 ///

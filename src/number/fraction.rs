@@ -5,7 +5,7 @@
 
 use std::cmp::Ordering;
 use std::fmt;
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::ops::{Add, Div, Mul, Neg, Rem, Sub};
 use std::str::FromStr;
 
 use dashu_int::ops::BitTest;
@@ -58,6 +58,15 @@ impl Fraction {
 
     /// Lowest terms of a quotient of machine integers whose denominator is not nought.
     fn reduce(numerator: i128, denominator: i128) -> Fraction {
+        // Nearly all fractions of an exam are this small, and 64 bits are divided several times faster.
+        if let (Ok(n), Ok(d)) = (i64::try_from(numerator), i64::try_from(denominator))
+            && n != i64::MIN
+            && d > 0
+        {
+            // It divides the denominator, so it is no greater.
+            let divisor = if d == 1 { 1 } else { gcd(n.unsigned_abs(), d.unsigned_abs()) as i64 };
+            return Fraction(Repr::Small(n / divisor, d / divisor));
+        }
         let divisor = gcd(numerator.unsigned_abs(), denominator.unsigned_abs());
         let (mut n, mut d) = (numerator, denominator);
         if divisor > 1 {
@@ -227,15 +236,8 @@ pub(crate) fn exact_root(value: &IBig) -> Option<IBig> {
     (&root * &root == magnitude).then(|| root.into())
 }
 
-fn gcd(mut a: u128, mut b: u128) -> u128 {
-    // Nearly all fractions of an exam are this small, and u64 division is several times faster.
-    if let (Ok(mut x), Ok(mut y)) = (u64::try_from(a), u64::try_from(b)) {
-        while y != 0 {
-            (x, y) = (y, x % y);
-        }
-        return x.into();
-    }
-    while b != 0 {
+fn gcd<N: Copy + Default + PartialEq + Rem<Output = N>>(mut a: N, mut b: N) -> N {
+    while b != N::default() {
         (a, b) = (b, a % b);
     }
     a

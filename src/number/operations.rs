@@ -86,7 +86,10 @@ impl Mul for &Value {
 impl Neg for &Value {
     type Output = Value;
     fn neg(self) -> Value {
-        self * &Value::from(-1)
+        match self {
+            Value::Rational(number) => Value::Rational(-number.clone()),
+            Value::Compound(_) => self * &Value::from(-1),
+        }
     }
 }
 

@@ -39,7 +39,7 @@ pub fn compose(question: &Question, variant: &Variant, number: usize) -> Printed
     let manner = Manner { vectors: wording::has_unit_vectors(&stem), with_units: &with_units, angles: &angles };
     let worked = working::work(question, variant, manner);
     // Letters that are found are letters until they are.
-    let finding = !variant.solution.finding().is_empty();
+    let finding = variant.solution.finds_unknowns();
     let worked_scene = if finding { &variant.scene } else { variant.solution.scene() };
     let mut last = 0;
     let mut parts = Vec::new();

@@ -67,7 +67,7 @@ pub fn work<'q>(question: &'q Question, variant: &Variant, manner: Manner) -> Ve
     let scene = variant.solution.scene();
     let Ok(mut known) = pose(scene) else { return Vec::new() };
     let letters = letters(question);
-    let mut finding = variant.solution.finding().to_vec();
+    let mut finding = variant.solution.finding();
     let in_letters = if finding.is_empty() { None } else { InLetters::of(&variant.scene, variant.solution.found()) };
     let step = |found: &InLetters, rule: &Rule| Step::new(rule.clone(), &found.show(), &letters);
     let mut behind: Vec<Step> =

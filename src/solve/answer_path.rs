@@ -28,8 +28,8 @@ fn before() -> Vec<Quantity> {
 }
 
 /// The components after the impact, if all that it starts from follows from what is given. Where a velocity after is
-/// given as well, the steps themselves must say whether the two agree.
-pub(super) fn answer_path(given: &Known<Value>) -> Option<AnswerPath> {
+/// given as well, the steps themselves must say whether the two agree. Some of what follows may have been derived already.
+pub(super) fn answer_path(given: &Known<Value>, derived: &Known<Value>) -> Option<AnswerPath> {
     let of_after = |quantity: &Quantity| {
         use Quantity::{GivenDirection, Speed, Velocity};
         // Of a direct impact it is given that nothing is across.
@@ -42,7 +42,7 @@ pub(super) fn answer_path(given: &Known<Value>) -> Option<AnswerPath> {
         return None;
     }
     let mut computed = given.clone();
-    Derivation::carry_out(&mut computed, &before());
+    Derivation::carry_out_with(&mut computed, derived, &before());
     let impact = impact(&computed)?;
     let selection = Selection::of(&impact, Wanted::ExactForm);
     let Found::Exact(after) = selection.solve(&impact) else { return None };

@@ -8,22 +8,20 @@ pub use report::{Answer, Report, StepReport, report};
 use answer_path::answer_path;
 
 use crate::expr::{Expr, in_degrees, written, written_angle};
-use crate::mechanics::{Derivation, Known, Line, Quantity, Refusal, Scene, Show, Values, backwards, check_with, pose};
+use crate::mechanics::{
+    Derivation, Found, Known, Line, Quantity, Refusal, Scene, Show, Values, backwards, check_with, pose,
+};
 use crate::method::{Impact, Selection};
 use crate::number::{Angle, Letter, Value};
 
 /// A scene with what was asked of it, found.
 #[derive(Clone, Debug)]
 pub struct Solution {
-    scene: Scene,
+    root: Found,
     asked: Vec<Quantity>,
     known: Known<Value>,
     derivation: Derivation,
     path: Option<(Impact<Value>, Selection)>,
-    found: Vec<(Letter, Value)>,
-    range: Option<Values>,
-    finding: Vec<Line>,
-    remarks: Vec<String>,
 }
 
 /// Solves a scene for the quantities asked.
@@ -59,22 +57,22 @@ pub fn solve_all(scene: &Scene, asked: &[Quantity]) -> Result<Vec<Solution>, Ref
 
 fn all_solutions(scene: &Scene, asked: &[Quantity]) -> Result<Vec<Solution>, Refusal> {
     let roots = backwards(scene)?;
-    let one = |root: crate::mechanics::Found| -> Result<Solution, Refusal> {
+    let one = |mut root: Found| -> Result<Solution, Refusal> {
         let mut known = pose(&root.scene)?;
-        let path = answer_path(&known);
         let nothing = Known::default();
-        let computed = check_with(&known, path.as_ref().map_or(&nothing, |path| &path.computed))?;
+        let path = answer_path(&known, root.derived.as_ref().unwrap_or(&nothing));
+        let computed = match root.derived.take() {
+            // It was examined when it was put back.
+            Some(derived) => derived,
+            None => check_with(&known, path.as_ref().map_or(&nothing, |path| &path.computed))?,
+        };
         let (derivation, _) = Derivation::carry_out_with(&mut known, &computed, asked);
         Ok(Solution {
-            scene: root.scene,
+            root,
             asked: asked.to_vec(),
             known,
             derivation,
             path: path.map(|path| (path.impact, path.selection)),
-            found: root.values,
-            range: root.range,
-            finding: root.lines,
-            remarks: root.remarks,
         })
     };
     roots.into_iter().map(one).collect()
@@ -83,7 +81,7 @@ fn all_solutions(scene: &Scene, asked: &[Quantity]) -> Result<Vec<Solution>, Ref
 impl Solution {
     /// The scene, unknowns replaced by what was found.
     pub fn scene(&self) -> &Scene {
-        &self.scene
+        &self.root.scene
     }
 
     /// The steps.
@@ -110,22 +108,27 @@ impl Solution {
 
     /// The unknowns of the scene and their values; of an angle the tangent.
     pub fn found(&self) -> &[(Letter, Value)] {
-        &self.found
+        &self.root.values
     }
 
     /// The values that an unknown may have, where inequalities leave it a letter.
     pub fn range(&self) -> Option<&Values> {
-        self.range.as_ref()
+        self.root.range.as_ref()
     }
 
     /// How the unknowns were found.
-    pub fn finding(&self) -> &[Line] {
-        &self.finding
+    pub fn finding(&self) -> Vec<Line> {
+        self.root.lines()
+    }
+
+    /// Were there unknowns to be found?
+    pub fn finds_unknowns(&self) -> bool {
+        self.root.is_of_unknowns()
     }
 
     /// What else the finding of the unknowns showed: roots that were left out, and why.
     pub fn remarks(&self) -> &[String] {
-        &self.remarks
+        &self.root.remarks
     }
 
     /// Is the quantity known?
@@ -162,13 +165,13 @@ impl Solution {
 
     /// The worked solution, once the unknowns are found.
     pub fn lines(&self) -> Vec<Line> {
-        let show = Show::new(&self.scene, &self.known, &self.asked);
+        let show = Show::new(&self.root.scene, &self.known, &self.asked);
         // Of a range the unknown is still a letter here.
         self.derivation.steps.iter().flat_map(|step| step.lines(&show)).map(Line::with_masses_in_symbols).collect()
     }
 
     fn found_in_words(&self) -> String {
         let one = |(letter, value): &(Letter, Value)| report::found_in_words(*letter, value);
-        self.found.iter().map(one).collect::<Vec<_>>().join(", ")
+        self.root.values.iter().map(one).collect::<Vec<_>>().join(", ")
     }
 }

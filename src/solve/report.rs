@@ -165,7 +165,7 @@ pub fn report(solution: &Solution) -> Report {
         geometry,
         why,
         quantities,
-        steps: [steps(solution.finding()), steps(&solution.lines())].concat(),
+        steps: [steps(&solution.finding()), steps(&solution.lines())].concat(),
         remarks: solution.remarks().to_vec(),
     }
 }

@@ -13,6 +13,8 @@ pub use rule::Rule;
 use std::collections::BTreeMap;
 use std::sync::{Mutex, OnceLock, PoisonError};
 
+use litemap::LiteMap;
+
 use super::later::Meeting;
 use super::line::Line;
 use super::seen::{Seen, Shape};
@@ -39,11 +41,11 @@ pub enum Datum<N> {
 
 /// The quantities that are known so far.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Known<N>(pub BTreeMap<Quantity, Datum<N>>);
+pub struct Known<N>(pub LiteMap<Quantity, Datum<N>>);
 
 impl<N> Default for Known<N> {
     fn default() -> Known<N> {
-        Known(BTreeMap::new())
+        Known(LiteMap::new())
     }
 }
 
