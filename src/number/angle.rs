@@ -2,8 +2,9 @@
 
 use std::cmp::Ordering;
 
+use super::decimal::{Decimal, Places};
 use super::enclose::Assignment;
-use super::rounding::{Decimal, Places, Uncertain, round, round_certified};
+use super::rounding::{Uncertain, round, round_certified};
 use super::{Direction, Fraction, Interval, Letter, Value};
 
 /// The angle from the positive x-direction to the vector `(x, y)`, anticlockwise, above -180 and up

@@ -3,8 +3,9 @@
 use std::cell::RefCell;
 use std::collections::HashMap;
 
+use super::decimal::{Decimal, Places};
 use super::polynomial::Polynomial;
-use super::rounding::{Decimal, Places, Uncertain, round, round_certified};
+use super::rounding::{Uncertain, round, round_certified};
 use super::value::{Root, Value};
 use super::{Fraction, Interval, Letter};
 
