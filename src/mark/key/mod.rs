@@ -3,6 +3,7 @@
 //! A key is enough to mark with, since the bank may have changed since the paper was printed. So its scene is posed
 //! again and its expressions are read again; nothing else is taken from anywhere.
 
+mod fault;
 mod impact;
 mod part;
 mod version;
@@ -11,6 +12,8 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::OnceLock;
 
 use serde::Deserialize;
+
+pub use fault::KeyFault;
 
 use super::judging::Model;
 use super::slips::Mistakes;
@@ -129,21 +132,6 @@ impl KeyedMark {
     }
 }
 
-/// What is wrong with a key.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct KeyFault {
-    /// Where it stands: `questions[0].scene.e`; empty if the whole is no key.
-    pub path: String,
-    /// What is wrong.
-    pub message: String,
-    /// What was expected.
-    pub expected: String,
-    /// One thing to try; empty if there is nothing but to look.
-    pub help: String,
-    /// Line and column in the text, where that is all that is known.
-    pub place: Option<(usize, usize)>,
-}
-
 #[derive(Deserialize)]
 struct KeyText {
     #[serde(default)]
@@ -221,33 +209,6 @@ impl AnswerKey {
     pub fn paper(&self, student: &str) -> Option<&KeyedPaper> {
         let of_all = || self.papers.first().filter(|paper| paper.student.is_none());
         self.places.get(student).map(|place| &self.papers[*place]).or_else(of_all)
-    }
-}
-
-impl KeyFault {
-    fn new(message: impl Into<String>, expected: impl Into<String>) -> KeyFault {
-        KeyFault {
-            path: String::new(),
-            message: message.into(),
-            expected: expected.into(),
-            help: String::new(),
-            place: None,
-        }
-    }
-
-    fn unreadable(error: &serde_json::Error) -> KeyFault {
-        let said = error.to_string();
-        let said = said.split(" at line ").next().unwrap_or_default();
-        let place = (error.line() > 0).then(|| (error.line(), error.column()));
-        KeyFault {
-            place,
-            ..KeyFault::new(format!("this is no key: {said}"), "the `key.json` that `carom sheet` writes")
-        }
-    }
-
-    fn below(self, path: &str) -> KeyFault {
-        let path = if self.path.is_empty() { path.to_owned() } else { format!("{path}.{}", self.path) };
-        KeyFault { path, ..self }
     }
 }
 
