@@ -11,7 +11,7 @@ use crate::mechanics::{Axis, Moment, Quantity};
 use crate::unit::Unit;
 
 use super::finding::Finding;
-use super::otherwise::{is_another, names_another};
+use super::otherwise::{is_another_of_its_sort, remark_names_another};
 use super::statements::{named_sphere, sphere};
 use super::{Model, Note, left_side};
 
@@ -133,7 +133,7 @@ pub(super) fn as_remarked(model: &Model, statement: &Statement, finding: Finding
     if remarks.is_empty() || !(finding.is_credited() || finding.note == Some(Note::Sign)) {
         return finding;
     }
-    if remarks.iter().any(|remark| names_another(model, asked, &remarks, remark)) {
+    if remarks.iter().any(|remark| remark_names_another(model, asked, &remarks, remark)) {
         return Finding::unreadable(Note::NamedOtherwise);
     }
     let label = statement.label.as_ref().map_or("", |label| &label.typed);
@@ -325,7 +325,7 @@ pub(super) fn words_fit(model: &Model, typed: &str) -> bool {
         let is_difference = small.contains(['-', '−', '–']) || has(&["minus"]);
         return !has(states(asked)) || has(&LOSSES) || is_gain(typed) || is_change(typed) || is_difference;
     }
-    if is_another(model, asked, &small) {
+    if is_another_of_its_sort(model, asked, &small) {
         return false;
     }
     // Of several impacts one comes before the other.

@@ -8,7 +8,7 @@ use super::called::{sort, suits, words};
 use super::statements::sphere;
 
 /// Does a remark that is no more than a name, as `(B)` or `(speed of B)`, name another sphere or another quantity?
-pub(super) fn names_another(model: &Model, asked: Quantity, remarks: &[&String], remark: &str) -> bool {
+pub(super) fn remark_names_another(model: &Model, asked: Quantity, remarks: &[&String], remark: &str) -> bool {
     const FILLERS: [&str; 16] = [
         "",
         "the",
@@ -66,7 +66,7 @@ pub(super) fn spheres_in_remark(remark: &str) -> Vec<Sphere> {
 }
 
 /// Do words that name a speed or a momentum name another than is asked: a component of a velocity, a difference of speeds?
-pub(super) fn is_another(model: &Model, asked: Quantity, small: &str) -> bool {
+pub(super) fn is_another_of_its_sort(model: &Model, asked: Quantity, small: &str) -> bool {
     let has = |wanted: &[&str]| words(small).any(|word| wanted.contains(&word));
     let is_along = || model.path.as_ref().is_some_and(Expr::is_zero);
     match asked {
