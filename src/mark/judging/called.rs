@@ -149,8 +149,7 @@ pub(super) fn as_remarked(model: &Model, statement: &Statement, finding: Finding
             return Finding::unreadable(Note::NamedOtherwise);
         }
     }
-    // `7.31 as before`, `perpendicular to its direction before`
-    let compares = has(&SEVERAL) || has(&["as", "same", "direction", "path", "motion", "line", "velocity"]);
+    let compares = has(&SEVERAL) || has(&COMPARING);
     let is_of_another_moment = match moment(asked) {
         Some(Moment::After) => has(&["before", "initially"]) && !has(&LATER),
         Some(Moment::Before) => has(&["after", "finally"]) && !has(&EARLIER),
@@ -304,8 +303,11 @@ pub(super) fn states(asked: Quantity) -> &'static [&'static str] {
 
 pub(super) const LOSSES: [&str; 10] =
     ["loss", "losses", "lost", "lose", "loses", "decrease", "decreases", "decreased", "change", "dissipated"];
-const EARLIER: [&str; 4] = ["before", "initial", "initially", "original"];
-const LATER: [&str; 4] = ["after", "afterwards", "final", "finally"];
+pub(super) const EARLIER: [&str; 4] = ["before", "initial", "initially", "original"];
+pub(super) const LATER: [&str; 4] = ["after", "afterwards", "final", "finally"];
+
+/// Words that speak of another moment for comparison: `7.31 as before`, `perpendicular to its direction before`.
+pub(super) const COMPARING: [&str; 7] = ["as", "same", "direction", "path", "motion", "line", "velocity"];
 
 const SEVERAL: [&str; 9] = ["first", "1st", "second", "2nd", "third", "3rd", "fourth", "4th", "next"];
 
@@ -338,7 +340,8 @@ pub(super) fn words_fit(model: &Model, typed: &str) -> bool {
     }
 }
 
-fn moment(asked: Quantity) -> Option<Moment> {
+/// The moment of which the quantity is, if it is of one.
+pub(super) fn moment(asked: Quantity) -> Option<Moment> {
     use Quantity::*;
     match asked {
         Velocity(_, moment, _) | Speed(_, moment) | KineticEnergy(_, moment) | SphereMomentum(_, moment, _) => {

@@ -301,11 +301,13 @@ fn less(value: &Expr, other: Expr) -> Expr {
     else {
         return difference();
     };
-    if !matches!(value, Expr::Decimal(_)) {
+    let is_decimal = |expr: &Expr| matches!(unsigned(&bare(expr)), Expr::Decimal(_));
+    let of_value = is_decimal(value).then_some(written.places);
+    let of_other = Written::of(&bare(&other)).filter(|_| is_decimal(&other)).map(|other| other.places);
+    // `v − 2.78 = 0` has the figures of the decimal, wherever it stands.
+    let Some(places) = of_value.into_iter().chain(of_other).min() else {
         return Expr::Number(&written.value - &taken);
-    }
-    let of_other = Written::of(&bare(&other)).filter(|_| matches!(bare(&other), Expr::Decimal(_)));
-    let places = of_other.map_or(written.places, |other| other.places.min(written.places));
+    };
     match u32::try_from(places) {
         Ok(places) => {
             let rounded = round(&(&written.value - &taken), &Places::DecimalPlaces(places)).to_string();

@@ -34,6 +34,11 @@ pub(super) fn remark_names_another(model: &Model, asked: Quantity, remarks: &[&S
     {
         return true;
     }
+    let of_relative_motion = |word: &str| matches!(word, "separation" | "approach");
+    let is_either = matches!(asked, Quantity::Separation | Quantity::Approach | Quantity::Restitution);
+    if !is_either && words(remark).any(of_relative_motion) {
+        return true;
+    }
     let is_name = |word: &str| {
         let small = word.to_lowercase();
         FILLERS.contains(&small.as_str()) || sort(&small).is_some() || matches!(&*small, "a" | "b" | "c")
@@ -92,6 +97,8 @@ pub(super) fn is_another_of_its_sort(model: &Model, asked: Quantity, small: &str
                 has(&["before", "after", "initial", "final", "original", "total"]) && !small.contains(['-', '−']);
             has(&["force"]) || (has(&["momentum", "momenta"]) && is_state && !is_difference())
         }
+        // Both of them make it up.
+        Quantity::Restitution => has(&["separation"]) != has(&["approach"]),
         _ => false,
     }
 }

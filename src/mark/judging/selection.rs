@@ -6,10 +6,11 @@ use std::cmp::Ordering;
 
 use crate::answer::Kind;
 use crate::expr::{Expr, Relation};
-use crate::mark::reading::{Form, Reading, ReferenceLine, Said, Statement};
+use crate::mark::reading::{End, Form, Reading, ReferenceLine, Said, Statement};
+use crate::mechanics::Moment;
 use crate::unit::Unit;
 
-use super::called::{LOSSES, is_of_loss, states, words};
+use super::called::{COMPARING, EARLIER, LATER, LOSSES, is_of_loss, moment, states, words};
 use super::statements::is_rival;
 use super::{Model, exact, number, vector};
 
@@ -23,12 +24,13 @@ pub(super) fn counted<'r>(model: &Model, reading: &'r Reading) -> Option<Cow<'r,
     if kept.is_empty() && !reading.statements.is_empty() {
         return None;
     }
+    let kept = without_other_moment(model, kept);
     let kept = match model.kind {
         Kind::Number | Kind::Expression => {
             without_told_besides(model, meeting_conditions(model, without_steps_to_a_loss(model, kept)))
         }
         Kind::Vector => without_size(model, kept),
-        Kind::Angle => without_told_besides(model, kept),
+        Kind::Angle => without_told_besides(model, meeting_conditions(model, kept)),
         _ => kept,
     };
     let same = kept.len() == reading.statements.len() && kept == reading.statements;
@@ -45,7 +47,8 @@ fn is_rejected(statement: &Statement) -> bool {
 
 /// `k = 8 or k = −8, k > 0`: an inequality beside values is no value, and rules out those that do not meet it.
 fn meeting_conditions(model: &Model, statements: Vec<Statement>) -> Vec<Statement> {
-    let conditions: Vec<(Relation, &Expr)> = statements.iter().filter_map(condition).collect();
+    let statements = without_ranges_besides(model, statements);
+    let conditions: Vec<(Relation, &Expr)> = statements.iter().filter_map(conditions_of).flatten().collect();
     if conditions.is_empty() {
         return statements;
     }
@@ -57,15 +60,18 @@ fn meeting_conditions(model: &Model, statements: Vec<Statement>) -> Vec<Statemen
         })
     };
     let kept: Vec<Statement> =
-        statements.iter().filter(|statement| condition(statement).is_none()).filter(meets).cloned().collect();
+        statements.iter().filter(|statement| conditions_of(statement).is_none()).filter(meets).cloned().collect();
     if kept.is_empty() { statements } else { kept }
 }
 
-/// The condition that a letter meets: what it is compared with, and how.
-fn condition(statement: &Statement) -> Option<(Relation, &Expr)> {
-    let [Said { form: Form::Equation(Expr::Relation(left, relation, right)), .. }] = statement.said.as_slice() else {
-        return None;
-    };
+/// The conditions that a letter meets, if the statement is of such: `k > 0`, `0 < e < 1`.
+fn conditions_of(statement: &Statement) -> Option<Vec<(Relation, &Expr)>> {
+    statement.said.iter().map(condition).collect()
+}
+
+/// What a letter is compared with, and how.
+fn condition(said: &Said) -> Option<(Relation, &Expr)> {
+    let Form::Equation(Expr::Relation(left, relation, right)) = &said.form else { return None };
     let turned = match relation {
         Relation::Less => Relation::Greater,
         Relation::LessOrEqual => Relation::GreaterOrEqual,
@@ -78,6 +84,39 @@ fn condition(statement: &Statement) -> Option<(Relation, &Expr)> {
         (bound, Expr::Name(_)) => Some((turned, bound)),
         _ => None,
     }
+}
+
+/// `5/7, which is less than 1`, `from 45 to 75, i.e. 30`: a range in words is no value either, where the value that stands
+/// beside it lies in it, or is the way from its one end to the other.
+fn without_ranges_besides(model: &Model, statements: Vec<Statement>) -> Vec<Statement> {
+    let is_range = |statement: &Statement| matches!(statement.said.as_slice(), [said @ Said { form: Form::Range(..), .. }] if !is_rival(said));
+    if statements.len() < 2 || !statements.iter().any(is_range) {
+        return statements;
+    }
+    let last = statements.iter().rev().find(|statement| !is_range(statement)).and_then(|last| last.said.last());
+    let Some(Said { form: Form::Value(value), .. }) = last else { return statements };
+    let order = |one: &Expr, other: &Expr| {
+        let gap = Expr::sum([one.clone(), other.clone().negated()]);
+        exact::value(&gap, &model.vocabulary.letters).and_then(|gap| gap.sign())
+    };
+    let goes_with = |low: &Option<End>, high: &Option<End>| {
+        let is_in = low.as_ref().is_none_or(|low| order(value, &low.at).is_some_and(Ordering::is_ge))
+            && high.as_ref().is_none_or(|high| order(value, &high.at).is_some_and(Ordering::is_le));
+        match (low, high) {
+            // Two numbers in brackets may be meant for something else.
+            (Some(low), Some(high)) => {
+                let way = Expr::sum([high.at.clone(), low.at.clone().negated()]);
+                let is_way = || order(value, &way).is_some_and(Ordering::is_eq);
+                low.included.is_none() && high.included.is_none() && (is_in || is_way())
+            }
+            _ => is_in,
+        }
+    };
+    let is_besides = |statement: &Statement| match statement.said.as_slice() {
+        [Said { form: Form::Range(low, high), .. }] => is_range(statement) && goes_with(low, high),
+        _ => false,
+    };
+    statements.iter().filter(|statement| !is_besides(statement)).cloned().collect()
 }
 
 fn holds(relation: Relation, sign: Ordering) -> bool {
@@ -99,17 +138,36 @@ pub(super) fn is_angular(said: &Said) -> bool {
 /// `5.44 before, 3.52 after, 1.92 lost` where the loss is asked: what there is before and after leads to it.
 fn without_steps_to_a_loss(model: &Model, statements: Vec<Statement>) -> Vec<Statement> {
     let Some(asked) = model.quantity.filter(|_| statements.len() > 1) else { return statements };
-    let says = |statement: &Statement, wanted: &[&str]| {
-        let label = statement.label.iter().map(|label| &label.typed);
-        let texts = label.chain(statement.said.iter().flat_map(|said| &said.remarks));
-        texts.flat_map(|text| words(text)).any(|word| wanted.contains(&word.to_lowercase().as_str()))
-    };
     let is_loss = |statement: &Statement| says(statement, &LOSSES);
     let is_step = |statement: &Statement| says(statement, states(asked)) && !is_loss(statement);
     match is_of_loss(asked) && statements.iter().any(is_loss) {
         true => statements.into_iter().filter(|statement| !is_step(statement)).collect(),
         false => statements,
     }
+}
+
+/// `before 2i + j, after 4i + j`: what is said of the moment that is asked counts, and no other.
+fn without_other_moment(model: &Model, statements: Vec<Statement>) -> Vec<Statement> {
+    let Some(moment) = model.quantity.and_then(moment).filter(|_| statements.len() > 1) else { return statements };
+    let (own, other) = match moment {
+        Moment::After => (&LATER, &EARLIER),
+        Moment::Before => (&EARLIER, &LATER),
+    };
+    let is_of = |statement: &Statement, wanted: &[&str], unwanted: &[&str]| {
+        says(statement, wanted) && !says(statement, unwanted) && !says(statement, &COMPARING)
+    };
+    let is_other = |statement: &Statement| is_of(statement, other, own) && !statement.said.iter().any(is_rival);
+    match statements.iter().any(|statement| is_of(statement, own, other)) {
+        true => statements.into_iter().filter(|statement| !is_other(statement)).collect(),
+        false => statements,
+    }
+}
+
+/// Does one of these words stand in its label or beside its values?
+fn says(statement: &Statement, wanted: &[&str]) -> bool {
+    let label = statement.label.iter().map(|label| &label.typed);
+    let texts = label.chain(statement.said.iter().flat_map(|said| &said.remarks));
+    texts.flat_map(|text| words(text)).any(|word| wanted.contains(&word.to_lowercase().as_str()))
 }
 
 /// `4i + j (speed √17)`: the size of the vector, told besides, where it is right.

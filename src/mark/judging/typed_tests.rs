@@ -347,3 +347,66 @@ fn what_is_true_besides_is_no_rival() {
         ],
     );
 }
+
+#[test]
+fn what_leads_to_the_answer_or_is_true_of_it_is_no_rival() {
+    const RIVALS: &str = "wrong rival-answers";
+    const OTHERWISE: &str = "unreadable named-otherwise";
+    earn(
+        &Asked("5/7", None, "e", None),
+        &[
+            ("separation 5, approach 7, e = 5/7", "correct"),
+            ("speed of separation 5, speed of approach 7, e = 5/7", "correct"),
+            ("approach 7 separation 5 so e = 5/7", "correct"),
+            ("separation 5, approach 7, e = 7/5", "wrong inverted"),
+            ("separation = 5/7", OTHERWISE),
+            ("separation/approach = 5/7", "correct"),
+            ("e = 5/7, 0 < e < 1", "correct"),
+            ("e = 5/7 (0 < e < 1)", "correct"),
+            ("e = 5/7 and 0 ≤ e ≤ 1", "correct"),
+            ("e = 5/7 < 1", "correct"),
+            ("e = 7/5 > 1", "wrong inverted"),
+            ("e = 5/7 or 7/5, 0 < e < 1", "correct"),
+            ("e = 5/7, which is less than 1", "correct"),
+            ("e = 5/7, which is more than 1", "unreadable cannot-be-compared"),
+        ],
+    );
+    earn(
+        &Asked("25/9", None, "A.after.speed", None),
+        &[
+            ("v - 2.78 = 0", "correct"),
+            ("v - 25/9 = 0", "correct"),
+            ("v - 2.8 = 0", "partial under-accurate"),
+            ("speed before 5, speed after 2.78", "correct"),
+            ("speed before 2.78, speed after 5", "wrong"),
+            ("5 before and 2.78 after", "correct"),
+            ("2.78 before and 5 after", "wrong"),
+            ("5 before or 2.78 after", RIVALS),
+            ("2.78 (speed of separation)", OTHERWISE),
+        ],
+    );
+    earn(
+        &Asked("4*i + j", None, "A.after.x", None),
+        &[
+            ("before 2i+j after 4i+j", "correct"),
+            ("before 4i+j after 2i+j", "wrong"),
+            ("2i+j before, 4i+j after", "correct"),
+        ],
+    );
+    earn(
+        &Asked("30", None, "A.deflection_deg", None),
+        &[
+            ("changed from 45 to 75, i.e. 30°", "correct"),
+            ("from 45° to 75°, i.e. 30°", "correct"),
+            ("changed from 45 to 75, i.e. 120°", "wrong"),
+            ("from 45 to 75", "wrong"),
+            ("from 30 to 75", "wrong"),
+            ("(15, 45), 30", RIVALS),
+            ("from 45 to 70, i.e. 30°", "wrong"),
+        ],
+    );
+    earn(
+        &Asked("48/25", None, "ke.lost", None),
+        &[("1.92 (48/25) J", "correct"), ("48/25 [1.92] J", "correct"), ("1.92 (48/25) kJ", RIVALS)],
+    );
+}

@@ -96,11 +96,17 @@ impl Walk<'_> {
 /// Brackets around words are an aside, and part it from the rest as commas would: `0 m/s (at rest)`. So are brackets in
 /// which a value is said again, or a condition: `√13 (3.61 m/s)`, `√13 (= 3.61)`, `8 (k > 0)`.
 pub(super) fn with_asides_set_off(mut tokens: Vec<Placed>, vocabulary: &Vocabulary) -> Vec<Placed> {
-    for start in 1..tokens.len() {
+    let mut start = 1;
+    while start < tokens.len() {
         if let Some(end) = said_again(&tokens, start, vocabulary) {
             tokens[start].token = Token::Sign(',');
-            tokens[end].token = Token::Sign(',');
+            // `1.92 (48/25) J`
+            match unit(&tokens, end + 1, "") {
+                Some(_) => drop(tokens.remove(end)),
+                None => tokens[end].token = Token::Sign(','),
+            }
         }
+        start += 1;
     }
     let mut open: Vec<(usize, bool)> = Vec::new();
     for at in 0..tokens.len() {

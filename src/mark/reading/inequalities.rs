@@ -2,6 +2,7 @@
 
 use super::phrases::Phrase;
 use super::ranges::{is_any, is_infinite, said};
+use super::sides::Side;
 use super::statements::Statements;
 use super::tokens::{Placed, Token};
 use super::{End, Form, Said, Statement, Unreadable};
@@ -68,7 +69,7 @@ impl Statements<'_> {
 
     pub(super) fn inequality(&mut self, sides: &[&[Placed]], relations: &[(char, usize)]) -> Result<(), Unreadable> {
         let (sides, relations) = without_infinite_ends(sides, relations)?;
-        let values: Vec<Expr> = sides.iter().map(|side| self.side(side)).collect::<Result<_, _>>()?;
+        let values: Vec<Expr> = sides.iter().map(|side| self.bounded(side)).collect::<Result<_, _>>()?;
         let said = values.windows(2).zip(relations).map(|(pair, (sign, _))| {
             let relation = match sign {
                 '<' => Relation::Less,
@@ -83,6 +84,31 @@ impl Statements<'_> {
         });
         self.found.push(Statement { label: None, said: said.collect() });
         Ok(())
+    }
+
+    /// The value of `e = 5/7 < 1`, which its end bounds.
+    pub(super) fn value_that_is_bounded<'s, 't>(
+        &mut self,
+        sides: &'s [&'t [Placed]],
+        relations: &[(char, usize)],
+    ) -> Result<Option<&'s [&'t [Placed]]>, Unreadable> {
+        let (Some((bound, values)), Some(((sign, _), equals))) = (sides.split_last(), relations.split_last()) else {
+            return Ok(None);
+        };
+        let [name, .., last] = values else { return Ok(None) };
+        let is_value = is_inequality(*sign)
+            && equals.iter().all(|(sign, _)| matches!(sign, '=' | '≈'))
+            && self.is_of_figures(last)
+            && self.is_of_figures(bound)
+            && matches!(self.what_is(name)?, Side::Label(_));
+        Ok(is_value.then_some(values))
+    }
+
+    /// A side of an inequality. After `e = 5/7` it may be an e that the question does not have.
+    fn bounded(&mut self, tokens: &[Placed]) -> Result<Expr, Unreadable> {
+        let typed = self.slice(tokens).to_owned();
+        let is_name = self.found.iter().filter_map(|found| found.label.as_ref()).any(|label| label.typed == typed);
+        self.side(tokens).or_else(|fault| self.named(tokens).filter(|_| is_name).ok_or(fault))
     }
 
     /// `> 3`, where words say or leave out what is: the range above it.

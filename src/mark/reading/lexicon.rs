@@ -253,7 +253,7 @@ const SINGLE: [(Sort, &str); 8] = [
         "speed speeds velocity velocities vel angle angles direction directions dir deflection deflected impulse ke \
          kinetic energy loss lost change gain fraction percentage magnitude mag component components momentum ratio \
          mass coefficient restitution turned bearing increase increases increased gained gains decrease decreases \
-         decreased loses answer ans tangent",
+         decreased loses answer ans tangent separation approach",
     ),
     (Sort::Is, "is are was be becomes being equal must lies"),
     (Sort::Gradient, "gradient slope"),

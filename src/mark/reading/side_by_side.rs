@@ -94,7 +94,7 @@ impl Statements<'_> {
     }
 
     /// Is it a number or a vector in numbers, with its unit or without?
-    fn is_of_figures(&self, value: &[Placed]) -> bool {
+    pub(super) fn is_of_figures(&self, value: &[Placed]) -> bool {
         let unit = (1..value.len()).find(|at| unit(value, *at, self.text).is_some_and(|(_, end)| end == value.len()));
         let unit =
             unit.filter(|at| !matches!(&value[*at..], [Placed { token: Token::Word(word), .. }] if word.len() == 1));

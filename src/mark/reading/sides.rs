@@ -40,7 +40,10 @@ impl Statements<'_> {
         let typed = self.slice(tokens).to_owned();
         let words = tokens.iter().any(|placed| matches!(placed.token, Token::Phrase(_) | Token::Sign(':')));
         let expr = self.named(tokens);
-        if words || self.is_size_of_vector(tokens) {
+        // `i = 4, j = 1`: the names of components.
+        let is_unit_vector = self.vocabulary.vectors
+            && matches!(tokens, [Placed { token: Token::Word(word), .. }] if word == "i" || word == "j");
+        if words || is_unit_vector || self.is_size_of_vector(tokens) {
             return Ok(Side::Label(Label { typed, expr: None }));
         }
         let Some(expr) = expr else {

@@ -206,6 +206,10 @@ impl Statements<'_> {
             }
         }
         let equal = relations.iter().all(|(sign, _)| matches!(sign, '=' | '≈' | '∈'));
+        if let Some(values) = self.value_that_is_bounded(&sides, &relations)? {
+            self.equality(values)?;
+            return self.inequality(&[sides[0], sides[values.len()]], &relations[values.len() - 1..]);
+        }
         match (sides.len(), equal) {
             (1, _) => self.alone(sides[0]),
             (_, false) => self.inequality(&sides, &relations),
