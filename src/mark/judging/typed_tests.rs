@@ -406,6 +406,18 @@ fn what_leads_to_the_answer_or_is_true_of_it_is_no_rival() {
         ],
     );
     earn(
+        &Asked("9", None, "impulse.magnitude", None),
+        &[
+            ("I = m(v-u) = 3(5-2) = 9 Ns", "correct"),
+            ("I = mv - mu = 15 - 6 = 9", "correct"),
+            ("m(v-u) = 3(5-2) = 9", "correct"),
+            ("I = m(v-u) = 3(5-3) = 6 Ns", "wrong"),
+            ("I = m(v-u)", "unreadable cannot-be-read"),
+            ("I = 9 = m(v-u)", "unreadable cannot-be-read"),
+            ("v = x = 9", "unreadable cannot-be-read"),
+        ],
+    );
+    earn(
         &Asked("48/25", None, "ke.lost", None),
         &[("1.92 (48/25) J", "correct"), ("48/25 [1.92] J", "correct"), ("1.92 (48/25) kJ", RIVALS)],
     );

@@ -11,6 +11,7 @@ mod commands;
 mod crossed_out;
 mod digits;
 mod directions;
+mod equalities;
 mod equation_number;
 mod functions;
 mod grammar;
@@ -80,14 +81,25 @@ const PATIENCE: usize = 2_000;
 ///
 /// The first thing that makes no sense in the likeliest reading, if no reading makes sense.
 pub fn read_answer(text: &str, vocabulary: &Vocabulary) -> Result<Vec<Reading>, Unreadable> {
-    let readings = counted(text, vocabulary).0;
+    let readings = read_whole(text, vocabulary);
+    // `I = m(v − u) = 3(5 − 2) = 9`
+    let may_lead_on = matches!(readings, Err(Unreadable::Sign(..))) && text.matches('=').count() > 1;
+    match may_lead_on.then(|| counted(text, vocabulary, true).0) {
+        Some(Ok(found)) => Ok(found),
+        _ => readings,
+    }
+}
+
+/// The readings of every word of an answer or a line of working: no formula is passed over.
+pub(super) fn read_whole(text: &str, vocabulary: &Vocabulary) -> Result<Vec<Reading>, Unreadable> {
+    let readings = counted(text, vocabulary, false).0;
     // `|3i + 4j| = 5` where no answer is a vector.
     let has_own = vocabulary.vectors || vocabulary.letters.iter().any(|letter| matches!(letter.name(), "i" | "j"));
     if has_own || !matches!(readings, Err(Unreadable::Sign(..))) || !has_unit_vector(text) {
         return readings;
     }
     let with_vectors = Vocabulary { vectors: true, ..vocabulary.clone() };
-    match counted(text, &with_vectors).0 {
+    match counted(text, &with_vectors, false).0 {
         Ok(found) if !found.iter().any(is_of_direction) => Ok(found),
         _ => readings,
     }
@@ -106,7 +118,7 @@ fn has_unit_vector(text: &str) -> bool {
 }
 
 /// The readings, and how many steps it took to find them.
-fn counted(text: &str, vocabulary: &Vocabulary) -> (Result<Vec<Reading>, Unreadable>, usize) {
+fn counted(text: &str, vocabulary: &Vocabulary, passes_over: bool) -> (Result<Vec<Reading>, Unreadable>, usize) {
     if text.len() > LONGEST {
         return (Err(Unreadable::TooLong), 0);
     }
@@ -125,7 +137,7 @@ fn counted(text: &str, vocabulary: &Vocabulary) -> (Result<Vec<Reading>, Unreada
         let statements = tokens::tokens(&glyphs, &vocabulary.letters, &mut choices)
             .map(|tokens| units::with_joules(tokens, vocabulary))
             .and_then(|tokens| phrases::with_phrases(&tokens, vocabulary, &mut choices))
-            .and_then(|tokens| statements::statements(&tokens, text, vocabulary, &mut choices));
+            .and_then(|tokens| statements::statements(&tokens, text, vocabulary, &mut choices, passes_over));
         (statements, choices)
     };
     let (first, choices) = read(&[]);

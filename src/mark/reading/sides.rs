@@ -120,7 +120,7 @@ impl Statements<'_> {
     }
 
     /// Is there a name in it that the question does not have?
-    fn has_strange_names(&self, expr: &Expr) -> bool {
+    pub(super) fn has_strange_names(&self, expr: &Expr) -> bool {
         let known = |name: &str| self.vocabulary.letters.iter().any(|letter| letter.name() == name);
         expr.names().iter().any(|name| !known(&name.text))
     }

@@ -1,4 +1,4 @@
-//! Statements: what stands between separators, what each is called, and chains of equals signs.
+//! Statements: what stands between separators, and what each is called.
 
 use super::choices::Choices;
 use super::equation_number::without_number;
@@ -8,7 +8,7 @@ use super::part_label::without_part_label;
 use super::phrases::Phrase;
 use super::ranges;
 use super::segments::{outside, segments, unquoted};
-use super::sides::{Side, is_called};
+use super::sides::is_called;
 use super::tokens::{Placed, Token, excerpt};
 use super::values::{Values, formula};
 use super::{Form, Label, Said, Statement, Unreadable, Vocabulary};
@@ -20,10 +20,18 @@ pub(super) fn statements(
     text: &str,
     vocabulary: &Vocabulary,
     choices: &mut Choices,
+    passes_over: bool,
 ) -> Result<Vec<Statement>, Unreadable> {
     let tokens = &ranges::with_round_brackets(tokens);
-    let mut reader =
-        Statements { text, vocabulary, choices, found: Vec::new(), remarks: Vec::new(), lines: Vec::new() };
+    let mut reader = Statements {
+        text,
+        vocabulary,
+        choices,
+        found: Vec::new(),
+        remarks: Vec::new(),
+        lines: Vec::new(),
+        passes_over,
+    };
     let tokens = ranges::without_set_builder(without_part_label(unquoted(tokens), vocabulary));
     for (concludes, segment) in segments(tokens) {
         let segment = without_number(segment, reader.choices);
@@ -55,7 +63,9 @@ pub(super) struct Statements<'a> {
     /// Words before the first value.
     remarks: Vec<String>,
     /// The gradients of lines that were given by their equations.
-    lines: Vec<Expr>,
+    pub(super) lines: Vec<Expr>,
+    /// Are formulas on the way to a value passed over, in letters that nobody knows?
+    pub(super) passes_over: bool,
 }
 
 impl Statements<'_> {
@@ -218,7 +228,7 @@ impl Statements<'_> {
     }
 
     /// A side without relations: `A: 3.08`, `2 : 3`, `1.04 ms^-1 at right angles to LOC`.
-    fn alone(&mut self, tokens: &[Placed]) -> Result<(), Unreadable> {
+    pub(super) fn alone(&mut self, tokens: &[Placed]) -> Result<(), Unreadable> {
         let colon = tokens.iter().position(|placed| placed.is(':'));
         if let Some(at) = colon {
             let (left, right) = (&tokens[..at], &tokens[at + 1..]);
@@ -284,116 +294,5 @@ impl Statements<'_> {
             Form::Value(value) if read.next == read.tokens.len() => Ok(value),
             _ => Err(Unreadable::Sign(place, "a number or formula is expected here".to_owned())),
         }
-    }
-
-    fn equality(&mut self, sides: &[&[Placed]]) -> Result<(), Unreadable> {
-        if let [left, right] = sides
-            && let Some(gradient) = line::gradient(left, right, self.text, self.vocabulary)
-        {
-            self.lines.push(gradient.clone());
-            let said = Said { form: Form::Gradient(gradient), unit: None, reference: None, remarks: Vec::new() };
-            self.found.push(Statement { label: None, said: vec![said] });
-            return Ok(());
-        }
-        let mut sides = sides.to_vec();
-        sides[0] = self.without_lead_in(sides[0]);
-        let sides = sides.as_slice();
-        let left = self.what_is(sides[0])?;
-        // `2.78 = v`
-        if !matches!(left, Side::Label(_))
-            && let [values @ .., name] = sides
-            && let Some(label) = self.name_at_the_end(name, matches!(left, Side::Number))
-        {
-            return self.labelled(Some(label), values);
-        }
-        // `17.9 = 2v`
-        if let ([value, multiple], Side::Number) = (sides, &left)
-            && self.is_multiple(multiple)
-        {
-            return self.equality(&[multiple, value]);
-        }
-        match left {
-            Side::Label(label) => self.labelled(Some(label), &sides[1..]),
-            Side::Number => self.labelled(None, sides),
-            Side::Formula => {
-                let values: Vec<Expr> = sides.iter().map(|side| self.side(side)).collect::<Result<_, _>>()?;
-                let said = values.windows(2).map(|pair| Said {
-                    form: Form::Equation(Expr::equation(pair[0].clone(), pair[1].clone())),
-                    unit: None,
-                    reference: None,
-                    remarks: Vec::new(),
-                });
-                self.found.push(Statement { label: None, said: said.collect() });
-                Ok(())
-            }
-        }
-    }
-
-    /// Values that are said to be one another's equals.
-    fn labelled(&mut self, label: Option<Label>, sides: &[&[Placed]]) -> Result<(), Unreadable> {
-        // `tan θ = 3/2 56.3°`: the angle itself follows.
-        if let ([before @ .., last], Some(Expr::Call(..))) =
-            (sides, label.as_ref().and_then(|label| label.expr.as_ref()))
-            && let [value @ .., number, degrees] = *last
-            && matches!(value.last().map(|last| &last.token), Some(Token::Number(_) | Token::Sign(')' | '⟧')))
-            && matches!(number.token, Token::Number(_))
-            && number.spaced
-            && degrees.is('°')
-        {
-            self.labelled(label, &[before, &[value]].concat())?;
-            return self.alone(&last[value.len()..]);
-        }
-        let mut label = label;
-        let gradient = label.as_ref().is_some_and(|label| matches!(&*label.typed.to_lowercase(), "gradient" | "slope"));
-        let mut said = Vec::new();
-        let mut more = Vec::new();
-        let mut remarks = Vec::new();
-        let mut inner = None;
-        for (place, side) in sides.iter().enumerate() {
-            let last = place + 1 == sides.len();
-            // `v_A : v_B = 2 : 3`
-            if let Some(colon) = side.iter().position(|placed| placed.is(':')) {
-                let (left, right) = (self.scalar(&side[..colon])?, self.scalar(&side[colon + 1..])?);
-                said.push(Said { form: Form::Ratio(left, right), unit: None, reference: None, remarks: Vec::new() });
-                continue;
-            }
-            if let Some(whole) = self.range(side)?.or(self.any_multiple(side)?) {
-                said.push(whole);
-                continue;
-            }
-            // `e = separation/approach = 2/3`, `v = |4i + j| = √17`
-            let named = self.is_size_of_vector(side).then(|| self.slice(side).to_lowercase());
-            if !last && let Some(words) = named.or_else(|| self.in_words(side)) {
-                remarks.push(words);
-                continue;
-            }
-            self.is_worked_out(side)?;
-            let mut values = Values { text: self.text, vocabulary: self.vocabulary, choices: self.choices };
-            let stretch = values.stretch(side)?;
-            let mut found = stretch.values.into_iter();
-            let Some((named, mut first)) = found.next() else {
-                let start = side.first().map_or(0, |first| first.start);
-                return Err(Unreadable::Sign(start, "a value is expected here".to_owned()));
-            };
-            inner = inner.or(named);
-            if gradient && let Form::Value(value) = &first.form {
-                first.form = Form::Gradient(value.clone());
-            }
-            first.remarks.extend(remarks.drain(..).chain(stretch.remarks));
-            said.push(first);
-            for (named, value) in found {
-                if !last {
-                    let start = side.first().map_or(0, |first| first.start);
-                    return Err(Unreadable::Sign(start, "two values between two equals signs".to_owned()));
-                }
-                more.push(Statement { label: named.map(|typed| Label { typed, expr: None }), said: vec![value] });
-            }
-        }
-        if let (Some(label), Some(named)) = (&mut label, inner) {
-            label.typed = format!("{}: {named}", label.typed);
-        }
-        self.found.push(Statement { label, said });
-        self.found.extend(more);
-        Ok(())
     }
 }

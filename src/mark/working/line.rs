@@ -1,7 +1,7 @@
 //! A line of working as a student writes it: a few words, then an equation, a chain of equals signs, or values.
 
 use crate::expr::{Expr, Relation};
-use crate::mark::reading::{Form, Reading, Said, Statement, Vocabulary, is_never_letters, read_answer};
+use crate::mark::reading::{Form, Reading, Said, Statement, Vocabulary, is_never_letters, read_whole};
 use crate::number::{Letter, Range};
 
 /// A line of working, read.
@@ -125,7 +125,7 @@ fn readings(typed: &str, vocabularies: &[Vocabulary]) -> Vec<ReadLine> {
             continue;
         }
         for text in candidates(typed) {
-            let Ok(readings) = read_answer(&text, vocabulary) else { continue };
+            let Ok(readings) = read_whole(&text, vocabulary) else { continue };
             for reading in readings {
                 let line = read_line(reading);
                 if found.iter().all(|other| other.statements != line.statements) {

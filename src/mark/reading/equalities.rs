@@ -1,0 +1,137 @@
+//! Chains of equals signs: what stands left of them, and the values that are said to be one another's equals.
+
+use super::line;
+use super::sides::Side;
+use super::statements::Statements;
+use super::tokens::{Placed, Token};
+use super::values::Values;
+use super::{Form, Label, Said, Statement, Unreadable};
+use crate::expr::{Expr, Function};
+
+impl Statements<'_> {
+    pub(super) fn equality(&mut self, sides: &[&[Placed]]) -> Result<(), Unreadable> {
+        if let [left, right] = sides
+            && let Some(gradient) = line::gradient(left, right, self.text, self.vocabulary)
+        {
+            self.lines.push(gradient.clone());
+            let said = Said { form: Form::Gradient(gradient), unit: None, reference: None, remarks: Vec::new() };
+            self.found.push(Statement { label: None, said: vec![said] });
+            return Ok(());
+        }
+        let mut sides = sides.to_vec();
+        sides[0] = self.without_lead_in(sides[0]);
+        let sides = sides.as_slice();
+        let left = self.what_is(sides[0])?;
+        // `2.78 = v`
+        if !matches!(left, Side::Label(_))
+            && let [values @ .., name] = sides
+            && let Some(label) = self.name_at_the_end(name, matches!(left, Side::Number))
+        {
+            return self.labelled(Some(label), values);
+        }
+        // `17.9 = 2v`
+        if let ([value, multiple], Side::Number) = (sides, &left)
+            && self.is_multiple(multiple)
+        {
+            return self.equality(&[multiple, value]);
+        }
+        match left {
+            Side::Label(label) => self.labelled(Some(label), &sides[1..]),
+            Side::Number => self.labelled(None, sides),
+            Side::Formula => {
+                let values: Vec<Expr> = sides.iter().map(|side| self.side(side)).collect::<Result<_, _>>()?;
+                let said = values.windows(2).map(|pair| Said {
+                    form: Form::Equation(Expr::equation(pair[0].clone(), pair[1].clone())),
+                    unit: None,
+                    reference: None,
+                    remarks: Vec::new(),
+                });
+                self.found.push(Statement { label: None, said: said.collect() });
+                Ok(())
+            }
+        }
+    }
+
+    /// Values that are said to be one another's equals.
+    pub(super) fn labelled(&mut self, label: Option<Label>, sides: &[&[Placed]]) -> Result<(), Unreadable> {
+        // `tan θ = 3/2 56.3°`: the angle itself follows.
+        if let ([before @ .., last], Some(Expr::Call(..))) =
+            (sides, label.as_ref().and_then(|label| label.expr.as_ref()))
+            && let [value @ .., number, degrees] = *last
+            && matches!(value.last().map(|last| &last.token), Some(Token::Number(_) | Token::Sign(')' | '⟧')))
+            && matches!(number.token, Token::Number(_))
+            && number.spaced
+            && degrees.is('°')
+        {
+            self.labelled(label, &[before, &[value]].concat())?;
+            return self.alone(&last[value.len()..]);
+        }
+        let mut label = label;
+        let gradient = label.as_ref().is_some_and(|label| matches!(&*label.typed.to_lowercase(), "gradient" | "slope"));
+        let mut said = Vec::new();
+        let mut more = Vec::new();
+        let mut remarks = Vec::new();
+        let mut inner = None;
+        for (place, side) in sides.iter().enumerate() {
+            let last = place + 1 == sides.len();
+            // `v_A : v_B = 2 : 3`
+            if let Some(colon) = side.iter().position(|placed| placed.is(':')) {
+                let (left, right) = (self.scalar(&side[..colon])?, self.scalar(&side[colon + 1..])?);
+                said.push(Said { form: Form::Ratio(left, right), unit: None, reference: None, remarks: Vec::new() });
+                continue;
+            }
+            if let Some(whole) = self.range(side)?.or(self.any_multiple(side)?) {
+                said.push(whole);
+                continue;
+            }
+            // `e = separation/approach = 2/3`, `v = |4i + j| = √17`
+            let named = self.is_size_of_vector(side).then(|| self.slice(side).to_lowercase());
+            if !last && let Some(words) = named.or_else(|| self.in_words(side)) {
+                remarks.push(words);
+                continue;
+            }
+            if !last && self.leads_on(side) {
+                continue;
+            }
+            self.is_worked_out(side)?;
+            let mut values = Values { text: self.text, vocabulary: self.vocabulary, choices: self.choices };
+            let stretch = values.stretch(side)?;
+            let mut found = stretch.values.into_iter();
+            let Some((named, mut first)) = found.next() else {
+                let start = side.first().map_or(0, |first| first.start);
+                return Err(Unreadable::Sign(start, "a value is expected here".to_owned()));
+            };
+            inner = inner.or(named);
+            if gradient && let Form::Value(value) = &first.form {
+                first.form = Form::Gradient(value.clone());
+            }
+            first.remarks.extend(remarks.drain(..).chain(stretch.remarks));
+            said.push(first);
+            for (named, value) in found {
+                if !last {
+                    let start = side.first().map_or(0, |first| first.start);
+                    return Err(Unreadable::Sign(start, "two values between two equals signs".to_owned()));
+                }
+                more.push(Statement { label: named.map(|typed| Label { typed, expr: None }), said: vec![value] });
+            }
+        }
+        if let (Some(label), Some(named)) = (&mut label, inner) {
+            label.typed = format!("{}: {named}", label.typed);
+        }
+        self.found.push(Statement { label, said });
+        self.found.extend(more);
+        Ok(())
+    }
+
+    /// `m(v − u)`: a formula in letters that nobody knows, on the way to its value. In `u sin θ` another name may begin.
+    fn leads_on(&mut self, side: &[Placed]) -> bool {
+        let formula = self.passes_over.then(|| self.named(side)).flatten();
+        let is_plain = |formula: &Expr| !matches!(formula, Expr::Name(_)) && !has_ratio_of_angle(formula);
+        formula.is_some_and(|formula| is_plain(&formula) && self.has_strange_names(&formula))
+    }
+}
+
+fn has_ratio_of_angle(expr: &Expr) -> bool {
+    matches!(expr, Expr::Call(Function::Sin | Function::Cos | Function::Tan, _))
+        || expr.children().into_iter().any(has_ratio_of_angle)
+}
