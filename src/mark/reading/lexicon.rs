@@ -239,6 +239,17 @@ pub(super) const REMARKS: [&str; 22] = [
     "to 3sf",
 ];
 
+/// After the highest value of a range.
+pub(super) const OR_LESS: [&str; 8] =
+    ["or less", "and less", "or below", "and below", "or under", "or lower", "or smaller", "or fewer"];
+
+/// After the lowest value of a range.
+pub(super) const OR_MORE: [&str; 9] =
+    ["or more", "or above", "and above", "or over", "and over", "or higher", "or greater", "or larger", "and upwards"];
+
+/// Before an end that is no part of its range.
+pub(super) const EXCLUDING: [&str; 4] = ["not including", "but not including", "excluding", "but excluding"];
+
 /// Single words, by what they do.
 const SINGLE: [(Sort, &str); 8] = [
     (

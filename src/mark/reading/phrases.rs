@@ -31,6 +31,12 @@ pub(super) enum Phrase {
     Noun,
     /// `A`: a sphere.
     Sphere,
+    /// `or less`: what stands before it is the highest that there can be.
+    OrLess,
+    /// `or more`
+    OrMore,
+    /// `but not including`: what follows is no part of a range.
+    Excluding,
     /// `is`
     Is,
     /// `of`, `the`, `both move to the right`
@@ -148,12 +154,18 @@ impl Walk<'_> {
                 return Ok(Some((Phrase::Remark, next)));
             }
         }
-        // `i component`, `x component`
+        // `i component`, `x-component`
         if self.vocabulary.vectors
             && matches!(word, "i" | "j" | "x" | "y")
-            && let Some(next) = self.any(at + 1, &["component", "comp"])
+            && let hyphen = usize::from(self.tokens.get(at + 1).is_some_and(|next| next.is('-') && !next.spaced))
+            && let Some(next) = self.any(at + 1 + hyphen, &["component", "comp"])
         {
             return Ok(Some((Phrase::Noun, next)));
+        }
+        if !self.vocabulary.vectors
+            && let Some(found) = self.end_of_range(at)
+        {
+            return Ok(Some(found));
         }
         let sort = lexicon::sort(word);
         if let Some(Sort::Negation) = sort {
@@ -186,6 +198,17 @@ impl Walk<'_> {
             }
         };
         Ok(Some((phrase, at + 1)))
+    }
+
+    /// `or less`, after which nothing more is said; `but not including`.
+    fn end_of_range(&self, at: usize) -> Option<(Phrase, usize)> {
+        if let Some(next) = self.any(at, &lexicon::EXCLUDING) {
+            return Some((Phrase::Excluding, next));
+        }
+        let ends = |next: &usize| self.tokens.get(*next).is_none_or(|after| !matches!(after.token, Token::Word(_)));
+        let less = || Some((Phrase::OrLess, self.any(at, &lexicon::OR_LESS).filter(ends)?));
+        let more = || Some((Phrase::OrMore, self.any(at, &lexicon::OR_MORE).filter(ends)?));
+        less().or_else(more)
     }
 
     pub(super) fn typed(&self, at: usize) -> &str {

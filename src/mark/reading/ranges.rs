@@ -2,6 +2,7 @@
 
 use super::choices::Doubt;
 use super::inequalities::has_inequality;
+use super::phrases::Phrase;
 use super::statements::Statements;
 use super::tokens::{Placed, Token};
 use super::{End, Form, Label, Said, Unreadable};
@@ -105,11 +106,18 @@ impl Statements<'_> {
             Token::Phrase(_) => self.slice(std::slice::from_ref(placed)).to_lowercase(),
             _ => String::new(),
         };
+        if let [before @ .., last] = tokens
+            && let Token::Phrase(last @ (Phrase::OrLess | Phrase::OrMore)) = last.token
+        {
+            return self.on_one_side(before, last == Phrase::OrMore).map(Some);
+        }
         let words: Vec<String> = tokens.iter().map(word).collect();
+        let excluding = tokens.iter().position(|placed| placed.token == Token::Phrase(Phrase::Excluding));
         if let [up, to, ..] = words.as_slice()
             && (&**up, &**to) == ("up", "to")
         {
-            let high = End { at: self.side(&tokens[2..])?, included: None };
+            let start = if excluding == Some(2) { 3 } else { 2 };
+            let high = End { at: self.side(&tokens[start..])?, included: (start == 3).then_some(false) };
             return Ok(Some((None, said(None, Some(high), Vec::new()))));
         }
         let Some(lead) = words.iter().position(|word| matches!(&**word, "between" | "from")) else { return Ok(None) };
@@ -118,24 +126,48 @@ impl Statements<'_> {
             return Ok(None);
         };
         let is_word = |placed: &&Placed| matches!(placed.token, Token::Phrase(_));
-        let after = tokens.len() - tokens.iter().rev().take_while(is_word).count();
+        let whole = excluding.unwrap_or(tokens.len());
+        let after = whole - tokens[..whole].iter().rev().take_while(is_word).count();
         if after <= joint {
             return Ok(None);
         }
-        // Numbers alone: `the line between A and B` is none.
-        let (low, high) = (&tokens[lead + 1..joint], &tokens[joint + 1..after]);
+        // Numbers alone: `the line between A and B` is none. `from 1/3 up to 1`
+        let up = usize::from(words[joint - 1] == "up");
+        let (low, high) = (&tokens[lead + 1..joint - up], &tokens[joint + 1..after]);
         let (Ok(low), Ok(high)) = (self.scalar(low), self.scalar(high)) else { return Ok(None) };
-        let is_letter = |placed: &&Placed| matches!(placed.token, Token::Word(_) | Token::Greek(_));
+        let excluded = excluding.map(|at| self.scalar(&tokens[at + 1..])).transpose()?;
         let name = tokens[..lead].iter().take_while(is_letter).count();
         if tokens[name..lead].iter().any(|placed| !is_word(&placed)) {
             return Ok(None);
         }
         let label = (name > 0)
             .then(|| Label { typed: self.slice(&tokens[..name]).to_owned(), expr: self.named(&tokens[..name]) });
-        let beside = [&words[name..lead], &words[after..]].concat();
-        let end = |at: Expr| Some(End { at, included: None });
+        let beside = [&words[name..lead], &words[after..whole]].concat();
+        // Where one end is left out, the other is not.
+        let end = |at: Expr| {
+            let included = excluded.as_ref().map(|excluded| *excluded != at);
+            Some(End { at, included })
+        };
         Ok(Some((label, said(end(low), end(high), beside))))
     }
+
+    /// `e is 0.8 or less`: what it is called, and the range.
+    fn on_one_side(&mut self, tokens: &[Placed], above: bool) -> Result<(Option<Label>, Said), Unreadable> {
+        let name = tokens.iter().take_while(is_letter).count();
+        let is_lead = |placed: &&Placed| matches!(placed.token, Token::Phrase(_) | Token::Sign('='));
+        let lead = tokens[name..].iter().take_while(is_lead).count();
+        let (name, lead) = if lead > 0 { (name, name + lead) } else { (0, 0) };
+        let label = (name > 0)
+            .then(|| Label { typed: self.slice(&tokens[..name]).to_owned(), expr: self.named(&tokens[..name]) });
+        let end = Some(End { at: self.scalar(&tokens[lead..])?, included: Some(true) });
+        let remarks = if lead > name { vec![self.slice(&tokens[name..lead]).to_lowercase()] } else { Vec::new() };
+        let (low, high) = if above { (end, None) } else { (None, end) };
+        Ok((label, said(low, high, remarks)))
+    }
+}
+
+fn is_letter(placed: &&Placed) -> bool {
+    matches!(placed.token, Token::Word(_) | Token::Greek(_))
 }
 
 pub(super) fn said(low: Option<End>, high: Option<End>, remarks: Vec<String>) -> Said {

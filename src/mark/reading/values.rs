@@ -173,6 +173,9 @@ impl Values<'_> {
                 }
                 Ok(at + 1)
             }
+            Phrase::OrLess | Phrase::OrMore | Phrase::Excluding => {
+                Err(Unreadable::Sign(tokens[at].start, "these words belong to a range".to_owned()))
+            }
             // `7 bananas`: seven of what?
             Phrase::Unknown if !found.values.is_empty() => {
                 let word = self.slice(tokens, at, at + 1);
