@@ -240,6 +240,7 @@ fn by_kind(model: &Model, reading: &Reading) -> Finding {
         Kind::Angle => statements::judge(model, reading, &|said, label| angle::judge(model, said, label)),
         Kind::Vector => match vector::of_its_components(model, reading) {
             Some(said) => vector::judge(model, &said),
+            None if vector::is_unsolved_for_its_components(reading) => Finding::unreadable(Note::CannotBeCompared),
             None => vector::is_of_size_and_angle(model, reading)
                 .unwrap_or_else(|| statements::judge(model, reading, &|said, _| vector::judge(model, said))),
         },
@@ -247,6 +248,12 @@ fn by_kind(model: &Model, reading: &Reading) -> Finding {
             Some((said, label)) => ratio::judge(model, &said, label.as_ref()),
             None => statements::judge(model, reading, &|said, label| ratio::judge(model, said, label)),
         },
+        Kind::Line if reading.statements.iter().all(|statement| statement.label.is_some()) => {
+            match vector::of_its_components(model, reading) {
+                Some(said) => line::judge(model, &said, None),
+                None => statements::judge(model, reading, &|said, label| line::judge(model, said, label)),
+            }
+        }
         Kind::Line => statements::judge(model, reading, &|said, label| line::judge(model, said, label)),
     }
 }

@@ -7,7 +7,7 @@ use crate::mark::reading::{Form, Notation, Reading, Said, Statement};
 use super::accuracy::Written;
 use super::exact;
 use super::finding::Finding;
-use super::statements::{named_sphere, pair, sphere, unnamed};
+use super::statements::{is_rival, named_sphere, pair, sphere, unnamed};
 use super::units::{self, UnitCheck};
 use super::{Model, Note, number, selection};
 
@@ -41,7 +41,7 @@ pub(super) fn said_components(model: &Model, said: &Said) -> Option<(Expr, Expr,
 /// A vector said component by component: `4 in the i direction, 1 in the j direction`, `i: 4, j: 1`; as coordinates are,
 /// where no words say which is which: `4, 1`.
 pub(super) fn of_its_components(model: &Model, reading: &Reading) -> Option<Said> {
-    let [first, second] = pair(reading)?;
+    let [first, second] = pair_at_the_end(reading)?;
     let is_of_another = |statement: &Statement| {
         let asked = model.quantity.and_then(sphere);
         asked.is_some() && named_sphere(statement).is_some_and(|named| Some(named) != asked)
@@ -84,6 +84,34 @@ pub(super) fn of_its_components(model: &Model, reading: &Reading) -> Option<Said
     Some(Said { form: Form::Vector(x, y, notation), unit: second.1.unit.clone(), reference: None, remarks })
 }
 
+/// Two things said, each with what leads to it: `x: 2 + 3 = 5, y: −1`.
+fn pair_at_the_end(reading: &Reading) -> Option<[(&Statement, &Said); 2]> {
+    let [first, second] = reading.statements.as_slice() else { return None };
+    fn last(statement: &Statement) -> Option<(&Statement, &Said)> {
+        let said = statement.said.last().filter(|_| statement.label.is_some() || statement.said.len() == 1);
+        said.filter(|said| !is_rival(said)).map(|said| (statement, said))
+    }
+    Some([last(first)?, last(second)?])
+}
+
+/// Is a component still to be solved for, as in `2x = 4, y = −1`? Then it is no number where a vector is asked.
+pub(super) fn is_unsolved_for_its_components(reading: &Reading) -> bool {
+    let is_axis = |expr: &Expr| matches!(expr, Expr::Name(name) if axis(&name.text).is_some());
+    let sides = |statement: &Statement| -> Vec<Expr> {
+        let label = statement.label.iter().filter_map(|label| label.expr.clone());
+        let equations = statement.said.iter().filter_map(|said| match &said.form {
+            Form::Equation(relation) => Some(relation.clone()),
+            _ => None,
+        });
+        label.chain(equations).collect()
+    };
+    let is_of_axes = |expr: &Expr| {
+        let names = expr.names();
+        !is_axis(expr) && !names.is_empty() && names.iter().all(|name| axis(&name.text).is_some())
+    };
+    reading.statements.iter().flat_map(sides).any(|side| is_of_axes(&side))
+}
+
 /// A size and an angle where a vector is asked: `4.25 m/s at 19.9° below i`. Which way it points is for a person to see.
 pub(super) fn is_of_size_and_angle(model: &Model, reading: &Reading) -> Option<Finding> {
     let [(_, size), (_, angle)] = pair(reading)?;
@@ -99,7 +127,7 @@ pub(super) fn is_of_size_and_angle(model: &Model, reading: &Reading) -> Option<F
 /// The axis along which a label says that a component lies: `i`, `v_x`, `vy`, `x component`.
 fn axis(label: &str) -> Option<char> {
     let label = label.trim();
-    let word = label.strip_suffix("component").map_or(label, str::trim_end);
+    let word = label.strip_suffix("component").map_or(label, |axis| axis.trim_end_matches([' ', '-']));
     let mut letters = word.chars().rev();
     let axis = letters.next().filter(|last| matches!(last, 'i' | 'j' | 'x' | 'y'))?;
     let before: String = letters.rev().collect();

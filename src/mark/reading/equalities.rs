@@ -20,6 +20,17 @@ impl Statements<'_> {
         }
         let mut sides = sides.to_vec();
         sides[0] = self.without_lead_in(sides[0]);
+        // `x: 2 + 3 = 5`
+        if let Some(at) = sides[0].iter().position(|placed| placed.is(':'))
+            && let (name, [_, value @ ..]) = sides[0].split_at(at)
+            && is_of_words(name)
+            && !value.is_empty()
+            && self.is_of_figures(value)
+        {
+            let label = Label { typed: self.slice(name).to_owned(), expr: self.named(name) };
+            sides[0] = value;
+            return self.labelled(Some(label), &sides);
+        }
         let sides = sides.as_slice();
         let left = self.what_is(sides[0])?;
         // `2.78 = v`
@@ -129,6 +140,12 @@ impl Statements<'_> {
         let is_plain = |formula: &Expr| !matches!(formula, Expr::Name(_)) && !has_ratio_of_angle(formula);
         formula.is_some_and(|formula| is_plain(&formula) && self.has_strange_names(&formula))
     }
+}
+
+/// Names and words alone.
+fn is_of_words(tokens: &[Placed]) -> bool {
+    let is_word = |placed: &Placed| matches!(placed.token, Token::Word(_) | Token::Greek(_) | Token::Phrase(_));
+    !tokens.is_empty() && tokens.iter().all(is_word)
 }
 
 fn has_ratio_of_angle(expr: &Expr) -> bool {
