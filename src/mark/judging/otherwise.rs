@@ -89,7 +89,11 @@ pub(super) fn is_another_of_its_sort(model: &Model, asked: Quantity, small: &str
                 "loss",
                 "gained",
             ];
-            has(&PARTS) || has(&DIFFERENCES) || (has(&["along", "parallel", "perpendicular", "perp"]) && !is_along())
+            // `increases by`
+            has(&PARTS)
+                || has(&DIFFERENCES)
+                || has(&["by"])
+                || (has(&["along", "parallel", "perpendicular", "perp"]) && !is_along())
         }
         Quantity::Impulse(..) | Quantity::ImpulseMagnitude => {
             let is_difference = || has(&["change", "difference", "lost", "loss", "gain", "gained", "minus"]);

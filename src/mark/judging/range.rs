@@ -11,13 +11,14 @@ use std::cmp::Ordering;
 use crate::answer::Kind;
 use crate::expr::{Expr, Meaning, Relation, evaluate, written};
 use crate::mark::reading::{End, Form, Reading, Said, Statement};
+use crate::mechanics::Moment;
 use crate::number::{Letter, Span, Value};
 
 use super::accuracy::Written;
 use super::exact::{self, meaning_of};
 use super::finding::Finding;
 use super::statements::is_rival;
-use super::{Model, Note, number};
+use super::{Model, Note, called, number};
 
 /// One inequality, solved for the letter: the letter lies on this side of the bound.
 struct Bound {
@@ -48,7 +49,15 @@ pub(super) fn judge(model: &Model, reading: &Reading) -> Finding {
 pub(super) fn out_of_place(model: &Model, reading: &Reading) -> Option<Finding> {
     let mut forms = reading.statements.iter().flat_map(|statement| &statement.said).map(|said| &said.form);
     let range = forms.find(|form| matches!(form, Form::Range(..))).filter(|_| model.kind != Kind::Range)?;
+    let is_after = model.quantity.and_then(called::moment) == Some(Moment::After);
+    let is_right = |end: &End| number::value(model, &end.at, &Written::of(&end.at)).is_credited();
     Some(match range {
+        // `reduced from 5 to 3.57`
+        Form::Range(Some(low), Some(high))
+            if is_after && low.included.or(high.included).is_none() && is_right(high) =>
+        {
+            Finding::unreadable(Note::CannotBeCompared)
+        }
         Form::Range(Some(_), Some(_)) => Finding::WRONG,
         _ => Finding::unreadable(Note::CannotBeCompared),
     })

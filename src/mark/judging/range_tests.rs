@@ -59,6 +59,7 @@ fn a_range_is_judged_by_its_ends() {
         ("k > 2", "", "at least 2", Partial, Some("range-end")),
         ("k > 2", "", "less than 2", Wrong, Some("range-turned")),
         ("0 < k <= 1", "", "k does not exceed 1", Correct, None),
+        ("1/3 < e <= 1", "", "e is greater than 1/3 but cannot exceed 1", Correct, None),
         ("0 < k <= 1", "", "-1 < k ≤ 1", Partial, Some("range-too-far")),
         ("1/3 < e <= 1", "", r"$\frac13 < e \leq 1$", Correct, None),
         ("1/3 < e <= 1", "", "e ≥ 1/3", Partial, Some("range-end")),

@@ -10,12 +10,26 @@ use crate::mechanics::Sphere;
 use super::accuracy::Written;
 use super::finding::Finding;
 use super::otherwise::spheres_in_remark;
-use super::statements::{named_spheres, pair, unnamed};
+use super::statements::{named_sphere, named_spheres, pair, unnamed};
 use super::{Model, Note, number};
 
 /// Two numbers one after the other, and what their ratio is called: `2 to 3`, `A to B is 2 to 3`.
 pub(super) fn of_its_terms(reading: &Reading) -> Option<(Said, Option<Label>)> {
     let [(statement, first), second] = pair(reading)?;
+    // `m_A = 2m, m_B = 3m`
+    if let (Some(one), Some(other)) = (named_sphere(statement), named_sphere(second.0))
+        && let (Form::Value(of_one), Form::Value(of_other)) = (&first.form, &second.1.form)
+        && one != other
+        && first.unit == second.1.unit
+    {
+        let is_usual = (one as usize) < other as usize;
+        let (above, below) = if is_usual { (of_one, of_other) } else { (of_other, of_one) };
+        let form = Form::Ratio(above.clone(), below.clone());
+        let remarks = [first, second.1].into_iter().flat_map(|said| said.remarks.clone()).collect();
+        let [first, second] = if is_usual { [one, other] } else { [other, one] };
+        let label = Label { typed: format!("{} : {}", first.name(), second.name()), expr: None };
+        return Some((Said { form, unit: None, reference: None, remarks }, Some(label)));
+    }
     let label = statement.label.clone().filter(|label| named_spheres(&label.typed).len() == 2);
     let first_term = match (&label, &first.form) {
         (Some(_), Form::Value(value)) if first.reference.is_none() => value,

@@ -105,8 +105,9 @@ fn without_ranges_besides(model: &Model, statements: Vec<Statement>) -> Vec<Stat
         match (low, high) {
             // Two numbers in brackets may be meant for something else.
             (Some(low), Some(high)) => {
-                let way = Expr::sum([high.at.clone(), low.at.clone().negated()]);
-                let is_way = || order(value, &way).is_some_and(Ordering::is_eq);
+                let way = |from: &End, to: &End| Expr::sum([to.at.clone(), from.at.clone().negated()]);
+                let is_way =
+                    || [way(low, high), way(high, low)].iter().any(|way| order(value, way) == Some(Ordering::Equal));
                 low.included.is_none() && high.included.is_none() && (is_in || is_way())
             }
             _ => is_in,

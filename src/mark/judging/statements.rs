@@ -7,7 +7,7 @@
 
 use crate::expr::Expr;
 use crate::mark::reading::{Form, Label, Reading, Said, Statement};
-use crate::mechanics::{Quantity, Sphere};
+use crate::mechanics::{Moment, Quantity, Sphere};
 
 use super::accuracy::Written;
 use super::finding::Finding;
@@ -172,6 +172,16 @@ fn last_or_rivals(model: &Model, statements: &[&Statement], one: One) -> Finding
         // `w = 5, v = −3`: which of the letters is meant is not said.
         let letters = statements.len() > 1 && statements.iter().all(|statement| is_called_by_a_letter(statement));
         let any_right = findings.iter().any(Finding::is_correct);
+        let begins =
+            |label: &Option<String>, letters: &[char]| label.as_ref().is_some_and(|label| label.starts_with(letters));
+        // `v = 5, u = 3.57`: u is what there was before, unless it is the name of another sphere's speed.
+        let is_of_before = letters
+            && model.quantity.and_then(called::moment) == Some(Moment::After)
+            && begins(&labels[labels.len() - 1], &['u'])
+            && labels.iter().any(|label| begins(label, &['v', 'w']));
+        if is_of_before && last.is_credited() {
+            return Finding::unreadable(Note::NamedOtherwise);
+        }
         return if letters && any_right && !last.is_credited() { Finding::partial(Note::SeveralAnswers) } else { last };
     }
     let right = findings.iter().copied().find(Finding::is_correct);

@@ -341,6 +341,9 @@ fn what_is_true_besides_is_no_rival() {
         &Asked("10/43", None, "ke.fraction_lost", None),
         &[
             ("lost 10/43, kept 33/43", "correct"),
+            ("23.3% lost, 76.7% remains", "correct"),
+            ("76.7% lost, 23.3% remains", "wrong"),
+            ("10/43 remains", "unreadable named-otherwise"),
             ("fraction lost = 10/43, fraction remaining = 33/43", "correct"),
             ("10/43 lost, 33/43 left", "correct"),
             ("33/43 lost, 10/43 left", "wrong"),
@@ -383,6 +386,14 @@ fn what_leads_to_the_answer_or_is_true_of_it_is_no_rival() {
             ("2.78 before and 5 after", "wrong"),
             ("5 before or 2.78 after", RIVALS),
             ("2.78 (speed of separation)", OTHERWISE),
+            ("increases by 2.78 m/s", OTHERWISE),
+            ("its speed decreased by 2.78", OTHERWISE),
+            ("its speed decreased to 2.78", "correct"),
+            ("reduced from 5 to 2.78", "unreadable cannot-be-compared"),
+            ("reduced from 2.78 to 2", "wrong"),
+            ("v = 5, u = 2.78", OTHERWISE),
+            ("u = 2.78, v = 5", "partial several-answers"),
+            ("u = 5, v = 2.78", "correct"),
         ],
     );
     earn(
@@ -419,6 +430,12 @@ fn what_leads_to_the_answer_or_is_true_of_it_is_no_rival() {
     );
     earn(
         &Asked("48/25", None, "ke.lost", None),
-        &[("1.92 (48/25) J", "correct"), ("48/25 [1.92] J", "correct"), ("1.92 (48/25) kJ", RIVALS)],
+        &[
+            ("KE goes from 5.44 to 3.52, so 1.92 J lost", "correct"),
+            ("from 5.44 to 1.92", "wrong"),
+            ("1.92 (48/25) J", "correct"),
+            ("48/25 [1.92] J", "correct"),
+            ("1.92 (48/25) kJ", RIVALS),
+        ],
     );
 }

@@ -286,7 +286,7 @@ const SINGLE: [(Sort, &str); 8] = [
          that this these for on off each other line centres centers vector unit magnitude required shown qed \
          respectively simplified exact value surd form answer ans path motion travel axis oe awrt cao sense \
          immediately original towards heading bounces bouncing rebounds rebounding rebounded separates separating yes reversed unchanged \
-         hopefully think calculator working see diagram there here now very nearly almost precisely overall resultant \
+         remains remaining retained kept hopefully think calculator working see diagram there here now very nearly almost precisely overall resultant \
          scalar using used calculated find found get got have we solution value values part question result results \
          answers both my our checked units metric decimal fraction respectively clm com colm pclm plm nel nlr nlor nli \
          rejected reject rejecting discard discarded ignore ignored disregard inadmissible invalid conservation linear law eq eqn equation substituting subtracting adding",

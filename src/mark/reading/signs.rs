@@ -7,7 +7,7 @@ use super::tokens::{Placed, Token};
 use crate::expr::Expr;
 
 /// Words that stand for signs or functions, and these.
-const SIGNS: [(&str, &str); 58] = [
+const SIGNS: [(&str, &str); 60] = [
     ("times", "*"),
     ("multiplied by", "*"),
     ("over", "/"),
@@ -64,6 +64,8 @@ const SIGNS: [(&str, &str); 58] = [
     ("does not exceed", "≤"),
     ("doesn't exceed", "≤"),
     ("not exceeding", "≤"),
+    ("cannot exceed", "≤"),
+    ("can't exceed", "≤"),
     ("infinity", "∞"),
     ("element of", "∈"),
 ];

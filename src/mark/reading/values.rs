@@ -197,6 +197,9 @@ impl Values<'_> {
         let is_other = |at: usize| OTHERS.contains(&self.slice(tokens, at, at + 1).to_lowercase().as_str());
         let before = place.checked_sub(1).and_then(|place| lead.get(place)).filter(|at| is_other(**at));
         let first = before.unwrap_or(&lead[place]);
+        // `increases by` is no `increases to`.
+        let is_by = |at: &&usize| self.slice(tokens, **at, **at + 1).eq_ignore_ascii_case("by");
+        let last = lead.iter().find(|at| *at > last).filter(is_by).unwrap_or(last);
         Some(self.slice(tokens, *first, *last + 1).to_owned())
     }
 
