@@ -161,7 +161,8 @@ pub(super) fn as_remarked(model: &Model, statement: &Statement, finding: Finding
     let is_turned = match asked {
         // Back along the line, or to a side of the page that nobody has drawn.
         Quantity::Velocity(_, _, Axis::N) => {
-            has(&["perpendicular", "perp", "left", "back", "backwards"]) || says("rebound") || says("bounc")
+            has(&["perpendicular", "perp", "left", "leftwards", "back", "backwards"])
+                || ["rebound", "bounc", "revers"].into_iter().any(says)
         }
         _ => false,
     };

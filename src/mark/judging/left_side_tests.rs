@@ -202,6 +202,8 @@ fn words_that_turn_a_component_are_for_a_person() {
         &Asked("241/100", None, "A.after.n", Some(false)),
         &[
             ("2.41 left", UNCHECKED),
+            ("2.41 leftwards", UNCHECKED),
+            ("A reverses at 2.41", UNCHECKED),
             ("A rebounds with 2.41", UNCHECKED),
             ("2.41 perpendicular", UNCHECKED),
             ("2.41 right", "correct"),

@@ -99,7 +99,8 @@ pub(super) fn is_another_of_its_sort(model: &Model, asked: Quantity, small: &str
             let is_difference = || has(&["change", "difference", "lost", "loss", "gain", "gained", "minus"]);
             let is_state =
                 has(&["before", "after", "initial", "final", "original", "total"]) && !small.contains(['-', '−']);
-            has(&["force"]) || (has(&["momentum", "momenta"]) && is_state && !is_difference())
+            let is_of_one_moment = is_state || !small.contains(['-', '−', '/']);
+            has(&["force"]) || (has(&["momentum", "momenta"]) && is_of_one_moment && !is_difference())
         }
         // Both of them make it up.
         Quantity::Restitution => has(&["separation"]) != has(&["approach"]),

@@ -7,7 +7,7 @@ use std::cmp::Ordering;
 use crate::answer::Kind;
 use crate::expr::{Expr, Relation};
 use crate::mark::reading::{End, Form, Reading, ReferenceLine, Said, Statement};
-use crate::mechanics::Moment;
+use crate::mechanics::{Moment, Quantity};
 use crate::unit::Unit;
 
 use super::called::{COMPARING, EARLIER, LATER, LOSSES, is_of_loss, moment, states, words};
@@ -27,10 +27,10 @@ pub(super) fn counted<'r>(model: &Model, reading: &'r Reading) -> Option<Cow<'r,
     let kept = without_other_moment(model, kept);
     let kept = match model.kind {
         Kind::Number | Kind::Expression => {
-            without_told_besides(model, meeting_conditions(model, without_steps_to_a_loss(model, kept)))
+            without_told_besides(model, meeting_conditions(model, without_steps_to_a_change(model, kept)))
         }
         Kind::Vector => without_size(model, kept),
-        Kind::Angle => without_told_besides(model, meeting_conditions(model, kept)),
+        Kind::Angle => without_told_besides(model, meeting_conditions(model, without_steps_to_a_change(model, kept))),
         _ => kept,
     };
     let same = kept.len() == reading.statements.len() && kept == reading.statements;
@@ -136,13 +136,19 @@ pub(super) fn is_angular(said: &Said) -> bool {
         || (said.unit.is_none() && said.reference.is_some_and(|line| !line.is_direction()))
 }
 
-/// `5.44 before, 3.52 after, 1.92 lost` where the loss is asked: what there is before and after leads to it.
-fn without_steps_to_a_loss(model: &Model, statements: Vec<Statement>) -> Vec<Statement> {
+/// `5.44 before, 3.52 after, 1.92 lost` where the loss is asked: what there is before and after leads to it. So it does to
+/// a deflection.
+fn without_steps_to_a_change(model: &Model, statements: Vec<Statement>) -> Vec<Statement> {
+    const DEFLECTIONS: [&str; 3] = ["deflection", "deflected", "turned"];
     let Some(asked) = model.quantity.filter(|_| statements.len() > 1) else { return statements };
-    let is_loss = |statement: &Statement| says(statement, &LOSSES);
-    let is_step = |statement: &Statement| says(statement, states(asked)) && !is_loss(statement);
-    match is_of_loss(asked) && statements.iter().any(is_loss) {
-        true => statements.into_iter().filter(|statement| !is_step(statement)).collect(),
+    let (changes, steps): (&[&str], &[&str]) = match asked.of_its_impact() {
+        _ if is_of_loss(asked) => (&LOSSES, states(asked)),
+        Quantity::Deflection(_) | Quantity::SignedDeflection(_) => (&DEFLECTIONS, states(asked)),
+        _ => return statements,
+    };
+    let is_change = |statement: &Statement| says(statement, changes);
+    match statements.iter().any(is_change) {
+        true => statements.into_iter().filter(|step| is_change(step) || !says(step, steps)).collect(),
         false => statements,
     }
 }

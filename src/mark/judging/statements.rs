@@ -142,7 +142,13 @@ fn choose(model: &Model, statements: &[&Statement], one: One) -> Finding {
     let finding = last_or_rivals(model, statements, one);
     // Of two labelled spheres only a person knows which was asked.
     let several = SPHERES.into_iter().filter(|sphere| spheres.contains(&Some(*sphere))).count() > 1;
-    let any_right = statements.iter().any(|statement| chain(model, statement, one).is_credited());
+    let findings: Vec<Finding> = statements.iter().map(|statement| chain(model, statement, one)).collect();
+    let any_right = findings.iter().any(Finding::is_credited);
+    // Each sphere receives the same impulse, in a sense of its own.
+    let is_of_each = model.quantity.map(Quantity::of_its_impact) == Some(Quantity::ImpulseMagnitude);
+    if several && is_of_each && findings.iter().all(Finding::is_credited) {
+        return findings.into_iter().reduce(Finding::or_better).unwrap_or(finding);
+    }
     match several {
         true if any_right => Finding::partial(Note::SeveralAnswers),
         true => Finding::WRONG,

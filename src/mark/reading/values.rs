@@ -217,7 +217,7 @@ impl Values<'_> {
         // `A rebounds with 2.41`: what is said between the name and the value.
         let last_name = lead.iter().rposition(|at| names_something(tokens, *at));
         let between = last_name.map_or(&[][..], |last| &lead[last + 1..]);
-        let is_plain = |at: &usize| phrase_at(tokens, *at) == Some(Phrase::Remark);
+        let is_plain = |at: &usize| matches!(phrase_at(tokens, *at), Some(Phrase::Remark | Phrase::Unknown));
         let after_name = between
             .iter()
             .any(is_plain)
