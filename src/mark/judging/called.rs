@@ -27,6 +27,8 @@ pub(super) enum Sort {
     Deflection,
     /// From the north, which no question has.
     Bearing,
+    /// What no question asks for.
+    Unasked,
     Restitution,
     Mass,
 }
@@ -200,6 +202,7 @@ pub(super) fn sort(word: &str) -> Option<Sort> {
         "impulse" | "momentum" => Some(Sort::Impulse),
         "angle" | "angles" | "direction" => Some(Sort::Angle),
         "bearing" => Some(Sort::Bearing),
+        "acceleration" | "work" | "distance" => Some(Sort::Unasked),
         "deflection" | "deflected" | "turned" => Some(Sort::Deflection),
         "restitution" => Some(Sort::Restitution),
         "mass" => Some(Sort::Mass),
@@ -211,7 +214,7 @@ pub(super) fn sort(word: &str) -> Option<Sort> {
 pub(super) fn suits(asked: Quantity, sort: Sort) -> bool {
     use Quantity::*;
     match asked {
-        _ if sort == Sort::Bearing => false,
+        _ if matches!(sort, Sort::Bearing | Sort::Unasked) => false,
         Velocity(..) | Speed(..) | Approach | Separation => matches!(sort, Sort::Speed | Sort::Velocity),
         KineticEnergy(..) | TotalEnergy(_) | EnergyLost | SphereEnergyLost(_) | FractionLost => sort == Sort::Energy,
         SphereMomentum(..) | TotalMomentum(_) | Impulse(..) | ImpulseMagnitude => sort == Sort::Impulse,
@@ -304,7 +307,7 @@ pub(super) fn states(asked: Quantity) -> &'static [&'static str] {
 
 pub(super) const LOSSES: [&str; 10] =
     ["loss", "losses", "lost", "lose", "loses", "decrease", "decreases", "decreased", "change", "dissipated"];
-pub(super) const EARLIER: [&str; 4] = ["before", "initial", "initially", "original"];
+pub(super) const EARLIER: [&str; 5] = ["before", "initial", "initially", "original", "incidence"];
 pub(super) const LATER: [&str; 4] = ["after", "afterwards", "final", "finally"];
 
 /// Words that speak of another moment for comparison: `7.31 as before`, `perpendicular to its direction before`.
@@ -321,7 +324,8 @@ pub(super) fn words_fit(model: &Model, typed: &str) -> bool {
     let small = typed.to_lowercase();
     let has = |wanted: &[&str]| words(&small).any(|word| wanted.contains(&word));
     let is_loss = is_of_loss(asked);
-    if is_loss && has(&["pe", "gpe", "potential"]) {
+    let is_share = asked != Quantity::FractionLost && has(&["fraction", "percentage", "proportion"]);
+    if is_loss && (has(&["pe", "gpe", "potential"]) || is_share || small.contains('+')) {
         return false;
     }
     if is_loss {

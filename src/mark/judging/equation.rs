@@ -13,13 +13,16 @@ use crate::number::{Letter, Polynomial, Value};
 
 use super::exact::{self, Equality, same};
 use super::finding::Finding;
+use super::statements::is_rival;
 use super::{Model, Note};
 
 /// Judges a whole reading against an equation: all that it states must be right.
 pub(super) fn judge(model: &Model, reading: &Reading) -> Finding {
     let each = reading.statements.iter().map(|statement| judge_statement(model, statement));
     let found: Vec<Finding> = each.collect();
+    let any_rival = reading.statements.iter().flat_map(|statement| &statement.said).any(is_rival);
     match found.iter().position(Finding::is_credited) {
+        Some(_) if any_rival && !found.iter().all(Finding::is_credited) => Finding::wrong(Note::RivalAnswers),
         Some(_) if !found.iter().all(Finding::is_credited) => Finding::partial(Note::SeveralAnswers),
         Some(at) => found[at],
         None => found.last().copied().unwrap_or(Finding::unreadable(Note::CannotBeRead)),

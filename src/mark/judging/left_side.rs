@@ -54,9 +54,10 @@ pub(super) fn of(model: &Model, label: &Label) -> Left {
         }
         return if called::words_fit(model, typed) { Left::Name } else { Left::Another };
     };
-    // `ΔE`
+    // `ΔE`, but no `Δv`
     if called::is_change(typed) {
-        return Left::Name;
+        let is_of_motion = matches!(model.quantity, Some(Quantity::Speed(..) | Quantity::Velocity(..)));
+        return if is_of_motion { Left::Another } else { Left::Name };
     }
     match expr {
         // `|−1|`

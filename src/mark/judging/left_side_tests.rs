@@ -308,6 +308,12 @@ fn a_right_value_by_the_name_of_another_is_for_a_person() {
             ("speed of approach = 2.78", OTHERWISE),
             ("change in speed = 2.78", OTHERWISE),
             ("speed lost = 2.78", OTHERWISE),
+            ("speed difference 2.78", OTHERWISE),
+            ("Δv = 2.78", OTHERWISE),
+            ("horizontal speed = 2.78", OTHERWISE),
+            ("perpendicular speed 2.78", OTHERWISE),
+            ("acceleration = 2.78", OTHERWISE),
+            ("distance 2.78", OTHERWISE),
             ("v_x = 2.78", OTHERWISE),
             ("v_y=2.78", OTHERWISE),
             ("velocity along loc = 2.78", OTHERWISE),
@@ -331,7 +337,33 @@ fn a_right_value_by_the_name_of_another_is_for_a_person() {
             ("impulse = 9", "correct"),
         ],
     );
-    earn(&Asked("48/25", None, "ke.lost", None), &[("PE lost = 1.92", OTHERWISE), ("1.92 J each", OTHERWISE)]);
+    earn(
+        &Asked("48/25", None, "ke.lost", None),
+        &[
+            ("PE lost = 1.92", OTHERWISE),
+            ("1.92 J each", OTHERWISE),
+            ("work done 1.92", OTHERWISE),
+            ("percentage lost 1.92", OTHERWISE),
+            ("KE lost + KE left = 1.92", OTHERWISE),
+            ("loss of KE = 1.92", "correct"),
+        ],
+    );
+    earn(
+        &Asked("4*i + j", None, "A.after.x", None),
+        &[
+            ("change in velocity 4i + j", OTHERWISE),
+            ("relative velocity = 4i + j", OTHERWISE),
+            ("final velocity = 4i + j", "correct"),
+        ],
+    );
+    earn(
+        &Asked("30", None, "A.after.angle_to_loc_deg", None),
+        &[
+            ("angle of incidence = 30°", OTHERWISE),
+            ("30° with B's path", OTHERWISE),
+            ("30° with the line of centres", "correct"),
+        ],
+    );
     const ORDER: &str = "unreadable ratio-unchecked";
     earn(
         &Asked("2/3", Some(Kind::Ratio), "", None),

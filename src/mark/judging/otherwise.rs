@@ -9,7 +9,7 @@ use super::statements::sphere;
 
 /// Does a remark that is no more than a name, as `(B)` or `(speed of B)`, name another sphere or another quantity?
 pub(super) fn remark_names_another(model: &Model, asked: Quantity, remarks: &[&String], remark: &str) -> bool {
-    const FILLERS: [&str; 16] = [
+    const FILLERS: [&str; 19] = [
         "",
         "the",
         "of",
@@ -25,6 +25,9 @@ pub(super) fn remark_names_another(model: &Model, asked: Quantity, remarks: &[&S
         "before",
         "impact",
         "collision",
+        "with",
+        "path",
+        "motion",
         "s",
     ];
     if asked == Quantity::EnergyLost && words(remark).any(|word| word == "each") {
@@ -70,31 +73,25 @@ pub(super) fn spheres_in_remark(remark: &str) -> Vec<Sphere> {
     named.collect()
 }
 
+/// Words for a component of a velocity.
+const PARTS: [&str; 4] = ["component", "components", "comp", "comps"];
+/// Words that give a speed a direction, which is then that of a component.
+const DIRECTED: [&str; 8] =
+    ["along", "parallel", "perpendicular", "perp", "normal", "tangential", "horizontal", "vertical"];
+/// Words for a difference of velocities: `speed of separation`, `increases by`.
+const DIFFERENCES: [&str; 11] =
+    ["relative", "average", "mean", "separation", "approach", "change", "difference", "lost", "loss", "gained", "by"];
+
 /// Do words that name a speed or a momentum name another than is asked: a component of a velocity, a difference of speeds?
 pub(super) fn is_another_of_its_sort(model: &Model, asked: Quantity, small: &str) -> bool {
     let has = |wanted: &[&str]| words(small).any(|word| wanted.contains(&word));
     let is_along = || model.path.as_ref().is_some_and(Expr::is_zero);
     match asked {
         Quantity::Speed(..) => {
-            const PARTS: [&str; 4] = ["component", "components", "comp", "comps"];
-            const DIFFERENCES: [&str; 10] = [
-                "relative",
-                "average",
-                "mean",
-                "separation",
-                "approach",
-                "change",
-                "difference",
-                "lost",
-                "loss",
-                "gained",
-            ];
-            // `increases by`
-            has(&PARTS)
-                || has(&DIFFERENCES)
-                || has(&["by"])
-                || (has(&["along", "parallel", "perpendicular", "perp"]) && !is_along())
+            let is_directed = has(&DIRECTED) && !is_along();
+            has(&PARTS) || has(&DIFFERENCES) || is_directed
         }
+        Quantity::Velocity(..) => has(&DIFFERENCES),
         Quantity::Impulse(..) | Quantity::ImpulseMagnitude => {
             let is_difference = || has(&["change", "difference", "lost", "loss", "gain", "gained", "minus"]);
             let is_state =

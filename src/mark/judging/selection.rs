@@ -156,7 +156,7 @@ fn without_steps_to_a_change(model: &Model, statements: Vec<Statement>) -> Vec<S
 /// `before 2i + j, after 4i + j`: what is said of the moment that is asked counts, and no other.
 fn without_other_moment(model: &Model, statements: Vec<Statement>) -> Vec<Statement> {
     let Some(moment) = model.quantity.and_then(moment).filter(|_| statements.len() > 1) else { return statements };
-    let (own, other) = match moment {
+    let (own, other): (&[&str], &[&str]) = match moment {
         Moment::After => (&LATER, &EARLIER),
         Moment::Before => (&EARLIER, &LATER),
     };

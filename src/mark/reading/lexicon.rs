@@ -250,6 +250,23 @@ pub(super) const OR_MORE: [&str; 9] =
 /// Before an end that is no part of its range.
 pub(super) const EXCLUDING: [&str; 4] = ["not including", "but not including", "excluding", "but excluding"];
 
+/// Words before a noun that make it the name of something else.
+pub(super) const OTHERS: [&str; 13] = [
+    "initial",
+    "original",
+    "relative",
+    "average",
+    "mean",
+    "final",
+    "total",
+    "horizontal",
+    "vertical",
+    "tangential",
+    "perpendicular",
+    "perp",
+    "parallel",
+];
+
 /// Single words, by what they do.
 const SINGLE: [(Sort, &str); 8] = [
     (
@@ -264,7 +281,7 @@ const SINGLE: [(Sort, &str); 8] = [
         "speed speeds velocity velocities vel angle angles direction directions dir deflection deflected impulse ke \
          kinetic energy loss lost change gain fraction percentage magnitude mag component components momentum ratio \
          mass coefficient restitution turned bearing increase increases increased gained gains decrease decreases \
-         decreased loses answer ans tangent separation approach",
+         decreased loses answer ans tangent separation approach difference acceleration work distance",
     ),
     (Sort::Is, "is are was be becomes being equal must lies"),
     (Sort::Gradient, "gradient slope"),

@@ -2,6 +2,7 @@
 
 use super::choices::Choices;
 use super::grammar::Parser;
+use super::lexicon::OTHERS;
 use super::line;
 use super::phrases::Phrase;
 use super::tokens::{Placed, Token, excerpt};
@@ -24,9 +25,6 @@ pub(super) struct Values<'a> {
     pub vocabulary: &'a Vocabulary,
     pub choices: &'a mut Choices,
 }
-
-/// Words before a noun that make it the name of something else.
-const OTHERS: [&str; 7] = ["initial", "original", "relative", "average", "mean", "final", "total"];
 
 impl Values<'_> {
     /// Every value of a stretch, in order.

@@ -106,3 +106,17 @@ fn a_label_names_one_of_three_spheres() {
         assert_eq!(judged.iter().map(named).collect::<Vec<_>>(), ["correct", "correct"], "{typed}");
     }
 }
+
+#[test]
+fn two_equations_are_rivals_where_one_is_offered_for_the_other() {
+    let letters = ["u", "v", "w"].map(|name| crate::number::Letter::new(name, crate::number::Range::Real).unwrap());
+    let options = ModelOptions { letters: letters.into(), ..ModelOptions::default() };
+    let model = Model::read("2*v + 3*w = 4*u", &options).unwrap();
+    for (typed, expected) in [
+        ("2v + 3w = 4u or 2v - 3w = 4u", "wrong rival-answers"),
+        ("2v + 3w = 4u or 4v + 6w = 8u", "correct"),
+        ("2v + 3w = 4u, v - w = u", "partial several-answers"),
+    ] {
+        assert_eq!(named(&judge(&model, &read_answer(typed, &model.vocabulary))), expected, "{typed}");
+    }
+}
