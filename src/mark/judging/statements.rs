@@ -98,7 +98,9 @@ fn links(statement: &Statement, one: One) -> Finding {
     let spoilt_after = |at: usize| findings[at + 1..].iter().any(|finding| finding.verdict == Verdict::Wrong);
     let is_bare = |at: usize| is_bare_number(&statement.said[at]);
     // `2 = 3` and `3 = 4` are no working: two numbers that are said to be one are rivals.
-    let rivals = (0..findings.len()).any(|at| is_bare(at) && findings[at].verdict == Verdict::Wrong);
+    // What is only rounded too far is no other number.
+    let is_other = |at: usize| findings[at].verdict == Verdict::Wrong && findings[at].note != Some(Note::TooFewFigures);
+    let rivals = (0..findings.len()).any(|at| is_bare(at) && is_other(at));
     if rivals && findings.len() > 1 && findings.iter().enumerate().any(|(at, f)| is_bare(at) && f.is_correct()) {
         return Finding::wrong(Note::RivalAnswers);
     }

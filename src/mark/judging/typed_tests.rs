@@ -405,6 +405,18 @@ fn what_leads_to_the_answer_or_is_true_of_it_is_no_rival() {
         ],
     );
     earn(
+        &Asked("5/7", None, "", None),
+        &[
+            ("0.7 (5/7)", "correct"),
+            ("5/7 = 0.7", "correct ignored-after"),
+            ("0.7 = 5/7", "correct"),
+            ("0.8 (4/5)", "wrong"),
+            ("0.7 or 5/7", RIVALS),
+            ("0.7 = 4/5", "wrong"),
+            ("0.7 (0.714)", "correct"),
+        ],
+    );
+    earn(
         &Asked("30", None, "A.deflection_deg", None),
         &[
             ("changed from 45 to 75, i.e. 30°", "correct"),

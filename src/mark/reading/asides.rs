@@ -2,7 +2,7 @@
 
 use super::Vocabulary;
 use super::phrases::Walk;
-use super::said_again::said_again;
+use super::said_again::{of_one_figure, said_again};
 use super::tokens::{Placed, Token};
 use super::units::unit;
 use crate::expr::Expr;
@@ -99,7 +99,9 @@ pub(super) fn with_asides_set_off(mut tokens: Vec<Placed>, vocabulary: &Vocabula
     let mut start = 1;
     while start < tokens.len() {
         if let Some(end) = said_again(&tokens, start, vocabulary) {
-            tokens[start].token = Token::Sign(',');
+            // `0.7 (5/7)`: one figure is no value by itself.
+            let sign = if of_one_figure(&tokens[start - 1]) { '=' } else { ',' };
+            tokens[start].token = Token::Sign(sign);
             // `1.92 (48/25) J`
             match unit(&tokens, end + 1, "") {
                 Some(_) => drop(tokens.remove(end)),

@@ -78,7 +78,7 @@ fn same_or_rival(tokens: &[Placed], start: usize, vocabulary: &Vocabulary) -> Op
     let is_last = start + close + 1 == tokens.len();
     if is_last && closing == ')' && only_decimal(inside) {
         // `25/7 (3.57)`, where nothing more is said, or another answer.
-        return (measure || !is_same).then_some(start + close);
+        return (measure || !is_same || of_one_figure(&tokens[start - 1])).then_some(start + close);
     }
     let is_decimal = only_decimal(stated) || only_decimal(inside) || measure;
     (is_decimal && is_same).then_some(start + close)
@@ -137,4 +137,11 @@ fn size(expr: &Expr) -> Option<f64> {
         _ => return None,
     };
     found.is_finite().then_some(found)
+}
+
+/// Is it a decimal of one figure, as `0.7` is?
+pub(super) fn of_one_figure(placed: &Placed) -> bool {
+    let Token::Number(Expr::Decimal(digits)) = &placed.token else { return false };
+    let figures = digits.trim_start_matches(['0', '.']);
+    figures.len() == 1
 }
