@@ -76,11 +76,13 @@ pub(super) fn spheres_in_remark(remark: &str) -> Vec<Sphere> {
 /// Words for a component of a velocity.
 const PARTS: [&str; 4] = ["component", "components", "comp", "comps"];
 /// Words that give a speed a direction, which is then that of a component.
-const DIRECTED: [&str; 8] =
+pub(super) const DIRECTED: [&str; 8] =
     ["along", "parallel", "perpendicular", "perp", "normal", "tangential", "horizontal", "vertical"];
-/// Words for a difference of velocities: `speed of separation`, `increases by`.
-const DIFFERENCES: [&str; 11] =
-    ["relative", "average", "mean", "separation", "approach", "change", "difference", "lost", "loss", "gained", "by"];
+/// Words for a difference of velocities, as in `speed of separation`.
+const DIFFERENCES: [&str; 10] =
+    ["relative", "average", "mean", "separation", "approach", "change", "difference", "lost", "loss", "gained"];
+/// Words that tell a difference where `by` follows them.
+const CHANGES: [&str; 6] = ["increase", "increases", "increased", "decrease", "decreases", "decreased"];
 
 /// Do words that name a speed or a momentum name another than is asked: a component of a velocity, a difference of speeds?
 pub(super) fn is_another_of_its_sort(model: &Model, asked: Quantity, small: &str) -> bool {
@@ -89,7 +91,9 @@ pub(super) fn is_another_of_its_sort(model: &Model, asked: Quantity, small: &str
     match asked {
         Quantity::Speed(..) => {
             let is_directed = has(&DIRECTED) && !is_along();
-            has(&PARTS) || has(&DIFFERENCES) || is_directed
+            // `by CLM` changes nothing.
+            let is_change = has(&["by"]) && has(&CHANGES);
+            has(&PARTS) || has(&DIFFERENCES) || is_directed || is_change
         }
         Quantity::Velocity(..) => has(&DIFFERENCES),
         Quantity::Impulse(..) | Quantity::ImpulseMagnitude => {

@@ -94,6 +94,11 @@ fn one(model: &Model, right: &[Bound], letter: Letter, statements: &[Statement])
         !bare.is_empty() && bare.iter().all(is_end)
     };
     if own.is_empty() {
+        // `between 1/3 (excluded) and 1`
+        let mut remarks = statements.iter().flat_map(|statement| &statement.said).flat_map(|said| &said.remarks);
+        if remarks.any(|remark| remark.contains("between") || remark.contains("clud")) {
+            return Finding::unreadable(Note::CannotBeCompared);
+        }
         return match (all_are(&ends), all_are(&right.iter().collect::<Vec<_>>())) {
             (true, _) => Finding::partial(Note::RangeWanted),
             (false, true) => Finding::wrong(Note::RangeWanted),

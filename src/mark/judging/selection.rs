@@ -11,6 +11,7 @@ use crate::mechanics::{Moment, Quantity};
 use crate::unit::Unit;
 
 use super::called::{COMPARING, EARLIER, LATER, LOSSES, is_of_loss, moment, states, words};
+use super::otherwise::DIRECTED;
 use super::statements::is_rival;
 use super::{Model, exact, number, vector};
 
@@ -27,10 +28,10 @@ pub(super) fn counted<'r>(model: &Model, reading: &'r Reading) -> Option<Cow<'r,
     let kept = without_other_moment(model, kept);
     let kept = match model.kind {
         Kind::Number | Kind::Expression => {
-            without_told_besides(model, meeting_conditions(model, without_steps_to_a_change(model, kept)))
+            without_told_besides(model, meeting_conditions(model, without_steps(model, kept)))
         }
         Kind::Vector => without_size(model, kept),
-        Kind::Angle => without_told_besides(model, meeting_conditions(model, without_steps_to_a_change(model, kept))),
+        Kind::Angle => without_told_besides(model, meeting_conditions(model, without_steps(model, kept))),
         _ => kept,
     };
     let same = kept.len() == reading.statements.len() && kept == reading.statements;
@@ -137,18 +138,19 @@ pub(super) fn is_angular(said: &Said) -> bool {
 }
 
 /// `5.44 before, 3.52 after, 1.92 lost` where the loss is asked: what there is before and after leads to it. So it does to
-/// a deflection.
-fn without_steps_to_a_change(model: &Model, statements: Vec<Statement>) -> Vec<Statement> {
+/// a deflection; and to a speed what there is `horizontal` and `vertical`.
+fn without_steps(model: &Model, statements: Vec<Statement>) -> Vec<Statement> {
     const DEFLECTIONS: [&str; 3] = ["deflection", "deflected", "turned"];
     let Some(asked) = model.quantity.filter(|_| statements.len() > 1) else { return statements };
-    let (changes, steps): (&[&str], &[&str]) = match asked.of_its_impact() {
+    let (asked_for, steps): (&[&str], &[&str]) = match asked.of_its_impact() {
         _ if is_of_loss(asked) => (&LOSSES, states(asked)),
         Quantity::Deflection(_) | Quantity::SignedDeflection(_) => (&DEFLECTIONS, states(asked)),
+        Quantity::Speed(..) => (&["speed"], &DIRECTED),
         _ => return statements,
     };
-    let is_change = |statement: &Statement| says(statement, changes);
-    match statements.iter().any(is_change) {
-        true => statements.into_iter().filter(|step| is_change(step) || !says(step, steps)).collect(),
+    let is_asked = |statement: &Statement| says(statement, asked_for);
+    match statements.iter().any(is_asked) {
+        true => statements.into_iter().filter(|step| is_asked(step) || !says(step, steps)).collect(),
         false => statements,
     }
 }
@@ -160,8 +162,12 @@ fn without_other_moment(model: &Model, statements: Vec<Statement>) -> Vec<Statem
         Moment::After => (&LATER, &EARLIER),
         Moment::Before => (&EARLIER, &LATER),
     };
+    let compares = |statement: &Statement| {
+        let mut remarks = statement.said.iter().flat_map(|said| &said.remarks).flat_map(|remark| words(remark));
+        remarks.any(|word| COMPARING.contains(&word))
+    };
     let is_of = |statement: &Statement, wanted: &[&str], unwanted: &[&str]| {
-        says(statement, wanted) && !says(statement, unwanted) && !says(statement, &COMPARING)
+        says(statement, wanted) && !says(statement, unwanted) && !compares(statement)
     };
     let is_other = |statement: &Statement| is_of(statement, other, own) && !statement.said.iter().any(is_rival);
     match statements.iter().any(|statement| is_of(statement, own, other)) {

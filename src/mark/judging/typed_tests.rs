@@ -389,6 +389,9 @@ fn what_leads_to_the_answer_or_is_true_of_it_is_no_rival() {
             ("increases by 2.78 m/s", OTHERWISE),
             ("its speed decreased by 2.78", OTHERWISE),
             ("its speed decreased to 2.78", "correct"),
+            ("by CLM v = 2.78", "correct"),
+            ("horizontal 1.5, vertical 2.34, speed 2.78", "correct"),
+            ("horizontal 2.78, vertical 2.34, speed 3.64", "wrong"),
             ("reduced from 5 to 2.78", "unreadable cannot-be-compared"),
             ("reduced from 2.78 to 2", "wrong"),
             ("v = 5, u = 2.78", OTHERWISE),
@@ -402,6 +405,7 @@ fn what_leads_to_the_answer_or_is_true_of_it_is_no_rival() {
             ("before 2i+j after 4i+j", "correct"),
             ("before 4i+j after 2i+j", "wrong"),
             ("2i+j before, 4i+j after", "correct"),
+            ("velocity after is 4i + j (before it was 2i + j)", "correct"),
         ],
     );
     earn(
