@@ -35,6 +35,8 @@ struct Row {
     before: Vec<Earlier>,
     #[serde(default)]
     profile: Option<String>,
+    /// With the question's own numbers in this style, else the one of its reference.
+    style: Option<String>,
     /// The codes it earns, in the order of the scheme.
     codes: String,
     /// Tags that must be among the notes of answers, causes and awards.
@@ -52,10 +54,14 @@ struct Earlier {
     working: String,
 }
 
-fn keyed(id: &str) -> KeyedQuestion {
+fn keyed(id: &str, style: Option<&str>) -> KeyedQuestion {
     let (id, text) = shipped().find(|(name, _)| *name == id).unwrap_or_else(|| panic!("no question {id}"));
     let question = read_question(id, &Source::new(id, text)).unwrap();
-    let variant = reference(&question).unwrap();
+    let style = style.map(|name| question.styles.iter().find(|style| style.name.to_string() == name).unwrap());
+    let variant = match style {
+        Some(style) => with_numbers(&question, style, &question.reference).unwrap(),
+        None => reference(&question).unwrap(),
+    };
     read_back(key_question(&question, &variant, &compose(&question, &variant, 1)))
 }
 
@@ -74,7 +80,7 @@ fn part_script(label: &str, answers: &std::collections::BTreeMap<String, String>
 }
 
 fn marked(row: &Row) -> MarkedPart {
-    let question = keyed(&row.question);
+    let question = keyed(&row.question, row.style.as_deref());
     let mut parts: Vec<PartScript> =
         row.before.iter().map(|earlier| part_script(&earlier.part, &earlier.answers, &earlier.working)).collect();
     let mut own = part_script(&row.part, &row.answers, &row.working);
@@ -151,6 +157,7 @@ fn the_rest_is_solved_again_from_the_values_that_the_student_found() {
         working: "v = 2.69\nw = 3.08".into(),
         before: Vec::new(),
         profile: None,
+        style: None,
         codes: String::new(),
         notes: Vec::new(),
     };
@@ -176,6 +183,7 @@ fn a_slip_is_named_only_where_the_working_does_not_speak_against_it() {
             working: working.into(),
             before: Vec::new(),
             profile: None,
+            style: None,
             codes: String::new(),
             notes: Vec::new(),
         };

@@ -97,6 +97,14 @@ pub(in crate::mark) fn is_named(model: &Model, statement: &Statement) -> bool {
     }
 }
 
+/// May a value be this quantity by the name that a line gives it? A letter of the student's own may be anything.
+pub(in crate::mark) fn may_be_named(label: &str, asked: Quantity) -> bool {
+    let asked = asked.of_its_impact();
+    let is_velocity = of_letter(label.trim()) == Some(Sort::Speed);
+    let mut sorts = words(label).filter_map(sort).chain(is_velocity.then_some(Sort::Velocity)).peekable();
+    sorts.peek().is_none() || sorts.any(|sort| suits(asked, sort))
+}
+
 /// Does a label speak of a component, or of another moment, where that is not what is asked?
 pub(in crate::mark) fn is_of_a_part(label: &str, asked: Quantity) -> bool {
     const COMPONENT: [&str; 14] = [

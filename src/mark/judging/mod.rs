@@ -39,7 +39,7 @@ use crate::mechanics::{Quantity, Setting};
 use crate::unit::Unit;
 
 use super::reading::{Reading, Said, Unreadable, Vocabulary};
-pub(super) use called::{is_named, is_of_a_part};
+pub(super) use called::{is_named, is_of_a_part, may_be_named};
 use finding::Finding;
 use known::Prepared;
 pub use model_text::ModelOptions;

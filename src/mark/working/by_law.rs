@@ -4,7 +4,7 @@
 //! comes to it, in a formula or under a name, has used the law; its sign is condoned. Besides that a few laws are known by
 //! the shape of their formula, so that a slip of the calculator costs no method mark.
 
-use super::compare::{comes_to, comes_to_angle, is_composite, is_vector};
+use super::compare::{any_within, comes_to, comes_to_angle, is_composite, is_vector};
 use super::evidence::Evidence;
 use super::examine::{Studied, Value, Working, has_vectors};
 use super::line::Member;
@@ -13,7 +13,7 @@ use super::shapes::components_in;
 use crate::answer::Kind;
 use crate::bank::Code;
 use crate::expr::Expr;
-use crate::mark::judging::{Note, is_of_a_part, judge};
+use crate::mark::judging::{Note, is_of_a_part, judge, may_be_named};
 use crate::mark::reading::Reading;
 use crate::mechanics::{Axis, Datum, Known, Law, Moment, Quantity, Seen, Setting, Shape, Sphere};
 
@@ -84,9 +84,19 @@ impl Working<'_> {
             return None;
         }
         let after = Quantity::Velocity(Sphere::A, Moment::After, Axis::N);
+        let is_nought = |quantity| {
+            sizes(&self.prepared.known, quantity).is_none_or(|sizes| sizes.iter().all(|size| size.abs() < 1e-9))
+        };
+        // From a velocity of nought there is nothing to find.
+        if is_nought(after) {
+            return None;
+        }
         let exchanged = || {
             let swapped = self.prepared.known.iter().map(|known| {
                 let across = known.number(Quantity::Velocity(Sphere::A, Moment::Before, Axis::T))?;
+                if across == 0.0 {
+                    return None;
+                }
                 let mut swapped = known.clone();
                 swapped.0.insert(after, Datum::Number(known.number(Quantity::Restitution)? * across));
                 Some(swapped)
@@ -97,7 +107,7 @@ impl Working<'_> {
         // The tangent after the impact has the component in it.
         let is_shown = self.part.blanks.iter().any(|blank| blank.model.kind == Kind::Shown);
         let angle = Quantity::AngleToLine(Sphere::A, Moment::After);
-        let by_tangent = || self.line_that_is(&self.prepared.known, angle).filter(|_| !is_shown);
+        let by_tangent = || self.line_that_is(&self.prepared.known, angle).filter(|_| !is_shown && !is_nought(angle));
         let right = self.line_that_is(&self.prepared.known, after).or_else(by_tangent);
         let line = right.or_else(|| if code.is_accuracy() { None } else { exchanged() })?;
         Some(Evidence::given(line, "restitution"))
@@ -135,10 +145,11 @@ impl Working<'_> {
             studied.matched.is_empty()
                 && !self.is_printed_result(studied)
                 && self.members(studied).any(|(member, values)| {
-                    let of_a_part = |label: &String| is_of_a_part(label, quantity);
+                    let is_else = |label: &String| is_of_a_part(label, quantity) || !may_be_named(label, quantity);
                     let worth = member.label.is_some() || is_composite(&member.expr);
                     worth
-                        && !member.label.as_ref().is_some_and(of_a_part)
+                        && !member.label.as_ref().is_some_and(is_else)
+                        && !self.is_so_much_of_a_letter(member, quantity)
                         && self.may_be_loss(member, quantity)
                         && !member.is_given
                         && !self.is_taken(member, quantity)
@@ -146,6 +157,22 @@ impl Working<'_> {
                         && values.iter().zip(&right).all(|(value, right)| comes(*value, *right))
                 })
         })
+    }
+
+    /// Is the value one of `2v` or `w²`, of which nothing is known? It says nothing of any quantity but an energy, `½mv²`.
+    fn is_so_much_of_a_letter(&self, member: &Member, quantity: Quantity) -> bool {
+        let Some(multiple) = &member.multiple else { return false };
+        let is_power = |inner: &Expr| matches!(inner, Expr::Power(..));
+        let is_energy = matches!(quantity, Quantity::KineticEnergy(..) | Quantity::TotalEnergy(_))
+            && !is_power(multiple)
+            && any_within(multiple, &is_power);
+        !is_energy && self.is_open_multiple(member)
+    }
+
+    /// Is it `2v` itself, or the value of a `2v` of which nothing is known?
+    fn is_open_multiple(&self, member: &Member) -> bool {
+        let is_open = |own: &Expr| member.expr == *own || self.values_of(own).is_none();
+        member.multiple.as_ref().is_some_and(is_open)
     }
 
     /// The unknowns of the two equations have their own marks; the letter of a sphere may be used again for its speed.
@@ -215,6 +242,7 @@ impl Working<'_> {
                 let named = is_called && !is_called_otherwise(member, sphere);
                 let before = member.letter.as_ref().is_some_and(|letter| letter.starts_with('u') && !is_composite);
                 let unknown = member.letter.as_ref().is_some_and(|letter| self.is_unknown(letter));
+                let unknown = unknown || self.is_open_multiple(member);
                 (named && !unknown && !before && !member.is_given && is_right(values))
                     || self.has_component(values, sphere, right)
             });

@@ -54,6 +54,8 @@ pub(super) struct Member {
     pub(super) expr: Expr,
     /// Is it said to be a mass or e: by its name, or by its unit?
     pub(super) is_given: bool,
+    /// `2v` or `w²` before the first equals sign: so much of a letter, which names no value.
+    pub(super) multiple: Option<Expr>,
 }
 
 /// Letters that students give to what they look for. What the question has stands before these.
@@ -253,6 +255,7 @@ fn read_line(reading: Reading) -> ReadLine {
                 Form::Equation(_) | Form::Ratio(..) | Form::Range(..) | Form::Direction => {}
             }
         }
+        let multiple = sides.first().filter(|first| sides.len() > 1 && is_multiple(first)).cloned();
         let in_kilograms = |said: &Said| said.unit.as_ref().is_some_and(|unit| unit.typed.ends_with("kg"));
         let is_given = letter.as_ref().is_some_and(|letter| GIVEN.contains(&letter.as_str()))
             || typed.as_ref().is_some_and(|typed| typed.to_lowercase().contains("mass"))
@@ -263,7 +266,23 @@ fn read_line(reading: Reading) -> ReadLine {
             letter: letter.clone(),
             expr,
             is_given,
+            multiple: multiple.clone(),
         }));
     }
     ReadLine { printed: reading.printed, equations, members, statements: reading.statements, is_guessed: false }
+}
+
+/// Is it a letter times numbers, or a power of one: `2v`, `v/3`, `½·3·w²`?
+fn is_multiple(expr: &Expr) -> bool {
+    let is_plain = |expr: &Expr| matches!(expr, Expr::Name(_));
+    match expr {
+        Expr::Negative(inner) | Expr::Power(inner, _) => is_plain(inner) || is_multiple(inner),
+        Expr::Quotient(above, below) => below.names().is_empty() && (is_plain(above) || is_multiple(above)),
+        Expr::Product(factors) => {
+            let mut lettered = factors.iter().filter(|factor| !factor.names().is_empty());
+            let letter = lettered.next().is_some_and(|letter| is_plain(letter) || is_multiple(letter));
+            letter && lettered.next().is_none()
+        }
+        _ => false,
+    }
 }
