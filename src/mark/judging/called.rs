@@ -97,8 +97,12 @@ pub(in crate::mark) fn is_named(model: &Model, statement: &Statement) -> bool {
     }
 }
 
-/// May a value be this quantity by the name that a line gives it? A letter of the student's own may be anything.
+/// May a value be this quantity by the name that a line gives it? A letter of the student's own may be anything, and so may
+/// a formula, `e × 5`.
 pub(in crate::mark) fn may_be_named(label: &str, asked: Quantity) -> bool {
+    if label.contains(['+', '-', '−', '*', '×', '·', '/', '^', '²']) {
+        return true;
+    }
     let asked = asked.of_its_impact();
     let is_velocity = of_letter(label.trim()) == Some(Sort::Speed);
     let mut sorts = words(label).filter_map(sort).chain(is_velocity.then_some(Sort::Velocity)).peekable();

@@ -6,7 +6,7 @@
 
 use super::compare::{any_within, comes_to, comes_to_angle, is_composite, is_vector};
 use super::evidence::Evidence;
-use super::examine::{Studied, Value, Working, has_vectors};
+use super::examine::{Studied, Value, Working, has_vectors, value};
 use super::line::Member;
 use super::points::sizes;
 use super::shapes::components_in;
@@ -171,7 +171,8 @@ impl Working<'_> {
 
     /// Is it `2v` itself, or the value of a `2v` of which nothing is known?
     fn is_open_multiple(&self, member: &Member) -> bool {
-        let is_open = |own: &Expr| member.expr == *own || self.values_of(own).is_none();
+        let is_given = |own: &Expr| value(own, self.prepared, &self.prepared.names).is_some();
+        let is_open = |own: &Expr| !is_given(own) && (member.expr == *own || self.values_of(own).is_none());
         member.multiple.as_ref().is_some_and(is_open)
     }
 

@@ -181,6 +181,12 @@ fn candidates(typed: &str) -> Vec<String> {
     {
         all.push(after.trim().to_owned());
     }
+    // A scalar product is worked out on its right: `(2i + 5j).(i - j) = 2 - 5`.
+    if let Some((product, after)) = typed.split_once('=')
+        && SCALAR_PRODUCTS.iter().any(|sign| product.contains(sign))
+    {
+        all.push(after.trim().to_owned());
+    }
     let is_word = |word: &str| {
         let letters = word.trim_matches(['(', ')', '.', ',', ':']);
         letters.chars().count() >= 3 && letters.chars().all(char::is_alphabetic) && !is_formula(letters)
@@ -194,6 +200,9 @@ fn candidates(typed: &str) -> Vec<String> {
     }
     all
 }
+
+/// How the sign of a scalar product stands between two vectors.
+const SCALAR_PRODUCTS: [&str; 7] = [").(", ") . (", ")·(", ") · (", ")•(", ") • (", ")⋅("];
 
 /// What is said of a component that stays as it is.
 const REMARKS: [&str; 6] =

@@ -3,12 +3,17 @@
 
 use super::compare::{any_within, is_composite, is_parallel, is_vector};
 use super::evidence::Evidence;
-use super::examine::{Value, Working};
+use super::examine::{Studied, Value, Working};
+use super::line::Member;
 use super::points::sizes;
 use super::spread::Spread;
+use super::theirs::numbers;
 use crate::bank::Code;
 use crate::expr::Expr;
-use crate::mechanics::{Axis, Law, Moment, Quantity, Sphere};
+use crate::mechanics::{Axis, Law, Moment, Quantity, Setting, Sphere};
+
+/// A component with its size at every point.
+type Component = (Quantity, Vec<f64>);
 
 impl Working<'_> {
     /// Momentum as a vector: an equation with the velocity that is to be found.
@@ -105,33 +110,94 @@ impl Working<'_> {
         Some(Evidence::given(place, law.name()))
     }
 
-    /// Components along the line of centres; a factor that all have in common does not matter.
+    /// Components along the line of centres; a factor that all have in common does not matter. A number is one where the
+    /// line stands in the working or is given, and a scalar product that is worked out speaks for itself.
     pub(super) fn resolved(&self, code: Code) -> Option<Evidence> {
-        let quantities = Sphere::BOTH.into_iter().flat_map(|sphere| {
-            [Moment::Before, Moment::After].map(|moment| Quantity::Velocity(sphere, moment, Axis::N))
-        });
-        let right: Vec<Vec<f64>> = quantities
-            .filter_map(|quantity| sizes(&self.prepared.known, quantity))
-            .filter(|sizes| sizes.iter().any(|size| size.abs() > 1e-9))
-            .collect();
-        let mut best: Option<(usize, usize)> = None;
+        let is_wall = self.prepared.setting == Setting::Wall;
+        let components = self.components_to_resolve(is_wall);
+        let is_line_known = is_wall || self.lines.iter().any(|studied| self.has_line(studied));
+        let mut best: Option<(usize, usize, bool)> = None;
         for scale in self.scales() {
-            let seen = |right: &Vec<f64>| {
-                self.lines.iter().position(|studied| {
-                    let Some(reading) = &studied.reading else { return false };
-                    let formulas = reading.members.iter().flat_map(|member| parts_of(&member.expr));
-                    let scaled: Vec<f64> = right.iter().map(|right| right * scale).collect();
-                    formulas.into_iter().any(|expr| self.is_one_of(expr, std::slice::from_ref(&scaled)))
-                })
+            let seen = |alike: &Vec<Component>| {
+                let scaled: Vec<f64> = alike[0].1.iter().map(|right| right * scale).collect();
+                let is = |expr: &Expr| {
+                    let product = || alike.iter().any(|(quantity, _)| self.is_scalar_product(expr, *quantity));
+                    self.is_one_of(expr, std::slice::from_ref(&scaled)) && (is_line_known || product())
+                };
+                let mut times = self.lines.iter().enumerate().map(|(place, studied)| (place, times(studied, &is)));
+                let first = times.find(|(_, count)| *count > 0)?;
+                Some((first.0, first.1 + times.map(|(_, count)| count).sum::<usize>() >= alike.len()))
             };
-            let places: Vec<usize> = right.iter().filter_map(seen).collect();
-            if places.len() > best.map_or(0, |(count, _)| count) {
-                best = Some((places.len(), places.into_iter().max().unwrap_or(0)));
+            let found: Vec<(usize, bool)> = components.iter().filter_map(seen).collect();
+            if found.len() > best.map_or(0, |(count, ..)| count) {
+                let last = found.iter().map(|(place, _)| *place).max().unwrap_or(0);
+                best = Some((found.len(), last, found.iter().all(|(_, each)| *each)));
             }
         }
-        let (count, place) = best?;
-        let enough = if code.is_accuracy() { count == right.len() } else { count >= 2.min(right.len()) };
+        let (count, place, each) = best?;
+        let enough = match code.is_accuracy() {
+            true => count == components.len() && each,
+            false => count >= if is_wall { 1 } else { 2.min(components.len()) },
+        };
         enough.then(|| Evidence::given(place, "components along the line of centres"))
+    }
+
+    /// What a scheme has resolved, those of one size together: of two such, one number shows one.
+    fn components_to_resolve(&self, is_wall: bool) -> Vec<Vec<Component>> {
+        let of = |sphere, moment, axis| {
+            let quantity = Quantity::Velocity(sphere, moment, axis);
+            Some((quantity, sizes(&self.prepared.known, quantity)?))
+        };
+        let all: Vec<Option<Component>> = match is_wall {
+            true => [Axis::N, Axis::T].map(|axis| of(Sphere::A, Moment::Before, axis)).to_vec(),
+            false => {
+                let moments = [Moment::Before, Moment::After];
+                Sphere::BOTH.into_iter().flat_map(|sphere| moments.map(|moment| of(sphere, moment, Axis::N))).collect()
+            }
+        };
+        let mut groups: Vec<Vec<Component>> = Vec::new();
+        for component in all.into_iter().flatten().filter(|(_, sizes)| sizes.iter().any(|size| size.abs() > 1e-9)) {
+            let is_alike = |other: &Component| {
+                let mut pairs = other.1.iter().zip(&component.1);
+                pairs.all(|(one, other)| (one.abs() - other.abs()).abs() < 1e-9)
+            };
+            match groups.iter_mut().find(|group| is_alike(&group[0])) {
+                Some(group) => group.push(component),
+                None => groups.push(vec![component]),
+            }
+        }
+        groups
+    }
+
+    /// Is there a vector along the line of centres?
+    fn has_line(&self, studied: &Studied) -> bool {
+        let line = |axis| sizes(&self.prepared.known, Quantity::Line(axis));
+        let Some((x, y)) = line(Axis::X).zip(line(Axis::Y)) else { return false };
+        self.members(studied).any(|(_, values)| is_parallel(values, &x, &y))
+    }
+
+    /// `2 - 5`, or that over √2: both products of the components of a velocity and of a vector along the line of centres?
+    fn is_scalar_product(&self, expr: &Expr, component: Quantity) -> bool {
+        let terms = match expr {
+            Expr::Sum(terms) => terms.as_slice(),
+            Expr::Quotient(above, _) => return self.is_scalar_product(above, component),
+            Expr::Product(factors) => return factors.iter().any(|factor| self.is_scalar_product(factor, component)),
+            _ => return false,
+        };
+        let ([one, other], Quantity::Velocity(sphere, moment, _)) = (terms, component) else { return false };
+        let product = |axis| {
+            let line = sizes(&self.prepared.known, Quantity::Line(axis))?;
+            let own = sizes(&self.prepared.known, Quantity::Velocity(sphere, moment, axis))?;
+            Some(line.iter().zip(own).map(|(line, own)| (line * own).abs()).collect::<Vec<f64>>())
+        };
+        let Some((x, y)) = product(Axis::X).zip(product(Axis::Y)) else { return false };
+        let sizes_of = |expr| self.values_of(expr).and_then(|values| numbers(&values));
+        let Some((one, other)) = sizes_of(one).zip(sizes_of(other)) else { return false };
+        let in_proportion = |(a, b): (&Vec<f64>, &Vec<f64>)| {
+            (0..a.len())
+                .all(|at| (one[at].abs() * b[at] - other[at].abs() * a[at]).abs() < 0.005 * one[at].abs() * b[at])
+        };
+        in_proportion((&x, &y)) || in_proportion((&y, &x))
     }
 
     /// By how much a student's vector along the line of centres may be longer than the unit vector.
@@ -182,14 +248,23 @@ impl Working<'_> {
     }
 }
 
-/// The formula and all that is added up in it.
-fn parts_of(expr: &Expr) -> Vec<&Expr> {
-    let mut all = vec![expr];
+/// How often a line has such a formula: `2 + 2 = 4` has it once.
+fn times(studied: &Studied, is: &dyn Fn(&Expr) -> bool) -> usize {
+    let members = studied.reading.as_ref().map(|reading| reading.members.as_slice()).unwrap_or_default();
+    let same_statement = |one: &Member, other: &Member| one.label == other.label;
+    let in_member = |member: &Member| count(&member.expr, is);
+    members.chunk_by(same_statement).map(|chain| chain.iter().map(in_member).max().unwrap_or(0)).sum()
+}
+
+/// How often it is so of what is added up in a formula; a number below another is none of it.
+fn count(expr: &Expr, is: &dyn Fn(&Expr) -> bool) -> usize {
+    let within = |expr: &Expr| count(expr, is);
     match expr {
-        Expr::Sum(_) | Expr::Quotient(..) | Expr::Negative(_) => {
-            all.extend(expr.children().into_iter().flat_map(parts_of));
-        }
-        _ => {}
+        _ if is(expr) => 1,
+        Expr::Sum(terms) => terms.iter().map(within).sum(),
+        Expr::Negative(inner) => within(inner),
+        Expr::Quotient(above, below) if is_composite(below) => within(above) + within(below),
+        Expr::Quotient(above, _) => within(above),
+        _ => 0,
     }
-    all
 }
