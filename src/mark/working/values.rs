@@ -2,14 +2,15 @@
 
 use super::compare::{any_within, is_composite, is_vector};
 use super::evidence::Evidence;
-use super::examine::Working;
+use super::examine::{Value, Working};
 use super::line::Member;
 use super::linear::constant;
 use super::points::sizes;
-use crate::answer::Kind;
+use super::spread::Spread;
+use crate::answer::{Accept, Kind};
 use crate::bank::Code;
 use crate::expr::{Expr, Function};
-use crate::mark::judging::{Model, Verdict, is_of_a_part, judge};
+use crate::mark::judging::{Model, Note, Verdict, is_of_a_part, judge};
 use crate::mark::key::KeyedMark;
 use crate::mark::reading::{Form, Label, Reading, Said, Statement, Vocabulary};
 use crate::mechanics::{Axis, Datum, Moment, Quantity, Setting, Sphere};
@@ -31,6 +32,8 @@ impl Working<'_> {
             Some([size]) => Some(*size),
             _ => None,
         };
+        let is_exact = self.must_be_exact(quantity);
+        let mut in_figures = None;
         let is_reversed = letter.as_ref().is_some_and(|(_, sign)| *sign < 0.0);
         for (place, studied) in self.lines.iter().enumerate() {
             let Some(reading) = &studied.reading else { continue };
@@ -55,26 +58,42 @@ impl Working<'_> {
                 let is_rebound = self.prepared.setting == Setting::Wall && matches!(along, Quantity::Velocity(..));
                 let ways: &[bool] = if is_rebound { &[false, true] } else { std::slice::from_ref(&is_reversed) };
                 for is_reversed in ways.iter().copied() {
-                    let model = mark.stated(is_reversed, || self.model_of(along, is_reversed))?;
+                    let model = mark.stated(is_reversed, || self.model_of(along, is_reversed, is_exact))?;
                     let verdict = |statement: Statement| {
                         let (statements, printed) = (vec![statement], String::new());
                         let reading = Reading { statements, printed, decided: Vec::new() };
-                        judge(model, &Ok(vec![reading])).verdict
+                        let judgement = judge(model, &Ok(vec![reading]));
+                        (judgement.verdict, judgement.note)
                     };
                     let mut end = statement.clone();
                     end.said.drain(..end.said.len().saturating_sub(1));
                     // A right formula that is worked out wrongly is no right value. Most lines end in another value.
-                    if verdict(end) != Verdict::Wrong && verdict(statement.clone()) == Verdict::Correct {
-                        return Some(Evidence::given(place, format!("{quantity}")));
+                    if verdict(end).0 == Verdict::Wrong {
+                        continue;
+                    }
+                    match verdict(statement.clone()) {
+                        (Verdict::Correct, _) => return Some(Evidence::given(place, format!("{quantity}"))),
+                        (_, Some(note)) if note == Note::ExactWanted.tag() => in_figures = in_figures.or(Some(place)),
+                        _ => {}
                     }
                 }
             }
+        }
+        if let Some(place) = in_figures {
+            let (note, feedback) = (Some(Note::ExactWanted.tag()), Note::ExactWanted.sentence().to_owned());
+            return Some(Evidence { given: false, note, feedback, ..Evidence::given(place, format!("{quantity}")) });
         }
         if code == Code::A1FollowThrough && !self.is_trivial(quantity) {
             let line = self.line_that_is(&self.followed, quantity)?;
             return Some(Evidence::followed(line, format!("{quantity}")));
         }
         None
+    }
+
+    /// Is it an answer of this part for which the sheet wants the exact value?
+    fn must_be_exact(&self, quantity: Quantity) -> bool {
+        let mut blanks = self.part.blanks.iter();
+        blanks.any(|blank| blank.model.accept == Accept::Exact && blank.find.quantities().contains(&quantity))
     }
 
     /// Is it a formula with a letter of which nothing is known: `w²`, `2v`? Its value is not that of the letter.
@@ -140,15 +159,17 @@ impl Working<'_> {
         let Quantity::Velocity(sphere, moment, _) = quantity else { return None };
         let at = |axis| sizes(&self.prepared.known, Quantity::Velocity(sphere, moment, axis));
         let (x, y) = at(Axis::X).zip(at(Axis::Y))?;
-        let line = self
-            .lines
-            .iter()
-            .position(|studied| self.members(studied).any(|(_, values)| is_vector(values, &x, &y, 1.0)))?;
+        let is_exact = self.must_be_exact(quantity);
+        let is_right = |values: &[Value]| match is_exact {
+            true => is_vector(&exactly(values), &x, &y, 1.0),
+            false => is_vector(values, &x, &y, 1.0),
+        };
+        let line = self.lines.iter().position(|studied| self.members(studied).any(|(_, values)| is_right(values)))?;
         Some(Evidence::given(line, format!("the velocity of {}", sphere.name())))
     }
 
     /// The model answer for a quantity, in the student's direction.
-    fn model_of(&self, quantity: Quantity, is_reversed: bool) -> Option<Model> {
+    fn model_of(&self, quantity: Quantity, is_reversed: bool, is_exact: bool) -> Option<Model> {
         let mut known = self.part.known.clone();
         crate::mechanics::Derivation::carry_out(&mut known, &[quantity]);
         let (value, kind) = match known.0.get(&quantity)? {
@@ -161,10 +182,20 @@ impl Working<'_> {
             Datum::Equation(_) => return None,
         };
         let figures = crate::number::Places::SignificantFigures(3);
-        let accept = crate::answer::Accept::RoundsTo(figures);
+        let accept = if is_exact { Accept::Exact } else { Accept::RoundsTo(figures) };
         let vocabulary = Vocabulary { letters: self.question.letters.clone(), vectors: false };
         Some(Model::new(value, kind, accept, vocabulary))
     }
+}
+
+/// The same as if every figure were as it was meant: what is rounded is not exact, and 1.25 is.
+fn exactly(values: &[Value]) -> Vec<Value> {
+    let middle = |spread: &Spread| Spread::exactly(spread.middle());
+    let exact = |value: &Value| match value {
+        Value::Number(number) => Value::Number(middle(number)),
+        Value::Vector(x, y) => Value::Vector(middle(x), middle(y)),
+    };
+    values.iter().map(exact).collect()
 }
 
 /// Does it come to a number by arithmetic alone, so that it is no angle and has no letter?
