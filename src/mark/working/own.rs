@@ -15,7 +15,10 @@ impl Working<'_> {
             return None;
         }
         match law.seen() {
-            Seen::Value(_, Shape::ChangeOfMomentum) | Seen::AlongLine => self.impulse_of_own(law),
+            Seen::Value(_, Shape::ChangeOfMomentum) | Seen::AlongLine if self.is_in_vectors() => {
+                self.impulse_of_own(law)
+            }
+            Seen::Value(_, Shape::ChangeOfMomentum) => self.impulse_along(law),
             Seen::Value(_, Shape::DifferenceOfSquares) => self.energy_of_one(law),
             _ => None,
         }
@@ -23,7 +26,7 @@ impl Working<'_> {
 
     /// The change of momentum of a sphere whose velocity after the impact is the student's own.
     fn impulse_of_own(&self, law: Law) -> Option<Evidence> {
-        if self.prepared.setting != Setting::Oblique || !self.is_in_vectors() {
+        if self.prepared.setting != Setting::Oblique {
             return None;
         }
         let own: Vec<[Vec<f64>; 2]> = Sphere::BOTH.into_iter().filter_map(|sphere| self.own_change(sphere)).collect();
@@ -73,6 +76,53 @@ impl Working<'_> {
             is_momentum && has_mass
         };
         is_change(x, Axis::X) && is_change(y, Axis::Y)
+    }
+
+    /// `m(v - u)` along the line of centres, with a number for v.
+    fn impulse_along(&self, law: Law) -> Option<Evidence> {
+        if self.prepared.setting == Setting::Impulse {
+            return None;
+        }
+        let line = self.lines.iter().position(|studied| {
+            let members = studied.reading.as_ref().map(|reading| reading.members.as_slice()).unwrap_or_default();
+            let is_change = |expr: &Expr| Sphere::BOTH.into_iter().any(|sphere| self.is_change_along(sphere, expr));
+            studied.matched.is_empty() && members.iter().any(|member| is_change(&member.expr))
+        })?;
+        Some(Evidence::given(line, law.name()))
+    }
+
+    /// The mass of a sphere times the difference of its velocity before the impact and a number that is no other velocity
+    /// before it.
+    fn is_change_along(&self, sphere: Sphere, expr: &Expr) -> bool {
+        let known = |quantity| sizes(&self.prepared.known, quantity);
+        let expr = if let Expr::Negative(inner) = expr { inner } else { expr };
+        let before = |of, axis| known(Quantity::Velocity(of, Moment::Before, axis));
+        let (Some(mass), Some(own), Some((factors, one, other))) =
+            (known(Quantity::Mass(sphere)), before(sphere, Axis::N), two_terms(expr))
+        else {
+            return false;
+        };
+        if own.iter().any(|size| *size == 0.0) {
+            return false;
+        }
+        let momentum =
+            |sizes: &[f64]| -> Vec<f64> { sizes.iter().zip(&mass).map(|(size, mass)| size * mass).collect() };
+        let velocities = Sphere::BOTH
+            .into_iter()
+            .flat_map(|of| [before(of, Axis::N), before(of, Axis::T), known(Quantity::Speed(of, Moment::Before))]);
+        let others: Vec<Vec<f64>> = velocities.flatten().map(|sizes| momentum(&sizes)).collect();
+        let found: Vec<Vec<f64>> = self.sizes_of(sphere, Axis::N).iter().map(|sizes| momentum(sizes)).collect();
+        let has_mass = |inner: &Expr| self.is_one_of(inner, std::slice::from_ref(&mass));
+        let fits = |taken: &Expr, after: &Expr| {
+            let [taken, after] = [taken, after].map(|term| product(&factors, term));
+            self.is_one_of(&taken, &[momentum(&own)])
+                && any_within(&after, &has_mass)
+                && self.values_of(&after).is_some()
+                && !self.is_one_of(&after, &others)
+                // With what is known of v the signs matter.
+                && !self.is_near_one_of(&after, &found)
+        };
+        fits(one, other) || fits(other, one)
     }
 
     /// The energy of one sphere before an impact less that after it, in which the speed after may be wrong.

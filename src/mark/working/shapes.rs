@@ -32,7 +32,7 @@ impl Working<'_> {
 
     /// The sizes that a component after the impact may have: the right one, the student's own, and across the line also
     /// what the exchange of sine and cosine makes of it, and e.
-    fn sizes_of(&self, sphere: Sphere, axis: Axis) -> Vec<Vec<f64>> {
+    pub(super) fn sizes_of(&self, sphere: Sphere, axis: Axis) -> Vec<Vec<f64>> {
         let mut all = Vec::new();
         let quantity = Quantity::Velocity(sphere, Moment::After, axis);
         all.extend(sizes(&self.prepared.known, quantity));
@@ -53,7 +53,7 @@ impl Working<'_> {
     }
 
     /// The same of a number that was rounded more than its figures show.
-    fn is_near_one_of(&self, expr: &Expr, sizes: &[Vec<f64>]) -> bool {
+    pub(super) fn is_near_one_of(&self, expr: &Expr, sizes: &[Vec<f64>]) -> bool {
         let Some(values) = self.values_of(expr).and_then(|values| super::theirs::numbers(&values)) else {
             return false;
         };

@@ -124,9 +124,15 @@ impl Working<'_> {
                     let product = || alike.iter().any(|(quantity, _)| self.is_scalar_product(expr, *quantity));
                     self.is_one_of(expr, std::slice::from_ref(&scaled)) && (is_line_known || product())
                 };
-                let mut times = self.lines.iter().enumerate().map(|(place, studied)| (place, times(studied, &is)));
-                let first = times.find(|(_, count)| *count > 0)?;
-                Some((first.0, first.1 + times.map(|(_, count)| count).sum::<usize>() >= alike.len()))
+                let in_sums = |studied: &Studied| {
+                    let members = studied.reading.iter().flat_map(|reading| &reading.members);
+                    let mut terms = members.flat_map(|member| sums_in(&member.expr)).flat_map(|sum| sum.children());
+                    terms.any(|term| times_in(term, &is) > 0)
+                };
+                let first = self.lines.iter().position(|studied| times(studied, &is) > 0 || in_sums(studied))?;
+                let stated: usize = self.lines.iter().map(|studied| times(studied, &is)).sum();
+                let each = stated >= alike.len() || self.times_in_sums(&is) >= alike.len();
+                Some((first, each))
             };
             let found: Vec<(usize, bool)> = components.iter().filter_map(seen).collect();
             if found.len() > best.map_or(0, |(count, ..)| count) {
@@ -140,6 +146,18 @@ impl Working<'_> {
             false => count >= if is_wall { 1 } else { 2.min(components.len()) },
         };
         enough.then(|| Evidence::given(place, "components along the line of centres"))
+    }
+
+    /// How often such a formula stands in sums that are not the same: `(1 + 4)/(4 + 3)` has a 4 in two.
+    fn times_in_sums(&self, is: &dyn Fn(&Expr) -> bool) -> usize {
+        let readings = self.lines.iter().filter_map(|studied| studied.reading.as_ref());
+        let mut sums: Vec<&Expr> = Vec::new();
+        for sum in readings.flat_map(|reading| &reading.members).flat_map(|member| sums_in(&member.expr)) {
+            if !sums.contains(&sum) {
+                sums.push(sum);
+            }
+        }
+        sums.into_iter().flat_map(|sum| sum.children()).map(|term| times_in(term, is)).sum()
     }
 
     /// What a scheme has resolved, those of one size together: of two such, one number shows one.
@@ -248,23 +266,26 @@ impl Working<'_> {
     }
 }
 
-/// How often a line has such a formula: `2 + 2 = 4` has it once.
+/// How often a line has such a formula for a value: `2 + 2 = 4` has it once.
 fn times(studied: &Studied, is: &dyn Fn(&Expr) -> bool) -> usize {
     let members = studied.reading.as_ref().map(|reading| reading.members.as_slice()).unwrap_or_default();
     let same_statement = |one: &Member, other: &Member| one.label == other.label;
-    let in_member = |member: &Member| count(&member.expr, is);
-    members.chunk_by(same_statement).map(|chain| chain.iter().map(in_member).max().unwrap_or(0)).sum()
+    let in_chain = |chain: &[Member]| chain.iter().map(|member| times_in(&member.expr, is)).max().unwrap_or(0);
+    members.chunk_by(same_statement).map(in_chain).sum()
 }
 
-/// How often it is so of what is added up in a formula; a number below another is none of it.
-fn count(expr: &Expr, is: &dyn Fn(&Expr) -> bool) -> usize {
-    let within = |expr: &Expr| count(expr, is);
+fn times_in(expr: &Expr, is: &dyn Fn(&Expr) -> bool) -> usize {
     match expr {
-        _ if is(expr) => 1,
-        Expr::Sum(terms) => terms.iter().map(within).sum(),
-        Expr::Negative(inner) => within(inner),
-        Expr::Quotient(above, below) if is_composite(below) => within(above) + within(below),
-        Expr::Quotient(above, _) => within(above),
-        _ => 0,
+        Expr::Negative(inner) => times_in(inner, is),
+        other => usize::from(is(other)),
+    }
+}
+
+/// The sums in a formula, above and below a line.
+fn sums_in(expr: &Expr) -> Vec<&Expr> {
+    match expr {
+        Expr::Sum(_) => vec![expr],
+        Expr::Quotient(above, below) => [above, below].into_iter().flat_map(|part| sums_in(part)).collect(),
+        _ => Vec::new(),
     }
 }
