@@ -92,6 +92,11 @@ fn in_degrees(degrees: f64) -> Expr {
 /// `cos θ = 4/5` or `θ = 36.9°`: the letter, and the angle in degrees.
 fn definition((left, right): &(Expr, Expr), prepared: &Prepared) -> Option<(String, f64)> {
     let number = |expr: &Expr| constant(expr, &context(prepared, 0)).map(super::spread::Spread::middle);
+    // In letters of the question it is no number, and a letter of the question is none of the student's.
+    let is_letter = |expr: &Expr| expr.names().iter().any(|name| prepared.points.letter(&name.text, 0).is_some());
+    if is_letter(left) || is_letter(right) {
+        return None;
+    }
     match left {
         Expr::Call(function, argument) => {
             let Expr::Name(name) = &**argument else { return None };

@@ -126,12 +126,18 @@ fn readings(typed: &str, vocabularies: &[Vocabulary]) -> Vec<ReadLine> {
         if place > 0 && !says_more(typed, &vocabularies[place - 1], vocabulary) {
             continue;
         }
-        for text in candidates(typed) {
+        for (name, text) in candidates(typed) {
             let Ok(readings) = read_whole(&text, vocabulary) else { continue };
             for reading in readings {
-                let line = read_line(reading);
+                let mut line = read_line(reading);
+                for member in line.members.iter_mut().filter(|member| member.label.is_none()) {
+                    member.label = name.map(str::to_owned);
+                }
                 if found.iter().all(|other| other.statements != line.statements) {
-                    found.push(line);
+                    // `A after: 4 − 3 = 1` is an equation with a name.
+                    let is_named = name.is_some() && !line.equations.is_empty();
+                    let place = if is_named { 0 } else { found.len() };
+                    found.insert(place, line);
                 }
             }
             // Words before a formula may be a name or a remark: what has an equation or a value is enough.
@@ -167,25 +173,29 @@ fn may_have_column(typed: &str) -> bool {
 }
 
 /// The line, and the line without the words before its formula: `CLM: …`, `by conservation of momentum …`.
-fn candidates(typed: &str) -> Vec<String> {
+///
+/// With the words of which a colon says that they are its name.
+fn candidates(typed: &str) -> Vec<(Option<&str>, String)> {
     let typed = typed.trim_start_matches(['∴', '→', '⇒', '•']).trim_start_matches("=>").trim();
     let typed = REMARKS.iter().find_map(|remark| typed.strip_suffix(remark)).unwrap_or(typed).trim();
     // A bullet stands apart; a minus sign does not.
     let typed = ["- ", "* "].iter().find_map(|bullet| typed.strip_prefix(bullet)).unwrap_or(typed).trim();
     let typed = LEAD_INS.iter().find_map(|word| typed.strip_prefix(word)?.strip_prefix(' ')).unwrap_or(typed).trim();
     // `3 × −2` and `4·3` are written with signs that words do not have.
-    let mut all = vec![typed.to_owned()];
+    let mut all: Vec<(Option<&str>, String)> = Vec::new();
+    all.extend(turned_round(typed).map(|turned| (None, turned)));
+    all.push((None, typed.to_owned()));
     if let Some((before, after)) = typed.split_once(':')
         && after.contains('=')
         && !before.contains('=')
     {
-        all.push(after.trim().to_owned());
+        all.push((Some(before.trim()), after.trim().to_owned()));
     }
     // A scalar product is worked out on its right: `(2i + 5j).(i - j) = 2 - 5`.
     if let Some((product, after)) = typed.split_once('=')
         && SCALAR_PRODUCTS.iter().any(|sign| product.contains(sign))
     {
-        all.push(after.trim().to_owned());
+        all.push((None, after.trim().to_owned()));
     }
     let is_word = |word: &str| {
         let letters = word.trim_matches(['(', ')', '.', ',', ':']);
@@ -196,9 +206,18 @@ fn candidates(typed: &str) -> Vec<String> {
     if let Some((last, _)) = last
         && last + 1 < words.len()
     {
-        all.push(words[last + 1..].join(" "));
+        all.push((None, words[last + 1..].join(" ")));
     }
     all
+}
+
+/// `x = -(5)` for `-x = 5`.
+fn turned_round(typed: &str) -> Option<String> {
+    let mut sides = typed.strip_prefix(['-', '−'])?.split('=').map(str::trim);
+    let letter = sides.next().filter(|letter| letter.len() <= 3 && letter.starts_with(char::is_alphabetic))?;
+    let is_name = letter.chars().skip(1).all(|sign| sign == '_' || sign.is_ascii_uppercase() || sign.is_ascii_digit());
+    let negated: Vec<String> = sides.map(|side| format!("-({side})")).collect();
+    (is_name && !negated.is_empty()).then(|| format!("{letter} = {}", negated.join(" = ")))
 }
 
 /// How the sign of a scalar product stands between two vectors.
