@@ -2,10 +2,11 @@
 //! or `5 cos α` where α is the question's own name for the angle.
 
 use super::examine::context;
-use super::line::{Line, ReadLine};
+use super::line::{Line, Member, ReadLine};
 use super::linear::constant;
 use super::prepared::Prepared;
 use crate::expr::{Expr, Function};
+use crate::mark::reading::Form;
 
 /// Letters for angles that are still to be found: nobody calls a given one so, unless the question does.
 const NEW: [&str; 4] = ["beta", "gamma", "delta", "phi"];
@@ -37,51 +38,67 @@ pub(super) fn put_in_place(lines: &mut [Line], prepared: &Prepared) {
             }
             reading.is_guessed |= guessed.contains(&name);
         }
-        let put = |expr: &Expr| with_angles(expr, &known);
-        for (left, right) in &mut reading.equations {
-            (*left, *right) = (put(left), put(right));
-        }
-        for member in &mut reading.members {
-            member.expr = put(&member.expr);
-        }
+        put_everywhere(reading, &|expr| with_angles(expr, &known));
     }
 }
 
-/// `let t = tan α`: from there on the letter is written for it.
+/// `let t = tan α`, `k = 4cos30`: from there on the letter is written for it.
 fn put_short_letters_in_place(lines: &mut [Line], prepared: &Prepared) {
     let mut known: Vec<(String, Expr)> = Vec::new();
+    let mut used: Vec<String> = Vec::new();
     for line in lines {
-        let defined =
-            line.readings.iter().flat_map(|reading| &reading.equations).find_map(|equation| short(equation, prepared));
-        if let Some(letter) = defined {
-            known.push(letter);
-            continue;
-        }
         let put = |expr: &Expr| {
             expr.substitute(&|name| known.iter().rfind(|(own, _)| own == name).map(|(_, put)| put.clone()))
         };
         for reading in line.readings.iter_mut().filter(|_| !known.is_empty()) {
-            for (left, right) in &mut reading.equations {
-                (*left, *right) = (put(left), put(right));
-            }
-            for member in &mut reading.members {
-                member.expr = put(&member.expr);
+            put_everywhere(reading, &put);
+        }
+        let members = line.readings.iter().flat_map(|reading| &reading.members);
+        let defined: Vec<(String, Expr)> = members.filter_map(|member| short(member, prepared)).collect();
+        for (letter, value) in defined {
+            // What stood in an equation before is an unknown that has been found.
+            if !used.contains(&letter) && known.iter().all(|(own, _)| *own != letter) {
+                known.push((letter, value));
             }
         }
+        let sides = line.readings.iter().flat_map(|reading| &reading.equations).flat_map(|(left, right)| [left, right]);
+        used.extend(sides.flat_map(Expr::names).map(|name| name.text.clone()));
     }
 }
 
-/// A letter of the student's own for a sine, cosine or tangent of a letter of the question.
-fn short((left, right): &(Expr, Expr), prepared: &Prepared) -> Option<(String, Expr)> {
-    let Expr::Name(letter) = left else { return None };
+/// A letter of the student's own for what is known: a sine, cosine or tangent of a letter of the question, or a number.
+fn short(member: &Member, prepared: &Prepared) -> Option<(String, Expr)> {
     let is_free = |name: &str| {
         prepared.points.letter(name, 0).is_none() && !prepared.names.iter().any(|(known, _)| known == name)
     };
-    match argument(right)? {
-        Expr::Name(angle) if is_free(&letter.text) && !is_free(&angle.text) => {
-            Some((letter.text.clone(), right.clone()))
+    // A letter that is not expected before an equals sign is read as a word.
+    let letter = member.letter.as_ref().or(member.label.as_ref().filter(|label| label.len() == 1))?;
+    let value = &member.expr;
+    let is_of_known = value.names().iter().all(|name| !is_free(&name.text));
+    let is_known = is_of_known && (argument(value).is_some() || constant(value, &context(prepared, 0)).is_some());
+    (is_known && is_free(letter) && is_short(letter)).then(|| (letter.clone(), value.clone()))
+}
+
+/// May it be a letter for something known? Others stand for what is to be found, by the custom of the subject.
+fn is_short(letter: &str) -> bool {
+    const SOUGHT: [char; 18] =
+        ['v', 'w', 'x', 'y', 'V', 'W', 'X', 'Y', 'I', 'J', 'E', 'e', 'm', 'M', 'i', 'A', 'B', 'C'];
+    let is_greek = letter.len() > 2 && !letter.contains('_');
+    letter.starts_with(char::is_alphabetic) && !is_greek && letter != "j" && !letter.starts_with(SOUGHT)
+}
+
+/// Puts something in the place of letters, wherever they stand in a reading.
+fn put_everywhere(reading: &mut ReadLine, put: &dyn Fn(&Expr) -> Expr) {
+    for (left, right) in &mut reading.equations {
+        (*left, *right) = (put(left), put(right));
+    }
+    for member in &mut reading.members {
+        member.expr = put(&member.expr);
+    }
+    for said in reading.statements.iter_mut().flat_map(|statement| &mut statement.said) {
+        if let Form::Value(value) = &mut said.form {
+            *value = put(value);
         }
-        _ => None,
     }
 }
 

@@ -27,6 +27,7 @@ pub(super) fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option
             for equation in reading.equations.iter().filter(|equation| !is_value(equation)) {
                 if let Some(linear) = differences(equation, prepared)
                     && (1..=2).contains(&linear[0].unknowns.len())
+                    && linear[0].unknowns.iter().all(|(name, _)| may_be_velocity(name))
                 {
                     if says_equal(equation, &linear[0]) {
                         bare.push((place, which));
@@ -77,6 +78,12 @@ pub(super) fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option
         studied.role = studied.matched.iter().map(role).collect::<Vec<_>>().join("; ");
     }
     Some(convention)
+}
+
+/// May a letter stand for a velocity? Not an angle's, nor that of an impulse or an energy: `δ = β - α` is no law.
+fn may_be_velocity(name: &str) -> bool {
+    let is_greek = name.len() > 3 && !name.contains('_');
+    !is_greek && !matches!(name, "phi" | "I" | "J" | "E")
 }
 
 /// Are both unknowns positive against i, or against j, along which the line of centres lies?
