@@ -11,9 +11,10 @@ use super::line::Member;
 use super::points::sizes;
 use super::shapes::components_in;
 use crate::answer::Kind;
-use crate::bank::Code;
+use crate::bank::{Code, EarnedFor};
 use crate::expr::Expr;
 use crate::mark::judging::{Note, is_of_a_part, judge, may_be_named};
+use crate::mark::key::KeyedMark;
 use crate::mark::reading::Reading;
 use crate::mechanics::{Axis, Datum, Known, Law, Moment, Quantity, Seen, Setting, Shape, Sphere};
 
@@ -55,6 +56,29 @@ impl Working<'_> {
             }
             Seen::AlongLine | Seen::Unknown => None,
         }
+    }
+
+    /// Where a part asks for the speed of a sphere and for its direction, and has one method mark for both, an inverse tangent
+    /// combines the components as well as Pythagoras does.
+    pub(super) fn by_direction(&self, law: Law, sphere: Option<Sphere>, code: Code) -> Option<Evidence> {
+        let has_own = |mark: &KeyedMark| matches!(mark.earned_for, EarnedFor::Law(Law::Direction, _));
+        let is_angle = |quantity: &Quantity| Law::Direction.gives(*quantity) && quantity.sphere() == sphere;
+        let asks_angle =
+            || self.part.blanks.iter().flat_map(|blank| blank.find.quantities()).any(|find| is_angle(&find));
+        if law != Law::Speed || code.is_accuracy() || self.part.scheme.iter().any(has_own) || !asks_angle() {
+            return None;
+        }
+        self.by_law(Law::Direction, sphere, code)
+            .filter(|found| found.given && self.speaks_of_angle(&self.lines[found.line]))
+    }
+
+    fn speaks_of_angle(&self, studied: &Studied) -> bool {
+        const GREEK: [&str; 6] = ["alpha", "beta", "gamma", "delta", "theta", "phi"];
+        let typed = studied.line.typed.to_lowercase();
+        let has_letter =
+            |member: &Member| member.letter.as_ref().is_some_and(|letter| GREEK.contains(&letter.as_str()));
+        ["tan", "angle", "direction"].iter().any(|word| typed.contains(word))
+            || self.members(studied).any(|(member, _)| has_letter(member))
     }
 
     /// Does the scheme have the energy before the impact as a step of its own?

@@ -229,7 +229,7 @@ impl Working<'_> {
             (EarnedFor::Law(law, _), _) if law.seen() == Seen::Unknown => self.solved(),
             (EarnedFor::Law(law, sphere), code) => match self.by_law(*law, *sphere, code) {
                 Some(shown) if shown.given => Some(shown),
-                shown => self.by_own(*law, code).or(shown),
+                shown => self.by_own(*law, code).or_else(|| self.by_direction(*law, *sphere, code)).or(shown),
             },
             (EarnedFor::Condition, _) => self.uses_condition(mark),
             (EarnedFor::Quantity(quantity), code) => self.value_of(*quantity, code, mark),
