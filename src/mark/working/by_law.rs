@@ -61,14 +61,18 @@ impl Working<'_> {
     /// Where a part asks for the speed of a sphere and for its direction, and has one method mark for both, an inverse tangent
     /// combines the components as well as Pythagoras does.
     pub(super) fn by_direction(&self, law: Law, sphere: Option<Sphere>, code: Code) -> Option<Evidence> {
-        let has_own = |mark: &KeyedMark| matches!(mark.earned_for, EarnedFor::Law(Law::Direction, _));
-        let is_angle = |quantity: &Quantity| Law::Direction.gives(*quantity) && quantity.sphere() == sphere;
-        let asks_angle =
-            || self.part.blanks.iter().flat_map(|blank| blank.find.quantities()).any(|find| is_angle(&find));
-        if law != Law::Speed || code.is_accuracy() || self.part.scheme.iter().any(has_own) || !asks_angle() {
+        let combines = |law: &Law, by: Shape| matches!(law.seen(), Seen::Value(_, shape) if shape == by);
+        if !combines(&law, Shape::Pythagoras) || code.is_accuracy() {
             return None;
         }
-        self.by_law(Law::Direction, sphere, code)
+        let direction = *Law::ALL.iter().find(|other| combines(other, Shape::Tangent))?;
+        let has_own = |mark: &KeyedMark| matches!(mark.earned_for, EarnedFor::Law(law, _) if law == direction);
+        let is_angle = |quantity: &Quantity| direction.gives(*quantity) && quantity.sphere() == sphere;
+        let mut asked = self.part.blanks.iter().flat_map(|blank| blank.find.quantities());
+        if self.part.scheme.iter().any(has_own) || !asked.any(|find| is_angle(&find)) {
+            return None;
+        }
+        self.by_law(direction, sphere, code)
             .filter(|found| found.given && self.speaks_of_angle(&self.lines[found.line]))
     }
 
