@@ -122,7 +122,10 @@ fn looked_through(
             _ => Vec::new(),
         };
         theirs = examined.theirs;
-        theirs.take_answers(question, part, judged.iter().map(|judged| judged.readings.as_deref()));
+        // What is not filled in stands perhaps in the working.
+        let stated = examined.stated.iter().map(|stated| stated.as_ref().map(std::slice::from_ref));
+        let readings = judged.iter().zip(stated.chain(std::iter::repeat(None)));
+        theirs.take_answers(question, part, readings.map(|(judged, stated)| judged.readings.as_deref().or(stated)));
         let (label, lines) = (part.label.clone(), examined.lines);
         marked.push(MarkedPart { label, answers, lines, awards, found, followed: solution });
     }

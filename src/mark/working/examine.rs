@@ -15,7 +15,9 @@ use super::theirs::{Theirs, follow, follow_to, own_values};
 use crate::bank::{Code, EarnedFor};
 use crate::expr::Expr;
 use crate::mark::award::{Award, Evidence, Examiner, MarkedLine, Place};
-use crate::mark::key::{KeyedMark, KeyedPart, KeyedQuestion};
+use crate::mark::judging::is_named;
+use crate::mark::key::{KeyedBlank, KeyedMark, KeyedPart, KeyedQuestion};
+use crate::mark::reading::{Reading, Statement};
 use crate::mechanics::{Axis, Known, Law, Moment, Quantity, Seen, Sphere};
 
 /// What looking through the working of a part found.
@@ -26,6 +28,8 @@ pub(crate) struct Examined {
     pub(crate) lines: Vec<MarkedLine>,
     /// The values that the student found, in this part and before.
     pub(crate) theirs: Theirs,
+    /// For each blank what the last line states that calls a value what is asked for.
+    pub(crate) stated: Vec<Option<Reading>>,
     /// Everything that follows from them, at every point, where that was worked out to look through the lines.
     pub(super) followed: Option<Vec<Known<f64>>>,
     /// What each line is short of one of the two equations, if it is one.
@@ -126,13 +130,23 @@ pub(super) fn examine_one(
     });
     evaluate(&mut working.lines, prepared, &working.names);
     let awards = part.scheme.iter().map(|mark| working.award(mark)).collect();
+    let stated = part.blanks.iter().map(|blank| stated(&working.lines, blank)).collect();
     let lines = working.lines.iter().map(|studied| MarkedLine {
         typed: studied.line.typed.clone(),
         reading: studied.reading.as_ref().map(|reading| reading.printed.clone()),
         role: part.setting.say(&studied.role).into_owned(),
     });
     let lines = lines.collect();
-    Examined { awards, lines, theirs: working.theirs, followed: Some(working.followed), short_of_law }
+    Examined { awards, lines, theirs: working.theirs, stated, followed: Some(working.followed), short_of_law }
+}
+
+/// What the last line states of a blank by a name in words, `speed of B = 8`; letters are known from the equations.
+fn stated(lines: &[Studied], blank: &KeyedBlank) -> Option<Reading> {
+    let readings = lines.iter().rev().filter_map(|studied| studied.reading.as_ref());
+    let is_in_words = |statement: &&Statement| statement.label.as_ref().is_some_and(|label| label.expr.is_none());
+    let mut statements = readings.flat_map(|reading| reading.statements.iter().rev()).filter(is_in_words);
+    let statement = statements.find(|statement| is_named(&blank.model, statement))?;
+    Some(Reading { statements: vec![statement.clone()], printed: String::new(), decided: Vec::new() })
 }
 
 /// A line that is crossed out does not count where the same law, or the same letter, stands again without a stroke.

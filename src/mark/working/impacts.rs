@@ -13,7 +13,7 @@ pub(crate) fn examine(question: &KeyedQuestion, part: &KeyedPart, working: &[Str
     if working.is_empty() {
         let awards = part.scheme.iter().map(|_| None).collect();
         let (lines, short_of_law) = (Vec::new(), Vec::new());
-        return Examined { awards, lines, theirs: before.clone(), followed: None, short_of_law };
+        return Examined { awards, lines, theirs: before.clone(), stated: Vec::new(), followed: None, short_of_law };
     }
     if question.scene.then.is_empty() {
         return examine_one(question, part, working, before, &[]);
@@ -106,7 +106,8 @@ impl Examined {
         let awards = part.scheme.iter().map(|_| None).collect();
         let line = |typed: &String| MarkedLine { typed: typed.clone(), reading: None, role: String::new() };
         let lines = working.iter().map(line).collect();
-        Examined { awards, lines, theirs: before.clone(), followed: None, short_of_law: Vec::new() }
+        let stated = Vec::new();
+        Examined { awards, lines, theirs: before.clone(), stated, followed: None, short_of_law: Vec::new() }
     }
 
     /// Without what was found of marks that are about another impact.

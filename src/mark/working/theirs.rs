@@ -82,12 +82,15 @@ pub(super) fn own_values(
     prepared: &Prepared,
 ) -> BTreeMap<Quantity, (Vec<f64>, Expr)> {
     let mut found = BTreeMap::new();
+    let alone = asked_alone(lines, convention, part);
     for studied in lines {
         let Some(reading) = &studied.reading else { continue };
         for (member, values) in reading.members.iter().zip(&studied.values) {
             let (Some(letter), Some(values)) = (&member.letter, values) else { continue };
             let numbers = numbers(values);
             let place = convention.and_then(|convention| convention.letters.iter().position(|known| known == letter));
+            // Where no equation says whose letter it is, it is of the sphere that is asked for.
+            let place = place.and(alone.and_then(|of| Sphere::BOTH.into_iter().position(|one| one == of))).or(place);
             match (numbers, place, convention) {
                 (Some(numbers), Some(place), Some(convention)) => {
                     let own = Quantity::Velocity(Sphere::BOTH[place], Moment::After, Axis::N);
@@ -103,13 +106,20 @@ pub(super) fn own_values(
                     let vector = |component: fn(&Value) -> Option<Spread>| -> Option<Vec<f64>> {
                         values.iter().map(|value| component(value).map(Spread::middle)).collect()
                     };
-                    let is_after = letter.starts_with(['v', 'V', 'w']);
+                    let is_after = letter.starts_with(['v', 'V', 'w', 'W', 'x', 'y', 'X', 'Y']);
                     if let (Some(of), true) = (of, is_after)
                         && let (Some(x), Some(y)) = (vector(first), vector(second))
                         && let Expr::Vector(along_i, along_j) = &member.expr
                     {
                         found.insert(Quantity::Velocity(of, Moment::After, Axis::X), (x, (**along_i).clone()));
                         found.insert(Quantity::Velocity(of, Moment::After, Axis::Y), (y, (**along_j).clone()));
+                    }
+                }
+                // Of the one velocity that is to be found in a straight line.
+                (Some(numbers), None, None) if prepared.setting == Setting::Direct => {
+                    let is_velocity = letter.starts_with(['v', 'V', 'w', 'W', 'x', 'y', 'X', 'Y']);
+                    if let Some(of) = sphere(letter).or(unknown_sphere(prepared)).filter(|_| is_velocity) {
+                        found.insert(Quantity::Velocity(of, Moment::After, Axis::N), (numbers, member.expr.clone()));
                     }
                 }
                 _ => {}
@@ -119,6 +129,23 @@ pub(super) fn own_values(
     let is_own = |quantity: &Quantity| !prepared.given[0].0.contains_key(quantity);
     found.retain(|quantity, (values, _)| is_own(quantity) && values.iter().all(|value| value.is_finite()));
     found
+}
+
+/// The one sphere of which a part asks for the velocity, where no line is a law and one letter alone is used.
+fn asked_alone(lines: &[Studied], convention: Option<&Convention>, part: &KeyedPart) -> Option<Sphere> {
+    let is_used = |letter: &&String| {
+        let mut members =
+            lines.iter().filter_map(|studied| studied.reading.as_ref()).flat_map(|reading| &reading.members);
+        members.any(|member| member.letter.as_ref() == Some(*letter))
+    };
+    let is_law = lines.iter().any(|studied| !studied.matched.is_empty());
+    if is_law || convention?.letters.iter().filter(is_used).count() != 1 {
+        return None;
+    }
+    let letter = convention?.letters.iter().find(is_used)?;
+    let mut asked = part.blanks.iter().flat_map(|blank| blank.find.quantities());
+    let of = asked.next()?.sphere().filter(|_| sphere(letter).is_none())?;
+    asked.all(|quantity| quantity.sphere() == Some(of)).then_some(of)
 }
 
 fn first(value: &Value) -> Option<Spread> {
