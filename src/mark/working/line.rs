@@ -66,7 +66,10 @@ const UNKNOWNS: [&str; 23] = [
 /// Letters that are also signs: only where a line cannot be read without them.
 const DOUBTFUL: [&str; 6] = ["x", "y", "X", "Y", "p", "q"];
 /// What else a student may call the unknowns: where a line makes sense in no other way.
-const OWN: [&str; 18] = ["a", "b", "c", "d", "s", "t", "u", "f", "g", "h", "k", "z", "m", "M", "X", "Y", "x_1", "x_2"];
+const OWN: [&str; 24] = [
+    "a", "b", "c", "d", "s", "t", "u", "f", "g", "h", "k", "z", "m", "M", "X", "Y", "x_1", "x_2", "y_1", "y_2", "x_A",
+    "x_B", "y_A", "y_B",
+];
 /// Letters that stand for what is given as a number.
 const GIVEN: [&str; 5] = ["e", "m_A", "m_B", "m_1", "m_2"];
 
