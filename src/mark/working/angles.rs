@@ -1,6 +1,7 @@
 //! Angles that a student works with by a letter, where the question gives them as numbers: `5 cos θ` after `cos θ = 4/5`,
 //! or `5 cos α` where α is the question's own name for the angle.
 
+use super::components::{has_component, name_components};
 use super::examine::context;
 use super::line::{Line, Member, ReadLine};
 use super::linear::constant;
@@ -19,6 +20,7 @@ pub(super) fn put_in_place(lines: &mut [Line], prepared: &Prepared) {
     put_short_letters_in_place(lines, prepared);
     let mut known: Vec<(String, Expr)> = Vec::new();
     let mut guessed: Vec<String> = Vec::new();
+    let mut sought: Vec<String> = Vec::new();
     for reading in lines.iter_mut().flat_map(|line| &mut line.readings) {
         let defined = reading.equations.iter().find_map(|equation| definition(equation, prepared));
         if let Some((name, angle)) = defined {
@@ -31,6 +33,10 @@ pub(super) fn put_in_place(lines: &mut [Line], prepared: &Prepared) {
             let is_open = prepared.points.letter(&name, 0).is_none() && known.iter().all(|(own, _)| *own != name);
             let named = prepared.angles.iter().find(|(own, _)| *own == name);
             let is_new = NEW.contains(&name.as_str());
+            if sides(reading).any(|expr| has_component(expr, &name, prepared)) {
+                sought.push(name.clone());
+            }
+            let is_new = is_new || sought.contains(&name);
             let only = || prepared.angles.first().filter(|_| prepared.angles.len() == 1 && !is_new);
             if let Some((_, angle)) = named.or_else(only).filter(|_| is_open) {
                 guessed.extend(named.is_none().then(|| name.clone()));
@@ -39,6 +45,7 @@ pub(super) fn put_in_place(lines: &mut [Line], prepared: &Prepared) {
             reading.is_guessed |= guessed.contains(&name);
         }
         put_everywhere(reading, &|expr| with_angles(expr, &known));
+        name_components(reading, prepared);
     }
 }
 
@@ -88,7 +95,7 @@ fn is_short(letter: &str) -> bool {
 }
 
 /// Puts something in the place of letters, wherever they stand in a reading.
-fn put_everywhere(reading: &mut ReadLine, put: &dyn Fn(&Expr) -> Expr) {
+pub(super) fn put_everywhere(reading: &mut ReadLine, put: &dyn Fn(&Expr) -> Expr) {
     for (left, right) in &mut reading.equations {
         (*left, *right) = (put(left), put(right));
     }
@@ -134,11 +141,13 @@ fn definition((left, right): &(Expr, Expr), prepared: &Prepared) -> Option<(Stri
 /// The letters alone under sines, cosines and tangents.
 fn used(reading: &ReadLine) -> Vec<String> {
     let mut found = Vec::new();
-    let sides = reading.equations.iter().flat_map(|(left, right)| [left, right]);
-    for expr in sides.chain(reading.members.iter().map(|member| &member.expr)) {
-        collect(expr, &mut found);
-    }
+    sides(reading).for_each(|expr| collect(expr, &mut found));
     found
+}
+
+pub(super) fn sides(reading: &ReadLine) -> impl Iterator<Item = &Expr> {
+    let of_equations = reading.equations.iter().flat_map(|(left, right)| [left, right]);
+    of_equations.chain(reading.members.iter().map(|member| &member.expr))
 }
 
 fn collect(expr: &Expr, found: &mut Vec<String>) {
@@ -148,7 +157,7 @@ fn collect(expr: &Expr, found: &mut Vec<String>) {
     expr.children().into_iter().for_each(|child| collect(child, found));
 }
 
-fn argument(expr: &Expr) -> Option<&Expr> {
+pub(super) fn argument(expr: &Expr) -> Option<&Expr> {
     match expr {
         Expr::Call(Function::Sin | Function::Cos | Function::Tan, argument) => Some(argument),
         _ => None,

@@ -82,7 +82,7 @@ pub(super) fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option
 
 /// May a letter stand for a velocity? Not an angle's, nor that of an impulse or an energy: `δ = β - α` is no law.
 fn may_be_velocity(name: &str) -> bool {
-    let is_greek = name.len() > 3 && !name.contains('_');
+    let is_greek = name.len() > 3 && !name.contains(['_', ' ']);
     !is_greek && !matches!(name, "phi" | "I" | "J" | "E")
 }
 

@@ -7,6 +7,7 @@
 mod angles;
 mod by_law;
 mod compare;
+mod components;
 mod condition;
 mod convention;
 mod departure;

@@ -102,7 +102,7 @@ impl Working<'_> {
         else {
             return false;
         };
-        if own.iter().any(|size| *size == 0.0) {
+        if own.contains(&0.0) {
             return false;
         }
         let momentum =

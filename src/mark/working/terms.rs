@@ -7,6 +7,7 @@
 use std::cell::{Cell, OnceCell};
 
 use super::compare::any_within;
+use super::components::whole;
 use super::convention::is_value;
 use super::evidence::Evidence;
 use super::examine::{Studied, Working, context};
@@ -246,6 +247,11 @@ impl Working<'_> {
         let found = self.prepared.found.iter().map(|(letter, _)| letter.name().to_owned());
         let found: Vec<String> = found.collect();
         open.retain(|name| !found.contains(&(*name).to_owned()));
+        // A letter that is a component itself has none.
+        let letters = self.convention.as_ref().map(|convention| convention.letters.as_slice()).unwrap_or_default();
+        if open.iter().any(|name| name.contains(' ') && letters.contains(&whole(name))) {
+            return None;
+        }
         let is_velocity = |name: &str| open.contains(&name) && may_stand_for(name)[0] == 0;
         if open.len() > 2 || formulas.iter().any(|formula| degree(formula, &is_velocity) > 1) {
             return None;
