@@ -60,8 +60,10 @@ fn meeting_conditions(model: &Model, statements: Vec<Statement>) -> Vec<Statemen
             gap.and_then(|gap| gap.sign()).is_none_or(|sign| holds(*relation, sign))
         })
     };
-    let kept: Vec<Statement> =
-        statements.iter().filter(|statement| conditions_of(statement).is_none()).filter(meets).cloned().collect();
+    // `e = 7/5 > 1, so e = 5/7`: what is found after a condition and does not meet it shows that none was meant.
+    let is_meant = statements.last().is_none_or(|last| meets(&last) || last.said.iter().any(is_rival));
+    let values = statements.iter().filter(|statement| conditions_of(statement).is_none());
+    let kept: Vec<Statement> = values.filter(|statement| !is_meant || meets(statement)).cloned().collect();
     if kept.is_empty() { statements } else { kept }
 }
 

@@ -158,7 +158,10 @@ fn readings(typed: &str, vocabularies: &[Vocabulary]) -> Vec<ReadLine> {
 
 /// May a line say something else with more letters, or with vectors? What only remarks and figures stand in does not.
 fn says_more(typed: &str, few: &Vocabulary, more: &Vocabulary) -> bool {
-    let added = |sign: char| more.letters[few.letters.len()..].iter().any(|letter| letter.name().starts_with(sign));
+    // Letters of another alphabet may be ours in another shape.
+    let added = |sign: char| {
+        !sign.is_ascii() || more.letters[few.letters.len()..].iter().any(|letter| letter.name().starts_with(sign))
+    };
     let is_vector = |sign: char| more.vectors && !few.vectors && matches!(sign, 'i' | 'j');
     let mut words =
         typed.split(|sign: char| !sign.is_alphabetic()).filter(|word| !is_formula(word) && !is_never_letters(word));
