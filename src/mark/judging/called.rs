@@ -136,7 +136,9 @@ pub(in crate::mark) fn is_of_a_part(label: &str, asked: Quantity) -> bool {
     let several = words(label).count() > 1;
     words(label).map(str::to_lowercase).any(|word| {
         let is = |list: &[&str]| list.contains(&word.as_str());
-        (is_whole && several && is(&COMPONENT)) || (is_after && is(&BEFORE) && !label.contains("after"))
+        // `along` alone may be said of a sphere that moves so.
+        let is_part = is(&COMPONENT) && (several || matches!(&*word, "perp" | "perpendicular"));
+        (is_whole && is_part) || (is_after && is(&BEFORE) && !label.contains("after"))
     })
 }
 

@@ -105,12 +105,21 @@ impl Working<'_> {
         if own.contains(&0.0) {
             return false;
         }
-        let momentum =
-            |sizes: &[f64]| -> Vec<f64> { sizes.iter().zip(&mass).map(|(size, mass)| size * mass).collect() };
-        let velocities = Sphere::BOTH
-            .into_iter()
-            .flat_map(|of| [before(of, Axis::N), before(of, Axis::T), known(Quantity::Speed(of, Moment::Before))]);
-        let others: Vec<Vec<f64>> = velocities.flatten().map(|sizes| momentum(&sizes)).collect();
+        let times = |mass: &[f64], sizes: &[f64]| -> Vec<f64> {
+            sizes.iter().zip(mass).map(|(size, mass)| size * mass).collect()
+        };
+        let momentum = |sizes: &[f64]| times(&mass, sizes);
+        let of_before = |of| [before(of, Axis::N), before(of, Axis::T), known(Quantity::Speed(of, Moment::Before))];
+        let others: Vec<Vec<f64>> =
+            Sphere::BOTH.into_iter().flat_map(of_before).flatten().map(|sizes| momentum(&sizes)).collect();
+        // `2 × 9 − 5 × 2`: the momentum of the other sphere before the impact, by its own mass.
+        let is_of_other = |after: &Expr| {
+            let Some(mass) = known(Quantity::Mass(sphere.other())) else { return false };
+            let has_mass = |factor: &Expr| self.is_one_of(factor, std::slice::from_ref(&mass));
+            let own: Vec<Vec<f64>> =
+                of_before(sphere.other()).iter().flatten().map(|sizes| times(&mass, sizes)).collect();
+            matches!(after, Expr::Product(factors) if factors.iter().any(has_mass)) && self.is_one_of(after, &own)
+        };
         let found: Vec<Vec<f64>> = self.sizes_of(sphere, Axis::N).iter().map(|sizes| momentum(sizes)).collect();
         let has_mass = |inner: &Expr| self.is_one_of(inner, std::slice::from_ref(&mass));
         let fits = |taken: &Expr, after: &Expr| {
@@ -119,6 +128,7 @@ impl Working<'_> {
                 && any_within(&after, &has_mass)
                 && self.values_of(&after).is_some()
                 && !self.is_one_of(&after, &others)
+                && !is_of_other(&after)
                 // With what is known of v the signs matter.
                 && !self.is_near_one_of(&after, &found)
         };
