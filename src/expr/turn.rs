@@ -87,6 +87,11 @@ impl Turn {
         Some(degrees.plus(&rest))
     }
 
+    /// Is it a number of degrees, without letters?
+    pub fn is_constant(&self) -> bool {
+        self.rest.as_ref().is_none_or(|angle| angle.y().is_constant() && angle.x().is_constant())
+    }
+
     /// An enclosure of the number of degrees, if there are no letters in it.
     pub fn enclose(&self, bits: usize) -> Option<Interval> {
         let degrees = Interval::from_fraction(&self.degrees, bits);

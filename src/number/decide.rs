@@ -31,7 +31,8 @@ impl Value {
     pub fn is_zero(&self) -> bool {
         let Value::Compound(_) = self else { return self.is_written_zero() };
         if let Some(root @ Root::Nested { .. }) = self.roots().pop() {
-            return self.is_zero_with(&root);
+            // Nearly always one point tells, and to square root after root is long.
+            return self.may_vanish_at_a_point(64) && self.is_zero_with(&root);
         }
         if !self.letters().iter().any(Letter::is_constant) {
             // No nested root and no given angle: the normal form is nought only as nought itself.
@@ -64,6 +65,11 @@ impl Value {
     /// Of two formulas of which one is nought everywhere: is it this one? A point inside the letters'
     /// ranges tells, as soon as an enclosure there keeps clear of nought.
     fn vanishes_at_a_point(&self) -> bool {
+        (6..12).all(|power| self.may_vanish_at_a_point(1 << power))
+    }
+
+    /// Is nought not yet excluded there by so many bits?
+    fn may_vanish_at_a_point(&self, bits: usize) -> bool {
         let at = |letter: Letter| {
             let spread = letter.name().bytes().fold(7_i64, |sum, byte| (sum * 31 + i64::from(byte)) % 97);
             Some(match letter.range() {
@@ -71,11 +77,8 @@ impl Value {
                 _ => Fraction::new(spread + 13, 29),
             })
         };
-        (6..12).all(|power| {
-            let bits = 1 << power;
-            let enclosure = self.enclose(bits, &|letter| Some(Interval::from_fraction(&at(letter)?, bits)));
-            enclosure.is_none_or(|interval| interval.contains_zero())
-        })
+        let enclosure = self.enclose(bits, &|letter| Some(Interval::from_fraction(&at(letter)?, bits)));
+        enclosure.is_none_or(|interval| interval.contains_zero())
     }
 
     /// The sign, if it is the same wherever the letters lie in their ranges; `None` if it is not, or

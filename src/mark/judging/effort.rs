@@ -40,6 +40,8 @@ const POINT: u64 = 16;
 struct Root {
     /// What it is the root of, as text; of a sine and a cosine the angle.
     of: String,
+    /// Is there more under it than a number?
+    nested: bool,
     above: u64,
     below: u64,
     degree: u64,
@@ -74,6 +76,15 @@ impl Size {
         self
     }
 
+    /// What is under a root has taken its place.
+    fn with_square(mut self, root: &Root) -> Size {
+        self.above = self.above.saturating_mul(root.above);
+        self.below = self.below.saturating_mul(root.below);
+        self.degree += root.degree;
+        self.bits += root.bits;
+        self
+    }
+
     fn joined<T: Clone + PartialEq>(one: &[T], two: &[T]) -> Vec<T> {
         let more = two.iter().filter(|item| !one.contains(item));
         one.iter().chain(more).cloned().collect()
@@ -92,8 +103,20 @@ struct Work {
 
 impl Work {
     fn of(mut self, expr: &Expr) -> Option<u64> {
-        self.size(expr)?;
+        let size = self.size(expr)?;
+        self.decision(size)?;
         Some(self.done)
+    }
+
+    /// Whether it is nought: a sum with a nested root is squared until none is left, `a + b√r` to `a² - b²r`.
+    fn decision(&mut self, mut rest: Size) -> Option<()> {
+        while rest.above > 1
+            && let Some(at) = rest.roots.iter().rposition(|root| root.nested)
+        {
+            let root = rest.roots.remove(at);
+            rest = self.product(rest.clone(), rest)?.with_square(&root);
+        }
+        Some(())
     }
 
     fn letter(&self, name: &str) -> Size {
@@ -109,7 +132,7 @@ impl Work {
             Letters::Kept => (2, 2, 1),
             Letters::Fractions => (1, 0, 2 * POINT),
         };
-        let root = Root { of: angle.to_owned(), above: 1, below, degree, bits };
+        let root = Root { of: angle.to_owned(), nested: false, above: 1, below, degree, bits };
         Size { roots: vec![root], ..self.letter(angle) }
     }
 
@@ -214,10 +237,7 @@ impl Work {
             if rest.above > 1 {
                 rest = self.product(rest.clone(), rest)?;
             }
-            rest.above = rest.above.saturating_mul(root.above);
-            rest.below = rest.below.saturating_mul(root.below);
-            rest.degree += root.degree;
-            rest.bits += root.bits;
+            rest = rest.with_square(&root);
         }
         (rest.above, rest.below) = (rest.below, rest.above);
         self.product(factor, rest)
@@ -257,7 +277,8 @@ impl Work {
         let terms = size.above.saturating_add(size.below);
         self.spend(terms.saturating_mul(terms).saturating_mul(1 + size.letters.len() as u64))?;
         let Size { above, below, degree, bits, letters, mut roots } = size;
-        roots.push(Root { of: format!("{under:?}"), above, below, degree, bits });
+        let nested = degree > 0 || above > 1;
+        roots.push(Root { of: format!("{under:?}"), nested, above, below, degree, bits });
         self.step(Size { above: 1, below, degree, bits, letters, roots }, 1)
     }
 

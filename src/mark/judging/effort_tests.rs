@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::mark::reading::{LONGEST, read_answer};
-use crate::number::steps;
+use crate::number::{Letter, Range, steps};
 
 /// Models of every kind: text and kind.
 const MODELS: [(&str, Option<Kind>); 14] = [
@@ -23,7 +23,7 @@ const MODELS: [(&str, Option<Kind>); 14] = [
 ];
 
 /// Formulas that are short to write and long to work out.
-const LABORIOUS: [&str; 53] = [
+const LABORIOUS: [&str; 57] = [
     "((2^16)^16)^16",
     "(((((((9^16)^16)^16)^16)^16)^16)^16)^16",
     "((1.23456789^16)^16)^16",
@@ -38,6 +38,9 @@ const LABORIOUS: [&str; 53] = [
     "((√2+√3+√5+√7)^16+1)^16",
     "√(2+√(3+√(5+√(7+√(11+√(13+√(17+√19)))))))",
     "√2√3√5√7√11√13√17√19√23√29√31√37√41√43",
+    "√(u+e+2√(u*e))+√(e+v+2√(e*v))+√(v+w+2√(v*w))-√u-2√e-2√v-√w",
+    "√(u+e+2√(u*e))+√(e+m+2√(e*m))=√u+2√e+√m",
+    "√(8+2√15)+√(10+2√21)+√(18+2√77)+√(24+2√143)-2√3-√5-2√7-2√11-√13",
     "√(u^2+1)+√(u^2+e)+√(m^2+3)+√(1+cosθ)",
     "1/(√(u^2+v^2)+√(e^2+1)+√(m^2+3)+√(1+cosθ))",
     "1/(u+e)+1/(u+2e)+1/(u+3e)+1/(u+4e)+1/(u+5e)+1/(u+6e)+1/(u+7e)+1/(u+8e)+1/(u+9e)",
@@ -63,6 +66,7 @@ const LABORIOUS: [&str; 53] = [
     "arctan(arctan(arctan(0.1)))",
     "arctan(tan(12θ))",
     "sin(arctan(√2)+arctan(√3)+arctan(√5))",
+    "sin46.11/(4360u)",
     "m^tan3=0",
     "√123456789012345678901234567891",
     "√(123456789012345678901234567891*987654321098765432109876543211)",
@@ -127,9 +131,13 @@ const REPEATED: [&str; 40] = [
 /// about two milliseconds.
 const MOST_STEPS: u64 = 150_000;
 
-fn models() -> Vec<Model> {
-    let read = |(text, kind): &(&str, Option<Kind>)| {
-        Model::read(text, &ModelOptions { kind: *kind, ..ModelOptions::default() }).unwrap()
+/// Each with letters that the question has beside those of the model.
+fn models() -> Vec<(&'static str, Model)> {
+    let beside = [("u", Range::Positive), ("e", Range::Unit), ("theta", Range::Acute)];
+    let beside: Vec<Letter> = beside.map(|(name, range)| Letter::new(name, range).unwrap()).into();
+    let read = |(text, kind): &(&'static str, Option<Kind>)| {
+        let options = ModelOptions { kind: *kind, letters: beside.clone(), ..ModelOptions::default() };
+        (*text, Model::read(text, &options).unwrap())
     };
     MODELS.iter().map(read).collect()
 }
@@ -153,7 +161,7 @@ fn disguises(model: &str, formula: &str) -> Vec<String> {
 #[test]
 fn no_answer_takes_long_to_judge() {
     let mut worst: Vec<(u64, String)> = Vec::new();
-    for (model, (text, _)) in models().iter().zip(MODELS) {
+    for (text, model) in &models() {
         let mut answers: Vec<String> = LABORIOUS.iter().flat_map(|formula| disguises(text, formula)).collect();
         for piece in REPEATED {
             for length in [60, 300, LONGEST - 1] {
