@@ -5,7 +5,10 @@ use std::sync::LazyLock;
 use carom::answer::{Accept, Kind};
 use carom::mark::judging::{Judgement, Model, ModelOptions, Verdict, judge};
 use carom::mark::reading::{Form, LONGEST, MOST_READINGS, Reading, Statement, Unreadable, read_answer};
-use carom::number::{Letter, Places, Range};
+use carom::number::{Letter, Places, Range, steps_taken};
+
+/// The most steps of arithmetic that an answer may take, read and judged once: about seven milliseconds.
+const MOST_STEPS: u64 = 500_000;
 
 /// A model, and another with the same letters that no answer fits that fits the first exactly.
 const PAIRS: [(&str, &str, Option<Kind>); 17] = [
@@ -74,6 +77,7 @@ unsafe extern "C" fn getrandom(room: *mut u8, length: usize, _flags: u32) -> isi
 pub fn hold(number: u8, text: &str) {
     let pair = &MODELS[usize::from(number) % MODELS.len()];
     let vocabulary = &pair.right.vocabulary;
+    steps_taken();
     let readings = read_answer(text, vocabulary);
     match &readings {
         Ok(found) => {
@@ -90,6 +94,8 @@ pub fn hold(number: u8, text: &str) {
         Err(Unreadable::Blank) => {}
     }
     let judged = judge(&pair.right, &readings);
+    let steps = steps_taken();
+    assert!(steps <= MOST_STEPS, "{steps} steps of arithmetic");
     assert_eq!(judged, judge(&pair.right, &readings), "the same answer earns the same");
     let printed_once = |judged: &Judgement| judged.reading.as_ref().map(|printed| printed.len());
     assert!(printed_once(&judged).is_none_or(|length| length < 40 * LONGEST), "a reading too long to be shown");
@@ -101,7 +107,13 @@ pub fn hold(number: u8, text: &str) {
 fn accepted(pair: &Pair, text: &str, readings: &Result<Vec<Reading>, Unreadable>, judged: &Judgement) {
     // What is exactly right is not also exactly something else: not even by another of its readings.
     let other = judge(&pair.other, readings);
-    assert_ne!(other.verdict, Verdict::Correct, "right for two models, as {:?} and {:?}", judged.reading, other.reading);
+    assert_ne!(
+        other.verdict,
+        Verdict::Correct,
+        "right for two models, as {:?} and {:?}",
+        judged.reading,
+        other.reading
+    );
     // A looser rule accepts what a strict one does.
     let rounded = judge(&pair.rounded, readings);
     assert_eq!(rounded.verdict, Verdict::Correct, "exact, and not to three figures: {:?}", rounded.note);

@@ -41,4 +41,6 @@ pub use interval::Interval;
 pub use letter::{Letter, Range};
 pub use polynomial::{Monomial, Polynomial};
 pub use rounding::{Uncertain, clear_of_tie, round, round_certified};
+#[cfg(fuzzing)]
+pub use steps::taken as steps_taken;
 pub use value::{Compound, Root, Value};

@@ -1,22 +1,24 @@
-//! How much arithmetic was done, counted in tests alone: a bound on work is asserted by counting, never by a clock.
+//! How much arithmetic was done, counted in tests and by the fuzzer alone: a bound on work is asserted by counting,
+//! never by a clock.
 
-#[cfg(test)]
-pub(crate) use counter::taken;
+#[cfg(any(test, fuzzing))]
+pub use counter::taken;
 
 /// So many steps more.
 pub(crate) fn add(steps: usize) {
-    #[cfg(test)]
+    #[cfg(any(test, fuzzing))]
     counter::add(steps);
-    #[cfg(not(test))]
+    #[cfg(not(any(test, fuzzing)))]
     let _ = steps;
 }
 
-/// Steps that an operation on integers of so many bits is worth: one for each pair of words.
+/// Steps that an operation on integers of so many bits is worth: one, and one more for each two dozen pairs of words,
+/// which take no longer than what there is to do beside them.
 pub(crate) fn of_bits(bits: usize) -> usize {
-    (1 + bits / 64).pow(2)
+    1 + (bits / 64).pow(2) / 24
 }
 
-#[cfg(test)]
+#[cfg(any(test, fuzzing))]
 mod counter {
     use std::cell::Cell;
 
@@ -30,7 +32,7 @@ mod counter {
     }
 
     /// The steps of this thread since it was last asked.
-    pub(crate) fn taken() -> u64 {
+    pub fn taken() -> u64 {
         STEPS.with(Cell::take)
     }
 }

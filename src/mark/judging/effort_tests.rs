@@ -127,7 +127,7 @@ const REPEATED: [&str; 40] = [
     "gradient 1 ",
 ];
 
-/// The most steps that judging one answer may take. A step is an operation on two machine words; so many are
+/// The most steps that judging one answer may take. A step is an operation on short numbers; so many are
 /// about two milliseconds.
 const MOST_STEPS: u64 = 150_000;
 
