@@ -89,7 +89,7 @@ impl Turn {
 
     /// Is it a number of degrees, without letters?
     pub fn is_constant(&self) -> bool {
-        self.rest.as_ref().is_none_or(|angle| angle.y().is_constant() && angle.x().is_constant())
+        self.rest.as_ref().is_none_or(Angle::is_constant)
     }
 
     /// An enclosure of the number of degrees, if there are no letters in it.

@@ -84,6 +84,11 @@ impl Angle {
         letters
     }
 
+    /// Is it a number of degrees, without letters?
+    pub fn is_constant(&self) -> bool {
+        self.y.is_constant() && self.x.is_constant()
+    }
+
     /// The number of degrees, where it is a rational one that one would look for: a whole or half
     /// one, or one as fine as the angles that were given. Found by measuring, then proved.
     pub fn whole_degrees(&self) -> Option<Fraction> {
@@ -122,6 +127,7 @@ impl Angle {
     pub fn rounded(&self, places: &Places) -> Result<Decimal, Uncertain> {
         match self.whole_degrees() {
             Some(exact) => Ok(round(&exact, places)),
+            None if !self.is_constant() => Err(Uncertain),
             None => round_certified(|bits| self.enclose(bits, &|_| None), |tie| self.is_degrees(tie), places),
         }
     }

@@ -59,6 +59,7 @@ impl Value {
     pub fn rounded(&self, places: &Places) -> Result<Decimal, Uncertain> {
         match self {
             Value::Rational(number) => Ok(round(number, places)),
+            _ if !self.is_constant() => Err(Uncertain),
             _ => round_certified(
                 |bits| self.enclose_constant(bits),
                 |tie: &Fraction| (self - &Value::Rational(tie.clone())).is_zero(),

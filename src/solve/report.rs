@@ -110,7 +110,7 @@ impl Answer {
 
     fn angle(angle: &Angle, unit: &'static str) -> Answer {
         let shown = crate::expr::written_angle(angle);
-        let constant = angle.letters().iter().all(Letter::is_constant);
+        let constant = angle.is_constant();
         let round = |places| constant.then(|| text(angle.rounded(places))).flatten();
         Answer::from(&crate::expr::in_degrees(&shown), &shown, round(&FIGURES), round(&ROUNDED), unit)
     }

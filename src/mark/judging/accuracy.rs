@@ -227,6 +227,7 @@ impl Target<'_> {
     pub(super) fn rounded(&self, places: &Places) -> Result<Decimal, Uncertain> {
         match self {
             Target::Value(value, nearly) if nearly.is_none() || value.as_fraction().is_some() => value.rounded(places),
+            Target::Degrees(angle) | Target::Radians(angle) if !angle.turn.is_constant() => Err(Uncertain),
             _ => round_certified(|bits| self.enclose(bits), |tie| self.equals(tie), places),
         }
     }

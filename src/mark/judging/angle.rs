@@ -211,7 +211,7 @@ fn compare(model: &Model, stated: &Stated, right: &Enclosed, radians: bool) -> F
                 return Finding::EXACT;
             }
             return Coarsest::of(expr)
-                .filter(|_| constant && turn.is_constant())
+                .filter(|_| constant)
                 .map_or(Finding::WRONG, |decimals| rounded(turn.clone(), &decimals, right, model));
         }
         Some(Meaning::Number(value)) => value,
