@@ -28,11 +28,14 @@ impl Turn {
         }
     }
 
-    /// The sum of two angles.
+    /// The sum of two angles; `None` if their numbers are so long that nobody can wait for it.
     pub fn plus(&self, other: &Turn) -> Option<Turn> {
         let rest = match (&self.rest, &other.rest) {
             (None, rest) | (rest, None) => rest.clone(),
             (Some(a), Some(b)) => {
+                if !self.is_short() || !other.is_short() {
+                    return None;
+                }
                 let y = &(a.y() * b.x()) + &(a.x() * b.y());
                 let x = &(a.x() * b.x()) - &(a.y() * b.y());
                 Some(Angle::of(&y, &x)?)

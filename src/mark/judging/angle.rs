@@ -89,6 +89,13 @@ impl Enclosed {
         Some(Enclosed { turn, degrees: enclosure.map(Nearly::of).into() })
     }
 
+    /// Is it exactly the other angle? Nearly always two enclosures tell that it is not.
+    fn equals(&self, other: &Enclosed) -> bool {
+        let enclosures = self.enclosure().zip(other.enclosure());
+        enclosures.is_none_or(|(own, others)| own.finely.overlaps(&others.finely))
+            && self.turn.plus(&other.turn.reversed()).is_some_and(|gap| gap.is_degrees(&Fraction::ZERO))
+    }
+
     /// In degrees; `None` while there are letters in it.
     pub(super) fn enclosure(&self) -> Option<&Nearly> {
         self.degrees.get_or_init(|| self.turn.enclose(BITS).map(Nearly::of)).as_ref()
@@ -206,13 +213,13 @@ fn compare(model: &Model, stated: &Stated, right: &Enclosed, radians: bool) -> F
     let constant = right.enclosure().is_some();
     let number = match stated.meaning(&model.vocabulary.letters) {
         Some(Meaning::Angle(turn) | Meaning::Degrees(turn)) => {
-            let gap = right.turn.plus(&turn.reversed());
-            if gap.is_some_and(|gap| gap.is_degrees(&Fraction::ZERO)) {
+            let found = Enclosed::of(turn.clone());
+            if right.equals(&found) {
                 return Finding::EXACT;
             }
             return Coarsest::of(expr)
                 .filter(|_| constant)
-                .map_or(Finding::WRONG, |decimals| rounded(turn.clone(), &decimals, right, model));
+                .map_or(Finding::WRONG, |decimals| rounded(&found, &decimals, right, model));
         }
         Some(Meaning::Number(value)) => value,
         _ => return Finding::WRONG,
@@ -233,10 +240,9 @@ fn compare(model: &Model, stated: &Stated, right: &Enclosed, radians: bool) -> F
 }
 
 /// An inverse tangent of a decimal, as `arctan 1.04`.
-fn rounded(found: Turn, decimals: &Coarsest, right: &Enclosed, model: &Model) -> Finding {
+fn rounded(found: &Enclosed, decimals: &Coarsest, right: &Enclosed, model: &Model) -> Finding {
     let wanted = places(&model.accept);
-    let found = Enclosed::of(found);
-    let both = Target::Degrees(&found).rounded(&wanted).ok().zip(Target::Degrees(right).rounded(&wanted).ok());
+    let both = Target::Degrees(found).rounded(&wanted).ok().zip(Target::Degrees(right).rounded(&wanted).ok());
     let agree = both.is_some_and(|(found, right)| found.to_fraction() == right.to_fraction());
     match (agree, decimals.suffices(&wanted)) {
         (true, true) if model.accept.places().is_none() => Finding::partial(Note::ExactWanted),

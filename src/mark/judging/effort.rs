@@ -167,8 +167,12 @@ impl Work {
             Expr::Name(name) => Some(self.letter(&name.text)),
             Expr::Pi => Some(Size::number(8)),
             Expr::Degrees(inner) | Expr::Negative(inner) => self.size(inner),
-            Expr::Sum(terms) => self.all(terms, Work::sum),
-            Expr::Product(factors) => self.all(factors, Work::product),
+            Expr::Sum(parts) | Expr::Product(parts) => {
+                let join = if matches!(expr, Expr::Sum(_)) { Work::sum } else { Work::product };
+                let size = self.all(parts, join)?;
+                // Angles are added by their tangents.
+                if is_angle(expr) { self.turned(expr, true) } else { Some(size) }
+            }
             Expr::Quotient(above, below) => {
                 let (above, below) = (self.size(above)?, self.size(below)?);
                 let below = self.reciprocal(below)?;
@@ -304,6 +308,7 @@ impl Work {
         let mut whole: Option<Size> = None;
         for (angle, times) in turns.angles {
             let one = match angle {
+                Expr::Call(Function::Atan, of) if tangent => self.size(of)?,
                 Expr::Call(..) => self.size(angle)?,
                 _ if tangent => self.letter(&format!("{angle:?}")),
                 _ => self.wave(&format!("{angle:?}")),
@@ -331,6 +336,16 @@ impl Work {
     }
 }
 
+/// Is it put together of inverse sines, cosines or tangents, as `2 arctan x` is?
+fn is_angle(expr: &Expr) -> bool {
+    match expr {
+        Expr::Call(function, _) => matches!(function, Function::Asin | Function::Acos | Function::Atan),
+        Expr::Sum(parts) | Expr::Product(parts) => parts.iter().any(is_angle),
+        Expr::Negative(inner) | Expr::Quotient(inner, _) => is_angle(inner),
+        _ => false,
+    }
+}
+
 /// The angles of which an angle is put together, and how often each is taken.
 #[derive(Default)]
 struct Turns<'a> {
@@ -343,13 +358,14 @@ impl<'a> Turns<'a> {
             Expr::Sum(terms) => terms.iter().for_each(|term| self.count(term, times)),
             Expr::Negative(inner) => self.count(inner, times),
             Expr::Quotient(above, _) => self.count(above, times),
-            Expr::Product(factors) if !expr.names().is_empty() => {
+            Expr::Product(factors) if !expr.names().is_empty() || is_angle(expr) => {
                 let number = |factor: &Expr| match factor {
                     Expr::Number(number) => number.as_small().map_or(1, |(count, _)| count.unsigned_abs()),
                     _ => 1,
                 };
                 let times = factors.iter().map(number).fold(times, u64::saturating_mul).min(64);
-                factors.iter().filter(|factor| !factor.names().is_empty()).for_each(|f| self.count(f, times));
+                let is_part = |factor: &&Expr| !factor.names().is_empty() || is_angle(factor);
+                factors.iter().filter(is_part).for_each(|factor| self.count(factor, times));
             }
             _ => self.angles.push((expr, times)),
         }

@@ -23,7 +23,7 @@ const MODELS: [(&str, Option<Kind>); 14] = [
 ];
 
 /// Formulas that are short to write and long to work out.
-const LABORIOUS: [&str; 59] = [
+const LABORIOUS: [&str; 62] = [
     "((2^16)^16)^16",
     "(((((((9^16)^16)^16)^16)^16)^16)^16)^16",
     "((1.23456789^16)^16)^16",
@@ -68,7 +68,10 @@ const LABORIOUS: [&str; 59] = [
     "sin(arctan(√2)+arctan(√3)+arctan(√5))",
     "sin46.11/(4360u)",
     "m^tan3=0",
+    "11arctan(¾^12*sin²(¾)*¾^14)",
     "arctan(3√3/(5hke))=46.1",
+    "12arctan(0.123456^5*sin²(θ)*¾^14+sin(13)^5*√2)",
+    "7arctan(u/e)+5arctan(e/2)+3arctan(1+√2)",
     "arctan(3√3u/5)=46.1",
     "√123456789012345678901234567891",
     "√(123456789012345678901234567891*987654321098765432109876543211)",
