@@ -13,6 +13,9 @@ use crate::unit::Unit;
 /// Names that mean something already, and cannot be given to a parameter.
 pub const RESERVED: [&str; 8] = ["i", "j", "pi", "deg", "result", "denominator", "radicand", "terms"];
 
+/// What a scope calls a name that `[let]` derives.
+pub const DERIVED: &str = "derived name";
+
 /// What may stand at a place beside parameters, derived names and letters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Also {
@@ -164,7 +167,11 @@ impl NamesUsed {
         let mut reported: Vec<Range<usize>> = faults.found.iter().map(|fault| fault.span.clone()).collect();
         for (index, (_, scope)) in scopes.iter().enumerate() {
             for (name, span, what) in &scope.given {
-                let here = |used: &Use| used.style.is_none_or(|style| style == index);
+                // A parameter that one style does not use would make the same variant again and again there; a name
+                // that is derived for all styles may serve but one.
+                let shared = |style: usize| scopes[style].1.given.iter().any(|given| given.1 == *span);
+                let serves = |style: usize| if *what == DERIVED { shared(style) } else { style == index };
+                let here = |used: &Use| used.style.is_none_or(serves);
                 let counts = |used: &&Use| used.name == *name && used.also != Also::OnlyLetters && here(used);
                 let is_used = self.uses.iter().any(|used| counts(&used));
                 if is_used || reported.contains(span) || letters.contains(&name.as_str()) {

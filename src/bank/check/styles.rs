@@ -11,7 +11,7 @@ use super::super::givens::names_in_degrees;
 use super::super::literal::Words;
 use super::super::question::{Style, StyleName};
 use super::super::requirement::Requirement;
-use super::names::{Also, NamesUsed, RESERVED, Scope};
+use super::names::{Also, DERIVED, NamesUsed, RESERVED, Scope};
 use crate::expr::{Angles, Expr, Function, Markup, Text, read, read_as_written, read_markup};
 use crate::mechanics::Quantity;
 
@@ -108,7 +108,7 @@ fn one_style(
         given: all_parameters
             .iter()
             .map(|given| (given.name.clone(), given.span.clone(), "parameter"))
-            .chain(all_lets.iter().map(|given| (given.name.clone(), given.span.clone(), "derived name")))
+            .chain(all_lets.iter().map(|given| (given.name.clone(), given.span.clone(), DERIVED)))
             .collect(),
     };
     let checked = Style {
@@ -257,7 +257,7 @@ fn lets(
 ) -> Vec<Given<Expr>> {
     let mut found: Vec<Given<Expr>> = Vec::new();
     for (name, words) in written {
-        new_name("derived name", name, letters, faults);
+        new_name(DERIVED, name, letters, faults);
         let meaning = match read(words.get_ref(), Angles::Degrees) {
             Ok(expr) => {
                 used.expression(words, &expr, Also::Nothing, style, faults);
