@@ -44,9 +44,10 @@ tan θ = 3.46/1.11";
 /// The question of these lines.
 const TYPED: &str = "rest/speeds-and-directions";
 
-/// What is handed in: right answers, answers that a known mistake leads to, answers that follow from a wrong value, and
-/// the lines of the worked solution.
-const HANDED_IN: [&str; 4] = ["right", "mistaken", "followed", "worked"];
+/// What is handed in: right answers, answers that a known mistake leads to, answers a tenth too large, for which every
+/// reading, slip and wrong value before them is tried in vain, answers that follow from a wrong value in the working, and the
+/// lines of the worked solution.
+const HANDED_IN: [&str; 5] = ["right", "mistaken", "unexplained", "followed", "worked"];
 
 /// A question of a key, as text, and everything that Carom's own students hand in for it.
 struct Sheet {
@@ -81,10 +82,25 @@ fn sheets() -> Vec<Sheet> {
             };
             Some((kind, student.script))
         });
-        let scripts = own.collect();
+        let mut scripts: Vec<(&str, Script)> = own.collect();
+        let right = scripts.iter().filter(|(kind, _)| *kind == "right");
+        let unexplained: Vec<_> = right.map(|(_, script)| ("unexplained", a_tenth_more(script))).collect();
+        scripts.extend(unexplained);
         Sheet { id, key, question, scripts }
     };
     shipped().map(sheet).collect()
+}
+
+/// Every answer a tenth too large.
+fn a_tenth_more(script: &Script) -> Script {
+    let mut script = script.clone();
+    for (_, answer) in script.parts.iter_mut().flat_map(|part| &mut part.answers) {
+        *answer = match answer.parse::<f64>() {
+            Ok(number) => format!("{:.3}", number * 1.1),
+            Err(_) => format!("1.1({answer})"),
+        };
+    }
+    script
 }
 
 fn lines(script: &Script) -> usize {
