@@ -45,9 +45,9 @@ tan θ = 3.46/1.11";
 const TYPED: &str = "rest/speeds-and-directions";
 
 /// What is handed in: right answers, answers that a known mistake leads to, answers a tenth too large, for which every
-/// reading, slip and wrong value before them is tried in vain, answers that follow from a wrong value in the working, and the
-/// lines of the worked solution.
-const HANDED_IN: [&str; 5] = ["right", "mistaken", "unexplained", "followed", "worked"];
+/// reading, slip and wrong value before them is tried in vain, answers that follow from a wrong value in the working, that
+/// working alone, and the lines of the worked solution.
+const HANDED_IN: [&str; 6] = ["right", "mistaken", "unexplained", "followed", "unanswered", "worked"];
 
 /// A question of a key, as text, and everything that Carom's own students hand in for it.
 struct Sheet {
@@ -83,9 +83,13 @@ fn sheets() -> Vec<Sheet> {
             Some((kind, student.script))
         });
         let mut scripts: Vec<(&str, Script)> = own.collect();
-        let right = scripts.iter().filter(|(kind, _)| *kind == "right");
-        let unexplained: Vec<_> = right.map(|(_, script)| ("unexplained", a_tenth_more(script))).collect();
-        scripts.extend(unexplained);
+        let changed: [(&str, &str, fn(&Script) -> Script); 2] =
+            [("unexplained", "right", a_tenth_more), ("unanswered", "followed", unanswered)];
+        for (kind, like, change) in changed {
+            let like = scripts.iter().filter(|(kind, _)| *kind == like);
+            let changed: Vec<_> = like.map(|(_, script)| (kind, change(script))).collect();
+            scripts.extend(changed);
+        }
         Sheet { id, key, question, scripts }
     };
     shipped().map(sheet).collect()
@@ -100,6 +104,13 @@ fn a_tenth_more(script: &Script) -> Script {
             Err(_) => format!("1.1({answer})"),
         };
     }
+    script
+}
+
+/// The working without the answers to which it leads.
+fn unanswered(script: &Script) -> Script {
+    let mut script = script.clone();
+    script.parts.iter_mut().for_each(|part| part.answers.clear());
     script
 }
 

@@ -31,8 +31,6 @@ pub struct StyleReport {
     pub examined: u64,
     /// How many of them are fit for print.
     pub variants: u64,
-    /// Of how many that are turned away one is asked whether nothing else would turn it away.
-    pub one_in: u64,
     /// What turns the others away, in the order in which that is examined.
     pub turned_away: Vec<Turned>,
     /// The form of each answer.
@@ -50,8 +48,10 @@ pub struct Turned {
     pub requirement: Option<String>,
     /// How many it turns away that came so far.
     pub count: u64,
-    /// How many variants there would be more without it; an estimate, where not all are asked.
+    /// How many variants there would be more without it; an estimate, unless all were asked.
     pub alone: u64,
+    /// Of how many that it turned away one was asked whether nothing else would have turned it away.
+    pub one_in: u64,
 }
 
 /// In how many variants an answer has which form.
@@ -81,6 +81,7 @@ impl StyleReport {
             requirement: unfit.requirement().and_then(|place| Some(style.require.get(place)?.text.clone())),
             count: *count,
             alone: census.alone.get(unfit).copied().unwrap_or(0),
+            one_in: census.asked(unfit),
         });
         let answers = question.parts.iter().flat_map(|part| &part.answers);
         let forms = answers.zip(&census.forms).map(|(answer, forms)| AnswerForms {
@@ -93,7 +94,6 @@ impl StyleReport {
             sets: census.size,
             examined: census.examined,
             variants: census.fit,
-            one_in: census.one_in,
             turned_away: turned_away.collect(),
             forms: forms.collect(),
             hidden: hidden.map(|(slip, count, _)| Hidden { slip: slip.to_owned(), count }).collect(),

@@ -8,7 +8,7 @@ use super::finding::Finding;
 use crate::answer::Accept;
 use crate::bank::{Answer, Question};
 use crate::generate::Variant;
-use crate::mark::slips::{Figures, acting, shown};
+use crate::mark::slips::{Answers, acting, shown};
 use crate::mechanics::{Quantity, Slip, pose};
 use crate::number::Places;
 
@@ -54,15 +54,8 @@ impl Slips {
             return;
         }
         let Ok(given) = pose(variant.solution.scene()) else { return };
-        let Some(found) = shown(&given, &asked) else { return };
-        if self.variants == 0 {
-            for slip in acting(&given, &asked) {
-                self.acting |= 1 << slip;
-            }
-        }
-        self.variants += 1;
         let is_exact = !variant.scene.letters.is_empty();
-        let differ = |one: &[Option<Figures>], other: &[Option<Figures>]| {
+        let differ = |one: &Answers, other: &Answers| {
             let each = one.iter().zip(other).zip(&answers);
             each.into_iter().any(|((one, other), answer)| match (one, other) {
                 (Some(one), Some(other)) => one
@@ -72,15 +65,16 @@ impl Slips {
                 _ => one.is_some() != other.is_some(),
             })
         };
-        // Of several roads the first on which it shows.
-        let mut showing: Vec<(usize, &[Option<Figures>])> = Vec::new();
-        for outcome in &found.outcomes {
-            self.acting |= 1 << outcome.slip;
-            let is_new = showing.last().is_none_or(|(slip, _)| *slip != outcome.slip);
-            if is_new && differ(&outcome.answers, &found.right) {
-                showing.push((outcome.slip, &outcome.answers));
+        let Some(outcomes) = shown(&given, &asked, &differ) else { return };
+        if self.variants == 0 {
+            for slip in acting(&given, &asked) {
+                self.acting |= 1 << slip;
             }
         }
+        self.variants += 1;
+        self.acting |= outcomes.iter().fold(0, |acting, outcome| acting | 1 << outcome.slip);
+        let showing: Vec<(usize, &Answers)> =
+            outcomes.iter().filter_map(|outcome| Some((outcome.slip, outcome.shown.as_ref()?))).collect();
         for slip in 0..self.shown.len() {
             if showing.iter().any(|(shows, _)| *shows == slip) {
                 self.shown[slip] += 1;

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
 
 use super::form::Form;
-use super::variant::{Unfit, Variant, examine, examine_further};
+use super::variant::{Further, Unfit, Variant, examine_further};
 use crate::bank::{Question, Style};
 
 /// What became of every set of numbers of a question in a style.
@@ -20,9 +20,11 @@ pub struct Census {
     pub fit: u64,
     /// How many each reason turned away, in the order in which reasons are examined.
     pub unfit: BTreeMap<Unfit, u64>,
-    /// How many of these nothing else would have turned away. An estimate, where not all of them are asked.
+    /// How many of these nothing else would have turned away. An estimate, where not all of them are asked:
+    /// [`Census::asked`].
     pub alone: BTreeMap<Unfit, u64>,
-    /// Of how many that are turned away one is asked whether anything else would have turned it away; nought for none.
+    /// Of how many that are turned away by their givens one is asked whether anything else would have turned it away;
+    /// nought if nobody is asked.
     pub one_in: u64,
     /// The first set that each reason turned away.
     pub first: BTreeMap<Unfit, u64>,
@@ -33,12 +35,10 @@ pub struct Census {
 /// The most sets of numbers of one style that are examined. Nobody waits for more; of a style that has more the first are.
 pub const MOST_SETS: u64 = 500_000;
 
-/// Of a style with more sets than this one in [`SAMPLE`] is asked for a second reason: that takes longer than all the rest,
-/// and whoever thinks about a requirement wants to know whether it costs ten variants or a thousand.
-const ALL_ASKED: u64 = 2048;
-
-/// One in so many. Which ones follows from their index, so that every run says the same.
-const SAMPLE: u64 = 8;
+/// The most sets of a style that are solved only because, turned away by their givens, they are asked for a second reason:
+/// that takes longer than all the rest, and whoever thinks about a requirement wants to know whether it costs ten variants
+/// or a thousand. Which ones follows from their index, so that every run says the same.
+const MOST_ASKED: u64 = 1024;
 
 /// Out of how many sets something was counted: `144`, or `the first 500000 of 900000`.
 pub fn out_of(examined: u64, size: u64) -> String {
@@ -58,30 +58,36 @@ impl Census {
 
     /// The same, and of those turned away it is to be found how many nothing else would have turned away.
     pub fn asking(size: u64) -> Census {
-        Census { one_in: if size > ALL_ASKED { SAMPLE } else { 1 }, ..Census::new(size) }
+        Census { one_in: size.div_ceil(MOST_ASKED).max(1), ..Census::new(size) }
     }
 
-    /// Is a set asked for a second reason? By the fractional parts of multiples of the golden ratio, which lie evenly.
-    fn is_asked(&self, index: u64) -> bool {
+    /// Of how many that a reason turned away one was asked for a second one. What has been solved is asked in any case.
+    pub fn asked(&self, reason: &Unfit) -> u64 {
+        if matches!(reason, Unfit::Givens(_)) { self.one_in } else { self.one_in.min(1) }
+    }
+
+    /// Which second reasons are of interest? Of what the givens turn away, those of sets that lie evenly: by the fractional
+    /// parts of multiples of the golden ratio.
+    fn further(&self, index: u64) -> Further {
         let spread = index.wrapping_mul(0x9e37_79b9_7f4a_7c15);
-        self.one_in > 0 && spread <= u64::MAX / self.one_in
+        match self.one_in {
+            0 => Further::Never,
+            one_in if spread <= u64::MAX / one_in => Further::Always,
+            _ => Further::OnceSolved,
+        }
     }
 
     /// Examines one set and counts it; the variant, if it is fit for print.
     pub fn examine(&mut self, question: &Question, style: &Style, index: u64) -> Option<Variant> {
         self.examined += 1;
-        let examined = match self.is_asked(index) {
-            true => examine_further(question, style, index),
-            false => examine(question, style, index).map_err(|reason| (reason, false)),
-        };
-        match examined {
+        match examine_further(question, style, index, self.further(index)) {
             Ok(variant) => {
                 self.count_fit(question, &variant);
                 Some(variant)
             }
             Err((reason, is_alone)) => {
                 if is_alone {
-                    *self.alone.entry(reason.clone()).or_default() += self.one_in;
+                    *self.alone.entry(reason.clone()).or_default() += self.asked(&reason);
                 }
                 let first = self.first.entry(reason.clone()).or_insert(index);
                 *first = index.min(*first);

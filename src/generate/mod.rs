@@ -12,4 +12,4 @@ pub use deal::{Deal, End, PATIENCE};
 pub use form::Form;
 pub use rounding::{degrees_round_safely, rounds_safely};
 pub use shuffle::{Shuffle, below};
-pub use variant::{Unfit, Variant, answer_rounds_safely, examine, examine_further, reference, with_numbers};
+pub use variant::{Further, Unfit, Variant, answer_rounds_safely, examine, examine_further, reference, with_numbers};

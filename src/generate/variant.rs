@@ -53,16 +53,18 @@ pub enum Unfit {
 ///
 /// The first thing that makes it unfit.
 pub fn examine(question: &Question, style: &Style, index: u64) -> Result<Variant, Unfit> {
-    examined(question, style, index, false).map_err(|(reason, _)| reason)
+    examine_further(question, style, index, Further::Never).map_err(|(reason, _)| reason)
 }
 
-/// As [`examine`], and of an unfit set whether it would be fit if only that one thing were not required of it.
-///
-/// # Errors
-///
-/// The first thing that makes it unfit, and whether it is the only one.
-pub fn examine_further(question: &Question, style: &Style, index: u64) -> Result<Variant, (Unfit, bool)> {
-    examined(question, style, index, true)
+/// Is a set that was turned away asked whether anything else would have turned it away too?
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Further {
+    /// The first reason is enough.
+    Never,
+    /// If it has been solved already.
+    OnceSolved,
+    /// Even if it must be solved for that.
+    Always,
 }
 
 /// What has turned a set away so far.
@@ -85,8 +87,18 @@ impl Turned {
     }
 }
 
-fn examined(question: &Question, style: &Style, index: u64, goes_on: bool) -> Result<Variant, (Unfit, bool)> {
-    let mut turned = Turned { first: None, goes_on };
+/// As [`examine`], and of an unfit set whether it would be fit if only that one thing were not required of it.
+///
+/// # Errors
+///
+/// The first thing that makes it unfit, and whether it is known to be the only one.
+pub fn examine_further(
+    question: &Question,
+    style: &Style,
+    index: u64,
+    further: Further,
+) -> Result<Variant, (Unfit, bool)> {
+    let mut turned = Turned { first: None, goes_on: further == Further::Always };
     let parameters = style.parameters_at(index);
     let givens = Givens::new(style, &parameters, &question.scene).map_err(|_| (Unfit::NoValue, false))?;
     for (place, requirement) in style.require.iter().enumerate() {
@@ -98,6 +110,7 @@ fn examined(question: &Question, style: &Style, index: u64, goes_on: bool) -> Re
     // What cannot be posed is unfit whatever is required of it.
     let first = turned.first.clone();
     let posed = Posed::new(question, style, givens).map_err(|reason| (first.unwrap_or(unposed(&reason)), false))?;
+    turned.goes_on = further != Further::Never;
     for (place, requirement) in style.require.iter().enumerate() {
         let on_results = requirement.is_on_results(&question.scene.unknowns, &|name| posed.givens.contains(name));
         if on_results && !requirement.holds(&|name| posed.meaning(name)).unwrap_or(false) {

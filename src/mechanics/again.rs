@@ -20,6 +20,8 @@ pub struct Carried<N> {
     needs: Vec<Set>,
     /// Of what each step gives the places, where it is entered: not what was given, or what an earlier step gave.
     gives: Vec<Vec<Option<usize>>>,
+    /// All that some step gives.
+    given: Set,
 }
 
 /// A set of steps or of quantities, by their places. Of so many that they do not fit the last share a place.
@@ -99,7 +101,8 @@ impl<N: Number + PartialEq> Carried<N> {
         let place_of = |quantity: &Quantity| places.get(quantity).copied();
         let all = |needs: &[Quantity]| needs.iter().filter_map(place_of).fold(Set::default(), Set::with);
         let needs = derivation.steps.iter().map(|step| all(&step.needs)).collect();
-        Carried { derivation, known, missing, places, needs, gives }
+        let given = derivation.steps.iter().fold(Set::default(), |given, step| Set(given.0 | all(&step.gives).0));
+        Carried { derivation, known, missing, places, needs, gives, given }
     }
 
     /// The steps.
@@ -128,6 +131,16 @@ impl<N: Number + PartialEq> Carried<N> {
     /// Has the quantity another value than before?
     pub fn is_changed(&self, quantity: Quantity, trace: Trace) -> bool {
         self.places.get(&quantity).is_some_and(|place| trace.changed.has(*place))
+    }
+
+    /// Has anything that a step gives another value than before?
+    pub fn is_anything_changed(&self, trace: Trace) -> bool {
+        self.given.meets(trace.changed)
+    }
+
+    /// May the slip take the place of a law at some step?
+    pub fn has_law_of(&self, (owner, slip): (Law, &Slip)) -> bool {
+        self.derivation.steps.iter().any(|step| step.law == owner || slip.also.contains(&step.law))
     }
 
     /// Carries it out again with slips, each beside the law that owns it, and with other data in place of what was found or

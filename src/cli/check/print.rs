@@ -50,7 +50,7 @@ fn row(style: &StyleReport) -> Vec<String> {
         format!("{} of {} sets", style.variants, out_of(style.examined, style.sets)),
         forms(&style.all_forms()),
         dearest,
-        style.relaxation().map_or_else(String::new, |turned| relaxed(turned, style.one_in)),
+        style.relaxation().map_or_else(String::new, relaxed),
     ]
 }
 
@@ -58,15 +58,16 @@ fn requirement(turned: &Turned) -> &str {
     turned.requirement.as_deref().unwrap_or_default()
 }
 
-fn relaxed(turned: &Turned, one_in: u64) -> String {
-    let (about, number) = about(turned.alone, one_in);
+fn relaxed(turned: &Turned) -> String {
+    let (about, number) = about(turned);
     format!("without `{}` {about}{}", requirement(turned), count_of(number, "more variant"))
 }
 
 /// What was counted, or that it was estimated, and then only its first two figures.
-fn about(number: u64, one_in: u64) -> (&'static str, u64) {
+fn about(turned: &Turned) -> (&'static str, u64) {
+    let number = turned.alone;
     let unit = 10_u64.pow(number.max(1).ilog10().saturating_sub(1));
-    if one_in > 1 { ("about ", (number + unit / 2) / unit * unit) } else { ("", number) }
+    if turned.one_in > 1 { ("about ", (number + unit / 2) / unit * unit) } else { ("", number) }
 }
 
 fn count_of(number: u64, thing: &str) -> String {
@@ -86,7 +87,7 @@ pub fn census(style: &StyleReport) -> String {
     for turned in &style.turned_away {
         left -= turned.count.min(left);
         let reason = turned.requirement.as_ref().map_or(turned.reason.clone(), |text| format!("`{text}`"));
-        let (about, alone) = about(turned.alone, style.one_in);
+        let (about, alone) = about(turned);
         let alone = if alone > 0 { format!("{about}{alone} more without it") } else { String::new() };
         rows.push(vec![format!("    {left}"), reason, format!("−{}", turned.count), alone]);
     }

@@ -17,7 +17,7 @@ mod written;
 
 pub use cause::{Cause, StepMarks};
 pub use rounding::{EARLY_ROUNDING, EarlyRounding, early_rounding};
-pub use shown::{Figures, Outcome, Shown, acting, shown};
+pub use shown::{Answers, Outcome, acting, shown};
 
 use crate::expr::Expr;
 use crate::mark::reading::{Form, ReferenceLine, Said};

@@ -15,27 +15,26 @@ use super::table::value;
 /// sign where the sign is no part of the answer, and of a direction the unit vector.
 pub type Figures = Vec<f64>;
 
-/// What came of a slip on one road to the answers.
+/// The answers of a question in figures, each where it has a value.
+pub type Answers = Vec<Option<Figures>>;
+
+/// A slip that changes a value somewhere on the way to the answers.
 #[derive(Clone, Debug)]
 pub struct Outcome {
     /// The slip, by its place in [`Slip::all`].
     pub slip: usize,
-    /// Each answer as it then comes out; none where that has no value.
-    pub answers: Vec<Option<Figures>>,
+    /// The answers as they then come out, on the first road where they differ from the right ones; none if on no road.
+    pub shown: Option<Answers>,
 }
 
-/// The right answers, and what every slip that changes anything on the way makes of them.
-#[derive(Clone, Debug)]
-pub struct Shown {
-    /// Each answer as it is.
-    pub right: Vec<Option<Figures>>,
-    /// The slips that change a value somewhere, on every road.
-    pub outcomes: Vec<Outcome>,
-}
-
-/// Makes every slip of every law once, from what a scene gives. `None` if a value does not exist at the points.
-pub fn shown(given: &Known<Value>, answers: &[Vec<Quantity>]) -> Option<Shown> {
-    Some(carried_out(&sampled(given)?, answers))
+/// Makes every slip of every law once, from what a scene gives. Which answers differ, first those with a slip and then the
+/// right ones, is for the caller to say. Nothing if a value does not exist at the points.
+pub fn shown(
+    given: &Known<Value>,
+    answers: &[Vec<Quantity>],
+    differ: &dyn Fn(&Answers, &Answers) -> bool,
+) -> Option<Vec<Outcome>> {
+    Some(carried_out(&sampled(given)?, answers, differ))
 }
 
 /// The slips that would change something if no number happened to equal another: every number that is not nought is
@@ -54,13 +53,14 @@ pub fn acting(given: &Known<Value>, answers: &[Vec<Quantity>]) -> Vec<usize> {
             Datum::Equation(_) => {}
         }
     }
-    let mut slips: Vec<usize> = carried_out(&moved, answers).outcomes.iter().map(|outcome| outcome.slip).collect();
-    slips.sort_unstable();
-    slips.dedup();
-    slips
+    carried_out(&moved, answers, &|_, _| true).iter().map(|outcome| outcome.slip).collect()
 }
 
-fn carried_out(given: &Known<Sample>, answers: &[Vec<Quantity>]) -> Shown {
+fn carried_out(
+    given: &Known<Sample>,
+    answers: &[Vec<Quantity>],
+    differ: &dyn Fn(&Answers, &Answers) -> bool,
+) -> Vec<Outcome> {
     let asked: Vec<Quantity> = answers.iter().flatten().copied().collect();
     let mut roads: Vec<Carried<Sample>> = Vec::new();
     for road in Road::ALL {
@@ -69,22 +69,25 @@ fn carried_out(given: &Known<Sample>, answers: &[Vec<Quantity>]) -> Shown {
             roads.push(carried);
         }
     }
-    let all = |known: &Known<Sample>| answers.iter().map(|answer| figures(answer, known)).collect::<Vec<_>>();
+    let all = |known: &Known<Sample>| answers.iter().map(|answer| figures(answer, known)).collect::<Answers>();
     let right = all(roads[0].known());
     let mut outcomes = Vec::new();
     for (slip, owned) in Slip::all().iter().enumerate() {
-        for road in &mut roads {
+        let mut acts = false;
+        let shown = roads.iter_mut().filter(|road| road.has_law_of(*owned)).find_map(|road| {
             let found = road.again(&[*owned], &[], |carried, trace| {
-                let steps = &carried.derivation().steps;
-                let acts = steps.iter().flat_map(|step| &step.gives).any(|given| carried.is_changed(*given, trace));
-                acts.then(|| all(carried.known()))
+                carried.is_anything_changed(trace).then(|| all(carried.known()))
             });
             // A slip that leads to a dead end, as a sphere brought to rest that should have a direction, shows as well.
             let found = found.unwrap_or_else(|| Some(vec![None; answers.len()]));
-            outcomes.extend(found.map(|answers| Outcome { slip, answers }));
+            acts |= found.is_some();
+            found.filter(|found| differ(found, &right))
+        });
+        if acts {
+            outcomes.push(Outcome { slip, shown });
         }
     }
-    Shown { right, outcomes }
+    outcomes
 }
 
 /// An answer in what is known.
