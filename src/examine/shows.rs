@@ -7,7 +7,7 @@
 use super::finding::Finding;
 use crate::answer::Accept;
 use crate::bank::{Answer, Question};
-use crate::generate::Variant;
+use crate::generate::{Variant, reference};
 use crate::mark::slips::{Answers, acting, shown};
 use crate::mechanics::{Quantity, Slip, pose};
 use crate::number::Places;
@@ -20,7 +20,7 @@ const SAME: f64 = 1e-7;
 pub struct Slips {
     /// Variants in which slips could be followed.
     variants: u64,
-    /// Slips that change some value on the way, by their places.
+    /// Slips that change some value on the way in some variant, by their places.
     acting: u128,
     /// In how many variants each slip shows.
     shown: Vec<u64>,
@@ -48,8 +48,7 @@ impl Default for Slips {
 impl Slips {
     /// Follows every slip through one variant.
     pub fn follow(&mut self, question: &Question, variant: &Variant) {
-        let answers: Vec<&Answer> = question.parts.iter().flat_map(|part| &part.answers).collect();
-        let asked: Vec<Vec<Quantity>> = answers.iter().map(|answer| answer.find.quantities()).collect();
+        let (answers, asked) = asked(question);
         if asked.iter().all(Vec::is_empty) {
             return;
         }
@@ -66,11 +65,6 @@ impl Slips {
             })
         };
         let Some(outcomes) = shown(&given, &asked, &differ) else { return };
-        if self.variants == 0 {
-            for slip in acting(&given, &asked) {
-                self.acting |= 1 << slip;
-            }
-        }
         self.variants += 1;
         self.acting |= outcomes.iter().fold(0, |acting, outcome| acting | 1 << outcome.slip);
         let showing: Vec<(usize, &Answers)> =
@@ -111,11 +105,6 @@ impl Slips {
         hidden.map(|(place, (_, slip))| (slip.tag, self.variants - self.shown[place], self.first[place])).collect()
     }
 
-    /// The slips that act.
-    pub fn acting(&self) -> u128 {
-        self.acting
-    }
-
     /// The variants through which slips were followed.
     pub fn variants(&self) -> u64 {
         self.variants
@@ -128,6 +117,24 @@ impl Slips {
         let alike = pairs.filter(|(one, other)| (self.beside[*one] & !self.told[*one]) >> other & 1 == 1);
         alike.map(|(one, other)| (all[one].1.tag, all[other].1.tag)).collect()
     }
+}
+
+/// The answers of a question, and the quantities that each asks for.
+fn asked(question: &Question) -> (Vec<&Answer>, Vec<Vec<Quantity>>) {
+    let answers: Vec<&Answer> = question.parts.iter().flat_map(|part| &part.answers).collect();
+    let asked = answers.iter().map(|answer| answer.find.quantities()).collect();
+    (answers, asked)
+}
+
+/// The slips that act: those that change a value in some variant, and those that would if no number of the question
+/// happened to equal another, by its reference numbers.
+pub fn all_acting(question: &Question, styles: &[Slips]) -> u128 {
+    let followed = styles.iter().fold(0, |all, slips| all | slips.acting);
+    let by_reference = || -> Option<Vec<usize>> {
+        let given = pose(reference(question).ok()?.solution.scene()).ok()?;
+        Some(acting(&given, &asked(question).1))
+    };
+    by_reference().unwrap_or_default().into_iter().fold(followed, |all, slip| all | 1 << slip)
 }
 
 /// Would the two be written alike at the figures that are asked for?
@@ -149,12 +156,16 @@ fn are_one(one: f64, other: f64, accept: &Accept, is_exact: bool) -> bool {
 }
 
 /// What a question's numbers hide and do not say, and what it says without need.
-pub fn findings(question: &Question, styles: &[Slips], numbers: &dyn Fn(usize, u64) -> String) -> Vec<Finding> {
+pub fn findings(
+    question: &Question,
+    styles: &[Slips],
+    acting: u128,
+    numbers: &dyn Fn(usize, u64) -> String,
+) -> Vec<Finding> {
     // Where no style has a variant nothing has been followed, and nothing can be said.
     if styles.iter().all(|slips| slips.variants() == 0) {
         return Vec::new();
     }
-    let acting = styles.iter().fold(0, |acting, slips| acting | slips.acting());
     let mut findings = Vec::new();
     let mut hidden: Vec<(&str, Vec<String>, String)> = Vec::new();
     for (place, slips) in styles.iter().enumerate() {

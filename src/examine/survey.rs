@@ -145,7 +145,8 @@ impl Done {
         }
         let slips: Vec<_> = self.tallies.iter().map(|tally| tally.slips.clone()).collect();
         let shown = |place: usize, index| numbers(&question.styles[place], index);
-        findings.extend(shows::findings(question, &slips, &shown));
+        let acting = shows::all_acting(question, &slips);
+        findings.extend(shows::findings(question, &slips, acting, &shown));
         // Threads finish out of order.
         self.coverage.sort_by_key(|(dealt, _)| *dealt);
         let mut coverage = Coverage::default();
@@ -153,7 +154,6 @@ impl Done {
             coverage.add(one);
         }
         findings.extend(idle(question, &coverage));
-        let acting = slips.iter().fold(0, |acting, slips| acting | slips.acting());
         let styles = question.styles.iter().zip(&self.tallies);
         let styles =
             styles.map(|(style, tally)| StyleReport::new(question, style, &tally.census, &tally.slips, acting));

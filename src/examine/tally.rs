@@ -127,3 +127,41 @@ pub fn numbers(style: &Style, index: u64) -> String {
     let each = all.iter().map(|(name, value)| format!("{name} = {}", print::plain(value)));
     each.collect::<Vec<_>>().join(", ")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::shows;
+    use super::*;
+    use crate::bank::{read_question, shipped};
+    use crate::diagnostic::Source;
+
+    /// What is said of a style's slips and variants after tallies were added up.
+    fn said(question: &Question, style: &Style, tallies: impl Iterator<Item = Tally>) -> Vec<String> {
+        let mut total = Tally::new(style.size());
+        tallies.for_each(|tally| total.add(tally));
+        let slips = [total.slips.clone()];
+        let acting = shows::all_acting(question, &slips);
+        let mut findings = total.findings(style, &mut BTreeSet::new());
+        findings.extend(shows::findings(question, &slips, acting, &|_, index| numbers(style, index)));
+        findings.into_iter().map(|finding| finding.message).collect()
+    }
+
+    #[test]
+    fn what_is_found_does_not_depend_on_who_saw_what() {
+        let id = "deflection/elastic";
+        let (_, text) = shipped().find(|(shipped, _)| *shipped == id).unwrap();
+        let question = read_question(id, &Source::new(id, text)).unwrap_or_else(|_| panic!("{id}"));
+        for style in &question.styles {
+            let one = |index: u64| {
+                let mut tally = Tally::new(style.size());
+                tally.examine(&question, style, index);
+                tally
+            };
+            let in_order = said(&question, style, (0..style.size()).map(one));
+            assert_eq!(said(&question, style, (0..style.size()).rev().map(one)), in_order);
+            let mut together = Tally::new(style.size());
+            (0..style.size()).for_each(|index| together.examine(&question, style, index));
+            assert_eq!(said(&question, style, [together].into_iter()), in_order);
+        }
+    }
+}

@@ -41,12 +41,12 @@ pub fn shown(
 /// moved a little, each by another part. What is nought stays so; who strikes a sphere at rest cannot forget its velocity.
 pub fn acting(given: &Known<Value>, answers: &[Vec<Quantity>]) -> Vec<usize> {
     let Some(mut moved) = sampled(given) else { return Vec::new() };
-    let mut part = 1.0;
+    let mut part = 1.0; // so little in all that who goes on does not turn back
     for (quantity, datum) in &mut moved.0 {
         if matches!(quantity, Quantity::Line(_) | Quantity::Tangent(_)) {
             continue;
         }
-        part += 0.037;
+        part += 0.001;
         match datum {
             Datum::Number(number) => *number = number.map(|number| number * part),
             Datum::Direction { y, .. } => *y = y.map(|y| y * part),
