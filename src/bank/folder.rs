@@ -144,7 +144,7 @@ pub fn read_source(path: &Path) -> Result<Source, Vec<Diagnostic>> {
 }
 
 /// No question is longer than this.
-const LONGEST: u64 = 1_000_000;
+const LONGEST: u64 = 100_000;
 
 /// A text from its bytes.
 fn decoded(shown: &str, bytes: &[u8]) -> Result<Source, Vec<Diagnostic>> {

@@ -28,6 +28,9 @@ pub type Names<'a> = &'a dyn Fn(&str) -> Option<Meaning>;
 /// Formulas longer than this are refused: nobody writes them, and their roots would take for ever.
 const MOST_TERMS: usize = 400;
 
+/// Longer numbers than this, in bits, are refused: squared again and again, one would take for ever.
+const LONGEST_NUMBER: usize = 1 << 14;
+
 /// The largest whole power; higher ones only serve to stall a program.
 const MOST_POWER: i64 = 16;
 
@@ -334,6 +337,9 @@ fn sized(value: Value) -> Result<Meaning, Fault> {
 fn check_size(value: &Value) -> Result<(), Fault> {
     if value.terms() > MOST_TERMS {
         return Err(fault(format!("the formula grows beyond {MOST_TERMS} terms"), "a shorter formula"));
+    }
+    if value.longest_number() > LONGEST_NUMBER {
+        return Err(fault("a number grows beyond thousands of digits", "smaller numbers, or fewer products of them"));
     }
     Ok(())
 }
