@@ -277,6 +277,14 @@ impl Quantity {
     pub fn is_angle(self) -> bool {
         self.unit() == Unit::Degree
     }
+
+    /// Is it of all that takes part in an impact together, and of no sphere alone?
+    pub fn is_of_all(self) -> bool {
+        matches!(
+            self,
+            Quantity::EnergyLost | Quantity::FractionLost | Quantity::TotalEnergy(_) | Quantity::TotalMomentum(_)
+        )
+    }
 }
 
 impl fmt::Display for Axis {

@@ -12,11 +12,11 @@ use crate::unit::Unit;
 
 use super::finding::Finding;
 use super::otherwise::{is_another_of_its_sort, remark_names_another};
-use super::statements::{named_sphere, sphere};
+use super::spheres::{named_sphere, sphere};
 use super::{Model, Note, left_side};
 
 /// What a name is the name of.
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Sort {
     Speed,
     /// It has a size and a direction, and either may be called by it.
@@ -271,7 +271,7 @@ fn is_product(name: &str) -> bool {
 }
 
 /// What a letter stands for by the custom of the subject, whatever its subscript.
-fn of_letter(name: &str) -> Option<Sort> {
+pub(super) fn of_letter(name: &str) -> Option<Sort> {
     if matches!(name, "alpha" | "beta" | "gamma" | "delta" | "theta" | "phi" | "psi") {
         return Some(Sort::Angle);
     }
@@ -284,7 +284,7 @@ fn of_letter(name: &str) -> Option<Sort> {
         return None;
     }
     match first {
-        'u' | 'v' | 'w' | 'U' | 'V' => Some(Sort::Speed),
+        'u' | 'v' | 'w' | 'U' | 'V' | 'W' => Some(Sort::Speed),
         'm' | 'M' => Some(Sort::Mass),
         'I' | 'J' => Some(Sort::Impulse),
         'E' | 'K' => Some(Sort::Energy),

@@ -25,6 +25,7 @@ mod ratio;
 mod selection;
 mod sense;
 mod shown;
+mod spheres;
 mod statements;
 mod together;
 mod units;

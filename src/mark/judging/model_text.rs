@@ -73,7 +73,8 @@ impl Model {
         let vectors = (vectors || from_i) && kind != Kind::Velocity;
         let model = Model::new(value, kind, accept, Vocabulary { letters, vectors });
         // An answer is judged alike of whichever impact it is.
-        Ok(Model { quantity: options.quantity.map(Quantity::of_its_impact), ..model })
+        let quantity = options.quantity.map(Quantity::of_its_impact);
+        Ok(Model { quantity, is_of_both: quantity.is_some_and(Quantity::is_of_all), ..model })
     }
 }
 

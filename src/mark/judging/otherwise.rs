@@ -5,7 +5,7 @@ use crate::mechanics::{Quantity, Sphere};
 
 use super::Model;
 use super::called::{sort, suits, words};
-use super::statements::sphere;
+use super::spheres::sphere;
 
 /// Does a remark that is no more than a name, as `(B)` or `(speed of B)`, name another sphere or another quantity?
 pub(super) fn remark_names_another(model: &Model, asked: Quantity, remarks: &[&String], remark: &str) -> bool {

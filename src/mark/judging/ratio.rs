@@ -10,7 +10,8 @@ use crate::mechanics::Sphere;
 use super::accuracy::Written;
 use super::finding::Finding;
 use super::otherwise::spheres_in_remark;
-use super::statements::{named_sphere, named_spheres, pair, unnamed};
+use super::spheres::{named_sphere, named_spheres};
+use super::statements::{pair, unnamed};
 use super::{Model, Note, number};
 
 /// Two numbers one after the other, and what their ratio is called: `2 to 3`, `A to B is 2 to 3`.

@@ -12,6 +12,7 @@ use crate::mechanics::{Moment, Quantity, Sphere};
 use super::accuracy::Written;
 use super::finding::Finding;
 use super::left_side::{self, Equation, Left};
+use super::spheres::{self, SPHERES, named_sphere, sphere};
 use super::{Model, Note, Verdict, called};
 
 /// How a kind judges one value.
@@ -177,11 +178,11 @@ fn last_or_rivals(model: &Model, statements: &[&Statement], one: One) -> Finding
     let distinct = labels.iter().enumerate().all(|(at, label)| label.is_some() && !labels[..at].contains(label));
     let last = findings[findings.len() - 1];
     if distinct {
+        let begins =
+            |label: &Option<String>, letters: &[char]| label.as_ref().is_some_and(|label| label.starts_with(letters));
         // `w = 5, v = −3`: which of the letters is meant is not said.
         let letters = statements.len() > 1 && statements.iter().all(|statement| is_called_by_a_letter(statement));
         let any_right = findings.iter().any(Finding::is_correct);
-        let begins =
-            |label: &Option<String>, letters: &[char]| label.as_ref().is_some_and(|label| label.starts_with(letters));
         // `v = 5, u = 3.57`: u is what there was before, unless it is the name of another sphere's speed.
         let is_of_before = letters
             && model.quantity.and_then(called::moment) == Some(Moment::After)
@@ -190,7 +191,19 @@ fn last_or_rivals(model: &Model, statements: &[&Statement], one: One) -> Finding
         if is_of_before && last.is_credited() {
             return Finding::unreadable(Note::NamedOtherwise);
         }
-        return if letters && any_right && !last.is_credited() { Finding::partial(Note::SeveralAnswers) } else { last };
+        // `v1 = 3.08, v2 = 2.78`: of names alike none is the answer because it stands last.
+        let family = |statement: &&Statement| statement.label.as_ref().and_then(spheres::family);
+        let of_last = statements.last().and_then(family);
+        let alike =
+            statements.iter().zip(&findings).filter(|(statement, _)| of_last.is_some() && family(statement) == of_last);
+        let (right, others): (Vec<&Finding>, Vec<&Finding>) =
+            alike.map(|(_, finding)| finding).partition(|finding| finding.is_credited());
+        let is_open = !right.is_empty() && !others.is_empty();
+        return if is_open || (letters && any_right && !last.is_credited()) {
+            Finding::partial(Note::SeveralAnswers)
+        } else {
+            last
+        };
     }
     let right = findings.iter().copied().find(Finding::is_correct);
     // A value and its opposite are two values.
@@ -221,37 +234,4 @@ fn is_called_by_a_letter(statement: &Statement) -> bool {
 fn is_concluded(statements: &[&Statement]) -> bool {
     let first = statements.last().and_then(|last| last.said.first());
     first.is_some_and(|said| said.remarks.iter().any(|remark| remark == "so") && !is_rival(said))
-}
-
-/// All that can take part in an impact.
-const SPHERES: [Sphere; 3] = [Sphere::A, Sphere::B, Sphere::C];
-
-/// The sphere that a quantity is one of.
-pub(super) fn sphere(quantity: Quantity) -> Option<Sphere> {
-    let name = quantity.to_string();
-    let first = name.split('.').next()?;
-    SPHERES.into_iter().find(|sphere| sphere.name() == first)
-}
-
-/// The sphere that a label names: `A`, `v_B`, `speed of A`.
-pub(super) fn named_sphere(statement: &Statement) -> Option<Sphere> {
-    let typed = statement.label.as_ref()?.typed.as_str();
-    let words = || typed.split(|letter: char| !letter.is_alphanumeric());
-    let names = |sphere: &str| words().any(|word| word == sphere || is_subscript(word, sphere));
-    let mut named = SPHERES.into_iter().filter(|sphere| names(sphere.name()));
-    named.next().filter(|_| named.next().is_none())
-}
-
-/// The spheres that a text names, in order: `m_B : m_A`, `mA/mB`, `A to B`.
-pub(super) fn named_spheres(typed: &str) -> Vec<Sphere> {
-    let words = typed.split(|letter: char| !letter.is_alphanumeric());
-    let named = words.filter_map(|word| {
-        SPHERES.into_iter().find(|sphere| word == sphere.name() || is_subscript(word, sphere.name()))
-    });
-    named.collect()
-}
-
-/// `vA`, `vB`
-fn is_subscript(word: &str, sphere: &str) -> bool {
-    word.len() == 2 && word.ends_with(sphere) && word.starts_with(|letter: char| letter.is_ascii_lowercase())
 }

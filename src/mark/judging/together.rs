@@ -6,7 +6,7 @@ use crate::answer::Kind;
 use crate::mark::reading::{Form, Label, Reading, Said, Statement, Unreadable};
 
 use super::finding::Finding;
-use super::{BLANK, Judgement, Model, Note, one, refused, report, statements};
+use super::{BLANK, Judgement, Model, Note, one, refused, report, spheres};
 
 /// Judges one answer in which several things are asked: labelled with their spheres, or in the order asked.
 ///
@@ -41,7 +41,7 @@ pub fn judge_together(models: &[Model], readings: &Result<Vec<Reading>, Unreadab
 
 /// What a reading says of each of the models.
 fn shared_out(models: &[Model], reading: &Reading) -> Vec<Option<Reading>> {
-    let named = reading.statements.iter().any(|statement| statements::named_sphere(statement).is_some());
+    let named = reading.statements.iter().any(|statement| spheres::named_sphere(statement).is_some());
     let share =
         |statements: Vec<Statement>| (!statements.is_empty()).then(|| Reading { statements, ..reading.clone() });
     if !named {
@@ -54,14 +54,14 @@ fn shared_out(models: &[Model], reading: &Reading) -> Vec<Option<Reading>> {
         .statements
         .iter()
         .map(|statement| {
-            sphere = statements::named_sphere(statement).or(sphere);
+            sphere = spheres::named_sphere(statement).or(sphere);
             (sphere, statement)
         })
         .collect();
     models
         .iter()
         .map(|model| {
-            let asked = model.quantity.and_then(statements::sphere)?;
+            let asked = model.quantity.and_then(spheres::sphere)?;
             let own = placed.iter().filter(|(named, _)| *named == Some(asked)).map(|(_, statement)| *statement);
             let count = &mut next[asked as usize];
             *count += 1;
@@ -78,7 +78,7 @@ fn with_directions_apart<'r>(models: &[Model], reading: &'r Reading) -> Cow<'r, 
     let mut statements: Vec<Statement> = Vec::with_capacity(reading.statements.len());
     for statement in &reading.statements {
         let mut statement = statement.clone();
-        let sphere = statements::named_sphere(&statement);
+        let sphere = spheres::named_sphere(&statement);
         let direction = statement.said.last_mut().and_then(|said| {
             let is_size = matches!(said.form, Form::Value(_)) && !said.unit.as_ref().is_some_and(|unit| unit.degrees);
             said.reference.take_if(|line| is_size && line.is_direction())

@@ -7,7 +7,8 @@ use crate::mark::reading::{Form, Notation, Reading, Said, Statement};
 use super::accuracy::Written;
 use super::exact;
 use super::finding::Finding;
-use super::statements::{is_rival, named_sphere, pair, sphere, unnamed};
+use super::spheres::{named_sphere, sphere};
+use super::statements::{is_rival, pair, unnamed};
 use super::units::{self, UnitCheck};
 use super::{Model, Note, number, selection};
 

@@ -35,16 +35,8 @@ impl KeyedPart {
         for blank in &mut blanks {
             blank.model.rebounds = rebounds(&blank.find, known);
             blank.model.path = path(&blank.find, known);
-            blank.model.is_of_both = Quantity::Mass(Sphere::B).is_in(scene.setting)
-                && matches!(
-                    blank.model.quantity,
-                    Some(
-                        Quantity::EnergyLost
-                            | Quantity::FractionLost
-                            | Quantity::TotalEnergy(_)
-                            | Quantity::TotalMomentum(_)
-                    )
-                );
+            // A wall has no share in it.
+            blank.model.is_of_both &= Quantity::Mass(Sphere::B).is_in(scene.setting);
         }
         let last = derivation.steps.iter().map(|step| step.impact()).max();
         let then = scene.then.iter().find(|then| Some(then.meeting.number) == last);

@@ -1,0 +1,96 @@
+//! The spheres that names are the names of: `A`, `v_B`, `vb`, `speed of A`.
+
+use crate::expr::Expr;
+use crate::mark::reading::{Label, Statement};
+use crate::mechanics::{Quantity, Sphere};
+
+use super::called::{Sort, of_letter, sort, words};
+
+/// All that can take part in an impact.
+pub(super) const SPHERES: [Sphere; 3] = [Sphere::A, Sphere::B, Sphere::C];
+
+/// The sphere that a quantity is one of.
+pub(super) fn sphere(quantity: Quantity) -> Option<Sphere> {
+    let name = quantity.to_string();
+    let first = name.split('.').next()?;
+    SPHERES.into_iter().find(|sphere| sphere.name() == first)
+}
+
+/// The sphere that a label names: `A`, `v_B`, `speed of A`.
+pub(super) fn named_sphere(statement: &Statement) -> Option<Sphere> {
+    let named = named_spheres(&statement.label.as_ref()?.typed);
+    let first = named.first().copied()?;
+    named.iter().all(|other| *other == first).then_some(first)
+}
+
+/// The spheres that a text names, in order: `m_B : m_A`, `mA/mB`, `A to B`, `va`.
+pub(super) fn named_spheres(typed: &str) -> Vec<Sphere> {
+    let words: Vec<&str> = words_without_commands(typed).collect();
+    let named = words.iter().enumerate().filter_map(|(at, word)| {
+        let before = at.checked_sub(1).map(|before| words[before]);
+        let after = words.get(at + 1).copied();
+        SPHERES.into_iter().find(|sphere| {
+            let small = sphere.name().to_lowercase();
+            *word == sphere.name()
+                || is_small_name(word, &small, before, after)
+                || word.strip_suffix(sphere.name()).is_some_and(|stem| is_stem(stem) || is_letter_of_subject(stem))
+                || word.strip_suffix(&*small).is_some_and(is_stem)
+        })
+    });
+    named.collect()
+}
+
+/// A small letter names a sphere after the name of a quantity, as in `v_b`, or after words such as `of`. An `a` with a word
+/// after it is an article.
+fn is_small_name(word: &str, small: &str, before: Option<&str>, after: Option<&str>) -> bool {
+    const BEFORE: [&str; 8] = ["of", "for", "by", "on", "sphere", "ball", "particle", "disc"];
+    let leads = |before: &str| is_stem(before) || BEFORE.contains(&before.to_lowercase().as_str());
+    let ends = || after.is_none_or(|after| matches!(after, "to" | "after" | "before"));
+    word == small && before.is_some_and(leads) && (small != "a" || ends())
+}
+
+/// What a sphere can be the subscript of: `v`, `V`, `theta`, `speed`, but no sphere.
+fn is_stem(stem: &str) -> bool {
+    let is_letter = stem.chars().count() == 1 && stem.starts_with(char::is_alphabetic);
+    let is_angle = || of_letter(&stem.to_lowercase()) == Some(Sort::Angle);
+    sort(stem).is_some() || is_angle() || (is_letter && !ends_in_sphere(stem))
+}
+
+/// `vf` in `vfA`
+fn is_letter_of_subject(stem: &str) -> bool {
+    of_letter(stem).is_some() && !ends_in_sphere(stem)
+}
+
+fn ends_in_sphere(stem: &str) -> bool {
+    stem.ends_with(['A', 'B', 'C', 'a', 'b', 'c'])
+}
+
+/// The words of a label; the commands of LaTeX are none.
+fn words_without_commands(typed: &str) -> impl Iterator<Item = &str> {
+    let pieces = typed.split_inclusive(|letter: char| !letter.is_alphanumeric());
+    let after_stroke = std::iter::once(false).chain(pieces.clone().map(|piece| piece.ends_with('\\')));
+    let plain = pieces.zip(after_stroke).filter(|(_, is_command)| !is_command);
+    plain.flat_map(|(piece, _)| words(piece)).filter(|word| !word.is_empty())
+}
+
+/// What names have in common of which only a person knows which is meant: `v1` and `v2`, `v` and `w`, `x` and `y`, `speed 1`
+/// and `speed 2`. A u is what there was before, and has no fellows.
+pub(super) fn family(label: &Label) -> Option<String> {
+    let name = match &label.expr {
+        Some(Expr::Name(name)) => name.text.as_str(),
+        _ => label.typed.trim(),
+    };
+    if name.starts_with(['u', 'U']) {
+        return None;
+    }
+    let is_letter = name.chars().count() == 1;
+    if let Some(sort) = of_letter(name) {
+        return Some(format!("{sort:?} {is_letter}"));
+    }
+    let words: Vec<&str> = words_without_commands(name).collect();
+    match words.as_slice() {
+        [_] if is_letter => Some("own".to_owned()),
+        [stem @ .., last] if !stem.is_empty() && last.chars().count() == 1 => Some(stem.join(" ").to_lowercase()),
+        _ => None,
+    }
+}
