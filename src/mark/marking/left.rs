@@ -111,9 +111,10 @@ fn calls_something(line: &str) -> bool {
     name.len() < line.len() && name.contains(char::is_alphabetic) || line.contains(" is ")
 }
 
-/// Is a label a formula rather than a name?
+/// Is a label a formula rather than a name: `w²`, `v(k + 1)` or `5w`?
 fn is_formula(label: &str) -> bool {
-    label.contains(['+', '-', '−', '*', '×', '/', '(', '^', '²', '√'])
+    label.starts_with(|sign: char| sign.is_ascii_digit())
+        || label.contains(['+', '-', '−', '*', '×', '/', '(', '^', '²', '√'])
 }
 
 /// What is concluded in a line about a range: `e > 3/4` from `v < 0 so e > 3/4`.

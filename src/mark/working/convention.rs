@@ -3,10 +3,11 @@
 use super::compare::any_within;
 use super::examine::{Studied, context, value};
 use super::linear::{Linear, Sum, difference};
-use super::pair::{BOTH, Convention, Departure, Matched, conventions};
+use super::pair::{BOTH, Convention, Departure, Laws, Matched, conventions};
 use super::points::sizes;
 use super::prepared::Prepared;
 use super::spread::Spread;
+use super::substituted::{apart, impulse_in, is_impulse, without_impulse};
 use super::theirs::numbers;
 use crate::expr::Expr;
 use crate::mechanics::{Axis, Law, Moment, Quantity, Sphere};
@@ -14,42 +15,87 @@ use crate::mechanics::{Axis, Law, Moment, Quantity, Sphere};
 /// The place of a line, which of its readings, and what it is.
 type Found = (usize, usize, Matched);
 
+/// An equation that may be one of the two.
+struct Offered {
+    /// The place of its line, and which of the readings of that.
+    place: usize,
+    which: usize,
+    /// Left minus right at every point.
+    linear: Vec<Linear>,
+    /// Does the speed of approach stand in it?
+    shows_approach: bool,
+    /// Does it say nothing but that the two unknowns are equal?
+    says_equal: bool,
+}
+
+impl Offered {
+    fn of(place: usize, which: usize, equation: &(Expr, Expr), prepared: &Prepared) -> Option<Offered> {
+        let linear = differences(equation, prepared)?;
+        let (shows_approach, says_equal) = (shows_approach(equation, prepared), says_equal(equation, &linear[0]));
+        Some(Offered { place, which, linear, shows_approach, says_equal })
+    }
+
+    /// Are its unknowns velocities, one or two of them?
+    fn is_of_velocities(&self) -> bool {
+        let unknowns = &self.linear[0].unknowns;
+        (1..=2).contains(&unknowns.len()) && unknowns.iter().all(|(name, _)| may_be_velocity(name))
+    }
+
+    /// What it is in this convention.
+    fn matched(&self, laws: &Laws, convention: &Convention) -> Option<Matched> {
+        let matched = laws.matched(&self.linear, convention)?;
+        // A number alone may be anything: e is another only where it stands with the speed of approach.
+        let is_e = matched.departures != [Departure::AnotherRestitution] || self.shows_approach;
+        is_e.then(|| named(matched, self.says_equal))
+    }
+}
+
+/// An equation with a bracket in the place of an unknown: with the unknown there, what the bracket says of it, and whether
+/// that stands in a line of its own.
+struct Substituted {
+    whole: Offered,
+    bracket: Offered,
+    is_stated: bool,
+}
+
+impl Substituted {
+    /// One law is the bracket, and the other is all the rest.
+    fn matched(&self, laws: &Laws, convention: &Convention) -> Vec<Matched> {
+        let Some(whole) = self.whole.matched(laws, convention).filter(Matched::is_method) else { return Vec::new() };
+        let bracket = self.bracket.matched(laws, convention).filter(|bracket| bracket.equation != whole.equation);
+        match bracket {
+            None if !self.is_stated => Vec::new(),
+            bracket => bracket.into_iter().chain([whole]).collect(),
+        }
+    }
+}
+
 /// Finds the lines that are momentum or restitution, and the student's choice of letters and directions that makes them
 /// agree best.
 pub(super) fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option<Convention> {
     let laws = prepared.laws.as_ref()?;
     // Every equation of every reading that is more than `v = 3`.
-    let mut offered: Vec<(usize, usize, Vec<Linear>)> = Vec::new();
-    let mut without_approach: Vec<usize> = Vec::new();
-    let mut bare: Vec<(usize, usize)> = Vec::new();
-    for (place, studied) in lines.iter().enumerate() {
-        for (which, reading) in studied.line.readings.iter().enumerate() {
-            for equation in reading.equations.iter().filter(|equation| !is_value(equation)) {
-                if let Some(linear) = differences(equation, prepared)
-                    && (1..=2).contains(&linear[0].unknowns.len())
-                    && linear[0].unknowns.iter().all(|(name, _)| may_be_velocity(name))
-                {
-                    if says_equal(equation, &linear[0]) {
-                        bare.push((place, which));
-                    }
-                    if !shows_approach(equation, prepared) {
-                        without_approach.push(offered.len());
-                    }
-                    offered.push((place, which, linear));
-                }
-            }
-        }
-    }
-    let pairs = pairs(&offered, lines);
-    let matches = |convention: &Convention| -> Vec<Found> {
-        let each = offered.iter().enumerate();
-        let found = each.filter_map(|(number, (place, which, linear))| {
-            let matched = laws.matched(linear, convention)?;
-            // A number alone may be anything: e is another only where it stands with the speed of approach.
-            let is_e = matched.departures != [Departure::AnotherRestitution] || !without_approach.contains(&number);
-            is_e.then_some((*place, *which, matched))
+    let equations = || {
+        let readings = lines.iter().enumerate().flat_map(|(place, studied)| {
+            studied.line.readings.iter().enumerate().map(move |(which, reading)| (place, which, reading))
         });
-        found.map(|(place, which, matched)| (place, which, named(matched, bare.contains(&(place, which))))).collect()
+        readings.flat_map(|(place, which, reading)| {
+            let each = reading.equations.iter().filter(|equation| !is_value(equation));
+            each.map(move |equation| (place, which, equation))
+        })
+    };
+    let all = equations().filter_map(|(place, which, equation)| Offered::of(place, which, equation, prepared));
+    let (mut offered, others): (Vec<Offered>, Vec<Offered>) = all.partition(Offered::is_of_velocities);
+    offered.extend(by_impulses(&others));
+    let pairs = pairs(&offered, lines);
+    let substituted: Vec<Substituted> =
+        equations().flat_map(|equation| substituted(equation, &pairs, lines, prepared)).collect();
+    let matches = |convention: &Convention| -> Vec<Found> {
+        let alone = offered.iter().filter_map(|offered| Some((offered, offered.matched(laws, convention)?)));
+        let within = substituted.iter().flat_map(|substituted| {
+            substituted.matched(laws, convention).into_iter().map(|matched| (&substituted.whole, matched))
+        });
+        alone.chain(within).map(|(offered, matched)| (offered.place, offered.which, matched)).collect()
     };
     let mut best: Option<(u32, Convention, Vec<Found>)> = None;
     for convention in pairs.iter().flat_map(|pair| conventions(pair)) {
@@ -80,10 +126,64 @@ pub(super) fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option
     Some(convention)
 }
 
+/// What the equations with an impulse come to without it: one of a sphere and one of the other are momentum.
+fn by_impulses(equations: &[Offered]) -> Vec<Offered> {
+    let with_impulse: Vec<&Offered> =
+        equations.iter().filter(|offered| impulse_in(&offered.linear[0]).is_some()).take(MOST_IMPULSES).collect();
+    let mut found = Vec::new();
+    for (number, later) in with_impulse.iter().enumerate() {
+        for earlier in &with_impulse[..number] {
+            let linear = without_impulse(&earlier.linear, &later.linear);
+            found.extend(linear.map(|linear| Offered { linear, shows_approach: false, says_equal: false, ..**later }));
+        }
+    }
+    found.retain(Offered::is_of_velocities);
+    found
+}
+
+/// More equations with an impulse are not set beside each other.
+const MOST_IMPULSES: usize = 6;
+
+/// The ways to take an equation with one unknown for one in which a bracket stands for the other.
+fn substituted(
+    (place, which, equation): (usize, usize, &(Expr, Expr)),
+    pairs: &[Vec<String>],
+    lines: &[Studied],
+    prepared: &Prepared,
+) -> Vec<Substituted> {
+    let mut found = Vec::new();
+    for [one, other] in pairs.iter().filter_map(|pair| <&[String; 2]>::try_from(pair.as_slice()).ok()) {
+        let has = |letter: &str| {
+            [&equation.0, &equation.1].iter().flat_map(|side| side.names()).any(|name| name.text == letter)
+        };
+        let (letter, other) = match (has(one), has(other)) {
+            (true, false) => (one, other),
+            (false, true) => (other, one),
+            _ => continue,
+        };
+        for [whole, bracket] in apart(equation, letter, other) {
+            let is_stated =
+                lines.iter().flat_map(|studied| &studied.line.readings).flat_map(|reading| &reading.equations).any(
+                    |(left, right)| {
+                        (left, right) == (&bracket.0, &bracket.1) || (right, left) == (&bracket.0, &bracket.1)
+                    },
+                );
+            let both = [whole, bracket].map(|equation| {
+                Offered::of(place, which, &equation, prepared)
+                    .filter(|offered| offered.linear[0].unknowns.len() == 2 && offered.is_of_velocities())
+            });
+            if let [Some(whole), Some(bracket)] = both {
+                found.push(Substituted { whole, bracket, is_stated });
+            }
+        }
+    }
+    found
+}
+
 /// May a letter stand for a velocity? Not an angle's, nor that of an impulse or an energy: `δ = β - α` is no law.
 fn may_be_velocity(name: &str) -> bool {
     let is_greek = name.len() > 3 && !name.contains(['_', ' ']);
-    !is_greek && !matches!(name, "phi" | "I" | "J" | "E")
+    !is_greek && !is_impulse(name) && !matches!(name, "phi" | "E")
 }
 
 /// Are both unknowns positive against i, or against j, along which the line of centres lies?
@@ -194,10 +294,10 @@ pub(super) fn is_value((left, right): &(Expr, Expr)) -> bool {
 }
 
 /// Pairs of unknowns that stand together in an equation, the most frequent first; else those that usually do.
-fn pairs(offered: &[(usize, usize, Vec<Linear>)], lines: &[Studied]) -> Vec<Vec<String>> {
+fn pairs(offered: &[Offered], lines: &[Studied]) -> Vec<Vec<String>> {
     let mut counted: Vec<(Vec<String>, usize)> = Vec::new();
-    for (.., linear) in offered {
-        let mut names: Vec<String> = linear[0].unknowns.iter().map(|(name, _)| name.clone()).collect();
+    for offered in offered {
+        let mut names: Vec<String> = offered.linear[0].unknowns.iter().map(|(name, _)| name.clone()).collect();
         names.sort();
         if names.len() == 2 {
             match counted.iter_mut().find(|(known, _)| *known == names) {
@@ -213,7 +313,7 @@ fn pairs(offered: &[(usize, usize, Vec<Linear>)], lines: &[Studied]) -> Vec<Vec<
             .iter()
             .filter_map(|studied| studied.reading.as_ref())
             .flat_map(|reading| reading.members.iter().filter_map(|member| member.letter.clone()))
-            .chain(offered.iter().flat_map(|(.., linear)| linear[0].unknowns.iter().map(|(name, _)| name.clone())))
+            .chain(offered.iter().flat_map(|offered| offered.linear[0].unknowns.iter().map(|(name, _)| name.clone())))
             .collect();
         let usual = [["v_A", "v_B"], ["v_1", "v_2"], ["V_A", "V_B"], ["v", "w"], ["V", "W"], ["x", "y"]];
         let used = |pair: &&[&str; 2]| pair.iter().any(|name| letters.iter().any(|letter| letter == name));
@@ -223,7 +323,7 @@ fn pairs(offered: &[(usize, usize, Vec<Linear>)], lines: &[Studied]) -> Vec<Vec<
 }
 
 /// Left minus right of an equation at every point; of a vector the component along the line of centres.
-fn differences(equation: &(Expr, Expr), prepared: &Prepared) -> Option<Vec<Linear>> {
+pub(super) fn differences(equation: &(Expr, Expr), prepared: &Prepared) -> Option<Vec<Linear>> {
     let at = |point| match difference(&equation.0, &equation.1, &context(prepared, point))? {
         Sum::Number(linear) => Some(linear),
         Sum::Vector(x, y) => {

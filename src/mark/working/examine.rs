@@ -1,7 +1,7 @@
 //! Which marks the lines of a part earn.
 
 use super::angles;
-use super::convention::take_as_laws;
+use super::convention::{differences, take_as_laws};
 use super::evidence::Evidence as Shown;
 use super::impacts::{set_aside_of_others, short_of_law};
 use super::line::{self, Line, ReadLine};
@@ -294,8 +294,8 @@ impl Working<'_> {
         Some(Shown { line, given, note, feedback, role: law.name().to_owned() })
     }
 
-    /// The mark for solving the two equations: a value of one of the unknowns follows them. With the other still in it
-    /// nothing has been solved: an equation is only written the other way round.
+    /// The mark for solving the two equations: a value of one of the unknowns follows them, or so much of one is known. With
+    /// the other still in it nothing has been solved: an equation is only written the other way round.
     fn solved(&self) -> Option<Shown> {
         let convention = self.convention.as_ref()?;
         let states = |studied: &Studied| {
@@ -306,7 +306,30 @@ impl Working<'_> {
                 is_unknown && value.is_some() && !names.any(|name| convention.letters.contains(&name.text))
             })
         };
-        let line = self.lines.iter().position(states)?;
+        // `9x = 5v - 4ev` comes of both equations; before them it could be anything.
+        let has_law = |equation: &Quantity| {
+            self.lines.iter().position(|studied| studied.matched.iter().any(|matched| matched.equation == *equation))
+        };
+        let laws: Option<Vec<usize>> = BOTH.iter().map(has_law).collect();
+        let both = laws.and_then(|places| places.into_iter().max());
+        let eliminates = |(place, studied): (usize, &Studied)| {
+            let mut equations = studied.reading.iter().flat_map(|reading| &reading.equations);
+            both.is_some_and(|both| place > both)
+                && studied.matched.is_empty()
+                && equations.any(|equation| self.has_one_unknown(equation, convention))
+        };
+        let mut lines = self.lines.iter().enumerate();
+        let line = lines.position(|(place, studied)| states(studied) || eliminates((place, studied)))?;
         Some(Shown { line, given: true, note: None, feedback: String::new(), role: "the equations solved".to_owned() })
+    }
+
+    /// Is one of the student's two letters the only unknown in an equation?
+    fn has_one_unknown(&self, equation: &(Expr, Expr), convention: &Convention) -> bool {
+        differences(equation, self.prepared).is_some_and(|linear| {
+            linear.iter().all(|linear| match linear.unknowns.as_slice() {
+                [(name, _)] => convention.letters.contains(name),
+                _ => false,
+            })
+        })
     }
 }

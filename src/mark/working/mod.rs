@@ -24,6 +24,7 @@ mod prepared;
 mod printed;
 mod shapes;
 mod spread;
+mod substituted;
 mod terms;
 mod theirs;
 mod trials;

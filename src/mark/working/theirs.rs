@@ -125,10 +125,40 @@ pub(super) fn own_values(
                 _ => {}
             }
         }
+        if let Some(convention) = convention.filter(|_| studied.matched.is_empty()) {
+            for (place, expr) in reading.equations.iter().filter_map(|equation| of_multiple(equation, convention)) {
+                let values = value(&expr, prepared, &prepared.names).and_then(|values| numbers(&values));
+                let sign = convention.signs[place];
+                let written = if sign < 0.0 { expr.negated() } else { expr };
+                let own = Quantity::Velocity(Sphere::BOTH[place], Moment::After, Axis::N);
+                // What is said of the letter itself goes before.
+                if let Some(numbers) = values {
+                    let signed = numbers.iter().map(|number| number * sign).collect();
+                    found.entry(own).or_insert((signed, written));
+                }
+            }
+        }
     }
     let is_own = |quantity: &Quantity| !prepared.given[0].0.contains_key(quantity);
     found.retain(|quantity, (values, _)| is_own(quantity) && values.iter().all(|value| value.is_finite()));
     found
+}
+
+/// `10v = 18 - 42e`: the place of the unknown, and what it is, in the student's direction.
+fn of_multiple((left, right): &(Expr, Expr), convention: &Convention) -> Option<(usize, Expr)> {
+    let has_unknown = |expr: &Expr| expr.names().iter().any(|name| convention.letters.contains(&name.text));
+    let place = |expr: &Expr| match expr {
+        Expr::Name(name) => convention.letters.iter().position(|letter| *letter == name.text),
+        _ => None,
+    };
+    let of = |side: &Expr, other: &Expr| {
+        let Expr::Product(factors) = side else { return None };
+        let (unknown, known): (Vec<&Expr>, Vec<&Expr>) = factors.iter().partition(|factor| has_unknown(factor));
+        let ([unknown], false) = (unknown.as_slice(), has_unknown(other)) else { return None };
+        let known = Expr::Product(known.into_iter().cloned().collect());
+        Some((place(unknown)?, Expr::Quotient(Box::new(other.clone()), Box::new(known))))
+    };
+    of(left, right).or_else(|| of(right, left))
 }
 
 /// The one sphere of which a part asks for the velocity, where no line is a law and one letter alone is used.

@@ -1,0 +1,67 @@
+//! Equations in which what one unknown is has been put in its place, or an impulse has been eliminated.
+//!
+//! `8 = 4v + 3(v + 1.5)` is momentum with what restitution says of w: with w for the bracket it is `8 = 4v + 3w`, and the
+//! bracket says `w = v + 1.5`. `J = 2(w + 2)` and `-J = v - 3` are momentum, once for each sphere.
+
+use super::linear::Linear;
+use crate::expr::Expr;
+
+/// The equations that are in one in which a bracket with one unknown stands for another: with the other in the place of
+/// the bracket, and what the bracket says it is.
+pub(super) fn apart((left, right): &(Expr, Expr), letter: &str, other: &str) -> Vec<[(Expr, Expr); 2]> {
+    let mut found: Vec<&Expr> = Vec::new();
+    collect_brackets(left, letter, &mut found);
+    collect_brackets(right, letter, &mut found);
+    let with = |bracket: &Expr| {
+        let put = |side: &Expr| with_name(side, bracket, other);
+        [(put(left), put(right)), (Expr::name(other), bracket.clone())]
+    };
+    found.into_iter().map(with).collect()
+}
+
+/// Sums with the letter in them, and such sums over a number.
+fn collect_brackets<'e>(expr: &'e Expr, letter: &str, found: &mut Vec<&'e Expr>) {
+    let is_bracket = match expr {
+        Expr::Sum(_) => true,
+        Expr::Quotient(above, _) => matches!(**above, Expr::Sum(_)),
+        _ => false,
+    };
+    let has_letter = |expr: &Expr| expr.names().iter().any(|name| name.text == letter);
+    if is_bracket && has_letter(expr) && !found.contains(&expr) {
+        found.push(expr);
+    }
+    expr.children().into_iter().for_each(|child| collect_brackets(child, letter, found));
+}
+
+fn with_name(expr: &Expr, bracket: &Expr, name: &str) -> Expr {
+    match expr == bracket {
+        true => Expr::name(name),
+        false => expr.map_children(&mut |child| with_name(child, bracket, name)),
+    }
+}
+
+/// Is it a letter for an impulse?
+pub(super) fn is_impulse(name: &str) -> bool {
+    matches!(name, "I" | "J")
+}
+
+/// The impulse that an equation has beside a velocity.
+pub(super) fn impulse_in(linear: &Linear) -> Option<&str> {
+    let [(one, _), (other, _)] = linear.unknowns.as_slice() else { return None };
+    match (is_impulse(one), is_impulse(other)) {
+        (true, false) => Some(one),
+        (false, true) => Some(other),
+        _ => None,
+    }
+}
+
+/// Two equations with the same impulse and different velocities, the impulse eliminated.
+pub(super) fn without_impulse(one: &[Linear], other: &[Linear]) -> Option<Vec<Linear>> {
+    let impulse = impulse_in(&one[0]).filter(|impulse| impulse_in(&other[0]) == Some(impulse))?;
+    let at = |(one, other): (&Linear, &Linear)| {
+        let (of_one, of_other) = (one.before(impulse), other.before(impulse));
+        let both = one.clone().times(of_other).plus(&other.clone().times(-of_one));
+        (both.unknowns.len() == 2 && both.unknowns.iter().all(|(name, _)| name != impulse)).then_some(both)
+    };
+    one.iter().zip(other).map(at).collect()
+}
