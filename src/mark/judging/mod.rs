@@ -5,6 +5,7 @@
 
 mod accuracy;
 mod angle;
+mod besides;
 mod called;
 mod coefficients;
 mod effort;

@@ -5,15 +5,15 @@ use std::borrow::Cow;
 use std::cmp::Ordering;
 
 use crate::answer::Kind;
-use crate::expr::{Expr, Relation};
-use crate::mark::reading::{End, Form, Reading, ReferenceLine, Said, Statement};
+use crate::expr::{Expr, Function, Relation};
+use crate::mark::reading::{End, Form, Reading, Said, Statement};
 use crate::mechanics::{Moment, Quantity};
-use crate::unit::Unit;
 
+use super::besides::{compared_with_a_bound, without_its_name, without_size_and_direction, without_told_besides};
 use super::called::{COMPARING, EARLIER, LATER, LOSSES, is_of_loss, moment, states, words};
 use super::otherwise::DIRECTED;
 use super::statements::is_rival;
-use super::{Model, exact, number, vector};
+use super::{Model, exact};
 
 /// Words that take back the value beside them.
 const REJECTIONS: [&str; 9] =
@@ -21,16 +21,18 @@ const REJECTIONS: [&str; 9] =
 
 /// The reading without what does not count; `None` if nothing is left of it.
 pub(super) fn counted<'r>(model: &Model, reading: &'r Reading) -> Option<Cow<'r, Reading>> {
-    let kept: Vec<Statement> = reading.statements.iter().filter(|statement| !is_rejected(statement)).cloned().collect();
+    let kept = without_rejected(model, &reading.statements);
     if kept.is_empty() && !reading.statements.is_empty() {
         return None;
     }
-    let kept = without_other_moment(model, kept);
+    let kept = without_what_is_rooted(without_other_moment(model, kept));
     let kept = match model.kind {
         Kind::Number | Kind::Expression => {
+            let kept = compared_with_a_bound(model, kept);
             without_told_besides(model, meeting_conditions(model, without_steps(model, kept)))
         }
-        Kind::Vector => without_size(model, kept),
+        Kind::Line => without_its_name(kept),
+        Kind::Vector => without_size_and_direction(model, kept),
         Kind::Angle => without_told_besides(model, meeting_conditions(model, without_steps(model, kept))),
         _ => kept,
     };
@@ -46,6 +48,53 @@ fn is_rejected(statement: &Statement) -> bool {
         .any(|words| words.split(|letter: char| !letter.is_alphanumeric()).any(|word| REJECTIONS.contains(&word)))
 }
 
+/// The statements without those that are rejected, and without those whose values are named again as rejected: `1/3 or 3
+/// (reject 3)`, `1/3 or 3 (reject > 1)`.
+fn without_rejected(model: &Model, statements: &[Statement]) -> Vec<Statement> {
+    let (rejected, kept): (Vec<&Statement>, Vec<&Statement>) = statements.iter().partition(|one| is_rejected(one));
+    let order = |one: &Expr, other: &Expr| order(model, one, other);
+    let is_of = |value: &Expr, rejected: &Said| match &rejected.form {
+        Form::Value(other) => order(value, other) == Some(Ordering::Equal),
+        // `3 > 1 so rejected`, where it is.
+        Form::Equation(Expr::Relation(left, relation, bound)) => {
+            let is_so = order(left, bound).is_some_and(|sign| holds(*relation, sign));
+            order(value, left) == Some(Ordering::Equal) && is_so
+        }
+        Form::Range(low, high) => {
+            low.as_ref().is_none_or(|low| order(value, &low.at).is_some_and(Ordering::is_gt))
+                && high.as_ref().is_none_or(|high| order(value, &high.at).is_some_and(Ordering::is_lt))
+        }
+        _ => false,
+    };
+    let is_taken_back = |statement: &&Statement| {
+        let Some(Form::Value(value)) = statement.said.last().map(|said| &said.form) else { return false };
+        rejected.iter().filter_map(|rejected| rejected.said.last()).any(|rejected| is_of(value, rejected))
+    };
+    kept.into_iter().filter(|statement| !is_taken_back(statement)).cloned().collect()
+}
+
+/// How one value stands to another, where that can be told.
+fn order(model: &Model, one: &Expr, other: &Expr) -> Option<Ordering> {
+    let gap = Expr::sum([one.clone(), other.clone().negated()]);
+    exact::value(&gap, &model.vocabulary.letters).and_then(|gap| gap.sign())
+}
+
+/// `1.5² + 2² = 6.25, √6.25 = 2.5`: the square, of which the root is taken next.
+fn without_what_is_rooted(statements: Vec<Statement>) -> Vec<Statement> {
+    if statements.len() < 2 {
+        return statements;
+    }
+    let is_rooted = |at: usize| {
+        let (square, root) = (statements[at].said.last(), statements.get(at + 1).and_then(|next| next.said.first()));
+        match (square.map(|said| &said.form), root.map(|said| &said.form)) {
+            (Some(Form::Value(square)), Some(Form::Value(Expr::Call(Function::Sqrt, under)))) => square == &**under,
+            _ => false,
+        }
+    };
+    let kept: Vec<bool> = (0..statements.len()).map(|at| statements[at].label.is_some() || !is_rooted(at)).collect();
+    statements.into_iter().zip(kept).filter(|(_, kept)| *kept).map(|(statement, _)| statement).collect()
+}
+
 /// `k = 8 or k = −8, k > 0`: an inequality beside values is no value, and rules out those that do not meet it.
 fn meeting_conditions(model: &Model, statements: Vec<Statement>) -> Vec<Statement> {
     let statements = without_ranges_besides(model, statements);
@@ -55,10 +104,7 @@ fn meeting_conditions(model: &Model, statements: Vec<Statement>) -> Vec<Statemen
     }
     let meets = |statement: &&Statement| {
         let Some(Form::Value(value)) = statement.said.last().map(|said| &said.form) else { return true };
-        conditions.iter().all(|(relation, bound)| {
-            let gap = exact::value(&Expr::sum([value.clone(), (*bound).clone().negated()]), &model.vocabulary.letters);
-            gap.and_then(|gap| gap.sign()).is_none_or(|sign| holds(*relation, sign))
-        })
+        conditions.iter().all(|(relation, bound)| order(model, value, bound).is_none_or(|sign| holds(*relation, sign)))
     };
     // `e = 7/5 > 1, so e = 5/7`: what is found after a condition and does not meet it shows that none was meant.
     let is_meant = statements.last().is_none_or(|last| meets(&last) || last.said.iter().any(is_rival));
@@ -80,6 +126,7 @@ fn condition(said: &Said) -> Option<(Relation, &Expr)> {
         Relation::LessOrEqual => Relation::GreaterOrEqual,
         Relation::Greater => Relation::Less,
         Relation::GreaterOrEqual => Relation::LessOrEqual,
+        Relation::NotEqual => Relation::NotEqual,
         _ => return None,
     };
     match (&**left, &**right) {
@@ -98,10 +145,7 @@ fn without_ranges_besides(model: &Model, statements: Vec<Statement>) -> Vec<Stat
     }
     let last = statements.iter().rev().find(|statement| !is_range(statement)).and_then(|last| last.said.last());
     let Some(Said { form: Form::Value(value), .. }) = last else { return statements };
-    let order = |one: &Expr, other: &Expr| {
-        let gap = Expr::sum([one.clone(), other.clone().negated()]);
-        exact::value(&gap, &model.vocabulary.letters).and_then(|gap| gap.sign())
-    };
+    let order = |one: &Expr, other: &Expr| order(model, one, other);
     let goes_with = |low: &Option<End>, high: &Option<End>| {
         let is_in = low.as_ref().is_none_or(|low| order(value, &low.at).is_some_and(Ordering::is_ge))
             && high.as_ref().is_none_or(|high| order(value, &high.at).is_some_and(Ordering::is_le));
@@ -123,20 +167,33 @@ fn without_ranges_besides(model: &Model, statements: Vec<Statement>) -> Vec<Stat
     statements.iter().filter(|statement| !is_besides(statement)).cloned().collect()
 }
 
-fn holds(relation: Relation, sign: Ordering) -> bool {
+pub(super) fn holds(relation: Relation, sign: Ordering) -> bool {
     match relation {
         Relation::Less => sign.is_lt(),
         Relation::LessOrEqual => sign.is_le(),
         Relation::Greater => sign.is_gt(),
         Relation::GreaterOrEqual => sign.is_ge(),
+        Relation::NotEqual => sign.is_ne(),
         _ => true,
     }
 }
 
-/// Is it an angle, by its unit or by the line from which it is measured?
+/// Is it an angle, by its unit, by the line from which it is measured, or as an inverse tangent is?
 pub(super) fn is_angular(said: &Said) -> bool {
-    said.unit.as_ref().is_some_and(|unit| unit.degrees || unit.dimension == [0, 0, 0, 1])
-        || (said.unit.is_none() && said.reference.is_some_and(|line| !line.is_direction()))
+    let is_inverse = |form: &Form| matches!(form, Form::Value(value) if holds_inverse(value));
+    match &said.unit {
+        Some(unit) => unit.degrees || unit.dimension == [0, 0, 0, 1],
+        None => said.reference.is_some_and(|line| !line.is_direction()) || is_inverse(&said.form),
+    }
+}
+
+/// `arctan 2`, `180 − arctan 2`
+fn holds_inverse(expr: &Expr) -> bool {
+    match expr {
+        Expr::Call(function, _) => matches!(function, Function::Asin | Function::Acos | Function::Atan),
+        Expr::Relation(..) => false,
+        other => other.children().into_iter().any(holds_inverse),
+    }
 }
 
 /// `5.44 before, 3.52 after, 1.92 lost` where the loss is asked: what there is before and after leads to it. So it does to
@@ -183,79 +240,4 @@ fn says(statement: &Statement, wanted: &[&str]) -> bool {
     let label = statement.label.iter().map(|label| &label.typed);
     let texts = label.chain(statement.said.iter().flat_map(|said| &said.remarks));
     texts.flat_map(|text| words(text)).any(|word| wanted.contains(&word.to_lowercase().as_str()))
-}
-
-/// `4i + j (speed √17)`: the size of the vector, told besides, where it is right.
-fn without_size(model: &Model, statements: Vec<Statement>) -> Vec<Statement> {
-    let is_vector =
-        |statement: &Statement| statement.said.last().is_some_and(|said| matches!(said.form, Form::Vector(..)));
-    if statements.len() < 2 || !statements.iter().any(is_vector) {
-        return statements;
-    }
-    let Some((x, y)) = vector::components(model) else { return statements };
-    let of_size = Model { kind: Kind::Number, ..model.of_value(vector::magnitude(&x, &y)) };
-    let names_size = |label: &str| {
-        let is_size = |word: &str| matches!(&*word.to_lowercase(), "speed" | "magnitude" | "size");
-        label.starts_with('|') || words(label).any(is_size)
-    };
-    let is_size = |statement: &Statement| {
-        let is_named = statement.label.as_ref().is_some_and(|label| names_size(&label.typed));
-        let is_right =
-            |said: &Said| matches!(said.form, Form::Value(_)) && number::judge(&of_size, said, None).is_correct();
-        is_named
-            && !statement.said.is_empty()
-            && !statement.said.iter().any(is_rival)
-            && statement.said.iter().all(is_right)
-    };
-    statements.into_iter().filter(|statement| !is_size(statement)).collect()
-}
-
-/// Is it called an angle?
-fn is_called_an_angle(statement: &Statement) -> bool {
-    statement.label.as_ref().is_some_and(|label| match &label.expr {
-        Some(Expr::Name(name)) => number::is_angle_name(&name.text),
-        Some(_) => false,
-        None => words(&label.typed).any(|word| word.eq_ignore_ascii_case("angle")),
-    })
-}
-
-/// `3.61 m/s at 56.3° to the line of centres`, where the speed or the direction is asked: the other is told besides. A
-/// direction in words goes with the one value that is left.
-fn without_told_besides(model: &Model, statements: Vec<Statement>) -> Vec<Statement> {
-    let Some(unit) = model.unit() else { return statements };
-    let is_besides = |statement: &Statement| {
-        let Some(said) = statement.said.last().filter(|said| !is_rival(said)) else { return false };
-        match (&said.form, unit) {
-            (_, Unit::None) => false,
-            (Form::Value(_), Unit::Degree) => said.unit.is_some() && !is_angular(said),
-            (_, Unit::Degree) => false,
-            (Form::Value(_), _) => is_angular(said) || (said.unit.is_none() && is_called_an_angle(statement)),
-            (Form::Direction, _) => true,
-            _ => false,
-        }
-    };
-    let (besides, mut kept): (Vec<Statement>, Vec<Statement>) = statements.iter().cloned().partition(is_besides);
-    if kept.is_empty() {
-        return statements;
-    }
-    let directions: Vec<ReferenceLine> = besides
-        .iter()
-        .flat_map(|statement| &statement.said)
-        .filter(|said| said.form == Form::Direction)
-        .filter_map(|said| said.reference)
-        .collect();
-    // `2.78 (component along LOC)`
-    if let ([only], [Statement { label: Some(label), .. }]) = (kept.as_mut_slice(), besides.as_slice())
-        && only.label.is_none()
-        && label.typed.to_lowercase().starts_with("comp")
-    {
-        only.label = Some(label.clone());
-    }
-    if let ([Statement { said, .. }], [direction]) = (kept.as_mut_slice(), directions.as_slice())
-        && let Some(last) = said.last_mut()
-        && last.reference.is_none()
-    {
-        last.reference = Some(*direction);
-    }
-    kept
 }

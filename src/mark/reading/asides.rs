@@ -1,6 +1,7 @@
 //! What is said beside a value or an equation and is no part of it: how far it is rounded, which equation is used.
 
 use super::Vocabulary;
+use super::choices::Choices;
 use super::phrases::Walk;
 use super::said_again::{of_one_figure, said_again};
 use super::tokens::{Placed, Token};
@@ -95,10 +96,14 @@ impl Walk<'_> {
 
 /// Brackets around words are an aside, and part it from the rest as commas would: `0 m/s (at rest)`. So are brackets in
 /// which a value is said again, or a condition: `√13 (3.61 m/s)`, `√13 (= 3.61)`, `8 (k > 0)`.
-pub(super) fn with_asides_set_off(mut tokens: Vec<Placed>, vocabulary: &Vocabulary) -> Vec<Placed> {
+pub(super) fn with_asides_set_off(
+    mut tokens: Vec<Placed>,
+    vocabulary: &Vocabulary,
+    choices: &mut Choices,
+) -> Vec<Placed> {
     let mut start = 1;
     while start < tokens.len() {
-        if let Some(end) = said_again(&tokens, start, vocabulary) {
+        if let Some(end) = said_again(&tokens, start, vocabulary, choices) {
             // `0.7 (5/7)`: one figure is no value by itself.
             let sign = if of_one_figure(&tokens[start - 1]) { '=' } else { ',' };
             tokens[start].token = Token::Sign(sign);

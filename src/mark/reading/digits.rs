@@ -290,9 +290,10 @@ impl Digits<'_> {
             return Ok(value);
         }
         let has_e = letters.iter().any(|letter| letter.name() == "e");
-        if has_e && sign == 'e' {
+        if has_e {
+            // A phone writes the letter as a capital, too: `2E-1`.
             let sensible = signed == 0 || matches!(value, Expr::Decimal(_));
-            if !sensible || !choices.otherwise(Doubt::TenToThe, self.place()) {
+            if !sensible || choices.otherwise(Doubt::TenToThe, self.place()) == (sign == 'E') {
                 return Ok(value);
             }
         }

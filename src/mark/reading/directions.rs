@@ -168,7 +168,9 @@ impl Walk<'_> {
 
     fn line(&self, at: usize) -> Option<(Line, usize)> {
         let at = self.article(at);
-        let across = self.any(at, &["perpendicular", "perp", "normal"]);
+        // `to the perpendicular to AB`, `to the line perpendicular to AB`
+        let named = self.any(at, &["line", "direction"]).unwrap_or(at);
+        let across = self.any(named, &["perpendicular", "perp", "normal"]);
         if let Some(next) = across.and_then(|next| self.any(next, &["to", "of", "from"])) {
             let next = self.article(next);
             return match self.plain_line(next)? {

@@ -6,11 +6,16 @@ use crate::expr::Expr;
 
 /// The tokens of an equation without its number. Where a bracket may also be a factor, both are readings.
 pub(super) fn without_number<'a>(tokens: &'a [Placed], choices: &mut Choices) -> &'a [Placed] {
-    if !tokens.iter().any(|placed| placed.is('=')) {
-        return tokens;
+    if tokens.iter().any(|placed| placed.is('=')) {
+        let tokens = without_number_before(tokens, choices);
+        return without_number_after(tokens, choices, true);
     }
-    let tokens = without_number_before(tokens, choices);
-    without_number_after(tokens, choices)
+    // `u(1-e)/2 (2)`: what it is equal to is not written.
+    let has_letters = |placed: &Placed| matches!(placed.token, Token::Word(_) | Token::Greek(_));
+    match tokens.iter().any(has_letters) {
+        true => without_number_after(tokens, choices, false),
+        false => tokens,
+    }
 }
 
 fn without_number_before<'a>(tokens: &'a [Placed], choices: &mut Choices) -> &'a [Placed] {
@@ -31,7 +36,7 @@ fn without_number_before<'a>(tokens: &'a [Placed], choices: &mut Choices) -> &'a
     }
 }
 
-fn without_number_after<'a>(tokens: &'a [Placed], choices: &mut Choices) -> &'a [Placed] {
+fn without_number_after<'a>(tokens: &'a [Placed], choices: &mut Choices, is_equation: bool) -> &'a [Placed] {
     let [equation @ .., open, number, close] = tokens else { return tokens };
     if !are_brackets(open, close) || !is_number(number) {
         return tokens;
@@ -51,8 +56,12 @@ fn without_number_after<'a>(tokens: &'a [Placed], choices: &mut Choices) -> &'a 
     let likely = match lead {
         [] if !open.spaced => return tokens,
         // `1/2 (4)` is as likely a product.
-        [] => !matches!(last.token, Token::Number(_) | Token::Sign(_)),
-        [dash] if dash.is('-') && !(dash.spaced && open.spaced) => return tokens,
+        [] => is_equation && !matches!(last.token, Token::Number(_) | Token::Sign(_)),
+        [dash] if dash.is('-') && !is_equation => return tokens,
+        // `4u —(1)`; from a number it may be taken off.
+        [dash] if dash.is('-') && !(dash.spaced && open.spaced) && matches!(last.token, Token::Number(_)) => {
+            return tokens;
+        }
         [dash] if dash.is('-') => true,
         _ => return equation,
     };

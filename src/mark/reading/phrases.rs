@@ -51,7 +51,7 @@ pub(super) fn with_phrases(
     vocabulary: &Vocabulary,
     choices: &mut Choices,
 ) -> Result<Vec<Placed>, Unreadable> {
-    let tokens = with_signs(tokens, choices);
+    let tokens = with_signs(tokens, vocabulary, choices);
     let small = |placed: &Placed| match &placed.token {
         Token::Word(word) => word.to_ascii_lowercase(),
         _ => String::new(),
@@ -84,7 +84,7 @@ pub(super) fn with_phrases(
             }
         }
     }
-    Ok(with_asides_set_off(out, vocabulary))
+    Ok(with_asides_set_off(out, vocabulary, choices))
 }
 
 /// The words of an answer, to be looked through for what they say.

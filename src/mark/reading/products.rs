@@ -133,7 +133,8 @@ impl Parser<'_> {
     /// `25/7 (3.57)`: a blank, and in brackets at the end a decimal, which says the same again.
     fn repeats_the_value(&self) -> bool {
         let decimal = matches!(self.token(1), Some(Token::Number(Expr::Decimal(_))));
-        self.spaced(0) && decimal && self.sign(2) == Some(')') && self.token(3).is_none()
+        let is_product = self.choices.is_flipped(Doubt::SaidAgain, self.place());
+        self.spaced(0) && decimal && self.sign(2) == Some(')') && self.token(3).is_none() && !is_product
     }
 
     /// A word side by side is letters of the question, or a unit, or both one after the other: `9mJ`.

@@ -1,20 +1,28 @@
 //! A value that is said again in brackets: `0.75 (3/4)`, `4√39/9 [2.78]`, `81.9° (1.43 rad)`, or another one there.
 
-use super::choices::Choices;
+use super::choices::{Choices, Doubt};
 use super::grammar::Parser;
+use super::names;
 use super::tokens::{Placed, Token};
 use super::units::{is_unit_word, unit};
+use super::vectors::{self, Shape, shape};
 use super::{SaidUnit, Vocabulary};
 use crate::expr::{Expr, Function};
+use crate::number::{Letter, Range};
 
 /// The closing bracket of a value that is said again, or of a condition, in the bracket that opens here.
-pub(super) fn said_again(tokens: &[Placed], start: usize, vocabulary: &Vocabulary) -> Option<usize> {
+pub(super) fn said_again(
+    tokens: &[Placed],
+    start: usize,
+    vocabulary: &Vocabulary,
+    choices: &mut Choices,
+) -> Option<usize> {
     let after_value =
         matches!(tokens[start - 1].token, Token::Number(_) | Token::Word(_) | Token::Sign(')' | '°' | '%' | '⟧'));
     if !after_value {
         return None;
     }
-    if let Some(close) = same_or_rival(tokens, start, vocabulary) {
+    if let Some(close) = same_or_rival(tokens, start, vocabulary, choices) {
         return Some(close);
     }
     if !tokens[start].is('(') || !tokens[start].spaced {
@@ -42,8 +50,8 @@ pub(super) fn said_again(tokens: &[Placed], start: usize, vocabulary: &Vocabular
 }
 
 /// The closing bracket where what stands in brackets is nearly the value before them, in which no product would be
-/// meant; or where it is another value at the end, as two answers are.
-fn same_or_rival(tokens: &[Placed], start: usize, vocabulary: &Vocabulary) -> Option<usize> {
+/// meant; or where it is another value at the end, as two answers are, unless a product is.
+fn same_or_rival(tokens: &[Placed], start: usize, vocabulary: &Vocabulary, choices: &mut Choices) -> Option<usize> {
     let closing = match tokens[start].token {
         Token::Sign('(') => ')',
         Token::Sign('[') => ']',
@@ -72,22 +80,38 @@ fn same_or_rival(tokens: &[Placed], start: usize, vocabulary: &Vocabulary) -> Op
     if inside.is_empty() || !(tokens[start].spaced || measure) || !ends || inside.iter().any(begins) {
         return None;
     }
-    let (one, other) = (measured(stated, vocabulary)?, measured(inside, vocabulary)?);
+    let ((one, is_formula), (other, has_letters)) = (measured(stated, vocabulary)?, measured(inside, vocabulary)?);
     let gap = (one - other).abs();
     let is_same = gap < 0.01 * one.abs() || gap <= half_unit(stated) || gap <= half_unit(inside);
     let is_last = start + close + 1 == tokens.len();
+    // `2.78 (46.1°)`, `10/43 (23.3%)`: by such nobody multiplies.
+    let is_measure = |placed: &Placed| placed.is('°') || placed.is('%');
+    if closing != '⟧' && inside.last().is_some_and(is_measure) {
+        return Some(start + close);
+    }
+    let mut is_product = || choices.otherwise(Doubt::SaidAgain, tokens[start].start);
+    if is_formula || has_letters {
+        // `½u(1-e) (½u-½eu)`, `4i + j (√17)`; but `(1-e) (1-e)` is a square.
+        let is_square =
+            inside.iter().rev().zip(before[..start - 1].iter().rev()).all(|(one, other)| one.token == other.token);
+        let is_again = is_same && tokens[start].spaced && closing != '⟧' && !is_square;
+        return (is_again && !is_product()).then_some(start + close);
+    }
     if is_last && closing == ')' && only_decimal(inside) {
         // `25/7 (3.57)`, where nothing more is said, or another answer.
-        return (measure || !is_same || of_one_figure(&tokens[start - 1])).then_some(start + close);
+        let is_set_off = measure || of_one_figure(&tokens[start - 1]) || (!is_same && !is_product());
+        return is_set_off.then_some(start + close);
     }
     let is_decimal = only_decimal(stated) || only_decimal(inside) || measure;
     (is_decimal && is_same).then_some(start + close)
 }
 
-/// The number that is said, in degrees if it is an angle; `None` if there are letters in it.
-fn measured(tokens: &[Placed], vocabulary: &Vocabulary) -> Option<f64> {
+/// About how much is said, in degrees if it is an angle, of a vector its size; and whether letters or a vector are in it.
+fn measured(tokens: &[Placed], vocabulary: &Vocabulary) -> Option<(f64, bool)> {
     let (value, scale) = match tokens {
         [value @ .., percent] if percent.is('%') => (value, 0.01),
+        // `9m` is a mass where the question has an m.
+        [.., Placed { token: Token::Word(last), .. }] if names::letter(last, vocabulary).is_some() => (tokens, 1.0),
         _ => match (1..tokens.len())
             .find_map(|at| Some((at, unit(tokens, at, "").filter(|(_, end)| *end == tokens.len())?)))
         {
@@ -100,7 +124,13 @@ fn measured(tokens: &[Placed], vocabulary: &Vocabulary) -> Option<f64> {
     let mut choices = Choices::default();
     let mut parser = Parser::new(value.to_vec(), "", vocabulary, &mut choices);
     let expr = parser.sum().ok().filter(|_| parser.at == parser.end)?;
-    Some(size(&expr)? * scale)
+    let has_names = !expr.names().is_empty();
+    let expr = match shape(&expr).ok()? {
+        Shape::Scalar(value) => value,
+        Shape::Vector(x, y) => vectors::size(&x, &y),
+        Shape::Mixed => return None,
+    };
+    Some((size(&expr, &vocabulary.letters)? * scale, has_names))
 }
 
 /// Half of the last figure of a decimal: what it was rounded from lies no farther away.
@@ -114,20 +144,34 @@ fn half_unit(tokens: &[Placed]) -> f64 {
     }
 }
 
-/// About how much it is.
-fn size(expr: &Expr) -> Option<f64> {
+/// About how much it is where its letters have values that nobody would choose.
+fn size(expr: &Expr, letters: &[Letter]) -> Option<f64> {
+    let size = |expr: &Expr| size(expr, letters);
     let found = match expr {
         Expr::Number(value) => value.to_f64(),
         Expr::Decimal(text) => text.parse().ok()?,
+        Expr::Name(name) => {
+            let place = letters.iter().position(|letter| letter.name() == name.text)?;
+            let share = (0.6180339887 * (place + 1) as f64).fract();
+            match letters[place].range() {
+                Range::Unit => 0.1 + 0.8 * share,
+                Range::Acute => 10.0 + 70.0 * share,
+                _ => 1.0 + 2.0 * share,
+            }
+        }
         Expr::Degrees(inner) => size(inner)?,
         Expr::Negative(inner) => -size(inner)?,
         Expr::Sum(terms) => terms.iter().map(size).sum::<Option<f64>>()?,
         Expr::Product(factors) => factors.iter().map(size).product::<Option<f64>>()?,
         Expr::Quotient(above, below) => size(above)? / size(below)?,
+        Expr::Power(base, exponent) => size(base)?.powf(size(exponent)?),
         Expr::Call(function, argument) => {
             let argument = size(argument)?;
             match function {
                 Function::Sqrt => argument.sqrt(),
+                Function::Sin => argument.to_radians().sin(),
+                Function::Cos => argument.to_radians().cos(),
+                Function::Tan => argument.to_radians().tan(),
                 Function::Asin => argument.asin().to_degrees(),
                 Function::Acos => argument.acos().to_degrees(),
                 Function::Atan => argument.atan().to_degrees(),

@@ -1,8 +1,10 @@
 //! Words that stand for signs: `times`, `over`, `is equal to`, `greater than`.
 
+use super::Vocabulary;
 use super::characters::{CLOSE, OPEN};
 use super::choices::{Choices, Doubt};
 use super::digits::{recurring_value, repeated};
+use super::names;
 use super::tokens::{Placed, Token};
 use crate::expr::Expr;
 
@@ -81,7 +83,7 @@ fn period(decimals: &str) -> &str {
 }
 
 /// The tokens with words for signs as those signs; `square root` is one root.
-pub(super) fn with_signs(tokens: &[Placed], choices: &mut Choices) -> Vec<Placed> {
+pub(super) fn with_signs(tokens: &[Placed], vocabulary: &Vocabulary, choices: &mut Choices) -> Vec<Placed> {
     let word = |at: usize| match tokens.get(at).map(|placed| &placed.token) {
         Some(Token::Word(word)) => Some(word.as_str()),
         _ => None,
@@ -119,6 +121,22 @@ pub(super) fn with_signs(tokens: &[Placed], choices: &mut Choices) -> Vec<Placed
             at += 2;
             continue;
         }
+        // `4.03x10-3`: the exponent has lost its height.
+        if lowered_exponent(tokens, at) && !choices.otherwise(Doubt::TenToThe, placed.start) {
+            choices.note(|| "10-n read as a power of ten".to_owned());
+            out.push(Placed { token: Token::Sign('^'), ..placed.clone() });
+        }
+        // `5/18 of mu²`, `130% of v`
+        if is(at, "of") && is_share(&out) && tokens.get(at + 1).is_some_and(|next| is_factor(next, vocabulary)) {
+            if out.last().is_some_and(|last| last.is('%')) {
+                out.pop();
+                out.push(Placed { token: Token::Sign('/'), ..placed.clone() });
+                out.push(Placed { token: Token::Number(Expr::integer(100)), ..placed.clone() });
+            }
+            out.push(Placed { token: Token::Sign('*'), ..placed.clone() });
+            at += 1;
+            continue;
+        }
         let Some((words, signs)) = standing else {
             out.push(placed.clone());
             at += 1;
@@ -142,6 +160,52 @@ pub(super) fn with_signs(tokens: &[Placed], choices: &mut Choices) -> Vec<Placed
         at += count;
     }
     with_fractions_below(out)
+}
+
+/// Does the exponent of a power of ten stand here, though it is not written as one: the `-3` of `4.03x10-3`?
+fn lowered_exponent(tokens: &[Placed], at: usize) -> bool {
+    let Some([mantissa, times, ten, minus, exponent]) = at.checked_sub(3).and_then(|from| tokens.get(from..at + 2))
+    else {
+        return false;
+    };
+    let is_mantissa = matches!(&mantissa.token, Token::Number(Expr::Decimal(digits))
+        if digits.as_bytes()[1] == b'.' && !digits.starts_with('0'));
+    let is_times = times.is('*') || matches!(&times.token, Token::Word(word) if word.eq_ignore_ascii_case("x"));
+    let is_exponent = matches!(&exponent.token, Token::Number(Expr::Number(power)) if power.is_integer());
+    let ends = tokens.get(at + 2).is_none_or(|next| match &next.token {
+        Token::Word(_) => next.spaced,
+        Token::Sign(sign) => matches!(sign, ',' | ';' | '.' | '\n' | '=' | '≈' | '⇒'),
+        _ => false,
+    });
+    is_mantissa
+        && is_times
+        && ten.token == Token::Number(Expr::integer(10))
+        && minus.is('-')
+        && !minus.spaced
+        && is_exponent
+        && !exponent.spaced
+        && ends
+}
+
+/// Does a fraction, a decimal or a percentage end here, of which something may be taken?
+fn is_share(tokens: &[Placed]) -> bool {
+    match tokens {
+        [.., number, percent] if percent.is('%') => matches!(number.token, Token::Number(_)),
+        [.., stroke, last] if stroke.is('/') => matches!(last.token, Token::Number(_)),
+        [.., last] => last.is(CLOSE) || matches!(last.token, Token::Number(Expr::Decimal(_))),
+        [] => false,
+    }
+}
+
+/// Does a formula begin with it?
+fn is_factor(placed: &Placed, vocabulary: &Vocabulary) -> bool {
+    match &placed.token {
+        Token::Word(word) => names::is_made_of_letters(word, vocabulary),
+        Token::Greek(name) => names::letter(name, vocabulary).is_some(),
+        Token::Number(_) | Token::Root { .. } => true,
+        Token::Sign(sign) => matches!(*sign, '(' | OPEN),
+        _ => false,
+    }
 }
 
 /// `5/16 ÷ 5/12` as `5/16 / (5/12)`: what is divided by with the sign of division is the whole fraction after it.

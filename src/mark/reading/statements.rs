@@ -200,7 +200,9 @@ impl Statements<'_> {
             && !right.is_empty()
             && !self.vocabulary.vectors
         {
-            let said = self.one_sided(*sign, right)?;
+            let mut said = self.one_sided(*sign, right)?;
+            // `reject > 1`
+            said.remarks.extend((!nothing.is_empty()).then(|| self.slice(nothing).to_lowercase()));
             self.found.push(Statement { label: None, said: vec![said] });
             return Ok(());
         }

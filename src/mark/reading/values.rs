@@ -258,8 +258,9 @@ impl Values<'_> {
         if phrases.contains(&Phrase::Or) || toward {
             said.remarks.extend(words);
         } else if let Some(words) = words.filter(|_| label.is_none() && !phrases.contains(&Phrase::Gradient)) {
+            // `2.78 m/s at 46.1`: a direction follows.
             let joins = phrases.iter().all(|phrase| matches!(phrase, Phrase::Joiner | Phrase::Is));
-            if !joins {
+            if !joins || words == "at" {
                 said.remarks.push(words);
             }
         }
