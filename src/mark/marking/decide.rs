@@ -57,6 +57,7 @@ pub(super) fn awards(part: &KeyedPart, found: Findings, profile: &Profile, charg
         awards.push(award);
     }
     imply_needed(&part.scheme, &mut awards);
+    withhold_from_wrong_method(part, needed, &mut awards);
     withhold_for_direction(part, answers, &mut awards);
     awards
 }
@@ -79,11 +80,40 @@ fn withhold_for_direction(part: &KeyedPart, answers: &[MarkedAnswer], awards: &m
     }
 }
 
+/// A value that is right after a method that it needs is plainly wrong has not come from it.
+fn withhold_from_wrong_method(part: &KeyedPart, needed: &[Vec<bool>], awards: &mut [Award]) {
+    let is_wrong =
+        |place: &usize| part.scheme[*place].code.is_method() && !awards[*place].given && contradicts(&awards[*place]);
+    let wrong: Vec<usize> = (0..awards.len()).filter(is_wrong).collect();
+    for (place, mark) in part.scheme.iter().enumerate() {
+        let Some(blank) = own_blank(mark, part) else { continue };
+        let by_answer = matches!(&awards[place].evidence, Some(Evidence { place: Place::Answer(_), .. }));
+        let missing = wrong.iter().find(|wrong| needed[**wrong][blank] && part.scheme[**wrong].blanks.contains(&blank));
+        if let Some(missing) = missing
+            && awards[place].given
+            && by_answer
+            && awards[place].note != Some("follow-through")
+        {
+            let feedback = format!("the value is right, but does not follow without {}", part.scheme[*missing].id);
+            awards[place] = Award { note: Some("depends"), feedback, ..withheld(mark) };
+        }
+    }
+}
+
 /// Is a step written wrongly, so that the answer cannot have come from it? A line that may only be a later step does not
 /// count.
 fn contradicts(shown: &Award) -> bool {
-    let wrong =
-        ["sign-error", "sincos-swap", "wrong-axis", "e-wrong-side", "e-taken-as-1", "masses-swapped", "coalesce"];
+    let wrong = [
+        "sign-error",
+        "sincos-swap",
+        "wrong-axis",
+        "e-wrong-side",
+        "e-taken-as-1",
+        "masses-swapped",
+        "coalesce",
+        "energy-square-of-difference",
+        "energy-components-added",
+    ];
     shown.note.is_some_and(|note| wrong.contains(&note))
 }
 

@@ -8,7 +8,9 @@ use super::compare::{any_within, comes_to, comes_to_angle, is_composite, is_vect
 use super::evidence::Evidence;
 use super::examine::{Studied, Value, Working, has_vectors, value};
 use super::line::Member;
+use super::pair::{Departure, Matched};
 use super::points::sizes;
+use super::said::{clauses, says_across, says_along};
 use super::shapes::components_in;
 use crate::answer::Kind;
 use crate::bank::{Code, EarnedFor};
@@ -28,7 +30,7 @@ impl Working<'_> {
                 self.impulse_of_particle(code)
             }
             Seen::AlongLine | Seen::Value(_, Shape::ChangeOfMomentum) if self.is_in_vectors() => {
-                self.along_impulse(law)
+                self.along_impulse(law, code)
             }
             Seen::Components => self.resolved(code),
             Seen::Equation if law.gives(Quantity::RestitutionEquation) => {
@@ -50,6 +52,9 @@ impl Working<'_> {
                     |quantity: &&Quantity| about(quantity) && (!is_before(quantity) || self.has_energy_before());
                 let quantities: Vec<Quantity> = quantities.iter().filter(counts).copied().collect();
                 let is_of_deflection = quantities.iter().any(|quantity| matches!(quantity, Quantity::TanDeflection(_)));
+                if let Some(wrong) = self.squared_wrongly(law, shape) {
+                    return Some(wrong);
+                }
                 let found = self.by_value(law, &quantities, code).or_else(|| self.by_shape(law, shape, sphere, code));
                 let found = found.or_else(|| if code.is_accuracy() { None } else { self.fraction_of_energies(law) });
                 found.or_else(|| self.compound_angle(law).filter(|_| code == Code::M1 && is_of_deflection))
@@ -119,6 +124,8 @@ impl Working<'_> {
         if is_nought(after) {
             return None;
         }
+        // Components that are given are no sine and cosine.
+        let is_condoned = !code.is_accuracy() && !self.prepared.in_components;
         let exchanged = || {
             let swapped = self.prepared.known.iter().map(|known| {
                 let across = known.number(Quantity::Velocity(Sphere::A, Moment::Before, Axis::T))?;
@@ -137,7 +144,7 @@ impl Working<'_> {
         let angle = Quantity::AngleToLine(Sphere::A, Moment::After);
         let by_tangent = || self.line_that_is(&self.prepared.known, angle).filter(|_| !is_shown && !is_nought(angle));
         let right = self.line_that_is(&self.prepared.known, after).or_else(by_tangent);
-        let line = right.or_else(|| if code.is_accuracy() { None } else { exchanged() })?;
+        let line = right.or_else(|| if is_condoned { exchanged() } else { None })?;
         Some(Evidence::given(line, "restitution"))
     }
 
@@ -260,9 +267,6 @@ impl Working<'_> {
 
     /// Does a line show this component: as a value, in Pythagoras, in a tangent, or in a vector?
     fn shows_component(&self, studied: &Studied, sphere: Sphere, right: &[f64]) -> bool {
-        if says_along(&studied.line.typed) {
-            return false;
-        }
         let is_right = |values: &[Value]| values.iter().zip(right).all(|(value, right)| comes_to(*value, *right));
         let whole = studied.matched.is_empty()
             && self.members(studied).any(|(member, values)| {
@@ -272,17 +276,44 @@ impl Working<'_> {
                 let before = member.letter.as_ref().is_some_and(|letter| letter.starts_with('u') && !is_composite);
                 let unknown = member.letter.as_ref().is_some_and(|letter| self.is_unknown(letter));
                 let unknown = unknown || self.is_open_multiple(member);
-                (named && !unknown && !before && !member.is_given && is_right(values))
-                    || self.has_component(values, sphere, right)
+                let fits = named && !unknown && !before && !member.is_given && is_right(values);
+                (fits && !self.is_taken_along(studied, member)) || self.has_component(values, sphere, right)
             });
         if whole {
             return true;
         }
         let Some(reading) = &studied.reading else { return false };
         let is_tangent = |member: &Member| member.label.as_ref().is_some_and(|label| label.trim().starts_with("tan"));
-        let formulas = reading.members.iter().filter(|_| studied.matched.is_empty());
+        let is_open = |member: &&Member| studied.matched.is_empty() && !self.says_along(studied, member);
+        let formulas = reading.members.iter().filter(is_open);
         let mut components = formulas.flat_map(|member| components_in(&member.expr, is_tangent(member)));
         components.any(|expr| self.values_of(&expr).is_some_and(|values| is_right(&values)))
+    }
+
+    /// Is a value one that the student takes for a component along the line of centres: because it is said to be, or because it
+    /// stands in the equations for one and nowhere is said to be across?
+    fn is_taken_along(&self, studied: &Studied, member: &Member) -> bool {
+        let laws = || self.lines.iter().flat_map(|studied| &studied.matched);
+        let is_exchanged = |matched: &Matched| {
+            matched.departures.iter().any(|one| matches!(one, Departure::SineForCosine | Departure::WrongAxis))
+        };
+        let is_used_along = || match laws().next() {
+            Some(_) => laws().all(is_exchanged),
+            None => member.label.as_ref().is_some_and(|label| label.ends_with('x')),
+        };
+        let is_oblique = self.prepared.setting == Setting::Oblique && !self.is_in_vectors();
+        self.says_along(studied, member) || is_oblique && !says_across(self.clause(studied, member)) && is_used_along()
+    }
+
+    fn says_along(&self, studied: &Studied, member: &Member) -> bool {
+        self.prepared.setting != Setting::Wall && says_along(self.clause(studied, member))
+    }
+
+    /// The part of a line in which a value stands; all of it where that cannot be told.
+    fn clause<'s>(&self, studied: &'s Studied, member: &Member) -> &'s str {
+        let clauses = clauses(&studied.line.typed);
+        let statements = studied.reading.as_ref().map_or(0, |reading| reading.statements.len());
+        if clauses.len() == statements { clauses[member.statement] } else { &studied.line.typed }
     }
 
     /// Is it in words that a number is perpendicular to the line of centres? At a wall that is the other component.
@@ -318,14 +349,6 @@ impl Working<'_> {
         };
         (0..self.prepared.points.count).map(at).collect()
     }
-}
-
-/// Does a line say of what it has that it is along the line of centres, and of nothing that it is across?
-fn says_along(typed: &str) -> bool {
-    let typed = typed.to_lowercase();
-    let is_of_centres = |rest: &str| rest.trim_start().trim_start_matches("the ").trim_start().starts_with("l");
-    let (along, across) = (typed.split("along").skip(1), ["perp", "across", "tan"]);
-    along.into_iter().any(is_of_centres) && !across.iter().any(|word| typed.contains(word))
 }
 
 /// Is a value said to be something else than a component of this sphere?

@@ -46,6 +46,8 @@ pub(super) struct ReadLine {
 /// One side of an equals sign, or a value alone.
 #[derive(Clone, Debug)]
 pub(super) struct Member {
+    /// The place of its statement in the line.
+    pub(super) statement: usize,
     /// What the statement is called as it was typed, if it is called anything.
     pub(super) label: Option<String>,
     /// The letter before the first equals sign, if that is what stands there.
@@ -268,7 +270,7 @@ const FUNCTIONS: [&str; 12] =
 fn read_line(reading: Reading) -> ReadLine {
     let mut equations = Vec::new();
     let mut members = Vec::new();
-    for statement in &reading.statements {
+    for (place, statement) in reading.statements.iter().enumerate() {
         let label = statement.label.as_ref();
         let letter = label.and_then(|label| match &label.expr {
             Some(Expr::Name(name)) => Some(name.text.clone()),
@@ -296,6 +298,7 @@ fn read_line(reading: Reading) -> ReadLine {
             || statement.said.iter().any(in_kilograms);
         equations.extend(sides.windows(2).map(|pair| (pair[0].clone(), pair[1].clone())));
         members.extend(sides.into_iter().map(|expr| Member {
+            statement: place,
             label: typed.clone(),
             letter: letter.clone(),
             expr,

@@ -22,6 +22,7 @@ mod pair;
 mod points;
 mod prepared;
 mod printed;
+mod said;
 mod shapes;
 mod spread;
 mod substituted;

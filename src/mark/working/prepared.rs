@@ -21,6 +21,8 @@ pub struct Prepared {
     /// What is given, at every point.
     pub(super) given: Vec<Known<f64>>,
     pub(super) laws: Option<Laws>,
+    /// Are the velocities before given by numbers for their components?
+    pub(super) in_components: bool,
     /// Names under which students write what is given as a number.
     pub(super) names: Vec<(String, Vec<f64>)>,
     /// The angles to which its words give a name, in degrees.
@@ -72,7 +74,19 @@ impl Prepared {
             Velocity::Polar { .. } => false,
         });
         let laws = Laws::of(&known, in_components);
-        Prepared { setting: scene.setting, points, known, given, laws, names, angles, decimals, found, there }
+        Prepared {
+            setting: scene.setting,
+            points,
+            known,
+            given,
+            laws,
+            in_components,
+            names,
+            angles,
+            decimals,
+            found,
+            there,
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::compare::{any_within, comes_to};
 use super::evidence::Evidence;
-use super::examine::Working;
+use super::examine::{Studied, Working};
 use super::points::sizes;
 use crate::bank::Code;
 use crate::expr::{Expr, Function};
@@ -134,6 +134,66 @@ impl Working<'_> {
         (is_before(&taken) && is_after(&counted)) || (is_before(&counted) && is_after(&taken))
     }
 
+    /// A line with the square of a sum that no velocity is, where energies are looked for and none stands rightly.
+    pub(super) fn squared_wrongly(&self, law: Law, shape: Shape) -> Option<Evidence> {
+        if shape != Shape::DifferenceOfSquares {
+            return None;
+        }
+        let wrong = |studied: &Studied| {
+            let mut members = studied.reading.iter().flat_map(|reading| &reading.members);
+            members.find_map(|member| self.wrong_square(&member.expr))
+        };
+        let (line, tag) = self.lines.iter().enumerate().find_map(|(place, studied)| Some((place, wrong(studied)?)))?;
+        let is_right_elsewhere = self.by_shape(law, shape, None, Code::M1).is_some();
+        let slip = law.slips().iter().find(|slip| slip.tag == tag).filter(|_| !is_right_elsewhere)?;
+        let (note, feedback) = (Some(slip.tag), slip.sentence.to_owned());
+        Some(Evidence { given: false, note, feedback, ..Evidence::given(line, law.name()) })
+    }
+
+    /// `½m(v - u)²`, or `½m(3 - 1)²` for a velocity of 3i - j: which slip it is. The square of the speed of approach is no
+    /// slip, nor is that of anything that comes to a component or a speed.
+    fn wrong_square(&self, expr: &Expr) -> Option<&'static str> {
+        let mut bases = Vec::new();
+        collect_bases(expr, &mut bases);
+        let mut sums = bases.iter().filter(|base| matches!(base, Expr::Sum(terms) if terms.len() == 2)).peekable();
+        sums.peek()?;
+        let known = |quantity| sizes(&self.prepared.known, quantity).into_iter();
+        let own = |quantity| self.theirs.0.get(&quantity).map(|(values, _)| values.clone()).into_iter();
+        let either = |quantity| known(quantity).chain(own(quantity));
+        let components = |sphere, moment| -> Vec<Vec<f64>> {
+            let axes = [Axis::N, Axis::T, Axis::X, Axis::Y].into_iter();
+            axes.flat_map(|axis| either(Quantity::Velocity(sphere, moment, axis))).collect()
+        };
+        let moments = [Moment::Before, Moment::After];
+        let velocities = Sphere::BOTH.into_iter().flat_map(|sphere| moments.map(|moment| (sphere, moment)));
+        let velocities = velocities.flat_map(|(sphere, moment)| {
+            components(sphere, moment).into_iter().chain(either(Quantity::Speed(sphere, moment)))
+        });
+        let velocities: Vec<Vec<f64>> = velocities.collect();
+        if bases.iter().any(|base| self.is_approach(base)) {
+            return None;
+        }
+        sums.filter(|base| !self.is_one_of(base, &velocities)).find_map(|base| {
+            let Expr::Sum(terms) = base else { return None };
+            Sphere::BOTH.into_iter().find_map(|sphere| {
+                let of = |moment| components(sphere, moment);
+                let is = |term: &Expr, moment| self.is_one_of(term, &of(moment));
+                let [one, other] = [&terms[0], &terms[1]];
+                let is_change = |one: &Expr, other: &Expr| is(one, Moment::Before) && is(other, Moment::After);
+                match moments.into_iter().any(|moment| is(one, moment) && is(other, moment)) {
+                    true => Some("energy-components-added"),
+                    false => (is_change(one, other) || is_change(other, one)).then_some("energy-square-of-difference"),
+                }
+            })
+        })
+    }
+
+    fn is_approach(&self, base: &Expr) -> bool {
+        let along = |sphere| sizes(&self.prepared.known, Quantity::Velocity(sphere, Moment::Before, Axis::N));
+        let (Some(a), Some(b)) = (along(Sphere::A), along(Sphere::B)) else { return false };
+        self.is_one_of(base, &[a.iter().zip(b).map(|(a, b)| a - b).collect()])
+    }
+
     /// What students take for the energy after the impact and is part of it only.
     fn partial_energies(&self) -> Vec<Vec<f64>> {
         let mut all = Vec::new();
@@ -253,6 +313,16 @@ fn is_energy_difference(expr: &Expr) -> bool {
     let mut signs = [0, 0];
     count_squares(expr, false, &mut signs);
     signs[0] >= 1 && signs[1] >= 1 && signs[0] + signs[1] >= 4
+}
+
+/// Of everything that is squared in a formula.
+fn collect_bases<'e>(expr: &'e Expr, bases: &mut Vec<&'e Expr>) {
+    if let Expr::Power(base, exponent) = expr
+        && **exponent == Expr::integer(2)
+    {
+        bases.push(base);
+    }
+    expr.children().into_iter().for_each(|child| collect_bases(child, bases));
 }
 
 fn count_squares(expr: &Expr, negative: bool, signs: &mut [usize; 2]) {

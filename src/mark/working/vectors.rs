@@ -5,7 +5,9 @@ use super::compare::{any_within, is_composite, is_parallel, is_vector};
 use super::evidence::Evidence;
 use super::examine::{Studied, Value, Working};
 use super::line::Member;
+use super::pair::Departure;
 use super::points::sizes;
+use super::said::says_along;
 use super::spread::Spread;
 use super::theirs::numbers;
 use crate::bank::Code;
@@ -99,19 +101,46 @@ impl Working<'_> {
         })
     }
 
-    /// A change of momentum or of velocity, which is along the line of centres.
-    pub(super) fn along_impulse(&self, law: Law) -> Option<Evidence> {
+    /// A change of momentum or of velocity, which is along the line of centres. For its accuracy the vector in which it ends
+    /// is: what is worked out wrongly, or another line that is concluded, costs the mark.
+    pub(super) fn along_impulse(&self, law: Law, code: Code) -> Option<Evidence> {
         let line = |axis| sizes(&self.prepared.known, Quantity::Line(axis));
         let (x, y) = line(Axis::X).zip(line(Axis::Y))?;
-        let place = self
-            .lines
-            .iter()
-            .position(|studied| self.members(studied).any(|(_, values)| is_parallel(values, &x, &y)))?;
-        Some(Evidence::given(place, law.name()))
+        let is_along = |values: &Vec<Value>| is_parallel(values, &x, &y);
+        let has_one = |studied: &Studied| self.vectors_in(studied).any(is_along);
+        let place = self.lines.iter().position(has_one)?;
+        let ends_so = |place: usize| self.last_vector_from(place).is_some_and(is_along);
+        let ends = (place..self.lines.len()).find(|place| has_one(&self.lines[*place]) && ends_so(*place));
+        let names_it = |studied: &&Studied| {
+            let typed = &studied.line.typed;
+            (says_along(typed) || typed.contains("parallel")) && self.vectors_in(studied).next().is_some()
+        };
+        let is_concluded = self.lines.iter().rev().find(names_it).is_none_or(has_one);
+        match ends.filter(|_| is_concluded) {
+            Some(place) => Some(Evidence::given(place, law.name())),
+            None if code.is_accuracy() => {
+                let feedback = "it ends in a vector that is not along the line of centres".to_owned();
+                Some(Evidence { given: false, feedback, ..Evidence::given(place, law.name()) })
+            }
+            None => Some(Evidence::given(place, law.name())),
+        }
+    }
+
+    fn vectors_in<'s>(&self, studied: &'s Studied) -> impl Iterator<Item = &'s Vec<Value>> {
+        let vectors = |values: &&Vec<Value>| matches!(values.first(), Some(Value::Vector(..)));
+        self.members(studied).map(|(_, values)| values).filter(vectors)
+    }
+
+    /// The last vector of a line and of those that go on from it with an equals sign.
+    fn last_vector_from(&self, place: usize) -> Option<&Vec<Value>> {
+        let goes_on = |studied: &&Studied| studied.line.typed.starts_with('=');
+        let further = self.lines[place + 1..].iter().take_while(goes_on);
+        std::iter::once(&self.lines[place]).chain(further).flat_map(|studied| self.vectors_in(studied)).last()
     }
 
     /// Components along the line of centres; a factor that all have in common does not matter. A number is one where the
-    /// line stands in the working or is given, and a scalar product that is worked out speaks for itself.
+    /// line stands in the working or is given, and a scalar product that is worked out speaks for itself. For their accuracy
+    /// all have their signs, for one direction along the line; at a wall each may be counted either way.
     pub(super) fn resolved(&self, code: Code) -> Option<Evidence> {
         let is_wall = self.prepared.setting == Setting::Wall;
         let components = self.components_to_resolve(is_wall);
@@ -119,45 +148,86 @@ impl Working<'_> {
         let mut best: Option<(usize, usize, bool)> = None;
         for scale in self.scales() {
             let seen = |alike: &Vec<Component>| {
-                let scaled: Vec<f64> = alike[0].1.iter().map(|right| right * scale).collect();
+                let size = |sign: f64| alike[0].1.iter().map(|right| sign * right.abs() * scale).collect::<Vec<f64>>();
                 let is = |expr: &Expr| {
                     let product = || alike.iter().any(|(quantity, _)| self.is_scalar_product(expr, *quantity));
-                    self.is_one_of(expr, std::slice::from_ref(&scaled)) && (is_line_known || product())
+                    let is_open = expr.names().iter().any(|name| self.is_unknown(&name.text));
+                    !is_open && self.is_one_of(expr, &[size(1.0)]) && (is_line_known || product())
                 };
                 let in_sums = |studied: &Studied| {
                     let members = studied.reading.iter().flat_map(|reading| &reading.members);
                     let mut terms = members.flat_map(|member| sums_in(&member.expr)).flat_map(|sum| sum.children());
-                    terms.any(|term| times_in(term, &is) > 0)
+                    terms.any(is)
                 };
-                let first = self.lines.iter().position(|studied| times(studied, &is) > 0 || in_sums(studied))?;
-                let stated: usize = self.lines.iter().map(|studied| times(studied, &is)).sum();
-                let each = stated >= alike.len() || self.times_in_sums(&is) >= alike.len();
+                let first =
+                    self.lines.iter().position(|studied| times(studied, &is, &|_| true) > 0 || in_sums(studied))?;
+                let stated = |should_be: &dyn Fn(&Expr) -> bool| -> usize {
+                    self.lines.iter().map(|studied| times(studied, &is, should_be)).sum()
+                };
+                // Those that point either way, each with its sign, where the direction is taken so.
+                let with_signs = |direction: f64| {
+                    [1.0, -1.0].into_iter().all(|sign| {
+                        let has_sign = |expr: &Expr| self.is_exactly(expr, &size(sign * direction));
+                        stated(&has_sign) >= alike.iter().filter(|(_, right)| right[0] * sign > 0.0).count()
+                    })
+                };
+                let in_right_sums = self.times_in_sums(&is, |sum| is_wall || self.is_difference_along(sum, scale));
+                let is_shown = in_right_sums >= alike.len();
+                let each = match is_wall {
+                    true => [is_shown || stated(&|_| true) >= alike.len(); 2],
+                    false => [1.0, -1.0].map(|direction| is_shown || with_signs(direction)),
+                };
                 Some((first, each))
             };
-            let found: Vec<(usize, bool)> = components.iter().filter_map(seen).collect();
+            let found: Vec<(usize, [bool; 2])> = components.iter().filter_map(seen).collect();
             if found.len() > best.map_or(0, |(count, ..)| count) {
                 let last = found.iter().map(|(place, _)| *place).max().unwrap_or(0);
-                best = Some((found.len(), last, found.iter().all(|(_, each)| *each)));
+                let each = (0..2).any(|direction| found.iter().all(|(_, each)| each[direction]));
+                best = Some((found.len(), last, each));
             }
         }
         let (count, place, each) = best?;
-        let enough = match code.is_accuracy() {
-            true => count == components.len() && each,
-            false => count >= if is_wall { 1 } else { 2.min(components.len()) },
+        let is_method = count >= if is_wall { 1 } else { 2.min(components.len()) };
+        let is_complete = count == components.len();
+        let evidence = Evidence::given(place, "components along the line of centres");
+        match code.is_accuracy() {
+            false => is_method.then_some(evidence),
+            true if is_complete && !each => {
+                let sign = Departure::Sign;
+                let (note, feedback) = (Some(sign.tag()), sign.sentence().to_owned());
+                Some(Evidence { given: false, note, feedback, ..evidence })
+            }
+            true => is_complete.then_some(evidence),
+        }
+    }
+
+    /// Does it come to this with its sign?
+    fn is_exactly(&self, expr: &Expr, right: &[f64]) -> bool {
+        let is = |(value, right): (&Value, &f64)| matches!(value, Value::Number(spread) if spread.may_be(*right));
+        self.values_of(expr).is_some_and(|values| values.iter().zip(right).all(is))
+    }
+
+    /// Is it the speed of approach or of separation, up to a sign, so that what it is made of has the right signs?
+    fn is_difference_along(&self, sum: &Expr, scale: f64) -> bool {
+        let difference = |moment| {
+            let along = |sphere| sizes(&self.prepared.known, Quantity::Velocity(sphere, moment, Axis::N));
+            let (a, b) = along(Sphere::A).zip(along(Sphere::B))?;
+            Some(a.iter().zip(b).map(|(a, b)| (a - b) * scale).collect::<Vec<f64>>())
         };
-        enough.then(|| Evidence::given(place, "components along the line of centres"))
+        let differences: Vec<Vec<f64>> = [Moment::Before, Moment::After].into_iter().filter_map(difference).collect();
+        self.is_one_of(sum, &differences)
     }
 
     /// How often such a formula stands in sums that are not the same: `(1 + 4)/(4 + 3)` has a 4 in two.
-    fn times_in_sums(&self, is: &dyn Fn(&Expr) -> bool) -> usize {
+    fn times_in_sums(&self, is: &dyn Fn(&Expr) -> bool, counts: impl Fn(&Expr) -> bool) -> usize {
         let readings = self.lines.iter().filter_map(|studied| studied.reading.as_ref());
         let mut sums: Vec<&Expr> = Vec::new();
         for sum in readings.flat_map(|reading| &reading.members).flat_map(|member| sums_in(&member.expr)) {
-            if !sums.contains(&sum) {
+            if !sums.contains(&sum) && counts(sum) {
                 sums.push(sum);
             }
         }
-        sums.into_iter().flat_map(|sum| sum.children()).map(|term| times_in(term, is)).sum()
+        sums.into_iter().flat_map(|sum| sum.children()).filter(|term| is(term)).count()
     }
 
     /// What a scheme has resolved, those of one size together: of two such, one number shows one.
@@ -198,7 +268,7 @@ impl Working<'_> {
     fn is_scalar_product(&self, expr: &Expr, component: Quantity) -> bool {
         let terms = match expr {
             Expr::Sum(terms) => terms.as_slice(),
-            Expr::Quotient(above, _) => return self.is_scalar_product(above, component),
+            Expr::Quotient(inner, _) | Expr::Negative(inner) => return self.is_scalar_product(inner, component),
             Expr::Product(factors) => return factors.iter().any(|factor| self.is_scalar_product(factor, component)),
             _ => return false,
         };
@@ -266,19 +336,15 @@ impl Working<'_> {
     }
 }
 
-/// How often a line has such a formula for a value: `2 + 2 = 4` has it once.
-fn times(studied: &Studied, is: &dyn Fn(&Expr) -> bool) -> usize {
+/// How often a line has such a formula for a value, the last of its kind as it should be: `2 + 2 = 4` has it once.
+fn times(studied: &Studied, is: &dyn Fn(&Expr) -> bool, should_be: &dyn Fn(&Expr) -> bool) -> usize {
     let members = studied.reading.as_ref().map(|reading| reading.members.as_slice()).unwrap_or_default();
     let same_statement = |one: &Member, other: &Member| one.label == other.label;
-    let in_chain = |chain: &[Member]| chain.iter().map(|member| times_in(&member.expr, is)).max().unwrap_or(0);
-    members.chunk_by(same_statement).map(in_chain).sum()
-}
-
-fn times_in(expr: &Expr, is: &dyn Fn(&Expr) -> bool) -> usize {
-    match expr {
-        Expr::Negative(inner) => times_in(inner, is),
-        other => usize::from(is(other)),
-    }
+    let ends_so = |chain: &&[Member]| {
+        let last = chain.iter().rev().find(|member| is(&member.expr));
+        last.is_some_and(|member| should_be(&member.expr))
+    };
+    members.chunk_by(same_statement).filter(ends_so).count()
 }
 
 /// The sums in a formula, above and below a line.
