@@ -27,8 +27,8 @@ struct Along {
 }
 
 /// How a line agrees with the law.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Agrees {
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Agrees {
     ButForSigns,
     Fully,
 }

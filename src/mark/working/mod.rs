@@ -5,6 +5,7 @@
 //! the width that rounded figures leave open.
 
 mod angles;
+mod by_components;
 mod by_law;
 mod compare;
 mod components;

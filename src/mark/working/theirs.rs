@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::by_components::momentum_by_components;
 use super::examine::{Studied, Value, value};
 use super::pair::{Convention, sphere};
 use super::points::{size, sizes};
@@ -83,11 +84,16 @@ pub(super) fn own_values(
 ) -> BTreeMap<Quantity, (Vec<f64>, Expr)> {
     let mut found = BTreeMap::new();
     let alone = asked_alone(lines, convention, part);
+    let of_axes = letters_of_axes(lines, prepared);
     for studied in lines {
         let Some(reading) = &studied.reading else { continue };
         for (member, values) in reading.members.iter().zip(&studied.values) {
             let (Some(letter), Some(values)) = (&member.letter, values) else { continue };
             let numbers = numbers(values);
+            if let (Some((_, component)), Some(numbers)) = (of_axes.iter().find(|(own, _)| own == letter), &numbers) {
+                found.insert(*component, (numbers.clone(), member.expr.clone()));
+                continue;
+            }
             let place = convention.and_then(|convention| convention.letters.iter().position(|known| known == letter));
             // Where no equation says whose letter it is, it is of the sphere that is asked for.
             let place = place.and(alone.and_then(|of| Sphere::BOTH.into_iter().position(|one| one == of))).or(place);
@@ -142,6 +148,18 @@ pub(super) fn own_values(
     let is_own = |quantity: &Quantity| !prepared.given[0].0.contains_key(quantity);
     found.retain(|quantity, (values, _)| is_own(quantity) && values.iter().all(|value| value.is_finite()));
     found
+}
+
+/// Letters for the components along i and j of the velocity that is to be found, where momentum is written out along each.
+fn letters_of_axes(lines: &[Studied], prepared: &Prepared) -> Vec<(String, Quantity)> {
+    let Some((of, [x, y])) = unknown_sphere(prepared).zip(momentum_by_components(lines, prepared)) else {
+        return Vec::new();
+    };
+    let component = |axis| Quantity::Velocity(of, Moment::After, axis);
+    match x.letter == y.letter {
+        true => Vec::new(),
+        false => vec![(x.letter, component(Axis::X)), (y.letter, component(Axis::Y))],
+    }
 }
 
 /// `10v = 18 - 42e`: the place of the unknown, and what it is, in the student's direction.
@@ -203,7 +221,7 @@ fn is_asked_speed(part: &KeyedPart, sphere: Sphere, values: &[f64], prepared: &P
 }
 
 /// The sphere whose velocity after the impact is to be found, where that of the other is given.
-fn unknown_sphere(prepared: &Prepared) -> Option<Sphere> {
+pub(super) fn unknown_sphere(prepared: &Prepared) -> Option<Sphere> {
     let given = |sphere| prepared.given[0].0.contains_key(&Quantity::Velocity(sphere, Moment::After, Axis::X));
     match (given(Sphere::A), given(Sphere::B)) {
         // A particle that receives an impulse is alone.

@@ -1,14 +1,15 @@
 //! Marks of collisions that are given backwards, in vectors: momentum as a vector, the line of centres from an impulse,
 //! components along it, and e from those.
 
+use super::by_components::{AlongAxis, momentum_by_components, signs};
 use super::compare::{any_within, is_composite, is_parallel, is_vector};
 use super::evidence::Evidence;
 use super::examine::{Studied, Value, Working};
+use super::impulse::Agrees;
 use super::line::Member;
 use super::pair::Departure;
 use super::points::sizes;
 use super::said::says_along;
-use super::spread::Spread;
 use super::theirs::numbers;
 use crate::bank::Code;
 use crate::expr::Expr;
@@ -38,7 +39,12 @@ impl Working<'_> {
                 method = Some(place);
             }
         }
-        let place = method?;
+        let by_components = momentum_by_components(&self.lines, self.prepared);
+        let last = |[one, other]: &[AlongAxis; 2]| one.place.max(other.place);
+        if let Some(both) = by_components.as_ref().filter(|both| both.iter().all(|one| one.agrees == Agrees::Fully)) {
+            return Some(Evidence::given(last(both), "momentum as a vector"));
+        }
+        let place = method.or(by_components.as_ref().map(last))?;
         let feedback = "a sign or a number in it is wrong".to_owned();
         match code.is_accuracy() {
             false => Some(Evidence::given(place, "momentum as a vector")),
@@ -75,28 +81,9 @@ impl Working<'_> {
         else {
             return false;
         };
-        let [(_, number)] = along_i.unknowns.as_slice() else { return false };
-        let known = &self.prepared.known[0..1];
-        let at = |quantity| sizes(known, quantity).map(|sizes| sizes[0]);
-        let momentum =
-            |sphere, moment, axis| Some(at(Quantity::Mass(sphere))? * at(Quantity::Velocity(sphere, moment, axis))?);
         Sphere::BOTH.into_iter().any(|unknown| {
-            let (Some(mass), other) = (at(Quantity::Mass(unknown)), unknown.other()) else { return false };
-            let scale = number.middle() / mass;
-            let fits = |axis: Axis, constant: Spread| -> Option<Vec<[f64; 3]>> {
-                let terms = [
-                    momentum(Sphere::A, Moment::Before, axis)?,
-                    momentum(Sphere::B, Moment::Before, axis)?,
-                    momentum(other, Moment::After, axis)?,
-                ];
-                let signs = (0..8).map(|bits| [0, 1, 2].map(|bit| if bits >> bit & 1 == 1 { -1.0 } else { 1.0 }));
-                let sum =
-                    |signs: &[f64; 3]| signs.iter().zip(&terms).map(|(sign, term)| sign * term * scale).sum::<f64>();
-                Some(signs.filter(|signs| constant.may_be(sum(signs))).collect())
-            };
-            let (Some(one), Some(two)) = (fits(Axis::X, along_i.constant), fits(Axis::Y, along_j.constant)) else {
-                return false;
-            };
+            let fits = |axis, linear| signs(linear, unknown, axis, self.prepared, 0);
+            let (one, two) = (fits(Axis::X, &along_i), fits(Axis::Y, &along_j));
             one.iter().any(|signs| two.contains(signs))
         })
     }
