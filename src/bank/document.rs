@@ -50,7 +50,20 @@ impl Faults {
         name: &str,
         known: impl IntoIterator<Item = &'a str>,
     ) {
-        self.found.push(Diagnostic::new(message, &self.source, span, label).with_near(near(name, known)));
+        let fault = Diagnostic::new(message, &self.source, span, label);
+        let fault = fault.with_help("write one of those, or take it out");
+        self.found.push(fault.with_near(near(name, known)));
+    }
+
+    /// What stands in a list twice, or in it and before it; space between signs is no difference.
+    pub fn twice(&mut self, what: &str, before: &[Words], list: &[Words]) {
+        let plain = |words: &Words| words.get_ref().split_whitespace().collect::<String>();
+        for (place, words) in list.iter().enumerate() {
+            if before.iter().chain(&list[..place]).any(|other| plain(other) == plain(words)) {
+                let message = format!("{what} `{}` stands here twice", words.get_ref());
+                self.report_with_help(words.span(), message, "it was there before", "take one of the two out");
+            }
+        }
     }
 
     /// A fault of an expression, at its place inside a string of the file.
@@ -174,6 +187,14 @@ impl<'t, 'd> Keys<'t, 'd> {
         let Some(value) = self.get(key) else { return Vec::new() };
         let DeValue::Array(items) = value.get_ref() else {
             wrong_type(&format!("`{key}`"), "a list of tables", value.get_ref(), value.span(), faults);
+            let written = faults.source.text.get(value.span()).unwrap_or_default();
+            let help = match written.trim_matches(['[', ']']) {
+                heading if written.starts_with('[') => format!("write `[[{heading}]]`, in two pairs of brackets"),
+                _ => format!("write `{key} = [{{ … }}]`, each table of the list in braces"),
+            };
+            if let Some(fault) = faults.found.last_mut() {
+                fault.help = Some(help);
+            }
             return Vec::new();
         };
         items.iter().filter_map(|item| Keys::within(what, item, faults)).collect()
@@ -276,6 +297,9 @@ pub fn wrong_type(what: &str, expected: &str, found: &DeValue, span: Range<usize
         }
         (DeValue::Array(_), "text in quotes") => {
             faults.report_with_help(span, message, label, "write one text, without the brackets");
+        }
+        (DeValue::Table(_), "text in quotes") => {
+            faults.report_with_help(span, message, label, "write one text, `… = \"…\"`, without a heading or braces");
         }
         (_, "a table") => {
             let help = "write `{ key = \"…\" }`, or a heading in brackets with the keys on lines below it";

@@ -35,6 +35,12 @@ impl Domain {
     ///
     /// A [`Fault`] if an end is no number, the range runs backwards or the step is not above nought.
     pub fn range(text: &str) -> Result<Domain, Fault> {
+        if let Some(start) = text.find("...") {
+            let end = start + text[start..].find(|sign| sign != '.').unwrap_or(text.len() - start);
+            let meant = format!("{}..{}", text[..start].trim_end(), text[end..].trim_start());
+            return Err(Fault::new("more than two dots in a range", Span { start, end }, "expected `..`")
+                .try_this(format!("write `{meant}`")));
+        }
         let Some(dots) = text.find("..") else {
             return Ok(Domain::List(vec![read_as_written(text, Angles::Degrees)?]));
         };
@@ -51,7 +57,8 @@ impl Domain {
         };
         let step_span = || trimmed(text, step_text.unwrap_or(0), text.len());
         if step.sign().is_le() {
-            return Err(Fault::new("the step is not above nought", step_span(), "expected a positive step"));
+            return Err(Fault::new("the step is not above nought", step_span(), "expected a positive step")
+                .try_this("leave `step` out for steps of one, or write `step 1/2`, `step 5`"));
         }
         let whole = trimmed(text, 0, last_end);
         if last < first {
@@ -192,6 +199,7 @@ mod tests {
     fn a_range_that_cannot_be_walked_is_a_fault_at_its_place() {
         let table = [
             ("6..1", "the range runs backwards", "6..1"),
+            ("4...12", "more than two dots in a range", "..."),
             ("1..6 step 0", "the step is not above nought", "0"),
             ("1..", "an end of the range is missing", ""),
             ("1..sqrt(2)", "`sqrt(2)` is no plain number", "sqrt(2)"),

@@ -177,12 +177,18 @@ pub fn read(faults: &mut Faults) -> Option<QuestionFile> {
 }
 
 fn test(mut keys: Keys, faults: &mut Faults) -> TestFile {
-    keys.demand("answers", "answers = { \"A.after.speed\" = \"2.78\" }");
+    const EXAMPLE: &str = "answers = { \"A.after.speed\" = \"2.78\" }";
+    keys.demand("answers", EXAMPLE);
+    let answers = keys.get("answers");
+    if let Some(value) = answers.filter(|value| value.get_ref().as_table().is_some_and(|table| table.is_empty())) {
+        let help = format!("write what you have worked out: `{EXAMPLE}`, or take the test out");
+        faults.report_with_help(value.span(), "a test without an answer", "nothing is compared here", help);
+    }
     let test = TestFile {
         span: keys.span(),
         style: keys.words("style", faults),
         numbers: keys.get("numbers").map_or_else(Vec::new, |value| strings("`numbers`", value, faults)),
-        answers: keys.get("answers").map_or_else(Vec::new, |value| strings("`answers`", value, faults)),
+        answers: answers.map_or_else(Vec::new, |value| strings("`answers`", value, faults)),
     };
     keys.finish(faults);
     test

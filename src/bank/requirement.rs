@@ -5,6 +5,7 @@ use std::str::FromStr;
 
 use super::domain::constant;
 use super::givens::names_in_degrees;
+use crate::diagnostic::near;
 use crate::expr::{Angles, Expr, Fault, Meaning, Name, Names, Span, evaluate, holds, read};
 use crate::mechanics::Quantity;
 use crate::number::{Fraction, Root, Value};
@@ -120,7 +121,7 @@ impl Requirement {
                 span,
                 "expected `=`, `!=`, `<`, `<=`, `>`, `>=`, `is an integer` or `is rational`",
             )
-            .try_this(format!("write `{text} > 0`")));
+            .try_this(relation_meant(text)));
         }
         Ok(Requirement::new(text, relation, measured))
     }
@@ -193,14 +194,25 @@ impl Requirement {
     }
 }
 
+/// What was perhaps to be said where no relation stands.
+fn relation_meant(text: &str) -> String {
+    let Some((what, said)) = text.split_once(" is ") else { return format!("write `{text} > 0`") };
+    match near(said.trim(), SAID.map(|(words, _)| words)) {
+        Some(words) => format!("did you mean `{} is {words}`?", what.trim()),
+        None => format!("write `{} is an integer`, or a relation such as `{} > 0`", what.trim(), what.trim()),
+    }
+}
+
+/// What can be said of a number in words.
+const SAID: [(&str, &[Measure]); 3] = [
+    ("an integer", &[Measure::Denominator, Measure::Radicand]),
+    ("a whole number", &[Measure::Denominator, Measure::Radicand]),
+    ("rational", &[Measure::Radicand]),
+];
+
 /// What is said to be an integer or rational, and the measures that are one of such a number.
 fn in_words(text: &str) -> Option<(&str, &'static [Measure])> {
-    let said: [(&str, &[Measure]); 3] = [
-        ("an integer", &[Measure::Denominator, Measure::Radicand]),
-        ("a whole number", &[Measure::Denominator, Measure::Radicand]),
-        ("rational", &[Measure::Radicand]),
-    ];
-    said.into_iter().find_map(|(words, measures)| {
+    SAID.into_iter().find_map(|(words, measures)| {
         let what = text.trim_end().strip_suffix(words)?.trim_end().strip_suffix(" is")?;
         Some((what, measures))
     })

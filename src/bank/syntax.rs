@@ -58,6 +58,9 @@ fn told(text: &str, span: Range<usize>, message: &str) -> Told {
     };
     let found = text.get(span.clone()).unwrap_or_default();
     if what == "duplicate key" {
+        if let Some(told) = one_pair_of_brackets(text, span.start) {
+            return told;
+        }
         let message = format!("`{found}` stands here for the second time");
         return one(&message, "it already has a value", "keep one of the two");
     }
@@ -149,11 +152,42 @@ fn column(text: &str, at: usize) -> usize {
     text[..at].rsplit('\n').next().unwrap_or_default().chars().count() + 1
 }
 
-/// A text between three quotes that never ends: told where it begins.
+/// A heading in one pair of brackets before others of its name in two.
+fn one_pair_of_brackets(text: &str, at: usize) -> Option<Told> {
+    let from = text[..at].rfind('\n').map_or(0, |before| before + 1);
+    let heading = text[from..].lines().next()?.trim().strip_prefix("[[")?.strip_suffix("]]")?;
+    let single = format!("[{heading}]");
+    let mut lines = text[..from].split_inclusive('\n').scan(0, |end, line| {
+        *end += line.len();
+        Some((*end - line.len(), line))
+    });
+    let (start, _) = lines.find(|(_, line)| line.trim_end() == single)?;
+    Some(Told {
+        span: start..start + single.len(),
+        message: format!("`{single}` in one pair of brackets"),
+        label: format!("there are several, and each begins with `[[{heading}]]`"),
+        help: Some(format!("write `[[{heading}]]`")),
+        is_last: false,
+    })
+}
+
+/// A text between three quotes that never ends: told where it begins; or with a sign in it that no text may have.
 fn never_ends(text: &str, at: usize) -> Told {
     let before = &text[..at.min(text.len())];
     let start = before.rfind("'''").max(before.rfind("\"\"\"")).unwrap_or(0);
     let quotes = &text[start..(start + 3).min(text.len())];
+    let inside = text[start + quotes.len()..].split(quotes).next().unwrap_or_default();
+    let is_strange = |sign: char| sign.is_control() && !matches!(sign, '\n' | '\r' | '\t');
+    if let Some(place) = inside.find(is_strange) {
+        let place = start + quotes.len() + place;
+        return Told {
+            span: place..place + text[place..].chars().next().map_or(1, char::len_utf8),
+            message: "a character that cannot be seen".to_owned(),
+            label: "expected letters, figures and signs".to_owned(),
+            help: Some("delete it".to_owned()),
+            is_last: false,
+        };
+    }
     Told {
         span: start..start + quotes.len(),
         message: "a text of several lines is not closed".to_owned(),

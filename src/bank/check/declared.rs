@@ -28,6 +28,8 @@ pub fn declared(
     used: &mut NamesUsed,
     faults: &mut Faults,
 ) -> Declared {
+    faults.twice("the slip", &[], &file.hidden);
+    faults.twice("the pair", &[], &file.alike);
     let hidden = file.hidden.iter().filter_map(|words| slip(words.get_ref(), words, faults)).collect();
     let alike = file.alike.iter().filter_map(|words| pair(words, faults)).collect();
     let mut tests = Vec::new();

@@ -126,10 +126,11 @@ impl NamesUsed {
 
     fn report_unknown(&self, used: &Use, scopes: &[(String, Scope)], letters: &[&str], faults: &mut Faults) {
         let name = used.name.as_str();
-        let mut known: Vec<&str> = letters.to_vec();
-        for (given, ..) in scopes.iter().flat_map(|(_, scope)| &scope.given) {
-            if !known.contains(&given.as_str()) {
-                known.push(given);
+        let given = scopes.iter().flat_map(|(_, scope)| &scope.given).map(|(given, ..)| given.as_str());
+        let mut known: Vec<&str> = Vec::new();
+        for name in letters.iter().copied().chain(given) {
+            if !known.contains(&name) {
+                known.push(name);
             }
         }
         if name.contains('.') && used.also == Also::Nothing && name.parse::<Quantity>().is_ok() {
@@ -140,6 +141,13 @@ impl NamesUsed {
         }
         if used.also == Also::Quantities && name.contains('.') {
             quantities::unknown_at(used.span.clone(), "quantity", name, &[], faults);
+            return;
+        }
+        if let Some((span, meant)) = unit_meant(&faults.source.text, &used.span).filter(|_| used.also == Also::Nothing)
+        {
+            let message = format!("unknown unit `{}`", &faults.source.text[span.clone()]);
+            let label = format!("expected {}", listed(&units()));
+            faults.report_with_help(span, message, label, format!("write `{meant}`"));
             return;
         }
         let label = match known.as_slice() {
@@ -155,10 +163,14 @@ impl NamesUsed {
         if used.also == Also::Nothing {
             // At the end of a formula in the words it was perhaps to be a unit.
             candidates.extend(Unit::ALL.map(|unit| unit.plain().to_owned()));
+            candidates.push("result".to_owned());
         }
         let help = match near(name, candidates.iter().map(String::as_str)) {
             Some(near) => format!("did you mean `{near}`?"),
-            None => format!("give it values in `[parameters]`, as in `{name} = \"1..6\"`, or a formula in `[let]`"),
+            None => format!(
+                "give it values in `[parameters]`, as in `{name} = \"1..6\"`, or a formula in `[let]`; or, as a letter, a \
+                 range in `[scene.symbols]`, as in `{name} = \"positive\"`"
+            ),
         };
         faults.report_with_help(used.span.clone(), format!("unknown name `{name}`"), label, help);
     }
@@ -187,6 +199,31 @@ impl NamesUsed {
             }
         }
     }
+}
+
+/// The units that have a name.
+fn units() -> Vec<&'static str> {
+    Unit::ALL.map(Unit::plain).into_iter().filter(|unit| !unit.is_empty()).collect()
+}
+
+/// A unit at the end of a formula in braces that is written otherwise than here, as `m s^-1` is: where it stands, if the
+/// name at `at` is a part of it, and how it is written here.
+fn unit_meant(text: &str, at: &Range<usize>) -> Option<(Range<usize>, &'static str)> {
+    let open = text[..at.start].rfind(['{', '}', '\n']).filter(|open| text[*open..].starts_with('{'))? + 1;
+    let close =
+        at.end + text[at.end..].find(['{', '}', '\n']).filter(|length| text[at.end + length..].starts_with('}'))?;
+    let inside = text[open..close].trim_end();
+    let start = open + inside.trim_start().find(char::is_whitespace)? + (inside.len() - inside.trim_start().len());
+    let unit = text[start..open + inside.len()].trim_start();
+    let start = open + inside.len() - unit.len();
+    let letters: String = unit.chars().filter(char::is_ascii_alphabetic).collect();
+    let is_sign = |sign: char| sign.is_ascii_alphanumeric() || " ^-+()/.·⁻¹²−".contains(sign);
+    if at.start < start || !unit.chars().all(is_sign) {
+        return None;
+    }
+    let meant =
+        units().into_iter().find(|known| known.chars().filter(char::is_ascii_alphabetic).eq(letters.chars()))?;
+    Some((start..start + unit.len(), meant))
 }
 
 /// Was it written `*A*`?

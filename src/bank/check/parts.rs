@@ -9,7 +9,7 @@ use super::names::{Also, NamesUsed};
 use super::quantities;
 use super::styles::line;
 use crate::answer::{Accept, Kind};
-use crate::expr::{Angles, Expr, Markup, Name, Piece, read, read_markup};
+use crate::expr::{Angles, Expr, Markup, Name, Piece, Text, read, read_markup};
 use crate::mechanics::Quantity;
 use crate::number::Places;
 
@@ -48,6 +48,15 @@ pub fn parts(file: &QuestionFile, used: &mut NamesUsed, faults: &mut Faults) -> 
 fn read_ask(words: &Words, answers: &[Answer], used: &mut NamesUsed, faults: &mut Faults) -> Option<Markup> {
     let paragraphs = read_markup(words.get_ref()).map_err(|fault| faults.expression(words, fault)).ok()?;
     let shown = answers.iter().any(|answer| answer.show.is_some());
+    let is_stated = |text: &Text| text.0.iter().any(states);
+    if shown && !paragraphs.iter().any(is_stated) {
+        faults.report_with_help(
+            words.span(),
+            "the words do not say what is to be shown",
+            "expected the result in them",
+            "write `Show that {display: result}`",
+        );
+    }
     for text in &paragraphs {
         for expr in formulas(&text.0) {
             for name in expr.names() {
@@ -67,6 +76,15 @@ fn read_ask(words: &Words, answers: &[Answer], used: &mut NamesUsed, faults: &mu
         }
     }
     Some(paragraphs)
+}
+
+/// Does a formula state a result: on a line of its own, or as an equation?
+fn states(piece: &Piece) -> bool {
+    let is_result = |expr: &Expr| match expr {
+        Expr::Name(name) => name.text == "result",
+        _ => matches!(expr, Expr::Relation(..)),
+    };
+    matches!(piece, Piece::Display(_)) || formulas(std::slice::from_ref(piece)).into_iter().any(is_result)
 }
 
 fn is_starred(words: &Words, name: &Name) -> bool {
@@ -129,6 +147,9 @@ fn exact_names(file: &QuestionFile, faults: &mut Faults) {
     // That there are no answers at all is a fault of its own, and told as such.
     if names.is_empty() {
         return;
+    }
+    for style in &file.styles {
+        faults.twice("the name", &[], &style.exact);
     }
     for wanted in file.styles.iter().flat_map(|style| &style.exact) {
         let text = wanted.get_ref().as_str();
@@ -220,8 +241,9 @@ fn read_find(answer: &AnswerFile, unknowns: &[String], faults: &mut Faults) -> O
         }
         [words] => quantity(words, faults).map(Find::Quantity),
         [x, y] => {
-            let (x, y) = (quantity(x, faults), quantity(y, faults));
-            Some(Find::Vector(x?, y?))
+            let found = (quantity(x, faults)?, quantity(y, faults)?);
+            components(found, y, faults);
+            Some(Find::Vector(found.0, found.1))
         }
         [_, _, third, ..] => {
             let help = "write `find = [\"A.after.x\", \"A.after.y\"]`";
@@ -229,6 +251,21 @@ fn read_find(answer: &AnswerFile, unknowns: &[String], faults: &mut Faults) -> O
             None
         }
     }
+}
+
+/// The two must be the components of one vector, first that along i and then that along j.
+fn components((x, y): (Quantity, Quantity), place: &Words, faults: &mut Faults) {
+    let (x, y) = (x.to_string(), y.to_string());
+    let of = x.strip_suffix(['x', 'y', 'n', 't']).filter(|of| of.ends_with(['.', 'p']));
+    if of.is_some_and(|of| x.ends_with('x') && y == format!("{of}y")) {
+        return;
+    }
+    let help = match of {
+        Some(of) => format!("write `find = [\"{of}x\", \"{of}y\"]`"),
+        None => "write `find = [\"A.after.x\", \"A.after.y\"]` for a vector".to_owned(),
+    };
+    let message = format!("`{x}` and `{y}` are not the two components of a vector");
+    faults.report_with_help(place.span(), message, "expected that along i, and then that along j of the same", help);
 }
 
 fn read_kind(words: &Words, faults: &mut Faults) -> Option<Kind> {

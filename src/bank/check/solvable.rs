@@ -9,7 +9,7 @@ use super::super::question::{Question, Style};
 use super::super::scene_file::SceneFile;
 use crate::answer::Kind;
 use crate::expr::{Angles, Fault};
-use crate::mechanics::{Because, Quantity, Refusal, Scene, SceneFault};
+use crate::mechanics::{Because, Quantity, Refusal, Scene, SceneFault, pose};
 use crate::solve::solve;
 
 /// Reports what cannot be found with the reference numbers, and why.
@@ -23,6 +23,7 @@ pub fn solvable(question: &Question, file: &QuestionFile, faults: &mut Faults) {
         Ok(posed) => {
             requirements(&posed, style, file, faults);
             ranges(&posed, question, file, faults);
+            given_answers(&posed, question, file, faults);
         }
         Err(Unposed::Given(name, fault)) => given(&name, fault, question, file, faults),
         Err(Unposed::Scene(found)) => {
@@ -58,6 +59,24 @@ fn ranges(posed: &Posed, question: &Question, file: &QuestionFile, faults: &mut 
     }
 }
 
+/// What the scene gives is nothing to be found. What is found from conditions stands in a scene as if it were given.
+fn given_answers(posed: &Posed, question: &Question, file: &QuestionFile, faults: &mut Faults) {
+    let Ok(given) = pose(&posed.scene) else { return };
+    if !question.scene.unknowns.is_empty() {
+        return;
+    }
+    let answers = question.parts.iter().flat_map(|part| &part.answers);
+    let written = file.parts.iter().flat_map(|part| &part.answers);
+    for (answer, written) in answers.zip(written) {
+        let asked = answer.find.quantities();
+        if let (Some(words), true) = (written.find.first(), asked.iter().all(|asked| given.0.contains_key(asked))) {
+            let message = format!("`{}` is given by the scene, so there is nothing to find", words.get_ref());
+            let help = "ask for something else; or name it in `unknowns` of `[scene]`, with what determines it in `conditions`";
+            faults.report_with_help(words.span(), message, "asked for here", help);
+        }
+    }
+}
+
 /// A fault of the value of a parameter or derived name.
 fn given(name: &str, fault: Fault, question: &Question, file: &QuestionFile, faults: &mut Faults) {
     let style = question.styles[question.reference_style].name.name();
@@ -76,7 +95,7 @@ fn in_scene(found: SceneFault, scene: &SceneFile, faults: &mut Faults) {
             let with = if is_of_the_form { "" } else { "with the reference numbers: " };
             faults.report(scene.place(&field), format!("{with}{}", fault.message), fault.expected);
             if let Some(diagnostic) = faults.found.last_mut() {
-                diagnostic.help = fault.help;
+                diagnostic.help = fault.help.or_else(|| Some("mend `[scene]`, where this belongs".to_owned()));
             }
         }
     }
@@ -142,7 +161,8 @@ fn refused(
     if let Some(diagnostic) = faults.found.last_mut() {
         let other = "take numbers in `[reference]` for which you know the answers";
         let is_impossible = refusal.because == Because::Impossible;
-        diagnostic.help = refusal.help.clone().or_else(|| is_impossible.then(|| other.to_owned()));
+        let more = "give more in `[scene]`, or other `conditions`: one equation for each of `unknowns`";
+        diagnostic.help = refusal.help.clone().or_else(|| Some(if is_impossible { other } else { more }.to_owned()));
     }
 }
 

@@ -2,8 +2,6 @@
 
 use std::ops::Range;
 
-use toml::Spanned;
-
 use super::super::document::Faults;
 use super::super::domain::Domain;
 use super::super::file::{DomainFile, QuestionFile, StyleFile};
@@ -12,8 +10,11 @@ use super::super::literal::Words;
 use super::super::question::{Style, StyleName};
 use super::super::requirement::Requirement;
 use super::names::{Also, DERIVED, NamesUsed, RESERVED, Scope};
-use crate::expr::{Angles, Expr, Function, Markup, Text, read, read_as_written, read_markup};
+use crate::expr::{
+    Angles, Expr, Fault, Function, Markup, Span, Text, evaluate, number, read, read_as_written, read_markup,
+};
 use crate::mechanics::Quantity;
+use crate::number::Value;
 
 /// What is written once for every style.
 struct Shared {
@@ -38,13 +39,13 @@ pub fn styles(file: &QuestionFile, used: &mut NamesUsed, faults: &mut Faults) ->
         stem: file.stem.as_ref().and_then(|stem| markup(stem, None, used, faults)),
         parameters: parameters(&file.parameters, &letters, None, used, faults),
         lets: lets(&file.lets, &letters, None, used, faults),
-        require: require(&file.require, None, used, faults),
+        require: require(&file.require, &[], None, used, faults),
     };
     let (mut styles, mut scopes) = (Vec::new(), Vec::new());
     for (index, style) in file.styles.iter().enumerate() {
         let name = style_name(&style.name, faults);
         let (checked, scope) =
-            one_style(index, name.unwrap_or(StyleName::Exact), style, &shared, &letters, used, faults);
+            one_style(index, name.unwrap_or(StyleName::Exact), style, (&shared, file), &letters, used, faults);
         styles.push(checked);
         scopes.push((style.name.get_ref().clone(), scope));
     }
@@ -71,7 +72,7 @@ fn one_style(
     index: usize,
     name: StyleName,
     style: &StyleFile,
-    shared: &Shared,
+    (shared, file): (&Shared, &QuestionFile),
     letters: &[&str],
     used: &mut NamesUsed,
     faults: &mut Faults,
@@ -80,7 +81,7 @@ fn one_style(
     let own_parameters = parameters(&style.parameters, letters, Some(index), used, faults);
     let own_lets = lets(&style.lets, letters, Some(index), used, faults);
     let mut all_require = shared.require.clone();
-    all_require.extend(require(&style.require, Some(index), used, faults));
+    all_require.extend(require(&style.require, &file.require, Some(index), used, faults));
 
     // A style that gives a parameter a formula, or a derived name values, has the last word.
     let hidden = |name: &str| own_lets.iter().any(|own| own.name == name);
@@ -199,6 +200,11 @@ fn read_domain(
         let expr =
             read_as_written(words.get_ref(), Angles::Degrees).map_err(|fault| faults.expression(words, fault)).ok()?;
         used.expression(words, &expr, Also::OnlyLetters, style, faults);
+        if let (true, Err(fault)) = (expr.names().is_empty(), evaluate(&expr, &|_| None)) {
+            let help = fault.help.unwrap_or_else(|| "write another value, or take it out".to_owned());
+            faults.expression(words, Fault { span: Span::default(), help: Some(help), ..fault });
+            return None;
+        }
         Some(expr)
     };
     match domain {
@@ -216,7 +222,7 @@ fn read_domain(
             None
         }
         DomainFile::List(items, _) => {
-            let mut values: Vec<Expr> = Vec::new();
+            let mut values: Vec<(Expr, Option<Value>)> = Vec::new();
             let mut complete = true;
             for words in items {
                 if words.get_ref().contains("..") {
@@ -233,17 +239,24 @@ fn read_domain(
                     complete = false;
                     continue;
                 };
-                if values.contains(&value) {
+                let known = number(&value, &|_| None).ok();
+                let is_it =
+                    |(other, number): &(Expr, Option<Value>)| *other == value || (known.is_some() && *number == known);
+                if let Some(before) = values.iter().position(is_it) {
+                    let label = match items.get(before).map(|other| other.get_ref()) {
+                        Some(other) if other != words.get_ref() => format!("it is `{other}`, which was there before"),
+                        _ => "it was there before".to_owned(),
+                    };
                     faults.report_with_help(
                         words.span(),
                         format!("the value `{}` stands in the list twice", words.get_ref()),
-                        "it was there before",
+                        label,
                         "take one of the two out, so that no variant is dealt twice",
                     );
                 }
-                values.push(value);
+                values.push((value, known));
             }
-            complete.then_some(Domain::List(values))
+            complete.then(|| Domain::List(values.into_iter().map(|(value, _)| value).collect()))
         }
     }
 }
@@ -261,8 +274,7 @@ fn lets(
         let meaning = match read(words.get_ref(), Angles::Degrees) {
             Ok(expr) => {
                 used.expression(words, &expr, Also::Nothing, style, faults);
-                let later = written.iter().map(|(name, _)| name).skip(found.len());
-                check_order(name, words, &expr, later, faults);
+                check_order(name, words, &expr, &written[found.len()..], faults);
                 names_in_degrees(&expr)
             }
             Err(fault) => {
@@ -275,26 +287,35 @@ fn lets(
     found
 }
 
-/// A derived name may use those before it, and not itself.
-fn check_order<'a>(
-    name: &Words,
-    words: &Words,
-    expr: &Expr,
-    later: impl Iterator<Item = &'a Spanned<String>> + Clone,
-    faults: &mut Faults,
-) {
+/// A derived name may use those before it, and not itself; `rest` are it and those that follow.
+fn check_order(name: &Words, words: &Words, expr: &Expr, rest: &[(Words, Words)], faults: &mut Faults) {
     for used in expr.names() {
-        if later.clone().any(|later| *later.get_ref() == used.text) {
-            let span = faults.place(words, used.span);
-            let message = format!("`{}` is derived from `{}`, which comes later", name.get_ref(), used.text);
-            faults.report_with_help(
-                span,
-                message,
-                "not known here yet",
-                "put the names in the order in which they follow",
-            );
+        if !rest.iter().any(|(later, _)| *later.get_ref() == used.text) {
+            continue;
         }
+        let (name, other) = (name.get_ref().as_str(), used.text.as_str());
+        let (message, help) = if name == other {
+            (format!("`{name}` is derived from itself"), "derive it from other names")
+        } else if leads_to(other, name, rest, &mut Vec::new()) {
+            let message = format!("`{name}` and `{other}` are derived from each other");
+            (message, "derive one of the two from the parameters alone")
+        } else {
+            let message = format!("`{name}` is derived from `{other}`, which comes later");
+            (message, "put the names in the order in which they follow")
+        };
+        faults.report_with_help(faults.place(words, used.span), message, "not known here yet", help);
     }
+}
+
+/// Is a derived name needed, by way of others or not, for another?
+fn leads_to(from: &str, to: &str, all: &[(Words, Words)], seen: &mut Vec<String>) -> bool {
+    if seen.iter().any(|name| name == from) {
+        return false;
+    }
+    seen.push(from.to_owned());
+    let Some((_, words)) = all.iter().find(|(name, _)| name.get_ref() == from) else { return false };
+    let Ok(expr) = read(words.get_ref(), Angles::Degrees) else { return false };
+    expr.names().iter().any(|name| name.text == to || leads_to(&name.text, to, all, seen))
 }
 
 /// A new name must be one, and must not mean something already.
@@ -324,7 +345,14 @@ fn new_name(what: &str, name: &Words, letters: &[&str], faults: &mut Faults) {
     faults.report_with_help(name.span(), message, label, help);
 }
 
-fn require(written: &[Words], style: Option<usize>, used: &mut NamesUsed, faults: &mut Faults) -> Vec<Requirement> {
+fn require(
+    written: &[Words],
+    before: &[Words],
+    style: Option<usize>,
+    used: &mut NamesUsed,
+    faults: &mut Faults,
+) -> Vec<Requirement> {
+    faults.twice("the requirement", before, written);
     let mut found = Vec::new();
     for words in written {
         match Requirement::read(words.get_ref()) {
