@@ -101,6 +101,8 @@ fn looked_through(
         let handed_in = together(script, &part.label);
         let mut examined = examine(question, part, &handed_in.working, &theirs);
         let (mut answers, judged) = answers::judged(part, &handed_in, profile, memory, &examined);
+        let readings = judged.iter().map(|judged| judged.readings.as_deref());
+        examined.see_in_answers(question, part, &theirs, readings);
         let followed = follow::answers(question, part, &answers, &judged, &examined);
         follow::say(&mut answers, &followed);
         by_lines = by_lines.go_on(part, &examined.awards, question.scene.then.is_empty());

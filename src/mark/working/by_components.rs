@@ -9,7 +9,7 @@ use super::prepared::Prepared;
 use super::spread::Spread;
 use super::theirs::unknown_sphere;
 use crate::expr::Expr;
-use crate::mechanics::{Axis, Moment, Quantity, Setting, Sphere};
+use crate::mechanics::{Axis, Moment, Quantity, Sphere};
 
 /// Momentum along an axis, with one unknown.
 #[derive(Clone, Debug)]
@@ -25,7 +25,9 @@ pub(super) struct AlongAxis {
 
 /// The two equations that agree best, along i and along j.
 pub(super) fn momentum_by_components(lines: &[Studied], prepared: &Prepared) -> Option<[AlongAxis; 2]> {
-    let unknown = unknown_sphere(prepared).filter(|_| prepared.setting == Setting::Oblique)?;
+    let unknown = unknown_sphere(prepared)?;
+    // A particle alone has no momentum to share.
+    size(&prepared.known[0], Quantity::Mass(unknown.other()))?;
     let along = |axis| -> Vec<AlongAxis> {
         let each = lines.iter().enumerate().flat_map(|(place, studied)| {
             let equations = studied.reading.iter().flat_map(|reading| &reading.equations).enumerate();

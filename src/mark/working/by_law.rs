@@ -252,17 +252,22 @@ impl Working<'_> {
 
     /// The components across the line of centres, of every sphere that has one, seen.
     fn unchanged(&self) -> Option<Evidence> {
-        let across = Sphere::BOTH.into_iter().filter_map(|sphere| {
-            let across = sizes(&self.prepared.known, Quantity::Velocity(sphere, Moment::Before, Axis::T))?;
-            across.iter().any(|size| size.abs() > 1e-9).then_some((sphere, across))
-        });
-        let across: Vec<(Sphere, Vec<f64>)> = across.collect();
+        let across = self.across();
         let seen = |(sphere, right): &(Sphere, Vec<f64>)| {
             self.lines.iter().position(|studied| self.shows_component(studied, *sphere, right))
         };
         let places: Option<Vec<usize>> = across.iter().map(seen).collect();
         let last = places?.into_iter().max()?;
         Some(Evidence::given(last, "the component perpendicular to the line of centres"))
+    }
+
+    /// The components across the line of centres before the impact, of every sphere that has one.
+    pub(super) fn across(&self) -> Vec<(Sphere, Vec<f64>)> {
+        let across = Sphere::BOTH.into_iter().filter_map(|sphere| {
+            let across = sizes(&self.prepared.known, Quantity::Velocity(sphere, Moment::Before, Axis::T))?;
+            across.iter().any(|size| size.abs() > 1e-9).then_some((sphere, across))
+        });
+        across.collect()
     }
 
     /// Does a line show this component: as a value, in Pythagoras, in a tangent, or in a vector?
@@ -283,6 +288,10 @@ impl Working<'_> {
             return true;
         }
         let Some(reading) = &studied.reading else { return false };
+        let is_own = |member: &&Member| !is_called_otherwise(member, sphere);
+        if reading.members.iter().filter(is_own).any(|member| self.has_component_beside_unknown(&member.expr, sphere)) {
+            return true;
+        }
         let is_tangent = |member: &Member| member.label.as_ref().is_some_and(|label| label.trim().starts_with("tan"));
         let is_open = |member: &&Member| studied.matched.is_empty() && !self.says_along(studied, member);
         let formulas = reading.members.iter().filter(is_open);
@@ -322,7 +331,7 @@ impl Working<'_> {
     }
 
     /// Is it a vector with this component, and not the one that was given? Along i or j it keeps its sign.
-    fn has_component(&self, values: &[Value], sphere: Sphere, right: &[f64]) -> bool {
+    pub(super) fn has_component(&self, values: &[Value], sphere: Sphere, right: &[f64]) -> bool {
         let known = |quantity| sizes(&self.prepared.known, quantity);
         let before = |axis| known(Quantity::Velocity(sphere, Moment::Before, axis));
         // Components of a speed that is given with an angle have been found.

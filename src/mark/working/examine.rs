@@ -32,6 +32,8 @@ pub(crate) struct Examined {
     pub(crate) stated: Vec<Option<Reading>>,
     /// Everything that follows from them, at every point, where that was worked out to look through the lines.
     pub(super) followed: Option<Vec<Known<f64>>>,
+    /// What the student's own two equations come to, where they are those of the first impact.
+    pub(super) solution: Option<[Vec<f64>; 2]>,
     /// What each line is short of one of the two equations, if it is one.
     pub(super) short_of_law: Vec<Option<u32>>,
 }
@@ -131,13 +133,15 @@ pub(super) fn examine_one(
     evaluate(&mut working.lines, prepared, &working.names);
     let awards = part.scheme.iter().map(|mark| working.award(mark)).collect();
     let stated = part.blanks.iter().map(|blank| stated(&working.lines, blank)).collect();
+    let solution = working.own_solution();
     let lines = working.lines.iter().map(|studied| MarkedLine {
         typed: studied.line.typed.clone(),
         reading: studied.reading.as_ref().map(|reading| reading.printed.clone()),
         role: part.setting.say(&studied.role).into_owned(),
     });
     let lines = lines.collect();
-    Examined { awards, lines, theirs: working.theirs, stated, followed: Some(working.followed), short_of_law }
+    let (theirs, followed) = (working.theirs, Some(working.followed));
+    Examined { awards, lines, theirs, stated, followed, solution, short_of_law }
 }
 
 /// What the last line states of a blank by a name in words, `speed of B = 8`; letters are known from the equations.
@@ -319,7 +323,8 @@ impl Working<'_> {
                 && equations.any(|equation| self.has_one_unknown(equation, convention))
         };
         let mut lines = self.lines.iter().enumerate();
-        let line = lines.position(|(place, studied)| states(studied) || eliminates((place, studied)))?;
+        let line = lines.position(|(place, studied)| states(studied) || eliminates((place, studied)));
+        let line = line.or_else(|| self.solved_in_vectors())?;
         Some(Shown { line, given: true, note: None, feedback: String::new(), role: "the equations solved".to_owned() })
     }
 

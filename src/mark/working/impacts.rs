@@ -12,8 +12,7 @@ use crate::mechanics::{Law, Meeting, Quantity, Sphere};
 pub(crate) fn examine(question: &KeyedQuestion, part: &KeyedPart, working: &[String], before: &Theirs) -> Examined {
     if working.is_empty() {
         let awards = part.scheme.iter().map(|_| None).collect();
-        let (lines, short_of_law) = (Vec::new(), Vec::new());
-        return Examined { awards, lines, theirs: before.clone(), stated: Vec::new(), followed: None, short_of_law };
+        return Examined::with(awards, Vec::new(), before);
     }
     if question.scene.then.is_empty() {
         return examine_one(question, part, working, before, &[]);
@@ -62,7 +61,7 @@ fn examine_later(
         role: line.role.parse().map_or(line.role, |quantity| meeting.quantity(quantity).to_string()),
         ..line
     });
-    Some(Examined { lines: lines.collect(), theirs, followed: None, ..examined })
+    Some(Examined { lines: lines.collect(), theirs, followed: None, solution: None, ..examined })
 }
 
 /// Is the first impact the business of an earlier part alone, so that letters here are of what comes later?
@@ -106,8 +105,13 @@ impl Examined {
         let awards = part.scheme.iter().map(|_| None).collect();
         let line = |typed: &String| MarkedLine { typed: typed.clone(), reading: None, role: String::new() };
         let lines = working.iter().map(line).collect();
-        let stated = Vec::new();
-        Examined { awards, lines, theirs: before.clone(), stated, followed: None, short_of_law: Vec::new() }
+        Examined::with(awards, lines, before)
+    }
+
+    /// Nothing found but this.
+    fn with(awards: Vec<Option<Award>>, lines: Vec<MarkedLine>, before: &Theirs) -> Examined {
+        let (theirs, stated, short_of_law) = (before.clone(), Vec::new(), Vec::new());
+        Examined { awards, lines, theirs, stated, followed: None, solution: None, short_of_law }
     }
 
     /// Without what was found of marks that are about another impact.
@@ -131,7 +135,7 @@ impl Examined {
             }
         }
         self.theirs = later.theirs;
-        self.followed = None;
+        (self.followed, self.solution) = (None, None);
         let both = self.short_of_law.len().max(later.short_of_law.len());
         self.short_of_law.resize(both, None);
         for (own, other) in self.short_of_law.iter_mut().zip(later.short_of_law) {

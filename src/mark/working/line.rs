@@ -185,7 +185,7 @@ fn may_have_column(typed: &str) -> bool {
 /// With the words of which a colon says that they are its name.
 fn candidates(typed: &str) -> Vec<(Option<&str>, String)> {
     let typed = typed.trim_start_matches(['∴', '→', '⇒', '•']).trim_start_matches("=>").trim();
-    let typed = REMARKS.iter().find_map(|remark| typed.strip_suffix(remark)).unwrap_or(typed).trim();
+    let typed = without_remark(typed);
     // A bullet stands apart; a minus sign does not.
     let typed = ["- ", "* "].iter().find_map(|bullet| typed.strip_prefix(bullet)).unwrap_or(typed).trim();
     let typed = LEAD_INS.iter().find_map(|word| typed.strip_prefix(word)?.strip_prefix(' ')).unwrap_or(typed).trim();
@@ -231,9 +231,24 @@ fn turned_round(typed: &str) -> Option<String> {
 /// How the sign of a scalar product stands between two vectors.
 const SCALAR_PRODUCTS: [&str; 7] = [").(", ") . (", ")·(", ") · (", ")•(", ") • (", ")⋅("];
 
-/// What is said of a component that stays as it is.
-const REMARKS: [&str; 6] =
-    [" unchanged", " (unchanged)", ", unchanged", " is unchanged", " remains unchanged", " stays the same"];
+/// A line without what it says at its end of a component that stays as it is: `, which remains the same`.
+fn without_remark(typed: &str) -> &str {
+    let words = typed.rsplit(' ').take_while(|word| {
+        let word = word.trim_matches(['(', ')', ',', '.', ';']);
+        STAYS.contains(&word) || BESIDE_STAYS.contains(&word)
+    });
+    let words: Vec<&str> = words.collect();
+    let says_so = words.iter().any(|word| STAYS.contains(&word.trim_matches(['(', ')', ',', '.', ';'])));
+    let length: usize = words.iter().map(|word| word.len() + 1).sum();
+    match typed.len().checked_sub(length).filter(|length| says_so && *length > 0) {
+        Some(length) => typed[..length].trim_end_matches([' ', ',', ';', '-', '–']),
+        None => typed,
+    }
+}
+
+/// Words that say of a component that it stays as it is, and others that stand with them.
+const STAYS: [&str; 8] = ["unchanged", "same", "stay", "stays", "remain", "remains", "unaffected", "constant"];
+const BESIDE_STAYS: [&str; 9] = ["is", "are", "the", "as", "before", "which", "both", "after", "impact"];
 
 /// Is it a function or `sinθ`, which looks like a word?
 fn is_formula(word: &str) -> bool {

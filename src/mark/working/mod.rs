@@ -16,6 +16,7 @@ mod evidence;
 mod examine;
 mod impacts;
 mod impulse;
+mod in_answers;
 mod line;
 mod linear;
 mod own;

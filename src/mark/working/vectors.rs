@@ -244,6 +244,33 @@ impl Working<'_> {
         groups
     }
 
+    /// `-3i + vj`: is it a vector with the component across the line of centres, and an unknown along it?
+    pub(super) fn has_component_beside_unknown(&self, expr: &Expr, sphere: Sphere) -> bool {
+        let lies =
+            |axis| sizes(&self.prepared.known, Quantity::Line(axis)).is_some_and(|line| line[0].abs() > 1.0 - 1e-9);
+        let across = match [Axis::X, Axis::Y].map(lies) {
+            [true, _] => Axis::Y,
+            [_, true] => Axis::X,
+            _ => return false,
+        };
+        let Some(own) = sizes(&self.prepared.known, Quantity::Velocity(sphere, Moment::Before, across)) else {
+            return false;
+        };
+        (0..self.prepared.points.count).all(|point| {
+            let (across, along) = match super::linear::sum(expr, &super::examine::context(self.prepared, point)) {
+                Some(super::linear::Sum::Vector(x, y)) => {
+                    if across == Axis::X {
+                        (x, y)
+                    } else {
+                        (y, x)
+                    }
+                }
+                _ => return false,
+            };
+            across.is_number() && across.constant.may_be(own[point]) && !along.is_number()
+        })
+    }
+
     /// Is there a vector along the line of centres?
     fn has_line(&self, studied: &Studied) -> bool {
         let line = |axis| sizes(&self.prepared.known, Quantity::Line(axis));

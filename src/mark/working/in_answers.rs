@@ -1,0 +1,229 @@
+//! What answers show of the steps that lead to them, though they are wrong: a component that has not changed, and the
+//! solution of the student's own equations.
+
+use std::borrow::Cow;
+
+use super::convention::differences;
+use super::examine::{Examined, Value, Working, value};
+use super::linear::Linear;
+use super::pair::BOTH;
+use super::points::sizes;
+use super::prepared::Prepared;
+use super::theirs::Theirs;
+use super::values::along_for;
+use crate::bank::{EarnedFor, Find};
+use crate::expr::Expr;
+use crate::mark::award::{Award, Evidence, Examiner, Place};
+use crate::mark::key::{KeyedMark, KeyedPart, KeyedQuestion};
+use crate::mark::reading::{Form, Reading};
+use crate::mechanics::{Axis, Law, Moment, Quantity, Seen, Sphere};
+
+impl Examined {
+    /// Gives the marks for steps that no line shows and the answers do; `before` is what the student found in earlier parts.
+    pub(crate) fn see_in_answers<'r>(
+        &mut self,
+        question: &KeyedQuestion,
+        part: &KeyedPart,
+        before: &Theirs,
+        answers: impl Iterator<Item = Option<&'r [Reading]>>,
+    ) {
+        let is_open = |mark: &KeyedMark, award: &Option<Award>| {
+            let law = match mark.earned_for {
+                EarnedFor::Law(law, _) if matches!(law.seen(), Seen::Unchanged | Seen::Unknown) => law,
+                _ => return None,
+            };
+            award.as_ref().is_none_or(|award| !award.given).then_some(law)
+        };
+        let marks = part.scheme.iter().zip(&self.awards).enumerate();
+        let open: Vec<(usize, Law)> =
+            marks.filter_map(|(place, (mark, award))| Some((place, is_open(mark, award)?))).collect();
+        if open.is_empty() {
+            return;
+        }
+        let said: Vec<Option<(Expr, String)>> = answers.map(|readings| said(readings?)).collect();
+        for (place, law) in open {
+            let mark = &part.scheme[place];
+            let shown = match law.seen() {
+                Seen::Unchanged => unchanged(question, part, before, &said),
+                _ => self.solution.as_ref().and_then(|solution| solved(question.prepared(), part, solution, &said)),
+            };
+            let Some(blank) = shown else { continue };
+            let reading = said[blank].as_ref().map(|(_, printed)| printed.clone()).unwrap_or_default();
+            self.awards[place] = Some(Award {
+                id: mark.id.clone(),
+                code: mark.code,
+                given: true,
+                by: Examiner::Marker,
+                note: None,
+                evidence: Some(Evidence { place: Place::Answer(blank), reading }),
+                feedback: String::new(),
+            });
+        }
+    }
+}
+
+/// The value or the vector that an answer ends with, and how the answer is read.
+fn said(readings: &[Reading]) -> Option<(Expr, String)> {
+    let reading = readings.first()?;
+    let expr = match &reading.statements.last()?.said.last()?.form {
+        Form::Value(expr) => expr.clone(),
+        Form::Vector(x, y, _) => Expr::Vector(Box::new(x.clone()), Box::new(y.clone())),
+        _ => return None,
+    };
+    Some((expr, reading.printed.clone()))
+}
+
+/// The last blank with a vector, if the component across the line of centres is in those of all spheres that have one.
+fn unchanged(
+    question: &KeyedQuestion,
+    part: &KeyedPart,
+    before: &Theirs,
+    said: &[Option<(Expr, String)>],
+) -> Option<usize> {
+    let vectors = part.blanks.iter().zip(said).enumerate().filter_map(|(place, (blank, said))| match blank.find {
+        Find::Vector(x, _) => Some((place, x, &said.as_ref()?.0)),
+        _ => None,
+    });
+    let vectors: Vec<(usize, Quantity, &Expr)> = vectors.collect();
+    let (last, first, _) = *vectors.last()?;
+    let meeting = question.meeting(first.impact());
+    let impact = match meeting {
+        Some(meeting) => question.impact(meeting, before)?,
+        None => Cow::Borrowed(question),
+    };
+    let working = Working::without_lines(&impact, part);
+    let of = |quantity: Quantity| match meeting {
+        Some(meeting) => meeting.in_law(quantity),
+        None => Some(quantity),
+    };
+    let has = |(sphere, right): &(Sphere, Vec<f64>)| {
+        vectors.iter().any(|(_, quantity, expr)| {
+            let is_own = of(*quantity).is_some_and(
+                |quantity| matches!(quantity, Quantity::Velocity(own, Moment::After, _) if own == *sphere),
+            );
+            let values = value(expr, working.prepared, &working.prepared.names);
+            is_own && values.is_some_and(|values| working.has_component(&values, *sphere, right))
+        })
+    };
+    let across = working.across();
+    (!across.is_empty() && across.iter().all(has)).then_some(last)
+}
+
+/// A blank with what the student's own equations come to for one of the spheres.
+fn solved(
+    prepared: &Prepared,
+    part: &KeyedPart,
+    solution: &[Vec<f64>; 2],
+    said: &[Option<(Expr, String)>],
+) -> Option<usize> {
+    let of = |sphere: Sphere| &solution[usize::from(sphere == Sphere::B)];
+    let is = |(find, said): (&Find, &Option<(Expr, String)>)| {
+        let Some(values) = said.as_ref().and_then(|(expr, _)| value(expr, prepared, &prepared.names)) else {
+            return false;
+        };
+        match find {
+            Find::Quantity(Quantity::Speed(sphere, Moment::After)) => {
+                let across = sizes(&prepared.known, Quantity::Velocity(*sphere, Moment::After, Axis::T));
+                let speed = |(point, along): (usize, &f64)| along.hypot(across.as_ref().map_or(0.0, |all| all[point]));
+                are_sizes(&values, &of(*sphere).iter().enumerate().map(speed).collect::<Vec<f64>>())
+            }
+            Find::Quantity(quantity) => match along_for(*quantity, prepared) {
+                Quantity::Velocity(sphere, Moment::After, Axis::N) => are_sizes(&values, of(sphere)),
+                _ => false,
+            },
+            Find::Vector(Quantity::Velocity(sphere, Moment::After, _), _) => are_along(&values, of(*sphere), prepared),
+            _ => false,
+        }
+    };
+    let finds: Vec<&Find> = part.blanks.iter().map(|blank| &blank.find).collect();
+    finds.into_iter().zip(said).position(is)
+}
+
+/// Are they these numbers but for their signs, rounded perhaps on the way?
+fn are_sizes(values: &[Value], sizes: &[f64]) -> bool {
+    values.iter().zip(sizes).all(|(value, size)| match value {
+        Value::Number(number) => is_near(number.middle().abs(), size.abs()),
+        Value::Vector(..) => false,
+    })
+}
+
+/// Are they vectors with these components along the line of centres?
+fn are_along(values: &[Value], sizes: &[f64], prepared: &Prepared) -> bool {
+    values.iter().zip(sizes).zip(&prepared.known).all(|((value, size), known)| {
+        let line = [Axis::X, Axis::Y].map(|axis| known.number(Quantity::Line(axis)));
+        match (value, line) {
+            (Value::Vector(x, y), [Some(i), Some(j)]) => is_near(x.middle() * i + y.middle() * j, *size),
+            _ => false,
+        }
+    })
+}
+
+fn is_near(own: f64, other: f64) -> bool {
+    other.abs() > 1e-9 && (own - other).abs() <= 0.005 * other.abs()
+}
+
+impl<'a> Working<'a> {
+    /// Nothing but the question.
+    fn without_lines(question: &'a KeyedQuestion, part: &'a KeyedPart) -> Working<'a> {
+        Working {
+            question,
+            prepared: question.prepared(),
+            part,
+            lines: Vec::new(),
+            convention: None,
+            theirs: Theirs::default(),
+            followed: Vec::new(),
+            names: Vec::new(),
+            by_numbers: Default::default(),
+        }
+    }
+
+    /// What the student's own two equations come to: the components along the line of centres, from A to B, at every point.
+    pub(super) fn own_solution(&self) -> Option<[Vec<f64>; 2]> {
+        let (convention, laws) = (self.convention.as_ref()?, self.prepared.laws.as_ref()?);
+        let is_law = |linear: &Vec<Linear>, law: Quantity| {
+            laws.matched(linear, convention).is_some_and(|matched| matched.equation == law)
+        };
+        let equation = |law: Quantity| {
+            let own = self.lines.iter().filter_map(|studied| {
+                let matched = studied.matched.iter().find(|matched| matched.equation == law)?;
+                Some((matched.weight(), studied))
+            });
+            let (_, best) = own.min_by_key(|(weight, _)| *weight)?;
+            let mut linear = best
+                .reading
+                .iter()
+                .flat_map(|reading| &reading.equations)
+                .filter_map(|e| differences(e, self.prepared));
+            linear.find(|linear| is_law(linear, law))
+        };
+        let [momentum, restitution] = BOTH.map(equation);
+        let numbers = |linear: &Linear| {
+            let [v, w] =
+                [0, 1].map(|place| linear.before(&convention.letters[place]).middle() * convention.signs[place]);
+            [v, w, -linear.constant.middle()]
+        };
+        let each = momentum.iter().flatten().zip(restitution.iter().flatten()).map(|(one, other)| {
+            let ([p, q, r], [s, t, u]) = (numbers(one), numbers(other));
+            let determinant = p * t - q * s;
+            let solution = [(r * t - u * q) / determinant, (p * u - s * r) / determinant];
+            solution.iter().all(|number| number.is_finite()).then_some(solution)
+        });
+        let each: Vec<[f64; 2]> = each.collect::<Option<_>>()?;
+        let of = |place: usize| each.iter().map(|solution| solution[place]).collect::<Vec<f64>>();
+        (each.len() == self.prepared.points.count).then(|| [of(0), of(1)])
+    }
+
+    /// A line with a vector that has in it what the student's own equations come to.
+    pub(super) fn solved_in_vectors(&self) -> Option<usize> {
+        let solution = self.own_solution()?;
+        self.lines.iter().position(|studied| {
+            // Without what the letters have been found to be: `vi + 2j` solves nothing.
+            let mut members = studied.reading.iter().flat_map(|reading| &reading.members);
+            members.any(|member| {
+                let values = value(&member.expr, self.prepared, &self.prepared.names);
+                values.is_some_and(|values| solution.iter().any(|own| are_along(&values, own, self.prepared)))
+            })
+        })
+    }
+}
