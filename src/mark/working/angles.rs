@@ -60,6 +60,20 @@ fn put_short_letters_in_place(lines: &mut [Line], prepared: &Prepared) {
         for reading in line.readings.iter_mut().filter(|_| !known.is_empty()) {
             put_everywhere(reading, &put);
         }
+        // `tan δ = 35t/(9 + 44t²), t = tan α`: the line itself is written with it.
+        let members = line.readings.iter().flat_map(|reading| &reading.members);
+        let here: Vec<(String, Expr)> = members
+            .filter(|member| argument(&member.expr).is_some())
+            .filter_map(|member| short(member, prepared))
+            .collect();
+        let put = |expr: &Expr| {
+            expr.substitute(&|name| {
+                here.iter().find(|(own, _)| own == name && !used.contains(own)).map(|(_, put)| put.clone())
+            })
+        };
+        for reading in line.readings.iter_mut().filter(|reading| reading.equations.len() > 1) {
+            put_everywhere(reading, &put);
+        }
         let members = line.readings.iter().flat_map(|reading| &reading.members);
         let defined: Vec<(String, Expr)> = members.filter_map(|member| short(member, prepared)).collect();
         for (letter, value) in defined {
@@ -87,7 +101,7 @@ fn short(member: &Member, prepared: &Prepared) -> Option<(String, Expr)> {
 }
 
 /// May it be a letter for something known? Others stand for what is to be found, by the custom of the subject.
-fn is_short(letter: &str) -> bool {
+pub(super) fn is_short(letter: &str) -> bool {
     const SOUGHT: [char; 18] =
         ['v', 'w', 'x', 'y', 'V', 'W', 'X', 'Y', 'I', 'J', 'E', 'e', 'm', 'M', 'i', 'A', 'B', 'C'];
     let is_greek = letter.len() > 2 && !letter.contains('_');

@@ -1,5 +1,8 @@
 //! A line of working as a student writes it: a few words, then an equation, a chain of equals signs, or values.
 
+use std::borrow::Cow;
+
+use super::angles::is_short;
 use crate::expr::{Expr, Relation};
 use crate::mark::reading::{Form, Reading, Said, Statement, Vocabulary, is_never_letters, read_whole};
 use crate::number::{Letter, Range};
@@ -90,7 +93,9 @@ pub(super) fn read(working: &[String], letters: &[Letter], vectors: bool) -> Vec
         Vocabulary { letters: all, vectors }
     };
     let capitals = own_capitals(working, letters);
-    let usual: Vec<&str> = UNKNOWNS.into_iter().chain(GIVEN).chain(capitals.iter().map(String::as_str)).collect();
+    let short = short_letters(working, letters);
+    let own = capitals.iter().chain(&short).map(String::as_str);
+    let usual: Vec<&str> = UNKNOWNS.into_iter().chain(GIVEN).chain(own).collect();
     let doubtful: Vec<&str> = usual.iter().copied().chain(DOUBTFUL).collect();
     let own: Vec<&str> = doubtful.iter().copied().chain(OWN).collect();
     let mut vocabularies = vec![with(&usual), with(&doubtful), with(&own)];
@@ -123,8 +128,37 @@ fn own_capitals(working: &[String], letters: &[Letter]) -> Vec<String> {
         .collect()
 }
 
+/// Letters that a student sets equal to a sine, cosine or tangent, or to a component: `let T = tan α`, `k = v cos α`.
+fn short_letters(working: &[String], letters: &[Letter]) -> Vec<String> {
+    const FUNCTIONS: [&str; 3] = ["sin", "cos", "tan"];
+    let mut found: Vec<String> = Vec::new();
+    for typed in
+        working.iter().flat_map(|cell| cell.lines()).filter(|line| FUNCTIONS.iter().any(|name| line.contains(name)))
+    {
+        let sides: Vec<&str> = typed.split('=').collect();
+        for pair in sides.windows(2) {
+            let mut before = pair[0].trim_end().chars().rev();
+            let (letter, stands_alone) =
+                (before.next(), before.next().is_none_or(|sign| !sign.is_alphanumeric() && sign != '_'));
+            let value = pair[1].split([',', ';']).next().unwrap_or_default();
+            let Some(letter) = letter.filter(|_| stands_alone).map(String::from) else { continue };
+            let is_new = letters.iter().all(|own| own.name() != letter) && !found.contains(&letter);
+            if is_new && is_short(&letter) && FUNCTIONS.iter().any(|name| value.contains(name)) {
+                found.push(letter);
+            }
+        }
+    }
+    found
+}
+
 fn readings(typed: &str, vocabularies: &[Vocabulary]) -> Vec<ReadLine> {
     let mut found: Vec<ReadLine> = Vec::new();
+    // What a letter stands for is no aside here: `… = 35t/(9 + 44t²), where t = tan α`.
+    let listed = match typed.split_once(" where ").filter(|(_, after)| after.contains('=')) {
+        Some((before, after)) => Cow::Owned(format!("{}, {after}", before.trim_end_matches(','))),
+        None => Cow::Borrowed(typed),
+    };
+    let typed = &*listed;
     let may_equate =
         typed.contains(['=', '≈', '<', '>', '≤', '≥']) || typed.contains("equal") || typed.contains(" is ");
     for (place, vocabulary) in vocabularies.iter().enumerate() {
