@@ -6,14 +6,14 @@
 
 use crate::answer::Kind;
 use crate::expr::Expr;
-use crate::mark::reading::Statement;
+use crate::mark::reading::{Statement, is_strange};
 use crate::mechanics::{Axis, Moment, Quantity};
-use crate::unit::Unit;
 
 use super::finding::Finding;
-use super::otherwise::{is_another_of_its_sort, remark_names_another};
-use super::spheres::{named_sphere, sphere};
-use super::{Model, Note, left_side};
+use super::letters::of_letter;
+use super::otherwise::{is_another_of_its_sort, is_changed_to, remark_names_another};
+use super::spheres::{self, named_sphere, sphere};
+use super::{Model, Note};
 
 /// What a name is the name of.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,10 +35,11 @@ pub(super) enum Sort {
 
 /// What was found of a value, if it is called what is asked for.
 pub(super) fn as_called(model: &Model, statement: &Statement, finding: Finding) -> Finding {
-    let Some((label, asked)) = statement.label.as_ref().zip(model.quantity) else { return finding };
-    if !finding.is_credited() {
-        return finding;
+    let Some(label) = statement.label.as_ref().filter(|_| finding.is_credited()) else { return finding };
+    if label.expr.is_none() && spheres::words_without_commands(&label.typed).any(is_strange) {
+        return Finding::unreadable(Note::NamedOtherwise);
     }
+    let Some(asked) = model.quantity else { return finding };
     let others = named_sphere(statement).is_some_and(|named| match sphere(asked) {
         Some(asked) => named != asked,
         None => model.is_of_both,
@@ -216,9 +217,9 @@ pub(super) fn sort(word: &str) -> Option<Sort> {
         "impulse" | "momentum" => Some(Sort::Impulse),
         "angle" | "angles" | "direction" => Some(Sort::Angle),
         "bearing" => Some(Sort::Bearing),
-        "acceleration" | "work" | "distance" => Some(Sort::Unasked),
+        "acceleration" | "work" | "distance" | "force" | "time" => Some(Sort::Unasked),
         "deflection" | "deflected" | "turned" => Some(Sort::Deflection),
-        "restitution" => Some(Sort::Restitution),
+        "restitution" | "cor" => Some(Sort::Restitution),
         "mass" => Some(Sort::Mass),
         _ => None,
     }
@@ -239,71 +240,6 @@ pub(super) fn suits(asked: Quantity, sort: Sort) -> bool {
         Restitution => sort == Sort::Restitution,
         Mass(_) | MassRatio => sort == Sort::Mass,
         _ => true,
-    }
-}
-
-/// Can what is asked be called by this name?
-pub(super) fn may_be_called(model: &Model, name: &str, typed: &str) -> bool {
-    let is_own = !left_side::is_given(model, name)
-        // A capital that was typed for itself.
-        || (typed.chars().count() == 1 && typed != name && typed.to_lowercase() == name);
-    let Some(asked) = model.quantity else { return !is_product(name) };
-    // A capital, though the question has an e.
-    if typed == "E" && suits(asked, Sort::Energy) {
-        return true;
-    }
-    let letter = of_letter(name);
-    // `v_x`: a component.
-    if matches!(asked, Quantity::Speed(..)) && matches!(name, "v_x" | "v_y" | "vx" | "vy" | "V_x" | "V_y") {
-        return false;
-    }
-    match is_own {
-        true => !is_product(name) && letter.is_none_or(|letter| letter_suits(asked, letter)),
-        false => {
-            matches!((asked, letter), (Quantity::Restitution, Some(Sort::Restitution)) | (Quantity::Alpha, Some(_)))
-        }
-    }
-}
-
-/// `mv`: two letters of quantities side by side, and no letter with its subscript.
-fn is_product(name: &str) -> bool {
-    (2..=3).contains(&name.len()) && name.chars().all(|letter| "mMuvwVIe".contains(letter))
-}
-
-/// What a letter stands for by the custom of the subject, whatever its subscript.
-pub(super) fn of_letter(name: &str) -> Option<Sort> {
-    if matches!(name, "alpha" | "beta" | "gamma" | "delta" | "theta" | "phi" | "psi") {
-        return Some(Sort::Angle);
-    }
-    let mut letters = name.chars();
-    let first = letters.next()?;
-    let subscript = letters.as_str().trim_start_matches('_');
-    let is_subscript =
-        subscript.len() <= 2 && subscript.chars().all(|sign| "ABCPQabcpqxyntijkf0123456789".contains(sign));
-    if !is_subscript || matches!(name, "max" | "min") {
-        return None;
-    }
-    match first {
-        'u' | 'v' | 'w' | 'U' | 'V' | 'W' => Some(Sort::Speed),
-        'm' | 'M' => Some(Sort::Mass),
-        'I' | 'J' => Some(Sort::Impulse),
-        'E' | 'K' => Some(Sort::Energy),
-        'e' => Some(Sort::Restitution),
-        'α' | 'β' | 'γ' | 'δ' | 'θ' | 'φ' | 'ψ' => Some(Sort::Angle),
-        _ => None,
-    }
-}
-
-/// May the quantity be called by such a letter?
-fn letter_suits(asked: Quantity, letter: Sort) -> bool {
-    use Quantity::*;
-    let is_speed = matches!(asked, Velocity(..) | Speed(..) | Approach | Separation);
-    match letter {
-        Sort::Speed | Sort::Velocity => is_speed,
-        Sort::Angle | Sort::Deflection => asked.unit() == Unit::Degree,
-        // A capital may be meant for the coefficient.
-        Sort::Energy => asked == Restitution || (!is_speed && suits(asked, letter)),
-        _ => asked.unit() != Unit::Degree && !left_side::is_tangent(Some(asked)) && suits(asked, letter),
     }
 }
 
@@ -340,6 +276,10 @@ pub(super) fn words_fit(model: &Model, typed: &str) -> bool {
     let is_loss = is_of_loss(asked);
     let is_share = asked != Quantity::FractionLost && has(&["fraction", "percentage", "proportion"]);
     if is_loss && (has(&["pe", "gpe", "potential"]) || is_share || small.contains('+')) {
+        return false;
+    }
+    // `total KE`, `KE falls to`
+    if is_loss && ((has(&["total"]) && !has(&LOSSES)) || is_changed_to(&small)) {
         return false;
     }
     if is_loss {

@@ -14,11 +14,11 @@ use crate::mechanics::Quantity;
 use crate::number::{Places, round};
 
 use super::accuracy::Written;
-use super::called;
 use super::exact::{self, Equality};
 use super::finding::Finding;
 use super::statements::One;
 use super::{Model, Note, angle, number, vector};
+use super::{called, letters};
 
 /// What the left side is to the value on the right.
 pub(super) enum Left {
@@ -62,7 +62,7 @@ pub(super) fn of(model: &Model, label: &Label) -> Left {
     match expr {
         // `|−1|`
         number if number.names().is_empty() => Left::Name,
-        Expr::Name(name) => match called::may_be_called(model, &name.text, typed) {
+        Expr::Name(name) => match letters::may_be_called(model, &name.text, typed) {
             true => Left::Name,
             false => Left::Another,
         },
@@ -179,7 +179,7 @@ fn unknown(model: &Model, expr: &Expr) -> Option<Equation> {
     let own: Vec<String> = distinct(expr).into_iter().filter(|name| !is_given(model, name)).collect();
     let [unknown] = own.as_slice() else { return None };
     let is_angle = is_tangent(model.quantity) && has_function(expr);
-    let fits = is_angle || called::may_be_called(model, unknown, unknown);
+    let fits = is_angle || letters::may_be_called(model, unknown, unknown);
     fits.then(|| Equation { left: expr.clone(), unknown: unknown.clone() })
 }
 

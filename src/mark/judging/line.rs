@@ -1,20 +1,39 @@
 //! The direction of a line: any vector along it, in either sense, or its gradient.
 
 use crate::expr::{Expr, Function, Meaning};
-use crate::mark::reading::{ACROSS, Form, Label, Said};
+use crate::mark::reading::{ACROSS, Form, Label, ReferenceLine, Said};
 
 use super::accuracy::{Coarsest, Written};
+use super::called::words;
 use super::exact::{self, Equality, same};
 use super::finding::Finding;
 use super::{Model, Note, number, selection, vector};
 
-/// Judges one value against a line.
+/// Judges one value against a line. What is said to be perpendicular to the line, or to be the tangent, must be so.
 pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
-    let Some((right_x, right_y)) = along(model) else { return Finding::unreadable(Note::CannotBeCompared) };
+    let Some((x, y)) = along(model) else { return Finding::unreadable(Note::CannotBeCompared) };
+    let has = |wanted: &[&str]| {
+        label.is_some_and(|label| words(&label.typed.to_lowercase()).any(|word| wanted.contains(&word)))
+    };
+    let is_across = said.reference == Some(ReferenceLine::AlongCommonTangent);
+    let is_of_tangent = has(&["tangent", "wall", "surface", "plane"]) != has(&["perpendicular", "perp"]);
+    let finding = match is_across != is_of_tangent {
+        true if compared(model, (&x, &y), said, label).is_credited() => Finding::unreadable(Note::CannotBeCompared),
+        true => compared(model, (&y.negated(), &x), said, label),
+        false => compared(model, (&x, &y), said, label),
+    };
+    // A change of velocity lies along the line of centres, and no velocity need do so.
+    let is_of_motion =
+        has(&["velocity", "speed", "vel", "path", "motion"]) && !has(&["change", "difference", "relative"]);
+    if finding.is_credited() && is_of_motion { Finding::unreadable(Note::NamedOtherwise) } else { finding }
+}
+
+/// The value against the line of a vector.
+fn compared(model: &Model, (right_x, right_y): (&Expr, &Expr), said: &Said, label: Option<&Label>) -> Finding {
     if let Form::Gradient(gradient) = &said.form {
-        let finding = by_gradient(model, &right_x, &right_y, gradient);
+        let finding = by_gradient(model, right_x, right_y, gradient);
         // Who calls the answer perpendicular to itself may speak of another line.
-        let turned = || by_gradient(model, &right_x, &right_y, &Expr::integer(1).over(gradient.clone()).negated());
+        let turned = || by_gradient(model, right_x, right_y, &Expr::integer(1).over(gradient.clone()).negated());
         let is_across = said.remarks.iter().any(|remark| remark == ACROSS) && !gradient.is_zero();
         if is_across && !finding.is_credited() && turned().is_credited() {
             return Finding::unreadable(Note::CannotBeCompared);
@@ -22,7 +41,7 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Findin
         return finding;
     }
     if let Some((x, y, _)) = vector::said_components(model, said) {
-        return parallel(model, (&right_x, &right_y), (&x, &y));
+        return parallel(model, (right_x, right_y), (&x, &y));
     }
     // `45° below i`: which way it is measured is for a person to see.
     if let (Form::Value(angle), true) = (&said.form, selection::is_angular(said)) {
@@ -30,7 +49,7 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Findin
         let turned = Expr::integer(1).over(slope.clone());
         let slopes = [slope.clone(), turned.clone(), slope.negated(), turned.negated()];
         let size = |slope: &Expr| exact::value(slope, &model.vocabulary.letters).is_some();
-        let fits = |slope: &Expr| size(slope) && by_gradient(model, &right_x, &right_y, slope).is_credited();
+        let fits = |slope: &Expr| size(slope) && by_gradient(model, right_x, right_y, slope).is_credited();
         return if slopes.iter().any(fits) { Finding::unreadable(Note::CannotBeCompared) } else { Finding::WRONG };
     }
     let named = label.is_some_and(|label| {
@@ -39,7 +58,7 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Findin
     });
     match &said.form {
         Form::Value(gradient) if exact::unknown_letter(gradient, &model.vocabulary.letters).is_none() => {
-            let finding = by_gradient(model, &right_x, &right_y, gradient);
+            let finding = by_gradient(model, right_x, right_y, gradient);
             if named { finding } else { finding.at_most_partial(Note::GradientUnstated) }
         }
         Form::Mixed(_) => Finding::wrong(Note::NumberPlusVector),

@@ -15,6 +15,7 @@ mod exact;
 mod finding;
 mod known;
 mod left_side;
+mod letters;
 mod line;
 mod measured;
 mod model_text;
@@ -40,7 +41,7 @@ use crate::expr::Expr;
 use crate::mechanics::{Quantity, Setting};
 use crate::unit::Unit;
 
-use super::reading::{Reading, Said, Unreadable, Vocabulary};
+use super::reading::{Reading, Said, Unreadable, Vocabulary, is_strange};
 pub(super) use called::{is_named, is_of_a_part, may_be_named};
 use finding::Finding;
 use known::Prepared;
@@ -186,7 +187,8 @@ fn is_turned_by_words(model: &Model, reading: &Reading, finding: Finding) -> boo
         let mut words = remark.split(|letter: char| !letter.is_alphanumeric() && letter != '\'');
         let turned = is_direction && TURNS.iter().any(|turn| remark.contains(turn));
         let opposite = is_signed && OPPOSITES.iter().any(|turn| remark.contains(turn));
-        turned || opposite || words.any(|word| DENIALS.contains(&word))
+        // `7 (nonsense)`
+        turned || opposite || is_strange(remark.trim()) || words.any(|word| DENIALS.contains(&word))
     })
 }
 

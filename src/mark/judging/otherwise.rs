@@ -42,6 +42,10 @@ pub(super) fn remark_names_another(model: &Model, asked: Quantity, remarks: &[&S
     if !is_either && words(remark).any(of_relative_motion) {
         return true;
     }
+    // `2.78 lost`
+    if matches!(asked, Quantity::Speed(..) | Quantity::Velocity(..)) && tells_difference(remark) {
+        return true;
+    }
     let is_name = |word: &str| {
         let small = word.to_lowercase();
         FILLERS.contains(&small.as_str()) || sort(&small).is_some() || matches!(&*small, "a" | "b" | "c")
@@ -79,10 +83,59 @@ const PARTS: [&str; 4] = ["component", "components", "comp", "comps"];
 pub(super) const DIRECTED: [&str; 8] =
     ["along", "parallel", "perpendicular", "perp", "normal", "tangential", "horizontal", "vertical"];
 /// Words for a difference of velocities, as in `speed of separation`.
-const DIFFERENCES: [&str; 10] =
-    ["relative", "average", "mean", "separation", "approach", "change", "difference", "lost", "loss", "gained"];
-/// Words that tell a difference where `by` follows them.
-const CHANGES: [&str; 6] = ["increase", "increases", "increased", "decrease", "decreases", "decreased"];
+const DIFFERENCES: [&str; 14] = [
+    "relative",
+    "average",
+    "mean",
+    "separation",
+    "approach",
+    "change",
+    "difference",
+    "lost",
+    "loss",
+    "loses",
+    "gain",
+    "gains",
+    "gained",
+    "reduction",
+];
+/// Words that tell a difference unless `to` follows them.
+const CHANGES: [&str; 17] = [
+    "increase",
+    "increases",
+    "increased",
+    "decrease",
+    "decreases",
+    "decreased",
+    "reduced",
+    "reduces",
+    "falls",
+    "fell",
+    "drop",
+    "drops",
+    "dropped",
+    "slows",
+    "slowed",
+    "rises",
+    "rose",
+];
+
+/// Do the words tell how far something changes, and not to what?
+fn is_of_change(small: &str) -> bool {
+    let has = |wanted: &[&str]| words(small).any(|word| wanted.contains(&word));
+    has(&CHANGES) && !has(&["to"])
+}
+
+/// Do the words name a difference of velocities or of speeds?
+fn tells_difference(small: &str) -> bool {
+    words(small).any(|word| DIFFERENCES.contains(&word)) || is_of_change(small)
+}
+
+/// Do they tell to what something changes?
+pub(super) fn is_changed_to(small: &str) -> bool {
+    let has = |wanted: &[&str]| words(small).any(|word| wanted.contains(&word));
+    has(&CHANGES) && has(&["to"])
+}
 
 /// Do words that name a speed or a momentum name another than is asked: a component of a velocity, a difference of speeds?
 pub(super) fn is_another_of_its_sort(model: &Model, asked: Quantity, small: &str) -> bool {
@@ -91,11 +144,9 @@ pub(super) fn is_another_of_its_sort(model: &Model, asked: Quantity, small: &str
     match asked {
         Quantity::Speed(..) => {
             let is_directed = has(&DIRECTED) && !is_along();
-            // `by CLM` changes nothing.
-            let is_change = has(&["by"]) && has(&CHANGES);
-            has(&PARTS) || has(&DIFFERENCES) || is_directed || is_change
+            has(&PARTS) || is_directed || tells_difference(small)
         }
-        Quantity::Velocity(..) => has(&DIFFERENCES),
+        Quantity::Velocity(..) => tells_difference(small),
         Quantity::Impulse(..) | Quantity::ImpulseMagnitude => {
             let is_difference = || has(&["change", "difference", "lost", "loss", "gain", "gained", "minus"]);
             let is_state =

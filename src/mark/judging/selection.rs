@@ -16,8 +16,31 @@ use super::statements::is_rival;
 use super::{Model, exact};
 
 /// Words that take back the value beside them.
-const REJECTIONS: [&str; 9] =
-    ["reject", "rejected", "rejecting", "discard", "discarded", "disregard", "ignored", "inadmissible", "invalid"];
+const REJECTIONS: [&str; 23] = [
+    "reject",
+    "rejected",
+    "rejecting",
+    "discard",
+    "discarded",
+    "disregard",
+    "disregarded",
+    "ignore",
+    "ignored",
+    "inadmissible",
+    "invalid",
+    "scrap",
+    "scrapped",
+    "cancel",
+    "cancelled",
+    "canceled",
+    "delete",
+    "deleted",
+    "void",
+    "withdrawn",
+    "mistake",
+    "error",
+    "crossed",
+];
 
 /// The reading without what does not count; `None` if nothing is left of it.
 pub(super) fn counted<'r>(model: &Model, reading: &'r Reading) -> Option<Cow<'r, Reading>> {

@@ -4,7 +4,8 @@ use crate::expr::Expr;
 use crate::mark::reading::{Label, Statement};
 use crate::mechanics::{Quantity, Sphere};
 
-use super::called::{Sort, of_letter, sort, words};
+use super::called::{Sort, sort, words};
+use super::letters::of_letter;
 
 /// All that can take part in an impact.
 pub(super) const SPHERES: [Sphere; 3] = [Sphere::A, Sphere::B, Sphere::C];
@@ -66,7 +67,7 @@ fn ends_in_sphere(stem: &str) -> bool {
 }
 
 /// The words of a label; the commands of LaTeX are none.
-fn words_without_commands(typed: &str) -> impl Iterator<Item = &str> {
+pub(super) fn words_without_commands(typed: &str) -> impl Iterator<Item = &str> {
     let pieces = typed.split_inclusive(|letter: char| !letter.is_alphanumeric());
     let after_stroke = std::iter::once(false).chain(pieces.clone().map(|piece| piece.ends_with('\\')));
     let plain = pieces.zip(after_stroke).filter(|(_, is_command)| !is_command);

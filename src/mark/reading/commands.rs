@@ -1,5 +1,30 @@
 //! LaTeX commands that stand for a sign or a word.
 
+use super::characters::Glyph;
+
+/// Has it two arguments, one above the other?
+pub(super) fn is_fraction(command: &str) -> bool {
+    matches!(command, "frac" | "dfrac" | "tfrac" | "cfrac")
+}
+
+/// The letters with which the glyphs begin.
+pub(super) fn spelt(glyphs: &[Glyph]) -> String {
+    glyphs.iter().map(|glyph| glyph.sign).take_while(char::is_ascii_alphabetic).collect()
+}
+
+/// The name of a fraction whose stroke is lost: `frac{25}{7}`.
+pub(super) fn bare_fraction(glyphs: &[Glyph], at: usize) -> Option<String> {
+    let begins = matches!(glyphs[at].sign, 'f' | 'd' | 't' | 'c')
+        && !at.checked_sub(1).is_some_and(|before| glyphs[before].sign.is_ascii_alphabetic());
+    let name = begins.then(|| spelt(&glyphs[at..])).filter(|name| is_fraction(name))?;
+    glyphs.get(at + name.len()).filter(|next| next.sign == '{').map(|_| name)
+}
+
+/// Is it a sign, a root or a fraction?
+pub(super) fn is_mathematics(command: &str) -> bool {
+    is_fraction(command) || command == "sqrt" || simple(command).is_some()
+}
+
 /// Commands that stand for signs or words. Blanks keep words apart from what follows.
 pub(super) fn simple(command: &str) -> Option<&'static str> {
     Some(match command {

@@ -2,7 +2,7 @@
 
 use super::Unreadable;
 use super::characters::{CLOSE, Glyph, OPEN, RECURS};
-use super::commands::simple;
+use super::commands::{bare_fraction, is_fraction, is_mathematics, simple, spelt};
 use super::infix_fraction;
 
 /// Deeper nesting than any answer has.
@@ -64,6 +64,10 @@ impl Rewriter<'_> {
     /// One sign, command or group.
     fn one(&mut self) -> Result<(), Unreadable> {
         let from = self.here();
+        if let Some(command) = bare_fraction(self.glyphs, self.at) {
+            self.at += command.len();
+            return self.fraction(&command, from);
+        }
         match from.sign {
             '\\' => self.command(),
             '$' => {
@@ -185,10 +189,14 @@ impl Rewriter<'_> {
     fn command(&mut self) -> Result<(), Unreadable> {
         let from = self.here();
         self.at += 1;
-        let letters: String =
-            self.glyphs[self.at..].iter().map(|glyph| glyph.sign).take_while(char::is_ascii_alphabetic).collect();
+        let letters = spelt(&self.glyphs[self.at..]);
         if letters.is_empty() {
             let Some(sign) = self.sign() else { return Err(self.fault(from.place, "`\\` without a command")) };
+            // `\\\\frac{25}{7}`: a stroke twice, as programs write it, and no new line.
+            let next = spelt(&self.glyphs[self.at + 1..]);
+            if sign == '\\' && is_mathematics(&next) {
+                return self.command();
+            }
             self.at += 1;
             match sign {
                 '\\' if self.columns > 0 => self.put(';', from),
@@ -211,7 +219,7 @@ impl Rewriter<'_> {
             return Ok(());
         }
         match letters.as_str() {
-            "frac" | "dfrac" | "tfrac" | "cfrac" => self.fraction(&letters, from),
+            fraction if is_fraction(fraction) => self.fraction(&letters, from),
             "sqrt" => self.root(from),
             "over" => {
                 self.put(infix_fraction::OVER, from);

@@ -3,6 +3,9 @@
 use std::collections::{HashMap, HashSet};
 use std::sync::LazyLock;
 
+use super::tokens::is_greek;
+use super::units::is_unit_word;
+
 /// What a word does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Sort {
@@ -281,7 +284,7 @@ const SINGLE: [(Sort, &str); 8] = [
         "speed speeds velocity velocities vel angle angles direction directions dir deflection deflected impulse ke \
          kinetic energy loss lost change gain fraction percentage magnitude mag component components momentum ratio \
          mass coefficient restitution turned bearing increase increases increased gained gains decrease decreases \
-         decreased loses answer ans tangent separation approach difference acceleration work distance",
+         decreased loses reduced reduces reduction falls fell drop drops dropped slows slowed rises rose answer ans tangent separation approach difference acceleration work distance force time",
     ),
     (Sort::Is, "is are was be becomes being equal must lies"),
     (Sort::Gradient, "gradient slope"),
@@ -302,11 +305,13 @@ const SINGLE: [(Sort, &str); 8] = [
          i.e ie eg sf dp s.f d.p rounded decimal places significant figures correct collision impact afterwards \
          that this these for on off each other line centres centers vector unit magnitude required shown qed \
          respectively simplified exact value surd form answer ans path motion travel axis oe awrt cao sense \
-         immediately original towards heading bounces bouncing rebounds rebounding rebounded separates separating yes reversed unchanged \
+         immediately original towards heading bounces bouncing rebounds rebounding rebounded separates separating yes reversed reverses unchanged done \
          remains remaining retained kept hopefully think calculator working see diagram there here now very nearly almost precisely overall resultant \
          scalar using used calculated find found get got have we solution value values part question result results \
          answers both my our checked units metric decimal fraction respectively clm com colm pclm plm nel nlr nlor nli \
-         rejected reject rejecting discard discarded ignore ignored disregard inadmissible invalid conservation linear law eq eqn equation substituting subtracting adding",
+         rejected reject rejecting discard discarded ignore ignored disregard disregarded inadmissible invalid scrap \
+         scrapped cancel cancelled canceled delete deleted void withdrawn mistake error crossed clearly obviously \
+         eventually conservation linear law eq eqn equation substituting subtracting adding",
     ),
 ];
 
@@ -326,6 +331,34 @@ static STARTS: LazyLock<HashSet<&str>> = LazyLock::new(|| {
         .chain(["at", "in", "perpendicular", "perp", "normal", "the", "its", "their", "a", "an", "this", "ab"])
         .collect()
 });
+
+/// Every word that stands in a list of this file.
+static KNOWN: LazyLock<HashSet<&str>> = LazyLock::new(|| {
+    let lists: [&[&'static str]; 14] = [
+        &REST,
+        &ACROSS,
+        &ALONG,
+        &ANGLE,
+        &CENTRES,
+        &TANGENT,
+        &A_TO_B,
+        &B_TO_A,
+        &TOWARDS,
+        &AWAY_FROM,
+        &ORIGINAL,
+        &AFTER_A_LINE,
+        &REMARKS,
+        &OTHERS,
+    ];
+    let single = SINGLE.iter().flat_map(|(_, words)| words.split_whitespace());
+    lists.into_iter().flatten().flat_map(|words| words.split(' ')).chain(single).collect()
+});
+
+/// Is it a word of a language that nobody here knows?
+pub(crate) fn is_strange(word: &str) -> bool {
+    let small = word.to_lowercase();
+    word.is_ascii() && is_only_a_word(word) && !KNOWN.contains(&*small) && !is_greek(&small) && !is_unit_word(word)
+}
 
 /// What a single word does; it is in small letters.
 pub(super) fn sort(word: &str) -> Option<Sort> {

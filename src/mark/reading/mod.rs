@@ -43,7 +43,7 @@ mod units;
 mod values;
 mod vectors;
 
-pub(crate) use lexicon::is_never_letters;
+pub(crate) use lexicon::{is_never_letters, is_strange};
 pub(crate) use line::ACROSS;
 pub(crate) use named_line::{NamedLine, named_line};
 pub use reference::{ReferenceLine, Sense};

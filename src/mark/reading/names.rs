@@ -7,10 +7,11 @@ use crate::expr::Function;
 use crate::number::Letter;
 
 /// Functions by every name that students use; longer names first.
-const FUNCTIONS: [(&str, Function); 13] = [
+const FUNCTIONS: [(&str, Function); 14] = [
     ("arcsin", Function::Asin),
     ("arccos", Function::Acos),
     ("arctan", Function::Atan),
+    ("artan", Function::Atan),
     ("invtan", Function::Atan),
     ("invsin", Function::Asin),
     ("invcos", Function::Acos),
@@ -40,7 +41,7 @@ const RECIPROCALS: [(&str, Function); 12] = [
 ];
 
 /// Names of the root sign.
-const ROOTS: [&str; 2] = ["sqrt", "root"];
+const ROOTS: [&str; 3] = ["squareroot", "sqrt", "root"];
 
 /// Capitals that name spheres, unit vectors or units, and are no slips for small letters.
 const CAPITALS_OF_THEIR_OWN: &str = "ABCIJNOPQS";

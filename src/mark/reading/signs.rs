@@ -9,7 +9,7 @@ use super::tokens::{Placed, Token};
 use crate::expr::Expr;
 
 /// Words that stand for signs or functions, and these.
-const SIGNS: [(&str, &str); 60] = [
+const SIGNS: [(&str, &str); 62] = [
     ("times", "*"),
     ("multiplied by", "*"),
     ("over", "/"),
@@ -26,6 +26,8 @@ const SIGNS: [(&str, &str); 60] = [
     ("square root of", "√"),
     ("square root", "√"),
     ("sqrt of", "√"),
+    ("cube root of", "∛"),
+    ("cube root", "∛"),
     ("inverse sin", "arcsin"),
     ("inverse sine", "arcsin"),
     ("inverse sin of", "arcsin"),
@@ -92,17 +94,27 @@ pub(super) fn with_signs(tokens: &[Placed], vocabulary: &Vocabulary, choices: &m
     let mut out: Vec<Placed> = Vec::with_capacity(tokens.len());
     let mut at = 0;
     while let Some(placed) = tokens.get(at) {
-        let stands = |words: &str| words.split(' ').enumerate().all(|(ahead, wanted)| is(at + ahead, wanted));
+        // The token after the words, between which a hyphen may stand.
+        let stands = |words: &str| {
+            words.split(' ').try_fold(at, |next, wanted| {
+                let hyphen = tokens.get(next).is_some_and(|sign| next > at && sign.is('-') && !sign.spaced);
+                let next = next + usize::from(hyphen);
+                is(next, wanted).then_some(next + 1)
+            })
+        };
         // Most of an answer is no word, and most words begin otherwise.
         let standing = word(at).and_then(|word| {
             let initial = word.bytes().next().map(|byte| byte.to_ascii_lowercase());
             let begins = |words: &str| words.bytes().next() == initial;
-            SIGNS.iter().filter(|(words, _)| begins(words) && stands(words)).max_by_key(|(words, _)| words.len())
+            let standing = SIGNS.iter().filter(|(words, _)| begins(words));
+            standing.filter_map(|(words, signs)| Some((stands(words)?, signs))).max_by_key(|(next, _)| *next)
         });
-        // `0.3 recurring`: the last digit recurs.
+        // `0.3 recurring`, `0.3 (recurring)`: the last digit recurs.
+        let is_sign = |at: usize, sign: char| tokens.get(at).is_some_and(|placed| placed.is(sign));
+        let bracket = usize::from(is_sign(at + 1, '(') && is_sign(at + 3, ')'));
         if let Token::Number(Expr::Decimal(digits)) = &placed.token
             && let Some((whole, decimals)) = digits.split_once('.').filter(|(_, decimals)| !decimals.is_empty())
-            && ["recurring", "recurs", "rec"].iter().any(|recurs| is(at + 1, recurs))
+            && ["recurring", "recurs", "rec"].iter().any(|recurs| is(at + 1 + bracket, recurs))
         {
             let (before, block, times) = repeated(decimals);
             let is_long = decimals.len() >= SURELY_ROUNDED;
@@ -117,8 +129,8 @@ pub(super) fn with_signs(tokens: &[Placed], vocabulary: &Vocabulary, choices: &m
             } else {
                 Token::Number(recurring_value(whole, "", period(decimals)))
             };
-            out.push(Placed { token, end: tokens[at + 1].end, ..placed.clone() });
-            at += 2;
+            at += 2 * (1 + bracket);
+            out.push(Placed { token, end: tokens[at - 1].end, ..placed.clone() });
             continue;
         }
         // `4.03x10-3`: the exponent has lost its height.
@@ -137,13 +149,12 @@ pub(super) fn with_signs(tokens: &[Placed], vocabulary: &Vocabulary, choices: &m
             at += 1;
             continue;
         }
-        let Some((words, signs)) = standing else {
+        let Some((next, signs)) = standing else {
             out.push(placed.clone());
             at += 1;
             continue;
         };
-        let count = words.split(' ').count();
-        let end = tokens[at + count - 1].end;
+        let end = tokens[next - 1].end;
         let mut put = |token, spaced| out.push(Placed { token, start: placed.start, end, spaced });
         if signs.starts_with(char::is_alphabetic) {
             put(Token::Word((*signs).to_owned()), placed.spaced);
@@ -151,13 +162,13 @@ pub(super) fn with_signs(tokens: &[Placed], vocabulary: &Vocabulary, choices: &m
             for (place, sign) in signs.chars().enumerate() {
                 let token = match sign.to_digit(10) {
                     Some(digit) => Token::Number(Expr::integer(i64::from(digit))),
-                    None if sign == '√' => Token::Root { cube: false },
+                    None if matches!(sign, '√' | '∛') => Token::Root { cube: sign == '∛' },
                     None => Token::Sign(sign),
                 };
                 put(token, placed.spaced && place == 0);
             }
         }
-        at += count;
+        at = next;
     }
     with_fractions_below(out)
 }

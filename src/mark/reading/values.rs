@@ -2,7 +2,7 @@
 
 use super::choices::Choices;
 use super::grammar::Parser;
-use super::lexicon::OTHERS;
+use super::lexicon::{OTHERS, is_strange};
 use super::line;
 use super::phrases::Phrase;
 use super::tokens::{Placed, Token, excerpt};
@@ -175,15 +175,17 @@ impl Values<'_> {
                 Err(Unreadable::Sign(tokens[at].start, "these words belong to a range".to_owned()))
             }
             // `7 bananas`: seven of what?
-            Phrase::Unknown if !found.values.is_empty() => {
-                let word = self.slice(tokens, at, at + 1);
-                Err(Unreadable::Sign(tokens[at].start, format!("`{word}` may say something else of the value")))
-            }
+            Phrase::Unknown if !found.values.is_empty() => Err(self.strange_word(tokens, at)),
             _ => {
                 lead.push(at);
                 Ok(at + 1)
             }
         }
+    }
+
+    fn strange_word(&self, tokens: &[Placed], at: usize) -> Unreadable {
+        let word = self.slice(tokens, at, at + 1);
+        Unreadable::Sign(tokens[at].start, format!("`{word}` may say something else of the value"))
     }
 
     /// What words before a value call it: those that name a quantity or a sphere.
@@ -196,7 +198,7 @@ impl Values<'_> {
         let before = place.checked_sub(1).and_then(|place| lead.get(place)).filter(|at| is_other(**at));
         let first = before.unwrap_or(&lead[place]);
         // `increases by` is no `increases to`.
-        let is_by = |at: &&usize| self.slice(tokens, **at, **at + 1).eq_ignore_ascii_case("by");
+        let is_by = |at: &&usize| matches!(&*self.slice(tokens, **at, **at + 1).to_lowercase(), "by" | "to");
         let last = lead.iter().find(|at| *at > last).filter(is_by).unwrap_or(last);
         Some(self.slice(tokens, *first, *last + 1).to_owned())
     }
@@ -220,6 +222,10 @@ impl Values<'_> {
             .iter()
             .any(is_plain)
             .then(|| self.slice(tokens, between[0], between[between.len() - 1] + 1).to_lowercase());
+        // `cube root of 13`, `scrap 13`: what is done to the value?
+        if let Some(strange) = lead.iter().find(|at| is_strange(self.slice(tokens, **at, **at + 1))) {
+            return Err(self.strange_word(tokens, *strange));
+        }
         let toward = phrases.last() == Some(&Phrase::Toward);
         let across = phrases.contains(&Phrase::Across);
         lead.clear();
@@ -327,6 +333,9 @@ pub(super) fn formula(
     choices: &mut Choices,
 ) -> Result<Formula, Unreadable> {
     let place = tokens.get(at).map_or(text.len(), |placed| placed.start);
+    if tokens.get(at).is_some_and(|placed| placed.is('°')) {
+        return Err(Unreadable::Sign(place, "a number of degrees is missing".to_owned()));
+    }
     let mut parser = Parser::new(tokens, text, vocabulary, choices);
     parser.at = at;
     let expr = parser.sum()?;
