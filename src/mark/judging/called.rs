@@ -9,6 +9,7 @@ use crate::expr::Expr;
 use crate::mark::reading::{Statement, is_strange};
 use crate::mechanics::{Axis, Moment, Quantity};
 
+use super::changes::{is_change, is_gain};
 use super::finding::Finding;
 use super::letters::of_letter;
 use super::otherwise::{is_another_of_its_sort, is_changed_to, remark_names_another};
@@ -179,7 +180,7 @@ pub(super) fn as_remarked(model: &Model, statement: &Statement, finding: Finding
         // Back along the line, or to a side of the page that nobody has drawn.
         Quantity::Velocity(_, _, Axis::N) => {
             has(&["perpendicular", "perp", "left", "leftwards", "back", "backwards"])
-                || ["rebound", "bounc", "revers"].into_iter().any(says)
+                || ["rebound", "bounc", "revers", "opposite direction"].into_iter().any(says)
         }
         _ => false,
     };
@@ -190,18 +191,11 @@ pub(super) fn words(label: &str) -> impl Iterator<Item = &str> {
     label.split(|letter: char| !letter.is_alphanumeric())
 }
 
-/// Does the label speak of a gain, which a loss is the opposite of?
-pub(super) fn is_gain(label: &str) -> bool {
-    let is = |wanted: &[&str]| words(label).any(|word| wanted.contains(&word.to_lowercase().as_str()));
-    is(&["gain", "gains", "gained", "increase", "increases", "increased"]) && !is(&["loss", "lost", "loses"])
-}
-
-/// Does the label speak of a change, after minus before?
-pub(super) fn is_change(label: &str) -> bool {
-    let label = label.trim().to_lowercase();
-    is_gain(&label)
-        || ['Δ', 'δ', '∆'].iter().any(|delta| label.starts_with(*delta))
-        || ["delta", "change", "\\delta"].iter().any(|word| label.starts_with(word))
+/// Is it called a bearing?
+pub(super) fn is_a_bearing(statement: &Statement) -> bool {
+    let label = statement.label.iter().map(|label| label.typed.as_str());
+    let remarks = statement.said.iter().flat_map(|said| &said.remarks).map(String::as_str);
+    label.chain(remarks).flat_map(words).any(|word| word.eq_ignore_ascii_case("bearing"))
 }
 
 pub(super) fn sort(word: &str) -> Option<Sort> {

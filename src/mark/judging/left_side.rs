@@ -17,7 +17,7 @@ use super::accuracy::Written;
 use super::exact::{self, Equality};
 use super::finding::Finding;
 use super::statements::One;
-use super::{Model, Note, angle, number, vector};
+use super::{Model, Note, angle, changes, number, vector};
 use super::{called, letters};
 
 /// What the left side is to the value on the right.
@@ -55,7 +55,7 @@ pub(super) fn of(model: &Model, label: &Label) -> Left {
         return if called::words_fit(model, typed) { Left::Name } else { Left::Another };
     };
     // `ΔE`, but no `Δv`
-    if called::is_change(typed) {
+    if changes::is_change(typed) {
         let is_of_motion = matches!(model.quantity, Some(Quantity::Speed(..) | Quantity::Velocity(..)));
         return if is_of_motion { Left::Another } else { Left::Name };
     }

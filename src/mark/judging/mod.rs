@@ -7,6 +7,7 @@ mod accuracy;
 mod angle;
 mod besides;
 mod called;
+mod changes;
 mod coefficients;
 mod effort;
 mod enclosure;
@@ -222,6 +223,11 @@ fn one(model: &Model, reading: &Reading) -> Finding {
     }
     if finding.is_credited() && is_turned_by_words(model, reading, finding) {
         return Finding::unreadable(Note::CannotBeCompared);
+    }
+    // Where north is, no question says.
+    let is_of_angle = matches!(model.kind, Kind::Angle | Kind::Velocity);
+    if is_of_angle && finding.verdict == Verdict::Wrong && reading.statements.iter().any(called::is_a_bearing) {
+        return Finding::unreadable(Note::ReferenceUnchecked);
     }
     // After the impact the spheres move away from each other, in whichever sense each of them moves.
     let is_away = |said: &Said| said.remarks.iter().any(|remark| remark.contains("away from"));

@@ -16,7 +16,7 @@ use super::exact::{self, Equality, same};
 use super::finding::Finding;
 use super::known::Further;
 use super::units::{self, UnitCheck};
-use super::{Model, Note, angle, called, left_side, sense};
+use super::{Model, Note, angle, changes, left_side, sense};
 
 /// Judges one value against a number or formula.
 pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
@@ -132,7 +132,7 @@ fn signed(model: &Model, expr: &Expr, written: &Option<Written>, label: Option<&
         return Finding::wrong(Note::Sign);
     }
     match label {
-        Some(label) if called::is_change(&label.typed) => Finding { note: Some(Note::ChangeNotLoss), ..turned },
+        Some(label) if changes::is_change(&label.typed) => Finding { note: Some(Note::ChangeNotLoss), ..turned },
         _ => Finding::partial(Note::Sign),
     }
 }

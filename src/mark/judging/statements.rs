@@ -205,6 +205,26 @@ fn last_or_rivals(model: &Model, statements: &[&Statement], one: One) -> Finding
             last
         };
     }
+    // `u(1-e)/2, w = u(1+e)/2`: w may be what is asked, or the speed of the other sphere.
+    if let ([first, others @ ..], [None, ..]) = (statements, labels.as_slice())
+        && findings[0].is_correct()
+        && !others.is_empty()
+        && others.iter().all(|other| is_called_by_a_letter(other) && !other.said.iter().any(is_rival))
+        && !first.said.iter().any(is_rival)
+        && !findings[1..].iter().any(Finding::is_credited)
+    {
+        return Finding::partial(Note::SeveralAnswers);
+    }
+    // `-4 m/s, speed = 4`: the velocity, and then its size.
+    let is_size = |label: &Option<String>| label.as_ref().is_some_and(|label| label.contains("speed"));
+    let (before, of_last) = (&findings[..findings.len() - 1], labels.last());
+    if matches!(model.quantity, Some(Quantity::Speed(..)))
+        && last.is_correct()
+        && of_last.is_some_and(is_size)
+        && before.iter().all(|finding| finding.note == Some(Note::Sign))
+    {
+        return last;
+    }
     let right = findings.iter().copied().find(Finding::is_correct);
     // A value and its opposite are two values.
     let spoilt = findings.iter().any(|finding| !finding.is_credited() || finding.note == Some(Note::Sign));

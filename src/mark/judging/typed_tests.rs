@@ -130,8 +130,8 @@ fn a_velocity_and_its_components_have_a_sense() {
             ("-3 m/s along BA", "unreadable cannot-be-compared"),
             ("3 m/s, away from B", "unreadable direction-unchecked"),
             ("3 m/s perpendicular to the line of centres", "wrong direction-wrong"),
-            ("3 m/s in the opposite direction", "unreadable cannot-be-compared"),
-            ("3 m/s in opposite direction", "unreadable cannot-be-compared"),
+            ("3 m/s in the opposite direction", "unreadable direction-unchecked"),
+            ("3 m/s in opposite direction", "unreadable direction-unchecked"),
         ],
     );
     earn(

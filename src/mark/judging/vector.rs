@@ -128,7 +128,10 @@ pub(super) fn is_of_size_and_angle(model: &Model, reading: &Reading) -> Option<F
 /// The axis along which a label says that a component lies: `i`, `v_x`, `vy`, `x component`.
 fn axis(label: &str) -> Option<char> {
     let label = label.trim();
-    let word = label.strip_suffix("component").map_or(label, |axis| axis.trim_end_matches([' ', '-']));
+    // `i comp`, `in i`, `in the j direction`
+    let ends = ["component", "comp", "direction"].into_iter().find_map(|end| label.strip_suffix(end));
+    let word = ends.map_or(label, |axis| axis.trim_end_matches([' ', '-']));
+    let word = ["in the ", "in ", "along "].into_iter().find_map(|start| word.strip_prefix(start)).unwrap_or(word);
     let mut letters = word.chars().rev();
     let axis = letters.next().filter(|last| matches!(last, 'i' | 'j' | 'x' | 'y'))?;
     let before: String = letters.rev().collect();

@@ -57,11 +57,26 @@ impl Walk<'_> {
             "decimal places",
             "decimal place",
         ];
-        let end = self.any(number + 1, &kinds)?;
+        // `3.s.f.`
+        let kind = number + 1 + usize::from(self.tokens.get(number + 1).is_some_and(|token| token.is('.')));
+        let end = self.any(kind, &kinds)?;
         let end = end + usize::from(self.tokens.get(end).is_some_and(|token| token.is('.')));
         match open {
             true => self.tokens.get(end).is_some_and(|token| token.is(')')).then_some(end + 1),
             false => Some(end),
+        }
+    }
+
+    /// `(→)`, `R(→):`, `→:`: the direction in which an equation is written; the token after it.
+    pub(super) fn positive_direction(&self, at: usize) -> Option<usize> {
+        let is = |at: usize, sign: char| self.tokens.get(at).is_some_and(|token| token.is(sign));
+        let begins = at == 0 || is(at - 1, '\n');
+        let open = at + usize::from(matches!(self.word(at), Some("r" | "res" | "resolve" | "resolving")));
+        let bracket = usize::from(is(open, '('));
+        let end = (is(open + bracket, '⇒') && begins).then_some(open + bracket + 1)?;
+        match bracket {
+            1 => is(end, ')').then(|| end + 1 + usize::from(is(end + 1, ':'))),
+            _ => is(end, ':').then_some(end + 1),
         }
     }
 

@@ -163,6 +163,7 @@ fn plain(character: char, before: Option<char>) -> Option<&'static str> {
         '⩾' | '≧' => "≥",
         '⇒' | '⟹' | '→' | '⟶' | '∴' => "⇒",
         '∵' => " because ",
+        '@' => " at ",
         '⊥' | '⟂' => " perpendicular ",
         '∥' => " parallel to ",
         '∠' => " angle ",
@@ -181,6 +182,7 @@ fn plain(character: char, before: Option<char>) -> Option<&'static str> {
         'ȷ' | 'ĵ' => "j",
         'ℓ' => "l",
         'ℎ' => "h",
+        'ɑ' | '⍺' => "α",
         'ϑ' => "θ",
         'ϕ' => "φ",
         'ϵ' => "ε",
@@ -188,6 +190,7 @@ fn plain(character: char, before: Option<char>) -> Option<&'static str> {
         '∆' => "Δ",
         // A dot over a digit recurs; a hat, arrow, tilde or bar below marks a letter as a vector.
         '\u{335}' | '\u{336}' => "\u{336}",
+        '\u{304}' | '\u{305}' if before.is_some_and(|sign| sign.is_ascii_digit()) => "\u{307}",
         '\u{307}' if before.is_some_and(|sign| sign.is_ascii_digit()) => "\u{307}",
         '\u{302}' | '\u{20d7}' | '\u{332}' | '\u{331}' | '\u{330}' | '\u{20d1}'
             if before.is_some_and(|sign| sign.is_ascii_alphabetic()) =>

@@ -35,6 +35,8 @@ pub(super) enum Doubt {
     EquationNumber,
     /// `½u(1-e) (½u-½eu)`, `6 (0.1736)`: a value and what it is again, or a product.
     SaidAgain,
+    /// `A-2.78`: a minus sign or a dash.
+    Dash,
     /// `v = 4 w = 6`: two statements, or one with a product in it.
     SideBySide,
     /// `0.3(6)` and `2.77...`: recurring or not.

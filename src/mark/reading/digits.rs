@@ -247,7 +247,11 @@ impl Digits<'_> {
         }
         self.at += points.max(1);
         let place = self.place();
-        let (before, block, times) = repeated(&decimals);
+        let (before, block, times) = match decimals.len() {
+            // `0.6...` is two thirds, for nobody breaks off so early.
+            1 => ("", decimals.as_str(), 2),
+            _ => repeated(&decimals),
+        };
         if times < 2 || (times == 2 && block.len() == 1 && choices.otherwise(Doubt::Recurring, place)) {
             return Ok(None);
         }

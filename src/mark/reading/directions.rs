@@ -103,6 +103,9 @@ impl Walk<'_> {
         {
             return Ok(Some((Phrase::Toward, next)));
         }
+        if let Some(next) = self.any(at, &["in tangential direction", "tangentially"]) {
+            return Ok(Some((Phrase::Line(ReferenceLine::AlongCommonTangent), next)));
+        }
         // The line alone names itself, `line of centres = …`, or is the whole answer.
         let whole = self.stands_alone(at);
         Ok(match self.line(at) {

@@ -245,8 +245,13 @@ impl<'a> Parser<'a> {
         let Expr::Number(mut total) = degrees else { return Ok(Expr::degrees(degrees)) };
         let mut places = None;
         for (mark, share, decimals) in [('\'', 60, 2), ('"', 3600, 4)] {
-            if let (Some(Token::Number(Expr::Number(count))), Some(sign)) = (self.token(0), self.sign(1))
-                && sign == mark
+            let is_mark = match self.token(1) {
+                Some(Token::Sign(sign)) => *sign == mark,
+                Some(Token::Word(word)) => mark == '\'' && matches!(word.as_str(), "min" | "mins" | "minutes"),
+                _ => false,
+            };
+            if let Some(Token::Number(Expr::Number(count))) = self.token(0)
+                && is_mark
             {
                 total = &total + &(count * &Fraction::new(1, share));
                 places = Some(Places::DecimalPlaces(decimals));

@@ -112,7 +112,7 @@ pub(super) const ANGLE: [&str; 14] = [
 ];
 
 /// The line of centres, without its article.
-pub(super) const CENTRES: [&str; 19] = [
+pub(super) const CENTRES: [&str; 25] = [
     "line of centres",
     "line of centers",
     "line of centre",
@@ -121,6 +121,12 @@ pub(super) const CENTRES: [&str; 19] = [
     "lines of centers",
     "loc",
     "line joining centres",
+    "line joining a and b",
+    "line joining a to b",
+    "line connecting a and b",
+    "line connecting a to b",
+    "line joining centre of a to centre of b",
+    "line joining center of a to center of b",
     "line joining centers",
     "line connecting centres",
     "line through centres",
@@ -308,7 +314,7 @@ const SINGLE: [(Sort, &str); 8] = [
          immediately original towards heading bounces bouncing rebounds rebounding rebounded separates separating yes reversed reverses unchanged done \
          remains remaining retained kept hopefully think calculator working see diagram there here now very nearly almost precisely overall resultant \
          scalar using used calculated find found get got have we solution value values part question result results \
-         answers both my our checked units metric decimal fraction respectively clm com colm pclm plm nel nlr nlor nli \
+         answers both my our checked units metric decimal fraction respectively clm com colm pclm plm mom cons nel nlr nlor nli \
          rejected reject rejecting discard discarded ignore ignored disregard disregarded inadmissible invalid scrap \
          scrapped cancel cancelled canceled delete deleted void withdrawn mistake error crossed clearly obviously \
          eventually conservation linear law eq eqn equation substituting subtracting adding",
@@ -328,7 +334,21 @@ static STARTS: LazyLock<HashSet<&str>> = LazyLock::new(|| {
     ];
     let first = lists.into_iter().flatten().filter_map(|words| words.split(' ').next());
     first
-        .chain(["at", "in", "perpendicular", "perp", "normal", "the", "its", "their", "a", "an", "this", "ab"])
+        .chain([
+            "at",
+            "in",
+            "perpendicular",
+            "perp",
+            "normal",
+            "the",
+            "its",
+            "their",
+            "a",
+            "an",
+            "this",
+            "ab",
+            "tangentially",
+        ])
         .collect()
 });
 

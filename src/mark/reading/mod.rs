@@ -35,6 +35,7 @@ mod segments;
 mod side_by_side;
 mod sides;
 mod signs;
+mod spelling;
 mod statements;
 #[cfg(test)]
 mod tests;
@@ -136,6 +137,7 @@ fn counted(text: &str, vocabulary: &Vocabulary, passes_over: bool) -> (Result<Ve
         let mut choices = Choices::flipping(flips);
         let statements = tokens::tokens(&glyphs, &vocabulary.letters, &mut choices)
             .map(|tokens| units::with_joules(tokens, vocabulary))
+            .map(|tokens| part_label::without_question_number(tokens, vocabulary))
             .and_then(|tokens| phrases::with_phrases(&tokens, vocabulary, &mut choices))
             .and_then(|tokens| statements::statements(&tokens, text, vocabulary, &mut choices, passes_over));
         (statements, choices)

@@ -51,7 +51,11 @@ impl Parser<'_> {
 
     pub(super) fn operand(&mut self) -> Parsed {
         self.choices.step(self.place())?;
-        if matches!(self.token(0), Some(Token::Word(_) | Token::Greek(_))) && !self.take_apart(self.at) {
+        // `4i+jms-1`
+        if matches!(self.token(0), Some(Token::Word(_) | Token::Greek(_)))
+            && !self.take_apart(self.at)
+            && !(self.part_before_a_unit() && self.take_apart(self.at))
+        {
             return self.unexpected();
         }
         let value = match self.token(0) {

@@ -3,6 +3,37 @@
 use super::Vocabulary;
 use super::phrases::Phrase;
 use super::tokens::{Placed, Token};
+use crate::expr::Expr;
+
+/// The tokens without the number of the question and its part, `3(a) 2.5`, `Q3(a)(ii) 2.5`, as a whole number close before
+/// one letter in brackets cannot be a factor where the question has no such letter.
+pub(super) fn without_question_number(mut tokens: Vec<Placed>, vocabulary: &Vocabulary) -> Vec<Placed> {
+    let is_q = |placed: &Placed| matches!(&placed.token, Token::Word(word) if word.eq_ignore_ascii_case("q"));
+    let numbered = if tokens.first().is_some_and(is_q) { &tokens[1..] } else { &tokens[..] };
+    let [Placed { token: Token::Number(Expr::Number(number)), .. }, rest @ ..] = numbered else { return tokens };
+    let known = |word: &str| vocabulary.letters.iter().any(|letter| letter.name() == word);
+    let is_part = |word: &str| {
+        let is_letter = word.len() == 1 && word.starts_with(|letter: char| letter.is_ascii_lowercase());
+        let is_unit_vector = vocabulary.vectors && matches!(word, "i" | "j");
+        (is_letter || matches!(word, "ii" | "iii" | "iv" | "vi")) && !known(word) && !is_unit_vector
+    };
+    let mut rest = rest;
+    let whole = rest.len();
+    while let [open, Placed { token: Token::Word(word), .. }, close, after @ ..] = rest
+        && open.is('(')
+        && !open.spaced
+        && close.is(')')
+        && is_part(word)
+    {
+        rest = after;
+    }
+    let begins = |placed: &Placed| placed.spaced && !matches!(placed.token, Token::Sign('+' | '-' | '*' | '/' | '='));
+    if number.is_integer() && rest.len() < whole && rest.first().is_some_and(begins) {
+        let label = tokens.len() - rest.len();
+        tokens.drain(..label);
+    }
+    tokens
+}
 
 /// The tokens without `(a)`, `a)` or `(ii)` before them.
 pub(super) fn without_part_label<'a>(tokens: &'a [Placed], vocabulary: &Vocabulary) -> &'a [Placed] {

@@ -67,7 +67,7 @@ pub(super) fn with_phrases(
             at = end;
             continue;
         }
-        let found = match accuracy.or_else(|| walk.named_equation(at)) {
+        let found = match accuracy.or_else(|| walk.named_equation(at)).or_else(|| walk.positive_direction(at)) {
             Some(next) => Some((Phrase::Remark, next)),
             None => walk.phrase(at)?,
         };

@@ -72,9 +72,9 @@ impl Parser<'_> {
     fn times_in_words(&self) -> bool {
         let x = matches!(self.token(0), Some(Token::Word(word)) if word.eq_ignore_ascii_case("x"));
         let number = matches!(self.token(1), Some(Token::Number(_) | Token::Root { .. } | Token::Sign('(' | OPEN)));
-        let root =
-            matches!(self.token(1), Some(Token::Word(word)) if word.starts_with("sqrt") || word.starts_with("root"));
-        x && (number || root) && names::letter("x", self.vocabulary).is_none() && self.at > 0
+        let factor =
+            matches!(self.token(1), Some(Token::Word(word)) if names::is_made_of_letters(word, self.vocabulary));
+        x && (number || factor) && names::letter("x", self.vocabulary).is_none() && self.at > 0
     }
 
     /// Does a factor follow that is written side by side with the one before?
@@ -89,9 +89,15 @@ impl Parser<'_> {
             Some(Token::Sign(OPEN)) => true,
             Some(Token::Sign('|')) => !self.in_bars(),
             // The digit of a vulgar fraction stands in a group; any other number needs a sign.
-            Some(Token::Number(_)) => self.is_multiplied_by_a_fraction(),
+            Some(Token::Number(_)) => self.is_multiplied_by_a_fraction() || self.is_close_after_brackets(),
             _ => false,
         }
+    }
+
+    /// `(4/9)39^(1/2)`: a number close behind brackets, in which more stands than the number of an equation.
+    fn is_close_after_brackets(&self) -> bool {
+        let Some(open) = self.at.checked_sub(3) else { return false };
+        self.tokens[self.at - 1].is(')') && !self.spaced(0) && !self.tokens[open].is('(')
     }
 
     /// `1/3 4cos30`: a fraction in figures, a blank, and a number that has its own factor close behind it. A number
@@ -170,6 +176,13 @@ impl Parser<'_> {
                 None => self.any_name,
             },
         }
+    }
+
+    /// Parts a word of letters of the question and a unit after them. `false` if it is none.
+    pub(super) fn part_before_a_unit(&mut self) -> bool {
+        let Some(Token::Word(word)) = self.token(0).cloned() else { return false };
+        let length = if self.outside() { self.letters_before_a_unit(&word) } else { None };
+        length.inspect(|length| self.part_word(*length)).is_some()
     }
 
     /// How many letters of the question stand at the beginning of a word whose rest is a unit.

@@ -9,7 +9,7 @@ use super::tokens::{Placed, Token};
 use crate::expr::Expr;
 
 /// Words that stand for signs or functions, and these.
-const SIGNS: [(&str, &str); 62] = [
+const SIGNS: [(&str, &str); 72] = [
     ("times", "*"),
     ("multiplied by", "*"),
     ("over", "/"),
@@ -43,6 +43,16 @@ const SIGNS: [(&str, &str); 62] = [
     ("inverse tan of", "arctan"),
     ("inverse tangent of", "arctan"),
     ("tan inverse", "arctan"),
+    ("arc sin", "arcsin"),
+    ("arc cos", "arccos"),
+    ("arc tan", "arctan"),
+    ("inv sin", "arcsin"),
+    ("inv cos", "arccos"),
+    ("inv tan", "arctan"),
+    ("sq root", "√"),
+    ("sq root of", "√"),
+    ("greater then", ">"),
+    ("less then", "<"),
     ("inverse cot", "arccot"),
     ("inverse sec", "arcsec"),
     ("inverse cosec", "arccosec"),
@@ -131,6 +141,22 @@ pub(super) fn with_signs(tokens: &[Placed], vocabulary: &Vocabulary, choices: &m
             };
             at += 2 * (1 + bracket);
             out.push(Placed { token, end: tokens[at - 1].end, ..placed.clone() });
+            continue;
+        }
+        // `u - eu all over 2`
+        if is(at, "all") && is(at + 1, "over") {
+            let ends_a_side =
+                |placed: &Placed| matches!(placed.token, Token::Sign('=' | '≈' | ',' | ';' | ':' | '\n' | '⇒'));
+            let start = out.iter().rposition(ends_a_side).map_or(0, |before| before + 1);
+            let place = |token| Placed { token: Token::Sign(token), ..placed.clone() };
+            out.insert(start, place(OPEN));
+            out.extend([place(CLOSE), place('/')]);
+            at += 2;
+            continue;
+        }
+        // `2 times the square root of 13`
+        if is(at, "the") && (is(at + 1, "root") || is(at + 2, "root")) && out.last().is_some_and(|last| last.is('*')) {
+            at += 1;
             continue;
         }
         // `4.03x10-3`: the exponent has lost its height.

@@ -257,6 +257,15 @@ impl Statements<'_> {
             self.found.push(Statement { label: None, said: vec![said] });
             return Ok(());
         }
+        // `2.78 (A), 3.08 (B)`
+        if let [Placed { token: Token::Phrase(Phrase::Sphere), start, .. }] = tokens
+            && self.text.get(..*start).is_some_and(|before| before.ends_with('('))
+            && let typed = self.slice(tokens).to_owned()
+            && let Some(last) = self.found.last_mut().filter(|last| last.label.is_none())
+        {
+            last.label = Some(Label { typed, expr: None });
+            return Ok(());
+        }
         self.is_worked_out(tokens)?;
         let mut values = Values { text: self.text, vocabulary: self.vocabulary, choices: self.choices };
         let stretch = values.stretch(tokens)?;

@@ -5,6 +5,7 @@ use super::characters::{CLOSE, Glyph, OPEN};
 use super::choices::Choices;
 use super::digits::{self, number};
 use super::phrases::Phrase;
+use super::spelling::mended;
 use crate::expr::{Expr, Function};
 use crate::number::Letter;
 
@@ -98,7 +99,10 @@ pub(super) fn is_greek(word: &str) -> bool {
 }
 
 /// Abbreviations that are written with full stops.
-const DOTTED: [&str; 10] = ["s.f", "d.p", "l.o.c", "i.e", "e.g", "w.r.t", "k.e", "c.o.r", "c.l.m", "n.e.l"];
+const DOTTED: [&str; 14] = [
+    "s.f", "d.p", "l.o.c", "i.e", "e.g", "w.r.t", "k.e", "c.o.r", "c.o.m", "p.c.l.m", "c.l.m", "n.e.l", "n.l.r",
+    "n.l.i",
+];
 
 /// The most tokens that an answer may have.
 const MOST_TOKENS: usize = 400;
@@ -167,6 +171,13 @@ impl Lexer<'_> {
         if sign.is_ascii_digit() || (point_first && !self.follows_letter()) {
             let (value, length) = number(self.glyphs, self.at, self.depth, self.letters, choices)?;
             self.put(Token::Number(value), length);
+            return Ok(());
+        }
+        // `81.9o`, where two digits at least stand before it: `3o` may be thirty.
+        let after_two = self.at > 1 && matches!(self.glyphs[self.at - 2].sign, '0'..='9' | '.');
+        let ends = !self.sign(1).is_some_and(char::is_alphanumeric);
+        if sign == 'o' && after_digit && after_two && ends && !self.is_letter("o") {
+            self.put(Token::Sign('°'), 1);
             return Ok(());
         }
         if sign.is_ascii_alphabetic() {
@@ -252,7 +263,7 @@ impl Lexer<'_> {
     /// Letters, and a subscript if there is one.
     fn word(&mut self) -> Result<(), Unreadable> {
         let rest = || self.glyphs[self.at..].iter().map(|glyph| glyph.sign);
-        let start: String = rest().take(6).collect::<String>().to_ascii_lowercase();
+        let start: String = rest().take(8).collect::<String>().to_ascii_lowercase();
         if let Some(dotted) = DOTTED.iter().find(|dotted| start.starts_with(**dotted)) {
             let whole = dotted.len() + usize::from(start[dotted.len()..].starts_with('.'));
             self.put(Token::Word(dotted.replace('.', "")), whole);
@@ -273,6 +284,9 @@ impl Lexer<'_> {
         if self.sign(length) == Some('\'') && self.sign(length + 1) == Some('s') && apart(self.sign(length + 2)) {
             self.put(Token::Word(word), length + 2);
             return Ok(());
+        }
+        if let Some(mended) = mended(&word) {
+            word = mended.to_owned();
         }
         let digits: String = rest().skip(length).take_while(char::is_ascii_digit).collect();
         if self.sign(length) == Some('_') {

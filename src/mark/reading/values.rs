@@ -1,12 +1,12 @@
 //! Values: a formula with its unit and the words around it.
 
-use super::choices::Choices;
+use super::choices::{Choices, Doubt};
 use super::grammar::Parser;
 use super::lexicon::{OTHERS, is_strange};
 use super::line;
 use super::phrases::Phrase;
 use super::tokens::{Placed, Token, excerpt};
-use super::vectors::{Shape, scaled, shape, size};
+use super::vectors::{Shape, along, shape};
 use super::{Form, Notation, ReferenceLine, Said, SaidUnit, Unreadable, Vocabulary};
 use crate::expr::Expr;
 
@@ -64,6 +64,15 @@ impl Values<'_> {
                         && tokens.get(at + 1).is_some_and(|next| next.spaced) =>
                 {
                     self.choices.note(|| "- read as a dash".to_owned());
+                    at += 1;
+                }
+                // `A-2.78`
+                Token::Sign('-')
+                    if matches!(lead.as_slice(), [only] if phrase_at(&tokens, *only) == Some(Phrase::Sphere))
+                        && !tokens[at].spaced
+                        && tokens.get(at + 1).is_some_and(|next| !next.spaced)
+                        && self.choices.otherwise(Doubt::Dash, tokens[at].start) =>
+                {
                     at += 1;
                 }
                 // `25/7 (3.57)`
@@ -296,20 +305,6 @@ fn names_something(tokens: &[Placed], at: usize) -> bool {
 /// Do the words between a value and its line leave the line to the value?
 fn lead_says_nothing(tokens: &[Placed], lead: &[usize]) -> bool {
     !lead.iter().any(|at| matches!(phrase_at(tokens, *at), Some(Phrase::Or | Phrase::Because)))
-}
-
-/// So much in the direction of a vector.
-fn along(magnitude: &Expr, x: &Expr, y: &Expr) -> Form {
-    let unit = |part: &Expr| part.is_zero() || part.is_one() || *part == Expr::integer(1).negated();
-    let axis = (x.is_zero() || y.is_zero()) && unit(x) && unit(y);
-    let component = |part: &Expr| {
-        if part.is_zero() {
-            return Expr::integer(0);
-        }
-        let times = scaled(magnitude.clone(), part.clone());
-        if axis { times } else { times.over(size(x, y)) }
-    };
-    Form::Vector(component(x), component(y), Notation::Words)
 }
 
 /// A formula that has been read.

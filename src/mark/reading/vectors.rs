@@ -1,5 +1,6 @@
 //! Formulas in i and j: told apart into components, or found to be no vector at all.
 
+use super::{Form, Notation};
 use crate::expr::{Expr, Function};
 use crate::number::Fraction;
 
@@ -62,6 +63,20 @@ pub(super) fn size(x: &Expr, y: &Expr) -> Expr {
     }
     let squares = [x, y].map(|part| part.clone().to_the(2));
     Expr::call(Function::Sqrt, Expr::Sum(squares.into()))
+}
+
+/// So much in the direction of a vector.
+pub(super) fn along(magnitude: &Expr, x: &Expr, y: &Expr) -> Form {
+    let unit = |part: &Expr| part.is_zero() || part.is_one() || *part == Expr::integer(1).negated();
+    let axis = (x.is_zero() || y.is_zero()) && unit(x) && unit(y);
+    let component = |part: &Expr| {
+        if part.is_zero() {
+            return Expr::integer(0);
+        }
+        let times = scaled(magnitude.clone(), part.clone());
+        if axis { times } else { times.over(size(x, y)) }
+    };
+    Form::Vector(component(x), component(y), Notation::Words)
 }
 
 fn sum(terms: &[Expr]) -> Result<Shape, &'static str> {
