@@ -57,6 +57,7 @@ impl Working<'_> {
                 }
                 let found = self.by_value(law, &quantities, code).or_else(|| self.by_shape(law, shape, sphere, code));
                 let found = found.or_else(|| if code.is_accuracy() { None } else { self.fraction_of_energies(law) });
+                let found = found.or_else(|| self.energies_apart(law, code));
                 found.or_else(|| self.compound_angle(law).filter(|_| code == Code::M1 && is_of_deflection))
             }
             Seen::AlongLine | Seen::Unknown => None,
@@ -144,6 +145,7 @@ impl Working<'_> {
         let angle = Quantity::AngleToLine(Sphere::A, Moment::After);
         let by_tangent = || self.line_that_is(&self.prepared.known, angle).filter(|_| !is_shown && !is_nought(angle));
         let right = self.line_that_is(&self.prepared.known, after).or_else(by_tangent);
+        let right = right.or_else(|| self.inequality_with(&sizes(&self.prepared.known, after)?));
         let line = right.or_else(|| if is_condoned { exchanged() } else { None })?;
         Some(Evidence::given(line, "restitution"))
     }

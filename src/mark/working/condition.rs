@@ -1,5 +1,6 @@
 //! Lines that use what is given of the motion after the impact.
 
+use super::compare::{comes_to, is_composite};
 use super::evidence::Evidence;
 use super::examine::Working;
 use super::points::sizes;
@@ -79,6 +80,24 @@ impl Working<'_> {
         };
         let is = |demanded: Vec<f64>| self.is_positive_multiple(&stated, &demanded);
         of_scheme().is_some_and(is) || of_own().is_some_and(is)
+    }
+
+    /// The line of an inequality of which one side comes to this by a formula: `4f > 2` has the speed after a wall.
+    pub(super) fn inequality_with(&self, right: &[f64]) -> Option<usize> {
+        let is = |side: &Expr| {
+            let values = self.values_of(side).filter(|_| is_composite(side));
+            values.is_some_and(|values| values.iter().zip(right).all(|(value, right)| comes_to(*value, *right)))
+        };
+        let has = |form: &Form| match form {
+            Form::Equation(Expr::Relation(left, relation, right)) => {
+                oriented(0.0, *relation).is_some() && (is(left) || is(right))
+            }
+            _ => false,
+        };
+        self.lines.iter().position(|studied| {
+            let statements = studied.reading.iter().flat_map(|reading| &reading.statements);
+            statements.flat_map(|statement| &statement.said).any(|said| has(&said.form))
+        })
     }
 
     /// Has every velocity in it been stated before, so that it says something of the letter that is sought?

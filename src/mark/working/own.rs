@@ -141,25 +141,44 @@ impl Working<'_> {
             return None;
         }
         let before = sizes(&self.prepared.known, Quantity::KineticEnergy(Sphere::A, Moment::Before))?;
+        let along = self.energy_along_before();
         let line = self.lines.iter().position(|studied| {
             let members = studied.reading.as_ref().map(|reading| reading.members.as_slice()).unwrap_or_default();
-            members.iter().any(|member| self.is_energy_less_another(&member.expr, &before))
+            members.iter().any(|member| {
+                self.is_energy_less_another(&member.expr, &before, false)
+                    || along.as_ref().is_some_and(|along| self.is_energy_less_another(&member.expr, along, true))
+            })
         })?;
         Some(Evidence::given(line, law.name()))
     }
 
-    /// `½mu² - ½mv²` or `½m(u² - v²)`, the first of them right and the other a square.
-    fn is_energy_less_another(&self, expr: &Expr, before: &[f64]) -> bool {
+    /// The energy before an impact of the motion along the line of centres alone, where a wall leaves the rest as it is.
+    fn energy_along_before(&self) -> Option<Vec<f64>> {
+        let known = |quantity| sizes(&self.prepared.known, quantity);
+        let along = known(Quantity::Velocity(Sphere::A, Moment::Before, Axis::N))?;
+        let mass = known(Quantity::Mass(Sphere::A)).filter(|_| self.prepared.setting == Setting::Wall)?;
+        Some(along.iter().zip(mass).map(|(along, mass)| mass * along * along / 2.0).collect())
+    }
+
+    /// `½mu² - ½mv²` or `½m(u² - v²)`, the first of them right and the other a square, or what the student's own speed
+    /// comes to. Of the components alone no more is left than there was, and it is not all the energy after.
+    fn is_energy_less_another(&self, expr: &Expr, before: &[f64], is_along: bool) -> bool {
         let Some((factors, one, Expr::Negative(other))) = two_terms(expr) else { return false };
         let values = |last: &Expr| self.values_of(&product(&factors, last));
         let is_square = |inner: &Expr| matches!(inner, Expr::Power(_, exponent) if **exponent == Expr::integer(2));
         let (Some(first), Some(second)) = (values(one), values(other)) else { return false };
         let is_before = first.iter().zip(before).all(|(value, right)| comes_to(*value, *right));
         let is_another = second.iter().zip(before).all(|(value, right)| match value {
-            Value::Number(spread) => spread.low > 1e-9 && spread.high < 2.0 * right,
+            Value::Number(spread) => spread.low > 1e-9 && spread.high < if is_along { *right } else { 2.0 * right },
             Value::Vector(..) => false,
         });
-        is_before && is_another && any_within(other, &is_square)
+        let totals = [&self.prepared.known, &self.followed]
+            .map(|known| sizes(known, Quantity::KineticEnergy(Sphere::A, Moment::After)));
+        let is_total =
+            self.is_near_one_of(&product(&factors, other), &totals.into_iter().flatten().collect::<Vec<_>>());
+        let is_squared = || any_within(other, &is_square);
+        let counts = if is_along { is_squared() && !is_total } else { is_squared() || is_total };
+        is_before && is_another && counts
     }
 }
 

@@ -2,7 +2,8 @@
 
 use super::compare::{any_within, comes_to};
 use super::evidence::Evidence;
-use super::examine::{Studied, Working};
+use super::examine::{Studied, Working, context};
+use super::linear::{Context, constant};
 use super::points::sizes;
 use crate::bank::Code;
 use crate::expr::{Expr, Function};
@@ -77,14 +78,24 @@ impl Working<'_> {
         self.spheres(sphere).into_iter().any(|of| {
             let own = self.theirs.0.contains_key(&Quantity::Velocity(of, Moment::After, Axis::N));
             let in_i_j = [Axis::X, Axis::Y].map(|axis| self.sizes_of(of, axis));
+            let is = |expr: &Expr, sizes: &[Vec<f64>]| self.is_one_of(expr, sizes) || self.rounds_one_of(expr, sizes);
             let along_fits = match own {
-                true => self.is_one_of(along, &self.sizes_of(of, Axis::N)),
+                true => is(along, &self.sizes_of(of, Axis::N)),
                 // Nowhere said what the component is: this says it.
                 false => self.values_of(along).is_some(),
             };
-            (self.is_one_of(across, &self.sizes_of(of, Axis::T)) && along_fits)
-                || (self.is_in_vectors() && self.is_one_of(across, &in_i_j[0]) && self.is_one_of(along, &in_i_j[1]))
+            (is(across, &self.sizes_of(of, Axis::T)) && along_fits)
+                || (self.is_in_vectors() && is(across, &in_i_j[0]) && is(along, &in_i_j[1]))
         })
+    }
+
+    /// Two figures are enough to see which number was rounded: `7.1` for 2.67².
+    fn rounds_one_of(&self, expr: &Expr, sizes: &[Vec<f64>]) -> bool {
+        let at = |(point, size): (usize, &f64)| {
+            let context = Context { given: &self.names, rounded_from: 2, ..context(self.prepared, point) };
+            constant(expr, &context).is_some_and(|own| own.absolute().may_be(size.abs()))
+        };
+        sizes.iter().any(|right| right.iter().enumerate().all(at))
     }
 
     /// `p/v` or `v/p`.
@@ -192,6 +203,31 @@ impl Working<'_> {
         let along = |sphere| sizes(&self.prepared.known, Quantity::Velocity(sphere, Moment::Before, Axis::N));
         let (Some(a), Some(b)) = (along(Sphere::A), along(Sphere::B)) else { return false };
         self.is_one_of(base, &[a.iter().zip(b).map(|(a, b)| a - b).collect()])
+    }
+
+    /// All the energy before the impact and all that after it, each right on a line of its own, and then a loss: whatever
+    /// the calculator made of them.
+    pub(super) fn energies_apart(&self, law: Law, code: Code) -> Option<Evidence> {
+        let mut asked = self.part.blanks.iter().flat_map(|blank| blank.find.quantities());
+        if !law.gives(Quantity::EnergyLost) || !asked.any(|find| find == Quantity::EnergyLost) {
+            return None;
+        }
+        let total = |known, moment| self.line_that_is(known, Quantity::TotalEnergy(moment));
+        let follows = !code.is_accuracy() || code == Code::A1FollowThrough;
+        let own = || if follows { total(&self.followed, Moment::After) } else { None };
+        let before = total(&self.prepared.known, Moment::Before)?;
+        let after = total(&self.prepared.known, Moment::After).or_else(own)?;
+        let speaks_of_loss = |studied: &Studied| {
+            let typed = studied.line.typed.to_lowercase();
+            ["los", "change", "before - after", "before − after"].iter().any(|word| typed.contains(word))
+        };
+        let last = before.max(after);
+        let line = self.lines.iter().skip(last + 1).position(|studied| {
+            let mut members = studied.reading.iter().flat_map(|reading| &reading.members);
+            let takes_off = |expr: &Expr| matches!(expr, Expr::Sum(terms) if terms.iter().any(|term| matches!(term, Expr::Negative(_))));
+            members.any(|member| takes_off(&member.expr)) || speaks_of_loss(studied)
+        })?;
+        (before != after).then(|| Evidence::given(last + 1 + line, law.name()))
     }
 
     /// What students take for the energy after the impact and is part of it only.
