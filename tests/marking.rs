@@ -42,6 +42,9 @@ struct Row {
     /// Tags that must be among the notes of answers, causes and awards.
     #[serde(default)]
     notes: Vec<String>,
+    /// Tags that must not be among them.
+    #[serde(default)]
+    without: Vec<String>,
 }
 
 #[derive(Deserialize)]
@@ -133,9 +136,10 @@ fn every_script_of_the_table_earns_its_marks() {
             .chain(part.awards.iter().filter_map(|award| award.note))
             .collect();
         let missing: Vec<&String> = row.notes.iter().filter(|note| !notes.contains(&note.as_str())).collect();
-        if codes.join(" ") != row.codes || !missing.is_empty() {
+        let unwanted: Vec<&String> = row.without.iter().filter(|note| notes.contains(&note.as_str())).collect();
+        if codes.join(" ") != row.codes || !missing.is_empty() || !unwanted.is_empty() {
             wrong += &format!(
-                "{}\n  earns  {}\n  not    {}\n  missing {missing:?}\n{}\n",
+                "{}\n  earns  {}\n  not    {}\n  missing {missing:?}, unwanted {unwanted:?}\n{}\n",
                 row.name,
                 codes.join(" "),
                 row.codes,
@@ -160,6 +164,7 @@ fn the_rest_is_solved_again_from_the_values_that_the_student_found() {
         style: None,
         codes: String::new(),
         notes: Vec::new(),
+        without: Vec::new(),
     };
     let part = marked(&row);
     let lines: Vec<String> = part.followed.iter().flat_map(|line| line.equations.iter().map(print::plain)).collect();
@@ -186,6 +191,7 @@ fn a_slip_is_named_only_where_the_working_does_not_speak_against_it() {
             style: None,
             codes: String::new(),
             notes: Vec::new(),
+            without: Vec::new(),
         };
         let answers = marked(&row).answers.into_iter().filter(|answer| answer.name == "speed of B");
         answers.flat_map(|answer| answer.causes).map(|cause| cause.tag).collect::<Vec<_>>()

@@ -9,7 +9,8 @@
 //! 4. A decimal with two figures at least that is the model cut off after them is *truncated*.
 //! 5. A decimal with at least three figures that differs from the model by less than one hundredth of it is a *near
 //!    miss*: what early rounding leads to.
-//! 6. Anything else is wrong; one significant figure is evidence of nothing.
+//! 6. Anything else is wrong; one significant figure is evidence of nothing. A whole number is no other that was rounded:
+//!    10 for 12 is simply wrong.
 
 use crate::answer::Accept;
 use crate::expr::Expr;
@@ -270,16 +271,26 @@ pub(super) fn decimal(written: &Written, target: &Target, accept: &Accept) -> Fi
         let right = Finding::correct(later.then_some(Note::LaterFigures));
         return if *accept == Accept::Exact { right.at_most_partial(Note::ExactWanted) } else { right };
     }
+    // Nobody rounds 32 to 30.
+    let is_whole = |number: &Fraction| number.is_integer();
+    let was_rounded =
+        !(is_whole(&written.value) && is_whole(&model.to_fraction()) && target.equals(&model.to_fraction()));
     match last {
         LastPlace::Rounded if written.figures >= FEWEST => Finding::partial(Note::UnderAccurate),
         LastPlace::CutOff if written.figures >= FEWEST => Finding::partial(Note::Truncated),
-        LastPlace::Rounded | LastPlace::CutOff if written.figures > 0 => Finding::wrong(Note::TooFewFigures),
+        LastPlace::Rounded | LastPlace::CutOff if written.figures > 0 && was_rounded => {
+            Finding::wrong(Note::TooFewFigures)
+        }
         LastPlace::Rounded | LastPlace::CutOff => Finding::WRONG,
         LastPlace::Neither => {
             if to_noughts {
                 // `1200` for 1234, to the nearest hundred.
                 let few = written.figures.saturating_sub(written.noughts) < FEWEST;
-                return if few { Finding::wrong(Note::TooFewFigures) } else { Finding::partial(Note::UnderAccurate) };
+                return match few {
+                    true if was_rounded => Finding::wrong(Note::TooFewFigures),
+                    true => Finding::WRONG,
+                    false => Finding::partial(Note::UnderAccurate),
+                };
             }
             if written.figures >= FEWEST_NEAR && target.is_near(&written.value) {
                 return Finding::partial(Note::NearMiss);

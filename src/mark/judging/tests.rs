@@ -137,7 +137,7 @@ const DECIMALS: &[(&str, &str, &str, &str)] = &[
     ("12", "awrt 3sf", "12.1", "partial near-miss"),
     ("12", "awrt 3sf", "11.9", "partial near-miss"),
     ("12", "awrt 3sf", "12.2", "wrong"),
-    ("12", "awrt 3sf", "10", "wrong too-few-figures"),
+    ("12", "awrt 3sf", "10", "wrong"),
     ("9", "awrt 3sf", "9", "correct"),
     ("9", "awrt 3sf", "18/2", "correct"),
     ("9", "exact", "9.0", "correct"),

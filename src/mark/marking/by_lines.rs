@@ -6,6 +6,7 @@ use crate::bank::EarnedFor;
 use crate::mark::award::{Award, Cause, Place};
 use crate::mark::key::KeyedPart;
 use crate::mark::slips::{self, ARITHMETIC};
+use crate::mark::working::Examined;
 use crate::mechanics::{Law, Quantity, Seen};
 
 /// Mistakes that a line shows plainly, so that another mistake in the same law is none.
@@ -16,23 +17,31 @@ const PLAIN: [&str; 7] =
 #[derive(Clone, Debug, Default)]
 pub(super) struct ByLines {
     laws: Vec<Law>,
+    /// The equations that they have right as far as the method goes.
+    methods: Vec<Law>,
+    /// The others that lines of this part use.
+    last: Vec<Law>,
+    /// Is e seen in them?
+    has_e: bool,
     values: Vec<Quantity>,
     /// What is plainly wrong with a law.
     wrong: Vec<(Law, &'static str)>,
     /// The marks of this part that lines earn, and the last of those lines.
     earned: Vec<bool>,
-    last: Option<usize>,
+    last_line: Option<usize>,
     /// Does every equation of this part stand there rightly?
     has_all_equations: bool,
 }
 
 impl ByLines {
     /// With what the lines of the next part show. What is known of the laws holds for one impact only.
-    pub(super) fn go_on(self, part: &KeyedPart, awards: &[Option<Award>], is_one_impact: bool) -> ByLines {
+    pub(super) fn go_on(self, part: &KeyedPart, examined: &Examined, is_one_impact: bool) -> ByLines {
+        let awards = &examined.awards;
         let mut all = match is_one_impact {
-            true => ByLines { earned: Vec::new(), last: None, has_all_equations: false, ..self },
+            true => ByLines { earned: Vec::new(), last: Vec::new(), last_line: None, has_all_equations: false, ..self },
             false => ByLines::default(),
         };
+        all.has_e |= examined.has_e();
         let mut equations = Vec::new();
         for (mark, award) in part.scheme.iter().zip(awards) {
             let line = award.as_ref().and_then(|award| match award.evidence.as_ref()?.place {
@@ -42,9 +51,13 @@ impl ByLines {
             let given = line.filter(|(award, _)| award.given && award.note.is_none());
             all.earned.push(line.is_some_and(|(award, _)| award.given));
             if !mark.code.is_accuracy() {
+                if let (EarnedFor::Law(law, _), Some((Award { given: true, .. }, _))) = (&mark.earned_for, line) {
+                    let of = if is_equation(*law) { &mut all.methods } else { &mut all.last };
+                    of.push(*law);
+                }
                 continue;
             }
-            all.last = all.last.max(given.map(|(_, number)| number));
+            all.last_line = all.last_line.max(given.map(|(_, number)| number));
             match &mark.earned_for {
                 EarnedFor::Law(law, _) if is_equation(*law) => {
                     equations.push(given.is_some());
@@ -64,22 +77,31 @@ impl ByLines {
     /// May this be the mistake? Not if it spoils what a line has right, nor if a line has another in the same law.
     pub(super) fn allows(&self, cause: &slips::Cause) -> bool {
         let is_of_law = !cause.laws.is_empty();
+        let is_of_e = |tag: &&str| ["coalesce", "e-taken-as-1"].contains(tag);
+        let forgets_e = || self.has_e && cause.tags.iter().any(is_of_e);
         let spoils = || {
             self.laws.iter().any(|law| !cause.earns_accuracy(*law))
+                || self.methods.iter().any(|law| !cause.earns_method(*law))
                 || self.values.iter().any(|quantity| !cause.keeps(*quantity))
         };
         let is_another = || {
             let differs = |(law, note): &(Law, &str)| cause.laws.contains(law) && !cause.tags.contains(note);
             self.wrong.iter().any(differs)
         };
-        !(is_of_law && (spoils() || is_another()))
+        !(is_of_law && (spoils() || is_another() || forgets_e()))
+    }
+
+    /// Is the mistake in the law by which lines of this part go on to their answer? Then it explains the answer, and what
+    /// may have been wrong before it does not.
+    pub(super) fn is_of_last_step(&self, cause: &slips::Cause) -> bool {
+        !cause.laws.is_empty() && cause.laws.iter().all(|law| self.last.contains(law))
     }
 
     /// Where every equation is right and the method for the answer is seen, what is left is a slip in the arithmetic.
     pub(super) fn arithmetic(&self, part: &KeyedPart, blank: usize, follows: bool) -> Option<Cause> {
         let own = part.scheme.iter().find(|mark| own_blank(mark, part) == Some(blank))?;
         let has_method = follows || !own.depends.is_empty() && own.depends.iter().all(|mark| self.earned[*mark]);
-        let last = self.last.filter(|_| has_method && self.has_all_equations)?;
+        let last = self.last_line.filter(|_| has_method && self.has_all_equations)?;
         let sentence = format!("What you need is there: look for an error in the arithmetic after line {last}.");
         Some(Cause { tag: ARITHMETIC.to_owned(), sentence, probable: Vec::new() })
     }

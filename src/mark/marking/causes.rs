@@ -7,7 +7,7 @@ use super::follow::{Followed, is_near_miss, say_of};
 use super::memory::Judged;
 use crate::bank::{EarnedFor, Find};
 use crate::mark::award::{Cause, MarkedAnswer};
-use crate::mark::judging::Verdict;
+use crate::mark::judging::{Note, Verdict};
 use crate::mark::key::{KeyedBlank, KeyedPart, KeyedQuestion};
 use crate::mark::reading::{Reading, Said};
 use crate::mark::slips::{self, EARLY_ROUNDING, early_rounding};
@@ -48,6 +48,10 @@ pub(super) fn name(
         };
         // An unknown that was found wrongly goes into all that is worked out with it.
         found.retain(|found| !(found.is_of_law && seen.is_unknown_wrong));
+        // A mistake leads to just this value: it is no other that was rounded.
+        if found.iter().any(|found| found.is_of_law) && answer.judgement.note == Some(Note::TooFewFigures.tag()) {
+            answer.judgement = answer.judgement.clone().simply_wrong();
+        }
         let follows = seen.followed[place].is_some();
         if follows && (seen.is_wrong_before || !found.iter().any(|found| found.explains)) {
             found.clear();
@@ -92,8 +96,11 @@ fn behind(
         rounded.into_iter().map(|cause| Found { cause, is_of_law: false, explains: true }).collect();
     let each = readings.iter().filter_map(last_said).map(|said| question.mistakes().causes(&asked, said));
     let causes = each.into_iter().find(|found| !found.is_empty()).unwrap_or_default();
-    let fitting = causes.iter().filter(|cause| by_lines.allows(cause)).take(MOST);
-    found.extend(fitting.map(|cause| {
+    let mut fitting: Vec<&slips::Cause> = causes.iter().filter(|cause| by_lines.allows(cause)).collect();
+    if fitting.iter().any(|cause| by_lines.is_of_last_step(cause)) {
+        fitting.retain(|cause| by_lines.is_of_last_step(cause));
+    }
+    found.extend(fitting.into_iter().take(MOST).map(|cause| {
         let is_of_law = !cause.laws.is_empty();
         Found { cause: explained(cause, part), is_of_law, explains: is_of_law }
     }));

@@ -10,6 +10,7 @@ use crate::expr::{Expr, Text};
 use crate::mark::award::MarkedAnswer;
 use crate::mark::judging::{Judgement, Model, Note, Verdict, judge};
 use crate::mark::key::{KeyedPart, KeyedQuestion};
+use crate::mark::reading::{Form, Reading};
 use crate::mark::working::Examined;
 use crate::mechanics::{Datum, Derivation, Line, Quantity, Show};
 use crate::number::{Fraction, Places, round};
@@ -57,7 +58,12 @@ pub(super) fn answers(
         if !is_marked && (is_stated(question, examined, value) || is_right_already(question, quantity, value)) {
             return None;
         }
-        let value = Expr::Decimal(format!("{:.12}", value.abs()));
+        let is_it = |expr: &&Expr| {
+            let own = question.exact(expr).and_then(|own| own.to_f64());
+            own.is_some_and(|own| (own - value.abs()).abs() <= SAME * value.abs())
+        };
+        let exact = judged.readings.as_deref().and_then(exactly).filter(is_it);
+        let value = exact.cloned().unwrap_or_else(|| Expr::Decimal(format!("{:.12}", value.abs())));
         // It is known in figures, so that nobody can be asked for more.
         let accept = match &blank.model.accept {
             Accept::Exact => Accept::RoundsTo(Places::SignificantFigures(3)),
@@ -70,6 +76,20 @@ pub(super) fn answers(
         follows.then(|| Followed { judgement: judgement.in_setting(part.setting), is_marked })
     })
     .collect()
+}
+
+/// How near a double comes to the exact value that it stands for, in parts of itself.
+const SAME: f64 = 1e-9;
+
+/// What an answer comes to, where it is written without a decimal: only that can be the exact value.
+fn exactly(readings: &[Reading]) -> Option<&Expr> {
+    let said = readings.first()?.statements.last()?.said.last()?;
+    let Form::Value(expr) = &said.form else { return None };
+    (!has_decimal(expr)).then_some(expr)
+}
+
+fn has_decimal(expr: &Expr) -> bool {
+    matches!(expr, Expr::Decimal(_)) || expr.children().into_iter().any(has_decimal)
 }
 
 /// Is it less than one hundredth off?

@@ -105,7 +105,7 @@ fn looked_through(
         examined.see_in_answers(question, part, &theirs, readings);
         let followed = follow::answers(question, part, &answers, &judged, &examined);
         follow::say(&mut answers, &followed);
-        by_lines = by_lines.go_on(part, &examined.awards, question.scene.then.is_empty());
+        by_lines = by_lines.go_on(part, &examined, question.scene.then.is_empty());
         let is_wrong_before = theirs.wrong(question).next().is_some();
         let seen = causes::Seen { by_lines: &by_lines, is_wrong_before, is_unknown_wrong, followed: &followed };
         causes::name(question, part, &mut answers, &judged, &examined, &seen);

@@ -34,6 +34,9 @@ impl Working<'_> {
             }
             Seen::Components => self.resolved(code),
             Seen::Equation if law.gives(Quantity::RestitutionEquation) => {
+                if let Some(found) = self.energy_kept(law) {
+                    return Some(found);
+                }
                 let quotient = || self.restitution_from_components().or_else(|| self.rebound(code));
                 self.by_terms(law, code).filter(|found| found.given).or_else(quotient)
             }

@@ -10,7 +10,7 @@ use super::spread::Spread;
 use super::substituted::{apart, impulse_in, is_impulse, without_impulse};
 use super::theirs::numbers;
 use crate::expr::Expr;
-use crate::mechanics::{Axis, Law, Moment, Quantity, Sphere};
+use crate::mechanics::{Axis, Law, Moment, Quantity, Setting, Sphere};
 
 /// The place of a line, which of its readings, and what it is.
 type Found = (usize, usize, Matched);
@@ -24,6 +24,8 @@ struct Offered {
     linear: Vec<Linear>,
     /// Does the speed of approach stand in it?
     shows_approach: bool,
+    /// Does e?
+    shows_e: bool,
     /// Does it say nothing but that the two unknowns are equal?
     says_equal: bool,
 }
@@ -32,7 +34,8 @@ impl Offered {
     fn of(place: usize, which: usize, equation: &(Expr, Expr), prepared: &Prepared) -> Option<Offered> {
         let linear = differences(equation, prepared)?;
         let (shows_approach, says_equal) = (shows_approach(equation, prepared), says_equal(equation, &linear[0]));
-        Some(Offered { place, which, linear, shows_approach, says_equal })
+        let shows_e = [&equation.0, &equation.1].iter().any(|side| shows_e(side, prepared));
+        Some(Offered { place, which, linear, shows_approach, shows_e, says_equal })
     }
 
     /// Are its unknowns velocities, one or two of them?
@@ -43,7 +46,7 @@ impl Offered {
 
     /// What it is in this convention.
     fn matched(&self, laws: &Laws, convention: &Convention) -> Option<Matched> {
-        let matched = laws.matched(&self.linear, convention)?;
+        let matched = laws.matched(&self.linear, convention, self.shows_e)?;
         // A number alone may be anything: e is another only where it stands with the speed of approach.
         let is_e = matched.departures != [Departure::AnotherRestitution] || self.shows_approach;
         is_e.then(|| named(matched, self.says_equal))
@@ -188,6 +191,10 @@ fn may_be_velocity(name: &str) -> bool {
 
 /// Are both unknowns positive against i, or against j, along which the line of centres lies?
 fn is_against_axes(convention: &Convention, prepared: &Prepared) -> bool {
+    // Nobody speaks of i on a straight line.
+    if prepared.setting == Setting::Direct {
+        return false;
+    }
     let line = |axis| sizes(&prepared.known, Quantity::Line(axis)).map_or(0.0, |line| line[0]);
     let along = line(Axis::X) + line(Axis::Y);
     convention.signs.iter().all(|sign| sign * along < 0.0)
@@ -242,6 +249,27 @@ fn says_equal((left, right): &(Expr, Expr), linear: &Linear) -> bool {
                 && names.iter().all(|name| name.text == *one || name.text == *other))
     };
     is_bare(left) && is_bare(right) && (v.middle() + w.middle()).abs() < 1e-9
+}
+
+/// Does e stand in a formula: by its letter, as a factor, or squared in `1 - e²`? In an energy a half is no e.
+pub(super) fn shows_e(expr: &Expr, prepared: &Prepared) -> bool {
+    let Some(e) = sizes(&prepared.known, Quantity::Restitution) else { return false };
+    let is = |expr: &Expr, power: i32| {
+        let values = value(expr, prepared, &[]).and_then(|values| numbers(&values));
+        values.is_some_and(|values| {
+            values.iter().zip(&e).all(|(value, e)| (value - e.powi(power)).abs() < 1e-6 * value.abs())
+        })
+    };
+    let is_square = |inner: &Expr| matches!(inner, Expr::Power(..));
+    any_within(expr, &|inner| match inner {
+        Expr::Name(name) => name.text == "e",
+        Expr::Product(factors) => !any_within(inner, &is_square) && factors.iter().any(|factor| is(factor, 1)),
+        Expr::Sum(terms) => match terms.as_slice() {
+            [one, Expr::Negative(taken)] => *one == Expr::integer(1) && is(taken, 2),
+            _ => false,
+        },
+        _ => false,
+    })
 }
 
 /// Does the speed of approach stand in the equation: as a number, a product, or a factor of one?

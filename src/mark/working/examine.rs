@@ -1,7 +1,7 @@
 //! Which marks the lines of a part earn.
 
 use super::angles;
-use super::convention::{differences, take_as_laws};
+use super::convention::{differences, shows_e, take_as_laws};
 use super::evidence::Evidence as Shown;
 use super::impacts::{set_aside_of_others, short_of_law};
 use super::line::{self, Line, ReadLine};
@@ -34,11 +34,18 @@ pub(crate) struct Examined {
     pub(super) followed: Option<Vec<Known<f64>>>,
     /// What the student's own two equations come to, where they are those of the first impact.
     pub(super) solution: Option<[Vec<f64>; 2]>,
+    /// Is e seen in them, where they were looked through?
+    pub(super) has_e: Option<bool>,
     /// What each line is short of one of the two equations, if it is one.
     pub(super) short_of_law: Vec<Option<u32>>,
 }
 
 impl Examined {
+    /// Does e stand in the lines, so that it was not forgotten?
+    pub(crate) fn has_e(&self) -> bool {
+        self.has_e == Some(true)
+    }
+
     /// What follows for a quantity from the student's own values, where the question has no letters.
     pub(crate) fn followed(&self, question: &KeyedQuestion, quantity: Quantity) -> Option<f64> {
         match self.followed.as_deref() {
@@ -134,6 +141,10 @@ pub(super) fn examine_one(
     let awards = part.scheme.iter().map(|mark| working.award(mark)).collect();
     let stated = part.blanks.iter().map(|blank| stated(&working.lines, blank)).collect();
     let solution = working.own_solution();
+    let shows = |studied: &Studied| {
+        studied.reading.iter().flat_map(|reading| &reading.members).any(|member| shows_e(&member.expr, prepared))
+    };
+    let has_e = Some(working.lines.iter().any(shows));
     let lines = working.lines.iter().map(|studied| MarkedLine {
         typed: studied.line.typed.clone(),
         reading: studied.reading.as_ref().map(|reading| reading.printed.clone()),
@@ -141,7 +152,7 @@ pub(super) fn examine_one(
     });
     let lines = lines.collect();
     let (theirs, followed) = (working.theirs, Some(working.followed));
-    Examined { awards, lines, theirs, stated, followed, solution, short_of_law }
+    Examined { awards, lines, theirs, stated, followed, solution, has_e, short_of_law }
 }
 
 /// What the last line states of a blank by a name in words, `speed of B = 8`; letters are known from the equations.
@@ -238,7 +249,7 @@ impl Working<'_> {
         let shown = match (&mark.earned_for, mark.code) {
             (_, Code::A1Shown) => self.printed_result(),
             (EarnedFor::Law(law, _), code) if law.seen() == Seen::Equation && self.uses_pair(*law) => {
-                let terms = || self.by_terms(*law, code);
+                let terms = || self.energy_kept(*law).or_else(|| self.by_terms(*law, code));
                 match self.pair_equation(*law, code) {
                     Some(shown) if !shown.given => terms().filter(|found| found.given).or(Some(shown)),
                     shown => shown.or_else(terms),

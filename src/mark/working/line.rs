@@ -219,7 +219,8 @@ fn may_have_column(typed: &str) -> bool {
 /// With the words of which a colon says that they are its name.
 fn candidates(typed: &str) -> Vec<(Option<&str>, String)> {
     let typed = typed.trim_start_matches(['∴', '→', '⇒', '•']).trim_start_matches("=>").trim();
-    let typed = without_remark(typed);
+    // An equals sign with nothing after it waits for what is worked out on the next line.
+    let typed = without_remark(typed.trim_end_matches(['=', ' ']));
     // A bullet stands apart; a minus sign does not.
     let typed = ["- ", "* "].iter().find_map(|bullet| typed.strip_prefix(bullet)).unwrap_or(typed).trim();
     let typed = LEAD_INS.iter().find_map(|word| typed.strip_prefix(word)?.strip_prefix(' ')).unwrap_or(typed).trim();

@@ -12,6 +12,7 @@ mod components;
 mod condition;
 mod convention;
 mod departure;
+mod elastic;
 mod evidence;
 mod examine;
 mod impacts;

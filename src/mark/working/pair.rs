@@ -141,8 +141,8 @@ impl Laws {
 
     /// What a line is, its unknowns in this convention; `None` if it is neither law, however changed.
     ///
-    /// The line is its left minus its right side at every point.
-    pub(super) fn matched(&self, line: &[Linear], convention: &Convention) -> Option<Matched> {
+    /// The line is its left minus its right side at every point. Where e is seen to stand in it, it was not left out.
+    pub(super) fn matched(&self, line: &[Linear], convention: &Convention, shows_e: bool) -> Option<Matched> {
         let others = |line: &Linear| line.unknowns.iter().any(|(name, _)| !convention.letters.contains(name));
         if line.iter().any(others) {
             return None;
@@ -151,9 +151,11 @@ impl Laws {
         let has = |unknowns: &Vec<[f64; 2]>| unknowns.iter().zip(&sides).all(|(numbers, side)| side.has(*numbers));
         let in_proportion: Vec<bool> = self.unknowns.iter().map(has).collect();
         let is_line = |changed: &&Changed| {
-            let tolerance = changes()[changed.change].tolerance;
+            let Change { tolerance, departures, .. } = &changes()[changed.change];
+            let is_without_e = departures.contains(&Departure::RestitutionMissing);
             in_proportion[changed.unknowns]
-                && changed.numbers.iter().zip(&sides).all(|(numbers, side)| side.is_law(*numbers, tolerance))
+                && !(shows_e && is_without_e)
+                && changed.numbers.iter().zip(&sides).all(|(numbers, side)| side.is_law(*numbers, *tolerance))
         };
         match self.changed.iter().find(is_line).map(|changed| &changes()[changed.change]) {
             Some(change) => {
