@@ -13,7 +13,7 @@ use super::said::says_along;
 use super::theirs::numbers;
 use crate::bank::Code;
 use crate::expr::Expr;
-use crate::mechanics::{Axis, Law, Moment, Quantity, Setting, Sphere};
+use crate::mechanics::{Axis, Law, Moment, Quantity, Seen, Setting, Sphere};
 
 /// A component with its size at every point.
 type Component = (Quantity, Vec<f64>);
@@ -88,8 +88,8 @@ impl Working<'_> {
         })
     }
 
-    /// A change of momentum or of velocity, which is along the line of centres. For its accuracy the vector in which it ends
-    /// is: what is worked out wrongly, or another line that is concluded, costs the mark.
+    /// A change of momentum or of velocity, which is along the line of centres. For the accuracy of the line the vector in which
+    /// it ends is: what is worked out wrongly, or another line that is concluded, costs the mark.
     pub(super) fn along_impulse(&self, law: Law, code: Code) -> Option<Evidence> {
         let line = |axis| sizes(&self.prepared.known, Quantity::Line(axis));
         let (x, y) = line(Axis::X).zip(line(Axis::Y))?;
@@ -105,7 +105,7 @@ impl Working<'_> {
         let is_concluded = self.lines.iter().rev().find(names_it).is_none_or(has_one);
         match ends.filter(|_| is_concluded) {
             Some(place) => Some(Evidence::given(place, law.name())),
-            None if code.is_accuracy() => {
+            None if code.is_accuracy() && law.seen() == Seen::AlongLine => {
                 let feedback = "it ends in a vector that is not along the line of centres".to_owned();
                 Some(Evidence { given: false, feedback, ..Evidence::given(place, law.name()) })
             }
