@@ -6,14 +6,13 @@ use std::cmp::Ordering;
 use crate::answer::{Accept, Kind};
 use crate::expr::{Expr, Function, Relation};
 use crate::mark::reading::{Form, ReferenceLine, Said, Statement};
-use crate::number::{FloatInterval, Places};
+use crate::number::Places;
 use crate::unit::Unit;
 
 use super::called::words;
-use super::enclosure::enclose_roughly;
-use super::selection::{holds, is_angular};
+use super::selection::{holds, is_angular, order};
 use super::statements::is_rival;
-use super::{Model, angle, exact, number, vector};
+use super::{Model, angle, number, vector};
 
 /// `u(1-e)/2 > 0`, `3.57 < 5`: what is remarked of the only value there is, where that is so.
 pub(super) fn compared_with_a_bound(model: &Model, mut statements: Vec<Statement>) -> Vec<Statement> {
@@ -22,18 +21,9 @@ pub(super) fn compared_with_a_bound(model: &Model, mut statements: Vec<Statement
         && let Form::Equation(Expr::Relation(value, relation, bound)) = form
         && !matches!(**value, Expr::Name(_))
         && !matches!(relation, Relation::Equal | Relation::NotEqual)
+        && order(model, value, bound).is_some_and(|sign| holds(*relation, sign))
     {
-        let letters = &model.vocabulary.letters;
-        let nought = FloatInterval::point(0.0);
-        let gap = Expr::sum([(**value).clone(), (**bound).clone().negated()]);
-        let is_so = |point: u32| {
-            let gap = enclose_roughly(&gap, letters, point)?;
-            let sign = if gap.lower > 0.0 { Ordering::Greater } else { Ordering::Less };
-            Some(!gap.overlaps(nought) && holds(*relation, sign))
-        };
-        if exact::points(letters).all(|point| is_so(point) == Some(true)) {
-            *form = Form::Value((**value).clone());
-        }
+        *form = Form::Value((**value).clone());
     }
     statements
 }
@@ -82,11 +72,11 @@ pub(super) fn without_size_and_direction(model: &Model, statements: Vec<Statemen
         let bare = Said { reference: None, ..said.clone() };
         let fits = |(along, across): &(&Expr, &Expr)| {
             let size = |part: &Expr| Expr::call(Function::Abs, part.clone());
-            let angle = Expr::call(Function::Atan, size(across).over(size(along)));
-            let half_turn = Expr::degrees(Expr::integer(180));
-            [angle.clone(), Expr::Sum(vec![half_turn, angle.negated()])]
-                .into_iter()
-                .any(|angle| angle::judge(&of(Kind::Angle, angle), &bare, None).is_credited())
+            let acute = Expr::call(Function::Atan, size(across).over(size(along)));
+            let obtuse = Expr::Sum(vec![Expr::degrees(Expr::integer(180)), acute.clone().negated()]);
+            let is = |angle: Expr| angle::judge(&of(Kind::Angle, angle), &bare, None).is_credited();
+            let points_back = || order(model, along, &Expr::integer(0)) == Some(Ordering::Less);
+            is(acute) || (points_back() && is(obtuse))
         };
         slopes.iter().any(fits)
     };

@@ -11,6 +11,7 @@ use crate::mechanics::{Moment, Quantity};
 
 use super::besides::{compared_with_a_bound, without_its_name, without_size_and_direction, without_told_besides};
 use super::called::{COMPARING, EARLIER, LATER, LOSSES, is_of_loss, moment, states, words};
+use super::enclosure::enclose_roughly;
 use super::otherwise::DIRECTED;
 use super::statements::is_rival;
 use super::{Model, exact};
@@ -96,10 +97,23 @@ fn without_rejected(model: &Model, statements: &[Statement]) -> Vec<Statement> {
     kept.into_iter().filter(|statement| !is_taken_back(statement)).cloned().collect()
 }
 
-/// How one value stands to another, where that can be told.
-fn order(model: &Model, one: &Expr, other: &Expr) -> Option<Ordering> {
+/// How one value stands to another, where that can be told: with letters, as it is wherever they can lie.
+pub(super) fn order(model: &Model, one: &Expr, other: &Expr) -> Option<Ordering> {
+    let letters = &model.vocabulary.letters;
     let gap = Expr::sum([one.clone(), other.clone().negated()]);
-    exact::value(&gap, &model.vocabulary.letters).and_then(|gap| gap.sign())
+    let at_point = |point: u32| {
+        let gap = enclose_roughly(&gap, letters, point)?;
+        match (gap.lower > 0.0, gap.upper < 0.0) {
+            (true, _) => Some(Ordering::Greater),
+            (_, true) => Some(Ordering::Less),
+            _ => None,
+        }
+    };
+    let everywhere = || {
+        let first = at_point(0)?;
+        exact::points(letters).all(|point| at_point(point) == Some(first)).then_some(first)
+    };
+    exact::value(&gap, letters).and_then(|gap| gap.sign()).or_else(everywhere)
 }
 
 /// `1.5² + 2² = 6.25, √6.25 = 2.5`: the square, of which the root is taken next.

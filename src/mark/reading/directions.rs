@@ -42,7 +42,9 @@ impl Walk<'_> {
             {
                 return Ok(Some((Phrase::Line(ReferenceLine::MinusI), end)));
             }
-            if let Some((line, end)) = self.line(next) {
+            // `to the line perpendicular to AB`
+            let named = || self.any(self.article(next), &["line", "direction"]);
+            if let Some((line, end)) = self.line(next).or_else(|| self.line(named()?)) {
                 // `in the direction AB` has a sense, and `parallel to AB` has none.
                 let line = match line {
                     Line::Ab if self.any(at, &["in direction", "direction of"]).is_some() => Line::AToB,
@@ -171,9 +173,7 @@ impl Walk<'_> {
 
     fn line(&self, at: usize) -> Option<(Line, usize)> {
         let at = self.article(at);
-        // `to the perpendicular to AB`, `to the line perpendicular to AB`
-        let named = self.any(at, &["line", "direction"]).unwrap_or(at);
-        let across = self.any(named, &["perpendicular", "perp", "normal"]);
+        let across = self.any(at, &["perpendicular", "perp", "normal"]);
         if let Some(next) = across.and_then(|next| self.any(next, &["to", "of", "from"])) {
             let next = self.article(next);
             return match self.plain_line(next)? {

@@ -86,7 +86,7 @@ impl Statements<'_> {
         Ok(())
     }
 
-    /// The value of `e = 5/7 < 1`, which its end bounds.
+    /// The value of `e = 5/7 < 1` or `v = u(1-e)/2 > 0`, which its end bounds.
     pub(super) fn value_that_is_bounded<'s, 't>(
         &mut self,
         sides: &'s [&'t [Placed]],
@@ -95,11 +95,10 @@ impl Statements<'_> {
         let (Some((bound, values)), Some(((sign, _), equals))) = (sides.split_last(), relations.split_last()) else {
             return Ok(None);
         };
-        let [name, .., last] = values else { return Ok(None) };
+        let [name, _, ..] = values else { return Ok(None) };
         let is_value = is_inequality(*sign)
             && equals.iter().all(|(sign, _)| matches!(sign, '=' | '≈'))
-            && self.is_of_figures(last)
-            && self.is_of_figures(bound)
+            && bound.iter().all(|placed| !matches!(placed.token, Token::Phrase(_)))
             && matches!(self.what_is(name)?, Side::Label(_));
         Ok(is_value.then_some(values))
     }
