@@ -19,10 +19,12 @@ pub(super) fn judge(model: &Model, reading: &Reading) -> Finding {
     let is_of_direction = |statement: &&Statement| statement.label.as_ref().is_some_and(names_a_ratio);
     let ratio = reading.statements.iter().find(is_of_direction);
     let others = reading.statements.iter().filter(|statement| !is_of_direction(statement));
-    let said: Vec<&Said> = others.filter_map(|statement| statement.said.last()).collect();
+    let told: Vec<(&Statement, &Said)> =
+        others.filter_map(|statement| Some((statement, statement.said.last()?))).collect();
+    let said: Vec<&Said> = told.iter().map(|(_, said)| *said).collect();
     let parts = vector::components(model);
-    if let (Some(parts), [one, other]) = (&parts, said.as_slice())
-        && let Some(finding) = by_components(model, parts, [one, other])
+    if let (Some(parts), [one, other]) = (&parts, told.as_slice())
+        && let Some(finding) = by_components(model, parts, [*one, *other])
     {
         return finding;
     }
@@ -58,10 +60,14 @@ fn names_a_ratio(label: &Label) -> bool {
     matches!(&label.expr, Some(Expr::Call(Function::Sin | Function::Cos | Function::Tan, _)))
 }
 
-/// `2.5 along the line of centres and 2.6 perpendicular to it`: right, and a step short. The sense is not looked at.
-fn by_components(model: &Model, parts: &(Expr, Expr), said: [&Said; 2]) -> Option<Finding> {
-    let is_across = |said: &Said| {
-        let says = |words: &str| said.remarks.iter().any(|remark| remark.split(' ').any(|word| word == words));
+/// `2.5 along the line of centres and 2.6 perpendicular to it`, `along LOC: 2.5, perp: 2.6`: right, and a step short. The
+/// sense is not looked at.
+fn by_components(model: &Model, parts: &(Expr, Expr), told: [(&Statement, &Said); 2]) -> Option<Finding> {
+    let said = told.map(|(_, said)| said);
+    let is_across = |(statement, said): (&Statement, &Said)| {
+        let label = statement.label.iter().map(|label| label.typed.to_lowercase());
+        let words: Vec<String> = label.chain(said.remarks.iter().cloned()).collect();
+        let says = |wanted: &str| words.iter().any(|words| words.split(' ').any(|word| word == wanted));
         match (&said.form, said.reference.map(ReferenceLine::unsensed)) {
             (Form::Value(_), Some(ReferenceLine::AlongLineOfCentres)) => Some(false),
             (Form::Value(_), Some(ReferenceLine::AlongCommonTangent)) => Some(true),
@@ -73,7 +79,7 @@ fn by_components(model: &Model, parts: &(Expr, Expr), said: [&Said; 2]) -> Optio
     if said.into_iter().any(is_rival) {
         return None;
     }
-    let [along, across] = match said.map(is_across) {
+    let [along, across] = match told.map(is_across) {
         [Some(false), Some(true)] => said,
         [Some(true), Some(false)] => [said[1], said[0]],
         _ => return None,

@@ -274,6 +274,13 @@ impl Lexer<'_> {
             let place = self.glyphs[self.at].place;
             return Err(Unreadable::Sign(place, format!("a word of more than {LONGEST_WORD} letters")));
         }
+        // `1/3rd`
+        let after_digit = self.at > 0 && self.glyphs[self.at - 1].sign.is_ascii_digit();
+        let is_below = matches!(self.out.as_slice(), [.., stroke, _] if stroke.is('/'));
+        if after_digit && is_below && matches!(word.as_str(), "rd" | "rds" | "th" | "ths") {
+            self.at += word.len();
+            return Ok(());
+        }
         // The apostrophe of `doesn't`.
         if self.sign(word.len()) == Some('\'') && self.sign(word.len() + 1) == Some('t') {
             word.push_str("'t");
