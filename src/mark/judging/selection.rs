@@ -67,6 +67,10 @@ pub(super) fn counted<'r>(model: &Model, reading: &'r Reading) -> Option<Cow<'r,
 fn is_rejected(statement: &Statement) -> bool {
     let label = statement.label.iter().map(|label| label.typed.to_lowercase());
     let remarks = statement.said.iter().flat_map(|said| said.remarks.iter().cloned());
+    // `2.78, not 3.08`
+    if statement.said.iter().flat_map(|said| &said.remarks).any(|remark| remark == "not") {
+        return true;
+    }
     label
         .chain(remarks)
         .any(|words| words.split(|letter: char| !letter.is_alphanumeric()).any(|word| REJECTIONS.contains(&word)))

@@ -112,27 +112,25 @@ pub(super) const ANGLE: [&str; 14] = [
 ];
 
 /// The line of centres, without its article.
-pub(super) const CENTRES: [&str; 25] = [
+pub(super) const CENTRES: [&str; 23] = [
     "line of centres",
-    "line of centers",
     "line of centre",
-    "line of center",
     "lines of centres",
-    "lines of centers",
     "loc",
     "line joining centres",
-    "line joining a and b",
-    "line joining a to b",
-    "line connecting a and b",
-    "line connecting a to b",
-    "line joining centre of a to centre of b",
-    "line joining center of a to center of b",
-    "line joining centers",
     "line connecting centres",
     "line through centres",
     "line between centres",
     "line of their centres",
     "line of joining centres",
+    "line joining a and b",
+    "line joining a to b",
+    "line connecting a and b",
+    "line connecting a to b",
+    "line through a and b",
+    "line between a and b",
+    "line joining centre of a to centre of b",
+    "line joining centre of a and centre of b",
     "centre line",
     "line of impact",
     "common normal",
@@ -223,7 +221,7 @@ pub(super) const AFTER_A_LINE: [&str; 8] =
     ["of spheres", "of two spheres", "of A and B", "of a and b", "of balls", "of collision", "direction", "of impact"];
 
 /// Runs of words that say nothing about the value.
-pub(super) const REMARKS: [&str; 22] = [
+pub(super) const REMARKS: [&str; 27] = [
     "as required",
     "no units",
     "no unit",
@@ -246,6 +244,11 @@ pub(super) const REMARKS: [&str; 22] = [
     "in magnitude",
     "in ratio",
     "to 3sf",
+    "i got",
+    "i get",
+    "i think",
+    "i found",
+    "i believe",
 ];
 
 /// After the highest value of a range.
@@ -327,12 +330,13 @@ static SORTS: LazyLock<HashMap<&str, Sort>> = LazyLock::new(|| {
     words.collect()
 });
 
+/// The lists whose entries are phrases.
+const PHRASES: [&[&str]; 12] =
+    [&REST, &ACROSS, &ALONG, &ANGLE, &CENTRES, &TANGENT, &A_TO_B, &B_TO_A, &TOWARDS, &AWAY_FROM, &ORIGINAL, &REMARKS];
+
 /// Every word with which a phrase can begin.
 static STARTS: LazyLock<HashSet<&str>> = LazyLock::new(|| {
-    let lists: [&[&'static str]; 12] = [
-        &REST, &ACROSS, &ALONG, &ANGLE, &CENTRES, &TANGENT, &A_TO_B, &B_TO_A, &TOWARDS, &AWAY_FROM, &ORIGINAL, &REMARKS,
-    ];
-    let first = lists.into_iter().flatten().filter_map(|words| words.split(' ').next());
+    let first = PHRASES.into_iter().flatten().filter_map(|words| words.split(' ').next());
     first
         .chain([
             "at",
@@ -354,24 +358,9 @@ static STARTS: LazyLock<HashSet<&str>> = LazyLock::new(|| {
 
 /// Every word that stands in a list of this file.
 static KNOWN: LazyLock<HashSet<&str>> = LazyLock::new(|| {
-    let lists: [&[&'static str]; 14] = [
-        &REST,
-        &ACROSS,
-        &ALONG,
-        &ANGLE,
-        &CENTRES,
-        &TANGENT,
-        &A_TO_B,
-        &B_TO_A,
-        &TOWARDS,
-        &AWAY_FROM,
-        &ORIGINAL,
-        &AFTER_A_LINE,
-        &REMARKS,
-        &OTHERS,
-    ];
+    let phrases = PHRASES.into_iter().flatten().chain(&AFTER_A_LINE).chain(&OTHERS);
     let single = SINGLE.iter().flat_map(|(_, words)| words.split_whitespace());
-    lists.into_iter().flatten().flat_map(|words| words.split(' ')).chain(single).collect()
+    phrases.flat_map(|words| words.split(' ')).chain(single).collect()
 });
 
 /// Is it a word of a language that nobody here knows?

@@ -35,6 +35,24 @@ pub(super) fn without_question_number(mut tokens: Vec<Placed>, vocabulary: &Voca
     tokens
 }
 
+/// The tokens without the arrow in brackets that says which way is resolved: `(→)`, `R(→)`.
+pub(super) fn without_arrow(tokens: &[Placed]) -> &[Placed] {
+    let rest = match tokens {
+        [Placed { token: Token::Word(word), .. }, rest @ ..] if word == "R" => rest,
+        _ => tokens,
+    };
+    match rest {
+        [open, arrow, close, rest @ ..] if open.is('(') && arrow.is('⇒') && close.is(')') && !rest.is_empty() => {
+            if rest[0].is(':') {
+                &rest[1..]
+            } else {
+                rest
+            }
+        }
+        _ => tokens,
+    }
+}
+
 /// The tokens without `(a)`, `a)` or `(ii)` before them.
 pub(super) fn without_part_label<'a>(tokens: &'a [Placed], vocabulary: &Vocabulary) -> &'a [Placed] {
     let letter = |word: &str| vocabulary.letters.iter().any(|letter| letter.name() == word);

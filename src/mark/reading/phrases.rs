@@ -53,7 +53,10 @@ pub(super) fn with_phrases(
 ) -> Result<Vec<Placed>, Unreadable> {
     let tokens = with_signs(tokens, vocabulary, choices);
     let small = |placed: &Placed| match &placed.token {
-        Token::Word(word) => word.to_ascii_lowercase(),
+        Token::Word(word) => match word.to_ascii_lowercase() {
+            centre if matches!(&*centre, "center" | "centers") => centre.replace("ter", "tre"),
+            word => word,
+        },
         _ => String::new(),
     };
     let walk = Walk { tokens: &tokens, words: tokens.iter().map(small).collect(), vocabulary };
@@ -168,6 +171,14 @@ impl Walk<'_> {
             return Ok(Some(found));
         }
         let sort = lexicon::sort(word);
+        // `2.78, not 3.08`
+        let parted = || at > 0 && (self.tokens[at - 1].is(',') || self.tokens[at - 1].is('('));
+        if word == "not"
+            && parted()
+            && matches!(self.tokens.get(at + 1).map(|next| &next.token), Some(Token::Number(_)))
+        {
+            return Ok(Some((Phrase::Remark, at + 1)));
+        }
         if let Some(Sort::Negation) = sort {
             return Err(Unreadable::Sign(placed.start, format!("`{word}` may turn the answer round")));
         }

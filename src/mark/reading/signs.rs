@@ -9,7 +9,7 @@ use super::tokens::{Placed, Token};
 use crate::expr::Expr;
 
 /// Words that stand for signs or functions, and these.
-const SIGNS: [(&str, &str); 72] = [
+const SIGNS: [(&str, &str); 73] = [
     ("times", "*"),
     ("multiplied by", "*"),
     ("over", "/"),
@@ -82,7 +82,11 @@ const SIGNS: [(&str, &str); 72] = [
     ("can't exceed", "≤"),
     ("infinity", "∞"),
     ("element of", "∈"),
+    ("must exceed", ">"),
 ];
+
+/// Words that stand for signs before a number alone: `negative 0.75`.
+const BEFORE_A_NUMBER: [(&str, &str); 1] = [("negative", "-")];
 
 /// With so many decimals it is not the last figure alone that recurs.
 const SURELY_ROUNDED: usize = 6;
@@ -116,7 +120,9 @@ pub(super) fn with_signs(tokens: &[Placed], vocabulary: &Vocabulary, choices: &m
         let standing = word(at).and_then(|word| {
             let initial = word.bytes().next().map(|byte| byte.to_ascii_lowercase());
             let begins = |words: &str| words.bytes().next() == initial;
-            let standing = SIGNS.iter().filter(|(words, _)| begins(words));
+            let is_number = matches!(tokens.get(at + 1).map(|next| &next.token), Some(Token::Number(_)));
+            let before_number = BEFORE_A_NUMBER.iter().filter(|_| is_number);
+            let standing = SIGNS.iter().chain(before_number).filter(|(words, _)| begins(words));
             standing.filter_map(|(words, signs)| Some((stands(words)?, signs))).max_by_key(|(next, _)| *next)
         });
         // `0.3 recurring`, `0.3 (recurring)`: the last digit recurs.

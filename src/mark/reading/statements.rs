@@ -4,7 +4,7 @@ use super::choices::Choices;
 use super::equation_number::without_number;
 use super::inequalities::is_inequality;
 use super::line;
-use super::part_label::without_part_label;
+use super::part_label::{without_arrow, without_part_label};
 use super::phrases::Phrase;
 use super::ranges;
 use super::segments::{outside, segments, unquoted};
@@ -32,7 +32,7 @@ pub(super) fn statements(
         lines: Vec::new(),
         passes_over,
     };
-    let tokens = ranges::without_set_builder(without_part_label(unquoted(tokens), vocabulary));
+    let tokens = ranges::without_set_builder(without_part_label(without_arrow(unquoted(tokens)), vocabulary));
     for (concludes, segment) in segments(tokens) {
         let segment = without_number(segment, reader.choices);
         reader.segment(segment, concludes)?;
@@ -177,7 +177,11 @@ impl Statements<'_> {
                     };
                     let side = &tokens[start..at];
                     let words = side.iter().rev().take_while(says_nothing).count();
-                    sides.push(if words < side.len() { &side[..side.len() - words] } else { side });
+                    let side = if words < side.len() { &side[..side.len() - words] } else { side };
+                    // `values of e greater than 3`
+                    let is_remark = |placed: &&Placed| placed.token == Token::Phrase(Phrase::Remark);
+                    let lead = if is_inequality(sign) { side.iter().take_while(is_remark).count() } else { 0 };
+                    sides.push(if lead < side.len() { &side[lead..] } else { side });
                     relations.push((sign, placed.start));
                     start = at + 1;
                 }
