@@ -167,6 +167,7 @@ fn plain(character: char, before: Option<char>) -> Option<&'static str> {
         '⊥' | '⟂' => " perpendicular ",
         '∥' => " parallel to ",
         '∠' => " angle ",
+        '✓' | '✔' | '☑' => " ",
         // The number of an equation.
         '①'..='⑳' | '❶'..='❿' => " ",
         '’' | '‘' | '′' | '´' | 'ʹ' | '`' => "'",

@@ -309,6 +309,11 @@ impl<'a> Parser<'a> {
         let (unit, next) = units::unit(&self.tokens[..self.end], self.at, self.text)?;
         let ends = match self.tokens.get(next).filter(|_| next < self.end).map(|placed| &placed.token) {
             None | Some(Token::Phrase(_)) => true,
+            // `3.61 m/s 56.3°`
+            Some(Token::Number(_)) => {
+                let is_degrees = self.tokens[..self.end].get(next + 1).is_some_and(|after| after.is('°'));
+                is_degrees && self.tokens[next].spaced
+            }
             Some(Token::Sign(sign)) => {
                 !matches!(*sign, '+' | '-' | '*' | '/' | '^' | '(' | '|' | OPEN | '°' | '%' | '\'')
             }

@@ -3,6 +3,7 @@
 use super::choices::Doubt;
 use super::names;
 use super::phrases::Phrase;
+use super::ranges::is_any;
 use super::statements::Statements;
 use super::tokens::{Placed, Token};
 use super::units::{is_unit_word, unit};
@@ -13,6 +14,9 @@ impl Statements<'_> {
     /// A name that the question does not have can be no factor of the value before it. One that it has may be; then it is
     /// read as a name if numbers stand on both sides, and otherwise in a further reading.
     pub(super) fn next_statement(&mut self, tokens: &[Placed]) -> Option<usize> {
+        if let Some(at) = next_inequality(tokens) {
+            return Some(at);
+        }
         let equals = outer_equals(tokens);
         let first = *equals.first()?;
         if !is_label(&tokens[..first]) {
@@ -131,6 +135,18 @@ fn is_sign_of_sum(placed: &Placed) -> bool {
 }
 
 /// The places of the equals signs outside brackets; none where other relations stand among them.
+/// Where the second of two inequalities for one letter begins, that bound it from both sides: `e > 1/3 e < 1`.
+fn next_inequality(tokens: &[Placed]) -> Option<usize> {
+    let is_above = |placed: &Placed| is_any(placed, &['>', '≥']);
+    let is_below = |placed: &Placed| is_any(placed, &['<', '≤']);
+    let mut signs = (1..tokens.len()).filter(|at| is_above(&tokens[*at]) || is_below(&tokens[*at]));
+    let (first, second) = (signs.next()?, signs.next()?);
+    let name = second - 1;
+    let turns = is_above(&tokens[first]) == is_below(&tokens[second]);
+    let is_again = tokens[name].token == tokens[first - 1].token && matches!(tokens[name].token, Token::Word(_));
+    (turns && is_again && tokens[name].spaced && name > first + 1).then_some(name)
+}
+
 fn outer_equals(tokens: &[Placed]) -> Vec<usize> {
     let mut depth = 0_usize;
     let mut found = Vec::new();

@@ -85,8 +85,8 @@ const SIGNS: [(&str, &str); 73] = [
     ("must exceed", ">"),
 ];
 
-/// Words that stand for signs before a number alone: `negative 0.75`.
-const BEFORE_A_NUMBER: [(&str, &str); 1] = [("negative", "-")];
+/// Words that stand for signs before a number alone: `negative 0.75`, `e above 1/3`.
+const BEFORE_A_NUMBER: [(&str, &str); 3] = [("negative", "-"), ("above", ">"), ("below", "<")];
 
 /// With so many decimals it is not the last figure alone that recurs.
 const SURELY_ROUNDED: usize = 6;
