@@ -16,8 +16,11 @@ pub(super) fn apart((left, right): &(Expr, Expr), letter: &str, other: &str) -> 
         let put = |side: &Expr| with_name(side, bracket, other);
         [(put(left), put(right)), (Expr::name(other), bracket.clone())]
     };
-    found.into_iter().map(with).collect()
+    found.into_iter().take(MOST_BRACKETS).map(with).collect()
 }
+
+/// Nobody writes more brackets into one of the two equations.
+const MOST_BRACKETS: usize = 6;
 
 /// Sums with the letter in them, and such sums over a number.
 fn collect_brackets<'e>(expr: &'e Expr, letter: &str, found: &mut Vec<&'e Expr>) {
