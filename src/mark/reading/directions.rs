@@ -5,7 +5,7 @@ use super::names;
 use super::phrases::{Phrase, Walk};
 use super::tokens::{Placed, Token};
 use super::units::is_unit_word;
-use super::{ReferenceLine, Unreadable};
+use super::{ReferenceLine, Unreadable, wording};
 use crate::expr::Expr;
 
 /// A noun that names a line.
@@ -140,9 +140,9 @@ impl Walk<'_> {
         if let Some(end) = self.any(at, &["from b to a", "from b towards a"]) {
             return Some((ReferenceLine::AlongBToA, end));
         }
-        let (next, towards) = match self.any(at, &lexicon::AWAY_FROM) {
+        let (next, towards) = match self.any(at, &wording::AWAY_FROM) {
             Some(next) => (next, false),
-            None => (self.any(at, &lexicon::TOWARDS)?, true),
+            None => (self.any(at, &wording::TOWARDS)?, true),
         };
         let next = self.any(self.article(next), &["sphere", "ball", "particle"]).unwrap_or(self.article(next));
         let typed = self.tokens.get(next).map(|_| self.typed(next))?;
@@ -154,14 +154,14 @@ impl Walk<'_> {
     }
 
     fn relation(&self, at: usize) -> Option<(Relation, usize)> {
-        let across = self.any(at, &lexicon::ACROSS).or_else(|| self.at_ninety_degrees(at));
+        let across = self.any(at, &wording::ACROSS).or_else(|| self.at_ninety_degrees(at));
         if let Some(next) = across {
             return Some((Relation::Across, self.any(next, &["to", "with", "from"]).unwrap_or(next)));
         }
-        if let Some(next) = self.any(at, &lexicon::ALONG) {
+        if let Some(next) = self.any(at, &wording::ALONG) {
             return Some((Relation::Along, next));
         }
-        self.any(at, &lexicon::ANGLE).map(|next| (Relation::Angle, next))
+        self.any(at, &wording::ANGLE).map(|next| (Relation::Angle, next))
     }
 
     /// `at 90° to`
@@ -189,11 +189,11 @@ impl Walk<'_> {
     fn plain_line(&self, at: usize) -> Option<(Line, usize)> {
         let known = [
             (Line::Ab, &["ab"][..]),
-            (Line::AToB, &lexicon::A_TO_B),
-            (Line::BToA, &lexicon::B_TO_A),
-            (Line::Centres, &lexicon::CENTRES),
-            (Line::Tangent, &lexicon::TANGENT),
-            (Line::Original, &lexicon::ORIGINAL),
+            (Line::AToB, &wording::A_TO_B),
+            (Line::BToA, &wording::B_TO_A),
+            (Line::Centres, &wording::CENTRES),
+            (Line::Tangent, &wording::TANGENT),
+            (Line::Original, &wording::ORIGINAL),
             (Line::I, &["x axis"]),
             (Line::J, &["y axis"]),
         ];
@@ -205,7 +205,7 @@ impl Walk<'_> {
             Some(found) => found,
             None => self.unit_vector(at).map(|line| (line, at + 1))?,
         };
-        let next = self.any(next, &lexicon::AFTER_A_LINE).unwrap_or(next);
+        let next = self.any(next, &wording::AFTER_A_LINE).unwrap_or(next);
         Some((line, next))
     }
 
@@ -255,8 +255,8 @@ impl Walk<'_> {
             return Some(noun);
         }
         let harmless = lexicon::sort(word).is_some()
-            || self.any(noun, &lexicon::REST).is_some()
-            || self.any(noun, &lexicon::REMARKS).is_some()
+            || self.any(noun, &wording::REST).is_some()
+            || self.any(noun, &wording::REMARKS).is_some()
             || is_unit_word(self.typed(noun))
             || lexicon::is_sphere(self.typed(noun))
             || names::is_made_of_letters(self.typed(noun), self.vocabulary);

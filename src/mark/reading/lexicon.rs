@@ -1,10 +1,11 @@
-//! The words that students write around their values, by what they do to them.
+//! The words that students write around their values, one by one, by what they do to them.
 
 use std::collections::{HashMap, HashSet};
 use std::sync::LazyLock;
 
 use super::tokens::is_greek;
 use super::units::is_unit_word;
+use super::wording::{AFTER_A_LINE, PHRASES};
 
 /// What a word does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,241 +27,6 @@ pub(super) enum Sort {
     /// Does nothing.
     Plain,
 }
-
-/// At rest, in words.
-pub(super) const REST: [&str; 27] = [
-    "at rest",
-    "is at rest",
-    "remains at rest",
-    "stays at rest",
-    "is brought to rest",
-    "brought to rest",
-    "comes to rest",
-    "came to rest",
-    "come to rest",
-    "to rest",
-    "stationary",
-    "is stationary",
-    "does not move",
-    "doesn't move",
-    "doesnt move",
-    "not moving",
-    "is not moving",
-    "isn't moving",
-    "no velocity",
-    "no speed",
-    "has no velocity",
-    "zero velocity",
-    "stops",
-    "stopped",
-    "is stopped",
-    "stays still",
-    "is still",
-];
-
-/// Words before the line to which something is perpendicular.
-pub(super) const ACROSS: [&str; 12] = [
-    "perpendicular",
-    "perpendicular direction",
-    "perpendicularly",
-    "perp",
-    "normal to",
-    "at right angles",
-    "at a right angle",
-    "right angles",
-    "at right angle",
-    "in direction perpendicular",
-    "in the direction perpendicular",
-    "moving perpendicular",
-];
-
-/// Words before the line along which something moves.
-pub(super) const ALONG: [&str; 15] = [
-    "along",
-    "parallel to",
-    "parallel with",
-    "parallel",
-    "in direction of",
-    "in direction",
-    "in a direction parallel to",
-    "in direction parallel to",
-    "in line with",
-    "in direction of vector",
-    "in direction along",
-    "parallel to vector",
-    "direction of",
-    "direction is parallel to",
-    "on",
-];
-
-/// Words before the line from which an angle is measured.
-pub(super) const ANGLE: [&str; 14] = [
-    "to",
-    "with",
-    "from",
-    "against",
-    "above",
-    "below",
-    "off",
-    "measured from",
-    "relative to",
-    "made with",
-    "with respect to",
-    "wrt",
-    "away from",
-    "measured to",
-];
-
-/// The line of centres, without its article.
-pub(super) const CENTRES: [&str; 23] = [
-    "line of centres",
-    "line of centre",
-    "lines of centres",
-    "loc",
-    "line joining centres",
-    "line connecting centres",
-    "line through centres",
-    "line between centres",
-    "line of their centres",
-    "line of joining centres",
-    "line joining a and b",
-    "line joining a to b",
-    "line connecting a and b",
-    "line connecting a to b",
-    "line through a and b",
-    "line between a and b",
-    "line joining centre of a to centre of b",
-    "line joining centre of a and centre of b",
-    "centre line",
-    "line of impact",
-    "common normal",
-    "normal",
-    "line ab",
-];
-
-/// The common tangent.
-pub(super) const TANGENT: [&str; 15] = [
-    "common tangent",
-    "tangent",
-    "common tangent plane",
-    "tangent plane",
-    "tangential direction",
-    "plane of contact",
-    "tangent at contact",
-    "tangent at point of contact",
-    "common tangent at point of contact",
-    "wall",
-    "smooth wall",
-    "vertical wall",
-    "plane of wall",
-    "line of wall",
-    "surface",
-];
-
-/// The line of centres from A to B. `AB` alone may be the line or the sense.
-pub(super) const A_TO_B: [&str; 9] = [
-    "direction ab",
-    "direction of ab",
-    "vector ab",
-    "a to b",
-    "from a to b",
-    "direction a to b",
-    "direction from a to b",
-    "direction of a to b",
-    "sense from a to b",
-];
-
-/// The line of centres from B to A.
-pub(super) const B_TO_A: [&str; 11] = [
-    "ba",
-    "line ba",
-    "direction ba",
-    "direction of ba",
-    "vector ba",
-    "b to a",
-    "from b to a",
-    "direction b to a",
-    "direction from b to a",
-    "direction of b to a",
-    "sense from b to a",
-];
-
-/// Words before the sphere towards which something moves.
-pub(super) const TOWARDS: [&str; 6] =
-    ["towards", "toward", "heading towards", "heading for", "in direction of", "in direction towards"];
-
-/// Words before the sphere from which something moves away.
-pub(super) const AWAY_FROM: [&str; 1] = ["away from"];
-
-/// The direction in which a sphere moved before.
-pub(super) const ORIGINAL: [&str; 20] = [
-    "path before",
-    "path",
-    "direction before",
-    "line of motion before",
-    "velocity before",
-    "motion before",
-    "original direction",
-    "initial direction",
-    "original direction of motion",
-    "initial direction of motion",
-    "original direction of travel",
-    "original direction of movement",
-    "original line of motion",
-    "original path",
-    "initial path",
-    "original velocity",
-    "initial velocity",
-    "original motion",
-    "previous direction",
-    "direction of motion before",
-];
-
-/// What may follow the name of a line and adds nothing.
-pub(super) const AFTER_A_LINE: [&str; 8] =
-    ["of spheres", "of two spheres", "of A and B", "of a and b", "of balls", "of collision", "direction", "of impact"];
-
-/// Runs of words that say nothing about the value.
-pub(super) const REMARKS: [&str; 27] = [
-    "as required",
-    "no units",
-    "no unit",
-    "as expected",
-    "as given",
-    "as shown",
-    "as before",
-    "as needed",
-    "as a decimal",
-    "as a fraction",
-    "to the right",
-    "to the left",
-    "to right",
-    "to left",
-    "in opposite direction",
-    "in same direction",
-    "from its path",
-    "to each other",
-    "in total",
-    "in magnitude",
-    "in ratio",
-    "to 3sf",
-    "i got",
-    "i get",
-    "i think",
-    "i found",
-    "i believe",
-];
-
-/// After the highest value of a range.
-pub(super) const OR_LESS: [&str; 8] =
-    ["or less", "and less", "or below", "and below", "or under", "or lower", "or smaller", "or fewer"];
-
-/// After the lowest value of a range.
-pub(super) const OR_MORE: [&str; 9] =
-    ["or more", "or above", "and above", "or over", "and over", "or higher", "or greater", "or larger", "and upwards"];
-
-/// Before an end that is no part of its range.
-pub(super) const EXCLUDING: [&str; 4] = ["not including", "but not including", "excluding", "but excluding"];
 
 /// Words before a noun that make it the name of something else.
 pub(super) const OTHERS: [&str; 13] = [
@@ -330,33 +96,14 @@ static SORTS: LazyLock<HashMap<&str, Sort>> = LazyLock::new(|| {
     words.collect()
 });
 
-/// The lists whose entries are phrases.
-const PHRASES: [&[&str]; 12] =
-    [&REST, &ACROSS, &ALONG, &ANGLE, &CENTRES, &TANGENT, &A_TO_B, &B_TO_A, &TOWARDS, &AWAY_FROM, &ORIGINAL, &REMARKS];
-
 /// Every word with which a phrase can begin.
 static STARTS: LazyLock<HashSet<&str>> = LazyLock::new(|| {
     let first = PHRASES.into_iter().flatten().filter_map(|words| words.split(' ').next());
-    first
-        .chain([
-            "at",
-            "in",
-            "perpendicular",
-            "perp",
-            "normal",
-            "the",
-            "its",
-            "their",
-            "a",
-            "an",
-            "this",
-            "ab",
-            "tangentially",
-        ])
-        .collect()
+    let others = "at in perpendicular perp normal the its their a an this ab tangentially";
+    first.chain(others.split(' ')).collect()
 });
 
-/// Every word that stands in a list of this file.
+/// Every word that stands in a list of words or of phrases.
 static KNOWN: LazyLock<HashSet<&str>> = LazyLock::new(|| {
     let phrases = PHRASES.into_iter().flatten().chain(&AFTER_A_LINE).chain(&OTHERS);
     let single = SINGLE.iter().flat_map(|(_, words)| words.split_whitespace());

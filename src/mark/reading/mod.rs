@@ -43,6 +43,7 @@ mod tokens;
 mod units;
 mod values;
 mod vectors;
+mod wording;
 
 pub(crate) use lexicon::{is_never_letters, is_strange};
 pub(crate) use line::ACROSS;

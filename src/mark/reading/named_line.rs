@@ -1,7 +1,7 @@
 //! The line that a label names: `angle with the tangent`, `θ to AB`. Its words are those that name a line beside a value.
 
 use super::ReferenceLine;
-use super::lexicon::{A_TO_B, AFTER_A_LINE, ANGLE, B_TO_A, CENTRES, TANGENT};
+use super::wording::{A_TO_B, AFTER_A_LINE, ANGLE, B_TO_A, CENTRES, TANGENT};
 use ReferenceLine::{CommonTangent, FromAToB, FromBToA, I, J, LineAB, LineOfCentres};
 
 /// What line a text names.

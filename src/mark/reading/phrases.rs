@@ -6,7 +6,7 @@ use super::lexicon::{self, Sort};
 use super::signs::with_signs;
 use super::tokens::{Placed, Token, is_greek};
 use super::units::is_unit_word;
-use super::{ReferenceLine, Unreadable, Vocabulary, names};
+use super::{ReferenceLine, Unreadable, Vocabulary, names, wording};
 
 /// What words say.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -147,13 +147,13 @@ impl Walk<'_> {
             return Ok(None);
         }
         if lexicon::begins_a_phrase(word) {
-            if let Some(next) = self.any(at, &lexicon::REST) {
+            if let Some(next) = self.any(at, &wording::REST) {
                 return Ok(Some((Phrase::Rest, next)));
             }
             if let Some(found) = self.reference(at)? {
                 return Ok(Some(found));
             }
-            if let Some(next) = self.any(at, &lexicon::REMARKS) {
+            if let Some(next) = self.any(at, &wording::REMARKS) {
                 return Ok(Some((Phrase::Remark, next)));
             }
         }
@@ -213,12 +213,12 @@ impl Walk<'_> {
 
     /// `or less`, after which nothing more is said; `but not including`.
     fn end_of_range(&self, at: usize) -> Option<(Phrase, usize)> {
-        if let Some(next) = self.any(at, &lexicon::EXCLUDING) {
+        if let Some(next) = self.any(at, &wording::EXCLUDING) {
             return Some((Phrase::Excluding, next));
         }
         let ends = |next: &usize| self.tokens.get(*next).is_none_or(|after| !matches!(after.token, Token::Word(_)));
-        let less = || Some((Phrase::OrLess, self.any(at, &lexicon::OR_LESS).filter(ends)?));
-        let more = || Some((Phrase::OrMore, self.any(at, &lexicon::OR_MORE).filter(ends)?));
+        let less = || Some((Phrase::OrLess, self.any(at, &wording::OR_LESS).filter(ends)?));
+        let more = || Some((Phrase::OrMore, self.any(at, &wording::OR_MORE).filter(ends)?));
         less().or_else(more)
     }
 
