@@ -153,6 +153,8 @@ fn choose(model: &Model, statements: &[&Statement], one: One) -> Finding {
         return findings.into_iter().reduce(Finding::or_better).unwrap_or(finding);
     }
     match several {
+        // `vA = 3, vB = 2, e = 0.5`
+        true if finding.is_credited() && spheres.last() == Some(&None) => finding,
         true if any_right => Finding::partial(Note::SeveralAnswers),
         true => Finding::WRONG,
         false => finding,
