@@ -6,7 +6,8 @@ use std::process::Command;
 use std::{env, fs};
 
 /// Fewer numbers for questions that have many, so that a fault is found sooner.
-const FEWER: [(&str, (&str, &str)); 3] = [
+const FEWER: [(&str, (&str, &str)); 4] = [
+    ("direct/one-sphere-catches-the-other", ("u  = \"4..12\"", "u  = [\"4\", \"9\"]")),
     ("rest/speeds-and-directions", ("alpha = \"15..75\"", "alpha = \"15..75 step 10\"")),
     ("rest/speeds-and-directions", ("u     = \"2..8\"", "u     = \"2..8 step 2\"")),
     ("both-moving/paths-at-right-angles", ("b     = \"3..7\"", "b     = \"3..7 step 2\"")),
@@ -173,6 +174,12 @@ fn texts_that_read_badly_are_named() {
             ("emphasis", &[("the spheres is {", "the *spheres is {")], "a stray sign: `"),
             ("an", &[("the spheres is {", "an smooth sphere is {")], "`a` or `an` before a word: `an smooth`"),
             ("missing", &[("of mass {mA} is moving", "is moving"), ("of mass {mB}, which", "which")], "never give `p`"),
+            ("obtuse", &[("makes an acute angle {beta}", "makes an obtuse angle {beta}")], "not so: `obtuse angle β`"),
+            (
+                "to-find",
+                &[("ask = \"Show that {display: result}\"", "ask = \"Find {tan(beta)}. {display: result}\"")],
+                "ask to find it",
+            ),
             ("in-terms", &[("ask = \"Show that", "ask = \"Show, in terms of {v}, that")], "in terms of `v`"),
         ],
     );
@@ -321,9 +328,78 @@ fn numbers_said_in_the_wrong_unit_and_formulas_without_a_value_are_named() {
         &[
             ("unit", &[("{mA kg}", "{mA m/s}")], "`mA` is said in m/s, and the scene takes it in kg"),
             ("no-unit", &[("{alpha deg}", "{alpha}")], "the angle `alpha` is said without a unit"),
+            (
+                "no-speed",
+                &[("the speed of *A* is {u m/s} and", "the speed of *A* is {u} and")],
+                "`u` is said without a unit",
+            ),
+            ("beside", &[("{u m/s}", "{u}m/s")], "the unit `m/s` stands beside the braces of `u`"),
+            ("unit-twice", &[("{u m/s}", "{u m/s} m/s")], "the unit `m/s` stands beside the braces of `u`"),
             ("nought", &[("{u m/s}", "{u/(mA-mA) m/s}")], "a division by nought"),
         ],
     );
+}
+
+#[test]
+fn words_that_the_scene_contradicts_are_named() {
+    found(
+        "direct/one-sphere-catches-the-other",
+        &[
+            ("at-rest", &[("They are moving", "They are at rest, or moving")], "a motion that is not so: `at rest`"),
+            ("b-at-rest", &[("The speed of *A* is", "*B* is at rest. The speed of *A* is")], "not so: `B is at rest`"),
+            (
+                "moving",
+                &[("B = \"w\"", "B = \"0*w\""), ("The speed of *A* is", "*B* is moving. The speed of *A* is")],
+                "`B is moving`",
+            ),
+            ("nobody", &[("between them is", "between *A* and *C* is")], "the words speak of `*C*`"),
+            ("no-stars", &[("speed of *B* is", "speed of B is")], "the name of a sphere without its stars: `B`"),
+            ("article", &[("speed of *A* is", "speed of A is")], "the name of a sphere without its stars: `A`"),
+            (
+                "in-words",
+                &[("lost in the collision.", "lost in the collision. (3 marks)")],
+                "marks in words: `(3 marks)`",
+            ),
+            ("named", &[("\"kinetic energy lost\"", "\"speed of *A*\"")], "the answer `speed of A` is stated in J"),
+            ("asked", &[("Find the total kinetic energy lost", "Find the speed of *A*")], "what is stated in m/s"),
+            ("shown", &[("Find the total kinetic", "Show that the total kinetic")], "no answer is of kind `shown`"),
+        ],
+    );
+}
+
+#[test]
+fn marks_that_are_paid_twice_or_not_at_all_are_named() {
+    let last = "  { code = \"A1\", for = \"ke.lost\" },\n";
+    found(
+        "direct/one-sphere-catches-the-other",
+        &[
+            ("not-paid", &[(last, "")], "no accuracy mark is for the answer `kinetic energy lost`"),
+            (
+                "paid-before",
+                &[(last, "  { code = \"A1\", for = \"B.after.speed\" },\n")],
+                "for which part (a) has paid",
+            ),
+            (
+                "paid-twice",
+                &[(last, &[last, last].concat())],
+                "the marks A1b and A1c are both for the value of `ke.lost`",
+            ),
+        ],
+    );
+}
+
+#[test]
+fn a_name_without_a_value_is_named_at_its_formula() {
+    let edits = [("\"mA != mB\", ", ""), ("/(mA + mB)", "/(mA - mB)")];
+    let (_, said) = checked("no-value", "direct/one-sphere-catches-the-other", &edits);
+    assert!(said.contains("`vA`, division by nought") && said.contains("^^ of no value there"), "{said}");
+}
+
+#[test]
+fn what_every_student_loses_is_told_once_and_at_its_row() {
+    let edits = [("{ code = \"A1\", for = \"ke.lost\" }", "{ code = \"A1\", for = \"A.ke_lost\" }")];
+    let (_, said) = checked("once", "direct/one-sphere-catches-the-other", &edits);
+    assert!(said.matches("a student who writes").count() <= 2, "{said}");
 }
 
 #[test]

@@ -100,16 +100,17 @@ pub fn parse<'a>(text: &'a str, faults: &mut Faults) -> Option<Spanned<DeTable<'
     errors.is_empty().then_some(table)
 }
 
-/// Where the key of a parameter stands: among those of the style, or among those of all styles.
+/// Where the key of a parameter or derived name stands: among those of the style, or among those of all styles.
 pub fn parameter_span(text: &str, style: StyleName, name: &str) -> Option<Range<usize>> {
     let (document, _) = DeTable::parse_recoverable(text);
     let styles = || document.get_ref().get("style")?.get_ref().as_table();
-    let own = || styles()?.get(style.name())?.get_ref().as_table()?.get("parameters");
+    let own = |list: &str| styles()?.get(style.name())?.get_ref().as_table()?.get(list);
     let of = |parameters: &Spanned<DeValue>| {
         let mut keys = parameters.get_ref().as_table()?.keys();
         keys.find(|key| key.get_ref() == name).map(Spanned::span)
     };
-    own().and_then(of).or_else(|| document.get_ref().get("parameters").and_then(of))
+    let among = |list: &str| own(list).and_then(of).or_else(|| document.get_ref().get(list).and_then(of));
+    among("parameters").or_else(|| among("let"))
 }
 
 /// Where a row stands in the list of that name, `answers` or `marks`, of a part.

@@ -2,6 +2,8 @@
 //! known mistake, ones that hand in nothing or nonsense. What each of them must earn is known, so a marker or a mark scheme
 //! that gives something else is found out. A mark that nobody wins, or nobody loses, measures nothing.
 
+use std::fmt;
+
 use serde::{Deserialize, Serialize};
 
 use super::students::{Expected, Student, students};
@@ -18,8 +20,27 @@ pub struct Coverage {
     pub marks: Vec<MarkCount>,
     /// How many scripts were marked.
     pub scripts: usize,
-    /// Scripts that earned what they must not, or not what they must, each in a sentence.
-    pub faults: Vec<String>,
+    /// Scripts that earned what they must not, or not what they must.
+    pub faults: Vec<Fault>,
+}
+
+/// A script that was not marked as it must be.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fault {
+    /// Who wrote it.
+    pub who: String,
+    /// What is amiss with its marks.
+    pub what: String,
+    /// What stands in it.
+    pub wrote: String,
+    /// The part and the row of the first mark that is amiss, if one is.
+    pub mark: Option<(usize, usize)>,
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {}: {}", self.who, self.what, self.wrote)
+    }
 }
 
 /// A mark with how it fared.
@@ -65,7 +86,12 @@ pub fn coverage(question: &Question, variant: &Variant) -> Coverage {
     let key = match AnswerKey::read(&text) {
         Ok(key) => key,
         Err(faults) => {
-            let faults = faults.into_iter().map(|fault| format!("the key cannot be read back: {}", fault.message));
+            let faults = faults.into_iter().map(|fault| Fault {
+                who: "anything".to_owned(),
+                what: "meets a key that cannot be read back".to_owned(),
+                wrote: fault.message,
+                mark: None,
+            });
             return Coverage { faults: faults.collect(), ..Coverage::default() };
         }
     };
@@ -101,7 +127,7 @@ fn of_question(question: &KeyedQuestion, students: &[Student]) -> Coverage {
 }
 
 /// Is it marked as it must be?
-fn fault(student: &Student, marked: &[MarkedPart]) -> Option<String> {
+fn fault(student: &Student, marked: &[MarkedPart]) -> Option<Fault> {
     let awards = || marked.iter().flat_map(|part| part.awards.iter().map(move |award| (part, award)));
     let name = |part: &MarkedPart, id: &str| {
         if part.label.is_empty() { id.to_owned() } else { format!("({}) {id}", part.label) }
@@ -143,7 +169,20 @@ fn fault(student: &Student, marked: &[MarkedPart]) -> Option<String> {
             award.is_none_or(|award| !award.given).then(|| format!("does not earn {id}"))
         }
     };
-    found.map(|found| format!("{} {found}: {}", student.who, student.wrote()))
+    found.map(|what| Fault { mark: amiss(student, marked), who: student.who.clone(), what, wrote: student.wrote() })
+}
+
+/// The place of the first mark that was lost and must be won, or the other way round.
+fn amiss(student: &Student, marked: &[MarkedPart]) -> Option<(usize, usize)> {
+    let is_due = match student.expected {
+        Expected::Everything | Expected::AllButShown => true,
+        Expected::Nothing => false,
+        _ => return None,
+    };
+    let skips = |part: &MarkedPart| matches!(student.expected, Expected::AllButShown) && is_about_shown(part);
+    let parts = marked.iter().enumerate().filter(|(_, part)| !skips(part));
+    let place = |part: &MarkedPart| part.awards.iter().position(|award| award.given != is_due);
+    parts.filter_map(|(at, part)| Some((at, place(part)?))).next()
 }
 
 /// Is the part one whose result is printed? Its marks are for the working.

@@ -6,7 +6,7 @@ use serde_json::Value as Json;
 
 use super::finding::Finding;
 use crate::bank::{Question, Style};
-use crate::expr::{Expr, Markup, Text};
+use crate::expr::{Angles, Expr, Markup, Text, print, read};
 use crate::mechanics::{SceneText, VelocityText};
 use crate::unit::Unit;
 
@@ -27,7 +27,7 @@ pub fn unsaid(question: &Question) -> Vec<Finding> {
                 let message = format!("the words of style `{}` never give `{name}`", style.name);
                 let label = "the scene takes it, so a student must be told";
                 let found = Finding::at_parameter(message, style.name, name, label);
-                let unit = unit_of(name, &question.scene).plain();
+                let unit = unit_of(&Expr::name(name), &question.scene).plain();
                 let space = if unit.is_empty() { "" } else { " " };
                 let help = format!("write it into the stem, as in `{{{name}{space}{unit}}}`");
                 findings.push(found.with_help(help));
@@ -41,29 +41,38 @@ pub fn unsaid(question: &Question) -> Vec<Finding> {
     findings
 }
 
-/// The unit of a number that the scene takes as it is; of one that stands in a formula there it is open.
-pub fn unit_of(name: &str, scene: &SceneText) -> Unit {
-    let is = |given: Option<&String>| given.is_some_and(|given| given == name);
-    let both = |pair: &[String; 2]| pair.iter().any(|given| given == name);
+/// The unit of a number or vector that the scene takes as it is; of one that stands in a formula there it is open.
+pub fn unit_of(expr: &Expr, scene: &SceneText) -> Unit {
+    let is = |given: &String, expr: &Expr| match expr {
+        Expr::Name(name) => *given == name.text,
+        _ => read(given, Angles::Degrees).is_ok_and(|given| print::plain(&given) == print::plain(expr)),
+    };
+    let is_vector = |pair: &[String; 2]| match expr {
+        Expr::Vector(x, y) => is(&pair[0], x) && is(&pair[1], y),
+        _ => pair.iter().any(|given| is(given, expr)),
+    };
+    let given = |given: Option<&String>| given.is_some_and(|given| is(given, expr));
     let velocities = [&scene.before.a, &scene.before.b, &scene.after.a, &scene.after.b].into_iter().flatten();
     let (mut speed, mut angle) = (false, false);
     for velocity in velocities {
         match velocity {
-            VelocityText::Along(along) => speed |= along == name,
-            VelocityText::Components(components) => speed |= both(components),
+            VelocityText::Along(along) => speed |= is(along, expr),
+            VelocityText::Components(components) => speed |= is_vector(components),
             VelocityText::Polar(polar) => {
-                speed |= polar.speed == name;
-                angle |= is(polar.angle_deg.as_ref());
+                speed |= is(&polar.speed, expr);
+                angle |= given(polar.angle_deg.as_ref());
             }
         }
     }
-    if is(scene.masses.a.as_ref()) || is(scene.masses.b.as_ref()) {
+    if !matches!(expr, Expr::Name(_) | Expr::Vector(..)) {
+        Unit::None
+    } else if given(scene.masses.a.as_ref()) || given(scene.masses.b.as_ref()) {
         Unit::Kilogram
     } else if speed {
         Unit::MetrePerSecond
     } else if angle {
         Unit::Degree
-    } else if scene.impulse.as_ref().is_some_and(both) {
+    } else if scene.impulse.as_ref().is_some_and(is_vector) {
         Unit::NewtonSecond
     } else {
         Unit::None

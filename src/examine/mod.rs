@@ -7,6 +7,7 @@
 
 mod again;
 mod apart;
+mod asked;
 mod author;
 mod coverage;
 mod exact_form;
@@ -20,6 +21,7 @@ mod shows;
 mod students;
 mod survey;
 mod tally;
+mod truth;
 mod units;
 
 pub use coverage::{Coverage, MarkCount, coverage};

@@ -1,7 +1,8 @@
 //! Does each mark stand for a step that the question takes, and does each answer earn one?
 
 use super::finding::Finding;
-use crate::bank::{Contents, EarnedFor, Find, Question};
+use crate::answer::Kind;
+use crate::bank::{Answer, Code, Contents, EarnedFor, Find, Mark, Part, Question};
 use crate::diagnostic::near;
 use crate::generate::reference;
 use crate::paper::{compose, key_question};
@@ -29,6 +30,10 @@ pub fn unknown_exercise(question: &Question, known: &[String]) -> Option<Finding
 pub fn unrewarded(question: &Question) -> Vec<Finding> {
     let Ok(variant) = reference(question) else { return Vec::new() };
     let keyed = key_question(question, &variant, &compose(question, &variant, 1));
+    let has_values = question.parts.iter().any(|part| {
+        let value = |answer: &Answer| part.marks.iter().any(|mark| is_value_of(&mark.earned_for, &answer.find));
+        part.answers.iter().any(value)
+    });
     let mut findings = Vec::new();
     for (place, part) in keyed.parts.iter().enumerate() {
         for (row, mark) in part.scheme.iter().enumerate().filter(|(_, mark)| mark.blanks.is_empty()) {
@@ -41,7 +46,10 @@ pub fn unrewarded(question: &Question) -> Vec<Finding> {
         for (row, (blank, answer)) in part.blanks.iter().zip(&asked.answers).enumerate() {
             let rewards = |code: &str| code.starts_with(['A', 'B']);
             let own = part.scheme.iter().zip(&asked.marks).any(|(keyed, mark)| {
-                let belongs = || keyed.blanks.contains(&blank.name) && is_for(&mark.earned_for, &answer.find);
+                let belongs = || {
+                    let is_its = keyed.blanks.contains(&blank.name) && is_for(&mark.earned_for, &answer.find);
+                    is_its && !(has_values && is_for_the_equation(mark, asked, answer))
+                };
                 rewards(&keyed.code) && (belongs() || is_beside(&mark.earned_for, &answer.find))
             });
             if !own {
@@ -55,15 +63,63 @@ pub fn unrewarded(question: &Question) -> Vec<Finding> {
     findings
 }
 
+/// Marks that are earned with others: twice for one value in a part, or again for what an earlier part has found.
+pub fn paid_twice(question: &Question) -> Vec<Finding> {
+    let is_value = |mark: &Mark| matches!(mark.earned_for, EarnedFor::Quantity(_) | EarnedFor::Unknown(_));
+    let mut findings = Vec::new();
+    for (place, part) in question.parts.iter().enumerate() {
+        let mut told: Vec<&EarnedFor> = Vec::new();
+        for (row, mark) in part.marks.iter().enumerate().filter(|(_, mark)| mark.code.is_accuracy() && is_value(mark)) {
+            let is_same = |other: &&Mark| {
+                (other.code, &other.earned_for, &other.text) == (mark.code, &mark.earned_for, &mark.text)
+            };
+            let step = &mark.earned_for;
+            if let Some(other) = part.marks[..row].iter().find(is_same).filter(|_| !told.contains(&step)) {
+                told.push(step);
+                let message = format!("the marks {} and {} are both for the value of `{step}`", other.id, mark.id);
+                let help = "take one of the two rows out, or name another step in it";
+                let found = Finding::new(message, "", "who earns the one earns the other");
+                findings.push(found.with_help(help).at_row(place, "marks", row).as_warning());
+            }
+            let asks = |part: &Part| part.answers.iter().any(|answer| is_value_of(step, &answer.find));
+            let pays = |part: &&Part| asks(part) && part.marks.iter().any(|other| is_same(&other));
+            if let Some(before) = question.parts[..place].iter().find(pays).filter(|_| !asks(part)) {
+                let message =
+                    format!("the mark {} is for `{step}`, for which part ({}) has paid", mark.id, before.label);
+                let help = "name what this part finds, or take the row out";
+                let found = Finding::new(message, "", "who earns it there earns it here");
+                findings.push(found.with_help(help).at_row(place, "marks", row).as_warning());
+            }
+        }
+    }
+    findings
+}
+
+/// Is a step the value that an answer finds?
+fn is_value_of(step: &EarnedFor, find: &Find) -> bool {
+    match step {
+        EarnedFor::Quantity(quantity) => find.quantities().contains(quantity),
+        EarnedFor::Unknown(name) => *find == Find::Unknown(name.clone()),
+        _ => false,
+    }
+}
+
 /// Is a mark for the value of an answer, and not for a step on the way to it?
 fn is_for(earned_for: &EarnedFor, find: &Find) -> bool {
     let quantities = find.quantities();
     match earned_for {
-        EarnedFor::Quantity(quantity) => quantities.contains(quantity),
-        EarnedFor::Unknown(name) => *find == Find::Unknown(name.clone()),
+        EarnedFor::Quantity(_) | EarnedFor::Unknown(_) => is_value_of(earned_for, find),
         EarnedFor::Condition => matches!(find, Find::Unknown(_)),
         EarnedFor::Law(law, _) => quantities.iter().any(|quantity| law.gives(quantity.of_its_impact())),
     }
+}
+
+/// Beside a mark for the method of a law the accuracy mark of the law is for its equation, and a number that comes out of it
+/// wants a mark of its own.
+fn is_for_the_equation(mark: &Mark, part: &Part, answer: &Answer) -> bool {
+    let is_law = matches!(mark.earned_for, EarnedFor::Law(..)) && mark.code == Code::A1;
+    let has_method = || part.marks.iter().any(|other| other.code.is_method() && other.earned_for == mark.earned_for);
+    is_law && answer.kind != Kind::Shown && matches!(answer.find, Find::Quantity(_)) && has_method()
 }
 
 /// Is it the mark for a speed, which is for the direction beside it as well?
@@ -76,7 +132,7 @@ mod tests {
     use super::*;
     use crate::bank::{read_question, shipped};
     use crate::diagnostic::Source;
-    use crate::examine::{sentences, units};
+    use crate::examine::{asked, sentences, truth, units};
     use crate::generate::Deal;
     use crate::paper::words;
 
@@ -90,11 +146,15 @@ mod tests {
             let mut found = unrewarded(&question);
             found.extend(unknown_exercise(&question, &exercises));
             found.extend(units::astray(&question));
+            found.extend(asked::beside_the_point(&question));
+            found.extend(paid_twice(&question));
             amiss.extend(found.into_iter().map(|finding| format!("{id}: {}", finding.message)));
             for style in &question.styles {
                 let mut remarks = Vec::new();
                 let variant = Deal::new(&question, style, 1).next().unwrap();
-                sentences::unreadable(&words(&question, style, &variant), &variant, &mut remarks);
+                let words = words(&question, style, &variant);
+                sentences::unreadable(&words, &variant, &mut remarks);
+                truth::untrue(&words, &variant, &mut remarks);
                 amiss.extend(remarks.iter().map(|remark| format!("{id}: {remark:?}")));
             }
         }

@@ -6,7 +6,7 @@
 use super::tally::Remark;
 use crate::expr::{Expr, Meaning, Piece, Text, evaluate, print};
 use crate::generate::Variant;
-use crate::mechanics::{Axis, Moment, Quantity, Sphere};
+use crate::mechanics::Sphere;
 use crate::number::Fraction;
 use crate::paper::Words;
 use crate::unit::Unit;
@@ -19,9 +19,6 @@ pub fn unreadable(words: &Words, variant: &Variant, remarks: &mut Vec<Remark>) {
             let help = "require that what stands below the line is not nought";
             remarks.push(remark("a division by nought", &print::unicode(expr), help));
         }
-    }
-    for paragraph in &words.stem {
-        towards(paragraph, variant, remarks);
     }
     for text in words.stem.iter().chain(&words.asks) {
         let ends = match text.0.last() {
@@ -45,17 +42,17 @@ fn divides_by_nought(expr: &Expr, variant: &Variant) -> bool {
     here || expr.children().into_iter().any(|inner| divides_by_nought(inner, variant))
 }
 
-fn remark(what: &str, shown: &str, help: &str) -> Remark {
+pub(super) fn remark(what: &str, shown: &str, help: &str) -> Remark {
     Remark::new(format!("a text that reads badly, {what}"), "", "", help).showing(shown)
 }
 
 /// The same, of the author's own words, which stand in the file as they are here.
-fn remark_at(what: &str, at: &str, shown: &str, help: &str) -> Remark {
+pub(super) fn remark_at(what: &str, at: &str, shown: &str, help: &str) -> Remark {
     Remark::new(format!("a text that reads badly, {what}"), at, "here", help).showing(shown)
 }
 
 /// A place in words with the two words before it and the two after, so that no other place is taken for it.
-fn around(words: &str, at: usize) -> &str {
+pub(super) fn around(words: &str, at: usize) -> &str {
     let (before, after) = words.split_at(at);
     let start = before.rmatch_indices(char::is_whitespace).nth(2).map_or(0, |(space, _)| space);
     let end = after.match_indices(char::is_whitespace).nth(3).map_or(words.len(), |(space, _)| at + space);
@@ -63,7 +60,7 @@ fn around(words: &str, at: usize) -> &str {
 }
 
 /// Pieces in the order in which they are read, those in italics among them.
-fn in_order<'t>(pieces: &'t [Piece], found: &mut Vec<&'t Piece>) {
+pub(super) fn in_order<'t>(pieces: &'t [Piece], found: &mut Vec<&'t Piece>) {
     for piece in pieces {
         match piece {
             Piece::Italic(inner) => in_order(inner, found),
@@ -81,7 +78,10 @@ fn of_text(text: &Text, remarks: &mut Vec<Remark>) {
             _ => "",
         };
         match piece {
-            Piece::Words(words) => of_words(words, remarks),
+            Piece::Words(words) => {
+                let before = place.checked_sub(1).and_then(|place| pieces.get(place));
+                of_words(words, before.map_or("", |piece| closing(piece)), remarks);
+            }
             Piece::Formula(expr) | Piece::Quantity(expr, _) | Piece::Display(expr) => {
                 let before = match place.checked_sub(1).and_then(|place| pieces.get(place)) {
                     Some(Piece::Words(words)) => words.as_str(),
@@ -110,11 +110,35 @@ fn tail(text: &Text) -> String {
     words[words.len().saturating_sub(6)..].join(" ")
 }
 
-/// Words alone: punctuation and doubled words.
-fn of_words(words: &str, remarks: &mut Vec<Remark>) {
+/// The sign with which a formula closes in the file.
+fn closing(piece: &Piece) -> &'static str {
+    match piece {
+        Piece::Formula(Expr::Name(name)) if name.text.starts_with(|first: char| first.is_ascii_uppercase()) => "*",
+        _ => "}",
+    }
+}
+
+/// Words alone: punctuation and doubled words; `before` is the sign that stands before them in the file.
+fn of_words(words: &str, before: &str, remarks: &mut Vec<Remark>) {
     for sign in [" .", " ,", " ;", "..", ",,", "( ", " )", "$", "\\", "*", "_", "{", "}"] {
         if let Some(at) = words.find(sign).filter(|_| !words.contains("...")) {
-            remarks.push(remark_at("a stray sign", around(words, at), words.trim(), &format!("mend `{sign}`")));
+            let place = around(words, at);
+            // Signs alone stand everywhere; with what is before them they have a place.
+            let place = match place.contains(char::is_alphanumeric) {
+                true => place.to_owned(),
+                false => format!("{before}{}", words[..at + sign.len()].trim_end()),
+            };
+            remarks.push(remark_at("a stray sign", &place, words.trim(), &format!("mend `{sign}`")));
+        }
+    }
+    for close in ["mark)", "marks)", "mark]", "marks]"] {
+        let before = |at: usize| words[..at].trim_end().trim_end_matches(|sign: char| sign.is_ascii_digit());
+        let is_count =
+            |at: &usize| before(*at).ends_with(['(', '[']) && before(*at).len() < words[..*at].trim_end().len();
+        if let Some(at) = words.find(close).filter(is_count) {
+            let shown = &words[before(at).len() - 1..at + close.len()];
+            let help = "take it out: the sheet prints how many rows `marks` has";
+            remarks.push(remark_at("marks in words", shown, shown, help));
         }
     }
     let mut before = "";
@@ -122,6 +146,15 @@ fn of_words(words: &str, remarks: &mut Vec<Remark>) {
     for word in words.split_whitespace() {
         at += words[at..].find(word).unwrap_or(0);
         // A letter alone may stand twice as the name of something; `a` as an article may not.
+        let bare = word.trim_matches(|sign: char| sign.is_ascii_punctuation());
+        let begins = before.is_empty() || before.ends_with(['.', ':', '?', '!', ']']);
+        if Sphere::ALL.iter().any(|sphere| sphere.name() == bare) && !(bare == "A" && begins) {
+            let help = format!("write `*{bare}*`, which is set as a letter");
+            remarks.push(remark_at("the name of a sphere without its stars", around(words, at), word, &help));
+            at += word.len();
+            before = "";
+            continue;
+        }
         let is_word = word.len() > 1 || word == "a";
         if is_word && word.eq_ignore_ascii_case(before) && word.chars().all(char::is_alphabetic) && word != "that" {
             let shown = format!("{before} {word}");
@@ -249,50 +282,6 @@ fn ill_written(expr: &Expr) -> Option<Ill> {
         _ => None,
     };
     found.or_else(|| expr.children().into_iter().find_map(ill_written))
-}
-
-/// Who is said to move towards *A* or *B*, or towards the other, moves so along the line of centres before the collision.
-fn towards(text: &Text, variant: &Variant, remarks: &mut Vec<Remark>) {
-    let mut is_after = false;
-    for (place, piece) in text.0.iter().enumerate() {
-        let Piece::Words(words) = piece else { continue };
-        for sentence in words.split_inclusive('.') {
-            is_after = is_after || sentence.contains("after the");
-            let target = match text.0.get(place + 1) {
-                Some(Piece::Formula(Expr::Name(name))) if sentence.trim_end().ends_with("towards") => {
-                    name.text.as_str()
-                }
-                _ if sentence.contains("towards each other") || sentence.contains("towards the other") => "the other",
-                _ => "",
-            };
-            let moving: &[(Sphere, f64)] = match target {
-                "A" => &[(Sphere::B, -1.0)],
-                "B" => &[(Sphere::A, 1.0)],
-                "the other" => &[(Sphere::A, 1.0), (Sphere::B, -1.0)],
-                _ => &[],
-            };
-            for (sphere, sense) in moving.iter().filter(|_| !is_after) {
-                if component(variant, *sphere).is_some_and(|along| along * sense < -1e-9) {
-                    let said = format!("{} moves towards {target}", sphere.name());
-                    let help = "turn its velocity round in `[scene]`, or say that it moves away";
-                    remarks.push(remark("a direction that is not so", &said, help));
-                }
-            }
-            is_after = is_after && !sentence.ends_with('.');
-        }
-    }
-}
-
-/// The component of a velocity before along the line of centres from A to B, roughly; none where it has letters.
-fn component(variant: &Variant, sphere: Sphere) -> Option<f64> {
-    let known = variant.solution.known();
-    if let Some(value) = known.number(Quantity::Velocity(sphere, Moment::Before, Axis::N)) {
-        return value.to_f64();
-    }
-    let number = |quantity| known.number(quantity)?.to_f64();
-    let [x, y] = [Axis::X, Axis::Y].map(|axis| number(Quantity::Velocity(sphere, Moment::Before, axis)));
-    let [i, j] = [Axis::X, Axis::Y].map(|axis| number(Quantity::Line(axis)));
-    Some(x? * i? + y? * j?)
 }
 
 #[cfg(test)]

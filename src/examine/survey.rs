@@ -5,18 +5,15 @@ use std::num::NonZero;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
-use super::coverage::{Coverage, MarkCount, coverage};
+use super::coverage::{Coverage, Fault as CoverageFault, MarkCount, coverage};
 use super::finding::Finding;
 use super::report::{Report, StyleReport};
 use super::shows;
 use super::tally::{Tally, numbers};
-use super::{again, author, exact_form, given, scheme, units};
+use super::{again, asked, author, exact_form, given, scheme, units};
 use crate::bank::{Givens, Posed, Question, Style, Unposed};
 use crate::diagnostic::Severity;
-use crate::expr::{self, Expr, print};
 use crate::generate::{Deal, MOST_SETS, Unfit, out_of, reference};
-
-use crate::number::Fraction;
 
 /// How many variants of each style are marked as handed in by students whose marks are known, beside the reference
 /// numbers. To mark one costs as much as to examine hundreds, and what a student of theirs can show is in the scheme, which
@@ -135,11 +132,12 @@ impl Done {
         findings.extend(given::unsaid(question));
         findings.extend(units::astray(question));
         findings.extend(exact_form::unkept(question));
+        findings.extend(asked::beside_the_point(question));
         findings.extend(scheme::unrewarded(question));
+        findings.extend(scheme::paid_twice(question));
         findings.extend(scheme::unknown_exercise(question, exercises));
         let mut told = BTreeSet::new();
         for (style, tally) in question.styles.iter().zip(&self.tallies) {
-            findings.extend(restitutions(question, style));
             findings.extend(unposed(question, style, tally));
             findings.extend(tally.findings(style, &mut told));
         }
@@ -190,46 +188,36 @@ fn unposed(question: &Question, style: &Style, tally: &Tally) -> Vec<Finding> {
             style.name,
             numbers(style, *first)
         );
-        let message = match refusal(question, style, *first) {
-            Some(reason) => format!("{message}: {reason}"),
-            None => message,
+        let (named, why) = refusal(question, style, *first);
+        let message = why.map_or(message.clone(), |why| format!("{message}: {why}"));
+        let (label, help) = match reason {
+            Unfit::NoValue => ("of no value there", "require what gives it one: below a line `a - b` wants `a != b`"),
+            _ => (
+                "they are never dealt, and every deal has to try them",
+                "require what makes the collision possible, in `require`",
+            ),
         };
-        let found = Finding::new(message, at.as_str(), "they are never dealt, and every deal has to try them");
-        let help = "require what makes the collision possible, in `require`";
-        findings.push(Finding { severity: Severity::Warning, ..found.with_help(help) });
+        let parameter = named.map(|name| (style.name, name));
+        let found = Finding { parameter, ..Finding::new(message, at.as_str(), label) };
+        findings.push(found.with_help(help).as_warning());
     }
     findings
 }
 
-/// Why a set of numbers makes no collision, in words of mechanics.
-fn refusal(question: &Question, style: &Style, index: u64) -> Option<String> {
-    let givens = Givens::new(style, &style.parameters_at(index), &question.scene).ok()?;
-    match Posed::new(question, style, givens) {
-        Err(Unposed::Refused(refusal)) => Some(refusal.reason),
-        _ => None,
-    }
-}
-
-/// The most values of a parameter that are looked at one by one.
-const MOST_VALUES: u64 = 1000;
-
-/// Values of the coefficient of restitution that no impact has: whatever else is dealt, they are dealt in vain.
-fn restitutions(question: &Question, style: &Style) -> Option<Finding> {
-    let name = question.scene.e.as_deref()?.trim();
-    let (_, domain) = style.parameters.iter().find(|(parameter, _)| parameter == name)?;
-    let is_none = |value: &Expr| {
-        let number = expr::number(value, &|_| None);
-        number.is_ok_and(|value| {
-            value.as_fraction().is_some_and(|number| number.sign().is_lt() || *number > Fraction::ONE)
-        })
+/// Why a set of numbers makes no collision, in words of mechanics; or which name has no value, and why.
+fn refusal(question: &Question, style: &Style, index: u64) -> (Option<String>, Option<String>) {
+    let posed = match Givens::new(style, &style.parameters_at(index), &question.scene) {
+        Ok(givens) => Posed::new(question, style, givens),
+        Err((name, fault)) => Err(Unposed::Given(name, fault)),
     };
-    let value = (0..domain.size().min(MOST_VALUES)).map(|index| domain.value(index)).find(is_none)?;
-    let message = format!(
-        "`{name}` may be {}, and a coefficient of restitution is from 0 to 1: no impact has another",
-        print::unicode(&value)
-    );
-    let found = Finding::at_parameter(message, style.name, name, "every value is to be possible");
-    Some(found.with_help("take the value out; perhaps its fraction stands on its head"))
+    match posed {
+        Err(Unposed::Refused(refusal)) => (None, Some(refusal.reason)),
+        Err(Unposed::Given(name, fault)) => {
+            let why = format!("`{name}`, {}", fault.message);
+            (Some(name), Some(why))
+        }
+        _ => (None, None),
+    }
 }
 
 /// Marks that measure nothing, and students who earn what is not due.
@@ -247,9 +235,25 @@ fn idle(question: &Question, coverage: &Coverage) -> Vec<Finding> {
     });
     let look =
         format!("`carom preview {}` shows its marks: does each stand for a step that the answers need?", question.id);
-    let faults = coverage.faults.iter().map(|fault| {
-        let message = format!("a student who writes {fault}");
-        Finding::new(message, "marks", "not as this scheme is meant").with_help(look.as_str())
+    let mut faults: Vec<(&CoverageFault, usize)> = Vec::new();
+    for fault in &coverage.faults {
+        match faults.iter_mut().find(|(first, _)| first.what == fault.what) {
+            Some((_, more)) => *more += 1,
+            None => faults.push((fault, 0)),
+        }
+    }
+    let faults = faults.into_iter().map(|(fault, more)| {
+        let more = match more {
+            0 => String::new(),
+            1 => "; and so does another".to_owned(),
+            more => format!("; and so do {more} others"),
+        };
+        let message = format!("a student who writes {fault}{more}");
+        let found = Finding::new(message, "marks", "not as this scheme is meant").with_help(look.as_str());
+        match &fault.mark {
+            Some((part, row)) => found.at_row(*part, "marks", *row),
+            None => found,
+        }
     });
     marks.chain(faults).collect()
 }

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::finding::Finding;
 use super::shows::Slips;
-use super::{apart, exact_form, promise, sentences};
+use super::{apart, exact_form, promise, sentences, truth};
 use crate::bank::{Question, Style};
 use crate::expr::print;
 use crate::generate::Census;
@@ -63,6 +63,7 @@ impl Tally {
         let mut remarks = Vec::new();
         let words = words(question, style, &variant);
         sentences::unreadable(&words, &variant, &mut remarks);
+        truth::untrue(&words, &variant, &mut remarks);
         promise::broken(question, &variant, &words, &mut remarks);
         exact_form::unasked(question, &variant, &words, &mut remarks);
         apart::alike(question, &variant, &mut remarks);

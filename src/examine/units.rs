@@ -3,7 +3,7 @@
 use super::finding::Finding;
 use super::given::unit_of;
 use crate::bank::{Question, Style};
-use crate::expr::{Angles, Expr, Piece, read};
+use crate::expr::{Angles, Expr, Piece, Text, print, read};
 use crate::mechanics::VelocityText;
 use crate::unit::Unit;
 
@@ -23,7 +23,7 @@ pub fn astray(question: &Question) -> Vec<Finding> {
 }
 
 fn of_text(pieces: &[Piece], question: &Question, style: &Style, findings: &mut Vec<Finding>) {
-    for piece in pieces {
+    for (place, piece) in pieces.iter().enumerate() {
         let (expr, said) = match piece {
             Piece::Italic(inner) => {
                 of_text(inner, question, style, findings);
@@ -33,21 +33,84 @@ fn of_text(pieces: &[Piece], question: &Question, style: &Style, findings: &mut 
             Piece::Formula(expr) => (expr, Unit::None),
             _ => continue,
         };
-        let Expr::Name(name) = expr else { continue };
-        let own = if is_in_degrees(&name.text, question) { Unit::Degree } else { unit_of(&name.text, &question.scene) };
+        let words = |piece: Option<&'_ Piece>| match piece {
+            Some(Piece::Words(words)) => words.clone(),
+            _ => String::new(),
+        };
+        let after = words(pieces.get(place + 1));
+        if let Some(unit) = unit_beside(&after) {
+            findings.push(beside(unit, &after, expr, said));
+            continue;
+        }
+        let own = match expr {
+            Expr::Name(name) if is_in_degrees(&name.text, question) => Unit::Degree,
+            _ => unit_of(expr, &question.scene),
+        };
         // A letter brings its unit with it, and a bare mass or speed may be one of several: 'masses 3m and {k}m'.
-        let is_bare = said == Unit::None && (own != Unit::Degree || !is_number(&name.text, style));
+        let is_bare = said == Unit::None
+            && match expr {
+                Expr::Name(name) if own == Unit::Degree => !is_number(&name.text, style),
+                Expr::Name(name) => !is_number(&name.text, style) || !is_stated(&pieces[..place], &after),
+                _ => true,
+            };
         if own == Unit::None || own == said || is_bare {
             continue;
         }
-        let (said, own, name) = (said.plain(), own.plain(), &name.text);
+        let (said, own, name) = (said.plain(), own.plain(), print::plain(expr));
         let (at, message) = match said {
-            "" => (format!("{{{name}}}"), format!("the angle `{name}` is said without a unit")),
-            _ => (format!("{{{name} {said}}}"), format!("`{name}` is said in {said}, and the scene takes it in {own}")),
+            "" => {
+                let what = if own == Unit::Degree.plain() { "the angle " } else { "" };
+                (format!("{{{name}}}"), format!("{what}`{name}` is said without a unit"))
+            }
+            _ => (format!("{name} {said}}}"), format!("`{name}` is said in {said}, and the scene takes it in {own}")),
         };
-        findings
-            .push(Finding::new(message, at, format!("expected {own}")).with_help(format!("write `{{{name} {own}}}`")));
+        let help = format!("write `{{{name} {own}}}`");
+        findings.push(Finding::new(message, at, format!("expected {own}")).with_help(help));
     }
+}
+
+/// How units are written by hand.
+const BY_HAND: [(&str, Unit); 12] = [
+    ("m/s", Unit::MetrePerSecond),
+    ("m s^-1", Unit::MetrePerSecond),
+    ("ms^-1", Unit::MetrePerSecond),
+    ("m s-1", Unit::MetrePerSecond),
+    ("ms-1", Unit::MetrePerSecond),
+    ("m s⁻¹", Unit::MetrePerSecond),
+    ("ms⁻¹", Unit::MetrePerSecond),
+    ("kg", Unit::Kilogram),
+    ("N s", Unit::NewtonSecond),
+    ("Ns", Unit::NewtonSecond),
+    ("J", Unit::Joule),
+    ("°", Unit::Degree),
+];
+
+/// A unit that stands in the words after a number, as it is written there.
+fn unit_beside(after: &str) -> Option<(&'static str, Unit)> {
+    let after = after.strip_prefix(' ').unwrap_or(after);
+    let ends = |rest: &str| !rest.starts_with(|sign: char| sign.is_alphanumeric() || sign == '^');
+    BY_HAND.into_iter().find(|(written, _)| after.strip_prefix(written).is_some_and(ends))
+}
+
+fn beside((written, unit): (&str, Unit), after: &str, expr: &Expr, said: Unit) -> Finding {
+    let space = if after.starts_with(' ') { " " } else { "" };
+    let message = format!("the unit `{written}` stands beside the braces of `{}`", print::plain(expr));
+    let help = match said {
+        Unit::None => format!("write `{{{} {}}}`", print::plain(expr), unit.plain()),
+        _ => "take it out: the braces have a unit already".to_owned(),
+    };
+    Finding::new(message, format!("}}{space}{written}"), "expected it within them").with_help(help)
+}
+
+/// Do the words before and after say that a number is a mass or a speed, and not how many times another it is?
+fn is_stated(before: &[Piece], after: &str) -> bool {
+    let said = print::text_unicode(&Text(before[before.len().saturating_sub(3)..].to_vec()));
+    let mut words = said.split_whitespace().rev().skip_while(|word| matches!(*word, "is" | "of" | "A" | "B" | "C"));
+    let is_said = words.next().is_some_and(|word| matches!(word, "speed" | "mass"));
+    let ends = after.is_empty() || after.starts_with(['.', ',', ';', ')']);
+    is_said
+        && (ends
+            || [" and ", " is ", " to ", " towards ", " when ", " which "].iter().any(|next| after.starts_with(next)))
 }
 
 /// Is it a parameter whose values are all plain numbers?

@@ -9,6 +9,7 @@ mod reference;
 mod scene;
 mod solvable;
 mod styles;
+mod values;
 
 use super::document::Faults;
 use super::file::{self, QuestionFile};
@@ -41,6 +42,7 @@ fn check(id: &str, file: &QuestionFile, faults: &mut Faults) -> Option<Question>
     if let Some(scene) = &file.scene {
         scene::scene(scene, &mut used, faults);
     }
+    values::values(file, faults);
     let parts = parts::parts(file, &mut used, faults);
     let (reference, reference_style) = reference::reference(file, &styles, &mut used, faults);
     let declared = declared::declared(file, &styles, &parts, (&reference, reference_style), &mut used, faults);

@@ -1,0 +1,126 @@
+//! Do the words ask for what the answers are, and speak of what the scene has?
+
+use super::finding::Finding;
+use crate::answer::Kind;
+use crate::bank::{Answer, Find, Part, Question};
+use crate::expr::{Expr, Text, print};
+use crate::mechanics::Sphere;
+use crate::unit::Unit;
+
+/// Words that name a quantity, and the unit in which it is stated.
+const QUANTITIES: [(&str, Unit); 12] = [
+    ("speed", Unit::MetrePerSecond),
+    ("speeds", Unit::MetrePerSecond),
+    ("velocity", Unit::MetrePerSecond),
+    ("velocities", Unit::MetrePerSecond),
+    ("angle", Unit::Degree),
+    ("angles", Unit::Degree),
+    ("direction", Unit::Degree),
+    ("directions", Unit::Degree),
+    ("impulse", Unit::NewtonSecond),
+    ("momentum", Unit::NewtonSecond),
+    ("energy", Unit::Joule),
+    ("mass", Unit::Kilogram),
+];
+
+/// Words that tell a student to show what is printed, and words that tell to find what is not.
+const TO_SHOW: [&str; 8] = ["show", "prove", "verify", "deduce", "explain", "establish", "confirm", "demonstrate"];
+const TO_FIND: [&str; 10] =
+    ["find", "calculate", "determine", "work", "state", "write", "give", "what", "obtain", "express"];
+
+/// Words that ask for something else than the answers, and spheres that the scene does not have.
+pub fn beside_the_point(question: &Question) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    for (place, part) in question.parts.iter().enumerate() {
+        let asked = part.ask.iter().map(print::text_unicode).collect::<Vec<_>>().join(" ");
+        findings.extend(shown(&asked, part).map(|found| found.at_row(place, "answers", 0)));
+        let names = part.answers.iter().enumerate().filter_map(|(row, answer)| {
+            let (said, unit) = misnamed(&print::text_unicode(&answer.name), &[answer])?;
+            let message = format!("the answer `{}` is stated in {unit}", print::text_unicode(&answer.name));
+            let help = "give it the name of what `find` finds, or find what it is called";
+            Some(
+                Finding::new(message, "", format!("its name says {said}"))
+                    .with_help(help)
+                    .at_row(place, "answers", row),
+            )
+        });
+        findings.extend(names);
+        if let Some((said, unit)) = misnamed(&asked, &part.answers.iter().collect::<Vec<_>>()) {
+            let message = format!("the words ask for what is stated in {said}, and the answer is in {unit}");
+            let found = Finding::new(message, "", "found here");
+            let help = "ask for what `find` finds, or find what is asked for";
+            findings.push(found.with_help(help).at_row(place, "answers", 0).as_warning());
+        }
+    }
+    findings.extend(strangers(question));
+    findings
+}
+
+/// A unit that the words name, and that of the answers, if none of these has any that the words name.
+fn misnamed(words: &str, answers: &[&Answer]) -> Option<(&'static str, &'static str)> {
+    let lower = words.to_lowercase();
+    let words = lower.split(|sign: char| !sign.is_alphabetic());
+    let said: Vec<Unit> =
+        words.filter_map(|word| QUANTITIES.iter().find(|(known, _)| *known == word)).map(|(_, unit)| *unit).collect();
+    let unit = |answer: &&Answer| match &answer.find {
+        // A vector may be asked for as a direction.
+        Find::Quantity(quantity) if !matches!(answer.kind, Kind::Shown | Kind::Range) => quantity.unit(),
+        _ => Unit::None,
+    };
+    let is_other = |answer: &&Answer| !matches!(unit(answer), Unit::None) && !said.contains(&unit(answer));
+    let (first, is_beside) = (said.first()?, answers.iter().all(is_other));
+    is_beside.then(|| Some((first.plain(), unit(answers.first()?).plain()))).flatten()
+}
+
+/// A result that is printed and to be found, or to be shown and of no answer.
+fn shown(words: &str, part: &Part) -> Option<Finding> {
+    let lower = words.to_lowercase();
+    let says = |list: &[&str]| lower.split(|sign: char| !sign.is_alphabetic()).any(|word| list.contains(&word));
+    let is_shown = part.answers.iter().any(|answer| answer.kind == Kind::Shown);
+    if is_shown && says(&TO_FIND) && !says(&TO_SHOW) {
+        let found = Finding::new("the words print the result, and ask to find it", "", "it is to be shown");
+        return Some(found.with_help("begin with `Show that`, or leave `show` and `{display: result}` out"));
+    }
+    if !is_shown && (lower.contains("show that") || lower.contains("prove that")) && !says(&TO_FIND) {
+        let found =
+            Finding::new("the words ask to show something, and no answer is of kind `shown`", "", "to be found");
+        let help = "begin with `Find`; or add `show`, the left side of the result, and print `{display: result}`";
+        return Some(found.with_help(help).as_warning());
+    }
+    None
+}
+
+/// Names of spheres in the words that stand for nothing in the scene.
+fn strangers(question: &Question) -> Vec<Finding> {
+    let scene = &question.scene;
+    let is_there = |sphere: Sphere| match sphere {
+        Sphere::A => true,
+        Sphere::B if scene.wall.is_none() && scene.impulse.is_none() => true,
+        _ => scene.then.iter().any(|then| then.of.iter().any(|name| name == sphere.name())),
+    };
+    let stems = question.styles.iter().flat_map(|style| style.stem.iter().chain([&style.note]));
+    let asks = question.parts.iter().flat_map(|part| &part.ask);
+    let names = question.parts.iter().flat_map(|part| &part.answers).flat_map(|answer| [&answer.name, &answer.phrase]);
+    let texts: Vec<&Text> = stems.chain(asks).chain(names).collect();
+    let is_named = |sphere: &Sphere| {
+        let formulas = texts.iter().flat_map(|text| text.formulas());
+        formulas.into_iter().any(|expr| matches!(expr, Expr::Name(name) if name.text == sphere.name()))
+    };
+    let is_letter = |sphere: &Sphere| {
+        let is_its_name = |name: &String| name == sphere.name();
+        let given = |style: &crate::bank::Style| {
+            style.parameters.iter().any(|(name, _)| is_its_name(name))
+                || style.lets.iter().any(|(name, _)| is_its_name(name))
+        };
+        scene.symbols.keys().any(is_its_name) || question.styles.iter().any(given)
+    };
+    let strange = Sphere::ALL.into_iter().filter(|sphere| !is_there(*sphere) && is_named(sphere) && !is_letter(sphere));
+    strange
+        .map(|sphere| {
+            let name = format!("*{}*", sphere.name());
+            let message = format!("the words speak of `{name}`, and no sphere of the scene has this name");
+            let found = Finding::new(message, name, "no sphere");
+            found.with_help("name a sphere that there is; a point has another letter").as_warning()
+        })
+        .collect()
+}

@@ -1,0 +1,189 @@
+//! Is what the words say of the collision so? Who is at rest, who moves towards whom, and which angles are acute.
+
+use super::sentences::{around, in_order, remark_at};
+use super::tally::Remark;
+use crate::expr::{Expr, Meaning, Piece, Text, Turn, evaluate};
+use crate::generate::Variant;
+use crate::mechanics::{Axis, Moment, Quantity, Sphere};
+use crate::number::Value;
+use crate::paper::Words;
+use crate::unit::Unit;
+
+/// What is said and is not so.
+pub fn untrue(words: &Words, variant: &Variant, remarks: &mut Vec<Remark>) {
+    for paragraph in &words.stem {
+        towards(paragraph, variant, remarks);
+        resting(paragraph, variant, remarks);
+    }
+    for text in words.stem.iter().chain(&words.asks) {
+        angles(text, variant, remarks);
+    }
+}
+
+/// Whether a sphere is at rest before its first impact; none where that is not known.
+fn is_at_rest(variant: &Variant, sphere: Sphere) -> Option<bool> {
+    let mut first: Option<(u8, Vec<Value>)> = None;
+    let known = variant.solution.known();
+    for quantity in known.0.keys() {
+        let is_before = match quantity.of_its_impact() {
+            Quantity::Velocity(of, Moment::Before, _) | Quantity::Speed(of, Moment::Before) => of == sphere,
+            _ => false,
+        };
+        let Some(value) = known.number(*quantity).filter(|_| is_before) else { continue };
+        match &mut first {
+            Some((impact, values)) if *impact == quantity.impact() => values.push(value),
+            Some((impact, _)) if *impact < quantity.impact() => {}
+            _ => first = Some((quantity.impact(), vec![value])),
+        }
+    }
+    let (_, values) = first?;
+    match values.iter().all(Value::is_zero) {
+        true => (values.len() > 1).then_some(true),
+        false => Some(false),
+    }
+}
+
+/// Words of what comes later, or is only supposed.
+const ELSEWHERE: [&str; 5] = ["after", "brought", "come", "came", "if "];
+
+/// Who is said to be at rest before the collision is, and who is said to move is not.
+fn resting(text: &Text, variant: &Variant, remarks: &mut Vec<Remark>) {
+    let mut pieces = Vec::new();
+    in_order(&text.0, &mut pieces);
+    let mut elsewhere = false;
+    for (place, piece) in pieces.iter().enumerate() {
+        let Piece::Words(words) = piece else { continue };
+        for (nth, sentence) in words.split_inclusive('.').enumerate() {
+            let lower = sentence.to_lowercase();
+            let is_elsewhere = elsewhere || ELSEWHERE.iter().any(|word| lower.contains(word));
+            elsewhere = is_elsewhere && !sentence.ends_with('.');
+            if is_elsewhere {
+                continue;
+            }
+            let starts = |of: &[&str]| nth == 0 && of.iter().any(|start| sentence.starts_with(start));
+            let (rests, moves) = (starts(&[" is at rest", " are at rest"]), starts(&[" is moving", " are moving"]));
+            let named = if rests || moves { named_before(&pieces[..place]) } else { Vec::new() };
+            let wrong = named.into_iter().find(|sphere| is_at_rest(variant, *sphere) == Some(!rests));
+            let nobody = || {
+                Sphere::ALL.into_iter().all(|sphere| match sphere {
+                    Sphere::A => is_at_rest(variant, sphere) == Some(false),
+                    _ => is_at_rest(variant, sphere) != Some(true) && !is_open(variant, sphere),
+                })
+            };
+            let said = match wrong {
+                Some(sphere) => format!("{} is {}", sphere.name(), if rests { "at rest" } else { "moving" }),
+                None if sentence.contains(" at rest") && nobody() => "at rest".to_owned(),
+                None => continue,
+            };
+            let help = "give in `[scene]` the velocity that is said, or say the one that is given";
+            let at = words.find(sentence).unwrap_or(0)
+                + sentence.find(" at rest").or(sentence.find(" mov")).unwrap_or(0)
+                + 1;
+            remarks.push(remark_at("a motion that is not so", around(words, at), &said, help));
+        }
+    }
+}
+
+/// Does a sphere take part of which it is not known whether it is at rest?
+fn is_open(variant: &Variant, sphere: Sphere) -> bool {
+    let is_its_mass = |quantity: &Quantity| quantity.of_its_impact() == Quantity::Mass(sphere);
+    is_at_rest(variant, sphere).is_none() && variant.solution.known().0.keys().any(is_its_mass)
+}
+
+/// The spheres named at the end: `*B*`, or `*B* and *C*`.
+fn named_before(pieces: &[&Piece]) -> Vec<Sphere> {
+    let name = |piece: Option<&&Piece>| match piece {
+        Some(Piece::Formula(Expr::Name(name))) => Sphere::ALL.into_iter().find(|sphere| sphere.name() == name.text),
+        _ => None,
+    };
+    let Some(last) = name(pieces.last()) else { return Vec::new() };
+    match pieces {
+        [.., one, Piece::Words(and), _] if and.trim() == "and" => name(Some(one)).into_iter().chain([last]).collect(),
+        _ => vec![last],
+    }
+}
+
+/// An angle that is said to be acute is below 90 degrees, and one that is obtuse above.
+fn angles(text: &Text, variant: &Variant, remarks: &mut Vec<Remark>) {
+    for pair in text.0.windows(2) {
+        let (Piece::Words(words), Piece::Quantity(expr, Unit::Degree) | Piece::Formula(expr)) = (&pair[0], &pair[1])
+        else {
+            continue;
+        };
+        let before = words.trim_end().trim_end_matches(" of").trim_end();
+        let said = ["acute", "obtuse"].into_iter().find(|kind| before.ends_with(&format!("{kind} angle")));
+        let (Some(said), Some(is_acute)) = (said, is_acute(expr, &pair[1], variant)) else { continue };
+        if is_acute != (said == "acute") {
+            let shown = crate::expr::print::text_unicode(&Text(vec![pair[1].clone()]));
+            let help = "say `an angle`, or require that it is what is said";
+            let at = around(words, before.len() - "angle".len());
+            remarks.push(remark_at("an angle that is not so", at, &format!("{said} angle {shown}"), help));
+        }
+    }
+}
+
+/// Is an angle acute, and not obtuse? None of what is neither, or is not known.
+fn is_acute(expr: &Expr, piece: &Piece, variant: &Variant) -> Option<bool> {
+    let of_turn = |turn: &Turn| turn.enclose(64).map(|degrees| degrees.to_f64());
+    let degrees = match evaluate(expr, &|name| variant.givens.meaning(name)).ok()? {
+        Meaning::Number(value) if matches!(piece, Piece::Quantity(..)) => value.to_f64()?,
+        // A letter for an angle is declared acute.
+        Meaning::Angle(_) if matches!(expr, Expr::Name(_)) => return Some(true),
+        Meaning::Angle(turn) | Meaning::Degrees(turn) => of_turn(&turn)?,
+        _ => return None,
+    };
+    let is_near = |other: f64| (degrees - other).abs() < 1e-9;
+    match degrees {
+        _ if is_near(0.0) || is_near(90.0) || is_near(180.0) => None,
+        _ if 0.0 < degrees && degrees < 90.0 => Some(true),
+        _ => (90.0 < degrees && degrees < 180.0).then_some(false),
+    }
+}
+
+/// Who is said to move towards *A* or *B*, or towards the other, moves so along the line of centres before the collision.
+fn towards(text: &Text, variant: &Variant, remarks: &mut Vec<Remark>) {
+    let mut is_after = false;
+    for (place, piece) in text.0.iter().enumerate() {
+        let Piece::Words(words) = piece else { continue };
+        for sentence in words.split_inclusive('.') {
+            is_after = is_after || sentence.contains("after the");
+            let target = match text.0.get(place + 1) {
+                Some(Piece::Formula(Expr::Name(name))) if sentence.trim_end().ends_with("towards") => {
+                    name.text.as_str()
+                }
+                _ if sentence.contains("towards each other") || sentence.contains("towards the other") => "the other",
+                _ => "",
+            };
+            let moving: &[(Sphere, f64)] = match target {
+                "A" => &[(Sphere::B, -1.0)],
+                "B" => &[(Sphere::A, 1.0)],
+                "the other" => &[(Sphere::A, 1.0), (Sphere::B, -1.0)],
+                _ => &[],
+            };
+            // A third sphere may be the one that moves.
+            let is_third = is_at_rest(variant, Sphere::C).is_some();
+            let rests = |sphere: Sphere| !is_third && is_at_rest(variant, sphere) == Some(true);
+            for (sphere, sense) in moving.iter().filter(|_| !is_after) {
+                if component(variant, *sphere).is_some_and(|along| along * sense < -1e-9) || rests(*sphere) {
+                    let said = format!("{} moves towards {target}", sphere.name());
+                    let help = "turn its velocity round in `[scene]`, or say that it moves away";
+                    let at = around(words, words.find("towards").unwrap_or(0));
+                    remarks.push(remark_at("a direction that is not so", at, &said, help));
+                }
+            }
+            is_after = is_after && !sentence.ends_with('.');
+        }
+    }
+}
+
+/// The component of a velocity before along the line of centres from A to B, roughly; none where it has letters.
+fn component(variant: &Variant, sphere: Sphere) -> Option<f64> {
+    let known = variant.solution.known();
+    if let Some(value) = known.number(Quantity::Velocity(sphere, Moment::Before, Axis::N)) {
+        return value.to_f64();
+    }
+    let number = |quantity| known.number(quantity)?.to_f64();
+    let [x, y] = [Axis::X, Axis::Y].map(|axis| number(Quantity::Velocity(sphere, Moment::Before, axis)));
+    let [i, j] = [Axis::X, Axis::Y].map(|axis| number(Quantity::Line(axis)));
+    Some(x? * i? + y? * j?)
+}
