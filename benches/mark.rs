@@ -49,6 +49,9 @@ const TYPED: &str = "rest/speeds-and-directions";
 /// working alone, and the lines of the worked solution.
 const HANDED_IN: [&str; 6] = ["right", "mistaken", "unexplained", "followed", "unanswered", "worked"];
 
+/// What is handed in made of something else that is.
+type Change = fn(&Script) -> Script;
+
 /// A question of a key, as text, and everything that Carom's own students hand in for it.
 struct Sheet {
     id: &'static str,
@@ -83,7 +86,7 @@ fn sheets() -> Vec<Sheet> {
             Some((kind, student.script))
         });
         let mut scripts: Vec<(&str, Script)> = own.collect();
-        let changed: [(&str, &str, fn(&Script) -> Script); 2] =
+        let changed: [(&str, &str, Change); 2] =
             [("unexplained", "right", a_tenth_more), ("unanswered", "followed", unanswered)];
         for (kind, like, change) in changed {
             let like = scripts.iter().filter(|(kind, _)| *kind == like);
