@@ -189,7 +189,7 @@ fn unposed(question: &Question, style: &Style, tally: &Tally) -> Vec<Finding> {
             numbers(style, *first)
         );
         let (named, why) = refusal(question, style, *first);
-        let message = why.map_or(message.clone(), |why| format!("{message}: {why}"));
+        let message = format!("{message}{}", why.map_or_else(String::new, |why| format!(": {why}")));
         let (label, help) = match reason {
             Unfit::NoValue => ("of no value there", "require what gives it one: below a line `a - b` wants `a != b`"),
             _ => (

@@ -302,6 +302,8 @@ mod left_side_tests;
 #[cfg(test)]
 mod range_tests;
 #[cfg(test)]
+mod rivals_tests;
+#[cfg(test)]
 mod tests;
 #[cfg(test)]
 mod typed_tests;

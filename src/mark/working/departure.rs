@@ -72,3 +72,32 @@ impl Departure {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Departure::*;
+
+    #[test]
+    fn the_manual_lists_every_reason_with_its_tag_and_what_it_costs() {
+        let page = include_str!("../../../docs/marking.md");
+        let all = [
+            Sign,
+            SineForCosine,
+            Inaccurate,
+            AnotherRestitution,
+            Unresolved,
+            TermMissing,
+            MassesExchanged,
+            MassesOmitted,
+            RestitutionMissing,
+            RestitutionOnWrongSide,
+            Coalesced,
+            WrongAxis,
+        ];
+        for departure in all {
+            let costs = if departure.is_condoned() { "A" } else { "M and A" };
+            let row = format!("| `{}` | {} | {costs} |", departure.tag(), departure.sentence());
+            assert!(page.contains(&row), "docs/marking.md lacks\n{row}");
+        }
+    }
+}

@@ -7,6 +7,7 @@
 mod angles;
 mod by_components;
 mod by_law;
+mod changed;
 mod compare;
 mod components;
 mod condition;

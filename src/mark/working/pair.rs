@@ -6,8 +6,7 @@
 //! of them. A line that is not the law is compared with the law evaluated from inputs changed as students change them,
 //! one or several at once, and the least change counts.
 
-use std::sync::OnceLock;
-
+use super::changed::{Change, changes};
 pub(super) use super::departure::Departure;
 use super::linear::Linear;
 use super::points::sizes;
@@ -48,15 +47,15 @@ impl Matched {
 
 /// What the law is evaluated from, at one point.
 #[derive(Clone, Debug)]
-struct Inputs {
-    masses: [f64; 2],
+pub(super) struct Inputs {
+    pub(super) masses: [f64; 2],
     /// Along the line of centres, before.
-    along: [f64; 2],
-    across: [f64; 2],
-    speed: [f64; 2],
-    e: f64,
+    pub(super) along: [f64; 2],
+    pub(super) across: [f64; 2],
+    pub(super) speed: [f64; 2],
+    pub(super) e: f64,
     /// Are the velocities given by numbers for their components?
-    in_components: bool,
+    pub(super) in_components: bool,
 }
 
 /// The two laws at every point of the letters.
@@ -77,33 +76,6 @@ struct Changed {
     unknowns: usize,
     numbers: Vec<[f64; 3]>,
 }
-
-/// How the component of a sphere before the impact may stand in a line: its value from the inputs, and what is wrong with it.
-const TERMS: [(Term, f64, &[Departure]); 7] = [
-    (Term::Along, 1.0, &[]),
-    (Term::Along, -1.0, &[Departure::Sign]),
-    (Term::Across, 1.0, &[Departure::SineForCosine]),
-    (Term::Across, -1.0, &[Departure::SineForCosine, Departure::Sign]),
-    (Term::Speed, 1.0, &[Departure::Unresolved]),
-    (Term::Speed, -1.0, &[Departure::Unresolved, Departure::Sign]),
-    (Term::Nothing, 1.0, &[Departure::TermMissing]),
-];
-
-#[derive(Clone, Copy, PartialEq)]
-enum Term {
-    Along,
-    Across,
-    Speed,
-    Nothing,
-}
-
-/// How the terms after the impact may stand: factors of that of A and that of B.
-const AFTER: [([f64; 2], &[Departure]); 4] = [
-    ([1.0, 1.0], &[]),
-    ([1.0, -1.0], &[Departure::Sign]),
-    ([1.0, 0.0], &[Departure::TermMissing]),
-    ([0.0, 1.0], &[Departure::TermMissing]),
-];
 
 impl Laws {
     /// The laws of a question from what is known at every point; `None` where its masses or velocities are not given.
@@ -186,126 +158,6 @@ impl Laws {
     }
 }
 
-/// Every way to change the laws, a few at once, the least change first.
-fn changes() -> &'static [Change] {
-    static CHANGES: OnceLock<Vec<Change>> = OnceLock::new();
-    CHANGES.get_or_init(|| {
-        let mut found = Vec::new();
-        // Where masses are equal a line may be either; of two slips that fit, the one in restitution is likelier.
-        for equation in BOTH.into_iter().rev() {
-            for tolerance in [0.0, INACCURATE] {
-                changes_of(equation, tolerance, &mut found);
-            }
-        }
-        found.sort_by_key(|change| change.departures.iter().map(|departure| departure.weight()).sum::<u32>());
-        found
-    })
-}
-
-fn changes_of(equation: Quantity, tolerance: f64, found: &mut Vec<Change>) {
-    let nothing: &[Departure] = &[];
-    let masses: &[([usize; 2], &[Departure])] = match equation {
-        Quantity::MomentumEquation => {
-            &[([0, 1], &[]), ([1, 0], &[Departure::MassesExchanged]), ([2, 2], &[Departure::MassesOmitted])]
-        }
-        _ => &[([2, 2], &[])],
-    };
-    let factors: &[(Factor, &[Departure])] = match equation {
-        Quantity::MomentumEquation => &[(Factor::One, nothing)],
-        _ => &[
-            (Factor::E, nothing),
-            (Factor::OverE, &[Departure::RestitutionOnWrongSide]),
-            (Factor::One, &[Departure::RestitutionMissing]),
-            (Factor::Nought, &[Departure::Coalesced]),
-        ],
-    };
-    let inaccurate: &[Departure] = if tolerance > 0.0 { &[Departure::Inaccurate] } else { nothing };
-    for a in TERMS {
-        for b in TERMS {
-            for (masses, masses_wrong) in masses {
-                for (factor, factor_wrong) in factors {
-                    for after in AFTER {
-                        let wrong = [a.2, b.2, masses_wrong, factor_wrong, after.1, inaccurate];
-                        let mut departures: Vec<Departure> = wrong.concat();
-                        departures.sort();
-                        departures.dedup();
-                        // Three different mistakes in one line could make anything of it.
-                        if departures.len() <= 2 {
-                            let before = [(a.0, a.1), (b.0, b.1)];
-                            let (masses, factor, after) = (*masses, *factor, after.0);
-                            found.push(Change { equation, before, masses, factor, after, tolerance, departures });
-                        }
-                    }
-                }
-            }
-        }
-    }
-}
-
-/// How far a number may be off and still be meant, in parts of itself.
-const INACCURATE: f64 = 0.02;
-
-#[derive(Clone, Copy, PartialEq)]
-enum Factor {
-    One,
-    E,
-    OverE,
-    Nought,
-}
-
-/// One way to change a law.
-struct Change {
-    equation: Quantity,
-    before: [(Term, f64); 2],
-    masses: [usize; 2],
-    factor: Factor,
-    after: [f64; 2],
-    /// How far numbers may be off, in parts of themselves.
-    tolerance: f64,
-    departures: Vec<Departure>,
-}
-
-impl Change {
-    /// The component of a sphere before the impact as it stands in the changed law; `None` if that is no change here.
-    fn component(&self, at: &Inputs, place: usize) -> Option<f64> {
-        let (term, sign) = self.before[place];
-        let along = at.along[place];
-        let size = match term {
-            // A sphere at rest has no sign to mistake.
-            Term::Along => return (sign > 0.0 || along != 0.0).then_some(sign * along),
-            // A component that is nought is no exchange: across, a term is missing; along, none is resolved.
-            Term::Across if at.across[place] == 0.0 || along == 0.0 => return None,
-            // Components that are given are no sine and cosine: they keep their signs.
-            Term::Across if at.in_components => return Some(sign * at.across[place]),
-            Term::Across => at.across[place].abs(),
-            Term::Speed => at.speed[place],
-            Term::Nothing => 0.0,
-        };
-        let changes = (size - along.abs()).abs() > 1e-9 * at.speed[place];
-        changes.then(|| sign * size.copysign(along))
-    }
-
-    /// The numbers of `p x + q y = r` at a point; `None` if that is no change there.
-    fn numbers(&self, at: &Inputs) -> Option<[f64; 3]> {
-        let (a, b) = (self.component(at, 0)?, self.component(at, 1)?);
-        let mass = |place: usize| at.masses.get(self.masses[place]).copied().unwrap_or(1.0);
-        let (p, q, r) = match self.equation {
-            Quantity::MomentumEquation => (mass(0), mass(1), mass(0) * a + mass(1) * b),
-            _ => {
-                let factor = match self.factor {
-                    Factor::One => 1.0,
-                    Factor::E => at.e,
-                    Factor::OverE if at.e == 0.0 => return None,
-                    Factor::OverE => 1.0 / at.e,
-                    Factor::Nought => 0.0,
-                };
-                (-1.0, 1.0, factor * (a - b))
-            }
-        };
-        Some([p * self.after[0], q * self.after[1], r])
-    }
-}
-
 /// A line at a point: the numbers before the two unknowns, both positive from A to B, and the constant.
 struct Side {
     unknowns: [Spread; 2],
@@ -371,34 +223,5 @@ pub(super) fn sphere(letter: &str) -> Option<Sphere> {
         Some('A' | '1') if letter.len() > 1 => Some(Sphere::A),
         Some('B' | '2') if letter.len() > 1 => Some(Sphere::B),
         _ => None,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::Departure::*;
-
-    #[test]
-    fn the_manual_lists_every_reason_with_its_tag_and_what_it_costs() {
-        let page = include_str!("../../../docs/marking.md");
-        let all = [
-            Sign,
-            SineForCosine,
-            Inaccurate,
-            AnotherRestitution,
-            Unresolved,
-            TermMissing,
-            MassesExchanged,
-            MassesOmitted,
-            RestitutionMissing,
-            RestitutionOnWrongSide,
-            Coalesced,
-            WrongAxis,
-        ];
-        for departure in all {
-            let costs = if departure.is_condoned() { "A" } else { "M and A" };
-            let row = format!("| `{}` | {} | {costs} |", departure.tag(), departure.sentence());
-            assert!(page.contains(&row), "docs/marking.md lacks\n{row}");
-        }
     }
 }
