@@ -7,7 +7,9 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use carom::bank::{Question, StyleName, read_question};
 use carom::diagnostic::{Source, render_all};
 use carom::expr::print;
-use carom::generate::{Census, Deal, End, MOST_SETS, Unfit, Variant, enumerate, examine, out_of, reference};
+use carom::generate::{
+    Census, Deal, End, MOST_SETS, Numbers, Sieve, Unfit, Variant, enumerate, examine, out_of, reference,
+};
 
 const HEAD_ON: &str = r#"
 title = "A strikes B at rest"
@@ -178,9 +180,10 @@ fn carom_estimates_what_each_requirement_keeps_out_alone() {
     let text = HEAD_ON.replace("u = \"1..6\"", "u = \"1..300\"").replace("\"m != k\"", "\"m != k\", \"u > w + 100\"");
     let question = question(&text);
     let style = question.style(StyleName::Friendly).unwrap();
+    let sieve = Sieve::new(&question, style);
     let count = |mut census: Census| {
         for index in 0..style.size() {
-            census.examine(&question, style, index);
+            census.examine(&sieve, &Numbers::new(&sieve, index));
         }
         census
     };

@@ -29,6 +29,14 @@ pub enum Domain {
 }
 
 impl Domain {
+    /// The values that were written out one by one; none of a range.
+    pub fn formulas(&self) -> &[Expr] {
+        match self {
+            Domain::Range { .. } => &[],
+            Domain::List(values) => values,
+        }
+    }
+
     /// Reads `2..12`, `10..80 step 5`, `1/4..3/4 step 1/4`, or one expression.
     ///
     /// # Errors

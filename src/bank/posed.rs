@@ -36,16 +36,17 @@ impl Posed {
     ///
     /// Why these numbers do not make a question that can be solved.
     pub fn new(question: &Question, style: &Style, givens: Givens) -> Result<Posed, Unposed> {
+        Posed::for_wanted(question, &question.wanted(style), givens)
+    }
+
+    /// The same for quantities that are known: those that [`Question::wanted`] tells.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Posed::new`].
+    pub fn for_wanted(question: &Question, wanted: &[Quantity], givens: Givens) -> Result<Posed, Unposed> {
         let scene = Scene::read(&question.scene, &givens.shown, Angles::Degrees).map_err(Unposed::Scene)?;
-        let mut asked = question.asked();
-        for requirement in &style.require {
-            for quantity in requirement.quantities(&|name| givens.contains(name)) {
-                if !asked.contains(&quantity) {
-                    asked.push(quantity);
-                }
-            }
-        }
-        let solution = solve(&scene, &asked).map_err(Unposed::Refused)?;
+        let solution = solve(&scene, wanted).map_err(Unposed::Refused)?;
         Ok(Posed { givens, scene, solution })
     }
 

@@ -71,6 +71,26 @@ impl Question {
         asked
     }
 
+    /// Is a name given in a style: a parameter, a derived name, or a letter of the scene?
+    pub fn is_given(&self, style: &Style, name: &str) -> bool {
+        let derived = || style.lets.iter().any(|(own, _)| own == name);
+        let letter = || self.scene.symbols.iter().any(|(own, _)| own == name);
+        style.parameters.iter().any(|(own, _)| own == name) || derived() || letter()
+    }
+
+    /// What must be solved for in a style: all that is asked, and what its requirements name.
+    pub fn wanted(&self, style: &Style) -> Vec<Quantity> {
+        let mut wanted = self.asked();
+        for requirement in &style.require {
+            for quantity in requirement.quantities(&|name| self.is_given(style, name)) {
+                if !wanted.contains(&quantity) {
+                    wanted.push(quantity);
+                }
+            }
+        }
+        wanted
+    }
+
     /// Marks of all parts together.
     pub fn marks(&self) -> usize {
         self.parts.iter().map(|part| part.marks.len()).sum()

@@ -13,7 +13,7 @@ use super::tally::{Tally, numbers};
 use super::{again, asked, author, exact_form, given, scheme, units};
 use crate::bank::{Givens, Posed, Question, Style, Unposed};
 use crate::diagnostic::Severity;
-use crate::generate::{Deal, MOST_SETS, Unfit, out_of, reference};
+use crate::generate::{Deal, MOST_SETS, Numbers, Sieve, Unfit, out_of, reference};
 
 /// How many variants of each style are marked as handed in by students whose marks are known, beside the reference
 /// numbers. To mark one costs as much as to examine hundreds, and what a student of theirs can show is in the scheme, which
@@ -26,10 +26,17 @@ const PORTION: u64 = 64;
 /// A piece of the work, done by one thread.
 #[derive(Clone, Copy)]
 enum Piece {
-    /// Sets of numbers of a style, from one index up to another.
-    Sets { question: usize, style: usize, from: u64, to: u64 },
+    /// Sets of numbers of some styles that have the same, from one index up to another.
+    Sets { family: usize, from: u64, to: u64 },
     /// Students who hand in a variant of a style, or the reference numbers.
     Students { question: usize, dealt: Option<(usize, usize)> },
+}
+
+/// Styles of a question whose sets of numbers are the same: each set is solved once for all of them.
+struct Family<'q> {
+    question: usize,
+    /// Each with the place of its style.
+    sieves: Vec<(usize, Sieve<'q>)>,
 }
 
 /// How much there is to do, in the measure in which `progress` is told of it.
@@ -39,7 +46,8 @@ pub fn work<'q>(questions: impl IntoIterator<Item = &'q Question>) -> u64 {
 
 /// Examines questions; `progress` is told of each piece of [`work`] that is done.
 pub fn survey(questions: &[&Question], progress: &(dyn Fn(u64) + Sync)) -> Vec<Report> {
-    let pieces = pieces(questions);
+    let families = families(questions);
+    let pieces = pieces(questions, &families);
     let next = AtomicUsize::new(0);
     let empty = || -> Vec<Done> { questions.iter().map(|question| Done::new(question)).collect() };
     let worker = || {
@@ -47,12 +55,15 @@ pub fn survey(questions: &[&Question], progress: &(dyn Fn(u64) + Sync)) -> Vec<R
         loop {
             let Some(piece) = pieces.get(next.fetch_add(1, Ordering::Relaxed)) else { return done };
             match *piece {
-                Piece::Sets { question, style, from, to } => {
-                    let tally = &mut done[question].tallies[style];
+                Piece::Sets { family, from, to } => {
+                    let Family { question, sieves } = &families[family];
                     for index in from..to {
-                        tally.examine(questions[question], &questions[question].styles[style], index);
+                        let numbers = Numbers::new(&sieves[0].1, index);
+                        for (style, sieve) in sieves {
+                            done[*question].tallies[*style].examine(sieve, &numbers);
+                        }
                     }
-                    progress(to - from);
+                    progress((to - from) * sieves.len() as u64);
                 }
                 Piece::Students { question, dealt } => {
                     done[question].coverage.push((dealt, students(questions[question], dealt)));
@@ -76,22 +87,36 @@ pub fn survey(questions: &[&Question], progress: &(dyn Fn(u64) + Sync)) -> Vec<R
     questions.iter().zip(total).map(|(question, done)| done.report(question, &exercises)).collect()
 }
 
+/// The styles of all questions, those together that are solved together.
+fn families<'q>(questions: &[&'q Question]) -> Vec<Family<'q>> {
+    let mut families: Vec<Family> = Vec::new();
+    for (question, asked) in questions.iter().enumerate() {
+        for (place, style) in asked.styles.iter().enumerate() {
+            let sieve = Sieve::new(asked, style);
+            let same = |family: &&mut Family| family.question == question && family.sieves[0].1.has_sets_of(&sieve);
+            match families.iter_mut().find(same) {
+                Some(family) => family.sieves.push((place, sieve)),
+                None => families.push(Family { question, sieves: vec![(place, sieve)] }),
+            }
+        }
+    }
+    families
+}
+
 /// What takes longest comes first, so that no thread is left with it at the end.
-fn pieces(questions: &[&Question]) -> Vec<Piece> {
+fn pieces(questions: &[&Question], families: &[Family]) -> Vec<Piece> {
     let mut pieces = Vec::new();
     for (place, question) in questions.iter().enumerate() {
         let dealt = (0..question.styles.len()).flat_map(|style| (0..MARKED).map(move |nth| Some((style, nth))));
         pieces.extend(std::iter::once(None).chain(dealt).map(|dealt| Piece::Students { question: place, dealt }));
     }
-    for (place, question) in questions.iter().enumerate() {
-        for (style, size) in question.styles.iter().map(Style::size).enumerate() {
-            let size = size.min(MOST_SETS);
-            let mut from = 0;
-            while from < size {
-                let to = size.min(from.saturating_add(PORTION));
-                pieces.push(Piece::Sets { question: place, style, from, to });
-                from = to;
-            }
+    for (place, family) in families.iter().enumerate() {
+        let size = family.sieves[0].1.style.size().min(MOST_SETS);
+        let mut from = 0;
+        while from < size {
+            let to = size.min(from.saturating_add(PORTION));
+            pieces.push(Piece::Sets { family: place, from, to });
+            from = to;
         }
     }
     pieces

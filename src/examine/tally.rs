@@ -5,9 +5,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::finding::Finding;
 use super::shows::Slips;
 use super::{apart, exact_form, promise, sentences, truth};
-use crate::bank::{Question, Style};
+use crate::bank::Style;
 use crate::expr::print;
-use crate::generate::Census;
+use crate::generate::{Census, Numbers, Sieve};
 use crate::paper::words;
 
 /// Something amiss with one variant; of others with the same words only the first is told, and how many there are.
@@ -57,9 +57,10 @@ impl Tally {
         Tally { census: Census::asking(size), ..Tally::default() }
     }
 
-    /// Examines one set of numbers, and looks at it if it is fit for print.
-    pub fn examine(&mut self, question: &Question, style: &Style, index: u64) {
-        let Some(variant) = self.census.examine(question, style, index) else { return };
+    /// Examines one set of numbers, and looks at it if it is fit for print in the sieve's style.
+    pub fn examine(&mut self, sieve: &Sieve, numbers: &Numbers) {
+        let Some(variant) = self.census.examine(sieve, numbers) else { return };
+        let (question, style) = (sieve.question, sieve.style);
         let mut remarks = Vec::new();
         let words = words(question, style, &variant);
         sentences::unreadable(&words, &variant, &mut remarks);
@@ -71,7 +72,7 @@ impl Tally {
         remarks.sort();
         remarks.dedup_by(|one, other| one.what == other.what);
         for remark in remarks {
-            self.see(Seen { count: 1, first: index, remark });
+            self.see(Seen { count: 1, first: numbers.index, remark });
         }
     }
 
@@ -133,7 +134,7 @@ pub fn numbers(style: &Style, index: u64) -> String {
 mod tests {
     use super::super::shows;
     use super::*;
-    use crate::bank::{read_question, shipped};
+    use crate::bank::{Question, read_question, shipped};
     use crate::diagnostic::Source;
 
     /// What is said of a style's slips and variants after tallies were added up.
@@ -153,15 +154,16 @@ mod tests {
         let (_, text) = shipped().find(|(shipped, _)| *shipped == id).unwrap();
         let question = read_question(id, &Source::new(id, text)).unwrap_or_else(|_| panic!("{id}"));
         for style in &question.styles {
+            let sieve = Sieve::new(&question, style);
             let one = |index: u64| {
                 let mut tally = Tally::new(style.size());
-                tally.examine(&question, style, index);
+                tally.examine(&sieve, &Numbers::new(&sieve, index));
                 tally
             };
             let in_order = said(&question, style, (0..style.size()).map(one));
             assert_eq!(said(&question, style, (0..style.size()).rev().map(one)), in_order);
             let mut together = Tally::new(style.size());
-            (0..style.size()).for_each(|index| together.examine(&question, style, index));
+            (0..style.size()).for_each(|index| together.examine(&sieve, &Numbers::new(&sieve, index)));
             assert_eq!(said(&question, style, [together].into_iter()), in_order);
         }
     }

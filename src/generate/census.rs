@@ -6,7 +6,9 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
 
 use super::form::Form;
-use super::variant::{Further, Unfit, Variant, examine_further};
+use super::numbers::{Further, Numbers};
+use super::sieve::Sieve;
+use super::variant::{Unfit, Variant};
 use crate::bank::{Question, Style};
 
 /// What became of every set of numbers of a question in a style.
@@ -77,12 +79,13 @@ impl Census {
         }
     }
 
-    /// Examines one set and counts it; the variant, if it is fit for print.
-    pub fn examine(&mut self, question: &Question, style: &Style, index: u64) -> Option<Variant> {
+    /// Examines one set and counts it; the variant of the sieve's style, if it is fit for print.
+    pub fn examine(&mut self, sieve: &Sieve, numbers: &Numbers) -> Option<Variant> {
         self.examined += 1;
-        match examine_further(question, style, index, self.further(index)) {
+        let index = numbers.index;
+        match numbers.examine(sieve, self.further(index)) {
             Ok(variant) => {
-                self.count_fit(question, &variant);
+                self.count_fit(sieve.question, &variant);
                 Some(variant)
             }
             Err((reason, is_alone)) => {
@@ -181,6 +184,7 @@ pub fn enumerate(
     let size = style.size();
     let most = size.min(MOST_SETS);
     let next = AtomicU64::new(0);
+    let sieve = Sieve::new(question, style);
     let worker = || {
         let mut census = Census::new(size);
         loop {
@@ -189,7 +193,7 @@ pub fn enumerate(
                 return census;
             }
             for index in from..most.min(from.saturating_add(PORTION)) {
-                census.examine(question, style, index).into_iter().for_each(visit);
+                census.examine(&sieve, &Numbers::new(&sieve, index)).into_iter().for_each(visit);
             }
             progress(most.min(from.saturating_add(PORTION)));
         }

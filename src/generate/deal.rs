@@ -1,7 +1,9 @@
 //! Variants dealt one after another, none twice, until there are no more.
 
 use super::shuffle::Shuffle;
-use super::variant::{Unfit, Variant, examine};
+use super::numbers::{Further, Numbers};
+use super::sieve::Sieve;
+use super::variant::Variant;
 use crate::bank::{Question, Style};
 
 /// So many sets of numbers in a row that are unfit, and the deal is given up.
@@ -14,8 +16,7 @@ pub const PATIENCE: u64 = 100_000;
 ///
 /// Only what is dealt is examined, so the first variants come at once from however large a set.
 pub struct Deal<'q> {
-    question: &'q Question,
-    style: &'q Style,
+    sieve: Sieve<'q>,
     order: Shuffle,
     examined: u64,
     dealt: u64,
@@ -35,7 +36,7 @@ impl<'q> Deal<'q> {
     /// Begins a deal.
     pub fn new(question: &'q Question, style: &'q Style, seed: u64) -> Deal<'q> {
         let order = Shuffle::new(style.size(), seed, &question.id, style.name.name());
-        Deal { question, style, order, examined: 0, dealt: 0, end: None }
+        Deal { sieve: Sieve::new(question, style), order, examined: 0, dealt: 0, end: None }
     }
 
     /// How many sets of numbers have been examined so far.
@@ -67,7 +68,7 @@ impl Iterator for Deal<'_> {
                 return None;
             };
             self.examined += 1;
-            let examined: Result<Variant, Unfit> = examine(self.question, self.style, index);
+            let examined = Numbers::new(&self.sieve, index).examine(&self.sieve, Further::Never);
             if let Ok(variant) = examined {
                 self.dealt += 1;
                 return Some(variant);

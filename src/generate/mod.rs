@@ -3,13 +3,17 @@
 mod census;
 mod deal;
 mod form;
+mod numbers;
 mod rounding;
 mod shuffle;
+mod sieve;
 mod variant;
 
 pub use census::{Census, MOST_SETS, enumerate, out_of};
 pub use deal::{Deal, End, PATIENCE};
 pub use form::Form;
+pub use numbers::{Further, Numbers, examine};
 pub use rounding::{degrees_round_safely, rounds_safely};
 pub use shuffle::{Shuffle, below};
-pub use variant::{Further, Unfit, Variant, answer_rounds_safely, examine, examine_further, reference, with_numbers};
+pub use sieve::Sieve;
+pub use variant::{Unfit, Variant, answer_rounds_safely, reference, with_numbers};

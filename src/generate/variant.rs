@@ -1,9 +1,9 @@
-//! One set of numbers of a question, examined: everything that is required of it holds.
+//! A question with numbers that are fit for print, and why numbers are not.
 
 use crate::answer::Kind;
 use crate::bank::{Answer, Find, Givens, Posed, Question, Style, StyleName, Unposed};
 use crate::expr::Expr;
-use crate::mechanics::{Because, Scene};
+use crate::mechanics::Scene;
 use crate::number::{Angle, Places, Range, Value};
 use crate::solve::Solution;
 
@@ -45,98 +45,6 @@ pub enum Unfit {
     Results(usize),
     /// An answer lies too near a tie to be rounded: its place among all answers.
     Tie(usize),
-}
-
-/// A set of parameters with an index below the style's size, examined.
-///
-/// # Errors
-///
-/// The first thing that makes it unfit.
-pub fn examine(question: &Question, style: &Style, index: u64) -> Result<Variant, Unfit> {
-    examine_further(question, style, index, Further::Never).map_err(|(reason, _)| reason)
-}
-
-/// Is a set that was turned away asked whether anything else would have turned it away too?
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Further {
-    /// The first reason is enough.
-    Never,
-    /// If it has been solved already.
-    OnceSolved,
-    /// Even if it must be solved for that.
-    Always,
-}
-
-/// What has turned a set away so far.
-struct Turned {
-    first: Option<Unfit>,
-    goes_on: bool,
-}
-
-impl Turned {
-    /// A reason more. The second one settles it, and the first one too if nobody wants to know of a second.
-    fn away(&mut self, reason: Unfit) -> Result<(), (Unfit, bool)> {
-        match self.first.take() {
-            Some(first) => Err((first, false)),
-            None if self.goes_on => {
-                self.first = Some(reason);
-                Ok(())
-            }
-            None => Err((reason, false)),
-        }
-    }
-}
-
-/// As [`examine`], and of an unfit set whether it would be fit if only that one thing were not required of it.
-///
-/// # Errors
-///
-/// The first thing that makes it unfit, and whether it is known to be the only one.
-pub fn examine_further(
-    question: &Question,
-    style: &Style,
-    index: u64,
-    further: Further,
-) -> Result<Variant, (Unfit, bool)> {
-    let mut turned = Turned { first: None, goes_on: further == Further::Always };
-    let parameters = style.parameters_at(index);
-    let givens = Givens::new(style, &parameters, &question.scene).map_err(|_| (Unfit::NoValue, false))?;
-    for (place, requirement) in style.require.iter().enumerate() {
-        let on_results = requirement.is_on_results(&question.scene.unknowns, &|name| givens.contains(name));
-        if !on_results && !requirement.holds(&|name| givens.meaning(name)).unwrap_or(false) {
-            turned.away(Unfit::Givens(place))?;
-        }
-    }
-    // What cannot be posed is unfit whatever is required of it.
-    let first = turned.first.clone();
-    let posed = Posed::new(question, style, givens).map_err(|reason| (first.unwrap_or(unposed(&reason)), false))?;
-    turned.goes_on = further != Further::Never;
-    for (place, requirement) in style.require.iter().enumerate() {
-        let on_results = requirement.is_on_results(&question.scene.unknowns, &|name| posed.givens.contains(name));
-        if on_results && !requirement.holds(&|name| posed.meaning(name)).unwrap_or(false) {
-            turned.away(Unfit::Results(place))?;
-        }
-    }
-    for (place, answer) in question.parts.iter().flat_map(|part| &part.answers).enumerate() {
-        if !answer_rounds_safely(answer, style.name, &posed.solution) {
-            turned.away(Unfit::Tie(place))?;
-        }
-    }
-    match turned.first {
-        Some(only) => Err((only, true)),
-        None => Ok(variant(question, style, Some(index), parameters, posed)),
-    }
-}
-
-fn unposed(reason: &Unposed) -> Unfit {
-    match reason {
-        Unposed::Given(..) | Unposed::Scene(_) => Unfit::NoValue,
-        Unposed::Refused(refusal) => match refusal.because {
-            Because::Impossible => Unfit::Impossible,
-            Because::Underdetermined => Unfit::Underdetermined,
-            Because::BeyondMethods => Unfit::BeyondMethods,
-        },
-    }
 }
 
 /// Is an answer clear of a tie at the figures to which it may be rounded in a style?
@@ -189,7 +97,8 @@ pub fn with_numbers(question: &Question, style: &Style, numbers: &[(String, Expr
     Ok(variant(question, style, None, numbers.to_vec(), posed))
 }
 
-fn variant(
+/// What was posed, as a variant.
+pub(super) fn variant(
     question: &Question,
     style: &Style,
     index: Option<u64>,

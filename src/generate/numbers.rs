@@ -1,0 +1,136 @@
+//! One set of numbers of a style, examined: does everything hold that is required of it?
+
+use std::cell::OnceCell;
+
+use super::sieve::Sieve;
+use super::variant::{Unfit, Variant, answer_rounds_safely, variant};
+use crate::bank::{Givens, Posed, Question, Style, Unposed};
+use crate::expr::Expr;
+use crate::mechanics::Because;
+
+/// A set of numbers. What follows from it is worked out when it is first asked for, and once for all styles that have the
+/// same sets.
+pub struct Numbers<'s> {
+    /// Its index in the style.
+    pub index: u64,
+    sieve: &'s Sieve<'s>,
+    parameters: OnceCell<Vec<(String, Expr)>>,
+    givens: OnceCell<Result<Givens, String>>,
+    posed: OnceCell<Result<Posed, Unfit>>,
+}
+
+/// Is a set that was turned away asked whether anything else would have turned it away too?
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Further {
+    /// The first reason is enough.
+    Never,
+    /// If it has been solved already.
+    OnceSolved,
+    /// Even if it must be solved for that.
+    Always,
+}
+
+/// What has turned a set away so far.
+struct Turned {
+    first: Option<Unfit>,
+    goes_on: bool,
+}
+
+impl Turned {
+    /// A reason more. The second one settles it, and the first one too if nobody wants to know of a second.
+    fn away(&mut self, reason: Unfit) -> Result<(), (Unfit, bool)> {
+        match self.first.take() {
+            Some(first) => Err((first, false)),
+            None if self.goes_on => {
+                self.first = Some(reason);
+                Ok(())
+            }
+            None => Err((reason, false)),
+        }
+    }
+}
+
+/// A set of parameters with an index below the style's size, examined.
+///
+/// # Errors
+///
+/// The first thing that makes it unfit.
+pub fn examine(question: &Question, style: &Style, index: u64) -> Result<Variant, Unfit> {
+    let sieve = Sieve::for_one(question, style);
+    Numbers::new(&sieve, index).examine(&sieve, Further::Never).map_err(|(reason, _)| reason)
+}
+
+impl<'s> Numbers<'s> {
+    /// The set with an index below the size of the sieve's style.
+    pub fn new(sieve: &'s Sieve<'s>, index: u64) -> Numbers<'s> {
+        let (parameters, givens, posed) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
+        Numbers { index, sieve, parameters, givens, posed }
+    }
+
+    /// The variant of a style that has the same sets as the one of [`Numbers::new`]; of an unfit set whether it would be
+    /// fit if only that one thing were not required of it.
+    ///
+    /// # Errors
+    ///
+    /// The first thing that makes it unfit, and whether it is known to be the only one.
+    pub fn examine(&self, sieve: &Sieve, further: Further) -> Result<Variant, (Unfit, bool)> {
+        let mut turned = Turned { first: None, goes_on: further == Further::Always };
+        if !sieve.has_values(self) {
+            return Err((Unfit::NoValue, false));
+        }
+        for reason in sieve.givens_refused(self) {
+            turned.away(reason)?;
+        }
+        // What cannot be posed is unfit whatever is required of it.
+        let first = turned.first.clone();
+        let posed = self.posed().as_ref().map_err(|reason| (first.unwrap_or_else(|| reason.clone()), false))?;
+        turned.goes_on = further != Further::Never;
+        for (place, requirement) in sieve.on_results() {
+            if !requirement.holds(&|name| posed.meaning(name)).unwrap_or(false) {
+                turned.away(Unfit::Results(place))?;
+            }
+        }
+        let (question, style) = (sieve.question, sieve.style);
+        for (place, answer) in question.parts.iter().flat_map(|part| &part.answers).enumerate() {
+            if !answer_rounds_safely(answer, style.name, &posed.solution) {
+                turned.away(Unfit::Tie(place))?;
+            }
+        }
+        match turned.first {
+            Some(only) => Err((only, true)),
+            None => Ok(variant(question, style, Some(self.index), self.parameters().to_vec(), posed.clone())),
+        }
+    }
+
+    fn parameters(&self) -> &[(String, Expr)] {
+        self.parameters.get_or_init(|| self.sieve.style.parameters_at(self.index))
+    }
+
+    /// What its names stand for, or the first that has no value.
+    pub(super) fn givens(&self) -> Result<&Givens, &str> {
+        let (question, style) = (self.sieve.question, self.sieve.style);
+        let givens = || Givens::new(style, self.parameters(), &question.scene).map_err(|(name, _)| name);
+        self.givens.get_or_init(givens).as_ref().map_err(String::as_str)
+    }
+
+    fn posed(&self) -> &Result<Posed, Unfit> {
+        self.posed.get_or_init(|| {
+            let givens = self.givens().map_err(|_| Unfit::NoValue)?.clone();
+            let posed = Posed::for_wanted(self.sieve.question, &self.sieve.wanted, givens);
+            posed.map_err(|reason| Unfit::from(&reason))
+        })
+    }
+}
+
+impl From<&Unposed> for Unfit {
+    fn from(reason: &Unposed) -> Unfit {
+        match reason {
+            Unposed::Given(..) | Unposed::Scene(_) => Unfit::NoValue,
+            Unposed::Refused(refusal) => match refusal.because {
+                Because::Impossible => Unfit::Impossible,
+                Because::Underdetermined => Unfit::Underdetermined,
+                Because::BeyondMethods => Unfit::BeyondMethods,
+            },
+        }
+    }
+}
