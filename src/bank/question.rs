@@ -61,11 +61,9 @@ impl Question {
     /// Every quantity that an answer asks for, each once, in order.
     pub fn asked(&self) -> Vec<Quantity> {
         let mut asked = Vec::new();
-        for answer in self.parts.iter().flat_map(|part| &part.answers) {
-            for quantity in answer.find.quantities() {
-                if !asked.contains(&quantity) {
-                    asked.push(quantity);
-                }
+        for quantity in self.parts.iter().flat_map(Part::asked) {
+            if !asked.contains(&quantity) {
+                asked.push(quantity);
             }
         }
         asked
@@ -176,6 +174,13 @@ pub struct Part {
     pub answers: Vec<Answer>,
     /// The marks in the order in which they are earned; at least one.
     pub marks: Vec<Mark>,
+}
+
+impl Part {
+    /// The quantities for which it asks, in order.
+    pub fn asked(&self) -> Vec<Quantity> {
+        self.answers.iter().flat_map(|answer| answer.find.quantities()).collect()
+    }
 }
 
 /// What is to be found.

@@ -1,7 +1,7 @@
 //! Variants dealt one after another, none twice, until there are no more.
 
-use super::shuffle::Shuffle;
 use super::numbers::{Further, Numbers};
+use super::shuffle::Shuffle;
 use super::sieve::Sieve;
 use super::variant::Variant;
 use crate::bank::{Question, Style};

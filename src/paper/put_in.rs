@@ -2,7 +2,7 @@
 
 use super::working::Step;
 use crate::expr::{Expr, written, written_angle};
-use crate::mechanics::{Axis, Derivation, Known, Line, Moment, Quantity, Rule, Scene, Show, pose, with_letters};
+use crate::mechanics::{Axis, Datum, Derivation, Known, Line, Moment, Quantity, Rule, Scene, Show, pose, with_letters};
 use crate::number::{Angle, Letter, Range, Value};
 
 /// What was worked out in terms of letters before they were found.
@@ -25,6 +25,23 @@ impl InLetters {
         let asked: Vec<Quantity> = named.chain(scene.maximise).collect();
         let (derivation, _) = Derivation::carry_out(&mut known, &asked);
         Some(InLetters { rules: derivation.steps, scene, known, asked, found: found.to_vec() })
+    }
+
+    /// Does any of these quantities have its value only once the letters are found?
+    pub fn are_needed(&self, asked: &[Quantity]) -> bool {
+        let mut known = self.known.clone();
+        let (_, missing) = Derivation::carry_out(&mut known, asked);
+        let depends = |value: &Value| value.letters().iter().any(|letter| self.is_unknown(*letter));
+        let open = |quantity: &Quantity| match known.0.get(quantity) {
+            Some(Datum::Number(value)) => depends(value),
+            Some(Datum::Direction { y, x }) => depends(y) || depends(x),
+            Some(Datum::Equation(_)) | None => true,
+        };
+        !self.found.is_empty() && (!missing.is_empty() || asked.iter().any(open))
+    }
+
+    fn is_unknown(&self, letter: Letter) -> bool {
+        self.found.iter().any(|(unknown, _)| *unknown == letter)
     }
 
     /// How it is shown.
@@ -67,8 +84,8 @@ impl InLetters {
     /// What a rule gives, in letters and with their values. `None` if it has no symbol, and its own lines must stand.
     fn results(&self, rule: &Rule, show: &Show) -> Option<Vec<Expr>> {
         let depends = |quantity: &Quantity| {
-            let is_unknown = |letter: &Letter| self.found.iter().any(|(unknown, _)| unknown == letter);
-            self.known.number(*quantity).is_some_and(|value| value.letters().iter().any(is_unknown))
+            let number = self.known.number(*quantity);
+            number.is_some_and(|value| value.letters().iter().any(|letter| self.is_unknown(*letter)))
         };
         if rule.gives.iter().all(|quantity| quantity.is_equation()) {
             return Some(Vec::new());

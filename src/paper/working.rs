@@ -5,11 +5,12 @@ use std::collections::BTreeSet;
 use super::WorkingLine;
 use super::answer;
 use super::put_in::InLetters;
+use crate::answer::Kind;
 use crate::bank::{Answer, Find, Part, Question};
 use crate::diagram::Manner;
 use crate::expr::{Expr, Function, Text};
 use crate::generate::Variant;
-use crate::mechanics::{Derivation, Known, Line, Quantity, Rule, Show, pose};
+use crate::mechanics::{Axis, Derivation, Known, Line, Quantity, Rule, Show, pose};
 use crate::number::Value;
 
 /// A step as it is printed.
@@ -72,22 +73,40 @@ pub fn work<'q>(question: &'q Question, variant: &Variant, manner: Manner) -> Ve
     let step = |found: &InLetters, rule: &Rule| Step::new(rule.clone(), &found.show(), &letters);
     let mut behind: Vec<Step> =
         in_letters.iter().flat_map(|found| found.rules.iter().map(|rule| step(found, rule))).collect();
-    let mut worked = Vec::new();
-    for part in &question.parts {
-        let asked: Vec<Quantity> = part.answers.iter().flat_map(|answer| answer.find.quantities()).collect();
+    let finds = finding_part(question, in_letters.as_ref());
+    let mut worked: Vec<WorkedPart> = Vec::new();
+    for (place, part) in question.parts.iter().enumerate() {
+        let asked = part.asked();
         let given = known.0.keys().copied().collect();
         let (derivation, _) = Derivation::carry_out(&mut known, &asked);
         let show = Show::new(scene, &known, &asked).in_words_of(manner.vectors, manner.with_units);
         let mut steps: Vec<Step> =
             derivation.steps.into_iter().map(|rule| Step::new(rule.clone(), &show, &letters)).collect();
-        if let Some(found) = &in_letters {
+        if let Some(found) = in_letters.as_ref().filter(|_| place >= finds) {
             found.put_into(&mut steps, &show, &asked);
         }
-        let (finding, behind) = (std::mem::take(&mut finding), std::mem::take(&mut behind));
+        let (mut finding, behind) = match place == finds {
+            true => (std::mem::take(&mut finding), std::mem::take(&mut behind)),
+            false => Default::default(),
+        };
+        // What an earlier part has worked out is not worked out again, to find a letter or once it is found.
+        let in_steps = || worked.iter().flat_map(|earlier| &earlier.steps).flat_map(|step| &step.lines);
+        finding.retain(|line| in_steps().all(|there| there != line));
+        let in_finding = |line: &Line| worked.iter().any(|earlier| earlier.finding.contains(line));
+        steps.iter_mut().for_each(|step| step.lines.retain(|line| !in_finding(line)));
         let (known, letters) = (known.clone(), letters.clone());
         worked.push(WorkedPart { part, given, known, asked, finding, steps, behind, letters });
     }
     worked
+}
+
+/// The part in which letters are found: that which asks for one, unless an earlier one needs them. Where a letter stays one,
+/// as of a range, it is needed by none.
+fn finding_part(question: &Question, in_letters: Option<&InLetters>) -> usize {
+    let finds = |answer: &Answer| answer.kind == Kind::Range || matches!(answer.find, Find::Unknown(_));
+    let asks = |part: &Part| part.answers.iter().any(finds);
+    let needs = |part: &Part| in_letters.is_some_and(|found| found.are_needed(&part.asked()));
+    question.parts.iter().position(|part| asks(part) || needs(part)).unwrap_or(0)
 }
 
 impl WorkedPart<'_> {
@@ -110,6 +129,10 @@ impl WorkedPart<'_> {
                 printed.push(line);
             }
         }
+        if printed.is_empty() {
+            let equations = self.found_above(variant);
+            printed.push(WorkingLine { words: Text::words("As was found above,"), equations, label: None });
+        }
         let all_shown = self.part.answers.iter().all(|answer| answer.show.is_some());
         for result in self.part.answers.iter().filter_map(|answer| result(answer, variant)) {
             // What is to be shown ends the part: nobody asked for more.
@@ -123,6 +146,33 @@ impl WorkedPart<'_> {
             printed.push(WorkingLine { words: Text::words(words), equations, label: None });
         }
         printed
+    }
+
+    /// The answers, where earlier parts have found them all.
+    fn found_above(&self, variant: &Variant) -> Vec<Expr> {
+        let show = Show::new(variant.solution.scene(), &self.known, &self.asked);
+        let found = |answer: &Answer| {
+            let exact = answer::exact(answer, variant)?;
+            let letter = match &answer.find {
+                _ if matches!(exact, Expr::Relation(..)) => return Some(exact),
+                Find::Unknown(name) => Expr::name(name),
+                Find::Quantity(quantity) => show.symbol(self.as_worked(*quantity)),
+                Find::Vector(..) => return Some(exact),
+            };
+            Some(if letter == exact { exact } else { Expr::equation(letter, exact) })
+        };
+        self.part.answers.iter().filter_map(found).collect()
+    }
+
+    /// The quantity by which the working goes: in a direct impact along the line of centres, and not along i.
+    fn as_worked(&self, quantity: Quantity) -> Quantity {
+        match quantity {
+            Quantity::Velocity(sphere, moment, Axis::X) => {
+                let along = Quantity::Velocity(sphere, moment, Axis::N);
+                if self.known.number(along) == self.known.number(quantity) { along } else { quantity }
+            }
+            quantity => quantity,
+        }
     }
 
     /// What the condition from which letters are found comes to.

@@ -1,0 +1,83 @@
+//! The working of a question stands in the parts to which it belongs: a letter is found where it is asked for, nothing is
+//! worked out twice, and no part is an empty heading.
+
+use carom::bank::read_question;
+use carom::diagnostic::{Source, render_all};
+use carom::expr::print;
+use carom::generate::reference;
+use carom::paper::{WorkingLine, compose};
+
+const IN_LETTERS: &str = r#"
+title = "A strikes B at rest"
+topic = "ranges"
+stem = "*A*, of mass {m}, strikes *B*, of mass {k*m}, directly with speed {u}. The coefficient of restitution is {e}."
+[parameters]
+k = "2..6"
+[style.exact]
+[scene]
+masses = { A = "m", B = "k*m" }
+before = { A = "u", B = "0" }
+e = "e"
+symbols = { e = "unit", u = "positive", m = "positive" }
+unknowns = ["e"]
+conditions = ["CONDITION"]
+PARTS
+[reference]
+k = "3"
+"#;
+
+const SPEED_BEFORE: &str = "A.before.speed";
+const B_AFTER: &str = "B.after.x";
+
+/// The working of each part, its words and its equations.
+fn working(condition: &str, asked: &[&str]) -> Vec<Vec<String>> {
+    let part = |find: &&str| {
+        let kind = if *find == "e" && condition.contains('<') { ", kind = \"range\"" } else { "" };
+        format!(
+            "[[part]]\nask = \"Find it.\"\nanswers = [{{ name = \"it\", find = \"{find}\"{kind} }}]\n\
+             marks = [{{ code = \"B1\", for = \"{find}\" }}]\n"
+        )
+    };
+    let parts: String = asked.iter().map(part).collect();
+    let text = IN_LETTERS.replace("CONDITION", condition).replace("PARTS", &parts);
+    let question = read_question("ranges/own", &Source::new("own", text.as_str()))
+        .unwrap_or_else(|faults| panic!("{}", render_all(&faults, false)));
+    let variant = reference(&question).unwrap_or_else(|refused| panic!("{refused:?}"));
+    let lines = compose(&question, &variant, 1).parts.into_iter().map(|part| part.working);
+    let words = |lines: Vec<WorkingLine>| {
+        let each = lines.into_iter().map(|line| (print::text_unicode(&line.words), line.equations));
+        each.flat_map(|(words, equations)| {
+            let equations = equations.iter().map(print::plain).collect::<Vec<_>>();
+            std::iter::once(words).chain(equations).filter(|line| !line.is_empty())
+        })
+        .collect()
+    };
+    lines.map(words).collect()
+}
+
+#[test]
+fn a_letter_is_found_in_the_part_that_asks_for_it() {
+    let momentum = "m*u = m*v + 3*m*w";
+    let range = "1/3 < e <= 1";
+    // condition, what is asked, and of each part an equation that it has and one that it has not
+    let table: [(&str, &[&str], &[(&str, &str)]); 7] = [
+        ("A.after.x < 0", &["e"], &[(range, "w = u")]),
+        ("A.after.x < 0", &[SPEED_BEFORE, "e"], &[("", momentum), (momentum, "u = u")]),
+        ("A.after.x < 0", &[B_AFTER, "e"], &[(momentum, range), (range, momentum)]),
+        ("A.after.x < 0", &["e", B_AFTER], &[(range, ""), ("w = u*(1 + e)/4", momentum)]),
+        ("A.after.x = -u/5", &[SPEED_BEFORE, "e"], &[("", momentum), ("e = 3/5", "")]),
+        // What is asked first needs the letter.
+        ("A.after.x = -u/5", &[B_AFTER, "e"], &[("e = 3/5", ""), ("e = 3/5", momentum)]),
+        ("A.after.x = -u/5", &["e", B_AFTER], &[("e = 3/5", ""), ("w = 2*u/5", momentum)]),
+    ];
+    for (condition, asked, expected) in table {
+        let worked = working(condition, asked);
+        assert_eq!(worked.len(), expected.len());
+        for (part, (has, has_not)) in worked.iter().zip(expected) {
+            let there = |equation: &str| part.iter().any(|line| line == equation);
+            assert!(has.is_empty() || there(has), "{condition}, {asked:?}: `{has}` is not in {part:#?}");
+            assert!(has_not.is_empty() || !there(has_not), "{condition}, {asked:?}: `{has_not}` is in {part:#?}");
+            assert!(!part.is_empty(), "{condition}, {asked:?}: an empty heading");
+        }
+    }
+}
