@@ -505,7 +505,11 @@ fn a_bank_of_ones_own_is_listed_explained_and_checked() {
     let list: Json = serde_json::from_str(&stdout(&output)).unwrap();
     assert_eq!(list["questions"][0]["id"], "own/deflection");
     assert!(list["questions"][0]["styles"][0]["variants"].as_u64().unwrap() > 60);
-    assert!(stdout(&carom(&["list", "--bank", bank])).contains("1 question"));
+    // What nobody has examined is not counted unasked.
+    let list = stdout(&carom(&["list", "--bank", bank]));
+    assert!(list.contains("1 question") && list.contains("  friendly") && list.contains("--count"), "{list}");
+    let list = stdout(&carom(&["list", "--bank", bank, "--count"]));
+    assert!(list.contains(" friendly") && !list.contains("  friendly") && !list.contains("--count"), "{list}");
 
     let output = carom(&["explain", "deflection", "--bank", bank]);
     assert_eq!(code(&output), 0, "{}", stderr(&output));

@@ -368,6 +368,12 @@ fn words_that_the_scene_contradicts_are_named() {
 }
 
 #[test]
+fn a_number_that_the_words_give_and_the_scene_does_not_take_is_named() {
+    let edits: &[(&str, &str)] = &[("e      = \"e\"", "e      = \"1/2\"")];
+    found("direct/one-sphere-catches-the-other", &[("untaken", edits, "nothing in the scene takes `e`")]);
+}
+
+#[test]
 fn marks_that_are_paid_twice_or_not_at_all_are_named() {
     let last = "  { code = \"A1\", for = \"ke.lost\" },\n";
     found(

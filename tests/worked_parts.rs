@@ -29,6 +29,9 @@ k = "3"
 const SPEED_BEFORE: &str = "A.before.speed";
 const B_AFTER: &str = "B.after.x";
 
+/// A condition, what is asked of each part, and of each an equation that stands in its working and one that does not.
+type Row<'t> = (&'t str, &'t [&'t str], &'t [(&'t str, &'t str)]);
+
 /// The working of each part, its words and its equations.
 fn working(condition: &str, asked: &[&str]) -> Vec<Vec<String>> {
     let part = |find: &&str| {
@@ -59,8 +62,7 @@ fn working(condition: &str, asked: &[&str]) -> Vec<Vec<String>> {
 fn a_letter_is_found_in_the_part_that_asks_for_it() {
     let momentum = "m*u = m*v + 3*m*w";
     let range = "1/3 < e <= 1";
-    // condition, what is asked, and of each part an equation that it has and one that it has not
-    let table: [(&str, &[&str], &[(&str, &str)]); 7] = [
+    let table: [Row; 7] = [
         ("A.after.x < 0", &["e"], &[(range, "w = u")]),
         ("A.after.x < 0", &[SPEED_BEFORE, "e"], &[("", momentum), (momentum, "u = u")]),
         ("A.after.x < 0", &[B_AFTER, "e"], &[(momentum, range), (range, momentum)]),

@@ -10,7 +10,7 @@ use crate::expr::{Angles, Expr, Markup, Text, print, read};
 use crate::mechanics::{SceneText, VelocityText};
 use crate::unit::Unit;
 
-/// Numbers that are never said, and letters that are never used.
+/// Numbers that are never said or never taken, and letters that are never used.
 pub fn unsaid(question: &Question) -> Vec<Finding> {
     let scene = names_of_scene(question);
     let mut findings = Vec::new();
@@ -31,6 +31,12 @@ pub fn unsaid(question: &Question) -> Vec<Finding> {
                 let space = if unit.is_empty() { "" } else { " " };
                 let help = format!("write it into the stem, as in `{{{name}{space}{unit}}}`");
                 findings.push(found.with_help(help));
+            }
+            if domain.size() > 1 && !taken.contains(name) && said.contains(name) {
+                let message = format!("nothing in the scene takes `{name}`, which style `{}` gives", style.name);
+                let label = "the answers are the same whatever it is";
+                let found = Finding::at_parameter(message, style.name, name, label);
+                findings.push(found.with_help(format!("put `{name}` where the scene has a number, or take it out")));
             }
         }
     }

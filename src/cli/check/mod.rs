@@ -84,6 +84,11 @@ pub fn run(arguments: &CheckArguments) -> Result<(), Failure> {
     Err(Failure::Faults(faults))
 }
 
+/// What is remembered of a question that was found sound.
+pub fn remembered(heading: &Heading) -> Option<Report> {
+    Cache::open()?.sound(heading)
+}
+
 /// Examines what is not remembered to be sound.
 fn examine(read: Vec<(&Heading, Question)>, is_fresh: bool) -> Vec<Examined<'_>> {
     let cache = Cache::open();
