@@ -139,6 +139,8 @@ fn a_new_question_is_sound_wherever_it_stands_and_names_the_schema_of_its_bank()
     let table = [
         ("my-bank/impulse.toml", Some("#:schema question.schema.json")),
         ("my-bank/walls/hard/two.toml", Some("#:schema ../../question.schema.json")),
+        // A topic that the bank did not have.
+        ("my-bank/in-a-line/three-spheres/one.toml", Some("#:schema ../../question.schema.json")),
         ("alone.toml", None),
     ];
     for (path, schema) in table {
@@ -175,7 +177,7 @@ fn nothing_is_written_over_and_every_refusal_names_one_thing_to_try() {
     fs::write(here.join("file"), "mine").unwrap();
     fs::create_dir(here.join("a folder")).unwrap();
     let before = tree(&here);
-    let table: [(&[&str], &str, &str); 12] = [
+    let table: [(&[&str], &str, &str); 13] = [
         (&["new-bank", "my-bank"], "there are things in the folder `my-bank` already", "carom new-question my-bank/"),
         (&["new-bank", "file"], "`file` is a file", "`carom new-bank file.bank`"),
         (&["new-bank", "no/such/bank"], "there is no folder `no/such`", "`mkdir no/such`"),
@@ -186,8 +188,9 @@ fn nothing_is_written_over_and_every_refusal_names_one_thing_to_try() {
             "`carom preview my-bank/b-at-rest/speeds.toml`",
         ),
         (&["new-question", "my-bank"], "`my-bank` is a folder", "`carom new-question my-bank/my-question.toml`"),
-        (&["new-question", "my-bank/walls/one.toml"], "there is no folder `my-bank/walls`", "`mkdir my-bank/walls`"),
+        (&["new-question", "file/one.toml"], "`file` is a file", "`carom new-question my-question.toml`"),
         (&["new-question", "bank/one.toml"], "there is no folder `bank`", "`carom new-bank bank`"),
+        (&["new-question", "bank/walls/one.toml"], "there is no folder `bank/walls`", "`carom new-bank bank`"),
         (&["new-question", "my-bank/one"], "ends in `.toml`", "`carom new-question my-bank/one.toml`"),
         (&["new-question", "my-bank/one two.toml"], "letters, digits", "`carom new-question my-bank/one-two.toml`"),
         (&["new-question", "a folder/.toml"], "letters, digits", "`carom new-question \"a folder/my-question.toml\"`"),
@@ -221,6 +224,29 @@ fn a_bank_that_is_none_is_told_from_one_that_is_empty() {
             assert!(said.contains(message) && said.contains(help), "{arguments:?}: {said}");
         }
     }
+}
+
+#[test]
+fn a_file_that_cannot_be_read_hides_none_of_the_others() {
+    let here = folder("unreadable");
+    done(&here, &["new-bank", "my-bank"]);
+    fs::write(here.join("my-bank/latin.toml"), b"title = 'r\xe9st'\n").unwrap();
+    fs::write(here.join("my-bank/long.toml"), "#".repeat(100_001)).unwrap();
+    #[cfg(unix)]
+    std::os::unix::fs::symlink("nowhere.toml", here.join("my-bank/link.toml")).unwrap();
+    let output = carom(&here, &["check", "my-bank", "--fresh"]);
+    assert_eq!(output.status.code(), Some(1));
+    let (summary, faults) = (text(&output.stdout), text(&output.stderr));
+    assert!(summary.contains("b-at-rest/speeds") && summary.contains("1 question, "), "{summary}");
+    let unread = if cfg!(unix) { 3 } else { 2 };
+    assert!(summary.ends_with(&format!("{unread} findings, {unread} files not read\n")), "{summary}");
+    for message in ["my-bank/latin.toml:1:11", "`my-bank/long.toml` is longer"] {
+        assert!(faults.contains(message), "{faults}");
+    }
+    assert!(cfg!(not(unix)) || faults.contains("`my-bank/link.toml` cannot be read"), "{faults}");
+    assert_eq!((faults.matches("error:").count(), faults.matches("help:").count()), (unread, unread), "{faults}");
+    // Others deal from the whole of a bank or not at all.
+    assert!(refused(&here, &["list", "--bank", "my-bank"]).contains("latin.toml"));
 }
 
 /// `CAROM_ACCEPT=1 cargo test --test authoring` writes the page anew.
@@ -257,8 +283,8 @@ const UNSEEN: &str = "
 absent-mark accuracy-without-method angle-where-number asked-for-twice asked-for-what-is-given brace-never-closed
 brace-of-the-line-before components-exchanged components-of-two-spheres condition-misspelt condition-without-equation
 crlf derived-beside-parameter derived-from-each-other derived-in-wrong-order division-by-nought empty-title
-empty-words exact-of-no-answer exact-twice impossible-restitution impossible later-line-of-centres-missing
-later-mass-given-again later-newcomer-without-mass later-newcomer-without-velocity later-struck-by-nobody
+empty-words exact-of-no-answer formulas-that-cannot-be-read impossible-restitution impossible
+later-line-of-centres-missing later-mass-given-again later-newcomer-without-mass later-newcomer-without-velocity later-struck-by-nobody
 later-wall-along-the-line letter-nowhere-declared letters-beyond-ascii long-line mass-of-nought no-relation
 not-equal-misspelt numbers-squared-without-end parameter-and-letter reference-lacks-parameter
 requirement-in-words-misspelt requirement-of-another-kind requirement-twice requirement-without-truth

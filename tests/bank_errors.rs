@@ -42,6 +42,15 @@ fn carom_tells_a_teacher_what_is_wrong_with_a_question_file() {
 }
 
 #[test]
+fn every_fault_says_what_was_expected_and_one_thing_to_try() {
+    for path in files() {
+        for fault in faults_of(&path).split("error: ").skip(1) {
+            assert!(fault.contains("\nhelp: "), "{}: {fault}", path.display());
+        }
+    }
+}
+
+#[test]
 fn carom_finds_something_wrong_with_every_file_but_the_sound_one() {
     let files = files();
     assert!(files.len() >= 21);

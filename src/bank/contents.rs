@@ -54,35 +54,34 @@ pub struct Contents {
     pub name: String,
     /// The headings.
     pub headings: Vec<Heading>,
+    /// A fault for each file that cannot be read.
+    pub unreadable: Vec<Diagnostic>,
 }
 
 impl Contents {
     /// Those of the bank inside the binary.
     pub fn shipped() -> Contents {
         let files = shipped().map(|(id, text)| (id, Source::new(format!("question_bank/{id}.toml"), text)));
-        Contents::of("shipped", files.map(|(id, source)| heading(id, source)).collect())
+        Contents::of("shipped", files.map(|(id, source)| heading(id, source)).collect(), Vec::new())
     }
 
-    /// Those of a folder.
+    /// Those of a folder; a file that cannot be read hides none of the others.
     ///
     /// # Errors
     ///
-    /// If the folder or one of its files cannot be read, or if there is no question in it.
+    /// If the folder cannot be read, or if there is no question in it.
     pub fn read_folder(folder: &Path) -> Result<Contents, Vec<Diagnostic>> {
         let Files { sources, unreadable } = read_files(folder)?;
-        if !unreadable.is_empty() {
-            return Err(unreadable);
-        }
         let headings = sources.into_iter().map(|(id, source)| heading(&id, source)).collect();
-        Ok(Contents::of(&folder.display().to_string(), headings))
+        Ok(Contents::of(&folder.display().to_string(), headings, unreadable))
     }
 
-    fn of(name: &str, mut headings: Vec<Heading>) -> Contents {
+    fn of(name: &str, mut headings: Vec<Heading>, unreadable: Vec<Diagnostic>) -> Contents {
         headings.sort_by_cached_key(|heading| {
             let mirrors = heading.mirrors.as_deref().map(natural);
             (mirrors.is_none(), mirrors, heading.id.clone())
         });
-        Contents { name: name.to_owned(), headings }
+        Contents { name: name.to_owned(), headings, unreadable }
     }
 }
 

@@ -25,13 +25,8 @@ impl Faults {
         Faults { source, found: Vec::new() }
     }
 
-    /// A fault at a place in the file.
-    pub fn report(&mut self, span: Range<usize>, message: impl Into<String>, label: impl Into<String>) {
-        self.found.push(Diagnostic::new(message, &self.source, span, label));
-    }
-
-    /// A fault with one thing to try.
-    pub fn report_with_help(
+    /// A fault at a place in the file: what is wrong, what was expected, one thing to try.
+    pub fn report(
         &mut self,
         span: Range<usize>,
         message: impl Into<String>,
@@ -61,7 +56,7 @@ impl Faults {
         for (place, words) in list.iter().enumerate() {
             if before.iter().chain(&list[..place]).any(|other| plain(other) == plain(words)) {
                 let message = format!("{what} `{}` stands here twice", words.get_ref());
-                self.report_with_help(words.span(), message, "it was there before", "take one of the two out");
+                self.report(words.span(), message, "it was there before", "take one of the two out");
             }
         }
     }
@@ -78,8 +73,9 @@ impl Faults {
             // No part of it in particular: the whole string.
             span = words.span();
         }
-        let diagnostic = Diagnostic::new(fault.message, &self.source, span, fault.expected);
-        self.found.push(Diagnostic { help: fault.help, ..diagnostic });
+        // What a value should have been is what to write in its place.
+        let help = fault.help.unwrap_or_else(|| format!("write {} in its place", fault.expected));
+        self.report(span, fault.message, fault.expected, help);
     }
 
     /// Where a part of a string stands in the file.
@@ -93,7 +89,7 @@ pub fn parse<'a>(text: &'a str, faults: &mut Faults) -> Option<Spanned<DeTable<'
     let (table, errors) = DeTable::parse_recoverable(text);
     if errors.is_empty() && table.get_ref().is_empty() {
         let help = "`carom new-question FILE` writes one to begin with";
-        faults.report_with_help(0..0, "nothing stands in this file", "expected a question", help);
+        faults.report(0..0, "nothing stands in this file", "expected a question", help);
         return None;
     }
     syntax::report(&errors, faults);
@@ -171,7 +167,7 @@ impl<'t, 'd> Keys<'t, 'd> {
         let words = self.words(key, faults)?;
         if words.get_ref().trim().is_empty() {
             let help = format!("write `{example}`");
-            faults.report_with_help(words.span(), format!("`{key}` is empty"), "expected words", help);
+            faults.report(words.span(), format!("`{key}` is empty"), "expected words", help);
             return None;
         }
         Some(words)
@@ -228,7 +224,7 @@ impl<'t, 'd> Keys<'t, 'd> {
         for (key, example) in self.missing.iter().filter(|(key, _)| !meant.contains(key)) {
             let span = if self.span.start == 0 { 0..0 } else { self.span.clone() };
             let help = format!("add `{example}`");
-            faults.report_with_help(span, format!("{} without `{key}`", self.what), "it is missing here", help);
+            faults.report(span, format!("{} without `{key}`", self.what), "it is missing here", help);
         }
     }
 }
@@ -288,24 +284,24 @@ pub fn wrong_type(what: &str, expected: &str, found: &DeValue, span: Range<usize
     let label = format!("expected {expected}");
     match (found, expected) {
         (DeValue::Integer(_) | DeValue::Float(_), "text in quotes") => {
-            faults.report_with_help(span, message, label, format!("put it in quotes: `\"{written}\"`"));
+            faults.report(span, message, label, format!("put it in quotes: `\"{written}\"`"));
         }
         (DeValue::String(_), "a list of texts in quotes") => {
-            faults.report_with_help(span, message, label, "put it in brackets: `[\"…\"]`");
+            faults.report(span, message, label, "put it in brackets: `[\"…\"]`");
         }
         (DeValue::Boolean(_) | DeValue::Datetime(_), "text in quotes") => {
-            faults.report_with_help(span, message, label, format!("put it in quotes, if it is meant: `\"{written}\"`"));
+            faults.report(span, message, label, format!("put it in quotes, if it is meant: `\"{written}\"`"));
         }
         (DeValue::Array(_), "text in quotes") => {
-            faults.report_with_help(span, message, label, "write one text, without the brackets");
+            faults.report(span, message, label, "write one text, without the brackets");
         }
         (DeValue::Table(_), "text in quotes") => {
-            faults.report_with_help(span, message, label, "write one text, `… = \"…\"`, without a heading or braces");
+            faults.report(span, message, label, "write one text, `… = \"…\"`, without a heading or braces");
         }
         (_, "a table") => {
             let help = "write `{ key = \"…\" }`, or a heading in brackets with the keys on lines below it";
-            faults.report_with_help(span, message, label, help);
+            faults.report(span, message, label, help);
         }
-        _ => faults.report(span, message, label),
+        _ => faults.report(span, message, label, "write it as the README of the bank shows it"),
     }
 }

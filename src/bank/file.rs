@@ -182,7 +182,7 @@ fn test(mut keys: Keys, faults: &mut Faults) -> TestFile {
     let answers = keys.get("answers");
     if let Some(value) = answers.filter(|value| value.get_ref().as_table().is_some_and(|table| table.is_empty())) {
         let help = format!("write what you have worked out: `{EXAMPLE}`, or take the test out");
-        faults.report_with_help(value.span(), "a test without an answer", "nothing is compared here", help);
+        faults.report(value.span(), "a test without an answer", "nothing is compared here", help);
     }
     let test = TestFile {
         span: keys.span(),

@@ -125,10 +125,15 @@ pub fn read_source(path: &Path) -> Result<Source, Vec<Diagnostic>> {
     let fault = |message: String| Diagnostic::new(message, &Source::new(shown.as_str(), ""), 0..0, "");
     let unreadable = |error: io::Error| {
         let fault = fault(format!("`{shown}` cannot be read: {error}"));
-        vec![match error.kind() {
-            io::ErrorKind::NotFound => fault.with_help(format!("`carom new-question {shown}` starts a question there")),
-            _ => fault,
-        }]
+        let help = match error.kind() {
+            io::ErrorKind::NotFound if path.is_symlink() => {
+                "it is a link to a file that is not there: take it out, or put the file back".to_owned()
+            }
+            io::ErrorKind::NotFound => format!("`carom new-question {shown}` starts a question there"),
+            io::ErrorKind::PermissionDenied => "may you read this file?".to_owned(),
+            _ => "take it out of the bank, or put a copy of it in its place".to_owned(),
+        };
+        vec![fault.with_help(help)]
     };
     // A pipe or a device may have no end.
     let found = std::fs::metadata(path).map_err(unreadable)?;

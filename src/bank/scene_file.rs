@@ -13,6 +13,9 @@ use crate::diagnostic::{Diagnostic, Source};
 use crate::expr::Angles;
 use crate::mechanics::{Pair, PolarText, Scene, SceneText, Sense, ThenText, VelocityText};
 
+/// What is to be done about a fault of the scene of which no more is known.
+pub const MEND_SCENE: &str = "mend `[scene]`, where this belongs";
+
 /// A scene as written, and where each of its strings stands.
 #[derive(Clone, Debug)]
 pub struct SceneFile {
@@ -50,7 +53,8 @@ pub fn read_scene(source: &Source) -> Result<Scene, Vec<Diagnostic>> {
                         None => {
                             let place = file.place(&fault.field);
                             let place = place.start..place.end.min(place.start + 1).max(place.start);
-                            faults.report(place, fault.fault.message, fault.fault.expected);
+                            let help = fault.fault.help.unwrap_or_else(|| MEND_SCENE.to_owned());
+                            faults.report(place, fault.fault.message, fault.fault.expected, help);
                         }
                     }
                 }
@@ -149,7 +153,7 @@ impl Walk<'_> {
         if items.len() != 2 {
             let label = format!("expected two components, found {}", items.len());
             let message = format!("`{path}` is no vector");
-            self.faults.report_with_help(value.span(), message, label, "write `[\"x\", \"y\"]`, along i and along j");
+            self.faults.report(value.span(), message, label, "write `[\"x\", \"y\"]`, along i and along j");
             return None;
         }
         let mut items = items.iter().enumerate();
@@ -174,7 +178,7 @@ impl Walk<'_> {
         let mut part = |key: &'static str| keys.get(key).and_then(|value| self.word(&format!("{path}.{key}"), value));
         let (speed, angle_deg, cos, sin) = (part("speed"), part("angle_deg"), part("cos"), part("sin"));
         if !matches!((&angle_deg, &cos, &sin), (Some(_), None, None) | (None, Some(_), Some(_))) {
-            self.faults.report_with_help(
+            self.faults.report(
                 value.span(),
                 format!("`{path}` has no clear direction"),
                 "expected `angle_deg`, or `cos` and `sin`",

@@ -107,11 +107,11 @@ fn words(description: &str) -> Json {
 }
 
 fn texts(description: &str) -> Json {
-    json!({"description": description, "type": "array", "items": {"type": "string"}})
+    json!({"description": description, "type": "array", "uniqueItems": true, "items": {"type": "string"}})
 }
 
 fn list_of(items: Json) -> Json {
-    json!({"type": "array", "items": items, "minItems": 1, "maxItems": 2})
+    json!({"type": "array", "items": items, "minItems": 1, "maxItems": 2, "uniqueItems": true})
 }
 
 fn one_of(names: &[String]) -> Json {

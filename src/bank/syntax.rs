@@ -14,7 +14,7 @@ struct Told {
     span: Range<usize>,
     message: String,
     label: String,
-    help: Option<String>,
+    help: String,
     /// Does nothing after it mean anything?
     is_last: bool,
 }
@@ -37,10 +37,7 @@ pub fn report(errors: &[Error], faults: &mut Faults) {
         }
         last_line = Some(line);
         let told = told(&text, span, error.message());
-        faults.report(told.span, told.message, told.label);
-        if let Some(fault) = faults.found.last_mut() {
-            fault.help = told.help;
-        }
+        faults.report(told.span, told.message, told.label, told.help);
         if told.is_last || faults.found.len() >= MOST {
             return;
         }
@@ -53,7 +50,7 @@ fn told(text: &str, span: Range<usize>, message: &str) -> Told {
         span: span.clone(),
         message: message.to_owned(),
         label: label.to_owned(),
-        help: Some(help.to_owned()),
+        help: help.to_owned(),
         is_last: false,
     };
     let found = text.get(span.clone()).unwrap_or_default();
@@ -98,7 +95,7 @@ fn told(text: &str, span: Range<usize>, message: &str) -> Told {
             span: open..open + 1,
             message: format!("{thing} is not closed"),
             label: format!("expected its `{close}` before line {line}, column {}", column(text, span.start)),
-            help: Some(format!("write `{close}` where it ends")),
+            help: format!("write `{close}` where it ends"),
             is_last: true,
         };
     }
@@ -166,7 +163,7 @@ fn one_pair_of_brackets(text: &str, at: usize) -> Option<Told> {
         span: start..start + single.len(),
         message: format!("`{single}` in one pair of brackets"),
         label: format!("there are several, and each begins with `[[{heading}]]`"),
-        help: Some(format!("write `[[{heading}]]`")),
+        help: format!("write `[[{heading}]]`"),
         is_last: false,
     })
 }
@@ -184,7 +181,7 @@ fn never_ends(text: &str, at: usize) -> Told {
             span: place..place + text[place..].chars().next().map_or(1, char::len_utf8),
             message: "a character that cannot be seen".to_owned(),
             label: "expected letters, figures and signs".to_owned(),
-            help: Some("delete it".to_owned()),
+            help: "delete it".to_owned(),
             is_last: false,
         };
     }
@@ -192,7 +189,7 @@ fn never_ends(text: &str, at: usize) -> Told {
         span: start..start + quotes.len(),
         message: "a text of several lines is not closed".to_owned(),
         label: format!("its closing `{quotes}` is missing"),
-        help: Some(format!("write `{quotes}` on a line of its own where the text ends")),
+        help: format!("write `{quotes}` on a line of its own where the text ends"),
         is_last: true,
     }
 }

@@ -7,8 +7,14 @@ use super::output::listed;
 use crate::bank::{Contents, Heading};
 use crate::diagnostic::near;
 
-/// The bank in a folder, or the one inside the binary.
+/// The bank in a folder, every file of which can be read, or the one inside the binary.
 pub fn open(folder: Option<&Path>) -> Result<Contents, Failure> {
+    let contents = in_part(folder)?;
+    if contents.unreadable.is_empty() { Ok(contents) } else { Err(Failure::Faults(contents.unreadable)) }
+}
+
+/// The same of which some files cannot be read.
+pub fn in_part(folder: Option<&Path>) -> Result<Contents, Failure> {
     match folder {
         None => Ok(Contents::shipped()),
         Some(folder) => Contents::read_folder(folder).map_err(Failure::from),

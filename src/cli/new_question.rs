@@ -17,7 +17,7 @@ const AFTER: &str = "Examples:
 
 /// Start a question: a commented file that works, or a copy of a question that there is
 ///
-/// Nothing that exists is written over. Where the bank has a schema, the file names it in its first line, so that an
+/// Nothing that exists is written over; a folder that the bank does not have yet is made. Where the bank has a schema, the file names it in its first line, so that an
 /// editor completes keys and underlines mistakes.
 #[derive(Args)]
 #[command(after_help = AFTER)]
@@ -41,16 +41,19 @@ pub fn run(arguments: &NewQuestionArguments) -> Result<(), Failure> {
     let file = arguments.file.as_path();
     well_named(file)?;
     let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    if !folder.is_dir() {
-        return Err(no_folder(folder));
-    }
-    let schema = schema_above(folder);
+    let there = standing(folder)?;
+    let steps = folder.strip_prefix(there).map_or(0, |missing| missing.components().count());
+    let schema = schema_above(there).map(|(above, bank)| (steps + above, bank));
     let copied = arguments.like.as_deref().map(shipped).transpose()?;
     let text = copied.unwrap_or_else(|| STARTING.to_owned());
     let text = match &schema {
         Some((steps, _)) => format!("#:schema {}{SCHEMA_FILE}\n{text}", "../".repeat(*steps)),
         None => text,
     };
+    fs::create_dir_all(folder).map_err(|error| {
+        let help = format!("may you write in `{}`?", there.display());
+        Failure::with_help(format!("the folder `{}` cannot be made: {error}", folder.display()), help)
+    })?;
     create(file, &text)?;
     print(&format!("{}\n", file.display()))?;
     let bank = schema.map_or(folder.to_path_buf(), |(_, bank)| bank);
@@ -97,14 +100,23 @@ fn well_named(file: &Path) -> Result<(), Failure> {
     Err(Failure::with_help(format!("`{shown}`: {problem}"), format!("`carom new-question {}`", typed(&mended))))
 }
 
-fn no_folder(folder: &Path) -> Failure {
-    let top = folder.components().next().map(|top| Path::new(top.as_os_str()));
-    let help = match top {
+/// The nearest folder above a file that is there: those between are topics of a bank, and are made.
+fn standing(folder: &Path) -> Result<&Path, Failure> {
+    let here = Path::new(".");
+    let above = || folder.ancestors().filter(|above| !above.as_os_str().is_empty());
+    let there = above().find(|above| above.exists()).unwrap_or(here);
+    if !there.is_dir() {
+        let help = format!("name a folder: `carom new-question {}`", typed(&there.with_file_name("my-question.toml")));
+        return Err(Failure::with_help(format!("`{}` is a file and no folder", there.display()), help));
+    }
+    match above().last() {
         // Not even the bank is there.
-        Some(top) if !top.exists() => format!("`carom new-bank {}` starts a bank", typed(top)),
-        _ => format!("make it first: `mkdir {}`", typed(folder)),
-    };
-    Failure::with_help(format!("there is no folder `{}`", folder.display()), help)
+        Some(bank) if there == here && bank != here && schema_above(here).is_none() => {
+            let help = format!("`carom new-bank {}` starts a bank", typed(bank));
+            Err(Failure::with_help(format!("there is no folder `{}`", folder.display()), help))
+        }
+        _ => Ok(there),
+    }
 }
 
 /// The bank in which a folder is, by the schema that stands in it, and how many folders above.

@@ -53,12 +53,13 @@ fn slip(tag: &str, words: &Words, faults: &mut Faults) -> Option<String> {
 fn pair(words: &Words, faults: &mut Faults) -> Option<(String, String)> {
     let Some((one, other)) = words.get_ref().split_once('=') else {
         let help = "write `\"e-taken-as-1 = coalesce\"`";
-        faults.report_with_help(words.span(), "one slip alone is like no other", "expected two, `one = other`", help);
+        faults.report(words.span(), "one slip alone is like no other", "expected two, `one = other`", help);
         return None;
     };
     let (one, other) = (slip(one, words, faults)?, slip(other, words, faults)?);
     if one == other {
-        faults.report(words.span(), format!("`{one}` is like itself"), "expected two different slips");
+        let help = "write the other slip that it cannot be told from, or take the pair out";
+        faults.report(words.span(), format!("`{one}` is like itself"), "expected two different slips", help);
         return None;
     }
     Some((one, other))
@@ -108,7 +109,7 @@ fn test(
         let known = own.iter().find(|(own, _)| own == name).or(reference.0.iter().find(|(own, _)| own == name));
         match known {
             Some(known) => numbers.push(known.clone()),
-            None => faults.report_with_help(
+            None => faults.report(
                 written.span.clone(),
                 format!("the test gives no number for `{name}`"),
                 "and the reference has none",

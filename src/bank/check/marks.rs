@@ -22,7 +22,10 @@ pub fn marks(written: &[MarkFile], unknowns: &[String], used: &mut NamesUsed, fa
         let earned_for = earned_for.unwrap_or(EarnedFor::Unknown(String::new()));
         let id = next_id(code, &found);
         let depends = match &mark.depends {
-            Some(names) => names.iter().filter_map(|name| earlier(name, names, &found, faults)).collect(),
+            Some(names) => {
+                faults.twice("the mark", &[], names);
+                names.iter().filter_map(|name| earlier(name, names, &found, faults)).collect()
+            }
             None if at_fault => Vec::new(),
             None => usual(code, &earned_for, mark, &found, faults),
         };
@@ -39,16 +42,18 @@ fn read_code(words: &Words, faults: &mut Faults) -> Option<Code> {
         let several = text.len() == 2 && text.ends_with(|c: char| matches!(c, '2'..='9'));
         let one = text.get(..1).filter(|_| several).map(|letter| format!("{letter}1"));
         let help = match one.filter(|one| names.contains(&one.as_str())) {
-            Some(one) => Some(format!("write one row for each mark: `{one}` more than once in place of `{text}`")),
+            Some(one) => format!("write one row for each mark: `{one}` more than once in place of `{text}`"),
             None => {
                 let near = names.into_iter().find(|name| name.eq_ignore_ascii_case(text)).or_else(|| near(text, names));
-                near.map(|near| format!("did you mean `{near}`?"))
+                near.map_or_else(|| "write one of those".to_owned(), |near| format!("did you mean `{near}`?"))
             }
         };
-        faults.report(words.span(), format!("unknown mark code `{text}`"), format!("expected {}", listed(&names)));
-        if let Some(fault) = faults.found.last_mut() {
-            fault.help = help;
-        }
+        faults.report(
+            words.span(),
+            format!("unknown mark code `{text}`"),
+            format!("expected {}", listed(&names)),
+            help,
+        );
     }
     found
 }
@@ -111,7 +116,7 @@ fn usual(code: Code, earned_for: &EarnedFor, mark: &MarkFile, before: &[Mark], f
         return match same.or(methods.last()) {
             Some(method) => vec![method.id.clone()],
             None => {
-                faults.report_with_help(
+                faults.report(
                     span,
                     format!("`{}` without a method mark before it", code.name()),
                     "an accuracy mark is not given without its method",
@@ -132,7 +137,7 @@ fn usual(code: Code, earned_for: &EarnedFor, mark: &MarkFile, before: &[Mark], f
         needed = methods.iter().map(|method| method.id.clone()).collect();
     }
     if needed.is_empty() {
-        faults.report_with_help(
+        faults.report(
             span,
             "`dM1` without a method mark before it",
             "there is nothing on which it could depend",

@@ -97,7 +97,7 @@ impl NamesUsed {
                 let message = format!("`{name}` in the value of a parameter");
                 let label = "expected numbers, or letters that the scene declares";
                 let help = "derive names from parameters in `[let]`";
-                faults.report_with_help(used.span.clone(), message, label, help);
+                faults.report(used.span.clone(), message, label, help);
                 continue;
             }
             let here = |index: usize| used.style.is_none_or(|style| style == index);
@@ -110,7 +110,7 @@ impl NamesUsed {
                 unknown = true;
             } else if !lacking.contains(&(style, name)) {
                 lacking.push((style, name));
-                faults.report_with_help(
+                faults.report(
                     used.span.clone(),
                     format!("style `{style}` gives no values to `{name}`"),
                     "used in every style",
@@ -136,7 +136,7 @@ impl NamesUsed {
         if name.contains('.') && used.also == Also::Nothing && name.parse::<Quantity>().is_ok() {
             let label = "not known before the collision is solved";
             let help = "use it in `require`, or in the `find` of an answer";
-            faults.report_with_help(used.span.clone(), format!("`{name}` is a result"), label, help);
+            faults.report(used.span.clone(), format!("`{name}` is a result"), label, help);
             return;
         }
         if used.also == Also::Quantities && name.contains('.') {
@@ -147,7 +147,7 @@ impl NamesUsed {
         {
             let message = format!("unknown unit `{}`", &faults.source.text[span.clone()]);
             let label = format!("expected {}", listed(&units()));
-            faults.report_with_help(span, message, label, format!("write `{meant}`"));
+            faults.report(span, message, label, format!("write `{meant}`"));
             return;
         }
         let label = match known.as_slice() {
@@ -172,7 +172,7 @@ impl NamesUsed {
                  range in `[scene.symbols]`, as in `{name} = \"positive\"`"
             ),
         };
-        faults.report_with_help(used.span.clone(), format!("unknown name `{name}`"), label, help);
+        faults.report(used.span.clone(), format!("unknown name `{name}`"), label, help);
     }
 
     fn report_unused(&self, scopes: &[(String, Scope)], letters: &[&str], faults: &mut Faults) {
@@ -190,7 +190,7 @@ impl NamesUsed {
                     continue;
                 }
                 reported.push(span.clone());
-                faults.report_with_help(
+                faults.report(
                     span.clone(),
                     format!("{what} `{name}` is never used"),
                     "nothing in the question depends on it",

@@ -31,11 +31,11 @@ pub fn parts(file: &QuestionFile, used: &mut NamesUsed, faults: &mut Faults) -> 
         let ask = part.ask.as_ref().and_then(|ask| read_ask(ask, &answers, used, faults)).unwrap_or_default();
         if part.answers.is_empty() {
             let help = "add `answers = [{ name = \"speed of *A*\", find = \"A.after.speed\" }]`";
-            faults.report_with_help(part.span.clone(), "a part without answers", "nothing is found here", help);
+            faults.report(part.span.clone(), "a part without answers", "nothing is found here", help);
         }
         if part.marks.is_empty() {
             let help = "add `marks = [{ code = \"B1\", for = \"perpendicular\" }]`";
-            faults.report_with_help(part.span.clone(), "a part without marks", "nothing is earned here", help);
+            faults.report(part.span.clone(), "a part without marks", "nothing is earned here", help);
         }
         let marks = marks(&part.marks, &unknowns, used, faults);
         found.push(Part { label, ask, answers, marks });
@@ -50,7 +50,7 @@ fn read_ask(words: &Words, answers: &[Answer], used: &mut NamesUsed, faults: &mu
     let shown = answers.iter().any(|answer| answer.show.is_some());
     let is_stated = |text: &Text| text.0.iter().any(states);
     if shown && !paragraphs.iter().any(is_stated) {
-        faults.report_with_help(
+        faults.report(
             words.span(),
             "the words do not say what is to be shown",
             "expected the result in them",
@@ -65,7 +65,7 @@ fn read_ask(words: &Words, answers: &[Answer], used: &mut NamesUsed, faults: &mu
                         used.name(words, name, Also::Nothing, None, faults);
                     }
                 } else if !shown {
-                    faults.report_with_help(
+                    faults.report(
                         faults.place(words, name.span),
                         "`result` in a part that shows nothing",
                         "no answer here has `show`",
@@ -116,14 +116,14 @@ fn answers(
         let asks_it = |other: &&AnswerFile| !answer.find.is_empty() && texts(other) == texts(answer);
         if let (Some(_), Some(find)) = (part.answers[..place].iter().find(asks_it), answer.find.first()) {
             let message = format!("two answers of this part ask for `{}`", texts(answer).join("`, `"));
-            faults.report_with_help(find.span(), message, "it was asked for before", "take one of the two answers out");
+            faults.report(find.span(), message, "it was asked for before", "take one of the two answers out");
             continue;
         }
         if let Some(name) = &answer.name {
             if names.contains(&name.get_ref().as_str()) {
                 let message = format!("two answers of this part are called `{}`", name.get_ref());
                 let label = "a student could not tell them apart";
-                faults.report_with_help(name.span(), message, label, "give each answer a name of its own");
+                faults.report(name.span(), message, label, "give each answer a name of its own");
             }
             names.push(name.get_ref());
         }
@@ -208,20 +208,21 @@ fn check_kind(answer: &AnswerFile, find: &Find, kind: Kind, faults: &mut Faults)
             ("one quantity", "a vector is found by its two components")
         };
         let message = format!("kind `{}` for {found}", kind.name());
-        faults.report_with_help(span, message, expected, "write `find = [\"A.after.x\", \"A.after.y\"]` for a vector");
+        faults.report(span, message, expected, "write `find = [\"A.after.x\", \"A.after.y\"]` for a vector");
     } else if kind == Kind::Angle && !matches!(find, Find::Quantity(quantity) if quantity.is_angle()) {
         let is_unknown = matches!(find, Find::Unknown(_));
         if !is_unknown {
-            faults.report(span, "kind `angle` for a quantity that is no angle", "expected a quantity in degrees");
+            let help = "leave `kind` out, and it follows from what is found";
+            faults.report(span, "kind `angle` for a quantity that is no angle", "expected a quantity in degrees", help);
         }
     } else if kind == Kind::Shown && answer.show.is_none() {
         let help = "add `show = \"tan(beta)\"`, the left side of the result";
-        faults.report_with_help(span, "nothing says what is to be shown", "expected `show` beside it", help);
+        faults.report(span, "nothing says what is to be shown", "expected `show` beside it", help);
     } else if kind != Kind::Shown
         && let Some(show) = &answer.show
     {
         let message = format!("`show` for an answer of kind `{}`", kind.name());
-        faults.report_with_help(show.span(), message, "only for kind `shown`", "leave `kind` out");
+        faults.report(show.span(), message, "only for kind `shown`", "leave `kind` out");
     }
 }
 
@@ -247,7 +248,7 @@ fn read_find(answer: &AnswerFile, unknowns: &[String], faults: &mut Faults) -> O
         }
         [_, _, third, ..] => {
             let help = "write `find = [\"A.after.x\", \"A.after.y\"]`";
-            faults.report_with_help(third.span(), "a third component", "a vector has two, along i and j", help);
+            faults.report(third.span(), "a third component", "a vector has two, along i and j", help);
             None
         }
     }
@@ -265,7 +266,7 @@ fn components((x, y): (Quantity, Quantity), place: &Words, faults: &mut Faults) 
         None => "write `find = [\"A.after.x\", \"A.after.y\"]` for a vector".to_owned(),
     };
     let message = format!("`{x}` and `{y}` are not the two components of a vector");
-    faults.report_with_help(place.span(), message, "expected that along i, and then that along j of the same", help);
+    faults.report(place.span(), message, "expected that along i, and then that along j of the same", help);
 }
 
 fn read_kind(words: &Words, faults: &mut Faults) -> Option<Kind> {
@@ -301,13 +302,13 @@ fn read_show(words: &Words, find: Option<&Find>, used: &mut NamesUsed, faults: &
         let left = words.get_ref().split('=').next().unwrap_or_default().trim().to_owned();
         let message = "`show` holds a whole equation";
         let label = "expected its left side, the right one is computed";
-        faults.report_with_help(words.span(), message, label, format!("write `show = \"{left}\"`"));
+        faults.report(words.span(), message, label, format!("write `show = \"{left}\"`"));
         return None;
     }
     if let Some(Find::Unknown(unknown)) = find {
         used.expression(words, &expr, Also::Nothing, None, faults);
         if !expr.names().iter().any(|name| name.text == *unknown) {
-            faults.report_with_help(
+            faults.report(
                 words.span(),
                 format!("`{}` is shown, but `{unknown}` is found", words.get_ref()),
                 format!("expected a formula in `{unknown}`"),

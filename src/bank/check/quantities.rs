@@ -18,14 +18,14 @@ pub fn unknown_at(span: std::ops::Range<usize>, what: &str, name: &str, others: 
     if later.parse::<Quantity>().is_ok() {
         let label = "this sphere has no part in the first impact";
         let help = format!("say which impact you mean: `{later}`");
-        return faults.report_with_help(span, format!("unknown {what} `{name}`"), label, help);
+        return faults.report(span, format!("unknown {what} `{name}`"), label, help);
     }
     let help = match near(name, names.iter().map(String::as_str)) {
         Some(near) => format!("did you mean `{near}`?"),
         None => siblings(name, &names),
     };
     let label = "no quantity of the collision has this name";
-    faults.report_with_help(span, format!("unknown {what} `{name}`"), label, help);
+    faults.report(span, format!("unknown {what} `{name}`"), label, help);
 }
 
 /// What may follow the part of a name that is right.

@@ -37,7 +37,7 @@ pub fn reference(
     let style = &styles[best];
     if let Some(span) = &file.reference_span {
         for name in missing(style) {
-            faults.report_with_help(
+            faults.report(
                 span.clone(),
                 format!("no reference value for parameter `{name}`"),
                 format!("expected one for each parameter of style `{}`", style.name),

@@ -16,6 +16,10 @@ pub fn scene(file: &SceneFile, used: &mut NamesUsed, faults: &mut Faults) {
             faults.expression(words, found.fault);
         }
     }
+    for (what, key) in [("the letter", "unknowns["), ("the condition", "conditions[")] {
+        let rows = file.places.iter().filter(|(path, _)| path.starts_with(key));
+        faults.twice(what, &[], &rows.map(|(_, words)| words.clone()).collect::<Vec<_>>());
+    }
     for (path, words) in &file.places {
         let text = words.get_ref().as_str();
         match path.split(['.', '[']).next().unwrap_or_default() {
@@ -32,6 +36,7 @@ pub fn scene(file: &SceneFile, used: &mut NamesUsed, faults: &mut Faults) {
                         words.span(),
                         format!("`{text}` is no letter"),
                         "expected the name of what is to be found",
+                        "name a letter of `[scene.symbols]`, `e`, `A.mass` or `B.mass`",
                     );
                 }
             }
@@ -51,14 +56,14 @@ pub fn scene(file: &SceneFile, used: &mut NamesUsed, faults: &mut Faults) {
                 Ok(expr @ Expr::Relation(..)) => used.expression(words, &expr, Also::Quantities, None, faults),
                 Ok(_) => {
                     let help = format!("write `{text} = 0`");
-                    faults.report_with_help(words.span(), "a condition without `=`", "expected an equation", help);
+                    faults.report(words.span(), "a condition without `=`", "expected an equation", help);
                 }
                 Err(fault) => faults.expression(words, fault),
             },
             _ => match read(text, Angles::Degrees) {
                 Ok(Expr::Relation(..)) => {
                     let help = "put equations into `conditions`";
-                    faults.report_with_help(words.span(), format!("`{path}` is an equation"), "expected a value", help);
+                    faults.report(words.span(), format!("`{path}` is an equation"), "expected a value", help);
                 }
                 Ok(expr) => used.expression(words, &expr, Also::Nothing, None, faults),
                 Err(fault) => faults.expression(words, fault),

@@ -6,7 +6,7 @@ use super::super::givens::Givens;
 use super::super::literal::Words;
 use super::super::posed::{Posed, Unposed};
 use super::super::question::{Question, Style};
-use super::super::scene_file::SceneFile;
+use super::super::scene_file::{MEND_SCENE, SceneFile};
 use crate::answer::Kind;
 use crate::expr::{Angles, Fault};
 use crate::mechanics::{Because, Quantity, Refusal, Scene, SceneFault, pose};
@@ -46,15 +46,10 @@ fn ranges(posed: &Posed, question: &Question, file: &QuestionFile, faults: &mut 
         let span = || written.kind.as_ref().or(written.find.first()).map_or(written.span.clone(), |words| words.span());
         if answer.kind == Kind::Range && !is_limited {
             let help = "add an inequality such as `conditions = [\"A.after.n < 0\"]` to `[scene]`, and name what it limits in `unknowns`";
-            faults.report_with_help(
-                span(),
-                format!("`{found}` has no range"),
-                "no inequality of the scene limits it",
-                help,
-            );
+            faults.report(span(), format!("`{found}` has no range"), "no inequality of the scene limits it", help);
         } else if answer.kind != Kind::Range && is_limited {
             let message = format!("`{found}` has no single value");
-            faults.report_with_help(span(), message, "inequalities leave it a range", "write `kind = \"range\"`");
+            faults.report(span(), message, "inequalities leave it a range", "write `kind = \"range\"`");
         }
     }
 }
@@ -72,7 +67,7 @@ fn given_answers(posed: &Posed, question: &Question, file: &QuestionFile, faults
         if let (Some(words), true) = (written.find.first(), asked.iter().all(|asked| given.0.contains_key(asked))) {
             let message = format!("`{}` is given by the scene, so there is nothing to find", words.get_ref());
             let help = "ask for something else; or name it in `unknowns` of `[scene]`, with what determines it in `conditions`";
-            faults.report_with_help(words.span(), message, "asked for here", help);
+            faults.report(words.span(), message, "asked for here", help);
         }
     }
 }
@@ -93,10 +88,8 @@ fn in_scene(found: SceneFault, scene: &SceneFile, faults: &mut Faults) {
         Some(words) if !is_of_the_form => with_reference(words, fault, faults),
         _ => {
             let with = if is_of_the_form { "" } else { "with the reference numbers: " };
-            faults.report(scene.place(&field), format!("{with}{}", fault.message), fault.expected);
-            if let Some(diagnostic) = faults.found.last_mut() {
-                diagnostic.help = fault.help.or_else(|| Some("mend `[scene]`, where this belongs".to_owned()));
-            }
+            let help = fault.help.unwrap_or_else(|| MEND_SCENE.to_owned());
+            faults.report(scene.place(&field), format!("{with}{}", fault.message), fault.expected, help);
         }
     }
 }
@@ -139,7 +132,7 @@ fn refused(
                 && solve(&read, &[quantity]).is_err()
             {
                 open = true;
-                faults.report_with_help(
+                faults.report(
                     words.span(),
                     format!("the scene does not determine `{quantity}`"),
                     "asked for here, with the reference numbers",
@@ -157,13 +150,12 @@ fn refused(
         Because::BeyondMethods => ("the question needs more than exam methods", &None),
     };
     let span = label.clone().unwrap_or_else(|| scene.span.clone());
-    faults.report(span, message, refusal.reason.clone());
-    if let Some(diagnostic) = faults.found.last_mut() {
-        let other = "take numbers in `[reference]` for which you know the answers";
-        let is_impossible = refusal.because == Because::Impossible;
-        let more = "give more in `[scene]`, or other `conditions`: one equation for each of `unknowns`";
-        diagnostic.help = refusal.help.clone().or_else(|| Some(if is_impossible { other } else { more }.to_owned()));
-    }
+    let other = match refusal.because {
+        Because::Impossible => "take numbers in `[reference]` for which you know the answers",
+        _ => "give more in `[scene]`, or other `conditions`: one equation for each of `unknowns`",
+    };
+    let help = refusal.help.clone().unwrap_or_else(|| other.to_owned());
+    faults.report(span, message, refusal.reason.clone(), help);
 }
 
 /// Every string that asks for a quantity.

@@ -96,7 +96,7 @@ fn one_style(
         if let Some(parameter) = all_parameters.iter().find(|parameter| parameter.name == derived.name) {
             let span = derived.span.start.max(parameter.span.start);
             let span = if span == derived.span.start { derived.span.clone() } else { parameter.span.clone() };
-            faults.report_with_help(
+            faults.report(
                 span,
                 format!("`{}` is both a parameter and a derived name", derived.name),
                 "it has a meaning already",
@@ -137,7 +137,7 @@ fn override_with<T>(all: &mut Vec<Given<T>>, own: Vec<Given<T>>) {
 fn count(span: Range<usize>, parameters: &[Given<Domain>], faults: &mut Faults) {
     let size = parameters.iter().try_fold(1u64, |size, given| size.checked_mul(given.meaning.size()));
     if size.is_none() {
-        faults.report_with_help(
+        faults.report(
             span,
             "the style has too many sets of parameters",
             format!("more than {} of them", u64::MAX),
@@ -166,7 +166,8 @@ pub fn markup(words: &Words, style: Option<usize>, used: &mut NamesUsed, faults:
 pub fn line(words: &Words, style: Option<usize>, used: &mut NamesUsed, faults: &mut Faults) -> Option<Text> {
     let mut paragraphs = markup(words, style, used, faults)?;
     if paragraphs.len() > 1 {
-        faults.report(words.span(), "words in several paragraphs", "expected words for one line");
+        let help = "take the blank lines out of it";
+        faults.report(words.span(), "words in several paragraphs", "expected words for one line", help);
         return None;
     }
     Some(paragraphs.pop().unwrap_or_default())
@@ -213,7 +214,7 @@ fn read_domain(
         }
         DomainFile::Range(words) => Some(Domain::List(vec![read_value(words, used, faults)?])),
         DomainFile::List(items, span) if items.is_empty() => {
-            faults.report_with_help(
+            faults.report(
                 span.clone(),
                 format!("parameter `{}` has no values", name.get_ref()),
                 "the list is empty",
@@ -226,7 +227,7 @@ fn read_domain(
             let mut complete = true;
             for words in items {
                 if words.get_ref().contains("..") {
-                    faults.report_with_help(
+                    faults.report(
                         words.span(),
                         "a range within a list",
                         "expected one value",
@@ -247,7 +248,7 @@ fn read_domain(
                         Some(other) if other != words.get_ref() => format!("it is `{other}`, which was there before"),
                         _ => "it was there before".to_owned(),
                     };
-                    faults.report_with_help(
+                    faults.report(
                         words.span(),
                         format!("the value `{}` stands in the list twice", words.get_ref()),
                         label,
@@ -303,7 +304,7 @@ fn check_order(name: &Words, words: &Words, expr: &Expr, rest: &[(Words, Words)]
             let message = format!("`{name}` is derived from `{other}`, which comes later");
             (message, "put the names in the order in which they follow")
         };
-        faults.report_with_help(faults.place(words, used.span), message, "not known here yet", help);
+        faults.report(faults.place(words, used.span), message, "not known here yet", help);
     }
 }
 
@@ -342,7 +343,7 @@ fn new_name(what: &str, name: &Words, letters: &[&str], faults: &mut Faults) {
         true => format!("choose another name, such as `{text}_1`"),
         false => "choose a name such as `u`, `mA` or `alpha`".to_owned(),
     };
-    faults.report_with_help(name.span(), message, label, help);
+    faults.report(name.span(), message, label, help);
 }
 
 fn require(
@@ -361,8 +362,9 @@ fn require(
                     used.name(words, name, Also::Quantities, style, faults);
                 }
                 if requirement.is_constant() {
-                    let label = "it says nothing about the question";
-                    faults.report(words.span(), format!("requirement `{}` has no name in it", words.get_ref()), label);
+                    let message = format!("requirement `{}` has no name in it", words.get_ref());
+                    let help = "name a parameter or a result in it, `mA > 2`, or take it out";
+                    faults.report(words.span(), message, "it says nothing about the question", help);
                 }
                 found.push(requirement);
             }

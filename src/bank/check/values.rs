@@ -21,7 +21,7 @@ pub fn values(file: &QuestionFile, faults: &mut Faults) {
         let Some((words, value)) = first(domain, &wrong) else { continue };
         let message = format!("`{}` may be {value}, and {what}", name.get_ref());
         let help = "take the value out; perhaps its fraction stands on its head, or its sign is wrong";
-        faults.report_with_help(words.span(), message, "every value is to be possible", help);
+        faults.report(words.span(), message, "every value is to be possible", help);
     }
 }
 

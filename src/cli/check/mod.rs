@@ -57,13 +57,17 @@ struct Examined<'h> {
 
 /// Examines the bank.
 pub fn run(arguments: &CheckArguments) -> Result<(), Failure> {
-    let contents = bank::open(arguments.bank.as_deref())?;
-    let mut faults: Vec<Diagnostic> = Vec::new();
+    let contents = bank::in_part(arguments.bank.as_deref())?;
+    let mut faults: Vec<Diagnostic> = contents.unreadable.clone();
     let mut read: Vec<(&Heading, Question)> = Vec::new();
+    let mut unread = contents.unreadable.len();
     for heading in &contents.headings {
         match heading.question() {
             Ok(question) => read.push((heading, question)),
-            Err(found) => faults.extend(found),
+            Err(found) => {
+                unread += 1;
+                faults.extend(found);
+            }
         }
     }
     let examined = examine(read, arguments.fresh);
@@ -76,7 +80,7 @@ pub fn run(arguments: &CheckArguments) -> Result<(), Failure> {
         print_json(&print::as_json(&contents.name, &examined, &faults))?;
         return if is_sound { Ok(()) } else { Err(Failure::Found) };
     }
-    print_text(&print::in_words(&examined, faults.len(), arguments.census))?;
+    print_text(&print::in_words(&examined, faults.len(), unread, arguments.census))?;
     if is_sound {
         warn(&faults);
         return Ok(());

@@ -8,8 +8,9 @@ use crate::diagnostic::{Diagnostic, Severity, render_all};
 use crate::examine::{StyleReport, Turned};
 use crate::generate::out_of;
 
-/// A line for each style, with all of its funnel if that is wanted; then how much was found.
-pub fn in_words(examined: &[Examined], findings: usize, with_census: bool) -> String {
+/// A line for each style, with all of its funnel if that is wanted; then how much was found, and in how many files there
+/// may be more.
+pub fn in_words(examined: &[Examined], findings: usize, unread: usize, with_census: bool) -> String {
     let mut text = String::new();
     for one in examined {
         text.push_str(&format!("{}\n", one.question.id));
@@ -35,9 +36,13 @@ pub fn in_words(examined: &[Examined], findings: usize, with_census: bool) -> St
     ));
     let questions = count(examined.len(), "question");
     text.push_str(&format!(
-        "{questions}, {variants} variants of {sets} sets of numbers, {}\n",
+        "{questions}, {variants} variants of {sets} sets of numbers, {}",
         count(findings, "finding")
     ));
+    if unread > 0 {
+        text.push_str(&format!(", {} not read", count(unread, "file")));
+    }
+    text.push('\n');
     text
 }
 

@@ -1,5 +1,6 @@
 //! Characters into tokens: numbers, names and signs, with the places where they stand.
 
+use super::parser::TAKE_APART;
 use crate::expr::fault::Fault;
 use crate::expr::{Function, Relation, Span};
 
@@ -52,7 +53,8 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Placed>, Fault> {
             format!("an expression of {} bytes", text.len()),
             span,
             format!("at most {LONGEST} bytes are read"),
-        ));
+        )
+        .try_this(TAKE_APART));
     }
     let mut found = Vec::new();
     let mut at = 0;
@@ -184,5 +186,13 @@ fn function(name: &str) -> Option<Function> {
 fn unknown(found: char, at: usize) -> Fault {
     let span = Span { start: at, end: at + found.len_utf8() };
     let shown: String = if found.is_control() { found.escape_unicode().collect() } else { found.into() };
-    Fault::new(format!("unknown character `{shown}`"), span, "not part of an expression")
+    let help = match found {
+        '!' => "write `!=` for what is not equal",
+        '&' | '|' => "write two requirements for two that must both hold",
+        '\\' | '$' => "write it without LaTeX: `sqrt(3)`, `alpha`, `1/2`",
+        '%' => "write it as a decimal or a fraction: `0.3`, `3/10`",
+        _ if found.is_alphabetic() => "write names with the letters from a to z",
+        _ => "take it out: an expression has names, numbers, brackets and `+ - * / ^ = < >`",
+    };
+    Fault::new(format!("unknown character `{shown}`"), span, "not part of an expression").try_this(help)
 }

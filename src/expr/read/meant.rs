@@ -29,7 +29,8 @@ impl Parser<'_> {
             (Relation::Equal, Relation::Less) => "<=",
             (Relation::Equal, Relation::Greater) => ">=",
             (Relation::Equal, Relation::Equal) => "=",
-            _ => return Some(fault),
+            (Relation::NotEqual, Relation::Equal) => "!=",
+            _ => return Some(fault.try_this("keep one of the two")),
         };
         Some(fault.try_this(format!("write `{meant}`")))
     }

@@ -63,6 +63,9 @@ pub(super) fn read_with(text: &str, angles: Angles, decimals: Decimals) -> Resul
     }
 }
 
+/// What can be done about a formula that is too long or too deep.
+pub(super) const TAKE_APART: &str = "take it apart: give parts of it names of their own";
+
 /// Deeper nesting than any formula has, and far less than would exhaust the stack.
 const DEEPEST: usize = 100;
 
@@ -114,6 +117,7 @@ impl<'a> Parser<'a> {
     fn too_deep(&self) -> Fault {
         let span = self.tokens.get(self.next.saturating_sub(1)).map_or(self.span(), |placed| placed.span);
         Fault::new("the expression is nested too deeply", span, format!("more than {DEEPEST} levels here"))
+            .try_this(TAKE_APART)
     }
 
     /// Runs a rule one level further down.
@@ -261,7 +265,8 @@ impl<'a> Parser<'a> {
     fn continues_product(&self) -> Result<bool, Fault> {
         match self.peek() {
             Some(Token::Number(_) | Token::Vulgar(..)) => {
-                Err(Fault::new("a number without a sign before it", self.span(), "expected `+`, `-`, `*` or `/`"))
+                Err(Fault::new("a number without a sign before it", self.span(), "expected `+`, `-`, `*` or `/`")
+                    .try_this("write `*` before it if it is a factor, and `^` if it is a power"))
             }
             Some(Token::Name(_) | Token::Function(_) | Token::Pi | Token::Degrees | Token::Root | Token::Open(_)) => {
                 Ok(true)
@@ -304,7 +309,10 @@ impl<'a> Parser<'a> {
                     }
                     _ => Expr::Number(whole),
                 },
-                Err(_) => return Err(Fault::new(format!("`{digits}` is no number"), span, "not a number")),
+                Err(_) => {
+                    let fault = Fault::new(format!("`{digits}` is no number"), span, "not a number");
+                    return Err(fault.try_this("write it as `2.5` or `5/2`"));
+                }
             },
             Some(Token::Vulgar(numerator, denominator)) => Expr::Number(Fraction::new(*numerator, *denominator)),
             Some(Token::Name(text)) => Expr::Name(Name { text: text.clone(), span }),
@@ -334,13 +342,21 @@ impl<'a> Parser<'a> {
                 self.next += 1;
                 Ok(part)
             }
-            None => Err(Fault::new(format!("`{open}` is never closed"), opened, format!("its `{close}` is missing"))),
-            Some(Token::Comma) => {
-                Err(Fault::new("a third component", self.span(), "a vector has two components, along i and j"))
+            None => {
+                let fault =
+                    Fault::new(format!("`{open}` is never closed"), opened, format!("its `{close}` is missing"));
+                Err(fault.try_this(format!("write `{close}` where the brackets end")))
             }
-            Some(Token::Relation(_)) => Err(Fault::new("a relation in brackets", self.span(), "only outside brackets")),
+            Some(Token::Comma) => {
+                Err(Fault::new("a third component", self.span(), "a vector has two components, along i and j")
+                    .try_this("write a vector as `[2, 3]` or `2i + 3j`"))
+            }
+            Some(Token::Relation(_)) => Err(Fault::new("a relation in brackets", self.span(), "only outside brackets")
+                .try_this("take the brackets around it away")),
             Some(Token::Close(found)) => {
-                Err(Fault::new(format!("`{found}` closes `{open}`"), self.span(), format!("expected `{close}`")))
+                let fault =
+                    Fault::new(format!("`{found}` closes `{open}`"), self.span(), format!("expected `{close}`"));
+                Err(fault.try_this(format!("write `{close}` in its place")))
             }
             Some(_) => Err(self.unexpected()),
         }
@@ -349,20 +365,26 @@ impl<'a> Parser<'a> {
     /// The fault of a token that cannot stand where it does.
     fn unexpected(&self) -> Fault {
         let span = self.span();
+        let operand =
+            |message: &str, help: &str| Fault::new(message, span, "expected a number, letter or `(`").try_this(help);
         match self.peek() {
-            None if self.tokens.is_empty() => {
-                Fault::new("an empty expression", span, "expected a number, letter or `(`")
+            None if self.tokens.is_empty() => operand("an empty expression", "write what belongs here, or take it out"),
+            None => operand("the expression ends too early", "finish it, or take the sign at its end out"),
+            Some(Token::Close(close)) => {
+                let open = if *close == ')' { '(' } else { '[' };
+                Fault::new(format!("unexpected `{close}`"), span, "nothing to close here")
+                    .try_this(format!("take it out, or write `{open}` where the brackets begin"))
             }
-            None => Fault::new("the expression ends too early", span, "expected a number, letter or `(`"),
-            Some(Token::Close(close)) => Fault::new(format!("unexpected `{close}`"), span, "nothing to close here"),
             Some(Token::Comma) => self.decimal_comma().unwrap_or_else(|| {
                 Fault::new("unexpected `,`", span, "a vector needs brackets")
                     .try_this("write a vector as `[2, 3]` or `2i + 3j`")
             }),
             Some(Token::Relation(second)) => self.two_relations(*second).unwrap_or_else(|| {
-                Fault::new("a relation without its left side", span, "expected a number, letter or `(`")
+                operand("a relation without its left side", "write what is compared on both sides: `u > 2`")
             }),
-            Some(_) => Fault::new("a sign without its operand", span, "expected a number, letter or `(`"),
+            Some(_) => {
+                operand("a sign without its operand", "take one of the signs out, or write what stands between them")
+            }
         }
     }
 }
