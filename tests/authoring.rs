@@ -289,7 +289,7 @@ later-wall-along-the-line letter-nowhere-declared letters-beyond-ascii long-line
 not-equal-misspelt numbers-squared-without-end parameter-and-letter reference-lacks-parameter
 requirement-in-words-misspelt requirement-of-another-kind requirement-twice requirement-without-truth
 restitution-above-one result-in-stem result-without-show reversed-range shown-is-an-equation shown-is-not-found
-shown-without-a-result style-lacks-parameter tabs three-dots two-answers-of-one-name underdetermined unit-misspelt
+shown-letter-given shown-letter-undeclared shown-without-a-result sine-shown-for-a-tangent style-lacks-parameter tabs three-dots two-answers-of-one-name underdetermined unit-misspelt
 unit-with-a-power unknown-name unknown-quantity-required unknown-that-is-given unreadable-formula unused-parameter
 value-from-parameter value-twice-in-other-words value-without-value wrong-kind
 ";

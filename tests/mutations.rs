@@ -363,6 +363,19 @@ fn words_that_the_scene_contradicts_are_named() {
             ("named", &[("\"kinetic energy lost\"", "\"speed of *A*\"")], "the answer `speed of A` is stated in J"),
             ("asked", &[("Find the total kinetic energy lost", "Find the speed of *A*")], "what is stated in m/s"),
             ("shown", &[("Find the total kinetic", "Show that the total kinetic")], "no answer is of kind `shown`"),
+            (
+                "speeds-exchanged",
+                &[("*A* is {u m/s} and the speed of *B* is {w m/s}", "*A* is {w m/s} and the speed of *B* is {u m/s}")],
+                "the words give `*A*` the speed `w`",
+            ),
+            ("ahead", &[("*A* behind *B*", "*B* behind *A*")], "a direction that is not so: `B is behind A`"),
+            ("no-wall", &[("after the collision.\"", "after it leaves the wall.\"")], "the words speak of a wall"),
+            ("figure", &[("collide directly.", "collide directly, as in Figure 2.")], "speak of a figure by number"),
+            (
+                "digits",
+                &[("[reference]", "[[test]]\nanswers = { \"ke.lost\" = \"7.499\" }\n\n[reference]")],
+                "`7.499` in it",
+            ),
         ],
     );
 }

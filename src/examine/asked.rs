@@ -3,7 +3,7 @@
 use super::finding::Finding;
 use crate::answer::Kind;
 use crate::bank::{Answer, Find, Part, Question};
-use crate::expr::{Expr, Text, print};
+use crate::expr::{Expr, Piece, Text, print};
 use crate::mechanics::Sphere;
 use crate::unit::Unit;
 
@@ -53,6 +53,7 @@ pub fn beside_the_point(question: &Question) -> Vec<Finding> {
         }
     }
     findings.extend(strangers(question));
+    findings.extend(absent(question));
     findings
 }
 
@@ -90,6 +91,51 @@ fn shown(words: &str, part: &Part) -> Option<Finding> {
     None
 }
 
+/// All words that a student reads.
+fn texts(question: &Question) -> impl Iterator<Item = &Text> {
+    let stems = question.styles.iter().flat_map(|style| style.stem.iter().chain([&style.note]));
+    let asks = question.parts.iter().flat_map(|part| &part.ask);
+    let names = question.parts.iter().flat_map(|part| &part.answers).flat_map(|answer| [&answer.name, &answer.phrase]);
+    stems.chain(asks).chain(names)
+}
+
+/// A wall or a line of centres of which the words speak and that the scene does not have, and figures by number.
+fn absent(question: &Question) -> Vec<Finding> {
+    let scene = &question.scene;
+    let has_wall = scene.wall.is_some() || scene.then.iter().any(|then| then.wall.is_some());
+    let is_alone = scene.wall.is_some() || scene.impulse.is_some();
+    let has_spheres = !is_alone || scene.then.iter().any(|then| then.of.len() > 1);
+    let (wall, line) = ("speak of a wall, and the scene has none", "speak of a line of centres, and no spheres meet");
+    let (name, mend) = ("name what there is", "give in `[scene]` what is said, or say what it has");
+    let mut told: Vec<&str> = Vec::new();
+    let mut findings = Vec::new();
+    for said in texts(question).flat_map(|text| &text.0).filter_map(words) {
+        let all: Vec<&str> = said.split_whitespace().collect();
+        for (place, word) in all.iter().enumerate() {
+            let bare = word.trim_matches(|sign: char| !sign.is_alphanumeric()).to_lowercase();
+            let next = all.get(place + 1).copied().unwrap_or_default();
+            let (message, label, help) = match bare.as_str() {
+                "wall" | "walls" if !has_wall => (wall, "no wall", mend),
+                "centres" if !has_spheres => (line, "no line of centres", name),
+                "figure" | "fig" | "diagram" if next.starts_with(|sign: char| sign.is_ascii_digit()) => {
+                    ("speak of a figure by number, and a sheet numbers none", "no number", "say `the diagram`")
+                }
+                _ => continue,
+            };
+            if !told.contains(&message) {
+                told.push(message);
+                let at = all[place.saturating_sub(2)..all.len().min(place + 2)].join(" ");
+                findings.push(Finding::new(format!("the words {message}"), at, label).with_help(help).as_warning());
+            }
+        }
+    }
+    findings
+}
+
+fn words(piece: &Piece) -> Option<&str> {
+    if let Piece::Words(words) = piece { Some(words) } else { None }
+}
+
 /// Names of spheres in the words that stand for nothing in the scene.
 fn strangers(question: &Question) -> Vec<Finding> {
     let scene = &question.scene;
@@ -98,10 +144,7 @@ fn strangers(question: &Question) -> Vec<Finding> {
         Sphere::B if scene.wall.is_none() && scene.impulse.is_none() => true,
         _ => scene.then.iter().any(|then| then.of.iter().any(|name| name == sphere.name())),
     };
-    let stems = question.styles.iter().flat_map(|style| style.stem.iter().chain([&style.note]));
-    let asks = question.parts.iter().flat_map(|part| &part.ask);
-    let names = question.parts.iter().flat_map(|part| &part.answers).flat_map(|answer| [&answer.name, &answer.phrase]);
-    let texts: Vec<&Text> = stems.chain(asks).chain(names).collect();
+    let texts: Vec<&Text> = texts(question).collect();
     let is_named = |sphere: &Sphere| {
         let formulas = texts.iter().flat_map(|text| text.formulas());
         formulas.into_iter().any(|expr| matches!(expr, Expr::Name(name) if name.text == sphere.name()))

@@ -132,7 +132,7 @@ mod tests {
     use super::*;
     use crate::bank::{read_question, shipped};
     use crate::diagnostic::Source;
-    use crate::examine::{asked, sentences, truth, units};
+    use crate::examine::{asked, said, sentences, truth, units};
     use crate::generate::Deal;
     use crate::paper::words;
 
@@ -155,6 +155,9 @@ mod tests {
                 let words = words(&question, style, &variant);
                 sentences::unreadable(&words, &variant, &mut remarks);
                 truth::untrue(&words, &variant, &mut remarks);
+                amiss.extend(
+                    said::contradicted(&question, style, &variant).iter().map(|found| format!("{id}: {found:?}")),
+                );
                 amiss.extend(remarks.iter().map(|remark| format!("{id}: {remark:?}")));
             }
         }

@@ -10,10 +10,10 @@ use super::finding::Finding;
 use super::report::{Report, StyleReport};
 use super::shows;
 use super::tally::{Tally, numbers};
-use super::{again, asked, author, exact_form, given, scheme, units};
+use super::{again, asked, author, exact_form, given, said, scheme, units};
 use crate::bank::{Givens, Posed, Question, Style, Unposed};
 use crate::diagnostic::Severity;
-use crate::generate::{Deal, MOST_SETS, Numbers, Sieve, Unfit, out_of, reference};
+use crate::generate::{Deal, MOST_SETS, Numbers, Sieve, Unfit, Variant, out_of, reference};
 
 /// How many variants of each style are marked as handed in by students whose marks are known, beside the reference
 /// numbers. To mark one costs as much as to examine hundreds, and what a student of theirs can show is in the scheme, which
@@ -23,13 +23,16 @@ pub const MARKED: usize = 3;
 /// How many sets of numbers a thread takes at a time.
 const PORTION: u64 = 64;
 
+/// A style and which of its variants; none for the reference numbers.
+type Dealt = Option<(usize, usize)>;
+
 /// A piece of the work, done by one thread.
 #[derive(Clone, Copy)]
 enum Piece {
     /// Sets of numbers of some styles that have the same, from one index up to another.
     Sets { family: usize, from: u64, to: u64 },
     /// Students who hand in a variant of a style, or the reference numbers.
-    Students { question: usize, dealt: Option<(usize, usize)> },
+    Students { question: usize, dealt: Dealt },
 }
 
 /// Styles of a question whose sets of numbers are the same: each set is solved once for all of them.
@@ -66,7 +69,12 @@ pub fn survey(questions: &[&Question], progress: &(dyn Fn(u64) + Sync)) -> Vec<R
                     progress((to - from) * sieves.len() as u64);
                 }
                 Piece::Students { question, dealt } => {
-                    done[question].coverage.push((dealt, students(questions[question], dealt)));
+                    let of = questions[question];
+                    let Some(variant) = dealt_variant(of, dealt) else { continue };
+                    done[question].coverage.push((dealt, coverage(of, &variant)));
+                    if let Some((style, _)) = dealt {
+                        done[question].said.push((dealt, said::contradicted(of, &of.styles[style], &variant)));
+                    }
                 }
             }
         }
@@ -122,26 +130,26 @@ fn pieces(questions: &[&Question], families: &[Family]) -> Vec<Piece> {
     pieces
 }
 
-fn students(question: &Question, dealt: Option<(usize, usize)>) -> Coverage {
+/// The variant that students hand in.
+fn dealt_variant(question: &Question, dealt: Dealt) -> Option<Variant> {
     match dealt {
-        None => reference(question).map(|variant| coverage(question, &variant)).unwrap_or_default(),
-        Some((style, nth)) => Deal::new(question, &question.styles[style], 1)
-            .nth(nth)
-            .map(|variant| coverage(question, &variant))
-            .unwrap_or_default(),
+        None => reference(question).ok(),
+        Some((style, nth)) => Deal::new(question, &question.styles[style], 1).nth(nth),
     }
 }
 
 /// What has been seen of a question so far.
 struct Done {
     tallies: Vec<Tally>,
-    coverage: Vec<(Option<(usize, usize)>, Coverage)>,
+    coverage: Vec<(Dealt, Coverage)>,
+    /// What the words say and is not so in the variants that students hand in.
+    said: Vec<(Dealt, Vec<Finding>)>,
 }
 
 impl Done {
     fn new(question: &Question) -> Done {
         let tallies = question.styles.iter().map(|style| Tally::new(style.size()));
-        Done { tallies: tallies.collect(), coverage: Vec::new() }
+        Done { tallies: tallies.collect(), coverage: Vec::new(), said: Vec::new() }
     }
 
     fn add(&mut self, other: Done) {
@@ -149,6 +157,7 @@ impl Done {
             own.add(other);
         }
         self.coverage.extend(other.coverage);
+        self.said.extend(other.said);
     }
 
     fn report(mut self, question: &Question, exercises: &[String]) -> Report {
@@ -161,6 +170,15 @@ impl Done {
         findings.extend(scheme::unrewarded(question));
         findings.extend(scheme::paid_twice(question));
         findings.extend(scheme::unknown_exercise(question, exercises));
+        self.said.sort_by_key(|(dealt, _)| *dealt);
+        let mut said: Vec<Finding> = Vec::new();
+        for finding in self.said.into_iter().flat_map(|(_, findings)| findings) {
+            // What is said in one place is the same in every variant and style.
+            if !said.iter().any(|other| (&other.at, &other.help) == (&finding.at, &finding.help)) {
+                said.push(finding);
+            }
+        }
+        findings.extend(said);
         let mut told = BTreeSet::new();
         for (style, tally) in question.styles.iter().zip(&self.tallies) {
             findings.extend(unposed(question, style, tally));

@@ -12,7 +12,7 @@ use crate::unit::Unit;
 /// What is said and is not so.
 pub fn untrue(words: &Words, variant: &Variant, remarks: &mut Vec<Remark>) {
     for paragraph in &words.stem {
-        towards(paragraph, variant, remarks);
+        ways(paragraph, variant, remarks);
         resting(paragraph, variant, remarks);
     }
     for text in words.stem.iter().chain(&words.asks) {
@@ -140,39 +140,87 @@ fn is_acute(expr: &Expr, piece: &Piece, variant: &Variant) -> Option<bool> {
     }
 }
 
-/// Who is said to move towards *A* or *B*, or towards the other, moves so along the line of centres before the collision.
-fn towards(text: &Text, variant: &Variant, remarks: &mut Vec<Remark>) {
+/// Words of who moves which way along the line of centres, and what they say of *A* and of *B*: with the line from *A* to
+/// *B* or against it. What is said of the other is said of both.
+const WAYS: [(&str, Whom); 9] = [
+    ("towards each other", Whom::Both(1.0, -1.0)),
+    ("towards the other", Whom::Both(1.0, -1.0)),
+    ("towards", Whom::Next(1.0)),
+    ("away from each other", Whom::Both(-1.0, 1.0)),
+    ("away from the other", Whom::Both(-1.0, 1.0)),
+    ("away from", Whom::Next(-1.0)),
+    ("in opposite directions", Whom::Opposite(-1.0)),
+    ("in the same direction", Whom::Opposite(1.0)),
+    ("behind", Whom::Behind),
+];
+
+/// Whom such words are said of.
+#[derive(Clone, Copy)]
+enum Whom {
+    /// The other than the sphere whose name comes next.
+    Next(f64),
+    /// Both, each its way.
+    Both(f64, f64),
+    /// Both, the one as the other or against it.
+    Opposite(f64),
+    /// The sphere before it, which goes the way of that after it.
+    Behind,
+}
+
+/// Who is said to move towards *A* or *B* or away from it, or as the other does, moves so along the line of centres before
+/// the collision.
+fn ways(text: &Text, variant: &Variant, remarks: &mut Vec<Remark>) {
     let mut is_after = false;
     for (place, piece) in text.0.iter().enumerate() {
         let Piece::Words(words) = piece else { continue };
         for sentence in words.split_inclusive('.') {
-            is_after = is_after || sentence.contains("after the");
-            let target = match text.0.get(place + 1) {
-                Some(Piece::Formula(Expr::Name(name))) if sentence.trim_end().ends_with("towards") => {
-                    name.text.as_str()
-                }
-                _ if sentence.contains("towards each other") || sentence.contains("towards the other") => "the other",
-                _ => "",
+            is_after = is_after || sentence.to_lowercase().contains("after ");
+            let is_said = |way: &&(&str, Whom)| match way.1 {
+                Whom::Next(_) | Whom::Behind => sentence.trim_end().ends_with(way.0),
+                _ => sentence.contains(way.0),
             };
-            let moving: &[(Sphere, f64)] = match target {
-                "A" => &[(Sphere::B, -1.0)],
-                "B" => &[(Sphere::A, 1.0)],
-                "the other" => &[(Sphere::A, 1.0), (Sphere::B, -1.0)],
-                _ => &[],
-            };
-            // A third sphere may be the one that moves.
-            let is_third = is_at_rest(variant, Sphere::C).is_some();
-            let rests = |sphere: Sphere| !is_third && is_at_rest(variant, sphere) == Some(true);
-            for (sphere, sense) in moving.iter().filter(|_| !is_after) {
-                if component(variant, *sphere).is_some_and(|along| along * sense < -1e-9) || rests(*sphere) {
-                    let said = format!("{} moves towards {target}", sphere.name());
-                    let help = "turn its velocity round in `[scene]`, or say that it moves away";
-                    let at = around(words, words.find("towards").unwrap_or(0));
-                    remarks.push(remark_at("a direction that is not so", at, &said, help));
+            if let Some((way, whom)) = WAYS.iter().find(is_said).filter(|_| !is_after) {
+                let next = match text.0.get(place + 1) {
+                    Some(Piece::Formula(Expr::Name(name))) => name.text.as_str(),
+                    _ => "",
+                };
+                if let Some(said) = untrue_way(way, *whom, next, variant) {
+                    let help = "turn its velocity round in `[scene]`, or say which way it is";
+                    let at = match whom {
+                        Whom::Next(_) | Whom::Behind => format!("{way} *{next}*"),
+                        _ => around(words, words.find(way).unwrap_or(0)).to_owned(),
+                    };
+                    remarks.push(remark_at("a direction that is not so", &at, &said, help));
                 }
             }
             is_after = is_after && !sentence.ends_with('.');
         }
+    }
+}
+
+/// What is said and is not so, of a sphere or of both.
+fn untrue_way(way: &str, whom: Whom, next: &str, variant: &Variant) -> Option<String> {
+    let along = |sphere| component(variant, sphere).filter(|along: &f64| along.abs() > 1e-9);
+    // A third sphere may be the one that moves.
+    let is_third = is_at_rest(variant, Sphere::C).is_some();
+    let rests = |sphere: Sphere| !is_third && is_at_rest(variant, sphere) == Some(true);
+    let wrong = |sphere: Sphere, sense: f64| rests(sphere) || along(sphere).is_some_and(|along| along * sense < 0.0);
+    let of_one = |sphere: Sphere, sense: f64, whom: &str| {
+        wrong(sphere, sense).then(|| format!("{} moves {way} {whom}", sphere.name()).trim_end().to_owned())
+    };
+    let of_both = |sense: f64| Some(along(Sphere::A)? * along(Sphere::B)? * sense < 0.0);
+    match (whom, next) {
+        (Whom::Next(sense), "A") => of_one(Sphere::B, -sense, next),
+        (Whom::Next(sense), "B") => of_one(Sphere::A, sense, next),
+        (Whom::Both(a, b), _) => of_one(Sphere::A, a, "").or_else(|| of_one(Sphere::B, b, "")),
+        (Whom::Opposite(sense), _) if !is_third => of_both(sense)?.then(|| format!("A and B move {way}")),
+        // Who is behind goes towards the other.
+        (Whom::Behind, "A" | "B") => {
+            let sense = if next == "B" { 1.0 } else { -1.0 };
+            let is_wrong = [Sphere::A, Sphere::B].into_iter().any(|sphere| wrong(sphere, sense));
+            is_wrong.then(|| format!("{} is behind {next}", if next == "B" { "A" } else { "B" }))
+        }
+        _ => None,
     }
 }
 

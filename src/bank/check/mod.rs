@@ -7,6 +7,7 @@ mod parts;
 mod quantities;
 mod reference;
 mod scene;
+mod shown;
 mod solvable;
 mod styles;
 mod values;
@@ -44,6 +45,7 @@ fn check(id: &str, file: &QuestionFile, faults: &mut Faults) -> Option<Question>
     }
     values::values(file, faults);
     let parts = parts::parts(file, &mut used, faults);
+    shown::shown(&parts, file, faults);
     let (reference, reference_style) = reference::reference(file, &styles, &mut used, faults);
     let declared = declared::declared(file, &styles, &parts, (&reference, reference_style), &mut used, faults);
     let letters = file.scene.as_ref().map(|scene| scene.letters()).unwrap_or_default();

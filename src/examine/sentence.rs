@@ -1,0 +1,287 @@
+//! A sentence of a question, token by token, and whose each number in it is.
+
+use crate::expr::{Expr, Piece, Text};
+use crate::mechanics::Sphere;
+use crate::unit::Unit;
+
+use super::sentences::in_order;
+
+/// What a sentence is made of.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Token<'t> {
+    /// A word, in small letters.
+    Word(String),
+    /// The name of a sphere.
+    Sphere(Sphere),
+    /// A number or formula, with its unit and with the words of the file that lead to it.
+    Number(&'t Expr, Unit, String),
+    /// A comma.
+    Comma,
+}
+
+use Token::{Comma, Number, Word};
+
+/// A sentence.
+pub type Sentence<'t> = Vec<Token<'t>>;
+
+/// What a number in a sentence is of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Noun {
+    /// A mass.
+    Mass,
+    /// A speed.
+    Speed,
+    /// A velocity.
+    Velocity,
+    /// An acute angle.
+    Angle,
+}
+
+/// The sentences of a text.
+pub fn sentences(text: &Text) -> Vec<Sentence<'_>> {
+    let mut pieces = Vec::new();
+    in_order(&text.0, &mut pieces);
+    let (mut found, mut sentence, mut lead) = (Vec::new(), Vec::new(), String::new());
+    for piece in pieces {
+        match piece {
+            Piece::Words(words) => {
+                let mut word = String::new();
+                for sign in words.chars().chain([' ']) {
+                    if sign.is_alphanumeric() || sign == '\'' || sign == '-' {
+                        word.extend(sign.to_lowercase());
+                        continue;
+                    }
+                    if !word.is_empty() {
+                        sentence.push(Word(std::mem::take(&mut word)));
+                    }
+                    match sign {
+                        ',' => sentence.push(Comma),
+                        '.' | '?' | '!' | ':' | ';' => found.push(std::mem::take(&mut sentence)),
+                        _ => {}
+                    }
+                }
+                lead.push_str(words);
+            }
+            Piece::Formula(Expr::Name(name)) if sphere(&name.text).is_some() => {
+                sentence.extend(sphere(&name.text).map(Token::Sphere));
+                lead = format!("*{}*", name.text);
+            }
+            Piece::Formula(expr) | Piece::Display(expr) => {
+                sentence.push(Number(expr, Unit::None, std::mem::replace(&mut lead, "}".to_owned())));
+            }
+            Piece::Quantity(expr, unit) => {
+                sentence.push(Number(expr, *unit, std::mem::replace(&mut lead, "}".to_owned())));
+            }
+            Piece::Italic(_) => {}
+        }
+    }
+    found.push(sentence);
+    found
+}
+
+/// Is what a sentence says only supposed?
+pub fn is_supposed(sentence: &[Token]) -> bool {
+    sentence.iter().any(|token| is_one_of(token, &SUPPOSED))
+}
+
+fn sphere(name: &str) -> Option<Sphere> {
+    Sphere::ALL.into_iter().find(|sphere| sphere.name() == name)
+}
+
+/// Words of what is not said to be so.
+const SUPPOSED: [&str; 8] = ["if", "whether", "suppose", "instead", "were", "would", "could", "cannot"];
+
+/// Is a token one of these words?
+pub fn is_one_of(token: &Token, words: &[&str]) -> bool {
+    matches!(token, Word(word) if words.contains(&word.as_str()))
+}
+
+/// Words that may stand between the name of a quantity and its number, beside names, numbers and commas.
+const BETWEEN: [&str; 32] = [
+    "of",
+    "is",
+    "are",
+    "was",
+    "has",
+    "have",
+    "the",
+    "a",
+    "an",
+    "and",
+    "sphere",
+    "spheres",
+    "ball",
+    "particle",
+    "immediately",
+    "just",
+    "before",
+    "after",
+    "it",
+    "they",
+    "collide",
+    "strikes",
+    "collision",
+    "impact",
+    "at",
+    "that",
+    "instant",
+    "respectively",
+    "then",
+    "both",
+    "acute",
+    "this",
+];
+
+/// What the number at a place of a sentence is of, if that is plain.
+pub fn noun_of(sentence: &[Token], place: usize) -> Option<(usize, Noun, bool)> {
+    for (at, token) in sentence[..place].iter().enumerate().rev() {
+        let Word(word) = token else { continue };
+        let (noun, is_plural) = match word.as_str() {
+            "mass" => (Noun::Mass, false),
+            "masses" => (Noun::Mass, true),
+            "speed" => (Noun::Speed, false),
+            "speeds" => (Noun::Speed, true),
+            "velocity" => (Noun::Velocity, false),
+            "velocities" => (Noun::Velocity, true),
+            "angle" => (Noun::Angle, false),
+            word if BETWEEN.contains(&word) => continue,
+            _ => return None,
+        };
+        return Some((at, noun, is_plural));
+    }
+    None
+}
+
+/// Whose a number is: the sphere that is named for it.
+pub fn owner_of(sentence: &[Token], place: usize) -> Option<(Noun, Sphere)> {
+    let (at, noun, is_plural) = noun_of(sentence, place)?;
+    let numbers = || sentence[at..].iter().enumerate().filter(|(_, token)| matches!(token, Number(..)));
+    let nth = numbers().position(|(number, _)| at + number == place)?;
+    if is_plural {
+        let first = sentence[at..].iter().position(|token| matches!(token, Number(..)))?;
+        let owners = match sentence.get(at + 1) {
+            Some(of) if is_one_of(of, &["of"]) => listed(&sentence[at..at + first]),
+            _ => listed(&sentence[..at]),
+        };
+        let after = sentence[at..].iter().skip_while(|token| !matches!(token, Number(..)));
+        let row = after.take_while(|token| matches!(token, Number(..) | Comma) || is_one_of(token, &["and"]));
+        let row = row.filter(|token| matches!(token, Number(..))).count();
+        return (owners.len() == row).then(|| owners.get(nth).map(|owner| (noun, *owner)))?;
+    }
+    if nth > 0 {
+        return None;
+    }
+    let owner = match &sentence[at + 1..] {
+        [Word(of), Token::Sphere(owner), ..] if of == "of" => Some(*owner),
+        [Word(of), Word(_), Token::Sphere(owner), ..] if of == "of" => Some(*owner),
+        [Word(of), Word(_), Word(_), Token::Sphere(owner), ..] if of == "of" => Some(*owner),
+        _ if noun == Noun::Mass => beside(&sentence[..at]),
+        _ => subject(&sentence[..at]),
+    };
+    owner.map(|owner| (noun, owner))
+}
+
+/// The spheres that were last named in a row: `*A*, *B* and *C*`.
+fn listed(before: &[Token]) -> Vec<Sphere> {
+    let is_of_row = |token: &Token| matches!(token, Token::Sphere(_) | Comma) || is_one_of(token, &["and"]);
+    let last = before.iter().rposition(|token| matches!(token, Token::Sphere(_)));
+    let Some(last) = last else { return Vec::new() };
+    let row = before[..=last].iter().rev().take_while(|token| is_of_row(token));
+    let mut row: Vec<Sphere> =
+        row.filter_map(|token| if let Token::Sphere(sphere) = token { Some(*sphere) } else { None }).collect();
+    row.reverse();
+    row
+}
+
+/// The sphere to which `of mass`, `has mass` or `, with mass` is joined.
+fn beside(before: &[Token]) -> Option<Sphere> {
+    const JOINED: [&str; 8] = ["of", "has", "with", "a", "which", "is", "and", "having"];
+    let joined = before.iter().rev().skip_while(|token| matches!(token, Comma) || is_one_of(token, &JOINED));
+    match joined.collect::<Vec<_>>().as_slice() {
+        // Of two in a row it is neither's alone.
+        [Token::Sphere(_), Word(and), Token::Sphere(_), ..] if and == "and" => None,
+        [Token::Sphere(owner), ..] => Some(*owner),
+        _ => None,
+    }
+}
+
+/// Words after which a sphere is not the one that moves.
+const OBJECT: [&str; 15] = [
+    "towards", "to", "from", "with", "by", "strikes", "hits", "struck", "hit", "at", "meets", "behind", "on",
+    "between", "for",
+];
+/// Words that stand before the name of a sphere.
+const BEFORE_A_NAME: [&str; 9] = ["a", "the", "smooth", "uniform", "small", "sphere", "ball", "particle", "another"];
+
+/// The sphere of which a sentence speaks at its end.
+fn subject(before: &[Token]) -> Option<Sphere> {
+    for (at, token) in before.iter().enumerate().rev() {
+        let leads = |at: usize| before[..at].iter().rev().find(|token| !is_one_of(token, &BEFORE_A_NAME));
+        let is_object = leads(at).is_some_and(|token| is_one_of(token, &OBJECT));
+        match token {
+            Token::Sphere(_) if matches!(leads(at), Some(Token::Sphere(_))) => return None,
+            Token::Sphere(sphere) => {
+                let in_row = leads(at).is_some_and(|token| is_one_of(token, &["and"]))
+                    && matches!(before[..at].iter().rev().nth(1), Some(Token::Sphere(_)));
+                let goes_on = before[at + 1..].iter().find(|token| !matches!(token, Comma));
+                match goes_on {
+                    _ if in_row => return None,
+                    Some(next) if is_object && !is_one_of(next, &["which", "that"]) => {}
+                    None if is_object => {}
+                    _ => return Some(*sphere),
+                }
+            }
+            Word(word) if ["they", "each", "both", "spheres"].contains(&word.as_str()) => return None,
+            Word(word) if word == "it" && !is_object => return None,
+            _ => {}
+        }
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::expr::{print, read_markup};
+
+    #[test]
+    fn a_number_is_of_the_sphere_for_which_it_is_named() {
+        let table = [
+            ("Sphere *A*, of mass {m kg}, strikes a sphere *B* of mass {k kg}.", "m: Mass A, k: Mass B"),
+            ("The masses of *A* and *B* are {m kg} and {k kg}.", "m: Mass A, k: Mass B"),
+            ("*A*, *B* and *C* have masses {m kg}, {k kg} and {l kg} respectively.", "m: Mass A, k: Mass B, l: Mass C"),
+            ("The mass of *A* is {m kg} and the mass of the sphere *B* is {k kg}.", "m: Mass A, k: Mass B"),
+            ("The spheres *A* and *B* are each of mass {m kg}.", ""),
+            ("*A* is moving towards *B* with speed {u m/s}.", "u: Speed A"),
+            (
+                "*A*, moving with speed {u m/s}, strikes *B*, which is moving with speed {w m/s}.",
+                "u: Speed A, w: Speed B",
+            ),
+            ("*A* collides with *B*. It has speed {u m/s}.", ""),
+            (
+                "*A* has velocity {[p, q] m/s} and *B* has velocity {[r, s] m/s}.",
+                "[p, q]: Velocity A, [r, s]: Velocity B",
+            ),
+            (
+                "*A* has speed {u} and its direction makes an acute angle of {t deg} with the wall.",
+                "u: Speed A, t: Angle A",
+            ),
+            ("*A* and *B* move with speed {u m/s}.", ""),
+            ("Their speed of approach is {u m/s}; the radius is {r}.", ""),
+            ("If the mass of *A* were {m kg}, it would stop.", ""),
+        ];
+        for (words, owners) in table {
+            let mut found = Vec::new();
+            for text in read_markup(words).unwrap() {
+                for sentence in sentences(&text).into_iter().filter(|sentence| !is_supposed(sentence)) {
+                    for (place, token) in sentence.iter().enumerate() {
+                        if let (Number(expr, ..), Some((noun, owner))) = (token, owner_of(&sentence, place)) {
+                            found.push(format!("{}: {noun:?} {}", print::plain(expr), owner.name()));
+                        }
+                    }
+                }
+            }
+            assert_eq!(found.join(", "), owners, "{words}");
+        }
+    }
+}
