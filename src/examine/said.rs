@@ -2,7 +2,7 @@
 //! who turns back.
 
 use super::finding::Finding;
-use super::sentence::{Noun, Sentence, Token, is_one_of, is_supposed, owner_of, sentences};
+use super::sentence::{Noun, Sentence, Token, is_one_of, is_supposed, owner_of, sentences, subject};
 use super::tally::numbers;
 use crate::bank::{Question, Style};
 use crate::expr::{Angles, Expr, Meaning, Relation, Turn, evaluate, print, read, written};
@@ -24,6 +24,9 @@ pub fn contradicted(question: &Question, style: &Style, variant: &Variant) -> Ve
             seen.parallel(&sentence, &mut findings);
             seen.kind(&sentence, &mut findings);
             seen.turned_back(&sentence, &mut findings);
+            if !is_later {
+                seen.moving(&sentence, &mut findings);
+            }
         }
     }
     findings
@@ -277,6 +280,42 @@ impl<'v> Seen<'v> {
         }
     }
 
+    /// A sphere that is said to move, or to move towards the other or away from it, before the impact.
+    fn moving(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        for (place, token) in sentence.iter().enumerate() {
+            if !is_one_of(token, &["moving", "moves"]) || moment(sentence, place) == Moment::After {
+                continue;
+            }
+            let Some(sphere) = subject(&sentence[..place]) else { continue };
+            let has = |quantity| self.known.number(self.first(sphere, quantity)?);
+            if has(Quantity::Speed(sphere, Moment::Before)).is_some_and(|speed| speed.is_zero()) {
+                let message =
+                    format!("the words say that `*{}*` is moving, and in the scene it is at rest", sphere.name());
+                let at = sentence.get(place + 1).map_or("is moving".to_owned(), |next| match next {
+                    Token::Word(next) => format!("moving {next}"),
+                    _ => "moving".to_owned(),
+                });
+                findings.push(self.finding(message, &at, "say that it is at rest, or give it a velocity in `[scene]`"));
+            }
+            let (way, sense) = match &sentence[place + 1..] {
+                [Token::Word(to), Token::Word(it), ..] if to == "towards" && it == "it" => ("towards", 1.0),
+                [Token::Word(away), Token::Word(_), Token::Word(it), ..] if away == "away" && it == "it" => {
+                    ("away from", -1.0)
+                }
+                _ => continue,
+            };
+            let ahead = if sphere == Sphere::A { sense } else { -sense };
+            let along = has(Quantity::Velocity(sphere, Moment::Before, Axis::N)).and_then(|along| along.sign());
+            let is_with = |sign: std::cmp::Ordering| if ahead > 0.0 { sign.is_lt() } else { sign.is_gt() };
+            if sphere != Sphere::C && along.is_some_and(is_with) {
+                let message =
+                    format!("the words say that `*{}*` moves {way} the other, and it does not", sphere.name());
+                let help = "turn its velocity round in `[scene]`, or say which way it is";
+                findings.push(self.finding(message, &format!("{way} it"), help));
+            }
+        }
+    }
+
     /// A sphere whose direction is said to be reversed, or not to change, in a direct impact.
     fn turned_back(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
         if !self.is_direct() || !self.question.scene.then.is_empty() {
@@ -297,11 +336,11 @@ impl<'v> Seen<'v> {
         let of: Vec<Sphere> = sentence[at..end].iter().filter_map(sphere).collect();
         let [of] = of.as_slice() else { return };
         let along = |moment| self.known.number(Quantity::Velocity(*of, moment, Axis::N))?.sign();
-        let Some(before) = along(Moment::Before).filter(|sign| sign.is_ne()) else { return };
-        let Some(after) = along(Moment::After).or_else(|| self.required(*of)).filter(|sign| sign.is_ne()) else {
-            return;
-        };
-        if (before != after) != is_back {
+        let Some(before) = along(Moment::Before) else { return };
+        let Some(after) = along(Moment::After).or_else(|| self.required(*of)) else { return };
+        // What is at rest before or after has not turned back.
+        let is_turned = before.is_ne() && before == after.reverse();
+        if is_turned != is_back {
             let said = if is_back { "reversed" } else { "not changed" };
             let message = format!("the words say that the direction of `*{}*` is {said}, and it is not so", of.name());
             let Token::Word(word) = &sentence[end] else { return };
@@ -428,6 +467,24 @@ mod tests {
                 "A.after.x < 0",
                 "A.after.x > 0",
                 "the direction of `*A*` is reversed, and it is not",
+            ),
+            (
+                "ranges/direction-reversed",
+                "of *A* is reversed",
+                "of *B* is reversed",
+                "the direction of `*B*` is reversed",
+            ),
+            (
+                "ranges/direction-reversed",
+                "moving towards it",
+                "moving away from it",
+                "`*A*` moves away from the other",
+            ),
+            (
+                "rest/speeds-and-directions",
+                "which is at rest",
+                "which is moving",
+                "`*B*` is moving, and in the scene it is",
             ),
             ("ranges/mass-ratio-when-a-goes-on", "is not changed", "is reversed", "the direction of `*A*` is reversed"),
         ];

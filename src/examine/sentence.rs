@@ -214,7 +214,7 @@ const OBJECT: [&str; 15] = [
 const BEFORE_A_NAME: [&str; 9] = ["a", "the", "smooth", "uniform", "small", "sphere", "ball", "particle", "another"];
 
 /// The sphere of which a sentence speaks at its end.
-fn subject(before: &[Token]) -> Option<Sphere> {
+pub fn subject(before: &[Token]) -> Option<Sphere> {
     for (at, token) in before.iter().enumerate().rev() {
         let leads = |at: usize| before[..at].iter().rev().find(|token| !is_one_of(token, &BEFORE_A_NAME));
         let is_object = leads(at).is_some_and(|token| is_one_of(token, &OBJECT));
@@ -223,12 +223,12 @@ fn subject(before: &[Token]) -> Option<Sphere> {
             Token::Sphere(sphere) => {
                 let in_row = leads(at).is_some_and(|token| is_one_of(token, &["and"]))
                     && matches!(before[..at].iter().rev().nth(1), Some(Token::Sphere(_)));
-                let goes_on = before[at + 1..].iter().find(|token| !matches!(token, Comma));
-                match goes_on {
-                    _ if in_row => return None,
-                    Some(next) if is_object && !is_one_of(next, &["which", "that"]) => {}
-                    None if is_object => {}
-                    _ => return Some(*sphere),
+                // `strikes *B*, of mass m, which is moving`: what follows is said of the one that is struck.
+                let is_described = before[at + 1..].iter().any(|token| is_one_of(token, &["which", "that"]));
+                match in_row {
+                    true => return None,
+                    false if is_described || !is_object => return Some(*sphere),
+                    false => {}
                 }
             }
             Word(word) if ["they", "each", "both", "spheres"].contains(&word.as_str()) => return None,
@@ -267,6 +267,7 @@ mod tests {
                 "u: Speed A, t: Angle A",
             ),
             ("*A* and *B* move with speed {u m/s}.", ""),
+            ("*A* hits *B* of mass {m kg}, which has speed {u m/s}.", "m: Mass B, u: Speed B"),
             ("Their speed of approach is {u m/s}; the radius is {r}.", ""),
             ("If the mass of *A* were {m kg}, it would stop.", ""),
         ];
