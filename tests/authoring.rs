@@ -284,14 +284,15 @@ absent-mark accuracy-without-method angle-where-number asked-for-twice asked-for
 brace-of-the-line-before components-exchanged components-of-two-spheres condition-misspelt condition-without-equation
 crlf derived-beside-parameter derived-from-each-other derived-in-wrong-order division-by-nought empty-title
 empty-words exact-of-no-answer formulas-that-cannot-be-read impossible-restitution impossible
-later-line-of-centres-missing later-mass-given-again later-newcomer-without-mass later-newcomer-without-velocity later-struck-by-nobody
-later-wall-along-the-line letter-nowhere-declared letters-beyond-ascii long-line mass-of-nought no-relation
-not-equal-misspelt numbers-squared-without-end parameter-and-letter reference-lacks-parameter
+later-line-of-centres-missing later-mass-given-again later-newcomer-without-mass later-newcomer-without-velocity
+later-struck-by-nobody later-wall-along-the-line letter-nowhere-declared letters-beyond-ascii long-line mass-of-nought
+no-relation not-equal-misspelt numbers-squared-without-end parameter-and-letter reference-lacks-parameter
 requirement-in-words-misspelt requirement-of-another-kind requirement-twice requirement-without-truth
 restitution-above-one result-in-stem result-without-show reversed-range shown-is-an-equation shown-is-not-found
-shown-letter-given shown-letter-undeclared shown-without-a-result sine-shown-for-a-tangent style-lacks-parameter tabs three-dots two-answers-of-one-name underdetermined unit-misspelt
-unit-with-a-power unknown-name unknown-quantity-required unknown-that-is-given unreadable-formula unused-parameter
-value-from-parameter value-twice-in-other-words value-without-value wrong-kind
+shown-letter-given shown-letter-undeclared shown-without-a-result sine-shown-for-a-tangent style-lacks-parameter tabs
+three-dots two-answers-of-one-name underdetermined unit-misspelt unit-with-a-power unknown-name
+unknown-quantity-required unknown-that-is-given unreadable-formula unused-parameter value-from-parameter
+value-twice-in-other-words value-without-value wrong-kind
 ";
 
 /// Files, each with its contents as JSON, judged by Python's jsonschema: the names of those that are not valid.
