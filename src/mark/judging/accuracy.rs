@@ -19,7 +19,7 @@ use crate::number::{Decimal, FloatInterval, Fraction, Interval, Places, Uncertai
 use super::Note;
 use super::angle::Enclosed;
 use super::enclosure::enclose;
-use super::exact::{Equality, same};
+use super::exact::{Equality, proved};
 use super::finding::Finding;
 
 /// The fewest significant figures that are worth anything without being exact.
@@ -218,7 +218,7 @@ impl Target<'_> {
         }
         match self {
             Target::Value(value, _) => value.equals(&Value::from(number.clone())),
-            Target::Formula(expr, _) => same(expr, &Expr::Number(number.clone()), &[]) == Equality::Equal,
+            Target::Formula(expr, _) => proved(expr, &Expr::Number(number.clone()), &[]) == Equality::Equal,
             Target::Degrees(angle) => angle.turn.is_degrees(number),
             // Neither pi times a fraction nor an inverse tangent of a root is a fraction, but for nought.
             Target::Radians(angle) => number.is_zero() && angle.turn.is_degrees(number),

@@ -89,7 +89,7 @@ const LABORIOUS: [&str; 62] = [
 ];
 
 /// Pieces that are repeated until the answer is as long as any that is read.
-const REPEATED: [&str; 40] = [
+const REPEATED: [&str; 41] = [
     "(",
     "√",
     "√2+",
@@ -130,6 +130,7 @@ const REPEATED: [&str; 40] = [
     "cosθ/(1+sinθ)+",
     "e^",
     "gradient 1 ",
+    "tanβ",
 ];
 
 /// The most steps that judging one answer may take. A step is an operation on short numbers; so many are
@@ -171,9 +172,13 @@ fn no_answer_takes_long_to_judge() {
         for piece in REPEATED {
             for length in [60, 300, LONGEST - 1] {
                 let answer = piece.repeat(length / piece.len());
-                answers.extend([format!("{answer}1"), answer]);
+                answers.extend([format!("{answer}1"), format!("{answer}=0=1=0"), answer]);
             }
         }
+        // An equation in one unknown, read in several ways, and a chain of values for it.
+        let tangents = |count: usize| "tanβ".repeat(count);
+        let [first, second, third, last] = [28, 6, 26, 8].map(tangents);
+        answers.push(format!("133{first}arctan0000000{second}–0000000{third}arctan0000000{last}=0=1=0"));
         for answer in answers {
             let readings = read_answer(&answer, &model.vocabulary);
             judge(model, &readings);

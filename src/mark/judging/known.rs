@@ -82,14 +82,21 @@ impl Known {
         }
     }
 
+    /// What is a constant is the same at every point.
+    fn point(&self, point: u32) -> u32 {
+        if self.has_names() { point } else { 0 }
+    }
+
     /// The enclosure of the value at a fixed point.
     pub(super) fn enclosure(&self, point: u32) -> Option<Interval> {
+        let point = self.point(point);
         let known = self.enclosures.get(point as usize)?;
         known.get_or_init(|| enclose(&self.of, &self.letters, point, exact::BITS)).clone()
     }
 
     /// The enclosure between doubles.
     pub(super) fn roughly(&self, point: u32) -> Option<FloatInterval> {
+        let point = self.point(point);
         let known = self.rough.get(point as usize)?;
         *known.get_or_init(|| enclose_roughly(&self.of, &self.letters, point))
     }

@@ -7,6 +7,8 @@
 //!   still missing.
 //! * Anything else, as `v_A/v_B`, is the name of something else.
 
+use std::cell::OnceCell;
+
 use crate::answer::Kind;
 use crate::expr::{Expr, Function, Relation};
 use crate::mark::reading::{Form, Label, Said, SaidUnit};
@@ -36,6 +38,8 @@ pub(super) enum Left {
 pub(super) struct Equation {
     left: Expr,
     unknown: String,
+    /// What the left side is for the right value, worked out once for all the values of a chain.
+    of_right: OnceCell<Model>,
 }
 
 /// What a label is where this is asked.
@@ -50,7 +54,7 @@ pub(super) fn of(model: &Model, label: &Label) -> Left {
         let is_speed = |word: &str| word.to_lowercase().contains("speed") || word.to_lowercase().contains("velocity");
         if of_square.is_some_and(|word| is_speed(word) && called::words_fit(model, word.trim())) {
             let unknown = "x".to_owned();
-            return Left::Equation(Equation { left: Expr::name(&unknown).to_the(2), unknown });
+            return Left::Equation(Equation::of(Expr::name(&unknown).to_the(2), unknown));
         }
         return if called::words_fit(model, typed) { Left::Name } else { Left::Another };
     };
@@ -180,7 +184,7 @@ fn unknown(model: &Model, expr: &Expr) -> Option<Equation> {
     let [unknown] = own.as_slice() else { return None };
     let is_angle = is_tangent(model.quantity) && has_function(expr);
     let fits = is_angle || letters::may_be_called(model, unknown, unknown);
-    fits.then(|| Equation { left: expr.clone(), unknown: unknown.clone() })
+    fits.then(|| Equation::of(expr.clone(), unknown.clone()))
 }
 
 /// `tan β`, `tan²θ`
@@ -216,6 +220,10 @@ fn step_left(expr: &Expr, atom: &dyn Fn(&Expr) -> bool) -> Option<Note> {
 }
 
 impl Equation {
+    fn of(left: Expr, unknown: String) -> Equation {
+        Equation { left, unknown, of_right: OnceCell::new() }
+    }
+
     /// Is the equation true of what is asked, and solved but for arithmetic?
     pub(super) fn judge(&self, model: &Model, said: &Said, one: One) -> Finding {
         let (left, form, unit) = self.peeled(said);
@@ -234,7 +242,11 @@ impl Equation {
             _ => model.value.clone(),
         };
         let of_right = left.substitute(&|name| (name == self.unknown).then(|| right.clone()));
-        let worked_out = model.of_value(of_right);
+        // Sums are undone for numbers alone, so that the left side is nearly always the same.
+        let worked_out = match self.of_right.get_or_init(|| model.of_value(of_right.clone())) {
+            known if known.value == of_right => known.clone(),
+            _ => model.of_value(of_right),
+        };
         let finding = match (model.kind, &said.form) {
             (Kind::Vector, _) => vector::judge(&worked_out, said),
             (Kind::Angle, _) if !has_function(&left) => angle::judge(&worked_out, said, None),
