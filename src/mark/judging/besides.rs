@@ -6,6 +6,7 @@ use std::cmp::Ordering;
 use crate::answer::{Accept, Kind};
 use crate::expr::{Expr, Function, Relation};
 use crate::mark::reading::{Form, ReferenceLine, Said, Statement};
+use crate::mechanics::Quantity;
 use crate::number::Places;
 use crate::unit::Unit;
 
@@ -104,6 +105,10 @@ fn is_called_an_angle(statement: &Statement) -> bool {
 pub(super) fn without_told_besides(model: &Model, statements: Vec<Statement>) -> Vec<Statement> {
     let Some(unit) = model.unit() else { return statements };
     let statements = without_the_other_of_a_pair(unit, statements);
+    let statements = match model.quantity {
+        Some(asked) => without_loss_or_share(asked, statements),
+        None => statements,
+    };
     let is_besides = |statement: &Statement| {
         let Some(said) = statement.said.last().filter(|said| !is_rival(said)) else { return false };
         match (&said.form, unit) {
@@ -139,6 +144,18 @@ pub(super) fn without_told_besides(model: &Model, statements: Vec<Statement>) ->
         last.reference = Some(*direction);
     }
     kept
+}
+
+/// `1.92 J (35.3%)`: the one told besides the other, where a share or what it is a share of is asked.
+fn without_loss_or_share(asked: Quantity, statements: Vec<Statement>) -> Vec<Statement> {
+    let is_besides = |said: &Said| match &said.form {
+        Form::Percentage(_) => asked.unit() != Unit::None,
+        _ => asked == Quantity::FractionLost && said.unit.as_ref().is_some_and(|unit| unit.dimension == [1, 2, -2, 0]),
+    };
+    let is_kept =
+        |statement: &&Statement| !matches!(statement.said.as_slice(), [said] if is_besides(said) && !is_rival(said));
+    let kept: Vec<Statement> = statements.iter().filter(is_kept).cloned().collect();
+    if kept.is_empty() { statements } else { kept }
 }
 
 /// `2.78 at 46.1`, `3.57 at 81.9° to LOC`: what stands before `at` is a size and what stands after it a direction, though

@@ -34,13 +34,23 @@ pub(super) enum Sort {
     Mass,
 }
 
+impl Sort {
+    /// Is it what no question asks for?
+    pub(super) fn is_unasked(self) -> bool {
+        matches!(self, Sort::Bearing | Sort::Unasked)
+    }
+}
+
 /// What was found of a value, if it is called what is asked for.
 pub(super) fn as_called(model: &Model, statement: &Statement, finding: Finding) -> Finding {
     let Some(label) = statement.label.as_ref().filter(|_| finding.is_credited()) else { return finding };
     if label.expr.is_none() && spheres::words_without_commands(&label.typed).any(is_strange) {
         return Finding::unreadable(Note::NamedOtherwise);
     }
-    let Some(asked) = model.quantity else { return finding };
+    let Some(asked) = model.quantity else {
+        let is_unasked = words(&label.typed).filter_map(sort).any(Sort::is_unasked);
+        return if is_unasked { Finding::unreadable(Note::NamedOtherwise) } else { finding };
+    };
     let others = named_sphere(statement).is_some_and(|named| match sphere(asked) {
         Some(asked) => named != asked,
         None => model.is_of_both,
@@ -223,7 +233,7 @@ pub(super) fn sort(word: &str) -> Option<Sort> {
 pub(super) fn suits(asked: Quantity, sort: Sort) -> bool {
     use Quantity::*;
     match asked {
-        _ if matches!(sort, Sort::Bearing | Sort::Unasked) => false,
+        _ if sort.is_unasked() => false,
         Velocity(..) | Speed(..) | Approach | Separation => matches!(sort, Sort::Speed | Sort::Velocity),
         KineticEnergy(..) | TotalEnergy(_) | EnergyLost | SphereEnergyLost(_) | FractionLost => sort == Sort::Energy,
         SphereMomentum(..) | TotalMomentum(_) | Impulse(..) | ImpulseMagnitude => sort == Sort::Impulse,

@@ -11,7 +11,10 @@ pub(super) fn may_be_called(model: &Model, name: &str, typed: &str) -> bool {
     let is_own = !left_side::is_given(model, name)
         // A capital that was typed for itself.
         || (typed.chars().count() == 1 && typed != name && typed.to_lowercase() == name);
-    let Some(asked) = model.quantity else { return !is_product(name) };
+    let Some(asked) = model.quantity else {
+        let is_unasked = is_own && of_letter(name).is_some_and(Sort::is_unasked);
+        return !(is_product(name) || is_unasked);
+    };
     // A capital, though the question has an e.
     if typed == "E" && suits(asked, Sort::Energy) {
         return true;

@@ -6,13 +6,13 @@ use std::cmp::Ordering;
 
 use crate::answer::Kind;
 use crate::expr::{Expr, Function, Relation};
-use crate::mark::reading::{End, Form, Reading, Said, Statement};
+use crate::mark::reading::{End, Form, Reading, Said, Statement, is_second_thought};
 use crate::mechanics::{Moment, Quantity};
 
 use super::besides::{compared_with_a_bound, without_its_name, without_size_and_direction, without_told_besides};
 use super::called::{COMPARING, EARLIER, LATER, LOSSES, is_of_loss, moment, states, words};
 use super::enclosure::enclose_roughly;
-use super::otherwise::DIRECTED;
+use super::otherwise::{DIRECTED, is_changed_to};
 use super::statements::is_rival;
 use super::{Model, exact};
 
@@ -49,7 +49,7 @@ pub(super) fn counted<'r>(model: &Model, reading: &'r Reading) -> Option<Cow<'r,
     if kept.is_empty() && !reading.statements.is_empty() {
         return None;
     }
-    let kept = without_what_is_rooted(without_other_moment(model, kept));
+    let kept = without_what_is_rooted(without_what_changes(model, without_other_moment(model, kept)));
     let kept = match model.kind {
         Kind::Number | Kind::Expression => {
             let kept = compared_with_a_bound(model, kept);
@@ -67,8 +67,9 @@ pub(super) fn counted<'r>(model: &Model, reading: &'r Reading) -> Option<Cow<'r,
 fn is_rejected(statement: &Statement) -> bool {
     let label = statement.label.iter().map(|label| label.typed.to_lowercase());
     let remarks = statement.said.iter().flat_map(|said| said.remarks.iter().cloned());
-    // `2.78, not 3.08`
-    if statement.said.iter().flat_map(|said| &said.remarks).any(|remark| remark == "not") {
+    // `2.78, not 3.08`, `3.08, no, 2.78`
+    let takes_back = |remark: &String| remark == "not" || is_second_thought(remark);
+    if statement.said.iter().flat_map(|said| &said.remarks).any(takes_back) {
         return true;
     }
     label
@@ -274,6 +275,23 @@ fn without_other_moment(model: &Model, statements: Vec<Statement>) -> Vec<Statem
         true => statements.into_iter().filter(|statement| !is_other(statement)).collect(),
         false => statements,
     }
+}
+
+/// `5.44 reduced to 3.52`: what there is before an impact and after it, of which one is asked.
+fn without_what_changes(model: &Model, mut statements: Vec<Statement>) -> Vec<Statement> {
+    let is_free = |statement: &Statement| statement.label.is_none() && !statement.said.iter().any(is_rival);
+    let changes = statements.last().and_then(|last| last.label.as_ref());
+    if let ([before, _], Some(label)) = (statements.as_slice(), changes)
+        && is_free(before)
+        && is_changed_to(&label.typed.to_lowercase())
+    {
+        match model.quantity.and_then(moment) {
+            Some(Moment::After) => drop(statements.remove(0)),
+            Some(Moment::Before) => drop(statements.pop()),
+            None => {}
+        }
+    }
+    statements
 }
 
 /// Does one of these words stand in its label or beside its values?

@@ -31,6 +31,7 @@ mod ranges;
 mod reference;
 mod said;
 mod said_again;
+mod second_thoughts;
 mod segments;
 mod side_by_side;
 mod sides;
@@ -50,6 +51,7 @@ pub(crate) use line::ACROSS;
 pub(crate) use named_line::{NamedLine, named_line};
 pub use reference::{ReferenceLine, Sense};
 pub use said::{End, Form, Label, Notation, Reading, Said, SaidUnit, Statement, Unreadable, Vocabulary};
+pub(crate) use second_thoughts::is_second_thought;
 
 use choices::{Choices, Flip};
 use crossed_out::without_crossed_out;

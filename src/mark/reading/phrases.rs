@@ -70,6 +70,12 @@ pub(super) fn with_phrases(
             at = end;
             continue;
         }
+        if let Some((word, next)) = walk.second_thought(at) {
+            let comma = Placed { token: Token::Sign(','), ..word.clone() };
+            out.extend([Placed { token: Token::Phrase(Phrase::Remark), ..word }, comma]);
+            at = next;
+            continue;
+        }
         let found = match accuracy.or_else(|| walk.named_equation(at)).or_else(|| walk.positive_direction(at)) {
             Some(next) => Some((Phrase::Remark, next)),
             None => walk.phrase(at)?,
