@@ -179,6 +179,8 @@ pub fn judge(model: &Model, readings: &Result<Vec<Reading>, Unreadable>) -> Judg
 const DENIALS: [&str; 8] = ["not", "isn't", "isnt", "never", "wrong", "incorrect", "false", "except"];
 /// Words that turn the direction beside them into another.
 const TURNS: [&str; 7] = ["perpendicular", "perp", "normal", "right angles", "opposite", "reverse", "reversed"];
+/// Words that leave the length of the vector beside them open.
+const MULTIPLES: [&str; 5] = ["multiple", "proportional", "∝", "parallel", "same direction"];
 /// Words that turn the sense beside them round.
 const OPPOSITES: [&str; 3] = ["opposite", "reverse", "backwards"];
 
@@ -193,8 +195,9 @@ fn is_turned_by_words(model: &Model, reading: &Reading, finding: Finding) -> boo
         let mut words = remark.split(|letter: char| !letter.is_alphanumeric() && letter != '\'');
         let turned = is_direction && TURNS.iter().any(|turn| remark.contains(turn));
         let opposite = is_signed && OPPOSITES.iter().any(|turn| remark.contains(turn));
+        let is_multiple = model.kind == Kind::Vector && MULTIPLES.iter().any(|word| remark.contains(word));
         // `7 (nonsense)`
-        turned || opposite || is_strange(remark.trim()) || words.any(|word| DENIALS.contains(&word))
+        turned || is_multiple || opposite || is_strange(remark.trim()) || words.any(|word| DENIALS.contains(&word))
     })
 }
 

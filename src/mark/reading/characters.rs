@@ -213,7 +213,7 @@ fn lettered(character: char) -> Option<char> {
         '⟦' | '⟧' => None,
         ' '..='~' => Some(character),
         'α'..='ω' | 'Γ' | 'Δ' | 'Θ' | 'Λ' | 'Ξ' | 'Π' | 'Σ' | 'Φ' | 'Ψ' | 'Ω' => Some(character),
-        '≠' | '≤' | '≥' | '±' | '∓' | '·' | '∈' | '∞' => Some(character),
+        '≠' | '≤' | '≥' | '±' | '∓' | '·' | '∈' | '∞' | '∝' => Some(character),
         '\u{ff01}'..='\u{ff5e}' => char::from_u32(code - 0xff01 + 0x21),
         '\u{1d400}'..='\u{1d6a3}' => {
             let letter = (code - 0x1d400) % 52;

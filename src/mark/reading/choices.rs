@@ -39,6 +39,8 @@ pub(super) enum Doubt {
     Dash,
     /// `v = 4 w = 6`: two statements, or one with a product in it.
     SideBySide,
+    /// `3 and 4/7`: a mixed number, or two values.
+    Mixed,
     /// `0.3(6)` and `2.77...`: recurring or not.
     Recurring,
 }

@@ -1,18 +1,24 @@
 //! Chains of equals signs: what stands left of them, and the values that are said to be one another's equals.
 
 use super::line;
+use super::phrases::Phrase;
 use super::sides::Side;
 use super::statements::Statements;
 use super::tokens::{Placed, Token};
 use super::values::Values;
-use super::{Form, Label, Said, Statement, Unreadable};
+use super::wording::CENTRES;
+use super::{Form, Label, ReferenceLine, Said, Statement, Unreadable};
 use crate::expr::{Expr, Function};
 
 impl Statements<'_> {
     pub(super) fn equality(&mut self, sides: &[&[Placed]]) -> Result<(), Unreadable> {
         if let [left, right] = sides
-            && let Some(gradient) = line::gradient(left, right, self.text, self.vocabulary)
+            && let name = left.len() - self.without_name_of_line(left).len()
+            && let Some(gradient) = line::gradient(&left[name..], right, self.text, self.vocabulary)
         {
+            if name > 0 {
+                self.remark(self.slice(&left[..name]).to_lowercase());
+            }
             self.lines.push(gradient.clone());
             let said = Said { form: Form::Gradient(gradient), unit: None, reference: None, remarks: Vec::new() };
             self.found.push(Statement { label: None, said: vec![said] });
@@ -61,6 +67,18 @@ impl Statements<'_> {
                 Ok(())
             }
         }
+    }
+
+    /// `LOC: y`, `the line of centres is y`: a side without the name of the line of centres before it.
+    fn without_name_of_line<'t>(&self, tokens: &'t [Placed]) -> &'t [Placed] {
+        let is_name = |placed: &Placed| match placed.token {
+            Token::Phrase(Phrase::Line(line)) => line.unsensed() == ReferenceLine::AlongLineOfCentres,
+            // The common tangent and velocities are nouns, too.
+            Token::Phrase(Phrase::Noun) => names_line_of_centres(self.slice(std::slice::from_ref(placed))),
+            Token::Phrase(Phrase::Remark | Phrase::Is) => true,
+            _ => placed.is(':'),
+        };
+        &tokens[tokens.iter().take_while(|placed| is_name(placed)).count()..]
     }
 
     /// Values that are said to be one another's equals.
@@ -140,6 +158,12 @@ impl Statements<'_> {
         let is_plain = |formula: &Expr| !matches!(formula, Expr::Name(_)) && !has_ratio_of_angle(formula);
         formula.is_some_and(|formula| is_plain(&formula) && self.has_strange_names(&formula))
     }
+}
+
+/// `line of centers`, `LOC`, `direction`
+fn names_line_of_centres(noun: &str) -> bool {
+    let noun = noun.to_lowercase().replace("center", "centre");
+    CENTRES.iter().any(|name| noun.ends_with(name)) || noun == "direction"
 }
 
 /// Names and words alone.

@@ -67,6 +67,35 @@ impl Statements<'_> {
         Ok(())
     }
 
+    /// Is an inequality the condition for what words alone say, and nothing else the answer? Which way a sphere then moves
+    /// is for a person to see.
+    pub(super) fn is_asked_condition(&self, words: &[Placed], reason: &[Placed]) -> bool {
+        const WAYS: [&str; 11] = [
+            "same",
+            "original",
+            "forward",
+            "forwards",
+            "continues",
+            "right",
+            "left",
+            "on",
+            "away",
+            "towards",
+            "unchanged",
+        ];
+        let tells_way = |word: &str| WAYS.contains(&&*word.to_lowercase());
+        let says_how = |placed: &Placed| {
+            matches!(placed.token, Token::Phrase(Phrase::Remark | Phrase::Sphere | Phrase::Joiner | Phrase::Is))
+        };
+        let word = reason.first().map(|first| self.slice(std::slice::from_ref(first)).to_lowercase());
+        matches!(word.as_deref(), Some("if" | "when" | "where"))
+            && self.found.is_empty()
+            && !self.vocabulary.vectors
+            && words.iter().all(says_how)
+            && !self.slice(words).split_whitespace().any(tells_way)
+            && has_inequality(reason)
+    }
+
     pub(super) fn inequality(&mut self, sides: &[&[Placed]], relations: &[(char, usize)]) -> Result<(), Unreadable> {
         let (sides, relations) = without_infinite_ends(sides, relations)?;
         let values: Vec<Expr> = sides.iter().map(|side| self.bounded(side)).collect::<Result<_, _>>()?;

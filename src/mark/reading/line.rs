@@ -2,6 +2,7 @@
 //!
 //! What is read of each is its gradient. A line along **j** has none and goes to a person.
 
+use super::characters::{CLOSE, OPEN};
 use super::choices::Choices;
 use super::grammar::Parser;
 use super::names;
@@ -77,8 +78,19 @@ fn quotient(above: Expr, below: Expr) -> Option<Expr> {
     Some(exact.map_or_else(|| above.over(below), |(above, share)| Expr::Number(&above * &share)))
 }
 
-/// `λ(2i - j)`, `±(2i - j)`: the tokens of the vector, where any multiple of it is said.
+/// `λ(2i - j)`, `±(2i - j)`, `±1/√5(2i - j)`: the tokens of the vector, where any multiple of it is said.
 pub(super) fn of_any_multiple<'t>(tokens: &'t [Placed], vocabulary: &Vocabulary) -> Option<&'t [Placed]> {
+    if let [sign, factor @ .., close] = tokens
+        && sign.is('±')
+        && close.is(')')
+        && vocabulary.vectors
+        && let Some(open) = factor.iter().rposition(|placed| placed.is('(') || placed.is(')'))
+        && open > 0
+        && factor[open].is('(')
+        && factor[..open].iter().all(is_of_factor)
+    {
+        return Some(&tokens[1..]);
+    }
     let [factor, open, inside @ .., close] = tokens else { return None };
     let is_parameter = match &factor.token {
         Token::Sign(sign) => *sign == '±',
@@ -90,6 +102,15 @@ pub(super) fn of_any_multiple<'t>(tokens: &'t [Placed], vocabulary: &Vocabulary)
     };
     let is_bracketed = open.is('(') && close.is(')') && !inside.iter().any(|placed| placed.is('(') || placed.is(')'));
     (is_parameter && is_bracketed && vocabulary.vectors).then_some(inside)
+}
+
+/// Can it stand in the number by which a vector is multiplied?
+fn is_of_factor(placed: &Placed) -> bool {
+    match placed.token {
+        Token::Number(_) | Token::Root { .. } => true,
+        Token::Sign(sign) => matches!(sign, '(' | ')' | '/' | '*' | OPEN | CLOSE),
+        _ => false,
+    }
 }
 
 /// The gradient of the line along a vector.

@@ -7,6 +7,7 @@
 mod asides;
 mod characters;
 mod choices;
+mod columns;
 mod commands;
 mod crossed_out;
 mod digits;
@@ -22,6 +23,7 @@ mod lexicon;
 mod line;
 mod named_line;
 mod names;
+mod number_words;
 mod operands;
 mod part_label;
 mod phrases;
@@ -97,6 +99,12 @@ pub fn read_answer(text: &str, vocabulary: &Vocabulary) -> Result<Vec<Reading>, 
 /// The readings of every word of an answer or a line of working: no formula is passed over.
 pub(super) fn read_whole(text: &str, vocabulary: &Vocabulary) -> Result<Vec<Reading>, Unreadable> {
     let readings = counted(text, vocabulary, false).0;
+    let is_sign = matches!(readings, Err(Unreadable::Sign(..)));
+    let with_small = is_sign.then(|| names::with_small_unit_vectors(text, vocabulary)).flatten();
+    if let Some(Ok(mut found)) = with_small.map(|small| counted(&small, vocabulary, false).0) {
+        found.iter_mut().for_each(|reading| reading.decided.push("I and J read as i and j".to_owned()));
+        return Ok(found);
+    }
     // `|3i + 4j| = 5` where no answer is a vector.
     let has_own = vocabulary.vectors || vocabulary.letters.iter().any(|letter| matches!(letter.name(), "i" | "j"));
     if has_own || !matches!(readings, Err(Unreadable::Sign(..))) || !has_unit_vector(text) {
@@ -141,6 +149,7 @@ fn counted(text: &str, vocabulary: &Vocabulary, passes_over: bool) -> (Result<Ve
         let statements = tokens::tokens(&glyphs, &vocabulary.letters, &mut choices)
             .map(|tokens| units::with_joules(tokens, vocabulary))
             .map(|tokens| part_label::without_question_number(tokens, vocabulary))
+            .map(|tokens| columns::on_two_lines(tokens, vocabulary, &mut choices))
             .and_then(|tokens| phrases::with_phrases(&tokens, vocabulary, &mut choices))
             .and_then(|tokens| statements::statements(&tokens, text, vocabulary, &mut choices, passes_over));
         (statements, choices)

@@ -72,6 +72,27 @@ pub(super) fn split(word: &str, place: usize, vocabulary: &Vocabulary, choices: 
     Some(found)
 }
 
+/// `4I + J` with small letters, where **i** and **j** are unit vectors and no letters stand for themselves as capitals.
+pub(super) fn with_small_unit_vectors(text: &str, vocabulary: &Vocabulary) -> Option<String> {
+    let is_taken = |name: &str| vocabulary.letters.iter().any(|letter| letter.name() == name);
+    if !vocabulary.vectors || is_taken("I") || is_taken("J") {
+        return None;
+    }
+    let small = |(at, sign): (usize, char)| {
+        let stands = || {
+            let (before, after) = (text[..at].chars().next_back(), &text[at + 1..]);
+            let is_named = after.trim_start().starts_with(['=', ':']);
+            !before.is_some_and(char::is_alphabetic)
+                && !after.starts_with(|next: char| next.is_alphanumeric() || next == '_')
+                && !is_named
+        };
+        if matches!(sign, 'I' | 'J') && stands() { sign.to_ascii_lowercase() } else { sign }
+    };
+    let found: String = text.char_indices().map(small).collect();
+    let has_both = ['I', 'J'].iter().all(|sign| text.matches(*sign).count() > found.matches(*sign).count());
+    has_both.then_some(found)
+}
+
 /// Is it made of letters of the question and functions alone?
 pub(super) fn is_made_of_letters(word: &str, vocabulary: &Vocabulary) -> bool {
     letter(word, vocabulary).is_some() || pieces(word, vocabulary, true).is_some()

@@ -143,10 +143,16 @@ impl Parser<'_> {
         let place = self.place();
         let bare = !matches!(self.sign(0), Some('(' | '[' | '{' | OPEN | '|'));
         let mut under = match self.token(0) {
+            // `√39 4/9` is hardly the root of a mixed number.
             Some(Token::Number(value)) => {
                 let value = value.clone();
-                self.at += 1;
-                value
+                match self.is_fraction(1) && self.choices.otherwise(Doubt::Root, place) {
+                    true => self.number(value)?,
+                    false => {
+                        self.at += 1;
+                        value
+                    }
+                }
             }
             _ => self.operand()?,
         };

@@ -89,7 +89,11 @@ impl Parser<'_> {
             Some(Token::Sign(OPEN)) => true,
             Some(Token::Sign('|')) => !self.in_bars(),
             // The digit of a vulgar fraction stands in a group; any other number needs a sign.
-            Some(Token::Number(_)) => self.is_multiplied_by_a_fraction() || self.is_close_after_brackets(),
+            Some(Token::Number(_)) => {
+                self.is_multiplied_by_a_fraction()
+                    || self.is_close_after_brackets()
+                    || (self.is_after_a_root() && self.is_fraction(0))
+            }
             _ => false,
         }
     }
@@ -98,6 +102,32 @@ impl Parser<'_> {
     fn is_close_after_brackets(&self) -> bool {
         let Some(open) = self.at.checked_sub(3) else { return false };
         self.tokens[self.at - 1].is(')') && !self.spaced(0) && !self.tokens[open].is('(')
+    }
+
+    /// Does a root end here: `√39`, `√(39)`?
+    fn is_after_a_root(&self) -> bool {
+        let is_root = |at: usize| matches!(self.tokens[at].token, Token::Root { .. });
+        match self.at.checked_sub(2).map(|root| (root, &self.tokens[self.at - 1].token)) {
+            Some((root, Token::Number(_))) => is_root(root),
+            Some((inner, Token::Sign(')'))) => {
+                let open = self.tokens[..=inner].iter().rposition(|placed| placed.is('(') || placed.is(')'));
+                open.is_some_and(|open| self.tokens[open].is('(') && open > 0 && is_root(open - 1))
+            }
+            _ => false,
+        }
+    }
+
+    /// A fraction in figures after a blank: the `4/9` of `√39 4/9`.
+    pub(super) fn is_fraction(&self, ahead: usize) -> bool {
+        let is_whole = |ahead: usize| matches!(self.token(ahead), Some(Token::Number(Expr::Number(number))) if number.is_integer());
+        let is_close = !self.spaced(ahead + 1) && !self.spaced(ahead + 2);
+        let ends = !matches!(self.sign(ahead + 3), Some('^' | '.' | '/'));
+        is_whole(ahead)
+            && self.spaced(ahead)
+            && self.sign(ahead + 1) == Some('/')
+            && is_whole(ahead + 2)
+            && is_close
+            && ends
     }
 
     /// `1/3 4cos30`: a fraction in figures, a blank, and a number that has its own factor close behind it. A number

@@ -33,15 +33,23 @@ pub(super) fn segments(tokens: &[Placed]) -> Vec<(bool, &[Placed])> {
     found
 }
 
-/// Where the name of a sphere begins that a colon ends here, after a value of another: `speed of B:`.
+/// Where the name of a sphere begins that a colon ends here, after a value of another: `speed of B:`. So does the name of
+/// another quantity, `speed: 3.82 direction:`.
 fn next_sphere(tokens: &[Placed]) -> Option<usize> {
-    let [before @ .., Placed { token: Token::Phrase(Phrase::Sphere), .. }, colon] = tokens else { return None };
+    let [before @ .., Placed { token: Token::Phrase(name @ (Phrase::Sphere | Phrase::Noun)), .. }, colon] = tokens
+    else {
+        return None;
+    };
+    if *name == Phrase::Noun && !before.iter().any(|placed| placed.is(':') || placed.is('=')) {
+        return None;
+    }
     let names =
         |placed: &&Placed| matches!(placed.token, Token::Phrase(Phrase::Noun | Phrase::Remark | Phrase::Joiner));
     let words = before.iter().rev().take_while(names).count();
     let name = before.len() - words;
     let first_noun = before[name..].iter().position(|placed| placed.token == Token::Phrase(Phrase::Noun));
-    (colon.is(':') && name > 0).then(|| first_noun.map_or(before.len(), |noun| name + noun))
+    let is_after_value = name > 0 && !before[name - 1].is(':');
+    (colon.is(':') && is_after_value).then(|| first_noun.map_or(before.len(), |noun| name + noun))
 }
 
 /// An answer between quotation marks without them.

@@ -53,6 +53,19 @@ impl Statements<'_> {
         self.next_equation(tokens, &equals)
     }
 
+    /// `with tan θ = 3/4`: a name with its own equals sign, that is told beside what stands before.
+    pub(super) fn adds(&self, tokens: &[Placed]) -> bool {
+        let [with, rest @ ..] = tokens else { return false };
+        let is_name = |placed: &Placed| {
+            matches!(placed.token, Token::Word(_) | Token::Greek(_) | Token::Phrase(Phrase::Noun | Phrase::Remark))
+        };
+        let length = rest.iter().take_while(|placed| is_name(placed)).count();
+        with.token == Token::Phrase(Phrase::Joiner)
+            && matches!(&*self.slice(std::slice::from_ref(with)).to_lowercase(), "with" | "at")
+            && length > 0
+            && rest.get(length).is_some_and(|next| next.is('='))
+    }
+
     /// Where the second of two equations begins, `18 = 3v+w  w-v = 2`: after several blanks at letters or numbers of them;
     /// after one at letters that stood there before, as no product would have them again.
     fn next_equation(&mut self, tokens: &[Placed], equals: &[usize]) -> Option<usize> {

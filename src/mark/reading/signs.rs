@@ -5,6 +5,7 @@ use super::characters::{CLOSE, OPEN};
 use super::choices::{Choices, Doubt};
 use super::digits::{recurring_value, repeated};
 use super::names;
+use super::number_words::{added_fraction, number_in_words};
 use super::tokens::{Placed, Token};
 use crate::expr::Expr;
 
@@ -147,6 +148,12 @@ pub(super) fn with_signs(tokens: &[Placed], vocabulary: &Vocabulary, choices: &m
             };
             at += 2 * (1 + bracket);
             out.push(Placed { token, end: tokens[at - 1].end, ..placed.clone() });
+            continue;
+        }
+        let in_words = number_in_words(&out, tokens, at, vocabulary);
+        if let Some((number, next)) = in_words.or_else(|| added_fraction(&out, tokens, at, vocabulary, choices)) {
+            out.extend(number);
+            at = next;
             continue;
         }
         // `u - eu all over 2`

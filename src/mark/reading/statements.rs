@@ -75,6 +75,12 @@ impl Statements<'_> {
         if self.is_condition(reason) && !(tokens.is_empty() && self.found.is_empty()) {
             return Err(Unreadable::Sign(reason[0].start, "the answer holds on a condition".to_owned()));
         }
+        // `A rebounds if e > 1/3`
+        if self.is_asked_condition(tokens, reason) {
+            let words = reason.iter().take_while(|placed| matches!(placed.token, Token::Phrase(_))).count();
+            self.remark([tokens, &reason[..words]].map(|part| self.slice(part)).join(" ").trim().to_lowercase());
+            return self.segment(&reason[words..], concludes);
+        }
         if let Some((label, said)) = self.range_in_words(tokens)? {
             self.found.push(Statement { label, said: vec![said] });
             return Ok(());
@@ -108,7 +114,11 @@ impl Statements<'_> {
                 .iter()
                 .any(|placed| !matches!(placed.token, Token::Phrase(phrase) if phrase != Phrase::Rest));
             let rival = rival(at);
-            if at > start && said && (conclusion(&tokens[at]) || rival) && outside(&tokens[start..at]) {
+            if at > start
+                && said
+                && (conclusion(&tokens[at]) || rival || self.adds(&tokens[at..]))
+                && outside(&tokens[start..at])
+            {
                 found.push((link, &tokens[start..at]));
                 link = if rival { Some("or") } else { draws(&tokens[at]) };
                 start = at + 1;

@@ -230,6 +230,10 @@ impl Lexer<'_> {
                 self.put(Token::Word("and".to_owned()), 1);
                 return Ok(());
             }
+            '∝' => {
+                self.put(Token::Word("proportional".to_owned()), 1);
+                return Ok(());
+            }
             '~' => {
                 self.put(Token::Sign('≈'), 1);
                 return Ok(());
@@ -241,7 +245,8 @@ impl Lexer<'_> {
                 return Ok(());
             }
             // `±(2i - j)`: the line along it.
-            '±' if self.sign(1) == Some('(') => {}
+            // `±(i - 3j)`, `±1/√10(i - 3j)`
+            '±' if self.sign(1) == Some('(') || self.glyphs.last().is_some_and(|last| last.sign == ')') => {}
             '±' | '∓' => return Err(Unreadable::Sign(place, format!("`{token}` says two things at once"))),
             _ => return Err(Unreadable::Sign(place, format!("`{token}` has no meaning here"))),
         }

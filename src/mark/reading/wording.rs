@@ -48,7 +48,7 @@ pub(super) const ACROSS: [&str; 12] = [
 ];
 
 /// Words before the line along which something moves.
-pub(super) const ALONG: [&str; 15] = [
+pub(super) const ALONG: [&str; 24] = [
     "along",
     "parallel to",
     "parallel with",
@@ -64,6 +64,15 @@ pub(super) const ALONG: [&str; 15] = [
     "direction of",
     "direction is parallel to",
     "on",
+    "same direction as",
+    "in same direction as",
+    "proportional to",
+    "proportional",
+    "multiple of",
+    "scalar multiple of",
+    "any multiple of",
+    "any scalar multiple of",
+    "any vector parallel to",
 ];
 
 /// Words before the line from which an angle is measured.

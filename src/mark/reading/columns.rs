@@ -1,0 +1,38 @@
+//! Columns over two lines: `(4` above `1)`.
+
+use super::Vocabulary;
+use super::choices::{Choices, Doubt};
+use super::tokens::{Placed, Token};
+
+/// The tokens with a column over two lines as one on one line, `(4; 1)`. Without brackets the two lines may be two values.
+pub(super) fn on_two_lines(mut tokens: Vec<Placed>, vocabulary: &Vocabulary, choices: &mut Choices) -> Vec<Placed> {
+    if !vocabulary.vectors {
+        return tokens;
+    }
+    let is_figure = |placed: &Placed| match placed.token {
+        Token::Number(_) | Token::Root { .. } => true,
+        Token::Sign(sign) => matches!(sign, '-' | '/' | '.' | '⟦' | '⟧'),
+        _ => false,
+    };
+    let breaks: Vec<usize> = (0..tokens.len()).filter(|at| tokens[*at].is('\n')).collect();
+    let [middle] = breaks.as_slice() else { return tokens };
+    let (above, below) = (&tokens[..*middle], &tokens[middle + 1..]);
+    let (bracketed, bare) = match (above, below) {
+        ([open, above @ ..], [below @ .., close]) if open.is('(') && close.is(')') => (true, [above, below]),
+        ([open, above @ ..], [below @ .., close]) if open.is('[') && close.is(']') => (true, [above, below]),
+        _ => (false, [above, below]),
+    };
+    if !bare.iter().all(|part| !part.is_empty() && part.iter().all(is_figure)) {
+        return tokens;
+    }
+    let place = tokens[*middle].start;
+    if bracketed || choices.otherwise(Doubt::Column, place) {
+        let sign = |sign, from: &Placed| Placed { token: Token::Sign(sign), ..from.clone() };
+        tokens[*middle].token = Token::Sign(';');
+        if !bracketed && let (Some(first), Some(last)) = (tokens.first().cloned(), tokens.last().cloned()) {
+            tokens.insert(0, sign('(', &first));
+            tokens.push(sign(')', &last));
+        }
+    }
+    tokens
+}
