@@ -75,7 +75,7 @@ impl Statements<'_> {
             Token::Phrase(Phrase::Line(line)) => line.unsensed() == ReferenceLine::AlongLineOfCentres,
             // The common tangent and velocities are nouns, too.
             Token::Phrase(Phrase::Noun) => names_line_of_centres(self.slice(std::slice::from_ref(placed))),
-            Token::Phrase(Phrase::Remark | Phrase::Is) => true,
+            Token::Phrase(Phrase::Remark | Phrase::Joiner | Phrase::Is) => true,
             _ => placed.is(':'),
         };
         &tokens[tokens.iter().take_while(|placed| is_name(placed)).count()..]

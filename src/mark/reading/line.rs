@@ -80,16 +80,12 @@ fn quotient(above: Expr, below: Expr) -> Option<Expr> {
 
 /// `λ(2i - j)`, `±(2i - j)`, `±1/√5(2i - j)`: the tokens of the vector, where any multiple of it is said.
 pub(super) fn of_any_multiple<'t>(tokens: &'t [Placed], vocabulary: &Vocabulary) -> Option<&'t [Placed]> {
-    if let [sign, factor @ .., close] = tokens
+    if let [sign, of_one_sign @ ..] = tokens
         && sign.is('±')
-        && close.is(')')
         && vocabulary.vectors
-        && let Some(open) = factor.iter().rposition(|placed| placed.is('(') || placed.is(')'))
-        && open > 0
-        && factor[open].is('(')
-        && factor[..open].iter().all(is_of_factor)
+        && is_bracketed_once(of_one_sign)
     {
-        return Some(&tokens[1..]);
+        return Some(of_one_sign);
     }
     let [factor, open, inside @ .., close] = tokens else { return None };
     let is_parameter = match &factor.token {
@@ -102,6 +98,15 @@ pub(super) fn of_any_multiple<'t>(tokens: &'t [Placed], vocabulary: &Vocabulary)
     };
     let is_bracketed = open.is('(') && close.is(')') && !inside.iter().any(|placed| placed.is('(') || placed.is(')'));
     (is_parameter && is_bracketed && vocabulary.vectors).then_some(inside)
+}
+
+/// Does it all belong to one vector in brackets and the number by which it is multiplied or divided?
+fn is_bracketed_once(tokens: &[Placed]) -> bool {
+    let is_unit = |placed: &Placed| matches!(&placed.token, Token::Word(word) if matches!(word.as_str(), "i" | "j"));
+    let first = tokens.iter().position(is_unit);
+    let open = first.and_then(|first| tokens[..first].iter().rposition(|placed| placed.is('(')));
+    let close = first.and_then(|first| Some(first + tokens[first..].iter().position(|placed| placed.is(')'))?));
+    open.zip(close).is_some_and(|(open, close)| tokens[..open].iter().chain(&tokens[close..]).all(is_of_factor))
 }
 
 /// Can it stand in the number by which a vector is multiplied?

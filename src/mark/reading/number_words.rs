@@ -48,7 +48,7 @@ const PARTS: [(&str, &str, i64); 12] = [
     ("twelfth", "twelfths", 12),
 ];
 /// Words and signs between which a number can stand in words.
-const BEFORE: [&str; 6] = ["is", "and", "or", "so", "are", "was"];
+const BEFORE: [&str; 9] = ["is", "and", "or", "so", "are", "was", "at", "of", "to"];
 const AFTER: [&str; 16] = [
     "and", "or", "so", "over", "times", "root", "square", "squared", "plus", "minus", "divided", "percent", "per",
     "all", "degrees", "x",
@@ -148,6 +148,8 @@ impl Words<'_> {
             (Some(count), _) => (count, at + 1, false),
             (None, Some("a" | "an")) => (1, at + 1, true),
             (None, Some("nought")) => (0, at + 1, false),
+            // Half of what, if not of a letter of the question?
+            (None, Some("half")) => return self.is_factor_after(at + 1).then_some((1, 2, at + 1)),
             (None, word) => {
                 let (count, next) = self.count_in_words(at, word?)?;
                 (count, next, false)
@@ -178,21 +180,32 @@ impl Words<'_> {
         Some((self.count(at)?, self.count(at + 2)?, at + 3)).filter(|_| is_close)
     }
 
-    /// Is the number all that is said, or does something follow that goes with a number?
-    fn ends(&self, (_, below, next): Found) -> bool {
-        let Some(after) = self.tokens.get(next) else { return true };
-        let is_factor = |at: usize| match self.tokens.get(at).map(|placed| &placed.token) {
+    /// Does a letter of the question stand here?
+    fn is_factor(&self, at: usize) -> bool {
+        match self.tokens.get(at).map(|placed| &placed.token) {
             Some(Token::Word(word)) => names::is_made_of_letters(word, self.vocabulary),
             Some(Token::Greek(name)) => names::letter(name, self.vocabulary).is_some(),
             _ => false,
-        };
+        }
+    }
+
+    /// `u`, `of u`
+    fn is_factor_after(&self, at: usize) -> bool {
+        self.is_factor(at + usize::from(self.word(at).is_some_and(|word| word == "of")))
+    }
+
+    /// Is the number all that is said, or does something follow that goes with a number?
+    fn ends(&self, (_, below, next): Found) -> bool {
+        let Some(after) = self.tokens.get(next) else { return true };
         match &after.token {
             Token::Sign('-') => after.spaced,
             Token::Sign(sign) => "=≈<>≤≥,;)].⇒\n+*/°%".contains(*sign) || *sign == CLOSE,
             Token::Root { .. } | Token::Pi => true,
-            Token::Word(word) if word.eq_ignore_ascii_case("of") => below > 1 && is_factor(next + 1),
-            Token::Word(word) => is_unit_word(word) || is_factor(next) || AFTER.contains(&&*word.to_ascii_lowercase()),
-            Token::Greek(_) => is_factor(next),
+            Token::Word(word) if word.eq_ignore_ascii_case("of") => below > 1 && self.is_factor_after(next),
+            Token::Word(word) => {
+                is_unit_word(word) || self.is_factor(next) || AFTER.contains(&&*word.to_ascii_lowercase())
+            }
+            Token::Greek(_) => self.is_factor(next),
             _ => false,
         }
     }
