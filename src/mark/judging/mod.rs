@@ -180,7 +180,7 @@ const DENIALS: [&str; 8] = ["not", "isn't", "isnt", "never", "wrong", "incorrect
 /// Words that turn the direction beside them into another.
 const TURNS: [&str; 7] = ["perpendicular", "perp", "normal", "right angles", "opposite", "reverse", "reversed"];
 /// Words that leave the length of the vector beside them open.
-const MULTIPLES: [&str; 5] = ["multiple", "proportional", "∝", "parallel", "same direction"];
+const MULTIPLES: [&str; 5] = ["multiple", "prop", "∝", "parallel", "same direction"];
 /// Words that turn the sense beside them round.
 const OPPOSITES: [&str; 3] = ["opposite", "reverse", "backwards"];
 

@@ -67,14 +67,19 @@ pub(super) fn counted<'r>(model: &Model, reading: &'r Reading) -> Option<Cow<'r,
 fn is_rejected(statement: &Statement) -> bool {
     let label = statement.label.iter().map(|label| label.typed.to_lowercase());
     let remarks = statement.said.iter().flat_map(|said| said.remarks.iter().cloned());
-    // `2.78, not 3.08`, `3.08, no, 2.78`
-    let takes_back = |remark: &String| remark == "not" || is_second_thought(remark);
-    if statement.said.iter().flat_map(|said| &said.remarks).any(takes_back) {
+    // `2.78, not 3.08`
+    let is_denied = statement.said.iter().flat_map(|said| &said.remarks).any(|remark| remark == "not");
+    if is_denied || is_taken_back(statement) {
         return true;
     }
     label
         .chain(remarks)
         .any(|words| words.split(|letter: char| !letter.is_alphanumeric()).any(|word| REJECTIONS.contains(&word)))
+}
+
+/// `3.08, no, 2.78`
+fn is_taken_back(statement: &Statement) -> bool {
+    statement.said.iter().flat_map(|said| &said.remarks).any(|remark| is_second_thought(remark))
 }
 
 /// The statements without those that are rejected, and without those whose values are named again as rejected: `1/3 or 3
@@ -95,11 +100,13 @@ fn without_rejected(model: &Model, statements: &[Statement]) -> Vec<Statement> {
         }
         _ => false,
     };
-    let is_taken_back = |statement: &&Statement| {
+    let is_ruled_out = |statement: &&Statement| {
         let Some(Form::Value(value)) = statement.said.last().map(|said| &said.form) else { return false };
-        rejected.iter().filter_map(|rejected| rejected.said.last()).any(|rejected| is_of(value, rejected))
+        // `2.78, sorry, 2.78 m/s`
+        let rejected = rejected.iter().filter(|rejected| !is_taken_back(rejected));
+        rejected.filter_map(|rejected| rejected.said.last()).any(|rejected| is_of(value, rejected))
     };
-    kept.into_iter().filter(|statement| !is_taken_back(statement)).cloned().collect()
+    kept.into_iter().filter(|statement| !is_ruled_out(statement)).cloned().collect()
 }
 
 /// How one value stands to another, where that can be told: with letters, as it is wherever they can lie.

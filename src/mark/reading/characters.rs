@@ -167,6 +167,7 @@ fn plain(character: char, before: Option<char>) -> Option<&'static str> {
         '⊥' | '⟂' => " perpendicular ",
         '∥' => " parallel to ",
         '∠' => " angle ",
+        '∝' => " proportional to ",
         '✓' | '✔' | '☑' => " ",
         // The number of an equation.
         '①'..='⑳' | '❶'..='❿' => " ",
@@ -179,8 +180,8 @@ fn plain(character: char, before: Option<char>) -> Option<&'static str> {
         '∶' | 'ː' => ":",
         '⟨' => "(",
         '⟩' => ")",
-        'ı' | 'î' => "i",
-        'ȷ' | 'ĵ' => "j",
+        'ı' | 'î' | 'Î' => "i",
+        'ȷ' | 'ĵ' | 'Ĵ' => "j",
         'ℓ' => "l",
         'ℎ' => "h",
         'ɑ' | '⍺' => "α",
@@ -213,7 +214,7 @@ fn lettered(character: char) -> Option<char> {
         '⟦' | '⟧' => None,
         ' '..='~' => Some(character),
         'α'..='ω' | 'Γ' | 'Δ' | 'Θ' | 'Λ' | 'Ξ' | 'Π' | 'Σ' | 'Φ' | 'Ψ' | 'Ω' => Some(character),
-        '≠' | '≤' | '≥' | '±' | '∓' | '·' | '∈' | '∞' | '∝' => Some(character),
+        '≠' | '≤' | '≥' | '±' | '∓' | '·' | '∈' | '∞' => Some(character),
         '\u{ff01}'..='\u{ff5e}' => char::from_u32(code - 0xff01 + 0x21),
         '\u{1d400}'..='\u{1d6a3}' => {
             let letter = (code - 0x1d400) % 52;

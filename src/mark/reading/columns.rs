@@ -17,12 +17,13 @@ pub(super) fn on_two_lines(mut tokens: Vec<Placed>, vocabulary: &Vocabulary, cho
     let breaks: Vec<usize> = (0..tokens.len()).filter(|at| tokens[*at].is('\n')).collect();
     let [middle] = breaks.as_slice() else { return tokens };
     let (above, below) = (&tokens[..*middle], &tokens[middle + 1..]);
-    let (bracketed, bare) = match (above, below) {
-        ([open, above @ ..], [below @ .., close]) if open.is('(') && close.is(')') => (true, [above, below]),
-        ([open, above @ ..], [below @ .., close]) if open.is('[') && close.is(']') => (true, [above, below]),
+    let open = above.iter().rposition(|placed| placed.is('(') || placed.is('['));
+    let close = below.iter().position(|placed| placed.is(')') || placed.is(']'));
+    let (bracketed, column) = match (open, close) {
+        (Some(open), Some(close)) => (true, [&above[open + 1..], &below[..close]]),
         _ => (false, [above, below]),
     };
-    if !bare.iter().all(|part| !part.is_empty() && part.iter().all(is_figure)) {
+    if !column.iter().all(|part| !part.is_empty() && part.iter().all(is_figure)) {
         return tokens;
     }
     let place = tokens[*middle].start;

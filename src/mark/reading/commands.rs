@@ -31,7 +31,7 @@ pub(super) fn simple(command: &str) -> Option<&'static str> {
         "cdot" | "times" | "ast" => " * ",
         "div" => "÷",
         "pm" => "±",
-        "propto" => "∝",
+        "propto" => " proportional to ",
         "degree" | "circ" | "textdegree" => "°",
         "le" | "leq" | "leqslant" => "≤",
         "ge" | "geq" | "geqslant" => "≥",

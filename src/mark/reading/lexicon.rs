@@ -86,7 +86,7 @@ const SINGLE: [(Sort, &str); 8] = [
          answers both my our checked units metric decimal fraction respectively clm com colm pclm plm mom cons nel nlr nlor nli \
          rejected reject rejecting discard discarded ignore ignored disregard disregarded inadmissible invalid scrap \
          scrapped cancel cancelled canceled delete deleted void withdrawn mistake error crossed clearly obviously \
-         eventually conservation linear law eq eqn equation substituting subtracting adding",
+         eventually need needs provided requires conservation linear law eq eqn equation substituting subtracting adding",
     ),
 ];
 
@@ -113,7 +113,14 @@ static KNOWN: LazyLock<HashSet<&str>> = LazyLock::new(|| {
 /// Is it a word of a language that nobody here knows?
 pub(crate) fn is_strange(word: &str) -> bool {
     let small = word.to_lowercase();
-    word.is_ascii() && is_only_a_word(word) && !KNOWN.contains(&*small) && !is_greek(&small) && !is_unit_word(word)
+    // A command of LaTeX that was understood is none.
+    let is_command = word.starts_with('\\');
+    !is_command
+        && word.is_ascii()
+        && is_only_a_word(word)
+        && !KNOWN.contains(&*small)
+        && !is_greek(&small)
+        && !is_unit_word(word)
 }
 
 /// What a single word does; it is in small letters.

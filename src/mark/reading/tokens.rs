@@ -230,10 +230,6 @@ impl Lexer<'_> {
                 self.put(Token::Word("and".to_owned()), 1);
                 return Ok(());
             }
-            '∝' => {
-                self.put(Token::Word("proportional".to_owned()), 1);
-                return Ok(());
-            }
             '~' => {
                 self.put(Token::Sign('≈'), 1);
                 return Ok(());

@@ -48,7 +48,7 @@ pub(super) const ACROSS: [&str; 12] = [
 ];
 
 /// Words before the line along which something moves.
-pub(super) const ALONG: [&str; 24] = [
+pub(super) const ALONG: [&str; 26] = [
     "along",
     "parallel to",
     "parallel with",
@@ -67,8 +67,10 @@ pub(super) const ALONG: [&str; 24] = [
     "same direction as",
     "in same direction as",
     "proportional to",
-    "proportional",
     "multiple of",
+    "multiples of",
+    "any multiples of",
+    "all multiples of",
     "scalar multiple of",
     "any multiple of",
     "any scalar multiple of",
