@@ -82,9 +82,24 @@ fn is_taken_back(statement: &Statement) -> bool {
     statement.said.iter().flat_map(|said| &said.remarks).any(|remark| is_second_thought(remark))
 }
 
+/// `v_B = 3.08, no, 2.78`: what takes the place of a value has its name.
+fn with_names_carried_over(statements: &[Statement]) -> Cow<'_, [Statement]> {
+    if !statements.iter().any(is_taken_back) {
+        return Cow::Borrowed(statements);
+    }
+    let mut found = statements.to_vec();
+    for at in 1..found.len() {
+        if is_taken_back(&found[at - 1]) && found[at].label.is_none() {
+            found[at].label = found[at - 1].label.clone();
+        }
+    }
+    Cow::Owned(found)
+}
+
 /// The statements without those that are rejected, and without those whose values are named again as rejected: `1/3 or 3
 /// (reject 3)`, `1/3 or 3 (reject > 1)`.
 fn without_rejected(model: &Model, statements: &[Statement]) -> Vec<Statement> {
+    let statements = with_names_carried_over(statements);
     let (rejected, kept): (Vec<&Statement>, Vec<&Statement>) = statements.iter().partition(|one| is_rejected(one));
     let order = |one: &Expr, other: &Expr| order(model, one, other);
     let is_of = |value: &Expr, rejected: &Said| match &rejected.form {
