@@ -2,18 +2,16 @@
 
 use super::compare::any_within;
 use super::examine::{Studied, context, value};
-use super::linear::{Linear, Sum, difference};
+use super::linear::{Linear, Sum, difference, sum};
 use super::pair::{BOTH, Convention, Departure, Laws, Matched, conventions};
 use super::points::sizes;
 use super::prepared::Prepared;
 use super::spread::Spread;
 use super::substituted::{apart, impulse_in, is_impulse, without_impulse};
 use super::theirs::numbers;
+use super::told_apart::{Found, told_apart, weight};
 use crate::expr::Expr;
 use crate::mechanics::{Axis, Law, Moment, Quantity, Setting, Sphere};
-
-/// The place of a line, which of its readings, and what it is.
-type Found = (usize, usize, Matched);
 
 /// An equation that may be one of the two.
 struct Offered {
@@ -44,12 +42,30 @@ impl Offered {
         (1..=2).contains(&unknowns.len()) && unknowns.iter().all(|(name, _)| may_be_velocity(name))
     }
 
-    /// What it is in this convention.
-    fn matched(&self, laws: &Laws, convention: &Convention) -> Option<Matched> {
-        let matched = laws.matched(&self.linear, convention, self.shows_e)?;
+    fn found(&self, matched: Matched) -> Found {
+        Found { place: self.place, which: self.which, alone: None, matched }
+    }
+
+    /// What it may be in this convention: one of the laws as it stands, or each of them with the least change.
+    fn matched(&self, laws: &Laws, convention: &Convention) -> Vec<Matched> {
+        // An approach that comes to nought by a wrong sign is restitution; no approach at all is not.
+        let coalesced = || Matched { equation: BOTH[1], departures: vec![Departure::Coalesced] };
+        let mut either = laws.either(&self.linear, convention, self.shows_e);
         // A number alone may be anything: e is another only where it stands with the speed of approach.
-        let is_e = matched.departures != [Departure::AnotherRestitution] || self.shows_approach;
-        is_e.then(|| named(matched, self.says_equal))
+        let another = || laws.with_another_restitution(&self.linear, convention);
+        if let Some(another) = another().filter(|_| self.shows_approach) {
+            let is_nearer = |one: &Matched| one.equation == another.equation && one.weight() <= another.weight();
+            if !either.iter().any(is_nearer) {
+                either.retain(|one| one.equation != another.equation);
+                either.push(another);
+            }
+        }
+        either.sort_by_key(Matched::weight);
+        match either.first() {
+            Some(_) if self.says_equal => vec![coalesced()],
+            Some(first) if first.departures.is_empty() => vec![first.clone()],
+            _ => either,
+        }
     }
 }
 
@@ -64,9 +80,10 @@ struct Substituted {
 impl Substituted {
     /// One law is the bracket, and the other is all the rest.
     fn matched(&self, laws: &Laws, convention: &Convention) -> Vec<Matched> {
-        let Some(whole) = self.whole.matched(laws, convention).filter(Matched::is_method) else { return Vec::new() };
-        let bracket = self.bracket.matched(laws, convention).filter(|bracket| bracket.equation != whole.equation);
-        match bracket {
+        let mut whole = self.whole.matched(laws, convention).into_iter();
+        let Some(whole) = whole.find(Matched::is_method) else { return Vec::new() };
+        let mut bracket = self.bracket.matched(laws, convention).into_iter();
+        match bracket.find(|bracket| bracket.equation != whole.equation) {
             None if !self.is_stated => Vec::new(),
             bracket => bracket.into_iter().chain([whole]).collect(),
         }
@@ -94,11 +111,15 @@ pub(super) fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option
     let substituted: Vec<Substituted> =
         equations().flat_map(|equation| substituted(equation, &pairs, lines, prepared)).collect();
     let matches = |convention: &Convention| -> Vec<Found> {
-        let alone = offered.iter().filter_map(|offered| Some((offered, offered.matched(laws, convention)?)));
-        let within = substituted.iter().flat_map(|substituted| {
-            substituted.matched(laws, convention).into_iter().map(|matched| (&substituted.whole, matched))
+        let alone = offered.iter().enumerate().flat_map(|(number, offered)| {
+            let found = move |matched| Found { alone: Some(number), ..offered.found(matched) };
+            offered.matched(laws, convention).into_iter().map(found)
         });
-        alone.chain(within).map(|(offered, matched)| (offered.place, offered.which, matched)).collect()
+        let within = substituted.iter().flat_map(|substituted| {
+            let found = |matched| substituted.whole.found(matched);
+            substituted.matched(laws, convention).into_iter().map(found)
+        });
+        told_apart(alone.chain(within).collect())
     };
     let mut best: Option<(u32, Convention, Vec<Found>)> = None;
     for convention in pairs.iter().flat_map(|pair| conventions(pair)) {
@@ -113,7 +134,7 @@ pub(super) fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option
         }
     }
     let (_, convention, found) = best?;
-    for (place, which, matched) in found {
+    for Found { place, which, matched, .. } in found {
         let studied = &mut lines[place];
         let own = studied.matched.iter().position(|before| before.equation == matched.equation);
         match own {
@@ -218,16 +239,6 @@ fn disagreement(lines: &[Studied], convention: &Convention, prepared: &Prepared)
     2 * (0..2).filter(|place| disagrees(*place)).count() as u32
 }
 
-/// What the best line of each law is short of; a law without a line costs more than any line.
-fn weight(found: &[Found]) -> u32 {
-    let least = |equation| {
-        found.iter().filter(|(.., matched)| matched.equation == equation).map(|(.., matched)| matched.weight()).min()
-    };
-    let [momentum, restitution] = BOTH.map(|equation| least(equation).unwrap_or(20));
-    // Signs are to be consistent with the student's momentum: of two choices that cost the same, that which keeps it.
-    momentum + u32::from(momentum > 0) + restitution
-}
-
 fn role(matched: &Matched) -> String {
     let law = Law::ALL.iter().find(|law| law.gives(matched.equation)).map_or("", |law| law.name());
     match matched.departures.as_slice() {
@@ -295,7 +306,9 @@ fn shows_approach((left, right): &(Expr, Expr), prepared: &Prepared) -> bool {
         Expr::Product(factors) => has_factors(factors),
         other => is_approach(other),
     };
-    within_above(left, &is) || within_above(right, &is)
+    // With the velocities below a line it is the wrong way up.
+    let is_sum = |side: &Expr| sum(side, &context(prepared, 0)).is_some();
+    is_sum(left) && is_sum(right) && (within_above(left, &is) || within_above(right, &is))
 }
 
 /// Is it so of a part of the formula? What is below a number is no part: `1/4` is e where the approach is 4.
@@ -305,14 +318,6 @@ fn within_above(expr: &Expr, is: &dyn Fn(&Expr) -> bool) -> bool {
             Expr::Quotient(above, _) if above.names().is_empty() => within_above(above, is),
             other => other.children().into_iter().any(|child| within_above(child, is)),
         }
-}
-
-/// An approach that comes to nought by a wrong sign is restitution; no approach at all is not.
-fn named(matched: Matched, says_equal: bool) -> Matched {
-    match says_equal {
-        true => Matched { equation: Quantity::RestitutionEquation, departures: vec![Departure::Coalesced] },
-        false => matched,
-    }
 }
 
 /// Is it `v = 3` or `3 = v`?

@@ -66,7 +66,7 @@ impl Departure {
         match self {
             Departure::Inaccurate => 1,
             Departure::Sign | Departure::SineForCosine | Departure::WrongAxis => 2,
-            Departure::AnotherRestitution => 6,
+            Departure::AnotherRestitution => 3,
             Departure::TermMissing => 5,
             _ => 4,
         }

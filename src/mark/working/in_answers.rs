@@ -182,7 +182,8 @@ impl<'a> Working<'a> {
     pub(super) fn own_solution(&self) -> Option<[Vec<f64>; 2]> {
         let (convention, laws) = (self.convention.as_ref()?, self.prepared.laws.as_ref()?);
         let is_law = |linear: &Vec<Linear>, law: Quantity| {
-            laws.matched(linear, convention, false).is_some_and(|matched| matched.equation == law)
+            let another = || laws.with_another_restitution(linear, convention);
+            laws.either(linear, convention, false).into_iter().chain(another()).any(|matched| matched.equation == law)
         };
         let equation = |law: Quantity| {
             let own = self.lines.iter().filter_map(|studied| {

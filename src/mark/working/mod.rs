@@ -32,6 +32,7 @@ mod spread;
 mod substituted;
 mod terms;
 mod theirs;
+mod told_apart;
 mod trials;
 mod values;
 mod vectors;

@@ -111,13 +111,14 @@ impl Laws {
         Some(laws)
     }
 
-    /// What a line is, its unknowns in this convention; `None` if it is neither law, however changed.
+    /// What a line is, its unknowns in this convention: one of the laws as it stands, or either of them with the least
+    /// change; nothing if it is neither, however changed.
     ///
     /// The line is its left minus its right side at every point. Where e is seen to stand in it, it was not left out.
-    pub(super) fn matched(&self, line: &[Linear], convention: &Convention, shows_e: bool) -> Option<Matched> {
+    pub(super) fn either(&self, line: &[Linear], convention: &Convention, shows_e: bool) -> Vec<Matched> {
         let others = |line: &Linear| line.unknowns.iter().any(|(name, _)| !convention.letters.contains(name));
         if line.iter().any(others) {
-            return None;
+            return Vec::new();
         }
         let sides: Vec<Side> = line.iter().map(|line| Side::of(line, convention)).collect();
         let has = |unknowns: &Vec<[f64; 2]>| unknowns.iter().zip(&sides).all(|(numbers, side)| side.has(*numbers));
@@ -129,25 +130,30 @@ impl Laws {
                 && !(shows_e && is_without_e)
                 && changed.numbers.iter().zip(&sides).all(|(numbers, side)| side.is_law(*numbers, *tolerance))
         };
-        match self.changed.iter().find(is_line).map(|changed| &changes()[changed.change]) {
-            Some(change) => {
-                let in_components = self.inputs[0].in_components;
-                let named = change.departures.iter().map(|departure| match departure {
-                    Departure::SineForCosine if in_components => Departure::WrongAxis,
-                    other => *other,
-                });
-                Some(Matched { equation: change.equation, departures: named.collect() })
+        let in_components = self.inputs[0].in_components;
+        let named = |departure: &Departure| match departure {
+            Departure::SineForCosine if in_components => Departure::WrongAxis,
+            other => *other,
+        };
+        let mut either: Vec<Matched> = Vec::new();
+        let mut of = self.changed.iter().filter(is_line).map(|changed| &changes()[changed.change]);
+        while let Some(change) = of.find(|change| either.iter().all(|first| first.equation != change.equation)) {
+            let departures: Vec<Departure> = change.departures.iter().map(named).collect();
+            either.push(Matched { equation: change.equation, departures });
+            if change.departures.is_empty() || either.len() == BOTH.len() {
+                break;
             }
-            None => self.with_another_restitution(line, convention),
         }
+        either
     }
 
     /// Restitution with a number in place of e that could be one: misread, and otherwise right.
-    fn with_another_restitution(&self, line: &[Linear], convention: &Convention) -> Option<Matched> {
+    pub(super) fn with_another_restitution(&self, line: &[Linear], convention: &Convention) -> Option<Matched> {
         let factors = self.inputs.iter().zip(line).map(|(at, line)| {
+            let is_of_both = line.unknowns.iter().all(|(name, _)| convention.letters.contains(name));
             let [v, w] = [0, 1].map(|place| line.before(&convention.letters[place]).middle() * convention.signs[place]);
             let is_difference = (v + w).abs() <= 1e-9 * w.abs() && w != 0.0;
-            is_difference.then(|| -line.constant.middle() / (w * (at.along[0] - at.along[1])))
+            (is_of_both && is_difference).then(|| -line.constant.middle() / (w * (at.along[0] - at.along[1])))
         });
         let factors: Vec<f64> = factors.collect::<Option<_>>()?;
         let first = *factors.first()?;

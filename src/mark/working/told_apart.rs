@@ -1,0 +1,61 @@
+//! Momentum told from restitution: an equation is one of the two, and which of them is seen from all of them together.
+
+use super::pair::{BOTH, Matched};
+
+/// What an equation may be.
+#[derive(Clone)]
+pub(super) struct Found {
+    /// The place of its line, and which of the readings of that.
+    pub(super) place: usize,
+    pub(super) which: usize,
+    /// Which of the equations it is, where that is one law alone; in some there is a bracket with the other.
+    pub(super) alone: Option<usize>,
+    pub(super) matched: Matched,
+}
+
+/// What a law costs of which there is no line: more than any line.
+const MISSING: u32 = 20;
+
+/// Each equation as one law: of the two that it may be that which leaves the best line for the other.
+pub(super) fn told_apart(found: Vec<Found>) -> Vec<Found> {
+    let chosen = best(&found).1;
+    let is_chosen = |place: usize| chosen.contains(&Some(place));
+    // What is written once more is what it was.
+    let is_again = |one: &Found| chosen.iter().flatten().any(|place| found[*place].matched == one.matched);
+    let keeps = |(place, one): (usize, &Found)| {
+        let is_same = |(_, other): &(usize, &Found)| one.alone.is_some() && other.alone == one.alone;
+        let rivals = || found.iter().enumerate().filter(is_same).filter(|(other, _)| *other != place);
+        is_chosen(place)
+            || rivals().all(|(other, rival)| {
+                !is_chosen(other)
+                    && (is_again(one)
+                        || !is_again(rival) && (one.matched.weight(), place) <= (rival.matched.weight(), other))
+            })
+    };
+    found.iter().enumerate().filter(|(place, one)| keeps((*place, one))).map(|(_, one)| one.clone()).collect()
+}
+
+/// What the best line of each law is short of.
+pub(super) fn weight(found: &[Found]) -> u32 {
+    best(found).0
+}
+
+/// The equations that are the two laws with the least change, and what that is.
+fn best(found: &[Found]) -> (u32, [Option<usize>; 2]) {
+    let [momentum, restitution] = BOTH.map(|equation| {
+        let of_law = (0..found.len()).filter(move |place| found[*place].matched.equation == equation);
+        std::iter::once(None).chain(of_law.map(Some))
+    });
+    let cost = |place: Option<usize>| place.map_or(MISSING, |place| found[place].matched.weight());
+    let both = momentum.flat_map(|one| restitution.clone().map(move |other| [one, other]));
+    let are_two = |[one, other]: &[Option<usize>; 2]| match (one, other) {
+        (Some(one), Some(other)) => found[*one].alone.is_none() || found[*one].alone != found[*other].alone,
+        _ => true,
+    };
+    // Signs are to be consistent with the student's momentum: of two choices that cost the same, that which keeps it.
+    let total = |[one, other]: [Option<usize>; 2]| cost(one) + u32::from(cost(one) > 0) + cost(other);
+    both.filter(are_two)
+        .map(|pair| (total(pair), pair))
+        .min_by_key(|(total, _)| *total)
+        .unwrap_or((2 * MISSING, [None; 2]))
+}
