@@ -223,6 +223,11 @@ impl Lexer<'_> {
             '.' if self.sign(1) == Some(' ') && self.stands_in_a_number() => {
                 return Err(Unreadable::Sign(place, "a blank inside a number".to_owned()));
             }
+            // `m.v`: a point between letters of the question is a sign of multiplication.
+            '.' if self.stands_between_letters() => {
+                self.put(Token::Sign('*'), 1);
+                return Ok(());
+            }
             '!' if !matches!(self.out.last().map(|last| &last.token), Some(Token::Word(_))) => {
                 return Err(Unreadable::Sign(place, "`!` after a value".to_owned()));
             }
@@ -259,6 +264,17 @@ impl Lexer<'_> {
     fn stands_in_a_number(&self) -> bool {
         let digit = |glyph: Option<&Glyph>| glyph.is_some_and(|glyph| glyph.sign.is_ascii_digit());
         self.at > 0 && digit(self.glyphs.get(self.at - 1)) && digit(self.glyphs.get(self.at + 2))
+    }
+
+    /// Is what stands straight before it made of letters of the question, and does one follow straight after it?
+    fn stands_between_letters(&self) -> bool {
+        let is_one = |sign: char| self.letters.iter().any(|letter| base(letter).chars().eq([sign]));
+        let before = match self.out.last() {
+            Some(Placed { token: Token::Word(word), end, .. }) if *end == self.glyphs[self.at].place => word,
+            _ => return false,
+        };
+        let is_made_of_letters = self.is_letter(before) || before.chars().all(is_one);
+        is_made_of_letters && self.sign(1).is_some_and(is_one)
     }
 
     /// Letters, and a subscript if there is one.
@@ -302,7 +318,7 @@ impl Lexer<'_> {
             let below = self.subscript(&word, below);
             length += 1 + below.chars().count();
             word = format!("{word}_{below}");
-        } else if !digits.is_empty() && self.is_letter(&format!("{word}{digits}")) {
+        } else if !digits.is_empty() && self.ends_with_letter(&word, &digits) {
             length += digits.len();
             word.push_str(&digits);
         }
@@ -345,9 +361,26 @@ impl Lexer<'_> {
         self.put(Token::Word(format!("{name}_{below}")), length);
     }
 
-    fn is_letter(&self, name: &str) -> bool {
-        self.letters.iter().any(|letter| letter.name().replace('_', "") == name)
+    /// Do a word and figures end with a letter of the question, and is the rest made of others: `mv1`?
+    fn ends_with_letter(&self, word: &str, digits: &str) -> bool {
+        let is_one = |sign: char| self.letters.iter().any(|letter| letter.name().chars().eq([sign]));
+        let front = |letter: &Letter| {
+            let base = base(letter);
+            let has_digits = letter.name()[base.len()..].trim_start_matches('_') == digits;
+            word.strip_suffix(base).filter(|_| has_digits)
+        };
+        self.letters.iter().filter_map(front).any(|front| front.chars().all(is_one))
     }
+
+    fn is_letter(&self, name: &str) -> bool {
+        self.letters.iter().any(|letter| letter.name().bytes().filter(|sign| *sign != b'_').eq(name.bytes()))
+    }
+}
+
+/// A letter of the question without its index.
+fn base(letter: &Letter) -> &str {
+    let name = letter.name();
+    name.split_once('_').map_or(name.trim_end_matches(|sign: char| sign.is_ascii_digit()), |(base, _)| base)
 }
 
 /// Words that are cut short by a full stop.
