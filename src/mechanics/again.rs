@@ -144,13 +144,14 @@ impl<N: Number + PartialEq> Carried<N> {
     }
 
     /// Carries it out again with slips, each beside the law that owns it, and with other data in place of what was found or
-    /// given; looks at what is known then, and puts everything back. `None` if a step has no result.
+    /// given; looks at what is known then, and puts everything back. What has no result any more, as the direction of a sphere
+    /// that is brought to rest, is not known then.
     pub fn again<R>(
         &mut self,
         slips: &[(Law, &Slip)],
         other: &[(Quantity, Datum<N>)],
         look: impl FnOnce(&Carried<N>, Trace) -> R,
-    ) -> Option<R> {
+    ) -> R {
         let mut before: Vec<(Quantity, Option<Datum<N>>)> = Vec::new();
         let mut trace = Trace::default();
         for (quantity, datum) in other {
@@ -158,7 +159,6 @@ impl<N: Number + PartialEq> Carried<N> {
             trace.changed = self.places.get(quantity).map_or(trace.changed, |place| trace.changed.with(*place));
         }
         let kept = trace.changed;
-        let mut possible = true;
         for (place, step) in self.derivation.steps.iter().enumerate() {
             let mut tried = slips.iter().filter(|(law, slip)| *law == step.law || slip.also.contains(&step.law));
             let slipped: Outcome<N> = tried.find_map(|(_, slip)| step.slipped(slip.tag, &self.known));
@@ -170,19 +170,21 @@ impl<N: Number + PartialEq> Carried<N> {
             } else if slipped.is_none() {
                 continue;
             }
-            let Some(found) = slipped.or_else(|| step.evaluate(&self.known)) else {
-                possible = false;
-                break;
-            };
-            for ((quantity, datum), entered) in step.gives.iter().zip(found).zip(&self.gives[place]) {
+            let mut found = slipped.or_else(|| step.evaluate(&self.known)).into_iter().flatten();
+            for (quantity, entered) in step.gives.iter().zip(&self.gives[place]) {
+                let datum = found.next();
                 let Some(entered) = entered.filter(|entered| !kept.has(*entered)) else { continue };
-                if self.known.0.get(quantity) != Some(&datum) {
-                    before.push((*quantity, self.known.0.insert(*quantity, datum)));
+                if self.known.0.get(quantity) != datum.as_ref() {
+                    let old = match datum {
+                        Some(datum) => self.known.0.insert(*quantity, datum),
+                        None => self.known.0.remove(quantity),
+                    };
+                    before.push((*quantity, old));
                     trace.changed = trace.changed.with(entered);
                 }
             }
         }
-        let seen = possible.then(|| look(self, trace));
+        let seen = look(self, trace);
         for (quantity, old) in before.into_iter().rev() {
             match old {
                 Some(datum) => self.known.0.insert(quantity, datum),

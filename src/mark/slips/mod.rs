@@ -181,7 +181,7 @@ impl Mistakes {
         road: usize,
         slips: &[(Law, &Slip)],
         other: &[(Quantity, Datum<Sample>)],
-    ) -> Option<(Trace, Vec<(usize, Values)>)> {
+    ) -> (Trace, Vec<(usize, Values)>) {
         let answers = &self.answers;
         self.roads[road].again(slips, other, |carried, trace| {
             let is_changed = |answer: &Answer| answer.asked.iter().any(|asked| carried.is_changed(*asked, trace));
@@ -195,7 +195,7 @@ impl Mistakes {
         let mut singles = Vec::new();
         for (slip, owned) in Slip::all().iter().enumerate() {
             for road in 0..self.roads.len() {
-                let Some((trace, mut wrong)) = self.again(road, &[*owned], &[]) else { continue };
+                let (trace, mut wrong) = self.again(road, &[*owned], &[]);
                 if trace.slipped.is_empty() || wrong.is_empty() {
                     continue;
                 }
@@ -215,7 +215,7 @@ impl Mistakes {
             let is_same = |way: &Way| matches!(way.origin, Origin::Calculator(other) if other == place);
             for road in 0..self.roads.len() {
                 for entered in calculator::entered(slip, self.roads[road].known(), &self.letters) {
-                    let Some((trace, mut wrong)) = self.again(road, &[], &entered) else { continue };
+                    let (trace, mut wrong) = self.again(road, &[], &entered);
                     wrong.retain(|(answer, values)| !self.answers[*answer].has(values, |way| is_same(&self.ways[way])));
                     let way = Way { origin: Origin::Calculator(place), road, trace, lost: Steps::default() };
                     self.add(way, wrong.into_iter());
@@ -251,7 +251,7 @@ impl Mistakes {
         pairs.dedup_by_key(|(one, two)| (one.slip, two.slip));
         for (one, two) in pairs.into_iter().take(MOST_PAIRS) {
             let slips = [all[one.slip], all[two.slip]];
-            let Some((trace, mut wrong)) = self.again(one.road, &slips, &[]) else { continue };
+            let (trace, mut wrong) = self.again(one.road, &slips, &[]);
             wrong.retain(|(answer, values)| !self.answers[*answer].has(values, |way| self.ways[way].is_single()));
             let lost = [one, two].into_iter().filter(|single| !all[single.slip].1.condoned);
             let lost = lost.fold(Steps::default(), |lost, single| lost.and(single.slipped));

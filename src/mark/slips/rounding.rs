@@ -128,7 +128,7 @@ fn from_shown(
         let used = |quantity: &Quantity| carried.derivation().steps.iter().any(|step| step.needs.contains(quantity));
         let entered: Vec<(Quantity, Datum<Interval>)> =
             entered.iter().filter(|(quantity, _)| used(quantity)).cloned().collect();
-        let found = carried.again(&[], &entered, |carried, _| measure(carried.known(), asked)).flatten();
+        let found = carried.again(&[], &entered, |carried, _| measure(carried.known(), asked));
         found.is_some_and(|found| found.overlaps(&said) || found.overlaps(&-said.clone()))
     };
     Some(Road::ALL.into_iter().any(lies_inside))
@@ -175,7 +175,7 @@ fn comes_of_rounding(given: &Known<Sample>, letters: &[Letter], asked: Quantity,
     [Road::Shortest, Road::BySpeeds].into_iter().any(|road| {
         let mut carried = Carried::on(road, given, &[asked]);
         let entered = rounded(carried.known(), letters, figures);
-        let of_components = carried.again(&[], &entered, |carried, _| is_it(carried.known())).unwrap_or(false);
+        let of_components = carried.again(&[], &entered, |carried, _| is_it(carried.known()));
         of_components || rounding_each(&carried, given, asked, figures).is_some_and(|known| is_it(&known))
     })
 }

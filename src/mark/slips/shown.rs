@@ -78,8 +78,6 @@ fn carried_out(
             let found = road.again(&[*owned], &[], |carried, trace| {
                 carried.is_anything_changed(trace).then(|| all(carried.known()))
             });
-            // A slip that leads to a dead end, as a sphere brought to rest that should have a direction, shows as well.
-            let found = found.unwrap_or_else(|| Some(vec![None; answers.len()]));
             acts |= found.is_some();
             found.filter(|found| differ(found, &right))
         });
