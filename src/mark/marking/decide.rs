@@ -100,8 +100,7 @@ fn withhold_from_wrong_method(part: &KeyedPart, needed: &[Vec<bool>], awards: &m
     }
 }
 
-/// Is a step written wrongly, so that the answer cannot have come from it? A line that may only be a later step does not
-/// count.
+/// Is a step written wrongly, so that the answer cannot have come from it? What is true of the right values is no such line.
 fn contradicts(shown: &Award) -> bool {
     let wrong = [
         "sign-error",
@@ -110,6 +109,9 @@ fn contradicts(shown: &Award) -> bool {
         "e-wrong-side",
         "e-taken-as-1",
         "masses-swapped",
+        "masses-omitted",
+        "not-resolved",
+        "term-missing",
         "coalesce",
         "energy-square-of-difference",
         "energy-components-added",

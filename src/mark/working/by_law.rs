@@ -4,9 +4,10 @@
 //! comes to it, in a formula or under a name, has used the law; its sign is condoned. Besides that a few laws are known by
 //! the shape of their formula, so that a slip of the calculator costs no method mark.
 
-use super::compare::{any_within, comes_to, comes_to_angle, is_composite, is_vector};
+use super::compare::{any_within, comes_to, comes_to_angle, is_vector};
 use super::evidence::Evidence;
 use super::examine::{Studied, Value, Working, has_vectors, value};
+use super::figures::is_sum_of_figures;
 use super::line::Member;
 use super::pair::{Departure, Matched};
 use super::points::sizes;
@@ -186,7 +187,7 @@ impl Working<'_> {
                 && !self.is_printed_result(studied)
                 && self.members(studied).any(|(member, values)| {
                     let is_else = |label: &String| is_of_a_part(label, quantity) || !may_be_named(label, quantity);
-                    let worth = member.label.is_some() || is_composite(&member.expr);
+                    let worth = self.is_called(member) || self.is_worked_out(&member.expr);
                     worth
                         && !member.label.as_ref().is_some_and(is_else)
                         && !self.is_so_much_of_a_letter(member, quantity)
@@ -280,8 +281,8 @@ impl Working<'_> {
         let is_right = |values: &[Value]| values.iter().zip(right).all(|(value, right)| comes_to(*value, *right));
         let whole = studied.matched.is_empty()
             && self.members(studied).any(|(member, values)| {
-                let is_composite = is_composite(&member.expr);
-                let is_called = member.label.is_some() || is_composite || self.says_across(&studied.line.typed);
+                let is_composite = self.is_worked_out(&member.expr) && !is_sum_of_figures(&member.expr);
+                let is_called = self.is_called(member) || is_composite || self.says_across(&studied.line.typed);
                 let named = is_called && !is_called_otherwise(member, sphere);
                 let before = member.letter.as_ref().is_some_and(|letter| letter.starts_with('u') && !is_composite);
                 let unknown = member.letter.as_ref().is_some_and(|letter| self.is_unknown(letter));
@@ -300,8 +301,9 @@ impl Working<'_> {
         let is_tangent = |member: &Member| member.label.as_ref().is_some_and(|label| label.trim().starts_with("tan"));
         let is_open = |member: &&Member| studied.matched.is_empty() && !self.says_along(studied, member);
         let formulas = reading.members.iter().filter(is_open);
-        let mut components = formulas.flat_map(|member| components_in(&member.expr, is_tangent(member)));
+        let mut components = formulas.clone().flat_map(|member| components_in(&member.expr, is_tangent(member)));
         components.any(|expr| self.values_of(&expr).is_some_and(|values| is_right(&values)))
+            || formulas.into_iter().any(|member| self.has_sum_of_squares(&member.expr, sphere))
     }
 
     /// Is a value one that the student takes for a component along the line of centres: because it is said to be, or because it

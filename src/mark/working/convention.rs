@@ -1,73 +1,16 @@
 //! The choice of letters and directions that makes a student's lines agree best.
 
 use super::compare::any_within;
-use super::examine::{Studied, context, value};
-use super::linear::{Linear, Sum, difference, sum};
-use super::pair::{BOTH, Convention, Departure, Laws, Matched, conventions};
+use super::examine::{Studied, value};
+use super::offered::Offered;
+use super::pair::{Convention, Laws, Matched, conventions};
 use super::points::sizes;
 use super::prepared::Prepared;
-use super::spread::Spread;
-use super::substituted::{apart, impulse_in, is_impulse, without_impulse};
+use super::substituted::{apart, impulse_in, without_impulse};
 use super::theirs::numbers;
 use super::told_apart::{Found, told_apart, weight};
 use crate::expr::Expr;
 use crate::mechanics::{Axis, Law, Moment, Quantity, Setting, Sphere};
-
-/// An equation that may be one of the two.
-struct Offered {
-    /// The place of its line, and which of the readings of that.
-    place: usize,
-    which: usize,
-    /// Left minus right at every point.
-    linear: Vec<Linear>,
-    /// Does the speed of approach stand in it?
-    shows_approach: bool,
-    /// Does e?
-    shows_e: bool,
-    /// Does it say nothing but that the two unknowns are equal?
-    says_equal: bool,
-}
-
-impl Offered {
-    fn of(place: usize, which: usize, equation: &(Expr, Expr), prepared: &Prepared) -> Option<Offered> {
-        let linear = differences(equation, prepared)?;
-        let (shows_approach, says_equal) = (shows_approach(equation, prepared), says_equal(equation, &linear[0]));
-        let shows_e = [&equation.0, &equation.1].iter().any(|side| shows_e(side, prepared));
-        Some(Offered { place, which, linear, shows_approach, shows_e, says_equal })
-    }
-
-    /// Are its unknowns velocities, one or two of them?
-    fn is_of_velocities(&self) -> bool {
-        let unknowns = &self.linear[0].unknowns;
-        (1..=2).contains(&unknowns.len()) && unknowns.iter().all(|(name, _)| may_be_velocity(name))
-    }
-
-    fn found(&self, matched: Matched) -> Found {
-        Found { place: self.place, which: self.which, alone: None, matched }
-    }
-
-    /// What it may be in this convention: one of the laws as it stands, or each of them with the least change.
-    fn matched(&self, laws: &Laws, convention: &Convention) -> Vec<Matched> {
-        // An approach that comes to nought by a wrong sign is restitution; no approach at all is not.
-        let coalesced = || Matched { equation: BOTH[1], departures: vec![Departure::Coalesced] };
-        let mut either = laws.either(&self.linear, convention, self.shows_e);
-        // A number alone may be anything: e is another only where it stands with the speed of approach.
-        let another = || laws.with_another_restitution(&self.linear, convention);
-        if let Some(another) = another().filter(|_| self.shows_approach) {
-            let is_nearer = |one: &Matched| one.equation == another.equation && one.weight() <= another.weight();
-            if !either.iter().any(is_nearer) {
-                either.retain(|one| one.equation != another.equation);
-                either.push(another);
-            }
-        }
-        either.sort_by_key(Matched::weight);
-        match either.first() {
-            Some(_) if self.says_equal => vec![coalesced()],
-            Some(first) if first.departures.is_empty() => vec![first.clone()],
-            _ => either,
-        }
-    }
-}
 
 /// An equation with a bracket in the place of an unknown: with the unknown there, what the bracket says of it, and whether
 /// that stands in a line of its own.
@@ -111,12 +54,9 @@ pub(super) fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option
     let substituted: Vec<Substituted> =
         equations().flat_map(|equation| substituted(equation, &pairs, lines, prepared)).collect();
     let matches = |convention: &Convention| -> Vec<Found> {
-        let alone = offered.iter().enumerate().flat_map(|(number, offered)| {
-            let found = move |matched| Found { alone: Some(number), ..offered.found(matched) };
-            offered.matched(laws, convention).into_iter().map(found)
-        });
+        let alone = offered.iter().enumerate().flat_map(|(number, offered)| offered.found(number, laws, convention));
         let within = substituted.iter().flat_map(|substituted| {
-            let found = |matched| substituted.whole.found(matched);
+            let found = |matched| substituted.whole.found_as(matched);
             substituted.matched(laws, convention).into_iter().map(found)
         });
         told_apart(alone.chain(within).collect())
@@ -158,7 +98,7 @@ fn by_impulses(equations: &[Offered]) -> Vec<Offered> {
     for (number, later) in with_impulse.iter().enumerate() {
         for earlier in &with_impulse[..number] {
             let linear = without_impulse(&earlier.linear, &later.linear);
-            found.extend(linear.map(|linear| Offered { linear, shows_approach: false, says_equal: false, ..**later }));
+            found.extend(linear.map(|linear| later.with(linear)));
         }
     }
     found.retain(Offered::is_of_velocities);
@@ -204,12 +144,6 @@ fn substituted(
     found
 }
 
-/// May a letter stand for a velocity? Not an angle's, nor that of an impulse or an energy: `δ = β - α` is no law.
-fn may_be_velocity(name: &str) -> bool {
-    let is_greek = name.len() > 3 && !name.contains(['_', ' ']);
-    !is_greek && !is_impulse(name) && !matches!(name, "phi" | "E")
-}
-
 /// Are both unknowns positive against i, or against j, along which the line of centres lies?
 fn is_against_axes(convention: &Convention, prepared: &Prepared) -> bool {
     // Nobody speaks of i on a straight line.
@@ -250,18 +184,6 @@ fn role(matched: &Matched) -> String {
     }
 }
 
-/// Is it `v = w` or `w - v = 0`, with nothing of the approach in it?
-fn says_equal((left, right): &(Expr, Expr), linear: &Linear) -> bool {
-    let [(one, v), (other, w)] = linear.unknowns.as_slice() else { return false };
-    let is_bare = |expr: &Expr| {
-        let names = expr.names();
-        *expr == Expr::integer(0)
-            || (!any_within(expr, &|inner| matches!(inner, Expr::Number(_) | Expr::Decimal(_)))
-                && names.iter().all(|name| name.text == *one || name.text == *other))
-    };
-    is_bare(left) && is_bare(right) && (v.middle() + w.middle()).abs() < 1e-9
-}
-
 /// Does e stand in a formula: by its letter, as a factor, or squared in `1 - e²`? In an energy a half is no e.
 pub(super) fn shows_e(expr: &Expr, prepared: &Prepared) -> bool {
     let Some(e) = sizes(&prepared.known, Quantity::Restitution) else { return false };
@@ -281,43 +203,6 @@ pub(super) fn shows_e(expr: &Expr, prepared: &Prepared) -> bool {
         },
         _ => false,
     })
-}
-
-/// Does the speed of approach stand in the equation: as a number, a product, or a factor of one?
-fn shows_approach((left, right): &(Expr, Expr), prepared: &Prepared) -> bool {
-    let along = |sphere| sizes(&prepared.known, Quantity::Velocity(sphere, Moment::Before, Axis::N));
-    let Some((a, b)) = along(Sphere::A).zip(along(Sphere::B)) else { return false };
-    let is_approach = |expr: &Expr| {
-        let values = value(expr, prepared, &prepared.names).and_then(|values| numbers(&values));
-        values.is_some_and(|values| {
-            values
-                .iter()
-                .zip(a.iter().zip(&b))
-                .all(|(value, (a, b))| (value.abs() - (a - b).abs()).abs() < 0.005 * value.abs())
-        })
-    };
-    let has_factors = |factors: &[Expr]| {
-        (1..1_usize << factors.len().min(6)).any(|chosen| {
-            let some = factors.iter().enumerate().filter(|(place, _)| chosen >> place & 1 == 1);
-            is_approach(&Expr::Product(some.map(|(_, factor)| factor.clone()).collect()))
-        })
-    };
-    let is = |inner: &Expr| match inner {
-        Expr::Product(factors) => has_factors(factors),
-        other => is_approach(other),
-    };
-    // With the velocities below a line it is the wrong way up.
-    let is_sum = |side: &Expr| sum(side, &context(prepared, 0)).is_some();
-    is_sum(left) && is_sum(right) && (within_above(left, &is) || within_above(right, &is))
-}
-
-/// Is it so of a part of the formula? What is below a number is no part: `1/4` is e where the approach is 4.
-fn within_above(expr: &Expr, is: &dyn Fn(&Expr) -> bool) -> bool {
-    is(expr)
-        || match expr {
-            Expr::Quotient(above, _) if above.names().is_empty() => within_above(above, is),
-            other => other.children().into_iter().any(|child| within_above(child, is)),
-        }
 }
 
 /// Is it `v = 3` or `3 = v`?
@@ -353,16 +238,4 @@ fn pairs(offered: &[Offered], lines: &[Studied]) -> Vec<Vec<String>> {
         pairs.extend(usual.iter().find(used).map(|pair| pair.iter().map(|name| (*name).to_owned()).collect()));
     }
     pairs
-}
-
-/// Left minus right of an equation at every point; of a vector the component along the line of centres.
-pub(super) fn differences(equation: &(Expr, Expr), prepared: &Prepared) -> Option<Vec<Linear>> {
-    let at = |point| match difference(&equation.0, &equation.1, &context(prepared, point))? {
-        Sum::Number(linear) => Some(linear),
-        Sum::Vector(x, y) => {
-            let line = |axis| prepared.known[point].number(Quantity::Line(axis)).map(Spread::exactly);
-            Some(x.times(line(Axis::X)?).plus(&y.times(line(Axis::Y)?)))
-        }
-    };
-    (0..prepared.points.count).map(at).collect()
 }

@@ -15,13 +15,14 @@ pub(super) enum Departure {
     RestitutionOnWrongSide,
     Coalesced,
     WrongAxis,
+    WeightsForMasses,
 }
 
 impl Departure {
     /// What a method mark condones.
     pub(super) fn is_condoned(self) -> bool {
-        use Departure::{AnotherRestitution, Inaccurate, Sign, SineForCosine};
-        matches!(self, Sign | SineForCosine | Inaccurate | AnotherRestitution)
+        use Departure::{AnotherRestitution, Inaccurate, Sign, SineForCosine, WeightsForMasses};
+        matches!(self, Sign | SineForCosine | Inaccurate | AnotherRestitution | WeightsForMasses)
     }
 
     pub(super) fn tag(self) -> &'static str {
@@ -38,6 +39,7 @@ impl Departure {
             Departure::RestitutionOnWrongSide => "e-wrong-side",
             Departure::Coalesced => "coalesce",
             Departure::WrongAxis => "wrong-axis",
+            Departure::WeightsForMasses => "weights-for-masses",
         }
     }
 
@@ -57,6 +59,7 @@ impl Departure {
             Departure::RestitutionMissing => "e is left out",
             Departure::RestitutionOnWrongSide => "e is on the wrong side: it multiplies the speed of approach",
             Departure::WrongAxis => "the components that change are those along the line of centres",
+            Departure::WeightsForMasses => "weights are taken for the masses: there is no g in momentum",
             Departure::Coalesced => "the spheres separate after the impact; they do not move on together",
         }
     }
@@ -93,6 +96,7 @@ mod tests {
             RestitutionOnWrongSide,
             Coalesced,
             WrongAxis,
+            WeightsForMasses,
         ];
         for departure in all {
             let costs = if departure.is_condoned() { "A" } else { "M and A" };

@@ -1,11 +1,12 @@
 //! Which marks the lines of a part earn.
 
 use super::angles;
-use super::convention::{differences, shows_e, take_as_laws};
+use super::convention::{shows_e, take_as_laws};
 use super::evidence::Evidence as Shown;
 use super::impacts::{set_aside_of_others, short_of_law};
 use super::line::{self, Line, ReadLine};
 use super::linear::{Context, Sum};
+use super::offered::differences;
 use super::pair::{BOTH, Convention, Departure, Matched};
 use super::points::{size, sizes};
 use super::prepared::Prepared;

@@ -4,7 +4,7 @@ use super::examine::{Examined, Studied, examine_one};
 use super::pair::Matched;
 use super::theirs::Theirs;
 use crate::bank::EarnedFor;
-use crate::mark::award::{Award, MarkedLine};
+use crate::mark::award::{Award, Evidence, MarkedLine, Place};
 use crate::mark::key::{KeyedMark, KeyedPart, KeyedQuestion};
 use crate::mechanics::{Law, Meeting, Quantity, Sphere};
 
@@ -123,6 +123,16 @@ impl Examined {
 
     /// With what was found in the same lines as working of another impact: a mark that is earned there is earned.
     fn join(&mut self, later: Examined) {
+        // A line of another impact says nothing against a mark of this one.
+        let is_later = |award: &Award| match award.evidence {
+            Some(Evidence { place: Place::Line(number), .. }) => {
+                number.checked_sub(1).and_then(|line| later.short_of_law.get(line)).is_some_and(Option::is_some)
+            }
+            _ => false,
+        };
+        for award in &mut self.awards {
+            *award = award.take().filter(|award| award.given || !is_later(award));
+        }
         for (award, other) in self.awards.iter_mut().zip(later.awards) {
             let is_given = |award: &Option<Award>| award.as_ref().map(|award| award.given);
             if is_given(&other) > is_given(award) {

@@ -3,9 +3,9 @@
 
 use std::borrow::Cow;
 
-use super::convention::differences;
 use super::examine::{Examined, Value, Working, value};
 use super::linear::Linear;
+use super::offered::differences;
 use super::pair::BOTH;
 use super::points::sizes;
 use super::prepared::Prepared;

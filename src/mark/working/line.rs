@@ -343,7 +343,8 @@ fn read_line(reading: Reading) -> ReadLine {
         }
         let multiple = sides.first().filter(|first| sides.len() > 1 && is_multiple(first)).cloned();
         let in_kilograms = |said: &Said| said.unit.as_ref().is_some_and(|unit| unit.typed.ends_with("kg"));
-        let is_given = letter.as_ref().is_some_and(|letter| GIVEN.contains(&letter.as_str()))
+        let is_mass = |letter: &str| letter.eq_ignore_ascii_case("m") || GIVEN.contains(&letter);
+        let is_given = letter.as_deref().is_some_and(is_mass)
             || typed.as_ref().is_some_and(|typed| typed.to_lowercase().contains("mass"))
             || statement.said.iter().any(in_kilograms);
         equations.extend(sides.windows(2).map(|pair| (pair[0].clone(), pair[1].clone())));

@@ -36,6 +36,11 @@ pub(super) struct Matched {
 }
 
 impl Matched {
+    /// A law with one departure.
+    pub(super) fn with(equation: Quantity, departure: Departure) -> Matched {
+        Matched { equation, departures: vec![departure] }
+    }
+
     pub(super) fn weight(&self) -> u32 {
         self.departures.iter().map(|departure| departure.weight()).sum()
     }
@@ -62,6 +67,10 @@ pub(super) struct Inputs {
 #[derive(Clone, Debug)]
 pub(super) struct Laws {
     inputs: Vec<Inputs>,
+    /// What both velocities along the line of centres are after the impact, where that follows.
+    after: Option<Vec<[f64; 2]>>,
+    /// Is something given of it?
+    is_after_given: bool,
     /// The numbers `p`, `q` that some changed law has at every point, each once: few, and most lines have others.
     unknowns: Vec<Vec<[f64; 2]>>,
     changed: Vec<Changed>,
@@ -79,7 +88,7 @@ struct Changed {
 
 impl Laws {
     /// The laws of a question from what is known at every point; `None` where its masses or velocities are not given.
-    pub(super) fn of(at_points: &[Known<f64>], in_components: bool) -> Option<Laws> {
+    pub(super) fn of(given: &Known<f64>, at_points: &[Known<f64>], in_components: bool) -> Option<Laws> {
         let inputs = (0..at_points.len()).map(|point| {
             let known = std::slice::from_ref(&at_points[point]);
             let at = |quantity| sizes(known, quantity).map(|sizes| sizes[0]);
@@ -97,7 +106,14 @@ impl Laws {
             })
         });
         let inputs: Vec<Inputs> = inputs.collect::<Option<_>>()?;
-        let mut laws = Laws { inputs, unknowns: Vec::new(), changed: Vec::new() };
+        let after = |sphere| sizes(at_points, Quantity::Velocity(sphere, Moment::After, Axis::N));
+        let after = after(Sphere::A).zip(after(Sphere::B));
+        let after = after.map(|(v, w)| v.into_iter().zip(w).map(|(v, w)| [v, w]).collect());
+        let is_after = |quantity: &Quantity| {
+            matches!(quantity, Quantity::Velocity(_, Moment::After, _) | Quantity::Speed(_, Moment::After))
+        };
+        let is_after_given = given.0.keys().any(is_after);
+        let mut laws = Laws { inputs, after, is_after_given, unknowns: Vec::new(), changed: Vec::new() };
         for (change, how) in changes().iter().enumerate() {
             let numbers: Option<Vec<[f64; 3]>> = laws.inputs.iter().map(|at| how.numbers(at)).collect();
             let Some(numbers) = numbers else { continue };
@@ -144,7 +160,52 @@ impl Laws {
                 break;
             }
         }
+        // What is true of the velocities is no law that was written wrongly, but what follows from both.
+        let is_law = either.iter().any(|one| one.departures.is_empty());
+        either.retain(|_| is_law || !self.is_true(line, convention));
         either
+    }
+
+    /// Of one velocity alone it is not asked which, nor which way.
+    fn is_true(&self, line: &[Linear], convention: &Convention) -> bool {
+        let is_of_one = |(line, after): (&Linear, &[f64; 2])| match line.unknowns.as_slice() {
+            [(_, number)] => after.iter().any(|own| {
+                let moved = number.times(*own).absolute();
+                (moved - line.constant.absolute()).may_be_nought(line.size.max(moved.high))
+            }),
+            _ => false,
+        };
+        let is = |(line, after): (&Linear, &[f64; 2])| {
+            let term =
+                |place: usize| line.before(&convention.letters[place]).times(convention.signs[place] * after[place]);
+            let terms = [term(0), term(1)];
+            let size = terms.iter().fold(line.size, |size, term| size.max(term.middle().abs()));
+            (terms[0] + terms[1] + line.constant).may_be_nought(size)
+        };
+        self.after.as_ref().is_some_and(|after| {
+            let each = || line.iter().zip(after);
+            each().all(is) || each().all(is_of_one)
+        })
+    }
+
+    /// Momentum with one velocity for both spheres, `16 cos 30° = (4 + 2)v`: that they move on together stands in it too.
+    pub(super) fn moving_on_together(&self, line: &[Linear], convention: &Convention) -> Option<[Matched; 2]> {
+        let is = |(at, line): (&Inputs, &Linear)| {
+            let [(name, number)] = line.unknowns.as_slice() else { return false };
+            let Some(place) = convention.letters.iter().position(|letter| letter == name) else { return false };
+            let [a, b] = at.along;
+            let velocity = (at.masses[0] * a + at.masses[1] * b) / (at.masses[0] + at.masses[1]);
+            let moved = number.times(convention.signs[place] * velocity);
+            // Where nothing moves on, nothing is seen of it; and with e nought they do.
+            velocity.abs() > 1e-9
+                && at.e > 0.0
+                && (moved + line.constant).may_be_nought(line.size.max(moved.middle().abs()))
+        };
+        let momentum = Matched { equation: Quantity::MomentumEquation, departures: Vec::new() };
+        let together = || Matched::with(Quantity::RestitutionEquation, Departure::Coalesced);
+        // With one velocity given there is but one to be found.
+        let is_together = !self.is_after_given && self.inputs.iter().zip(line).all(is);
+        is_together.then(|| [momentum, together()])
     }
 
     /// Restitution with a number in place of e that could be one: misread, and otherwise right.

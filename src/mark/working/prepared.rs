@@ -73,7 +73,7 @@ impl Prepared {
             Velocity::Components(x, y) => x.value.is_constant() && y.value.is_constant(),
             Velocity::Polar { .. } => false,
         });
-        let laws = Laws::of(&known, in_components);
+        let laws = Laws::of(&given[0], &known, in_components);
         Prepared {
             setting: scene.setting,
             points,

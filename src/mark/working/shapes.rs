@@ -67,11 +67,16 @@ impl Working<'_> {
     }
 
     /// `p² + v²`, with one component that is across the line and one along it.
-    fn is_pythagoras(&self, expr: &Expr, sphere: Option<Sphere>) -> bool {
+    pub(super) fn is_pythagoras(&self, expr: &Expr, sphere: Option<Sphere>) -> bool {
         let Expr::Sum(terms) = expr else { return false };
         let [one, other] = terms.as_slice() else { return false };
+        let is_bare = are_bare(terms);
         let Some((one, other)) = base_of_square(one).zip(base_of_square(other)) else { return false };
-        self.are_components(&one, &other, sphere) || self.are_components(&other, &one, sphere)
+        let are = |across: &Expr, along: &Expr| match is_bare {
+            true => self.spheres(sphere).into_iter().any(|of| self.are_known_components(across, along, of)),
+            false => self.are_components(across, along, sphere),
+        };
+        are(&one, &other) || are(&other, &one)
     }
 
     fn are_components(&self, across: &Expr, along: &Expr, sphere: Option<Sphere>) -> bool {
@@ -90,7 +95,7 @@ impl Working<'_> {
     }
 
     /// Two figures are enough to see which number was rounded: `7.1` for 2.67².
-    fn rounds_one_of(&self, expr: &Expr, sizes: &[Vec<f64>]) -> bool {
+    pub(super) fn rounds_one_of(&self, expr: &Expr, sizes: &[Vec<f64>]) -> bool {
         let at = |(point, size): (usize, &f64)| {
             let context = Context { given: &self.names, rounded_from: 2, ..context(self.prepared, point) };
             constant(expr, &context).is_some_and(|own| own.absolute().may_be(size.abs()))
@@ -294,12 +299,20 @@ pub(super) fn components_in(expr: &Expr, in_tangent: bool) -> Vec<Expr> {
     let mut all = Vec::new();
     match expr {
         Expr::Quotient(above, below) if in_tangent => all.extend([(**above).clone(), (**below).clone()]),
-        Expr::Sum(terms) if terms.len() == 2 => all.extend(terms.iter().filter_map(base_of_square)),
+        Expr::Sum(terms) if terms.len() == 2 && !are_bare(terms) => {
+            let both: Option<Vec<Expr>> = terms.iter().map(base_of_square).collect();
+            all.extend(both.into_iter().flatten());
+        }
         _ => all.extend(base_of_square(expr).filter(|_| matches!(expr, Expr::Power(..)))),
     }
     let in_tangent = matches!(expr, Expr::Call(Function::Atan, _));
     all.extend(expr.children().into_iter().flat_map(|child| components_in(child, in_tangent)));
     all
+}
+
+/// Are they numbers as they stand?
+pub(super) fn are_bare(terms: &[Expr]) -> bool {
+    terms.iter().all(|term| matches!(term, Expr::Number(_) | Expr::Decimal(_)))
 }
 
 /// What a term of Pythagoras is the square of; a number alone is a square that has been worked out.

@@ -145,7 +145,11 @@ impl Working<'_> {
     fn agreements<'k>(&'k self, equation: Quantity, at: &dyn Fn(usize) -> &'k Known<f64>) -> Vec<Option<Agrees>> {
         let numbers: Option<Vec<Numbers>> =
             (0..self.prepared.points.count).map(|point| Numbers::of(at(point))).collect();
-        let Some(numbers) = numbers else { return Vec::new() };
+        let Some(numbers) =
+            numbers.filter(|numbers| !self.has_unsaid_nought(&numbers.iter().map(|at| at.after).collect::<Vec<_>>()))
+        else {
+            return Vec::new();
+        };
         let agrees = |studied: &Studied| {
             let is_open =
                 studied.matched.iter().all(|matched| !matched.is_method()) && !self.is_printed_result(studied);

@@ -49,7 +49,12 @@ fn best(found: &[Found]) -> (u32, [Option<usize>; 2]) {
     let cost = |place: Option<usize>| place.map_or(MISSING, |place| found[place].matched.weight());
     let both = momentum.flat_map(|one| restitution.clone().map(move |other| [one, other]));
     let are_two = |[one, other]: &[Option<usize>; 2]| match (one, other) {
-        (Some(one), Some(other)) => found[*one].alone.is_none() || found[*one].alone != found[*other].alone,
+        (Some(one), Some(other)) => {
+            let (one, other) = (&found[*one], &found[*other]);
+            // Nor is one line read in two ways both.
+            let is_one_reading = one.place != other.place || one.which == other.which;
+            is_one_reading && (one.alone.is_none() || one.alone != other.alone)
+        }
         _ => true,
     };
     // Signs are to be consistent with the student's momentum: of two choices that cost the same, that which keeps it.

@@ -1,6 +1,25 @@
 //! What letters that nobody has explained may stand for in the two equations, tried one after the other.
 
+use super::examine::Working;
 use crate::expr::Expr;
+use crate::mechanics::{Moment, Quantity, Sphere};
+
+impl Working<'_> {
+    /// Does a velocity after the impact come to nought of which nobody has said so? Without its term a line is no law.
+    pub(super) fn has_unsaid_nought(&self, after: &[[f64; 2]]) -> bool {
+        let is_of = |sphere: Sphere, quantity: &Quantity| match quantity {
+            Quantity::Velocity(of, Moment::After, _) | Quantity::Speed(of, Moment::After) => *of == sphere,
+            _ => false,
+        };
+        let is_said = |sphere| {
+            let mut known = self.prepared.given[0].0.keys().chain(self.theirs.0.keys());
+            known.any(|quantity| is_of(sphere, quantity))
+        };
+        let is_nought = |place: usize| after.iter().all(|velocities| velocities[place].abs() < 1e-9);
+        let is_free = self.question.scene.conditions.is_empty();
+        is_free && (0..2).any(|place| is_nought(place) && !is_said(Sphere::BOTH[place]))
+    }
+}
 
 /// What a letter may stand for by its name, as places in a list of both velocities, both the other way, e and both masses: a velocity after the impact either way, a
 /// mass, or e.

@@ -1,0 +1,62 @@
+//! Figures that come to the right number by chance: sums of masses, and of numbers that could be squares.
+
+use super::compare::{any_within, is_composite};
+use super::examine::Working;
+use super::line::Member;
+use super::points::sizes;
+use super::shapes::are_bare;
+use super::theirs::numbers;
+use crate::expr::Expr;
+use crate::mechanics::{Axis, Quantity, Sphere};
+
+impl Working<'_> {
+    /// Is it worked out from more than the masses? Their sum is nothing that a law gives.
+    pub(super) fn is_worked_out(&self, expr: &Expr) -> bool {
+        is_composite(expr) && !self.is_sum_of_masses(expr)
+    }
+
+    /// Is it called something? Figures before an equals sign are no name.
+    pub(super) fn is_called(&self, member: &Member) -> bool {
+        member.label.as_ref().is_some_and(|label| label.contains(char::is_alphabetic))
+    }
+
+    /// Is nothing in it but masses, added or taken off?
+    fn is_sum_of_masses(&self, expr: &Expr) -> bool {
+        let masses = Sphere::BOTH.map(|sphere| sizes(&self.prepared.known, Quantity::Mass(sphere)));
+        let masses: Vec<Vec<f64>> = masses.into_iter().flatten().collect();
+        let is_mass = |term: &Expr| !is_composite(term) && self.is_one_of(term, &masses);
+        matches!(expr, Expr::Sum(terms) if terms.iter().all(|term| match term {
+            Expr::Negative(taken) => is_mass(taken),
+            term => is_mass(term),
+        }))
+    }
+
+    /// Are two numbers components of a sphere? They could be anything: that along the line of centres must be right, or what a
+    /// line says of a letter.
+    pub(super) fn are_known_components(&self, across: &Expr, along: &Expr, sphere: Sphere) -> bool {
+        let is = |expr: &Expr, sizes: &[Vec<f64>]| {
+            self.is_one_of(expr, sizes) || self.is_near_one_of(expr, sizes) || self.rounds_one_of(expr, sizes)
+        };
+        let members = self.lines.iter().flat_map(|studied| self.members(studied));
+        let of_letters = members.filter(|(member, _)| member.letter.is_some() && !member.is_given);
+        let said = of_letters.filter_map(|(_, values)| numbers(values));
+        let known: Vec<Vec<f64>> = self.sizes_of(sphere, Axis::N).into_iter().chain(said).collect();
+        is(across, &self.sizes_of(sphere, Axis::T)) && is(along, &known)
+    }
+
+    /// Is there a sum of two squares that were worked out, both of them right: `√(4 + 3.7)`?
+    pub(super) fn has_sum_of_squares(&self, expr: &Expr, sphere: Sphere) -> bool {
+        any_within(expr, &|inner| {
+            matches!(inner, Expr::Sum(terms) if are_bare(terms)) && self.is_pythagoras(inner, Some(sphere))
+        })
+    }
+}
+
+/// Is it `6 - 4`? A component across the line of centres is no sum of numbers.
+pub(super) fn is_sum_of_figures(expr: &Expr) -> bool {
+    let is_figure = |term: &Expr| match term {
+        Expr::Negative(taken) => matches!(**taken, Expr::Number(_) | Expr::Decimal(_)),
+        term => matches!(term, Expr::Number(_) | Expr::Decimal(_)),
+    };
+    matches!(expr, Expr::Sum(terms) if terms.iter().all(is_figure))
+}
