@@ -266,7 +266,7 @@ impl Lexer<'_> {
         self.at > 0 && digit(self.glyphs.get(self.at - 1)) && digit(self.glyphs.get(self.at + 2))
     }
 
-    /// Is what stands straight before it made of letters of the question, and does one follow straight after it?
+    /// Is what stands straight before it made of letters of the question, and does one, or a function, follow straight after it?
     fn stands_between_letters(&self) -> bool {
         let is_one = |sign: char| self.letters.iter().any(|letter| base(letter).chars().eq([sign]));
         let before = match self.out.last() {
@@ -274,7 +274,10 @@ impl Lexer<'_> {
             _ => return false,
         };
         let is_made_of_letters = self.is_letter(before) || before.chars().all(is_one);
-        is_made_of_letters && self.sign(1).is_some_and(is_one)
+        let is_function =
+            |name: &str| self.glyphs[self.at + 1..].iter().map(|glyph| glyph.sign).take(3).eq(name.chars());
+        is_made_of_letters
+            && (self.sign(1).is_some_and(is_one) || ["sin", "cos", "tan"].iter().any(|name| is_function(name)))
     }
 
     /// Letters, and a subscript if there is one.
