@@ -29,6 +29,8 @@ pub(super) struct Offered {
     shows_e: bool,
     /// Does every term have the g of a weight?
     has_weights: bool,
+    /// Does a mass stand in it by its letter?
+    shows_mass: bool,
     /// Does it say nothing but that the two unknowns are equal?
     says_equal: bool,
 }
@@ -41,7 +43,9 @@ impl Offered {
         let (shows_approach, says_equal) = (shows_approach(equation, prepared), says_equal(equation, &linear[0]));
         let shows_e = [&equation.0, &equation.1].iter().any(|side| shows_e(side, prepared));
         let rough = roughly(equation, &linear, prepared);
-        Some(Offered { place, which, linear, rough, shows_approach, shows_e, says_equal, has_weights })
+        let mut names = [&equation.0, &equation.1].into_iter().flat_map(|side| side.names());
+        let shows_mass = names.any(|name| matches!(name.text.split('_').next(), Some("m" | "M")));
+        Some(Offered { place, which, linear, rough, shows_approach, shows_e, says_equal, has_weights, shows_mass })
     }
 
     /// The same equation with something eliminated.
@@ -65,7 +69,8 @@ impl Offered {
     }
 
     pub(super) fn found_as(&self, matched: Matched) -> Found {
-        Found { place: self.place, which: self.which, alone: None, matched }
+        let has_needless_mass = self.shows_mass && matched.equation == Quantity::RestitutionEquation;
+        Found { place: self.place, which: self.which, alone: None, matched, has_needless_mass }
     }
 
     /// What it may be in this convention: one of the laws as it stands, or each of them with the least change.
@@ -86,8 +91,9 @@ impl Offered {
         let another = laws.with_another_restitution(&self.linear, convention).filter(|_| self.shows_approach);
         // Two figures of a number are few, and show what it was.
         let rough = self.rough.iter().flat_map(|rough| laws.either(rough, convention, self.shows_e));
-        let rough = rough.filter(|one| one.departures.is_empty());
-        let rough = rough.map(|one| Matched::with(one.equation, Departure::Inaccurate));
+        let rough = rough.filter(|one| one.departures.is_empty() || one.departures == [Departure::Sign]);
+        let rough =
+            rough.map(|one| Matched { departures: [one.departures, vec![Departure::Inaccurate]].concat(), ..one });
         for other in another.into_iter().chain(rough) {
             let is_nearer = |one: &Matched| one.equation == other.equation && one.weight() <= other.weight();
             if !either.iter().any(is_nearer) {

@@ -11,7 +11,22 @@ pub(super) struct Found {
     /// Which of the equations it is, where that is one law alone; in some there is a bracket with the other.
     pub(super) alone: Option<usize>,
     pub(super) matched: Matched,
+    /// Is it restitution with a mass in it? Nobody puts one there.
+    pub(super) has_needless_mass: bool,
 }
+
+impl Found {
+    /// How unlikely it is to be meant.
+    fn weight(&self) -> u32 {
+        self.matched.weight() + if self.has_needless_mass { NEEDLESS } else { 0 }
+    }
+}
+
+/// What a mass in the law of restitution costs.
+const NEEDLESS: u32 = 3;
+
+/// What it costs if neither of the two laws is as it should be.
+const NONE_EXACT: u32 = 2;
 
 /// What a law costs of which there is no line: more than any line.
 const MISSING: u32 = 20;
@@ -28,8 +43,7 @@ pub(super) fn told_apart(found: Vec<Found>) -> Vec<Found> {
         is_chosen(place)
             || rivals().all(|(other, rival)| {
                 !is_chosen(other)
-                    && (is_again(one)
-                        || !is_again(rival) && (one.matched.weight(), place) <= (rival.matched.weight(), other))
+                    && (is_again(one) || !is_again(rival) && (one.weight(), place) <= (rival.weight(), other))
             })
     };
     found.iter().enumerate().filter(|(place, one)| keeps((*place, one))).map(|(_, one)| one.clone()).collect()
@@ -46,7 +60,7 @@ fn best(found: &[Found]) -> (u32, [Option<usize>; 2]) {
         let of_law = (0..found.len()).filter(move |place| found[*place].matched.equation == equation);
         std::iter::once(None).chain(of_law.map(Some))
     });
-    let cost = |place: Option<usize>| place.map_or(MISSING, |place| found[place].matched.weight());
+    let cost = |place: Option<usize>| place.map_or(MISSING, |place| found[place].weight());
     let both = momentum.flat_map(|one| restitution.clone().map(move |other| [one, other]));
     let are_two = |[one, other]: &[Option<usize>; 2]| match (one, other) {
         (Some(one), Some(other)) => {
@@ -58,7 +72,10 @@ fn best(found: &[Found]) -> (u32, [Option<usize>; 2]) {
         _ => true,
     };
     // Signs are to be consistent with the student's momentum: of two choices that cost the same, that which keeps it.
-    let total = |[one, other]: [Option<usize>; 2]| cost(one) + u32::from(cost(one) > 0) + cost(other);
+    let total = |[one, other]: [Option<usize>; 2]| {
+        let neither = if cost(one) > 0 && cost(other) > 0 { NONE_EXACT } else { 0 };
+        cost(one) + u32::from(cost(one) > 0) + cost(other) + neither
+    };
     both.filter(are_two)
         .map(|pair| (total(pair), pair))
         .min_by_key(|(total, _)| *total)
