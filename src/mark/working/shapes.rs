@@ -299,15 +299,22 @@ pub(super) fn components_in(expr: &Expr, in_tangent: bool) -> Vec<Expr> {
     let mut all = Vec::new();
     match expr {
         Expr::Quotient(above, below) if in_tangent => all.extend([(**above).clone(), (**below).clone()]),
+        // A number is a square only beside another: not in `4 - 2`.
         Expr::Sum(terms) if terms.len() == 2 && !are_bare(terms) => {
-            let both: Option<Vec<Expr>> = terms.iter().map(base_of_square).collect();
-            all.extend(both.into_iter().flatten());
+            let bases: Vec<Expr> = terms.iter().filter_map(base_of_square).collect();
+            let has_figure = terms.iter().any(|term| are_bare(std::slice::from_ref(term)));
+            all.extend(bases.into_iter().filter(|_| !has_figure || terms.iter().all(is_square)));
         }
         _ => all.extend(base_of_square(expr).filter(|_| matches!(expr, Expr::Power(..)))),
     }
     let in_tangent = matches!(expr, Expr::Call(Function::Atan, _));
     all.extend(expr.children().into_iter().flat_map(|child| components_in(child, in_tangent)));
     all
+}
+
+/// May it be a term of Pythagoras?
+fn is_square(term: &Expr) -> bool {
+    base_of_square(term).is_some()
 }
 
 /// Are they numbers as they stand?
