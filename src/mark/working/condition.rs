@@ -4,6 +4,7 @@ use super::compare::{comes_to, is_composite};
 use super::evidence::Evidence;
 use super::examine::Working;
 use super::points::sizes;
+use super::theirs::numbers;
 use crate::expr::{Expr, Relation};
 use crate::mark::key::KeyedMark;
 use crate::mark::reading::Form;
@@ -15,10 +16,11 @@ impl Working<'_> {
         if mark.code.is_accuracy() {
             return None;
         }
-        let line = self.lines.iter().position(|studied| {
+        let line = (0..self.lines.len()).find(|place| {
+            let studied = &self.lines[*place];
             let Some(reading) = &studied.reading else { return false };
             let statements = || reading.statements.iter().flat_map(|statement| &statement.said);
-            let is_inequality = || statements().any(|said| self.is_demanded(&said.form, mark));
+            let is_inequality = || statements().any(|said| self.is_demanded(&said.form, mark, *place));
             let mut worked = reading.equations.iter().filter(|(_, right)| !self.is_printed_value(right));
             let mut holds = || worked.any(|equation| self.holds_only_where_found(equation));
             !self.is_printed_result(studied) && studied.matched.is_empty() && (holds() || is_inequality())
@@ -51,7 +53,7 @@ impl Working<'_> {
 
     /// Is it the inequality of the scheme, or what that is for the student's own velocity, up to a positive factor? The
     /// letter alone on one side is what has been concluded from it.
-    fn is_demanded(&self, form: &Form, mark: &KeyedMark) -> bool {
+    fn is_demanded(&self, form: &Form, mark: &KeyedMark, place: usize) -> bool {
         let Form::Equation(Expr::Relation(left, relation, right)) = form else { return false };
         let is_sought = |expr: &Expr| {
             let is_one = |name: &str| self.question.scene.unknowns.iter().any(|letter| letter.name() == name);
@@ -65,21 +67,63 @@ impl Working<'_> {
             let Some(Expr::Relation(left, relation, right)) = &mark.equation else { return None };
             self.excess(left, *relation, right)
         };
-        let of_own = || {
-            let mut conditions = self.question.scene.conditions.iter();
-            let condition = conditions.next().filter(|condition| condition.is_inequality())?;
-            let at = |expr: &Expr, known: &Known<f64>| match expr {
-                Expr::Name(name) => known.number(name.text.parse::<Quantity>().ok()?),
-                Expr::Number(number) => Some(number.to_f64()),
-                _ => None,
-            };
-            let of = |known: &Known<f64>| {
-                oriented(at(&condition.left, known)? - at(&condition.right, known)?, condition.relation)
-            };
-            self.followed.iter().map(of).collect::<Option<Vec<f64>>>()
+        let is = |demanded: &Vec<f64>| self.is_positive_multiple(&stated, demanded);
+        of_scheme().as_ref().is_some_and(is) || self.demanded_of_own(place).iter().any(is)
+    }
+
+    /// By how much one side is to be the greater with the student's own velocities: those that follow from what was found, or
+    /// for one after a later impact what a line up to this one says of a letter. Two that point the same way may be compared
+    /// as speeds.
+    fn demanded_of_own(&self, place: usize) -> Vec<Vec<f64>> {
+        let mut conditions = self.question.scene.conditions.iter();
+        let Some(condition) = conditions.next().filter(|condition| condition.is_inequality()) else {
+            return Vec::new();
         };
-        let is = |demanded: Vec<f64>| self.is_positive_multiple(&stated, &demanded);
-        of_scheme().is_some_and(is) || of_own().is_some_and(is)
+        let sides = [&condition.left, &condition.right];
+        let quantity = |side: &Expr| match side {
+            Expr::Name(name) => name.text.parse::<Quantity>().ok(),
+            _ => None,
+        };
+        let at_points = |all: &[Known<f64>], side: &Expr| match side {
+            Expr::Number(number) => Some(vec![number.to_f64(); all.len()]),
+            other => sizes(all, quantity(other)?),
+        };
+        let both = |all: &[Known<f64>]| {
+            let [left, right] = sides.map(|side| at_points(all, side));
+            Some([left?, right?])
+        };
+        let (Some(right), Some(own)) = (both(&self.prepared.known), both(&self.followed)) else { return Vec::new() };
+        let mut pairs = vec![own.clone()];
+        if let Some(later) = sides.iter().position(|side| quantity(side).is_some_and(|quantity| quantity.impact() > 0))
+        {
+            pairs.extend(self.said_of_letters(place).into_iter().map(|said| {
+                let mut pair = own.clone();
+                pair[later] = said;
+                pair
+            }));
+        }
+        let sense =
+            right.iter().flatten().map(|size| size.signum()).reduce(|one, next| if one == next { one } else { 0.0 });
+        let excess = |[left, right]: &[Vec<f64>; 2]| -> Option<Vec<f64>> {
+            left.iter().zip(right).map(|(left, right)| oriented(left - right, condition.relation)).collect()
+        };
+        let as_speeds = |pair: &[Vec<f64>; 2]| {
+            let sense = sense.filter(|sense| *sense != 0.0)?;
+            Some(pair.clone().map(|sizes| sizes.into_iter().map(|size| sense * size.abs()).collect()))
+        };
+        let speeds: Vec<[Vec<f64>; 2]> = pairs.iter().filter_map(as_speeds).collect();
+        pairs.iter().chain(&speeds).filter_map(excess).collect()
+    }
+
+    /// What the lines up to one say of letters, in the letter that is sought: `x = 3/f`.
+    fn said_of_letters(&self, place: usize) -> Vec<Vec<f64>> {
+        let is_in_sought = |expr: &Expr| {
+            let sought = |name: &str| self.question.scene.unknowns.iter().any(|letter| letter.name() == name);
+            expr.names().into_iter().any(|name| sought(&name.text))
+        };
+        let members = self.lines[..=place].iter().flat_map(|studied| self.members(studied));
+        let said = members.filter(|(member, _)| member.letter.is_some() && is_in_sought(&member.expr));
+        said.filter_map(|(_, values)| numbers(values)).collect()
     }
 
     /// The line of an inequality of which one side comes to this by a formula: `4f > 2` has the speed after a wall.

@@ -3,8 +3,10 @@
 use super::compare::{any_within, comes_to};
 use super::evidence::Evidence;
 use super::examine::{Studied, Working, context};
+use super::line::Member;
 use super::linear::{Context, constant};
 use super::points::sizes;
+use crate::answer::Kind;
 use crate::bank::Code;
 use crate::expr::{Expr, Function};
 use crate::mechanics::{Axis, Law, Moment, Quantity, Shape, Sphere};
@@ -17,7 +19,9 @@ impl Working<'_> {
         }
         let has_form = |expr: &Expr| match shape {
             Shape::Pythagoras => any_within(expr, &|inner| self.is_pythagoras(inner, sphere)),
-            Shape::Tangent => any_within(expr, &|inner| self.is_tangent(inner, sphere)),
+            Shape::Tangent => {
+                any_within(expr, &|inner| self.is_tangent(inner, sphere) || self.is_cotangent(inner, sphere))
+            }
             Shape::DifferenceOfSquares => {
                 (is_energy_difference(expr) && self.has_both_spheres(expr)) || self.is_difference_of_totals(expr)
             }
@@ -28,7 +32,11 @@ impl Working<'_> {
             let members = studied.reading.as_ref().map(|reading| reading.members.as_slice()).unwrap_or_default();
             studied.matched.is_empty() && members.iter().any(|member| has_form(&member.expr))
         })?;
-        Some(Evidence::given(line, law.name()))
+        let mut found = Evidence::given(line, law.name());
+        if shape == Shape::Tangent && self.is_upside_down(line, sphere) {
+            (found.note, found.feedback) = (Some("inverted"), "condoned here: the ratio is upside down".to_owned());
+        }
+        Some(found)
     }
 
     /// The sizes that a component after the impact may have: the right one, the student's own, and across the line also
@@ -103,12 +111,22 @@ impl Working<'_> {
         sizes.iter().any(|right| right.iter().enumerate().all(at))
     }
 
-    /// `p/v` or `v/p`.
+    /// `p/v`.
     fn is_tangent(&self, expr: &Expr, sphere: Option<Sphere>) -> bool {
-        let Expr::Quotient(above, below) = expr else { return false };
-        self.are_components(above, below, sphere)
-            || (self.may_be_complement(Quantity::AngleToLine(Sphere::A, Moment::After))
-                && self.are_components(below, above, sphere))
+        matches!(expr, Expr::Quotient(above, below) if self.are_components(above, below, sphere))
+    }
+
+    /// `v/p`.
+    fn is_cotangent(&self, expr: &Expr, sphere: Option<Sphere>) -> bool {
+        matches!(expr, Expr::Quotient(above, below) if self.are_components(below, above, sphere))
+    }
+
+    /// Does a line call `v/p` a tangent, where the result says which angle it is of?
+    fn is_upside_down(&self, line: usize, sphere: Option<Sphere>) -> bool {
+        let is_tangent = |member: &&Member| member.label.as_ref().is_some_and(|label| label.trim().starts_with("tan"));
+        let mut members = self.lines[line].reading.iter().flat_map(|reading| &reading.members).filter(is_tangent);
+        self.part.blanks.iter().any(|blank| blank.model.kind == Kind::Shown)
+            && members.any(|member| any_within(&member.expr, &|inner| self.is_cotangent(inner, sphere)))
     }
 
     /// `m(v - u)` for one of the spheres: its own mass, and its own components along the line of centres.
