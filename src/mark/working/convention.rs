@@ -2,11 +2,11 @@
 
 use super::compare::any_within;
 use super::examine::{Studied, value};
-use super::offered::Offered;
+use super::offered::{Offered, differences};
 use super::pair::{Convention, Laws, Matched, conventions};
 use super::points::sizes;
 use super::prepared::Prepared;
-use super::substituted::{apart, impulse_in, without_impulse};
+use super::substituted::{apart, impulse_in, put_back, without_impulse};
 use super::theirs::numbers;
 use super::told_apart::{Found, told_apart, weight};
 use crate::expr::Expr;
@@ -125,6 +125,7 @@ fn substituted(
             (false, true) => (other, one),
             _ => continue,
         };
+        found.extend(multiplied_out((place, which, equation), [letter, other], lines, prepared));
         for [whole, bracket] in apart(equation, letter, other) {
             let is_stated =
                 lines.iter().flat_map(|studied| &studied.line.readings).flat_map(|reading| &reading.equations).any(
@@ -142,6 +143,42 @@ fn substituted(
         }
     }
     found
+}
+
+/// The ways to take an equation with one unknown for one in which what was said of the other has been multiplied out.
+fn multiplied_out(
+    (place, which, (left, right)): (usize, usize, &(Expr, Expr)),
+    [letter, other]: [&String; 2],
+    lines: &[Studied],
+    prepared: &Prepared,
+) -> Vec<Substituted> {
+    let terms = |side: &Expr| match side {
+        Expr::Sum(terms) => terms.clone(),
+        one => vec![one.clone()],
+    };
+    let all: Vec<Expr> = terms(left).into_iter().chain(terms(right).into_iter().map(Expr::negated)).collect();
+    let linear = |expr: &Expr| differences(&(expr.clone(), Expr::integer(0)), prepared);
+    let is_said = |(left, right): &&(Expr, Expr)| {
+        let is = |expr: &Expr, own: &str| matches!(expr, Expr::Name(name) if name.text == own);
+        let names = right.names();
+        is(left, other) && names.iter().any(|name| name.text == *letter) && names.iter().all(|name| name.text != *other)
+    };
+    let readings = lines[..=place].iter().flat_map(|studied| &studied.line.readings);
+    let said: Vec<&(Expr, Expr)> = readings.flat_map(|reading| &reading.equations).filter(is_said).take(2).collect();
+    if said.is_empty() || all.len() < 4 {
+        return Vec::new();
+    }
+    let Some(terms) = all.iter().map(linear).collect::<Option<Vec<_>>>() else { return Vec::new() };
+    let put = said.into_iter().flat_map(|said| {
+        let back = linear(&said.1).map(|said| put_back(&terms, &said, letter, other)).unwrap_or_default();
+        back.into_iter().filter_map(move |linear| {
+            let bracket = Offered::of(place, which, said, prepared)?;
+            let whole = bracket.with(linear);
+            let is_open = whole.is_of_velocities() && whole.linear[0].unknowns.len() == 2;
+            is_open.then_some(Substituted { whole, bracket, is_stated: true })
+        })
+    });
+    put.collect()
 }
 
 /// Are both unknowns positive against i, or against j, along which the line of centres lies?

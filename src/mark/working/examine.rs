@@ -2,6 +2,7 @@
 
 use super::angles;
 use super::convention::{shows_e, take_as_laws};
+use super::energies::ToBeSubtracted;
 use super::evidence::Evidence as Shown;
 use super::impacts::{set_aside_of_others, short_of_law};
 use super::line::{self, Line, ReadLine};
@@ -37,6 +38,8 @@ pub(crate) struct Examined {
     pub(super) solution: Option<[Vec<f64>; 2]>,
     /// Is e seen in them, where they were looked through?
     pub(super) has_e: Option<bool>,
+    /// Both energies, where only an answer may be their difference.
+    pub(super) to_be_subtracted: Option<ToBeSubtracted>,
     /// What each line is short of one of the two equations, if it is one.
     pub(super) short_of_law: Vec<Option<u32>>,
 }
@@ -142,6 +145,7 @@ pub(super) fn examine_one(
     let awards = part.scheme.iter().map(|mark| working.award(mark)).collect();
     let stated = part.blanks.iter().map(|blank| stated(&working.lines, blank)).collect();
     let solution = working.own_solution();
+    let to_be_subtracted = working.to_be_subtracted();
     let shows = |studied: &Studied| {
         studied.reading.iter().flat_map(|reading| &reading.members).any(|member| shows_e(&member.expr, prepared))
     };
@@ -153,7 +157,7 @@ pub(super) fn examine_one(
     });
     let lines = lines.collect();
     let (theirs, followed) = (working.theirs, Some(working.followed));
-    Examined { awards, lines, theirs, stated, followed, solution, has_e, short_of_law }
+    Examined { awards, lines, theirs, stated, followed, solution, has_e, to_be_subtracted, short_of_law }
 }
 
 /// What the last line states of a blank by a name in words, `speed of B = 8`; letters are known from the equations.
@@ -331,7 +335,7 @@ impl Working<'_> {
         let eliminates = |(place, studied): (usize, &Studied)| {
             let mut equations = studied.reading.iter().flat_map(|reading| &reading.equations);
             both.is_some_and(|both| place > both)
-                && studied.matched.is_empty()
+                && studied.matched.iter().all(|matched| !matched.is_method())
                 && equations.any(|equation| self.has_one_unknown(equation, convention))
         };
         let mut lines = self.lines.iter().enumerate();

@@ -111,7 +111,17 @@ impl Examined {
     /// Nothing found but this.
     fn with(awards: Vec<Option<Award>>, lines: Vec<MarkedLine>, before: &Theirs) -> Examined {
         let (theirs, stated, short_of_law) = (before.clone(), Vec::new(), Vec::new());
-        Examined { awards, lines, theirs, stated, followed: None, solution: None, has_e: None, short_of_law }
+        Examined {
+            awards,
+            lines,
+            theirs,
+            stated,
+            followed: None,
+            solution: None,
+            has_e: None,
+            to_be_subtracted: None,
+            short_of_law,
+        }
     }
 
     /// Without what was found of marks that are about another impact.
@@ -145,6 +155,7 @@ impl Examined {
             }
         }
         self.theirs = later.theirs;
+        self.to_be_subtracted = later.to_be_subtracted.or(self.to_be_subtracted.take());
         // Each impact has an e of its own.
         self.has_e = [self.has_e, later.has_e].into_iter().flatten().reduce(|one, other| one && other);
         (self.followed, self.solution) = (None, None);

@@ -3,6 +3,7 @@
 
 use std::borrow::Cow;
 
+use super::energies::ToBeSubtracted;
 use super::examine::{Examined, Value, Working, value};
 use super::linear::Linear;
 use super::offered::differences;
@@ -11,7 +12,7 @@ use super::points::sizes;
 use super::prepared::Prepared;
 use super::theirs::Theirs;
 use super::values::along_for;
-use crate::bank::{EarnedFor, Find};
+use crate::bank::{Code, EarnedFor, Find};
 use crate::expr::Expr;
 use crate::mark::award::{Award, Evidence, Examiner, Place};
 use crate::mark::key::{KeyedMark, KeyedPart, KeyedQuestion};
@@ -30,6 +31,7 @@ impl Examined {
         let is_open = |mark: &KeyedMark, award: &Option<Award>| {
             let law = match mark.earned_for {
                 EarnedFor::Law(law, _) if matches!(law.seen(), Seen::Unchanged | Seen::Unknown) => law,
+                EarnedFor::Law(law, _) if law.gives(Quantity::EnergyLost) => law,
                 _ => return None,
             };
             award.as_ref().is_none_or(|award| !award.given).then_some(law)
@@ -45,6 +47,10 @@ impl Examined {
             let mark = &part.scheme[place];
             let shown = match law.seen() {
                 Seen::Unchanged => unchanged(question, part, before, &said),
+                Seen::Value(..) => {
+                    let energies = self.to_be_subtracted.as_ref().filter(|own| own.allows(mark.code));
+                    energies.and_then(|own| subtracted(question.prepared(), part, own, &said))
+                }
                 _ => self.solution.as_ref().and_then(|solution| solved(question.prepared(), part, solution, &said)),
             };
             let Some(blank) = shown else { continue };
@@ -137,6 +143,27 @@ fn solved(
     };
     let finds: Vec<&Find> = part.blanks.iter().map(|blank| &blank.find).collect();
     finds.into_iter().zip(said).position(is)
+}
+
+impl ToBeSubtracted {
+    /// Does a mark of this code condone that an energy is the student's own?
+    fn allows(&self, code: Code) -> bool {
+        self.is_right || !code.is_accuracy() || code == Code::A1FollowThrough
+    }
+}
+
+/// A blank for the energy lost with the difference of the two energies that stand in the lines.
+fn subtracted(
+    prepared: &Prepared,
+    part: &KeyedPart,
+    energies: &ToBeSubtracted,
+    said: &[Option<(Expr, String)>],
+) -> Option<usize> {
+    part.blanks.iter().zip(said).position(|(blank, said)| {
+        let is_loss = blank.find.quantities().iter().any(|find| find.of_its_impact() == Quantity::EnergyLost);
+        let values = said.as_ref().filter(|_| is_loss).and_then(|(expr, _)| value(expr, prepared, &prepared.names));
+        values.is_some_and(|values| are_sizes(&values, &energies.difference))
+    })
 }
 
 /// Are they these numbers but for their signs, rounded perhaps on the way?

@@ -40,7 +40,7 @@ impl Linear {
         Linear { constant: value, unknowns: Vec::new(), size: value.low.abs().max(value.high.abs()) }
     }
 
-    fn unknown(name: &str) -> Linear {
+    pub(super) fn unknown(name: &str) -> Linear {
         let one = Spread::exactly(1.0);
         Linear { constant: Spread::exactly(0.0), unknowns: vec![(name.to_owned(), one)], size: 1.0 }
     }

@@ -14,6 +14,7 @@ mod condition;
 mod convention;
 mod departure;
 mod elastic;
+mod energies;
 mod evidence;
 mod examine;
 mod figures;

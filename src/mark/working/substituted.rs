@@ -1,9 +1,10 @@
 //! Equations in which what one unknown is has been put in its place, or an impulse has been eliminated.
 //!
 //! `8 = 4v + 3(v + 1.5)` is momentum with what restitution says of w: with w for the bracket it is `8 = 4v + 3w`, and the
-//! bracket says `w = v + 1.5`. `J = 2(w + 2)` and `-J = v - 3` are momentum, once for each sphere.
+//! bracket says `w = v + 1.5`. So is `8 = 4v + 3v + 4.5` where that has been said before. `J = 2(w + 2)` and `-J = v - 3` are momentum, once for each sphere.
 
 use super::linear::Linear;
+use super::spread::Spread;
 use crate::expr::Expr;
 
 /// The equations that are in one in which a bracket with one unknown stands for another: with the other in the place of
@@ -42,6 +43,32 @@ fn with_name(expr: &Expr, bracket: &Expr, name: &str) -> Expr {
         false => expr.map_children(&mut |child| with_name(child, bracket, name)),
     }
 }
+
+/// An equation in one unknown, brackets multiplied out, with the other put back for what was said of it, at every point:
+/// once for each term in the unknown that may have come of the bracket. `terms` are all on one side.
+pub(super) fn put_back(terms: &[Vec<Linear>], said: &[Linear], letter: &str, other: &str) -> Vec<Vec<Linear>> {
+    let is_of_letter =
+        |term: &&Vec<Linear>| term.iter().all(|at| !at.is_number() && at.constant == Spread::exactly(0.0));
+    let of_letter: Vec<&Vec<Linear>> = terms.iter().filter(is_of_letter).collect();
+    // Gathered up it could be anything's.
+    if of_letter.len() < 2 || terms.len() > MOST_TERMS {
+        return Vec::new();
+    }
+    let nothing = || Linear::number(Spread::exactly(0.0));
+    let whole = |point: usize| terms.iter().fold(nothing(), |sum, term| sum.plus(&term[point]));
+    let put = |term: &Vec<Linear>| {
+        let at = |(point, said): (usize, &Linear)| {
+            let times = term[point].before(letter).over(said.before(letter))?;
+            let back = Linear::unknown(other).times(times);
+            Some(whole(point).plus(&said.clone().times(-times)).plus(&back))
+        };
+        said.iter().enumerate().map(at).collect::<Option<Vec<Linear>>>()
+    };
+    of_letter.into_iter().filter_map(put).collect()
+}
+
+/// Nobody writes more terms into such an equation.
+const MOST_TERMS: usize = 8;
 
 /// Is it a letter for an impulse?
 pub(super) fn is_impulse(name: &str) -> bool {

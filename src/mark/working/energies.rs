@@ -1,0 +1,217 @@
+//! Kinetic energies known by the shape of their formula, and the slips that show in it.
+
+use super::compare::any_within;
+use super::evidence::Evidence;
+use super::examine::{Studied, Working};
+use super::points::sizes;
+use super::theirs::numbers;
+use crate::bank::Code;
+use crate::expr::Expr;
+use crate::mechanics::{Axis, Law, Moment, Quantity, Shape, Sphere};
+
+/// All the energy before an impact and all that after it, where no line takes one from the other.
+pub(crate) struct ToBeSubtracted {
+    /// Of what was made of them, at every point.
+    pub(super) difference: Vec<f64>,
+    /// Are both right, and not only what follows from the student's own values?
+    pub(super) is_right: bool,
+}
+
+impl Working<'_> {
+    /// All the energy before the impact less a number for that after it, in either order: the number may be a slip of the
+    /// calculator, and is not the energy of one sphere, nor of the motion along the line of centres alone.
+    pub(super) fn is_difference_of_totals(&self, expr: &Expr) -> bool {
+        let Expr::Sum(terms) = expr else { return false };
+        let (taken, counted): (Vec<&Expr>, Vec<&Expr>) =
+            terms.iter().partition(|term| matches!(term, Expr::Negative(_)));
+        let total = |terms: Vec<&Expr>| Expr::Sum(terms.into_iter().cloned().collect());
+        if taken.is_empty() || counted.is_empty() {
+            return false;
+        }
+        let before: Vec<Vec<f64>> =
+            sizes(&self.prepared.known, Quantity::TotalEnergy(Moment::Before)).into_iter().collect();
+        let partial = self.partial_energies();
+        let is_before = |expr: &Expr| self.is_one_of(expr, &before);
+        let is_after = |expr: &Expr| self.values_of(expr).is_some() && !self.is_one_of(expr, &partial);
+        let (taken, counted) = (total(taken), total(counted));
+        (is_before(&taken) && is_after(&counted)) || (is_before(&counted) && is_after(&taken))
+    }
+
+    /// A line with the square of a sum that no velocity is, where energies are looked for and none stands rightly.
+    pub(super) fn squared_wrongly(&self, law: Law, shape: Shape) -> Option<Evidence> {
+        if shape != Shape::DifferenceOfSquares {
+            return None;
+        }
+        let wrong = |studied: &Studied| {
+            let mut members = studied.reading.iter().flat_map(|reading| &reading.members);
+            members.find_map(|member| self.wrong_square(&member.expr))
+        };
+        let (line, tag) = self.lines.iter().enumerate().find_map(|(place, studied)| Some((place, wrong(studied)?)))?;
+        let is_right_elsewhere = self.by_shape(law, shape, None, Code::M1).is_some();
+        let slip = law.slips().iter().find(|slip| slip.tag == tag).filter(|_| !is_right_elsewhere)?;
+        let (note, feedback) = (Some(slip.tag), slip.sentence.to_owned());
+        Some(Evidence { given: false, note, feedback, ..Evidence::given(line, law.name()) })
+    }
+
+    /// `½m(v - u)²`, or `½m(3 - 1)²` for a velocity of 3i - j: which slip it is. The square of the speed of approach is no
+    /// slip, nor is that of anything that comes to a component or a speed.
+    fn wrong_square(&self, expr: &Expr) -> Option<&'static str> {
+        let mut bases = Vec::new();
+        collect_bases(expr, &mut bases);
+        let mut sums = bases.iter().filter(|base| matches!(base, Expr::Sum(terms) if terms.len() == 2)).peekable();
+        sums.peek()?;
+        let known = |quantity| sizes(&self.prepared.known, quantity).into_iter();
+        let own = |quantity| self.theirs.0.get(&quantity).map(|(values, _)| values.clone()).into_iter();
+        let either = |quantity| known(quantity).chain(own(quantity));
+        let components = |sphere, moment| -> Vec<Vec<f64>> {
+            let axes = [Axis::N, Axis::T, Axis::X, Axis::Y].into_iter();
+            axes.flat_map(|axis| either(Quantity::Velocity(sphere, moment, axis))).collect()
+        };
+        let moments = [Moment::Before, Moment::After];
+        let velocities = Sphere::BOTH.into_iter().flat_map(|sphere| moments.map(|moment| (sphere, moment)));
+        let velocities = velocities.flat_map(|(sphere, moment)| {
+            components(sphere, moment).into_iter().chain(either(Quantity::Speed(sphere, moment)))
+        });
+        let velocities: Vec<Vec<f64>> = velocities.collect();
+        if bases.iter().any(|base| self.is_approach(base)) {
+            return None;
+        }
+        sums.filter(|base| !self.is_one_of(base, &velocities)).find_map(|base| {
+            let Expr::Sum(terms) = base else { return None };
+            Sphere::BOTH.into_iter().find_map(|sphere| {
+                let of = |moment| components(sphere, moment);
+                let is = |term: &Expr, moment| self.is_one_of(term, &of(moment));
+                let [one, other] = [&terms[0], &terms[1]];
+                let is_change = |one: &Expr, other: &Expr| is(one, Moment::Before) && is(other, Moment::After);
+                match moments.into_iter().any(|moment| is(one, moment) && is(other, moment)) {
+                    true => Some("energy-components-added"),
+                    false => (is_change(one, other) || is_change(other, one)).then_some("energy-square-of-difference"),
+                }
+            })
+        })
+    }
+
+    fn is_approach(&self, base: &Expr) -> bool {
+        let along = |sphere| sizes(&self.prepared.known, Quantity::Velocity(sphere, Moment::Before, Axis::N));
+        let (Some(a), Some(b)) = (along(Sphere::A), along(Sphere::B)) else { return false };
+        self.is_one_of(base, &[a.iter().zip(b).map(|(a, b)| a - b).collect()])
+    }
+
+    /// All the energy before the impact and all that after it, each right on a line of its own, and then a loss: whatever
+    /// the calculator made of them.
+    pub(super) fn energies_apart(&self, law: Law, code: Code) -> Option<Evidence> {
+        let [before, after] = self.totals(law, code)?;
+        let speaks_of_loss = |studied: &Studied| {
+            let typed = studied.line.typed.to_lowercase();
+            ["los", "change", "before - after", "before − after"].iter().any(|word| typed.contains(word))
+        };
+        let last = before.max(after);
+        let line = self.lines.iter().skip(last + 1).position(|studied| {
+            let mut members = studied.reading.iter().flat_map(|reading| &reading.members);
+            let takes_off = |expr: &Expr| matches!(expr, Expr::Sum(terms) if terms.iter().any(|term| matches!(term, Expr::Negative(_))));
+            members.any(|member| takes_off(&member.expr)) || speaks_of_loss(studied)
+        })?;
+        Some(Evidence::given(last + 1 + line, law.name()))
+    }
+
+    /// The lines of all the energy before the impact and of all that after it, where the part asks for the loss.
+    fn totals(&self, law: Law, code: Code) -> Option<[usize; 2]> {
+        let mut asked = self.part.blanks.iter().flat_map(|blank| blank.find.quantities());
+        if !law.gives(Quantity::EnergyLost) || !asked.any(|find| find == Quantity::EnergyLost) {
+            return None;
+        }
+        let total = |known, moment| self.line_that_is(known, Quantity::TotalEnergy(moment));
+        let follows = !code.is_accuracy() || code == Code::A1FollowThrough;
+        let own = || if follows { total(&self.followed, Moment::After) } else { None };
+        let before = total(&self.prepared.known, Moment::Before)?;
+        let after = total(&self.prepared.known, Moment::After).or_else(own)?;
+        (before != after).then_some([before, after])
+    }
+
+    /// Both energies, of which the answer alone may be the difference.
+    pub(super) fn to_be_subtracted(&self) -> Option<ToBeSubtracted> {
+        let law = *Law::ALL.iter().find(|law| law.gives(Quantity::EnergyLost))?;
+        let totals = self.totals(law, Code::M1)?;
+        let worked_out = |place: usize| {
+            let (_, values) = self.members(&self.lines[place]).last()?;
+            numbers(values)
+        };
+        let [before, after] = totals.map(worked_out);
+        let difference = before?.iter().zip(after?).map(|(before, after)| before - after).collect();
+        Some(ToBeSubtracted { difference, is_right: self.totals(law, Code::A1).is_some() })
+    }
+
+    /// What students take for the energy after the impact and is part of it only.
+    fn partial_energies(&self) -> Vec<Vec<f64>> {
+        let mut all = Vec::new();
+        for known in [&self.prepared.known, &self.followed] {
+            let each = |sphere| sizes(known, Quantity::KineticEnergy(sphere, Moment::After));
+            let along = |sphere| {
+                let velocities = sizes(known, Quantity::Velocity(sphere, Moment::After, Axis::N))?;
+                let masses = sizes(known, Quantity::Mass(sphere))?;
+                Some(velocities.iter().zip(masses).map(|(v, mass)| mass * v * v / 2.0).collect::<Vec<f64>>())
+            };
+            // Where there is one sphere alone, its energy is all there is.
+            let both = Sphere::BOTH.map(each);
+            if let [Some(_), Some(_)] = both {
+                all.extend(both.into_iter().flatten());
+            }
+            let parts: Vec<Vec<f64>> = Sphere::BOTH.into_iter().filter_map(along).collect();
+            if let Some(first) = parts.first() {
+                let sum: Vec<f64> = (0..first.len()).map(|at| parts.iter().map(|part| part[at]).sum()).collect();
+                let is_all = sizes(known, Quantity::TotalEnergy(Moment::After))
+                    .is_some_and(|total| total.iter().zip(&sum).all(|(one, other)| (one - other).abs() < 1e-9 * one));
+                all.extend((!is_all).then_some(sum));
+            }
+        }
+        all.retain(|sizes| sizes.iter().any(|size| *size > 1e-9));
+        all
+    }
+
+    /// Are there squares of what each sphere that was moving had before the impact: its speed, its component along the
+    /// line of centres, or both components in i and j?
+    pub(super) fn has_both_spheres(&self, expr: &Expr) -> bool {
+        let is_squared = |quantity: Quantity| {
+            let Some(right) = sizes(&self.prepared.known, quantity) else { return false };
+            let is_nought = right.iter().all(|size| size.abs() < 1e-9);
+            let is_base = |inner: &Expr| match inner {
+                Expr::Power(base, exponent) if **exponent == Expr::integer(2) => {
+                    self.is_one_of(base, std::slice::from_ref(&right))
+                }
+                _ => false,
+            };
+            is_nought || any_within(expr, &is_base)
+        };
+        let component = |sphere, axis| is_squared(Quantity::Velocity(sphere, Moment::Before, axis));
+        Sphere::BOTH.into_iter().all(|sphere| {
+            let along = !self.is_in_vectors() && (component(sphere, Axis::N) || component(sphere, Axis::T));
+            let both = self.is_in_vectors() && component(sphere, Axis::X) && component(sphere, Axis::Y);
+            is_squared(Quantity::Speed(sphere, Moment::Before)) || along || both
+        })
+    }
+}
+
+/// A difference of kinetic energies: squares of velocities added and subtracted, none of them of a difference.
+pub(super) fn is_energy_difference(expr: &Expr) -> bool {
+    let mut signs = [0, 0];
+    count_squares(expr, false, &mut signs);
+    signs[0] >= 1 && signs[1] >= 1 && signs[0] + signs[1] >= 4
+}
+
+/// Of everything that is squared in a formula.
+fn collect_bases<'e>(expr: &'e Expr, bases: &mut Vec<&'e Expr>) {
+    if let Expr::Power(base, exponent) = expr
+        && **exponent == Expr::integer(2)
+    {
+        bases.push(base);
+    }
+    expr.children().into_iter().for_each(|child| collect_bases(child, bases));
+}
+
+fn count_squares(expr: &Expr, negative: bool, signs: &mut [usize; 2]) {
+    match expr {
+        Expr::Power(_, exponent) if **exponent == Expr::integer(2) => signs[usize::from(negative)] += 1,
+        Expr::Negative(inner) => count_squares(inner, !negative, signs),
+        _ => expr.children().into_iter().for_each(|child| count_squares(child, negative, signs)),
+    }
+}
