@@ -2,10 +2,11 @@
 
 use super::answers::is_shown;
 use super::follow::Followed;
+use crate::answer::Kind;
 use crate::bank::{Code, EarnedFor, Find};
 use crate::mark::award::{Award, Evidence, Examiner, MarkedAnswer, Place};
 use crate::mark::judging::{Note, Verdict};
-use crate::mark::key::{KeyedMark, KeyedPart};
+use crate::mark::key::{KeyedBlank, KeyedMark, KeyedPart};
 use crate::mark::profile::{Charge, Profile};
 use crate::mechanics::{Quantity, Seen};
 
@@ -28,11 +29,13 @@ pub(super) struct Findings<'a> {
     pub(super) followed: &'a [Option<Followed>],
     /// For each mark: does the working state another value than the one that it is for?
     pub(super) contradicted: Vec<bool>,
+    /// Does it state any value that is right?
+    pub(super) has_right_value: bool,
 }
 
 /// The awards of a part, in the order of the scheme, each as if it stood alone: [`settled`] sets them side by side.
 pub(super) fn awards(part: &KeyedPart, found: Findings, profile: &Profile, charged: &mut Charged) -> Vec<Award> {
-    let Findings { needed, answers, by_working, followed, contradicted } = found;
+    let Findings { needed, answers, by_working, followed, contradicted, has_right_value } = found;
     let worth: Vec<Worth> = answers.iter().map(|answer| Worth::of(answer, profile, charged)).collect();
     let mut awards: Vec<Award> = Vec::new();
     for (((mark, by_working), needed), contradicted) in part.scheme.iter().zip(by_working).zip(needed).zip(contradicted)
@@ -57,7 +60,7 @@ pub(super) fn awards(part: &KeyedPart, found: Findings, profile: &Profile, charg
         awards.push(award);
     }
     imply_needed(&part.scheme, &mut awards);
-    withhold_from_wrong_method(part, needed, &mut awards);
+    withhold_from_wrong_method(part, needed, has_right_value, &mut awards);
     withhold_for_direction(part, answers, &mut awards);
     awards
 }
@@ -80,15 +83,20 @@ fn withhold_for_direction(part: &KeyedPart, answers: &[MarkedAnswer], awards: &m
     }
 }
 
-/// A value that is right after a method that it needs is plainly wrong has not come from it.
-fn withhold_from_wrong_method(part: &KeyedPart, needed: &[Vec<bool>], awards: &mut [Award]) {
-    let is_wrong =
-        |place: &usize| part.scheme[*place].code.is_method() && !awards[*place].given && contradicts(&awards[*place]);
+/// A value that is right after a method that it needs is plainly wrong has not come from it. Nor has a letter that was to be
+/// found, if an equation is wrong but for its method and no line after it is right: some slips lead to the same letter.
+fn withhold_from_wrong_method(part: &KeyedPart, needed: &[Vec<bool>], has_right_value: bool, awards: &mut [Award]) {
+    let is_wrong = |place: &usize| !awards[*place].given && contradicts(&awards[*place]);
     let wrong: Vec<usize> = (0..awards.len()).filter(is_wrong).collect();
     for (place, mark) in part.scheme.iter().enumerate() {
         let Some(blank) = own_blank(mark, part) else { continue };
         let by_answer = matches!(&awards[place].evidence, Some(Evidence { place: Place::Answer(_), .. }));
-        let missing = wrong.iter().find(|wrong| needed[**wrong][blank] && part.scheme[**wrong].blanks.contains(&blank));
+        let KeyedBlank { find, model, .. } = &part.blanks[blank];
+        let is_to_be_found = matches!(find, Find::Unknown(_)) || model.kind == Kind::Range;
+        let is_by_luck = is_to_be_found && !has_right_value;
+        let counts = |wrong: &usize| part.scheme[*wrong].code.is_method() || is_by_luck;
+        let is_before = |wrong: &usize| needed[*wrong][blank] && part.scheme[*wrong].blanks.contains(&blank);
+        let missing = wrong.iter().find(|wrong| counts(wrong) && is_before(wrong));
         if let Some(missing) = missing
             && awards[place].given
             && by_answer

@@ -115,7 +115,16 @@ fn looked_through(
         let by_working = std::mem::take(&mut examined.awards);
         let needed = question.needed(part);
         let contradicted = contradicted(question, part, &theirs, &examined.theirs);
-        let found = decide::Findings { needed, answers: &answers, by_working, followed: &followed, contradicted };
+        let wrong = examined.theirs.wrong(question).count();
+        let has_right_value = examined.theirs.0.len() > wrong;
+        let found = decide::Findings {
+            needed,
+            answers: &answers,
+            by_working,
+            followed: &followed,
+            contradicted,
+            has_right_value,
+        };
         let found = decide::awards(part, found, profile, &mut charged);
         let awards = decide::settled(part, &answers, &found);
         let all_right = awards.iter().all(|award| award.given);
