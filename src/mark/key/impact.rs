@@ -66,6 +66,7 @@ impl KeyedQuestion {
             angles: self.angles.clone(),
             prepared: Default::default(),
             mistakes: Default::default(),
+            mistakes_where_found: Default::default(),
             needed: Default::default(),
             later: Default::default(),
         })

@@ -23,6 +23,7 @@ use crate::expr::{Angles, Expr, degrees, read};
 use crate::mechanics::{Derivation, Known, Meeting, Quantity, Scene, SceneText, Setting, VelocityText, pose};
 use crate::number::{Letter, Value};
 use crate::paper::KeyQuestion;
+use crate::solve::solve;
 
 /// A key, read and checked.
 #[derive(Clone, Debug)]
@@ -71,6 +72,7 @@ pub struct KeyedQuestion {
     angles: Vec<(String, f64)>,
     prepared: OnceLock<Prepared>,
     mistakes: OnceLock<Mistakes>,
+    mistakes_where_found: OnceLock<Option<Mistakes>>,
     needed: OnceLock<Vec<Vec<Vec<bool>>>>,
     /// Its later impacts, each by itself.
     later: OnceLock<Vec<Option<KeyedQuestion>>>,
@@ -242,7 +244,7 @@ impl KeyedQuestion {
         let (id, number, mirrors) = (question.id.clone(), question.number, question.mirrors.clone());
         let (decimals, angles) = (decimals(question), angles(question));
         let given_letters = given_letters(question, &letters);
-        let (prepared, mistakes, needed, later) = Default::default();
+        let (prepared, mistakes, mistakes_where_found, needed, later) = Default::default();
         Ok(KeyedQuestion {
             id,
             number,
@@ -256,6 +258,7 @@ impl KeyedQuestion {
             angles,
             prepared,
             mistakes,
+            mistakes_where_found,
             needed,
             later,
         })
@@ -298,11 +301,23 @@ impl KeyedQuestion {
 
     /// What slips lead to, worked out when an answer is first wrong.
     pub(super) fn mistakes(&self) -> &Mistakes {
-        self.mistakes.get_or_init(|| {
-            let blanks = self.parts.iter().flat_map(|part| &part.blanks);
-            let answers = blanks.map(|blank| blank.find.quantities()).filter(|answer| !answer.is_empty());
-            Mistakes::of(&self.given, &answers.collect::<Vec<_>>(), &self.letters)
-        })
+        self.mistakes.get_or_init(|| self.mistakes_from(&self.given))
+    }
+
+    /// The same with the letters that were to be found as they were found: who has found e goes on with a number.
+    pub(super) fn mistakes_where_found(&self) -> Option<&Mistakes> {
+        let found = || {
+            let solution = Some(&self.scene).filter(|scene| !scene.unknowns.is_empty());
+            let solution = solution.and_then(|scene| solve(scene, &[]).ok()).filter(|own| !own.found().is_empty())?;
+            Some(self.mistakes_from(&pose(solution.scene()).ok()?))
+        };
+        self.mistakes_where_found.get_or_init(found).as_ref()
+    }
+
+    fn mistakes_from(&self, given: &Known<Value>) -> Mistakes {
+        let blanks = self.parts.iter().flat_map(|part| &part.blanks);
+        let answers = blanks.map(|blank| blank.find.quantities()).filter(|answer| !answer.is_empty());
+        Mistakes::of(given, &answers.collect::<Vec<_>>(), &self.letters)
     }
 }
 

@@ -10,7 +10,7 @@ use crate::mark::award::{Cause, MarkedAnswer};
 use crate::mark::judging::{Note, Verdict};
 use crate::mark::key::{KeyedBlank, KeyedPart, KeyedQuestion};
 use crate::mark::reading::{Reading, Said};
-use crate::mark::slips::{self, EARLY_ROUNDING, early_rounding};
+use crate::mark::slips::{self, EARLY_ROUNDING, Mistakes, early_rounding};
 use crate::mark::working::Examined;
 
 /// The most mistakes that are listed for one answer.
@@ -94,8 +94,12 @@ fn behind(
     let rounded = rounded(question, &blank.find, readings, examined);
     let mut found: Vec<Found> =
         rounded.into_iter().map(|cause| Found { cause, is_of_law: false, explains: true }).collect();
-    let each = readings.iter().filter_map(last_said).map(|said| question.mistakes().causes(&asked, said));
-    let causes = each.into_iter().find(|found| !found.is_empty()).unwrap_or_default();
+    let causes_in = |mistakes: &Mistakes| {
+        let mut each = readings.iter().filter_map(last_said).map(|said| mistakes.causes(&asked, said));
+        each.find(|found| !found.is_empty())
+    };
+    let causes = question.mistakes_where_found().and_then(causes_in).or_else(|| causes_in(question.mistakes()));
+    let causes = causes.unwrap_or_default();
     let mut fitting: Vec<&slips::Cause> = causes.iter().filter(|cause| by_lines.allows(cause)).collect();
     if fitting.iter().any(|cause| by_lines.is_of_last_step(cause)) {
         fitting.retain(|cause| by_lines.is_of_last_step(cause));

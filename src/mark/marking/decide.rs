@@ -50,7 +50,10 @@ pub(super) fn awards(part: &KeyedPart, found: Findings, profile: &Profile, charg
             .filter(|award| award.note != Some("implied") || !contradicted);
         let award = match (by_answers, by_working) {
             // What the working shows is better evidence than what an answer implies.
-            (Some(implied), Some(shown)) if implied.note == Some("implied") && (shown.given || contradicts(&shown)) => {
+            (Some(implied), Some(shown))
+                if implied.note == Some("implied")
+                    && (shown.given || contradicts(&shown) || lacks_letter(&shown, &implied, part)) =>
+            {
                 shown
             }
             (Some(award), _) => award,
@@ -125,6 +128,15 @@ fn contradicts(shown: &Award) -> bool {
         "energy-components-added",
     ];
     shown.note.is_some_and(|note| wrong.contains(&note))
+}
+
+/// Is a letter left out of a step, and put back in the answer that would imply it? From an answer without letters it cancels.
+fn lacks_letter(shown: &Award, implied: &Award, part: &KeyedPart) -> bool {
+    let is_in_letters = |evidence: &Evidence| match evidence.place {
+        Place::Answer(blank) => part.blanks[blank].model.kind == Kind::Expression,
+        Place::Line(_) => false,
+    };
+    shown.note == Some(Note::LetterMissing.tag()) && implied.evidence.as_ref().is_some_and(is_in_letters)
 }
 
 /// A right answer implies whatever its own mark depends on, where nothing else was seen of it.

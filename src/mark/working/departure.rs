@@ -6,6 +6,7 @@ pub(super) enum Departure {
     Sign,
     SineForCosine,
     Inaccurate,
+    LetterMissing,
     AnotherRestitution,
     Unresolved,
     TermMissing,
@@ -21,8 +22,11 @@ pub(super) enum Departure {
 impl Departure {
     /// What a method mark condones.
     pub(super) fn is_condoned(self) -> bool {
-        use Departure::{AnotherRestitution, Inaccurate, Sign, SineForCosine, WeightsForMasses};
-        matches!(self, Sign | SineForCosine | Inaccurate | AnotherRestitution | WeightsForMasses)
+        use Departure::{AnotherRestitution, Inaccurate, LetterMissing, Sign, SineForCosine, WeightsForMasses};
+        matches!(
+            self,
+            Sign | SineForCosine | Inaccurate | LetterMissing | AnotherRestitution | WeightsForMasses
+        )
     }
 
     pub(super) fn tag(self) -> &'static str {
@@ -30,6 +34,7 @@ impl Departure {
             Departure::Sign => "sign-error",
             Departure::SineForCosine => "sincos-swap",
             Departure::Inaccurate => "inaccurate",
+            Departure::LetterMissing => "letter-missing",
             Departure::AnotherRestitution => "e-misread",
             Departure::Unresolved => "not-resolved",
             Departure::TermMissing => "term-missing",
@@ -51,6 +56,7 @@ impl Departure {
                 "sine and cosine are exchanged: along the line of centres the component is u cos"
             }
             Departure::Inaccurate => "a number is not accurate enough",
+            Departure::LetterMissing => "a letter of the question is left out of every term",
             Departure::AnotherRestitution => "e is not the one that is given",
             Departure::Unresolved => "a speed is not resolved along the line of centres",
             Departure::TermMissing => "a term is missing",
@@ -87,6 +93,7 @@ mod tests {
             Sign,
             SineForCosine,
             Inaccurate,
+            LetterMissing,
             AnotherRestitution,
             Unresolved,
             TermMissing,

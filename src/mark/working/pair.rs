@@ -71,6 +71,8 @@ pub(super) struct Laws {
     after: Option<Vec<[f64; 2]>>,
     /// Is something given of it?
     is_after_given: bool,
+    /// What each letter of the speeds that are given stands for at every point.
+    pub(super) speeds: Vec<Vec<f64>>,
     /// The numbers `p`, `q` that some changed law has at every point, each once: few, and most lines have others.
     unknowns: Vec<Vec<[f64; 2]>>,
     changed: Vec<Changed>,
@@ -88,7 +90,12 @@ struct Changed {
 
 impl Laws {
     /// The laws of a question from what is known at every point; `None` where its masses or velocities are not given.
-    pub(super) fn of(given: &Known<f64>, at_points: &[Known<f64>], in_components: bool) -> Option<Laws> {
+    pub(super) fn of(
+        given: &Known<f64>,
+        at_points: &[Known<f64>],
+        in_components: bool,
+        speeds: Vec<Vec<f64>>,
+    ) -> Option<Laws> {
         let inputs = (0..at_points.len()).map(|point| {
             let known = std::slice::from_ref(&at_points[point]);
             let at = |quantity| sizes(known, quantity).map(|sizes| sizes[0]);
@@ -113,7 +120,7 @@ impl Laws {
             matches!(quantity, Quantity::Velocity(_, Moment::After, _) | Quantity::Speed(_, Moment::After))
         };
         let is_after_given = given.0.keys().any(is_after);
-        let mut laws = Laws { inputs, after, is_after_given, unknowns: Vec::new(), changed: Vec::new() };
+        let mut laws = Laws { inputs, speeds, after, is_after_given, unknowns: Vec::new(), changed: Vec::new() };
         for (change, how) in changes().iter().enumerate() {
             let numbers: Option<Vec<[f64; 3]>> = laws.inputs.iter().map(|at| how.numbers(at)).collect();
             let Some(numbers) = numbers else { continue };
@@ -132,6 +139,34 @@ impl Laws {
     ///
     /// The line is its left minus its right side at every point. Where e is seen to stand in it, it was not left out.
     pub(super) fn either(&self, line: &[Linear], convention: &Convention, shows_e: bool) -> Vec<Matched> {
+        let as_it_stands = self.as_it_stands(line, convention, shows_e);
+        if !as_it_stands.is_empty() {
+            return as_it_stands;
+        }
+        let without = |letter: &Vec<f64>| self.without_letter(line, convention, shows_e, letter);
+        self.speeds.iter().map(without).find(|found| !found.is_empty()).unwrap_or_default()
+    }
+
+    /// The laws in which a letter of the speeds is left out of every term, and that a method mark condones otherwise.
+    fn without_letter(
+        &self,
+        line: &[Linear],
+        convention: &Convention,
+        shows_e: bool,
+        letter: &[f64],
+    ) -> Vec<Matched> {
+        let put = |(linear, letter): (&Linear, &f64)| {
+            let constant = linear.constant.times(*letter);
+            Linear { constant, size: linear.size * letter.max(1.0), ..linear.clone() }
+        };
+        let whole: Vec<Linear> = line.iter().zip(letter).map(put).collect();
+        let mut found = self.as_it_stands(&whole, convention, shows_e);
+        found.retain(|one| one.is_method() && !one.departures.contains(&Departure::AnotherRestitution));
+        found.iter_mut().for_each(|one| one.departures.insert(0, Departure::LetterMissing));
+        found
+    }
+
+    fn as_it_stands(&self, line: &[Linear], convention: &Convention, shows_e: bool) -> Vec<Matched> {
         let others = |line: &Linear| line.unknowns.iter().any(|(name, _)| !convention.letters.contains(name));
         if line.iter().any(others) {
             return Vec::new();

@@ -7,7 +7,7 @@ use crate::bank::{EarnedFor, Find};
 use crate::mechanics::{
     Axis, Datum, Derivation, Known, Meeting, Moment, Quantity, Rule, Scene, Setting, Sphere, Velocity,
 };
-use crate::number::{Letter, Places, Value, round};
+use crate::number::{Letter, Places, Range, Value, round};
 use crate::solve::solve;
 
 /// A question made ready for the working of its students.
@@ -73,7 +73,15 @@ impl Prepared {
             Velocity::Components(x, y) => x.value.is_constant() && y.value.is_constant(),
             Velocity::Polar { .. } => false,
         });
-        let laws = Laws::of(&given[0], &known, in_components);
+        let letters_of_speeds = scene.before.iter().flatten().flat_map(|velocity| match velocity {
+            Velocity::Components(x, y) => [x.value.letters(), y.value.letters()].concat(),
+            Velocity::Polar { speed, .. } => speed.value.letters(),
+        });
+        let mut speeds: Vec<Letter> = letters_of_speeds.filter(|letter| letter.range() == Range::Positive).collect();
+        speeds.sort();
+        speeds.dedup();
+        let at_points = |letter: &Letter| (0..points.count).map(|at| points.letter(letter.name(), at)).collect();
+        let laws = Laws::of(&given[0], &known, in_components, speeds.iter().filter_map(at_points).collect());
         Prepared {
             setting: scene.setting,
             points,

@@ -41,7 +41,7 @@ impl Working<'_> {
     }
 
     /// The sizes that a component after the impact may have: the right one, the student's own, and across the line also
-    /// what the exchange of sine and cosine makes of it, and e.
+    /// what the exchange of sine and cosine makes of it, and e, and what a letter leaves of it that is left out.
     pub(super) fn sizes_of(&self, sphere: Sphere, axis: Axis) -> Vec<Vec<f64>> {
         let mut all = Vec::new();
         let quantity = Quantity::Velocity(sphere, Moment::After, axis);
@@ -53,6 +53,11 @@ impl Working<'_> {
             let e = sizes(&self.prepared.known, Quantity::Restitution);
             let product = |(across, e): (Vec<f64>, Vec<f64>)| across.iter().zip(e).map(|(one, e)| one * e).collect();
             all.extend(sizes(&self.prepared.known, quantity).zip(e).map(product));
+            let letters = self.prepared.laws.iter().flat_map(|laws| &laws.speeds);
+            let across = sizes(&self.prepared.known, quantity);
+            let without =
+                |letter: &Vec<f64>| Some(across.as_ref()?.iter().zip(letter).map(|(one, of)| one / of).collect());
+            all.extend(letters.filter_map(without));
         }
         all
     }

@@ -47,11 +47,12 @@ const ACCURACY: [(&str, &str); 8] = [
 ];
 
 /// What lines of working show and answers do not.
-const OF_WORKING: [(&str, &str); 4] = [
+const OF_WORKING: [(&str, &str); 5] = [
     ("sign-error", "wrote a wrong sign in an equation"),
     ("e-misread", "took another e than the one that is given"),
     ("weights-for-masses", "took weights for the masses"),
     ("term-missing", "left a term out of an equation"),
+    ("letter-missing", "left out a letter of the question"),
 ];
 
 /// Slips, and what was lost for figures, those of the most students first.
