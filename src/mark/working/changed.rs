@@ -24,11 +24,18 @@ pub(super) fn changes() -> &'static [Change] {
 
 fn changes_of(equation: Quantity, tolerance: f64, found: &mut Vec<Change>) {
     let nothing: &[Departure] = &[];
-    let masses: &[([usize; 2], &[Departure])] = match equation {
-        Quantity::MomentumEquation => {
-            &[([0, 1], &[]), ([1, 0], &[Departure::MassesExchanged]), ([2, 2], &[Departure::MassesOmitted])]
-        }
-        _ => &[([2, 2], &[])],
+    // Of A and of B before the impact, and then after it.
+    let masses: &[([usize; 4], &[Departure])] = match equation {
+        Quantity::MomentumEquation => &[
+            ([0, 1, 0, 1], &[]),
+            ([1, 0, 1, 0], &[Departure::MassesExchanged]),
+            ([2, 2, 2, 2], &[Departure::MassesOmitted]),
+            ([2, 1, 0, 1], &[Departure::MassMissing]),
+            ([0, 2, 0, 1], &[Departure::MassMissing]),
+            ([0, 1, 2, 1], &[Departure::MassMissing]),
+            ([0, 1, 0, 2], &[Departure::MassMissing]),
+        ],
+        _ => &[([2, 2, 2, 2], &[])],
     };
     let factors: &[(Factor, &[Departure])] = match equation {
         Quantity::MomentumEquation => &[(Factor::One, nothing)],
@@ -50,7 +57,8 @@ fn changes_of(equation: Quantity, tolerance: f64, found: &mut Vec<Change>) {
                         departures.sort();
                         departures.dedup();
                         // Three different mistakes in one line could make anything of it.
-                        if departures.len() <= 2 {
+                        let is_all = !departures.contains(&Departure::MassMissing) || departures.len() == 1;
+                        if departures.len() <= 2 && is_all {
                             let before = [(a.0, a.1), (b.0, b.1)];
                             let (masses, factor, after) = (*masses, *factor, after.0);
                             found.push(Change { equation, before, masses, factor, after, tolerance, departures });
@@ -77,7 +85,7 @@ enum Factor {
 pub(super) struct Change {
     pub(super) equation: Quantity,
     before: [(Term, f64); 2],
-    masses: [usize; 2],
+    masses: [usize; 4],
     factor: Factor,
     after: [f64; 2],
     /// How far numbers may be off, in parts of themselves.
@@ -110,7 +118,7 @@ impl Change {
         let (a, b) = (self.component(at, 0)?, self.component(at, 1)?);
         let mass = |place: usize| at.masses.get(self.masses[place]).copied().unwrap_or(1.0);
         let (p, q, r) = match self.equation {
-            Quantity::MomentumEquation => (mass(0), mass(1), mass(0) * a + mass(1) * b),
+            Quantity::MomentumEquation => (mass(2), mass(3), mass(0) * a + mass(1) * b),
             _ => {
                 let factor = match self.factor {
                     Factor::One => 1.0,

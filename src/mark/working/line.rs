@@ -223,10 +223,11 @@ fn candidates(typed: &str) -> Vec<(Option<&str>, String)> {
     let typed = without_remark(typed.trim_end_matches(['=', ' ']));
     // A bullet stands apart; a minus sign does not.
     let typed = ["- ", "* "].iter().find_map(|bullet| typed.strip_prefix(bullet)).unwrap_or(typed).trim();
-    let typed = LEAD_INS.iter().find_map(|word| typed.strip_prefix(word)?.strip_prefix(' ')).unwrap_or(typed).trim();
+    let typed = without_lead_in(typed);
     // `3 × −2` and `4·3` are written with signs that words do not have.
     let mut all: Vec<(Option<&str>, String)> = Vec::new();
     all.extend(turned_round(typed).map(|turned| (None, turned)));
+    all.extend(after_remark(typed).map(|formula| (None, formula.to_owned())));
     all.push((None, typed.to_owned()));
     if let Some((before, after)) = typed.split_once(':')
         && after.contains('=')
@@ -249,9 +250,22 @@ fn candidates(typed: &str) -> Vec<(Option<&str>, String)> {
     if let Some((last, _)) = last
         && last + 1 < words.len()
     {
-        all.push((None, words[last + 1..].join(" ")));
+        all.push((None, without_lead_in(&words[last + 1..].join(" ")).to_owned()));
     }
     all
+}
+
+/// What follows from a remark in words: `right angle so tan θ = …`.
+fn after_remark(typed: &str) -> Option<&str> {
+    let (remark, formula) = [" so ", " hence ", " therefore "].iter().find_map(|word| typed.split_once(word))?;
+    let is_in_words = remark.chars().all(|sign| sign.is_alphabetic() || " ,".contains(sign))
+        && remark.split_whitespace().any(|word| word.len() > 3 && !is_formula(word));
+    (is_in_words && formula.contains('=')).then(|| formula.trim())
+}
+
+/// Without the word with which a sentence goes on.
+fn without_lead_in(typed: &str) -> &str {
+    LEAD_INS.iter().find_map(|word| typed.strip_prefix(word)?.strip_prefix(' ')).unwrap_or(typed).trim()
 }
 
 /// `x = -(5)` for `-x = 5`.

@@ -52,6 +52,7 @@ const OF_WORKING: [(&str, &str); 5] = [
     ("e-misread", "took another e than the one that is given"),
     ("weights-for-masses", "took weights for the masses"),
     ("term-missing", "left a term out of an equation"),
+    ("mass-missing", "left a mass out of one term"),
     ("letter-missing", "left out a letter of the question"),
 ];
 
