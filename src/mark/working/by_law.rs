@@ -62,6 +62,7 @@ impl Working<'_> {
                 let found = self.by_value(law, &quantities, code).or_else(|| self.by_shape(law, shape, sphere, code));
                 let found = found.or_else(|| if code.is_accuracy() { None } else { self.fraction_of_energies(law) });
                 let found = found.or_else(|| self.energies_apart(law, code));
+                let found = found.or_else(|| self.without_a_letter(law, &quantities, code));
                 found.or_else(|| self.compound_angle(law).filter(|_| code == Code::M1 && is_of_deflection))
             }
             Seen::AlongLine | Seen::Unknown => None,
@@ -260,7 +261,11 @@ impl Working<'_> {
     fn unchanged(&self) -> Option<Evidence> {
         let across = self.across();
         let seen = |(sphere, right): &(Sphere, Vec<f64>)| {
-            self.lines.iter().position(|studied| self.shows_component(studied, *sphere, right))
+            let is_oblique = self.prepared.setting == Setting::Oblique;
+            let shows = |studied: &Studied| {
+                self.shows_component(studied, *sphere, right) || is_oblique && self.lists_components(studied, &across)
+            };
+            self.lines.iter().position(shows)
         };
         let places: Option<Vec<usize>> = across.iter().map(seen).collect();
         let last = places?.into_iter().max()?;

@@ -1,5 +1,38 @@
 //! What the words of a line say of a component: that it is along the line of centres, or across it.
 
+use super::examine::{Studied, Working};
+use crate::mechanics::Sphere;
+
+impl Working<'_> {
+    /// Does a line only list the components across the line of centres, of A and then of B, and say that they are:
+    /// `j components stay -3 and -2`?
+    pub(super) fn lists_components(&self, studied: &Studied, across: &[(Sphere, Vec<f64>)]) -> bool {
+        let typed = &studied.line.typed;
+        let Some(listed) = numbers_listed(typed).filter(|listed| listed.len() == across.len()) else { return false };
+        // Along i or j a component has its sign.
+        let is = |own: f64, right: f64| match self.prepared.in_components {
+            true => (own - right).abs() < 1e-9,
+            false => (own.abs() - right.abs()).abs() < 1e-9,
+        };
+        let is_one = |(own, (_, right)): (&f64, &(Sphere, Vec<f64>))| matches!(right[..], [right] if is(*own, right));
+        let is_turned = typed.find('B').zip(typed.find('A')).is_some_and(|(of_b, of_a)| of_b < of_a);
+        says_across(typed) && !typed.contains("along") && !is_turned && listed.iter().zip(across).all(is_one)
+    }
+}
+
+/// The numbers of a line that is a list of them in words, with nothing to work out.
+fn numbers_listed(typed: &str) -> Option<Vec<f64>> {
+    let typed = typed.replace('−', "-");
+    let is_plain = |sign: char| sign.is_alphanumeric() || " .,;:&-'()".contains(sign);
+    if !typed.chars().all(is_plain) {
+        return None;
+    }
+    let words = typed
+        .split([' ', ',', ';', ':', '&', '(', ')'])
+        .filter(|word| word.contains(|sign: char| sign.is_ascii_digit()));
+    words.map(|word| word.trim_end_matches('.').parse().ok()).collect()
+}
+
 /// What stands between two things that are said.
 const BETWEEN: [&str; 3] = [",", ";", " and "];
 
@@ -26,7 +59,7 @@ pub(super) fn says_along(typed: &str) -> bool {
 
 /// Is it said of what stands here that it is across the line of centres, or that it stays?
 pub(super) fn says_across(typed: &str) -> bool {
-    const WORDS: [&str; 8] = ["perp", "across", "tan", "⊥", "unchanged", "no change", "stays", "remains"];
+    const WORDS: [&str; 8] = ["perp", "across", "tan", "⊥", "unchanged", "no change", "stay", "remain"];
     let typed = typed.to_lowercase();
     WORDS.iter().any(|word| typed.contains(word))
 }

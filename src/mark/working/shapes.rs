@@ -10,7 +10,9 @@ use super::points::sizes;
 use crate::answer::Kind;
 use crate::bank::Code;
 use crate::expr::{Expr, Function};
-use crate::mechanics::{Axis, Law, Moment, Quantity, Shape, Sphere};
+use crate::mark::judging::Note;
+use crate::mechanics::{Axis, Datum, Known, Law, Moment, Quantity, Shape, Sphere};
+use crate::number::Range;
 
 impl Working<'_> {
     /// A law known by its form.
@@ -38,6 +40,41 @@ impl Working<'_> {
             (found.note, found.feedback) = (Some("inverted"), "condoned here: the ratio is upside down".to_owned());
         }
         Some(found)
+    }
+
+    /// An energy or an impulse in which a letter of the masses or the speeds is left out of every term, or both.
+    pub(super) fn without_a_letter(&self, law: Law, quantities: &[Quantity], code: Code) -> Option<Evidence> {
+        let is_of_mass = |quantity: &&Quantity| {
+            matches!(quantity, Quantity::EnergyLost | Quantity::Impulse(..) | Quantity::ImpulseMagnitude)
+        };
+        let positive = self.question.letters.iter().filter(|letter| letter.range() == Range::Positive);
+        let letters: Vec<Vec<f64>> = positive
+            .filter_map(|letter| {
+                (0..self.prepared.points.count).map(|at| self.prepared.points.letter(letter.name(), at)).collect()
+            })
+            .collect();
+        let times = |one: &[f64], other: &[f64]| -> Vec<f64> { one.iter().zip(other).map(|(a, b)| a * b).collect() };
+        let mut factors = letters.clone();
+        factors.extend(letters.iter().flat_map(|one| letters.iter().map(|other| times(one, other))));
+        factors.extend(letters.iter().flat_map(|one| letters.iter().map(|other| times(one, &times(other, other)))));
+        let line = quantities.iter().filter(is_of_mass).find_map(|quantity| {
+            let right = sizes(&self.prepared.known, *quantity)?;
+            factors.iter().find_map(|factor| {
+                let at = |(right, factor): (&f64, &f64)| {
+                    let mut known = Known::default();
+                    known.0.insert(*quantity, Datum::Number(right / factor));
+                    known
+                };
+                let without: Vec<Known<f64>> = right.iter().zip(factor).map(at).collect();
+                self.line_that_is(&without, *quantity)
+            })
+        })?;
+        let feedback = match code.is_accuracy() {
+            true => "a letter of the question is left out of every term",
+            false => "condoned here: a letter of the question is left out of every term",
+        };
+        let (given, note) = (!code.is_accuracy(), Some(Note::LetterMissing.tag()));
+        Some(Evidence { given, note, feedback: feedback.to_owned(), ..Evidence::given(line, law.name()) })
     }
 
     /// The sizes that a component after the impact may have: the right one, the student's own, and across the line also

@@ -168,7 +168,13 @@ impl Working<'_> {
             .filter(|equation| !is_value(equation))
             .filter_map(|(left, right)| self.of_equation(left, right, equation, numbers));
         let of_quotients = quotients
-            .filter(|member| reading.members.iter().all(|other| self.may_be_e(&other.expr, &member.expr, numbers)))
+            .filter(|member| {
+                // `e = (w − v)/(a − b)` is what it says, whatever the calculator makes of it.
+                let is_said = |(left, right): &(Expr, Expr)| is_e(left) && *right == member.expr;
+                let is_e_all_along =
+                    || reading.members.iter().all(|other| self.may_be_e(&other.expr, &member.expr, numbers));
+                reading.equations.iter().any(is_said) || is_e_all_along()
+            })
             .filter_map(|member| self.of_quotient(&member.expr, numbers));
         of_equations.chain(of_quotients).max()
     }
@@ -196,8 +202,7 @@ impl Working<'_> {
             let is_own = |own: f64| (value.middle() - own).abs() <= 0.02 * own.abs();
             near(value.absolute(), at_point.e) || own.is_some_and(is_own)
         };
-        let is_letter = matches!(other, Expr::Name(name) if name.text == "e");
-        other == quotient || is_letter || numbers.iter().enumerate().all(is)
+        other == quotient || is_e(other) || numbers.iter().enumerate().all(is)
     }
 
     /// `(w − v)/(a − b)`, which is e.
@@ -288,6 +293,10 @@ impl Working<'_> {
         }
         best
     }
+}
+
+fn is_e(expr: &Expr) -> bool {
+    matches!(expr, Expr::Name(name) if name.text == "e")
 }
 
 /// How many terms a formula has, brackets multiplied out.

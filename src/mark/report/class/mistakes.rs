@@ -47,7 +47,7 @@ const ACCURACY: [(&str, &str); 8] = [
 ];
 
 /// What lines of working show and answers do not.
-const OF_WORKING: [(&str, &str); 5] = [
+const OF_WORKING: [(&str, &str); 6] = [
     ("sign-error", "wrote a wrong sign in an equation"),
     ("e-misread", "took another e than the one that is given"),
     ("weights-for-masses", "took weights for the masses"),
