@@ -16,6 +16,7 @@ mod equalities;
 mod equation_number;
 mod functions;
 mod grammar;
+mod in_letters;
 mod inequalities;
 mod infix_fraction;
 mod latex;

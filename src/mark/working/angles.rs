@@ -31,12 +31,13 @@ pub(super) fn put_in_place(lines: &mut [Line], prepared: &Prepared) {
         }
         for name in used(reading) {
             let is_open = prepared.points.letter(&name, 0).is_none() && known.iter().all(|(own, _)| *own != name);
-            let named = prepared.angles.iter().find(|(own, _)| *own == name);
             let is_new = NEW.contains(&name.as_str());
-            if sides(reading).any(|expr| has_component(expr, &name, prepared)) {
+            if sides(reading).any(|expr| has_component(expr, &name, prepared)) || is_found(reading, &name) {
                 sought.push(name.clone());
             }
             let is_new = is_new || sought.contains(&name);
+            let is_named = |(own, _): &&(String, f64)| *own == name && !sought.contains(&name);
+            let named = prepared.angles.iter().find(is_named);
             let only = || prepared.angles.first().filter(|_| prepared.angles.len() == 1 && !is_new);
             if let Some((_, angle)) = named.or_else(only).filter(|_| is_open) {
                 guessed.extend(named.is_none().then(|| name.clone()));
@@ -152,8 +153,19 @@ fn definition((left, right): &(Expr, Expr), prepared: &Prepared) -> Option<(Stri
     }
 }
 
+/// `tan α = 2/(1 - e)`: is the angle found here, by a formula in letters, and not one that is given as a number?
+fn is_found(reading: &ReadLine, angle: &str) -> bool {
+    let is_its_own = |expr: &Expr| matches!(argument(expr), Some(Expr::Name(name)) if name.text == angle);
+    let is_of_others = |expr: &Expr| {
+        let names = expr.names();
+        !names.is_empty() && names.iter().all(|name| name.text != angle)
+    };
+    let mut equations = reading.equations.iter();
+    equations.any(|(left, right)| is_its_own(left) && is_of_others(right))
+}
+
 /// The letters alone under sines, cosines and tangents.
-fn used(reading: &ReadLine) -> Vec<String> {
+pub(super) fn used(reading: &ReadLine) -> Vec<String> {
     let mut found = Vec::new();
     sides(reading).for_each(|expr| collect(expr, &mut found));
     found

@@ -64,8 +64,12 @@ pub(super) fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option
     let mut best: Option<(u32, Convention, Vec<Found>)> = None;
     for convention in pairs.iter().flat_map(|pair| conventions(pair)) {
         let found = matches(&convention);
+        let short = weight(&found);
+        if convention.is_against_numbers && short > 0 {
+            continue;
+        }
         let is_unusual = convention.is_unusual || is_against_axes(&convention, prepared);
-        let weight = weight(&found) + u32::from(is_unusual) + disagreement(lines, &convention, prepared);
+        let weight = short + u32::from(is_unusual) + disagreement(lines, &convention, prepared);
         if best.as_ref().is_none_or(|(least, ..)| weight < *least) {
             best = Some((weight, convention, found));
         }

@@ -5,6 +5,7 @@ use super::convention::{shows_e, take_as_laws};
 use super::energies::ToBeSubtracted;
 use super::evidence::Evidence as Shown;
 use super::impacts::{set_aside_of_others, short_of_law};
+use super::latin;
 use super::line::{self, Line, ReadLine};
 use super::linear::{Context, Sum};
 use super::offered::differences;
@@ -106,6 +107,7 @@ pub(super) fn examine_one(
     let prepared = question.prepared();
     let vectors = has_vectors(question);
     let mut read = line::read(working, &question.letters, vectors);
+    latin::put_in_place(&mut read, &question.letters, &|angle| prepared.points.letter(angle, 0).is_some());
     angles::put_in_place(&mut read, prepared);
     let mut lines: Vec<Studied> = read
         .into_iter()

@@ -151,6 +151,19 @@ fn short_letters(working: &[String], letters: &[Letter]) -> Vec<String> {
     found
 }
 
+impl ReadLine {
+    /// The same with other letters.
+    pub(super) fn in_letters(&self, letter: &dyn Fn(&str) -> Option<Expr>) -> ReadLine {
+        let mut line = read_line(Reading::in_letters(&self.statements, letter));
+        // A name that stands before a colon is none of the statement's.
+        for (member, before) in line.members.iter_mut().zip(&self.members).filter(|(member, _)| member.label.is_none())
+        {
+            member.label.clone_from(&before.label);
+        }
+        line
+    }
+}
+
 fn readings(typed: &str, vocabularies: &[Vocabulary]) -> Vec<ReadLine> {
     let mut found: Vec<ReadLine> = Vec::new();
     // What a letter stands for is no aside here: `… = 35t/(9 + 44t²), where t = tan α`.

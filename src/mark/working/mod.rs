@@ -21,6 +21,7 @@ mod figures;
 mod impacts;
 mod impulse;
 mod in_answers;
+mod latin;
 mod line;
 mod linear;
 mod offered;

@@ -24,6 +24,8 @@ pub(super) struct Convention {
     pub(super) signs: [f64; 2],
     /// Does the letter that comes first in the alphabet stand for B?
     pub(super) is_unusual: bool,
+    /// Does `v_1` stand for B? Only if both equations are right so: whoever exchanges the masses has not exchanged the numbers.
+    pub(super) is_against_numbers: bool,
 }
 
 /// A line that is one of the two equations.
@@ -307,14 +309,17 @@ pub(super) fn conventions(names: &[String]) -> Vec<Convention> {
     if sphere(one) == Some(Sphere::B) || sphere(other) == Some(Sphere::A) {
         orders.reverse();
     }
-    if sphere(one).is_some() && sphere(other).is_some() && sphere(one) != sphere(other) {
+    let are_told = sphere(one).is_some() && sphere(other).is_some() && sphere(one) != sphere(other);
+    // `v_A` is the velocity of A; `v_1` is what the equations make of it.
+    if are_told && [one, other].iter().any(|letter| letter.ends_with(['A', 'B'])) {
         orders.truncate(1);
     }
     let signs = [[1.0, 1.0], [-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]];
     let usual = orders[0].clone();
     let of = |letters: &[String; 2]| {
         let is_unusual = *letters != usual;
-        signs.map(|signs| Convention { letters: letters.clone(), signs, is_unusual })
+        let is_against_numbers = is_unusual && are_told;
+        signs.map(|signs| Convention { letters: letters.clone(), signs, is_unusual, is_against_numbers })
     };
     orders.iter().flat_map(of).collect()
 }

@@ -12,7 +12,7 @@ use super::convention::is_value;
 use super::evidence::Evidence;
 use super::examine::{Studied, Working, context};
 use super::linear::{Context, constant};
-use super::pair::BOTH;
+use super::pair::{BOTH, sphere};
 use super::points::Points;
 use super::spread::Spread;
 use super::trials::{are_of_one, chosen, degree, may_stand_for};
@@ -236,6 +236,13 @@ impl Working<'_> {
         best.get()
     }
 
+    /// The sphere that a letter names: `v_A` always, `v_1` where the equations do not say otherwise.
+    fn sphere_of(&self, letter: &str) -> Option<Sphere> {
+        let told = sphere(letter)?;
+        let mut letters = self.convention.iter().flat_map(|convention| &convention.letters);
+        letters.position(|known| known == letter).map(|place| Sphere::BOTH[place]).or(Some(told))
+    }
+
     /// How well formulas agree at every point, their open letters standing for what makes them agree best.
     fn tried(
         &self,
@@ -261,12 +268,12 @@ impl Working<'_> {
         if open.iter().any(|name| name.contains(' ') && letters.contains(&whole(name))) {
             return None;
         }
-        let is_velocity = |name: &str| open.contains(&name) && may_stand_for(name)[0] == 0;
+        let is_velocity = |name: &str| open.contains(&name) && may_stand_for(name, None)[0] == 0;
         if open.len() > 2 || formulas.iter().any(|formula| degree(formula, &is_velocity) > 1) {
             return None;
         }
         let anything: Vec<Vec<f64>> = numbers.iter().map(Numbers::anything).collect();
-        let choices: Vec<&[usize]> = open.iter().map(|name| may_stand_for(name)).collect();
+        let choices: Vec<&[usize]> = open.iter().map(|name| may_stand_for(name, self.sphere_of(name))).collect();
         let trials = choices.iter().map(|choices| choices.len()).product();
         let points: Vec<Points> =
             (0..numbers.len()).map(|point| self.prepared.points.with(&self.prepared.found, point)).collect();
