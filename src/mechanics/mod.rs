@@ -12,6 +12,7 @@ mod law;
 mod line;
 mod pose;
 mod quantity;
+mod quantity_in_words;
 mod range;
 mod refusal;
 mod root_in_words;

@@ -313,32 +313,7 @@ fn with_rounded(rounded: Option<(Expr, Unit)>, note: Text) -> Text {
 
 /// A quantity in words.
 fn in_words(quantity: Quantity, setting: Setting) -> Text {
-    let after = |moment| if moment == Moment::Before { " before" } else { "" };
-    let words = match quantity.of_its_impact() {
-        Quantity::Velocity(sphere, moment, axis) => {
-            let along = match axis {
-                Axis::N => "along the line of centres",
-                Axis::T => "perpendicular to the line of centres",
-                Axis::X => "along {i}",
-                Axis::Y => "along {j}",
-            };
-            format!("component of the velocity of *{}*{} {along}", sphere.name(), after(moment))
-        }
-        Quantity::Speed(sphere, moment) => format!("speed of *{}*{}", sphere.name(), after(moment)),
-        Quantity::AngleToLine(sphere, moment) => format!("direction of *{}*{}", sphere.name(), after(moment)),
-        Quantity::TOverN(sphere, _) | Quantity::TanToLine(sphere, _) => {
-            format!("tangent of the angle of *{}* to the line of centres", sphere.name())
-        }
-        Quantity::TanDeflection(sphere) => format!("tangent of the deflection of *{}*", sphere.name()),
-        Quantity::Deflection(sphere) => format!("deflection of *{}*", sphere.name()),
-        Quantity::EnergyLost => "kinetic energy lost".to_owned(),
-        Quantity::FractionLost => "fraction of the kinetic energy lost".to_owned(),
-        Quantity::TotalEnergy(moment) => format!("kinetic energy {moment}"),
-        Quantity::ImpulseMagnitude => "magnitude of the impulse".to_owned(),
-        Quantity::Restitution => "coefficient of restitution".to_owned(),
-        other => other.to_string(),
-    };
-    marked_up(&setting.say(&words))
+    marked_up(&setting.say(&quantity.in_words()))
 }
 
 /// Words in the markup of the bank.

@@ -75,7 +75,7 @@ impl Printer<'_> {
             // Where nothing is noted the verdict says it all.
             .with("comment", || {
                 // A mistake that was found out says better what a likeness to the right angle hints at.
-                let likeness = [Note::Complement, Note::Supplement, Note::Sign].map(Note::tag);
+                let likeness = [Note::Complement, Note::Supplement, Note::Sign, Note::EarlyRounding].map(Note::tag);
                 let is_noted = match answer.judgement.note {
                     Some(note) if likeness.contains(&note) => answer.causes.is_empty(),
                     Some(_) => answer.judgement.verdict != Verdict::Blank,

@@ -33,6 +33,8 @@ notes! {
     Truncated, "truncated", "Round the last figure instead of cutting the number off.";
     /// Close, and not right.
     NearMiss, "near-miss", "Very close: keep full accuracy until the last line.";
+    /// Right for a value that was rounded on the way.
+    EarlyRounding, "early-rounding", "Right but for a value that was rounded on the way: keep all the figures until the last line.";
     /// One significant figure, which is no evidence of anything.
     TooFewFigures, "too-few-figures", "One significant figure is not enough to go by.";
     /// A decimal where the exact value is wanted.
@@ -134,7 +136,7 @@ notes! {
     /// It cannot be read.
     CannotBeRead, "cannot-be-read", "This cannot be read: a person should look at it.";
     /// Longer than what is read.
-    TooLong, "too-long", "Too long to be read as an answer: a person should look at it.";
+    TooLong, "too-long", "Longer than the 2000 characters that are read of an answer: a person should look at it.";
     /// The numerator of the answer, as if the line had ended there.
     BrokenOff, "broken-off", "This is the top line of the answer: a person should see whether the rest is missing.";
     /// It can be read and not compared.

@@ -38,7 +38,8 @@ pub(super) fn name(
 ) {
     for (place, (blank, judged)) in part.blanks.iter().zip(judged).enumerate() {
         let answer = &mut answers[place];
-        let is_open = answer.judgement.verdict == Verdict::Wrong || is_near_miss(&answer.judgement);
+        let is_truncated = answer.judgement.note == Some(Note::Truncated.tag());
+        let is_open = answer.judgement.verdict == Verdict::Wrong || is_near_miss(&answer.judgement) || is_truncated;
         let Some(readings) = judged.readings.as_ref().filter(|_| is_open) else { continue };
         let behind = || behind(question, part, blank, readings, examined, seen.by_lines);
         // What is on paper belongs to a student, and so does what comes of rounding it.
@@ -46,6 +47,14 @@ pub(super) fn name(
             true => judged.causes.get_or_init(behind).clone(),
             false => behind(),
         };
+        // What is right but for the values on paper that lead to it was not cut off, but rounded before.
+        if is_truncated {
+            found.retain(|found| found.is_of_paper);
+        }
+        if is_truncated && !found.is_empty() {
+            let (note, feedback) = (Note::EarlyRounding.tag(), Note::EarlyRounding.sentence().to_owned());
+            (answer.judgement.note, answer.judgement.feedback) = (Some(note), feedback);
+        }
         // An unknown that was found wrongly goes into all that is worked out with it.
         found.retain(|found| !(found.is_of_law && seen.is_unknown_wrong));
         // A mistake leads to just this value: it is no other that was rounded.
@@ -57,7 +66,7 @@ pub(super) fn name(
             found.clear();
             say_of(answer);
         }
-        if found.is_empty() && !is_near_miss(&answer.judgement) && !seen.is_wrong_before {
+        if found.is_empty() && !is_truncated && !is_near_miss(&answer.judgement) && !seen.is_wrong_before {
             found.extend(seen.by_lines.arithmetic(part, place, follows).map(of_figures));
         }
         answer.causes = found.into_iter().map(|found| found.cause).collect();
@@ -72,10 +81,12 @@ pub(super) struct Found {
     is_of_law: bool,
     /// Is it more than the figures of the answer?
     explains: bool,
+    /// Is it the rounding of values that the working shows?
+    is_of_paper: bool,
 }
 
 fn of_figures(cause: Cause) -> Found {
-    Found { cause, is_of_law: false, explains: false }
+    Found { cause, is_of_law: false, explains: false, is_of_paper: false }
 }
 
 /// Every mistake behind an answer that the working does not speak against.
@@ -92,21 +103,27 @@ fn behind(
         return Vec::new();
     }
     let rounded = rounded(question, &blank.find, readings, examined);
+    let is_of_paper = !examined.theirs.0.is_empty();
     let mut found: Vec<Found> =
-        rounded.into_iter().map(|cause| Found { cause, is_of_law: false, explains: true }).collect();
+        rounded.into_iter().map(|cause| Found { cause, is_of_law: false, explains: true, is_of_paper }).collect();
+    let is_rounded = !found.is_empty();
     let causes_in = |mistakes: &Mistakes| {
         let mut each = readings.iter().filter_map(last_said).map(|said| mistakes.causes(&asked, said));
         each.find(|found| !found.is_empty())
     };
     let causes = question.mistakes_where_found().and_then(causes_in).or_else(|| causes_in(question.mistakes()));
     let causes = causes.unwrap_or_default();
-    let mut fitting: Vec<&slips::Cause> = causes.iter().filter(|cause| by_lines.allows(cause)).collect();
+    let mut fitting: Vec<&slips::Cause> = causes
+        .iter()
+        .filter(|cause| by_lines.allows(cause))
+        .filter(|cause| !(is_rounded && cause.tags == [EARLY_ROUNDING]))
+        .collect();
     if fitting.iter().any(|cause| by_lines.is_of_last_step(cause)) {
         fitting.retain(|cause| by_lines.is_of_last_step(cause));
     }
     found.extend(fitting.into_iter().take(MOST).map(|cause| {
         let is_of_law = !cause.laws.is_empty();
-        Found { cause: explained(cause, part), is_of_law, explains: is_of_law }
+        Found { cause: explained(cause, part), is_of_law, explains: is_of_law, is_of_paper: false }
     }));
     found
 }

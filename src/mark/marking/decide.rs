@@ -58,7 +58,9 @@ pub(super) fn awards(part: &KeyedPart, found: Findings, profile: &Profile, charg
             }
             (Some(award), _) => award,
             (None, Some(shown)) if shown.given => shown,
-            (None, shown) => by_followed(mark, part, followed).or(shown).unwrap_or_else(|| unearned(mark, own)),
+            (None, shown) => by_followed(mark, part, followed)
+                .or_else(|| shown.map(|shown| in_figures(shown, mark, profile, charged)))
+                .unwrap_or_else(|| unearned(mark, own)),
         };
         awards.push(award);
     }
@@ -185,6 +187,20 @@ fn in_profile(award: Award, mark: &KeyedMark, profile: &Profile) -> Award {
     Award { given, ..award }
 }
 
+/// A value on the way with too few figures, for which they are enough, or which have been charged already.
+fn in_figures(award: Award, mark: &KeyedMark, profile: &Profile, charged: &mut Charged) -> Award {
+    let is = |notes: &[Note]| notes.iter().any(|note| award.note == Some(note.tag()));
+    let is_value = matches!(mark.earned_for, EarnedFor::Quantity(_));
+    let is_enough = is(&[Note::UnderAccurate]) && profile.figures <= ENOUGH;
+    let costs = is(&[Note::UnderAccurate, Note::Truncated]) && !is_enough;
+    let given =
+        is_value && (is_enough || costs && charge(profile.inaccuracy, &mut charged.inaccuracy) == Worth::Everything);
+    Award { given: award.given || given, ..award }
+}
+
+/// The fewest figures that are right as far as they go: one is no evidence.
+const ENOUGH: u32 = 2;
+
 /// A mark for an answer that is right for what the student had found before.
 fn by_followed(mark: &KeyedMark, part: &KeyedPart, followed: &[Option<Followed>]) -> Option<Award> {
     let mut each = mark.blanks.iter().filter_map(|place| Some((*place, followed[*place].as_ref()?)));
@@ -270,6 +286,8 @@ impl Worth {
             Verdict::Partial if is(&[Note::UnderAccurate, Note::Truncated]) => {
                 charge(profile.inaccuracy, &mut charged.inaccuracy)
             }
+            // What is rounded too early costs its mark every time.
+            Verdict::Partial if is(&[Note::EarlyRounding]) => Worth::Method,
             Verdict::Partial if is(&[Note::UnitWrong]) => charge(profile.units, &mut charged.units),
             // The value is right and its form is not.
             Verdict::Partial

@@ -12,7 +12,7 @@ use crate::mark::judging::{Judgement, Model, Note, Verdict, judge};
 use crate::mark::key::{KeyedPart, KeyedQuestion};
 use crate::mark::reading::{Form, Reading};
 use crate::mark::working::Examined;
-use crate::mechanics::{Datum, Derivation, Line, Quantity, Show};
+use crate::mechanics::{Datum, Derivation, Line, Moment, Quantity, Show};
 use crate::number::{Fraction, Places, round};
 use crate::paper::WorkingLine;
 
@@ -136,13 +136,19 @@ pub(super) fn solution(question: &KeyedQuestion, part: &KeyedPart, examined: &Ex
     // The velocity along the one line says what the speed says.
     let is_said =
         |quantity| question.along_its_line(quantity).is_some_and(|(along, _)| examined.theirs.0.contains_key(&along));
-    for (quantity, written) in examined.theirs.wrong(question).filter(|(quantity, _)| !is_said(*quantity)) {
-        let Some(value) = question.exact(written) else { continue };
-        known.0.insert(quantity, Datum::Number(value));
-        own.push((quantity, written.clone()));
-    }
-    if own.is_empty() {
+    let wrong: Vec<Quantity> = examined.theirs.wrong(question).map(|(quantity, _)| quantity).collect();
+    if wrong.is_empty() {
         return Vec::new();
+    }
+    // Beside a wrong velocity a right one is not found again from it.
+    let is_kept = |quantity: &Quantity| {
+        wrong.contains(quantity) || matches!(quantity.of_its_impact(), Quantity::Velocity(_, Moment::After, _))
+    };
+    let theirs = examined.theirs.0.iter().filter(|(quantity, _)| is_kept(quantity) && !is_said(**quantity));
+    for (quantity, (_, written)) in theirs {
+        let Some(value) = question.exact(written) else { continue };
+        known.0.insert(*quantity, Datum::Number(value));
+        own.push((*quantity, written.clone()));
     }
     let mut reached: BTreeSet<Quantity> = own.iter().map(|(quantity, _)| *quantity).collect();
     let asked: Vec<Quantity> = part.blanks.iter().flat_map(|blank| blank.find.quantities()).collect();
@@ -189,7 +195,7 @@ fn in_decimals(expr: &Expr) -> Expr {
         },
         _ => None,
     };
-    let short = number.filter(|number| number.as_small().is_some_and(|(_, below)| below >= 20)).and_then(|number| {
+    let short = number.filter(|number| number.as_small().is_some_and(|(_, below)| below >= 10)).and_then(|number| {
         let decimal = round(&number, &Places::DecimalPlaces(MOST_PLACES)).to_string();
         let is_exact = decimal.parse::<Fraction>().ok().as_ref() == Some(&number);
         is_exact.then(|| Expr::Decimal(decimal.trim_end_matches('0').to_owned()))

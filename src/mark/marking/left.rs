@@ -9,10 +9,10 @@ use super::answers::is_shown;
 use super::decide::own_blank;
 use super::memory::Judged;
 use crate::answer::Kind;
-use crate::bank::Find;
+use crate::bank::{Code, Find};
 use crate::expr::Expr;
 use crate::mark::award::{Award, Place};
-use crate::mark::judging::{Judgement, Verdict, is_named};
+use crate::mark::judging::{Judgement, Note, Verdict, is_named};
 use crate::mark::key::{KeyedBlank, KeyedPart};
 use crate::mark::reading::Statement;
 use crate::mark::script::PartScript;
@@ -51,8 +51,11 @@ impl<'s> Left<'s> {
         judged: &mut dyn FnMut(&str) -> Rc<Judged>,
     ) -> Option<(&'s str, Rc<Judged>)> {
         let blank = &self.part.blanks[place];
+        if is_shown(blank) {
+            return self.printed_result(place);
+        }
         // Nought may be anything's: that a sphere is at rest is often given.
-        if is_shown(blank) || blank.model.value == Expr::integer(0) {
+        if blank.model.value == Expr::integer(0) {
             return None;
         }
         let is_range = blank.model.kind == Kind::Range;
@@ -72,6 +75,23 @@ impl<'s> Left<'s> {
             let is_right = found.judgement.verdict == Verdict::Correct;
             (is_right && is_alone && is_result && is_answer()).then_some((line, found))
         })
+    }
+
+    /// The last line, if it ends with the result that is to be shown, and no line on the way to it is false.
+    fn printed_result(&self, blank: usize) -> Option<(&'s str, Rc<Judged>)> {
+        let (_, line) = self.lines.first()?;
+        let mut awards = self.part.scheme.iter().zip(self.by_lines);
+        let is_end = awards.any(|(mark, award)| {
+            let given = award.as_ref().is_some_and(|award| award.given);
+            mark.code == Code::A1Shown && mark.blanks.contains(&blank) && given
+        });
+        let judgement = Judgement {
+            verdict: Verdict::Partial,
+            reading: None,
+            note: Some(Note::Restated.tag()),
+            feedback: Note::Restated.sentence().to_owned(),
+        };
+        is_end.then(|| (*line, Judged::new(judgement, None)))
     }
 
     /// Do lines show how the value of a blank is found? The method on which its own mark depends, and something besides

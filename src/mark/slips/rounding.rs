@@ -52,11 +52,14 @@ pub fn early_rounding(
     let given_samples = sampled(given)?;
     let truth = Carried::on(Road::Shortest, &given_samples, &[asked]);
     let right = value(truth.known().0.get(&asked)?)?;
-    if last.is_right(right, false) {
+    // What looks cut off may have been rounded, after a value on the way was.
+    let is_cut_off = last.is_cut_off(right) && !shown.is_empty();
+    if last.is_right(right, false) && !is_cut_off {
         return None;
     }
     if !shown.is_empty() {
-        let found = from_shown(given, &given_samples, letters, asked, shown, last)?;
+        let range = if is_cut_off { last.rounded_range() } else { last.range() };
+        let found = from_shown(given, &given_samples, letters, asked, shown, range)?;
         return found.then_some(EarlyRounding {
             figures: None,
             sentence: "The method is right; a value that was rounded on the way spoilt the last figures. Keep all the figures until the last line.",
@@ -97,7 +100,7 @@ fn from_shown(
     letters: &[Letter],
     asked: Quantity,
     shown: &[(Quantity, Expr)],
-    last: Written,
+    last: Option<(f64, f64)>,
 ) -> Option<bool> {
     let quantities: Vec<Quantity> = shown.iter().map(|(quantity, _)| *quantity).chain([asked]).collect();
     let mut entered = Vec::new();
@@ -118,10 +121,12 @@ fn from_shown(
         let written = read(*quantity, expr, letters)?;
         // What is no number on the way, an angle, is an answer by itself.
         let Datum::Number(right) = truth.0.get(quantity)? else { continue };
-        let (low, high) = written.range_around(*right)?;
+        // What is a little off has been rounded on the way to it.
+        let little_off = || written.range().filter(|_| off(written, *right) < NEAR);
+        let (low, high) = written.range_around(*right).or_else(little_off)?;
         entered.push((*quantity, Datum::Number(interval(low).hull(&interval(high)))));
     }
-    let said = last.range().map(|(low, high)| interval(low).hull(&interval(high)))?;
+    let said = last.map(|(low, high)| interval(low).hull(&interval(high)))?;
     let given = enclosed(given)?;
     let lies_inside = |road: Road| {
         let mut carried = Carried::on(road, &given, &[asked]);

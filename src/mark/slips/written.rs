@@ -78,6 +78,18 @@ impl Written {
         self.fit(truth, signed) != Fit::None
     }
 
+    /// Is it the truth, cut off and not rounded?
+    pub(super) fn is_cut_off(self, truth: Sample) -> bool {
+        self.fit(truth, false) == Fit::CutOff
+    }
+
+    /// The numbers that would be rounded to it; `None` for an exact value.
+    pub(super) fn rounded_range(self) -> Option<(f64, f64)> {
+        let own = self.value.0[0];
+        let unit = (own * self.unit?).abs();
+        Some((own - unit / 2.0, own + unit / 2.0))
+    }
+
     /// The numbers that would be written so at the figures of what was written, at the first point: half a unit of the
     /// last figure to each side, or a unit further from nought where the truth was cut off. `None` if the truth is not
     /// among them.

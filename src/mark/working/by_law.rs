@@ -11,7 +11,7 @@ use super::figures::is_sum_of_figures;
 use super::line::Member;
 use super::pair::{Departure, Matched};
 use super::points::sizes;
-use super::said::{clauses, says_across, says_along};
+use super::said::{clauses, says_across, says_along, says_unchanged};
 use super::shapes::components_in;
 use crate::answer::Kind;
 use crate::bank::{Code, EarnedFor};
@@ -267,9 +267,15 @@ impl Working<'_> {
             };
             self.lines.iter().position(shows)
         };
-        let places: Option<Vec<usize>> = across.iter().map(seen).collect();
-        let last = places?.into_iter().max()?;
-        Some(Evidence::given(last, "the component perpendicular to the line of centres"))
+        let places: Vec<usize> = across.iter().filter_map(seen).collect();
+        let found = Evidence::given(*places.iter().max()?, "the component perpendicular to the line of centres");
+        match places.len() == across.len() {
+            true => Some(found),
+            false => {
+                let feedback = "only one of the two components is there, and each sphere keeps its own".to_owned();
+                Some(Evidence { given: false, feedback, ..found })
+            }
+        }
     }
 
     /// The components across the line of centres before the impact, of every sphere that has one.
@@ -288,6 +294,7 @@ impl Working<'_> {
             && self.members(studied).any(|(member, values)| {
                 let is_composite = self.is_worked_out(&member.expr) && !is_sum_of_figures(&member.expr);
                 let is_called = self.is_called(member) || is_composite || self.says_across(&studied.line.typed);
+                let is_called = is_called || says_unchanged(&studied.line.typed);
                 let named = is_called && !is_called_otherwise(member, sphere);
                 let before = member.letter.as_ref().is_some_and(|letter| letter.starts_with('u') && !is_composite);
                 let unknown = member.letter.as_ref().is_some_and(|letter| self.is_unknown(letter));

@@ -106,6 +106,7 @@ pub(super) fn examine_one(
 ) -> Examined {
     let prepared = question.prepared();
     let vectors = has_vectors(question);
+    let unread = first_unread(working);
     let mut read = line::read(working, &question.letters, vectors);
     latin::put_in_place(&mut read, &question.letters, &|angle| prepared.points.letter(angle, 0).is_some());
     angles::put_in_place(&mut read, prepared);
@@ -157,9 +158,15 @@ pub(super) fn examine_one(
         reading: studied.reading.as_ref().map(|reading| reading.printed.clone()),
         role: part.setting.say(&studied.role).into_owned(),
     });
-    let lines = lines.collect();
+    let lines = lines.chain(unread).collect();
     let (theirs, followed) = (working.theirs, Some(working.followed));
     Examined { awards, lines, theirs, stated, followed, solution, has_e, to_be_subtracted, short_of_law }
+}
+
+/// The first line of more than are read: a person is told of it.
+fn first_unread(working: &[String]) -> Option<MarkedLine> {
+    let mut rest = line::typed(working).skip(line::MOST_LINES);
+    rest.next().map(|typed| MarkedLine { typed: typed.to_owned(), reading: None, role: String::new() })
 }
 
 /// What the last line states of a blank by a name in words, `speed of B = 8`; letters are known from the equations.

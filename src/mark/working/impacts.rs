@@ -58,7 +58,7 @@ fn examine_later(
     let theirs = Theirs(before.0.clone().into_iter().chain(own).collect());
     let lines = examined.lines.into_iter().zip(working).map(|(line, typed)| MarkedLine {
         typed: typed.clone(),
-        role: line.role.parse().map_or(line.role, |quantity| meeting.quantity(quantity).to_string()),
+        role: meeting.in_words(&line.role),
         ..line
     });
     Some(Examined { lines: lines.collect(), theirs, followed: None, solution: None, ..examined })

@@ -79,7 +79,7 @@ const OWN: [&str; 24] = [
 const GIVEN: [&str; 5] = ["e", "m_A", "m_B", "m_1", "m_2"];
 
 /// More lines than this are for a person to read.
-pub(super) const MOST_LINES: usize = 60;
+pub(in crate::mark) const MOST_LINES: usize = 60;
 
 /// Reads lines of working where the question has these letters, and perhaps vectors.
 pub(super) fn read(working: &[String], letters: &[Letter], vectors: bool) -> Vec<Line> {
@@ -103,13 +103,17 @@ pub(super) fn read(working: &[String], letters: &[Letter], vectors: bool) -> Vec
     if !vectors {
         vocabularies.push(Vocabulary { vectors: true, ..vocabularies[2].clone() });
     }
-    let lines = working.iter().flat_map(|cell| cell.lines()).map(str::trim).filter(|line| !line.is_empty());
     let read = |(place, typed): (usize, &str)| Line {
         number: place + 1,
         typed: typed.to_owned(),
         readings: readings(typed, &vocabularies),
     };
-    lines.take(MOST_LINES).enumerate().map(read).collect()
+    typed(working).take(MOST_LINES).enumerate().map(read).collect()
+}
+
+/// The lines of a working that say something.
+pub(super) fn typed(working: &[String]) -> impl Iterator<Item = &str> {
+    working.iter().flat_map(|cell| cell.lines()).map(str::trim).filter(|line| !line.is_empty())
 }
 
 /// Capitals that a student tells from the question's small letters: `M` where there is an `m` too.

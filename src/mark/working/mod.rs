@@ -43,5 +43,6 @@ mod vectors;
 
 pub(super) use examine::Examined;
 pub(super) use impacts::examine;
+pub(super) use line::MOST_LINES;
 pub(super) use prepared::Prepared;
 pub(super) use theirs::Theirs;

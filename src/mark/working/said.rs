@@ -59,7 +59,14 @@ pub(super) fn says_along(typed: &str) -> bool {
 
 /// Is it said of what stands here that it is across the line of centres, or that it stays?
 pub(super) fn says_across(typed: &str) -> bool {
-    const WORDS: [&str; 8] = ["perp", "across", "tan", "⊥", "unchanged", "no change", "stay", "remain"];
+    const WORDS: [&str; 4] = ["perp", "across", "tan", "⊥"];
+    let lower = typed.to_lowercase();
+    WORDS.iter().any(|word| lower.contains(word)) || says_unchanged(typed)
+}
+
+/// Is it said of what stands here that it stays as it is?
+pub(super) fn says_unchanged(typed: &str) -> bool {
+    const WORDS: [&str; 5] = ["unchanged", "no change", "stay", "remain", "unaffected"];
     let typed = typed.to_lowercase();
     WORDS.iter().any(|word| typed.contains(word))
 }

@@ -2,7 +2,7 @@
 
 use super::compare::{any_within, is_composite, is_vector};
 use super::evidence::Evidence;
-use super::examine::{Value, Working};
+use super::examine::{Studied, Value, Working};
 use super::line::Member;
 use super::linear::constant;
 use super::points::sizes;
@@ -10,7 +10,7 @@ use super::spread::Spread;
 use crate::answer::{Accept, Kind};
 use crate::bank::Code;
 use crate::expr::{Expr, Function};
-use crate::mark::judging::{Model, Note, Verdict, is_of_a_part, judge};
+use crate::mark::judging::{Judgement, Model, Note, Verdict, is_of_a_part, judge};
 use crate::mark::key::KeyedMark;
 use crate::mark::reading::{Form, Label, Reading, Said, Statement, Vocabulary};
 use crate::mechanics::{Axis, Datum, Moment, Quantity, Setting, Sphere};
@@ -33,7 +33,7 @@ impl Working<'_> {
             _ => None,
         };
         let is_exact = self.must_be_exact(quantity);
-        let mut in_figures = None;
+        let mut short: Option<(usize, Judgement)> = None;
         let is_reversed = letter.as_ref().is_some_and(|(_, sign)| *sign < 0.0);
         for (place, studied) in self.lines.iter().enumerate() {
             let Some(reading) = &studied.reading else { continue };
@@ -62,32 +62,49 @@ impl Working<'_> {
                     let verdict = |statement: Statement| {
                         let (statements, printed) = (vec![statement], String::new());
                         let reading = Reading { statements, printed, decided: Vec::new() };
-                        let judgement = judge(model, &Ok(vec![reading]));
-                        (judgement.verdict, judgement.note)
+                        judge(model, &Ok(vec![reading]))
                     };
                     let mut end = statement.clone();
                     end.said.drain(..end.said.len().saturating_sub(1));
                     // A right formula that is worked out wrongly is no right value. Most lines end in another value.
-                    if verdict(end).0 == Verdict::Wrong {
-                        continue;
-                    }
-                    match verdict(statement.clone()) {
-                        (Verdict::Correct, _) => return Some(Evidence::given(place, format!("{quantity}"))),
-                        (_, Some(note)) if note == Note::ExactWanted.tag() => in_figures = in_figures.or(Some(place)),
+                    let last = verdict(end);
+                    let all = if last.verdict == Verdict::Wrong { last } else { verdict(statement.clone()) };
+                    match all.verdict {
+                        Verdict::Correct => return Some(Evidence::given(place, quantity.in_plain_words())),
+                        _ if is_short(&all, letter.is_some()) => short = short.or(Some((place, all))),
                         _ => {}
                     }
                 }
             }
         }
-        if let Some(place) = in_figures {
-            let (note, feedback) = (Some(Note::ExactWanted.tag()), Note::ExactWanted.sentence().to_owned());
-            return Some(Evidence { given: false, note, feedback, ..Evidence::given(place, format!("{quantity}")) });
+        if let Some((place, Judgement { note, feedback, .. })) = short {
+            return Some(Evidence {
+                given: false,
+                note,
+                feedback,
+                ..Evidence::given(place, quantity.in_plain_words())
+            });
         }
         if code == Code::A1FollowThrough && !self.is_trivial(quantity) {
             let line = self.line_that_is(&self.followed, quantity)?;
-            return Some(Evidence::followed(line, format!("{quantity}")));
+            return Some(Evidence::followed(line, quantity.in_plain_words()));
         }
-        None
+        let (letter, _) = letter?;
+        let place = self.wrongly_stated(along, &letter)?;
+        let feedback = format!("{letter} is not right");
+        Some(Evidence { given: false, feedback, ..Evidence::given(place, quantity.in_plain_words()) })
+    }
+
+    /// The last line that states a number by the letter of a component after the impact, where none is right.
+    fn wrongly_stated(&self, component: Quantity, letter: &str) -> Option<usize> {
+        self.theirs.0.get(&component)?;
+        let states = |studied: &Studied| {
+            self.members(studied).any(|(member, values)| {
+                let is_number = matches!(values.as_slice(), [Value::Number(_)]) && member.expr.names().is_empty();
+                is_number && member.letter.as_deref() == Some(letter)
+            })
+        };
+        self.lines.iter().rposition(states)
     }
 
     /// Is it an answer of this part for which the sheet wants the exact value?
@@ -186,6 +203,13 @@ impl Working<'_> {
         let vocabulary = Vocabulary { letters: self.question.letters.clone(), vectors: false };
         Some(Model::new(value, kind, accept, vocabulary))
     }
+}
+
+/// Is a value right but for its form, or for its figures? What has no letter may be another value.
+fn is_short(judged: &Judgement, has_letter: bool) -> bool {
+    const IN_FIGURES: [Note; 4] = [Note::UnderAccurate, Note::Truncated, Note::NearMiss, Note::TooFewFigures];
+    let is = |note: &Note| judged.note == Some(note.tag());
+    is(&Note::ExactWanted) || has_letter && IN_FIGURES.iter().any(is)
 }
 
 /// The same as if every figure were as it was meant: what is rounded is not exact, and 1.25 is.

@@ -3,6 +3,7 @@
 use super::entries::Class;
 use crate::mark::judging::Verdict;
 use crate::mark::report::{MarkedScript, MarkedUnder};
+use crate::mark::working::MOST_LINES;
 
 /// What a person must look at.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -46,7 +47,13 @@ fn of_script<'r>(student: usize, script: &'r MarkedScript<'r>) -> impl Iterator<
         });
         let lines = (1..).zip(&part.marked.lines).filter(|(_, line)| line.reading.is_none() && !is_full(part));
         let lines = lines.map(move |(number, line)| {
-            look(format!("line {number}"), &line.typed, "This line of working cannot be read.")
+            let reason = match number > MOST_LINES {
+                true => {
+                    format!("Of working {MOST_LINES} lines are read: a person should look at the rest, from here on.")
+                }
+                false => "This line of working cannot be read.".to_owned(),
+            };
+            look(format!("line {number}"), &line.typed, &reason)
         });
         answers.chain(lines)
     })
