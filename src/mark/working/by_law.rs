@@ -346,7 +346,7 @@ impl Working<'_> {
 
     /// Is it in words that a number is perpendicular to the line of centres? At a wall that is the other component.
     fn says_across(&self, typed: &str) -> bool {
-        self.prepared.setting != Setting::Wall && typed.to_lowercase().contains("perp")
+        self.prepared.setting != Setting::Wall && (typed.to_lowercase().contains("perp") || typed.contains('⊥'))
     }
 
     /// Is it a vector with this component, and not the one that was given? Along i or j it keeps its sign.

@@ -1,11 +1,9 @@
 //! Which marks the lines of a part earn.
 
-use super::angles;
 use super::convention::{shows_e, take_as_laws};
 use super::energies::ToBeSubtracted;
 use super::evidence::Evidence as Shown;
 use super::impacts::{set_aside_of_others, short_of_law};
-use super::latin;
 use super::line::{self, Line, ReadLine};
 use super::linear::{Context, Sum};
 use super::offered::differences;
@@ -15,6 +13,7 @@ use super::prepared::Prepared;
 use super::spread::Spread;
 use super::terms::ByNumbers;
 use super::theirs::{Theirs, follow, follow_to, own_values};
+use super::{angle_letters, angles};
 use crate::bank::{Code, EarnedFor};
 use crate::expr::Expr;
 use crate::mark::award::{Award, Evidence, Examiner, MarkedLine, Place};
@@ -108,7 +107,7 @@ pub(super) fn examine_one(
     let vectors = has_vectors(question);
     let unread = first_unread(working);
     let mut read = line::read(working, &question.letters, vectors);
-    latin::put_in_place(&mut read, &question.letters, &|angle| prepared.points.letter(angle, 0).is_some());
+    angle_letters::put_in_place(&mut read, &question.letters, &|angle| prepared.points.letter(angle, 0).is_some());
     angles::put_in_place(&mut read, prepared);
     let mut lines: Vec<Studied> = read
         .into_iter()

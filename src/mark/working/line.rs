@@ -71,9 +71,9 @@ const UNKNOWNS: [&str; 23] = [
 /// Letters that are also signs: only where a line cannot be read without them.
 const DOUBTFUL: [&str; 6] = ["x", "y", "X", "Y", "p", "q"];
 /// What else a student may call the unknowns: where a line makes sense in no other way.
-const OWN: [&str; 24] = [
+const OWN: [&str; 26] = [
     "a", "b", "c", "d", "s", "t", "u", "f", "g", "h", "k", "z", "m", "M", "X", "Y", "x_1", "x_2", "y_1", "y_2", "x_A",
-    "x_B", "y_A", "y_B",
+    "x_B", "y_A", "y_B", "w_1", "w_2",
 ];
 /// Letters that stand for what is given as a number.
 const GIVEN: [&str; 5] = ["e", "m_A", "m_B", "m_1", "m_2"];
@@ -260,7 +260,9 @@ fn candidates(typed: &str) -> Vec<(Option<&str>, String)> {
     }
     let is_word = |word: &str| {
         let letters = word.trim_matches(['(', ')', '.', ',', ':']);
-        letters.chars().count() >= 3 && letters.chars().all(char::is_alphabetic) && !is_formula(letters)
+        // `3 and 4` are two values.
+        let is_long = letters.chars().count() >= 3 && letters != "and";
+        is_long && letters.chars().all(char::is_alphabetic) && !is_formula(letters)
     };
     let words: Vec<&str> = typed.split_whitespace().collect();
     let last = words.iter().take_while(|word| !word.contains('=')).enumerate().filter(|(_, word)| is_word(word)).last();

@@ -4,6 +4,7 @@
 //! line is compared by what its formulas come to, not by how they look: at fixed points where letters remain, and within
 //! the width that rounded figures leave open.
 
+mod angle_letters;
 mod angles;
 mod by_components;
 mod by_law;
@@ -21,7 +22,6 @@ mod figures;
 mod impacts;
 mod impulse;
 mod in_answers;
-mod latin;
 mod line;
 mod linear;
 mod offered;

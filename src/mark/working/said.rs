@@ -66,7 +66,7 @@ pub(super) fn says_across(typed: &str) -> bool {
 
 /// Is it said of what stands here that it stays as it is?
 pub(super) fn says_unchanged(typed: &str) -> bool {
-    const WORDS: [&str; 5] = ["unchanged", "no change", "stay", "remain", "unaffected"];
+    const WORDS: [&str; 7] = ["unchanged", "no change", "not change", "stay", "remain", "unaffected", "constant"];
     let typed = typed.to_lowercase();
     WORDS.iter().any(|word| typed.contains(word))
 }

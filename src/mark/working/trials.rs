@@ -27,8 +27,8 @@ pub(super) fn may_stand_for(name: &str, of: Option<Sphere>) -> &'static [usize] 
     match name.chars().next() {
         Some('e') if name == "e" => &[4],
         Some('m' | 'M') => &[5, 6],
-        Some('v' | 'w' | 'V' | 'W' | 'x' | 'y') if of == Some(Sphere::A) => &[0, 2],
-        Some('v' | 'w' | 'V' | 'W' | 'x' | 'y') if of == Some(Sphere::B) => &[1, 3],
+        _ if of == Some(Sphere::A) => &[0, 2],
+        _ if of == Some(Sphere::B) => &[1, 3],
         Some('u' | 'v' | 'w' | 'U' | 'V' | 'W' | 'x' | 'y' | 'X' | 'Y' | 'p' | 'q') => &[0, 1, 2, 3],
         _ => &[0, 1, 2, 3, 4, 5, 6],
     }

@@ -1,6 +1,6 @@
 //! Marks for a value that a line states.
 
-use super::compare::{any_within, is_composite, is_vector};
+use super::compare::{any_within, comes_to, is_composite, is_vector};
 use super::evidence::Evidence;
 use super::examine::{Studied, Value, Working};
 use super::line::Member;
@@ -28,6 +28,8 @@ impl Working<'_> {
                 .position(|sphere| along == Quantity::Velocity(sphere, Moment::After, Axis::N))?;
             Some((convention.letters[place].clone(), convention.signs[place]))
         });
+        // What moves along the line of centres has a letter for its speed.
+        let own_letter = letter.as_ref().map(|(letter, _)| letter.as_str()).or_else(|| self.letter_along(along));
         let size = match sizes(&self.prepared.known, along).as_deref() {
             Some([size]) => Some(*size),
             _ => None,
@@ -45,6 +47,7 @@ impl Working<'_> {
                     (None, _) => statement.label.is_some() || statement.said.len() > 1,
                 };
                 let of_a_part = |label: &Label| is_of_a_part(&label.typed, quantity) || self.is_of_unknown(label);
+                let is_own = matches!(named, Some(Expr::Name(name)) if Some(name.text.as_str()) == own_letter);
                 let is_named = is_named && !statement.label.as_ref().is_some_and(of_a_part);
                 if !is_named {
                     continue;
@@ -71,7 +74,7 @@ impl Working<'_> {
                     let all = if last.verdict == Verdict::Wrong { last } else { verdict(statement.clone()) };
                     match all.verdict {
                         Verdict::Correct => return Some(Evidence::given(place, quantity.in_plain_words())),
-                        _ if is_short(&all, letter.is_some()) => short = short.or(Some((place, all))),
+                        _ if is_short(&all, is_own) => short = short.or(Some((place, all))),
                         _ => {}
                     }
                 }
@@ -89,19 +92,29 @@ impl Working<'_> {
             let line = self.line_that_is(&self.followed, quantity)?;
             return Some(Evidence::followed(line, quantity.in_plain_words()));
         }
-        let (letter, _) = letter?;
-        let place = self.wrongly_stated(along, &letter)?;
+        let letter = own_letter?;
+        let place = self.wrongly_stated(along, letter)?;
         let feedback = format!("{letter} is not right");
         Some(Evidence { given: false, feedback, ..Evidence::given(place, quantity.in_plain_words()) })
     }
 
-    /// The last line that states a number by the letter of a component after the impact, where none is right.
-    fn wrongly_stated(&self, component: Quantity, letter: &str) -> Option<usize> {
-        self.theirs.0.get(&component)?;
+    /// The student's letter for the velocity of a sphere whose speed it is too, for it moves along the line of centres.
+    fn letter_along(&self, speed: Quantity) -> Option<&str> {
+        let Quantity::Speed(sphere, Moment::After) = speed else { return None };
+        let across = sizes(&self.prepared.known, Quantity::Velocity(sphere, Moment::After, Axis::T))?;
+        let place = Sphere::BOTH.into_iter().position(|one| one == sphere)?;
+        let letters = &self.convention.as_ref()?.letters;
+        across.iter().all(|size| *size == 0.0).then(|| letters[place].as_str())
+    }
+
+    /// The last line that states a value by the letter of a component after the impact, where none is right.
+    fn wrongly_stated(&self, quantity: Quantity, letter: &str) -> Option<usize> {
+        let right = sizes(&self.prepared.known, quantity)?;
+        let is_right = |values: &[Value]| values.iter().zip(&right).all(|(value, right)| comes_to(*value, *right));
         let states = |studied: &Studied| {
             self.members(studied).any(|(member, values)| {
-                let is_number = matches!(values.as_slice(), [Value::Number(_)]) && member.expr.names().is_empty();
-                is_number && member.letter.as_deref() == Some(letter)
+                let is_open = member.expr.names().iter().any(|name| self.is_unknown(&name.text));
+                member.letter.as_deref() == Some(letter) && !is_open && !is_right(values)
             })
         };
         self.lines.iter().rposition(states)
@@ -205,11 +218,11 @@ impl Working<'_> {
     }
 }
 
-/// Is a value right but for its form, or for its figures? What has no letter may be another value.
+/// Is a value right but for its form, or for its figures or its sign? What has no letter may be another value.
 fn is_short(judged: &Judgement, has_letter: bool) -> bool {
-    const IN_FIGURES: [Note; 4] = [Note::UnderAccurate, Note::Truncated, Note::NearMiss, Note::TooFewFigures];
+    const NEARLY: [Note; 5] = [Note::UnderAccurate, Note::Truncated, Note::NearMiss, Note::TooFewFigures, Note::Sign];
     let is = |note: &Note| judged.note == Some(note.tag());
-    is(&Note::ExactWanted) || has_letter && IN_FIGURES.iter().any(is)
+    is(&Note::ExactWanted) || has_letter && NEARLY.iter().any(is)
 }
 
 /// The same as if every figure were as it was meant: what is rounded is not exact, and 1.25 is.

@@ -1,11 +1,11 @@
-//! Latin letters for the question's Greek ones, as keyboards have them: `cos a` for `cos α`.
+//! A student's own letters for the question's angles, as keyboards have them: `cos a` for `cos α`.
 
 use super::angles::{argument, sides, used};
 use super::line::{Line, ReadLine};
 use crate::expr::Expr;
 use crate::number::{Letter, Range};
 
-/// Writes the question's angle in the place of a Latin letter that can be nothing else.
+/// Writes the question's angle in the place of a letter that can be nothing else.
 ///
 /// Under a sine, cosine or tangent stands an angle. The letter is that whose name begins with it, `b` for β; else the only
 /// angle that is `given` and that the student does not name otherwise. Where such a letter stays unknown while an angle
@@ -21,40 +21,46 @@ pub(super) fn put_in_place(lines: &mut [Line], letters: &[Letter], given: &dyn F
     under.dedup();
     let is_named = |angle: &&str| readings().flat_map(sides).flat_map(Expr::names).any(|name| name.text == **angle);
     let mut open: Vec<&str> = angles.iter().filter(|angle| !is_named(angle)).copied().collect();
-    let is_latin = |name: &String| name.len() == 1 && !letters.iter().any(|letter| letter.name() == name);
-    let mut unknown: Vec<String> = under.into_iter().filter(is_latin).collect();
+    // θ may stand for the question's α, but not a letter that is usual for what is to be found.
+    let is_other = |name: &String| {
+        let may_be_given = name.len() == 1 || matches!(name.as_str(), "alpha" | "theta" | "phi");
+        may_be_given && !letters.iter().any(|letter| letter.name() == name)
+    };
+    let mut unknown: Vec<String> = under.into_iter().filter(is_other).collect();
     if open.is_empty() || unknown.is_empty() {
         return;
     }
     let is_letter = |name: &str| letters.iter().any(|letter| letter.name() == name && letter.range() != Range::Acute);
     // Beside the question's letters a velocity may be called so as well.
-    let is_else = |latin: &str| {
+    let is_else = |own: &str| {
         readings().flat_map(|reading| &reading.equations).any(|(left, right)| {
             let outside: Vec<&str> = [left, right].into_iter().flat_map(outside).collect();
-            outside.contains(&latin) && outside.iter().any(|name| is_letter(name))
+            outside.contains(&own) && outside.iter().any(|name| is_letter(name))
         })
     };
     let mut known: Vec<(String, String)> = Vec::new();
-    unknown.retain(|latin| {
-        let namesake = open.iter().position(|angle| angle.starts_with(latin.as_str())).filter(|_| !is_else(latin));
-        known.extend(namesake.map(|place| (latin.clone(), open.remove(place).to_owned())));
+    unknown.retain(|own| {
+        let namesake = open.iter().position(|angle| angle.starts_with(own.as_str())).filter(|_| !is_else(own));
+        known.extend(namesake.map(|place| (own.clone(), open.remove(place).to_owned())));
         namesake.is_none()
     });
     let mut nameless = open.iter().filter(|angle| given(angle));
-    if let (Some(angle), None, [latin]) = (nameless.next(), nameless.next(), unknown.as_slice())
-        && !is_else(latin)
+    if let (Some(angle), None, [own]) = (nameless.next(), nameless.next(), unknown.as_slice())
+        && !is_else(own)
     {
-        known.push((latin.clone(), (*angle).to_owned()));
+        known.push((own.clone(), (*angle).to_owned()));
         (open, unknown) = (Vec::new(), Vec::new());
     }
-    let greek = |name: &str| known.iter().find(|(latin, _)| latin == name).map(|(_, angle)| Expr::name(angle.as_str()));
+    let greek = |name: &str| known.iter().find(|(own, _)| own == name).map(|(_, angle)| Expr::name(angle.as_str()));
     let is_open = open.iter().any(|angle| given(angle));
     for line in lines {
         let is_unknown = |reading: &ReadLine| used(reading).iter().any(|name| unknown.contains(name));
         if is_open && line.readings.iter().any(is_unknown) {
             line.readings.clear();
         }
-        line.readings.iter_mut().for_each(|reading| *reading = reading.in_letters(&greek));
+        let has_own =
+            |reading: &&mut ReadLine| sides(reading).flat_map(Expr::names).any(|name| greek(&name.text).is_some());
+        line.readings.iter_mut().filter(has_own).for_each(|reading| *reading = reading.in_letters(&greek));
     }
 }
 
