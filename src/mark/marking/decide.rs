@@ -2,11 +2,11 @@
 
 use super::answers::is_shown;
 use super::follow::Followed;
-use crate::answer::Kind;
+use super::withhold::{contradicts, drop_dependent, lacks_letter, withhold_for_direction, withhold_from_wrong_method};
 use crate::bank::{Code, EarnedFor, Find};
 use crate::mark::award::{Award, Evidence, Examiner, MarkedAnswer, Place};
 use crate::mark::judging::{Note, Verdict};
-use crate::mark::key::{KeyedBlank, KeyedMark, KeyedPart};
+use crate::mark::key::{KeyedMark, KeyedPart};
 use crate::mark::profile::{Charge, Profile};
 use crate::mechanics::{Quantity, Seen};
 
@@ -68,79 +68,6 @@ pub(super) fn awards(part: &KeyedPart, found: Findings, profile: &Profile, charg
     withhold_from_wrong_method(part, needed, has_right_value, &mut awards);
     withhold_for_direction(part, answers, &mut awards);
     awards
-}
-
-/// A mark for a speed is for the direction too, where the scheme has none for that: a wrong direction costs it.
-fn withhold_for_direction(part: &KeyedPart, answers: &[MarkedAnswer], awards: &mut [Award]) {
-    for (place, blank) in part.blanks.iter().enumerate() {
-        let Find::Quantity(direction) = blank.find else { continue };
-        let is_marked = part.scheme.iter().any(|mark| own_blank(mark, part) == Some(place));
-        if is_marked || answers[place].judgement.verdict != Verdict::Wrong {
-            continue;
-        }
-        let speeds = part.scheme.iter().zip(awards.iter_mut());
-        for (mark, award) in
-            speeds.filter(|(mark, _)| mark.code.is_accuracy() && mark.earned_for.is_speed_beside(direction))
-        {
-            let feedback = format!("this mark is for the {} as well, which is wrong", blank.name);
-            *award = Award { note: Some("depends"), feedback, ..withheld(mark) };
-        }
-    }
-}
-
-/// A value that is right after a method that it needs is plainly wrong has not come from it. Nor has a letter that was to be
-/// found, if an equation is wrong but for its method and no line after it is right: some slips lead to the same letter.
-fn withhold_from_wrong_method(part: &KeyedPart, needed: &[Vec<bool>], has_right_value: bool, awards: &mut [Award]) {
-    let is_wrong = |place: &usize| !awards[*place].given && contradicts(&awards[*place]);
-    let wrong: Vec<usize> = (0..awards.len()).filter(is_wrong).collect();
-    for (place, mark) in part.scheme.iter().enumerate() {
-        let Some(blank) = own_blank(mark, part) else { continue };
-        let by_answer = matches!(&awards[place].evidence, Some(Evidence { place: Place::Answer(_), .. }));
-        let KeyedBlank { find, model, .. } = &part.blanks[blank];
-        let is_to_be_found = matches!(find, Find::Unknown(_)) || model.kind == Kind::Range;
-        let is_by_luck = is_to_be_found && !has_right_value;
-        let counts = |wrong: &usize| part.scheme[*wrong].code.is_method() || is_by_luck;
-        let is_before = |wrong: &usize| needed[*wrong][blank] && part.scheme[*wrong].blanks.contains(&blank);
-        let missing = wrong.iter().find(|wrong| counts(wrong) && is_before(wrong));
-        if let Some(missing) = missing
-            && awards[place].given
-            && by_answer
-            && awards[place].note != Some("follow-through")
-        {
-            let feedback = format!("the value is right, but does not follow without {}", part.scheme[*missing].id);
-            awards[place] = Award { note: Some("depends"), feedback, ..withheld(mark) };
-        }
-    }
-}
-
-/// Is a step written wrongly, so that the answer cannot have come from it? What is true of the right values is no such line.
-fn contradicts(shown: &Award) -> bool {
-    let wrong = [
-        "sign-error",
-        "sincos-swap",
-        "wrong-axis",
-        "e-wrong-side",
-        "e-taken-as-1",
-        "masses-swapped",
-        "masses-omitted",
-        "not-resolved",
-        "term-missing",
-        "coalesce",
-        "energy-square-of-difference",
-        "energy-components-added",
-        // A value that is stated, and is another though not by much.
-        "near-miss",
-    ];
-    shown.note.is_some_and(|note| wrong.contains(&note))
-}
-
-/// Is a letter left out of a step, and put back in the answer that would imply it? From an answer without letters it cancels.
-fn lacks_letter(shown: &Award, implied: &Award, part: &KeyedPart) -> bool {
-    let is_in_letters = |evidence: &Evidence| match evidence.place {
-        Place::Answer(blank) => part.blanks[blank].model.kind == Kind::Expression,
-        Place::Line(_) => false,
-    };
-    shown.note == Some(Note::LetterMissing.tag()) && implied.evidence.as_ref().is_some_and(is_in_letters)
 }
 
 /// A right answer implies whatever its own mark depends on, where nothing else was seen of it.
@@ -373,7 +300,7 @@ fn unearned(mark: &KeyedMark, own: Option<Verdict>) -> Award {
     Award { feedback: feedback.to_owned(), ..withheld(mark) }
 }
 
-fn withheld(mark: &KeyedMark) -> Award {
+pub(super) fn withheld(mark: &KeyedMark) -> Award {
     Award {
         id: mark.id.clone(),
         code: mark.code,
@@ -382,22 +309,5 @@ fn withheld(mark: &KeyedMark) -> Award {
         note: None,
         evidence: None,
         feedback: String::new(),
-    }
-}
-
-/// Marks without those on which they depend fall too; a person's word stands.
-fn drop_dependent(scheme: &[KeyedMark], awards: &mut [Award]) {
-    for (place, mark) in scheme.iter().enumerate() {
-        let missing = mark.depends.iter().find(|needed| !awards[**needed].given).copied();
-        if let Some(missing) = missing
-            && awards[place].given
-            && awards[place].by == Examiner::Marker
-        {
-            let needed = awards[missing].id.clone();
-            let award = &mut awards[place];
-            award.given = false;
-            award.note = Some("depends");
-            award.feedback = format!("depends on {needed}");
-        }
     }
 }

@@ -13,6 +13,7 @@ mod follow;
 mod left;
 mod memory;
 mod overrule;
+mod withhold;
 
 pub(super) use memory::Memory;
 pub use overrule::{Word, overrule};

@@ -11,7 +11,7 @@ use super::figures::is_sum_of_figures;
 use super::line::Member;
 use super::pair::{Departure, Matched};
 use super::points::sizes;
-use super::said::{clauses, says_across, says_along, says_unchanged};
+use super::said::{clauses, is_called_otherwise, says_across, says_along};
 use super::shapes::components_in;
 use crate::answer::Kind;
 use crate::bank::{Code, EarnedFor};
@@ -294,7 +294,7 @@ impl Working<'_> {
             && self.members(studied).any(|(member, values)| {
                 let is_composite = self.is_worked_out(&member.expr) && !is_sum_of_figures(&member.expr);
                 let is_called = self.is_called(member) || is_composite || self.says_across(&studied.line.typed);
-                let is_called = is_called || says_unchanged(&studied.line.typed);
+                let is_called = is_called || self.says_unchanged(&studied.line.typed);
                 let named = is_called && !is_called_otherwise(member, sphere);
                 let before = member.letter.as_ref().is_some_and(|letter| letter.starts_with('u') && !is_composite);
                 let unknown = member.letter.as_ref().is_some_and(|letter| self.is_unknown(letter));
@@ -377,22 +377,6 @@ impl Working<'_> {
         };
         (0..self.prepared.points.count).map(at).collect()
     }
-}
-
-/// Is a value said to be something else than a component of this sphere?
-fn is_called_otherwise(member: &Member, sphere: Sphere) -> bool {
-    const OTHERS: [&str; 9] = ["time", "mass", "distance", "momentum", "impulse", "force", "energy", "ke", "radius"];
-    let label = member.label.as_deref().unwrap_or_default();
-    let words: Vec<&str> = label.split(|sign: char| !sign.is_alphanumeric()).collect();
-    // `b` is a letter, `B` a sphere, and `vB` its velocity.
-    let names = |sphere: Sphere| {
-        let is_name = |word: &&str| {
-            let before = word.strip_suffix(sphere.name());
-            before.is_some_and(|before| before.is_empty() || (before.len() == 1 && "uvwUVW".contains(before)))
-        };
-        words.iter().any(is_name)
-    };
-    words.iter().any(|word| OTHERS.contains(&word.to_lowercase().as_str())) || (names(sphere.other()) && !names(sphere))
 }
 
 /// How many numbers and letters stand in a formula.

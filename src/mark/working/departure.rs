@@ -24,10 +24,7 @@ impl Departure {
     /// What a method mark condones.
     pub(super) fn is_condoned(self) -> bool {
         use Departure::{AnotherRestitution, Inaccurate, LetterMissing, Sign, SineForCosine, WeightsForMasses};
-        matches!(
-            self,
-            Sign | SineForCosine | Inaccurate | LetterMissing | AnotherRestitution | WeightsForMasses
-        )
+        matches!(self, Sign | SineForCosine | Inaccurate | LetterMissing | AnotherRestitution | WeightsForMasses)
     }
 
     pub(super) fn tag(self) -> &'static str {

@@ -4,6 +4,7 @@
 //! line is compared by what its formulas come to, not by how they look: at fixed points where letters remain, and within
 //! the width that rounded figures leave open.
 
+mod agreement;
 mod angle_letters;
 mod angles;
 mod by_components;
@@ -30,6 +31,7 @@ mod pair;
 mod points;
 mod prepared;
 mod printed;
+mod remarks;
 mod said;
 mod shapes;
 mod spread;

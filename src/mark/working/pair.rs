@@ -150,13 +150,7 @@ impl Laws {
     }
 
     /// The laws in which a letter of the speeds is left out of every term, and that a method mark condones otherwise.
-    fn without_letter(
-        &self,
-        line: &[Linear],
-        convention: &Convention,
-        shows_e: bool,
-        letter: &[f64],
-    ) -> Vec<Matched> {
+    fn without_letter(&self, line: &[Linear], convention: &Convention, shows_e: bool, letter: &[f64]) -> Vec<Matched> {
         let put = |(linear, letter): (&Linear, &f64)| {
             let constant = linear.constant.times(*letter);
             Linear { constant, size: linear.size * letter.max(1.0), ..linear.clone() }

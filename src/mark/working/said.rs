@@ -1,6 +1,7 @@
 //! What the words of a line say of a component: that it is along the line of centres, or across it.
 
 use super::examine::{Studied, Working};
+use super::line::Member;
 use crate::mechanics::Sphere;
 
 impl Working<'_> {
@@ -17,6 +18,11 @@ impl Working<'_> {
         let is_one = |(own, (_, right)): (&f64, &(Sphere, Vec<f64>))| matches!(right[..], [right] if is(*own, right));
         let is_turned = typed.find('B').zip(typed.find('A')).is_some_and(|(of_b, of_a)| of_b < of_a);
         says_across(typed) && !typed.contains("along") && !is_turned && listed.iter().zip(across).all(is_one)
+    }
+
+    /// Is it said of what stands here that it stays, and not of a list with something else in it?
+    pub(super) fn says_unchanged(&self, typed: &str) -> bool {
+        says_unchanged(typed) && numbers_listed(typed).is_none_or(|listed| listed.len() <= self.across().len())
     }
 }
 
@@ -65,10 +71,26 @@ pub(super) fn says_across(typed: &str) -> bool {
 }
 
 /// Is it said of what stands here that it stays as it is?
-pub(super) fn says_unchanged(typed: &str) -> bool {
+fn says_unchanged(typed: &str) -> bool {
     const WORDS: [&str; 7] = ["unchanged", "no change", "not change", "stay", "remain", "unaffected", "constant"];
     let typed = typed.to_lowercase();
     WORDS.iter().any(|word| typed.contains(word))
+}
+
+/// Is a value said to be something else than a component of this sphere?
+pub(super) fn is_called_otherwise(member: &Member, sphere: Sphere) -> bool {
+    const OTHERS: [&str; 9] = ["time", "mass", "distance", "momentum", "impulse", "force", "energy", "ke", "radius"];
+    let label = member.label.as_deref().unwrap_or_default();
+    let words: Vec<&str> = label.split(|sign: char| !sign.is_alphanumeric()).collect();
+    // `b` is a letter, `B` a sphere, and `vB` its velocity.
+    let names = |sphere: Sphere| {
+        let is_name = |word: &&str| {
+            let before = word.strip_suffix(sphere.name());
+            before.is_some_and(|before| before.is_empty() || (before.len() == 1 && "uvwUVW".contains(before)))
+        };
+        words.iter().any(is_name)
+    };
+    words.iter().any(|word| OTHERS.contains(&word.to_lowercase().as_str())) || (names(sphere.other()) && !names(sphere))
 }
 
 /// `line of centres`, `LOC`, `l.o.c.`

@@ -6,6 +6,7 @@
 
 use std::cell::{Cell, OnceCell};
 
+use super::agreement::{Agrees, LEAST_TERMS, SLACK, agreement, agreement_of_three, near};
 use super::compare::any_within;
 use super::components::whole;
 use super::convention::is_value;
@@ -22,20 +23,6 @@ use crate::mechanics::{Axis, Known, Law, Moment, Quantity, Sphere};
 
 /// Nobody writes more terms into one of the two equations.
 const MOST_TERMS: usize = 8;
-
-/// How far a term may be off that was rounded more than its figures show.
-const SLACK: f64 = 0.002;
-
-/// Two terms could be anything's.
-const LEAST_TERMS: usize = 3;
-
-/// How a line agrees with a law.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Agrees {
-    /// In every term but for signs.
-    ButForSigns,
-    Fully,
-}
 
 /// What is known of an impact at a point, along the line of centres.
 struct Numbers {
@@ -347,65 +334,4 @@ fn terms(expr: &Expr, context: &Context) -> Option<Vec<Spread>> {
 
 fn terms_negated(expr: &Expr, context: &Context) -> Option<Vec<Spread>> {
     Some(terms(expr, context)?.into_iter().map(|term| -term).collect())
-}
-
-/// The same of a law with enough terms.
-fn agreement_of_three(terms: &[Spread], law: &[f64]) -> Option<Agrees> {
-    let is_whole = law.iter().filter(|term| term.abs() > 1e-9).count() >= LEAST_TERMS;
-    is_whole.then(|| agreement(terms, law)).flatten().map(|(agrees, _)| agrees)
-}
-
-/// Do the terms agree with those of a law, up to a factor? And the factor. What is nought need not be written.
-fn agreement(terms: &[Spread], law: &[f64]) -> Option<(Agrees, f64)> {
-    let size = law.iter().fold(0.0, |size: f64, term| size.max(term.abs()));
-    let law: Vec<f64> = law.iter().copied().filter(|term| term.abs() > 1e-9 * size).collect();
-    let largest = terms.iter().fold(0.0, |size: f64, term| size.max(term.middle().abs()));
-    let terms: Vec<Spread> = terms.iter().copied().filter(|term| !term.may_be_nought(largest)).collect();
-    if terms.len() != law.len() || law.is_empty() || !sizes_agree(&terms, &law) {
-        return None;
-    }
-    let mut best: Option<(Agrees, f64)> = None;
-    for one in &law {
-        let scale = terms[0].middle() / one;
-        for (agrees, scale) in [(Agrees::Fully, scale), (Agrees::ButForSigns, scale)] {
-            let is = |term: Spread, own: f64| match agrees {
-                Agrees::Fully => term.may_be(own * scale),
-                Agrees::ButForSigns => near(term.absolute(), (own * scale).abs()),
-            };
-            if best.is_none_or(|(found, _)| found < agrees) && pairs_off(&terms, &law, &is) {
-                best = Some((agrees, scale));
-            }
-        }
-    }
-    best
-}
-
-/// Is the largest to the smallest as it is in the law? Nearly always that tells.
-fn sizes_agree(terms: &[Spread], law: &[f64]) -> bool {
-    let ends = |pick: fn(f64, f64) -> f64, from: f64| {
-        let sizes = terms.iter().map(|term| term.absolute());
-        let (low, high) = sizes.fold((from, from), |(low, high), size| (pick(low, size.low), pick(high, size.high)));
-        let own = law.iter().fold(from, |own, term| pick(own, term.abs()));
-        ((1.0 - SLACK) * low / own, (1.0 + SLACK) * high / own)
-    };
-    let (largest, smallest) = (ends(f64::max, 0.0), ends(f64::min, f64::MAX));
-    largest.0 <= smallest.1 && smallest.0 <= largest.1
-}
-
-/// Is it this number, or this number rounded more than its figures show?
-fn near(term: Spread, number: f64) -> bool {
-    let slack = SLACK * number.abs();
-    term.may_be(number) || (term.low - slack..=term.high + slack).contains(&number)
-}
-
-/// Has each term one of the law's for its own?
-fn pairs_off(terms: &[Spread], law: &[f64], is: &dyn Fn(Spread, f64) -> bool) -> bool {
-    let Some((first, rest)) = terms.split_first() else { return law.is_empty() };
-    (0..law.len()).any(|place| {
-        is(*first, law[place]) && {
-            let mut others = law.to_vec();
-            others.remove(place);
-            pairs_off(rest, &others, is)
-        }
-    })
 }
