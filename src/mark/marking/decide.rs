@@ -140,17 +140,16 @@ fn by_one_followed(mark: &KeyedMark, part: &KeyedPart, blank: usize, followed: &
     let Followed { judgement, is_marked } = followed;
     let is_value =
         matches!(&mark.earned_for, EarnedFor::Quantity(q) if part.blanks[blank].find.quantities().contains(q));
-    // The method that leads to it is implied; what stands before the student's own value is not.
-    let is_last_step =
-        *is_marked || matches!(mark.earned_for, EarnedFor::Law(law, _) if matches!(law.seen(), Seen::Value(..)));
+    // The method that leads to it is implied, and what follows on the way; what stands before the student's own value is not.
+    let is_on_the_way = matches!(mark.earned_for, EarnedFor::Law(law, _) if matches!(law.seen(), Seen::Value(..)));
     let is_method = mark.code.is_method()
-        && is_last_step
+        && (*is_marked || is_on_the_way)
         && part.scheme.iter().any(|other| {
             let is_own =
                 if *is_marked { other.code == Code::A1FollowThrough } else { own_blank(other, part) == Some(blank) };
             is_own && other.blanks.contains(&blank) && other.depends.iter().any(|id| part.scheme[*id].id == mark.id)
         });
-    let follows = (is_value && mark.code == Code::A1FollowThrough) || is_method;
+    let follows = is_method || (mark.code == Code::A1FollowThrough && (is_value || is_on_the_way));
     follows.then(|| Award {
         given: true,
         note: Some("follow-through"),

@@ -11,7 +11,7 @@ use crate::mark::award::MarkedAnswer;
 use crate::mark::judging::{Judgement, Model, Note, Verdict, judge};
 use crate::mark::key::{KeyedPart, KeyedQuestion};
 use crate::mark::reading::{Form, Reading};
-use crate::mark::working::Examined;
+use crate::mark::working::{Examined, comes_to};
 use crate::mechanics::{Datum, Derivation, Line, Moment, Quantity, Show};
 use crate::number::{Fraction, Places, round};
 use crate::paper::WorkingLine;
@@ -43,27 +43,32 @@ pub(super) fn answers(
         let is_right =
             answer.judgement.verdict == Verdict::Correct || answer.judgement.note == Some(Note::ExactWanted.tag());
         let is_wrong = || answer.judgement.verdict == Verdict::Wrong || is_near_miss(&answer.judgement);
-        let is_value = || matches!(blank.model.kind, Kind::Number | Kind::Angle);
+        let is_value = || matches!(blank.model.kind, Kind::Number | Kind::Angle | Kind::Expression);
         let follows = is_marked || (is_wrong_before && is_wrong() && is_value());
-        let open = follows && !is_right && !examined.theirs.0.is_empty();
-        // A formula in letters is followed at points only, which is no proof.
-        if !open || !question.letters.is_empty() {
+        if !follows || is_right || examined.theirs.0.is_empty() {
             return None;
         }
-        let value = examined.followed(question, quantity)?;
+        let values = examined.followed(question, quantity)?;
+        let right = question.prepared().known_sizes(quantity);
+        let is_nought = |values: &[f64]| values.iter().all(|value| *value == 0.0);
         // Nothing is left to find where the student's own values leave nought.
-        if value == 0.0 && question.prepared().known_size(quantity) != Some(0.0) {
+        if is_nought(&values) && !right.as_deref().is_some_and(is_nought) {
             return None;
         }
-        if !is_marked && (is_stated(question, examined, value) || is_right_already(question, quantity, value)) {
+        let is_right_already = || right.as_deref().is_some_and(|right| are_near(right, &values, 1e-3));
+        if !is_marked && (is_stated(question, examined, &values) || is_right_already()) {
             return None;
         }
-        let is_it = |expr: &&Expr| {
-            let own = question.exact(expr).and_then(|own| own.to_f64());
-            own.is_some_and(|own| (own - value.abs()).abs() <= SAME * value.abs())
+        // A decimal may be rounded, but not before a letter.
+        let is_open = |expr: &&Expr| blank.model.kind == Kind::Expression || !has_decimal(expr);
+        let exact = judged.readings.as_deref().and_then(formula).filter(is_open);
+        let exact = exact.filter(|expr| comes_to(question, expr, &values));
+        let value = match exact {
+            Some(exact) => exact.clone(),
+            // A formula in letters must be it at every point.
+            None if !are_near(&vec![values[0]; values.len()], &values, SAME) => return None,
+            None => Expr::Decimal(format!("{:.12}", values[0].abs())),
         };
-        let exact = judged.readings.as_deref().and_then(exactly).filter(is_it);
-        let value = exact.cloned().unwrap_or_else(|| Expr::Decimal(format!("{:.12}", value.abs())));
         // It is known in figures, so that nobody can be asked for more.
         let accept = match &blank.model.accept {
             Accept::Exact => Accept::RoundsTo(Places::SignificantFigures(3)),
@@ -81,11 +86,11 @@ pub(super) fn answers(
 /// How near a double comes to the exact value that it stands for, in parts of itself.
 const SAME: f64 = 1e-9;
 
-/// What an answer comes to, where it is written without a decimal: only that can be the exact value.
-fn exactly(readings: &[Reading]) -> Option<&Expr> {
+/// What is written as the answer.
+fn formula(readings: &[Reading]) -> Option<&Expr> {
     let said = readings.first()?.statements.last()?.said.last()?;
     let Form::Value(expr) = &said.form else { return None };
-    (!has_decimal(expr)).then_some(expr)
+    Some(expr)
 }
 
 fn has_decimal(expr: &Expr) -> bool {
@@ -98,18 +103,20 @@ pub(super) fn is_near_miss(judgement: &Judgement) -> bool {
 }
 
 /// Is it one of the student's own wrong values itself, so that nothing follows?
-fn is_stated(question: &KeyedQuestion, examined: &Examined, value: f64) -> bool {
-    let is_it = |quantity: Quantity| match examined.theirs.0.get(&quantity).map(|(values, _)| values.as_slice()) {
-        Some([own]) => (own.abs() - value.abs()).abs() < 1e-6 * value.abs(),
-        _ => false,
+fn is_stated(question: &KeyedQuestion, examined: &Examined, values: &[f64]) -> bool {
+    let is_it = |quantity: Quantity| {
+        examined
+            .theirs
+            .0
+            .get(&quantity)
+            .is_some_and(|(own, _)| own.len() == values.len() && are_near(own, values, 1e-6))
     };
     examined.theirs.wrong(question).any(|(quantity, _)| is_it(quantity))
 }
 
-/// Do the wrong values not come into it?
-fn is_right_already(question: &KeyedQuestion, quantity: Quantity, value: f64) -> bool {
-    let right = question.prepared().known_size(quantity);
-    right.is_some_and(|right| (right.abs() - value.abs()).abs() < 1e-3 * right.abs())
+/// Are they of one size at every point, but for such a part?
+fn are_near(one: &[f64], other: &[f64], part: f64) -> bool {
+    one.iter().zip(other).all(|(one, other)| (one.abs() - other.abs()).abs() <= part * one.abs())
 }
 
 /// Answers that follow from the student's own values say so, and no other mistake is looked for in them.

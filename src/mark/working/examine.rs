@@ -8,11 +8,11 @@ use super::line::{self, Line, ReadLine};
 use super::linear::{Context, Sum};
 use super::offered::differences;
 use super::pair::{BOTH, Convention, Departure, Matched};
-use super::points::{size, sizes};
+use super::points::sizes;
 use super::prepared::Prepared;
 use super::spread::Spread;
 use super::terms::ByNumbers;
-use super::theirs::{Theirs, follow, follow_to, own_values};
+use super::theirs::{Theirs, follow, follow_to, numbers, own_values};
 use super::{angle_letters, angles};
 use crate::bank::{Code, EarnedFor};
 use crate::expr::Expr;
@@ -50,14 +50,21 @@ impl Examined {
         self.has_e == Some(true)
     }
 
-    /// What follows for a quantity from the student's own values, where the question has no letters.
-    pub(crate) fn followed(&self, question: &KeyedQuestion, quantity: Quantity) -> Option<f64> {
+    /// What follows for a quantity from the student's own values, at every point.
+    pub(crate) fn followed(&self, question: &KeyedQuestion, quantity: Quantity) -> Option<Vec<f64>> {
         match self.followed.as_deref() {
-            Some([known]) => size(known, quantity),
-            Some(_) => None,
+            Some(known) => sizes(known, quantity),
             None => follow_to(question.prepared(), &self.theirs, quantity),
         }
     }
+}
+
+/// Does a formula in the question's letters come to these at every point, whatever their sign?
+pub(crate) fn comes_to(question: &KeyedQuestion, expr: &Expr, sizes: &[f64]) -> bool {
+    let prepared = question.prepared();
+    let own = value(expr, prepared, &prepared.names).and_then(|values| numbers(&values));
+    let is = |(own, size): (&f64, &f64)| (own.abs() - size.abs()).abs() <= 1e-9 * size.abs();
+    own.is_some_and(|own| own.iter().zip(sizes).all(is))
 }
 
 /// A line with what it comes to.

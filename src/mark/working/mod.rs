@@ -43,7 +43,7 @@ mod trials;
 mod values;
 mod vectors;
 
-pub(super) use examine::Examined;
+pub(super) use examine::{Examined, comes_to};
 pub(super) use impacts::examine;
 pub(super) use line::MOST_LINES;
 pub(super) use prepared::Prepared;

@@ -1,7 +1,7 @@
 //! What looking through working needs of a question, made once for all its scripts.
 
 use super::pair::Laws;
-use super::points::{Points, size, sizes};
+use super::points::{Points, sizes};
 use super::values::along_for;
 use crate::bank::{EarnedFor, Find};
 use crate::mechanics::{
@@ -116,10 +116,9 @@ impl Prepared {
         along_for(quantity, self)
     }
 
-    /// The right value of a quantity, where the question has no letters.
-    pub(crate) fn known_size(&self, quantity: Quantity) -> Option<f64> {
-        let [known] = self.known.as_slice() else { return None };
-        size(known, quantity)
+    /// The right value of a quantity at every point.
+    pub(crate) fn known_sizes(&self, quantity: Quantity) -> Option<Vec<f64>> {
+        sizes(&self.known, quantity)
     }
 
     /// Would an answer be another if the step that earns a mark were wrong? Its result is changed by a few hundredths to

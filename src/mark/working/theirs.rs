@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::by_components::momentum_by_components;
 use super::examine::{Studied, Value, value};
 use super::pair::{Convention, sphere};
-use super::points::{size, sizes};
+use super::points::sizes;
 use super::prepared::{Prepared, complete};
 use super::spread::Spread;
 use crate::bank::Find;
@@ -262,10 +262,9 @@ pub(super) fn follow(prepared: &Prepared, theirs: &Theirs) -> Vec<Known<f64>> {
     start(prepared, theirs).iter().map(complete).collect()
 }
 
-/// What follows for one quantity, where a question without letters has one point.
-pub(super) fn follow_to(prepared: &Prepared, theirs: &Theirs, quantity: Quantity) -> Option<f64> {
+/// What follows for one quantity at every point.
+pub(super) fn follow_to(prepared: &Prepared, theirs: &Theirs, quantity: Quantity) -> Option<Vec<f64>> {
     let mut start = start(prepared, theirs);
-    let [known] = start.as_mut_slice() else { return None };
-    Derivation::carry_out(known, &[quantity]);
-    size(known, quantity)
+    start.iter_mut().for_each(|known| drop(Derivation::carry_out(known, &[quantity])));
+    sizes(&start, quantity)
 }
