@@ -199,7 +199,7 @@ fn a_list_that_is_wrong_is_refused_with_all_its_faults_and_nothing_is_written() 
     }
     assert_eq!(carom(&folder, &["sheet", "--per-student"]).status.code(), Some(2));
     let missing = carom(&folder, &["sheet", "--class", "none.csv"]);
-    assert!(stderr(&missing).contains("`none.csv` cannot be read"), "{}", stderr(&missing));
+    assert!(stderr(&missing).contains("`none.csv` cannot be read: there is no such file"), "{}", stderr(&missing));
 }
 
 #[test]

@@ -38,6 +38,35 @@ impl Accept {
     }
 }
 
+impl Accept {
+    /// The rule as a person may say it: `AWRT 3 s.f.`, `to the nearest degree`, `2 decimal places`.
+    ///
+    /// # Errors
+    ///
+    /// If it is no rule, however it is said.
+    ///
+    /// ```
+    /// use carom::answer::Accept;
+    /// assert_eq!(Accept::said("AWRT 3 s.f."), "awrt 3sf".parse());
+    /// ```
+    pub fn said(words: &str) -> Result<Accept, UnreadableRule> {
+        const SAID: [(&str, &str); 9] = [
+            ("significant figure", "sf"),
+            ("decimal place", "dp"),
+            ("sig fig", "sf"),
+            ("s.f.", "sf"),
+            ("s.f", "sf"),
+            ("d.p.", "dp"),
+            ("d.p", "dp"),
+            ("sfs", "sf"),
+            ("dps", "dp"),
+        ];
+        let short = SAID.iter().fold(words.to_lowercase(), |words, (long, short)| words.replace(long, short));
+        let short = short.strip_prefix("to ").unwrap_or(&short).replace("the nearest", "nearest");
+        short.replace("awrt to ", "awrt ").parse()
+    }
+}
+
 /// The words are no rule of acceptance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct UnreadableRule;
@@ -122,6 +151,27 @@ mod tests {
             ("exact isw", "exact"),
         ] {
             assert_eq!(words.parse::<Accept>().map(|rule| rule.to_string()), Ok(rule.to_string()), "{words}");
+        }
+    }
+
+    #[test]
+    fn a_person_may_say_a_rule_at_length() {
+        for (words, rule) in [
+            ("AWRT 3 s.f.", "awrt 3sf"),
+            ("3 s.f.", "3sf"),
+            ("2 d.p. or better", "awrt 2dp"),
+            ("to 3 significant figures", "3sf"),
+            ("2 decimal places cao", "2dp"),
+            ("1 decimal place", "1dp"),
+            ("to the nearest degree", "nearest 1"),
+            ("awrt to the nearest 0.5", "awrt nearest 0.5"),
+            ("Exact", "exact"),
+            ("nearest degree", "nearest 1"),
+        ] {
+            assert_eq!(Accept::said(words).map(|rule| rule.to_string()), Ok(rule.to_string()), "{words}");
+        }
+        for words in ["", "about 3", "2.8 or better", "awrt 2.78", "3"] {
+            assert_eq!(Accept::said(words), Err(UnreadableRule), "{words}");
         }
     }
 

@@ -134,8 +134,8 @@ pub(super) fn kind(name: &str) -> Result<Kind, Wrong> {
 
 /// A rule of acceptance.
 pub(super) fn accept(words: &str) -> Result<Accept, Wrong> {
-    let help = "there are `exact`, `awrt 3sf`, `3sf`, `2dp` and `nearest 1`";
-    words.parse().map_err(|_| Wrong::plain(format!("unknown rule of acceptance `{words}`"), help))
+    let help = "write `exact`, `awrt 3sf`, `3sf`, `2dp`, `nearest 1` or `nearest degree`; `or better`, `cao`, `oe` and `isw` may follow";
+    Accept::said(words).map_err(|_| Wrong::plain(format!("unknown rule of acceptance `{words}`"), help))
 }
 
 /// A quantity by its name.

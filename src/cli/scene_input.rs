@@ -1,11 +1,10 @@
 //! A scene from a file or from stdin, as TOML or JSON.
 
-use std::fs::File;
-use std::io::{self, Read};
 use std::path::Path;
 
 use super::failure::Failure;
 use super::json_scene;
+use super::text_file::{bytes, name_of};
 use crate::bank::read_scene;
 use crate::diagnostic::Source;
 use crate::mechanics::Scene;
@@ -15,10 +14,8 @@ const LONGEST: u64 = 1 << 20;
 
 /// The scene in a file, or on stdin if the file is `-`.
 pub fn scene(path: &Path) -> Result<Scene, Failure> {
-    let from_stdin = path == Path::new("-");
-    let name = if from_stdin { "stdin".to_owned() } else { path.display().to_string() };
-    let bytes = if from_stdin { limited(io::stdin().lock()) } else { file(path) };
-    let bytes = bytes.map_err(|error| Failure::said(format!("`{name}` cannot be read: {error}")))?;
+    let name = name_of(path);
+    let bytes = bytes(path, LONGEST)?;
     if bytes.len() as u64 > LONGEST {
         return Err(Failure::said(format!("`{name}` is too long for a scene: more than {LONGEST} bytes")));
     }
@@ -38,17 +35,4 @@ pub fn scene(path: &Path) -> Result<Scene, Failure> {
     };
     let scene = if is_json { json_scene::read(&source) } else { read_scene(&source) };
     Ok(scene?)
-}
-
-fn file(path: &Path) -> io::Result<Vec<u8>> {
-    if path.is_dir() {
-        return Err(io::Error::other("it is a folder"));
-    }
-    limited(File::open(path)?)
-}
-
-fn limited(from: impl Read) -> io::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    from.take(LONGEST + 1).read_to_end(&mut bytes)?;
-    Ok(bytes)
 }

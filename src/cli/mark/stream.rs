@@ -6,6 +6,7 @@ use std::path::Path;
 
 use super::super::failure::{Failure, warn};
 use super::super::output::{count, say};
+use super::super::text_file::{is_stdin, name_of, unread};
 use super::in_order::{HandOn, in_order};
 use super::pieces::{First, Piece, Pieces, has_lone_returns};
 use super::tell_of_old;
@@ -18,9 +19,8 @@ use crate::table::{append, decode, delimiter};
 
 /// Marks a file, or stdin if it is called `-`, to stdout, or into a folder. `of` is a digest of the key.
 pub fn run(key: &AnswerKey, of: Digest, profile: &Profile, path: &Path, out: Option<&Path>) -> Result<(), Failure> {
-    let from_stdin = path == Path::new("-");
-    let name = if from_stdin { "stdin".to_owned() } else { path.display().to_string() };
-    let unread = |error| Failure::said(format!("`{name}` cannot be read: {error}"));
+    let (from_stdin, name) = (is_stdin(path), name_of(path));
+    let unread = |error| unread(path, &error);
     let input: Box<dyn Read + Send> =
         if from_stdin { Box::new(io::stdin()) } else { Box::new(File::open(path).map_err(unread)?) };
     let mut input = BufReader::with_capacity(1 << 16, input);
