@@ -2,7 +2,7 @@
 
 use serde_json::{Value as Json, json};
 
-use super::{NAME, quantities, several, shared, table, texts, words};
+use super::{NAME, quantity, several, shared, table, texts, words};
 use crate::mechanics::Sphere;
 use crate::number::Range;
 
@@ -64,7 +64,7 @@ pub fn scene() -> Json {
             (
                 "maximise",
                 json!({
-                    "description": "The quantity that is to be as large as possible.", "enum": quantities(),
+                    "description": "The quantity that is to be as large as possible.", "anyOf": quantity()["anyOf"],
                 }),
             ),
             ("then", several("later_impact", "The impacts that come later, in their order.")),
