@@ -94,7 +94,7 @@ fn what_is_wrong_with_the_question_is_said_with_one_thing_to_try() {
         (&["sin(10)", "1"], "help: write degrees with `deg`"),
         (&["4", "4", "--kind", "vector"], "the model is of kind `number`, not `vector`"),
         (&["4", "4", "--kind", "numbr"], "help: did you mean `number`?"),
-        (&["4", "4", "--accept", "roughly"], "help: there are `exact`"),
+        (&["4", "4", "--accept", "roughly"], "help: write `exact`"),
         (&["u", "u", "--symbols", "u=positiv"], "help: did you mean `positive`?"),
         (&["u", "u", "--symbols", "u"], "help: write `u=positive`"),
         (&["4", "4", "--find", "A.after.sped"], "help: did you mean `A.after.speed`?"),
