@@ -7,7 +7,7 @@ use crate::expr::{Text, print};
 /// Between a label and what stands beside it.
 const CLEARANCE: f64 = 0.12;
 /// Length and half the width of an arrowhead.
-const HEAD: (f64, f64) = (0.72, 0.24);
+pub const HEAD: (f64, f64) = (0.72, 0.24);
 /// Length of the head of a hollow arrow, half its width, and half the width of the shaft.
 const HOLLOW: (f64, f64, f64) = (0.9, 0.46, 0.2);
 /// The handle of a quarter of a circle of radius 1.
@@ -39,14 +39,17 @@ impl Spot {
         Spot { beside, towards: towards.unit() }
     }
 
-    /// Where the middle of a box can be: with the point at its edge, or with all of it beyond the point.
-    fn centres(self, size: Point) -> [Point; 2] {
+    /// Where the middle of a box can be: with the point at its edge or near that, or with all of it beyond the point.
+    fn centres(self, size: Point) -> [Point; 3] {
+        let gap = CLEARANCE * 1.8;
         let half = [self.towards.x * size.x / 2.0, self.towards.y * size.y / 2.0].map(f64::abs);
+        // The gap is between the point and the side of the box that faces it, however the direction slants.
         let [out_x, out_y] = [(size.x, self.towards.x), (size.y, self.towards.y)]
-            .map(|(size, towards)| if towards == 0.0 { f64::INFINITY } else { size / 2.0 / towards.abs() });
+            .map(|(size, towards)| if towards == 0.0 { f64::INFINITY } else { (size / 2.0 + gap) / towards.abs() });
         let edge = out_x.min(out_y);
         let edge = if edge.is_finite() { edge } else { 0.0 };
-        [edge, half[0] + half[1]].map(|reach| self.beside + self.towards * (reach + CLEARANCE * 1.8))
+        let beyond = half[0] + half[1] + gap;
+        [edge, beyond.min(edge + HEAD.1), beyond].map(|reach| self.beside + self.towards * reach)
     }
 }
 
@@ -153,9 +156,16 @@ impl Canvas {
         let onwards = |direction: Point| if anticlockwise { direction.turned() } else { -direction.turned() };
         let at = |direction: Point| centre + direction * radius;
         let middle = (from + to).unit();
-        for (one, other) in [(from, middle), (middle, to)] {
-            self.obstacles.push(Obstacle::Line(at(one), at(other)));
+        // Chords short enough that the arc bulges no further than a label stays away.
+        let mut chords = vec![(from, middle), (middle, to)];
+        for _ in 0..2 {
+            let halves = |(one, other): (Point, Point)| {
+                let between = (one + other).unit();
+                [(one, between), (between, other)]
+            };
+            chords = chords.into_iter().flat_map(halves).collect();
         }
+        self.obstacles.extend(chords.into_iter().map(|(one, other)| Obstacle::Line(at(one), at(other))));
         let curve = Section::Curve(at(from + onwards(from) * handle), at(to - onwards(to) * handle), at(to));
         self.reach(at(middle));
         self.stroke(Style::Thin, at(from), vec![curve]);

@@ -95,6 +95,12 @@ impl Frame {
         }
     }
 
+    /// How far the box reaches in a direction, from the origin.
+    pub fn farthest(self, direction: Point) -> f64 {
+        let side = |low: f64, high: f64, towards: f64| f64::max(low * towards, high * towards);
+        side(self.low.x, self.high.x, direction.x) + side(self.low.y, self.high.y, direction.y)
+    }
+
     /// Do two boxes share more than an edge?
     pub fn meets(self, other: Frame) -> bool {
         self.low.x < other.high.x && other.low.x < self.high.x && self.low.y < other.high.y && other.low.y < self.high.y

@@ -1,13 +1,18 @@
 //! The figure of a question: what is given, and nothing else.
 
+use super::corner::Way;
 use super::illustration::{direction, measure};
 use super::particle::Particle;
-use super::spheres::{Body, Motion, Spheres};
+use super::spheres::{Beyond, Body, Motion, Spheres};
 use super::wall::AtWall;
+use super::walls::Walls;
 use super::words::{at_wall_in_words, in_words, particle_in_words};
 use super::{Diagram, Manner, Point, contact, formula};
-use crate::expr::{Expr, Text, written, written_angle};
-use crate::mechanics::{self, Axis, Contact, Known, Moment, Quantity, Scene, Setting, Sphere, Velocity, pose};
+use crate::expr::{Expr, Relation, Text, number, written, written_angle};
+use crate::mechanics::{
+    self, Axis, Condition, Contact, Derivation, Known, Meeting, Moment, Quantity, Scene, Setting, Sphere, Then,
+    Velocity, pose,
+};
 use crate::number::{Angle, Value};
 use crate::unit::Unit;
 
@@ -70,56 +75,140 @@ impl Given<'_> {
             bodies[sphere as usize] = self.body(sphere, Moment::Before)?;
         }
         let axes = self.manner.vectors;
-        let spheres = Spheres { line, apart: false, named: true, names: Sphere::BOTH, bodies, axes, positive: None };
+        // A wall stands beyond whoever strikes it next.
+        let mut beyond: [Beyond; 2] = Default::default();
+        let wall = Walls::of(self.scene, self.known).known(1).and_then(line_of_centres);
+        if let Some(then) = self.scene.then.first().filter(|_| wall.is_some()) {
+            beyond[usize::from(then.meeting.of[0] != Sphere::A)].wall = wall;
+        }
+        let spheres =
+            Spheres { line, apart: false, named: true, names: Sphere::BOTH, bodies, beyond, axes, positive: None };
         let words = in_words(&spheres, Moment::Before);
         Some(Diagram { title: String::new(), drawing: spheres.draw(), words })
     }
 
-    /// Two spheres that move along one line.
+    /// Two spheres that move along one line, and what stands further along it.
     fn in_line(&self, moment: Moment) -> Option<Diagram> {
-        let right = Point::new(1.0, 0.0);
-        let mut bodies = [Body::default(), Body::default()];
-        for sphere in Sphere::BOTH {
-            let mut body = Body { mass: mass(self.scene, sphere, self.manner), ..Body::default() };
-            if let Some(Velocity::Components(along, _)) = self.scene.velocity(sphere, moment) {
-                body.at_rest = along.value.is_zero();
-                if !body.at_rest {
-                    let backwards = measure(&along.value)? < 0.0;
-                    let shown = if backwards { along.shown.clone().negated() } else { along.shown.clone() };
-                    let heading = if backwards { -right } else { right };
-                    let label = self.manner.quantity(&shown, Unit::MetrePerSecond);
-                    body.motions = vec![Motion { heading, label, angle: None, component: true, leaving: false }];
-                }
-            }
-            bodies[sphere as usize] = body;
-        }
+        let line = Point::new(1.0, 0.0);
+        let body =
+            |sphere| self.along(mass(self.scene, sphere, self.manner), self.scene.velocity(sphere, moment), line);
+        let bodies = [body(Sphere::A)?, body(Sphere::B)?];
+        let beyond = if moment == Moment::Before { self.beyond(line)? } else { Default::default() };
         let names = Sphere::BOTH;
-        let spheres = Spheres { line: right, apart: true, named: false, names, bodies, axes: false, positive: None };
+        let spheres = Spheres { line, apart: true, named: false, names, bodies, beyond, axes: false, positive: None };
         let words = in_words(&spheres, moment);
         Some(Diagram { title: String::new(), drawing: spheres.draw(), words })
     }
 
+    /// A sphere that moves along a line.
+    fn along(&self, mass: Option<Text>, velocity: Option<&Velocity>, line: Point) -> Option<Body> {
+        let mut body = Body { mass, ..Body::default() };
+        if let Some(Velocity::Components(along, _)) = velocity {
+            body.at_rest = along.value.is_zero();
+            if !body.at_rest {
+                let backwards = measure(&along.value)? < 0.0;
+                let shown = if backwards { along.shown.clone().negated() } else { along.shown.clone() };
+                let heading = if backwards { -line } else { line };
+                let label = self.manner.quantity(&shown, Unit::MetrePerSecond);
+                body.motions = vec![Motion { heading, label, angle: None, component: true, leaving: false }];
+            }
+        }
+        Some(body)
+    }
+
+    /// What is struck later: nobody passes another, so that it stands on the side of whoever strikes it first.
+    fn beyond(&self, line: Point) -> Option<[Beyond; 2]> {
+        let mut beyond: [Beyond; 2] = Default::default();
+        for Then { meeting, scene } in &self.scene.then {
+            let third = Sphere::C;
+            let side = |sphere: Sphere, beyond: &[Beyond; 2]| match sphere {
+                Sphere::C => usize::from(beyond[1].sphere.is_some()),
+                sphere => sphere as usize,
+            };
+            match (meeting.with_wall, meeting.of.iter().position(|sphere| *sphere == third)) {
+                (true, _) => {
+                    let place = side(meeting.of[0], &beyond);
+                    beyond[place].wall = Some(if place == 0 { -line } else { line });
+                }
+                (false, Some(place)) if beyond.iter().all(|beyond| beyond.sphere.is_none()) => {
+                    let mass = scene.masses[place].as_ref();
+                    let mass = mass.map(|mass| self.manner.quantity(&mass.shown, Unit::Kilogram));
+                    let body = self.along(mass, scene.before[place].as_ref(), line)?;
+                    beyond[meeting.of[1 - place] as usize].sphere = Some((third, body));
+                }
+                _ => {}
+            }
+        }
+        Some(beyond)
+    }
+
     fn at_wall(&self, moment: Moment) -> Option<Diagram> {
         let inward = line_of_centres(self.known)?;
-        let picture =
-            AtWall { inward, name: Sphere::A, body: self.body(Sphere::A, moment)?, axes: self.manner.vectors };
+        let body = self.body(Sphere::A, moment)?;
+        let other = Walls::of(self.scene, self.known).other(0, self.manner).filter(|_| moment == Moment::Before);
+        let way = self.way(other.is_some()).or_else(|| self.given_way()).filter(|_| moment == Moment::Before);
+        let picture = AtWall { inward, name: Sphere::A, body, axes: self.manner.vectors, other, way };
         let words = at_wall_in_words(&picture, moment);
         Some(Diagram { title: String::new(), drawing: picture.draw(), words })
     }
 
+    /// The way from the wall: to another one, or if its angle has a letter.
+    fn way(&self, to_another: bool) -> Option<Way> {
+        let letter = |impact| {
+            let lettered = self.manner.after_walls.iter().find(|(number, _)| *number == impact);
+            lettered.map(|(_, letter)| letter.clone())
+        };
+        if !to_another && letter(0).is_none() {
+            return None;
+        }
+        let mut known = self.known.clone();
+        let mut leads = |meeting: Meeting| {
+            let after =
+                [Axis::X, Axis::Y].map(|axis| meeting.quantity(Quantity::Velocity(Sphere::A, Moment::After, axis)));
+            Derivation::carry_out(&mut known, &after);
+            let [x, y] = after.map(|component| known.number(component));
+            direction(&x?, &y?)
+        };
+        let heading = leads(Meeting::FIRST)?;
+        let second = self.scene.then.first().filter(|_| to_another).map(|then| then.meeting);
+        let onwards = second.and_then(|second| Some((leads(second)?, letter(second.number)?)));
+        Some(Way { heading, angle: letter(0), onwards })
+    }
+
+    /// The way from the wall where its angle is given, and has a letter.
+    fn given_way(&self) -> Option<Way> {
+        let asked = Quantity::TanToWall(Sphere::A, Moment::After);
+        let given = |condition: &Condition| match (&condition.left, condition.relation) {
+            (Expr::Name(name), Relation::Equal) if name.text.parse() == Ok(asked) => {
+                number(&condition.right, &|_| None).ok()
+            }
+            _ => None,
+        };
+        let tangent = self.scene.conditions.iter().find_map(given)?;
+        let (letter, _) = self.manner.angles.iter().find(|(_, named)| (named - &tangent).is_zero())?;
+        let (x, y) = components(self.scene.velocity(Sphere::A, Moment::Before)?);
+        let (inward, before) = (line_of_centres(self.known)?, direction(&x, &y)?);
+        let along = (before - inward * before.dot(inward)).unit();
+        let heading = (along - inward * measure(&tangent)?).unit();
+        Some(Way { heading, angle: Some(letter.clone()), onwards: None })
+    }
+
     /// The particle with its velocity and its impulse; its velocity after, where that is given, by itself.
     fn particle(&self) -> Vec<Diagram> {
-        let picture = |moment, impulse: Option<(Point, Text)>| {
+        let picture = |moment, impulse: Option<(Point, Text)>, axes| {
             let body = self.body(Sphere::A, moment)?;
             if body.motions.is_empty() && !body.at_rest && impulse.is_none() {
                 return None;
             }
-            let picture = Particle { body, impulse, axes: self.manner.vectors };
+            let picture = Particle { body, impulse, axes };
             let words = particle_in_words(&picture, moment);
             Some(Diagram { title: String::new(), drawing: picture.draw(), words })
         };
-        let before = picture(Moment::Before, given_impulse(self.scene, self.manner));
-        let Some(after) = picture(Moment::After, None) else { return before.into_iter().collect() };
+        let axes = self.manner.vectors;
+        let before = picture(Moment::Before, given_impulse(self.scene, self.manner), axes);
+        let Some(after) = picture(Moment::After, None, axes && before.is_none()) else {
+            return before.into_iter().collect();
+        };
         let is_moving = self.scene.velocity(Sphere::A, Moment::Before).is_some();
         let title = if is_moving { "Before" } else { "The impulse" };
         let before = before.map(|diagram| Diagram { title: title.to_owned(), ..diagram });

@@ -9,6 +9,7 @@
 
 mod canvas;
 mod contact;
+mod corner;
 mod drawing;
 mod geometry;
 mod given;
@@ -21,6 +22,7 @@ mod spots;
 mod svg;
 mod tikz;
 mod wall;
+mod walls;
 mod words;
 
 pub use drawing::{Drawing, Label, Point, Section, Stroke, Style};
@@ -54,6 +56,9 @@ pub struct Manner<'a> {
     pub with_units: &'a [String],
     /// The angles that the words name by a letter, each with its tangent: 'where tan α = 2'.
     pub angles: &'a [(Expr, Value)],
+    /// The letters that the words have for the angle between a path after an impact and the wall, by how many impacts
+    /// come before that one.
+    pub after_walls: &'a [(u8, Expr)],
 }
 
 impl Manner<'_> {

@@ -14,9 +14,9 @@ const ARROW: f64 = 3.8;
 /// The longest side of a triangle of momenta.
 const LONGEST: f64 = 8.0;
 /// The shortest side in which an arrow can be seen, and the least height over the longest side that keeps two
-/// sides apart.
+/// sides apart, heads and all.
 const SHORTEST: f64 = 1.7;
-const LEAST_HEIGHT: f64 = 0.5;
+const LEAST_HEIGHT: f64 = 1.4;
 
 /// What a picture of a particle shows.
 #[derive(Clone, Debug, PartialEq)]

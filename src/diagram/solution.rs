@@ -1,11 +1,13 @@
 //! The pictures of a worked solution: before and after, with what the working calls each component.
 
+use super::corner::Other;
 use super::drawing::Point;
 use super::given::{line_of_centres, mass, titled};
 use super::illustration::{direction, measure};
 use super::particle::Momenta;
 use super::spheres::{Body, Motion, Spheres};
 use super::wall::AtWall;
+use super::walls::Walls;
 use super::words::{at_wall_in_words, in_words};
 use super::{Diagram, Manner, contact, formula};
 use crate::expr::{Expr, print, written};
@@ -18,39 +20,42 @@ use crate::unit::Unit;
 /// How wide a momentum may be that is written out.
 const WIDEST: f64 = 13.0;
 
-/// The pictures of a solution. Where the line of centres is given: the components along it and across it, the unknown ones
+/// The pictures of a solution, impact by impact: each before and after. Where the line of centres is given: the components along it and across it, the unknown ones
 /// as letters in the positive direction; at a wall, perpendicular and parallel to it. Where the line is found: the
 /// velocities as vectors. For an impulse: the triangle of momenta.
-///
-/// Of several impacts each is shown as it begins.
-pub fn solution(scene: &Scene, manner: Manner) -> Vec<Diagram> {
+pub fn solution(scene: &Scene, manner: Manner) -> Vec<Vec<Diagram>> {
     let Ok(mut known) = pose(scene) else { return Vec::new() };
     let geometry = match &scene.contact {
         Some(Contact::Offset { offset, sum, .. }) => contact::triangle(scene, &known, offset, sum),
         _ => None,
     };
     Derivation::carry_out(&mut known, &needed(scene));
-    let view = |show| View { scene, known: &known, show, manner, names: Sphere::BOTH };
+    let walls = Walls::of(scene, &known);
+    let view = |show| View { scene, known: &known, show, manner, names: Sphere::BOTH, other: walls.other(0, manner) };
     if scene.setting == Setting::Impulse {
-        return view(Show::new(scene, &known, &[])).momenta().into_iter().collect();
+        return vec![view(Show::new(scene, &known, &[])).momenta().into_iter().collect()];
     }
     let first = view(Show::new(scene, &known, &[]));
-    if scene.then.is_empty() {
-        let both = first.at(Moment::Before).zip(first.at(Moment::After));
-        return geometry.into_iter().chain(both.into_iter().flat_map(<[_; 2]>::from)).collect();
-    }
-    // Before and after of each would fill a page and more; how one ends is how the next begins.
-    let begins = first.at(Moment::Before).map(|before| numbered(before, 0));
-    let mut pictures: Vec<Diagram> = geometry.into_iter().chain(begins).collect();
+    let mut pictures: Vec<Vec<Diagram>> = vec![geometry.into_iter().chain(first.before_and_after()).collect()];
     for then in &scene.then {
         let meeting = then.meeting;
         let needed: Vec<Quantity> =
             needed(&then.scene).into_iter().map(|quantity| meeting.quantity(quantity)).collect();
         Derivation::carry_out(&mut known, &needed);
         let here = meeting.known(&known);
-        let Some(show) = Show::new(scene, &known, &[]).of_later(meeting) else { continue };
-        let view = View { scene: &then.scene, known: &here, show, manner, names: meeting.of };
-        pictures.extend(view.at(Moment::Before).map(|before| numbered(before, meeting.number)));
+        let later = Show::new(scene, &known, &[]).of_later(meeting).map(|show| {
+            let other = walls.other(meeting.number.into(), manner);
+            let view = View { scene: &then.scene, known: &here, show, manner, names: meeting.of, other };
+            view.before_and_after()
+        });
+        pictures.push(later.unwrap_or_default());
+    }
+    if pictures.len() > 1 {
+        for (impact, picture) in
+            (0..).zip(&mut pictures).flat_map(|(impact, of_it)| of_it.iter_mut().map(move |picture| (impact, picture)))
+        {
+            *picture = numbered(std::mem::take(picture), impact);
+        }
     }
     pictures
 }
@@ -94,9 +99,17 @@ struct View<'a> {
     manner: Manner<'a>,
     /// Who has the part of A, and who that of B.
     names: [Sphere; 2],
+    /// The wall that the sphere comes from or goes to, where this one is at a wall too.
+    other: Option<Other>,
 }
 
 impl View<'_> {
+    /// The impact before and after, if both can be drawn.
+    fn before_and_after(&self) -> Vec<Diagram> {
+        let both = self.at(Moment::Before).zip(self.at(Moment::After));
+        both.into_iter().flat_map(<[_; 2]>::from).collect()
+    }
+
     /// The impact before or after, with that above it.
     fn at(&self, moment: Moment) -> Option<Diagram> {
         let picture = match (self.scene.setting, &self.scene.contact) {
@@ -131,8 +144,17 @@ impl View<'_> {
             bodies[sphere as usize] = Body { mass, at_rest: motions.is_empty(), motions };
         }
         let apart = self.scene.setting == Setting::Direct;
-        let (names, axes) = (self.names, self.manner.vectors);
-        Some(Spheres { line, apart, named: false, names, bodies, axes, positive: Some(positive) })
+        let (names, axes) = (self.names, self.manner.vectors && moment == Moment::Before);
+        Some(Spheres {
+            line,
+            apart,
+            named: false,
+            names,
+            bodies,
+            beyond: Default::default(),
+            axes,
+            positive: Some(positive),
+        })
     }
 
     /// A component after the impact: one that is given in its own direction, an unknown one in the positive.
@@ -190,7 +212,10 @@ impl View<'_> {
             motions.push(arrow(if measure(&worked)? < 0.0 { shown.negated() } else { shown }, heading));
         }
         let body = Body { mass: mass(self.scene, Sphere::A, self.manner), at_rest: false, motions };
-        let picture = AtWall { inward, name: self.names[0], body, axes: self.manner.vectors };
+        // What is the same in both pictures is told in the first.
+        let named = moment == Moment::Before;
+        let (axes, other) = (self.manner.vectors && named, self.other.clone().map(|other| Other { named, ..other }));
+        let picture = AtWall { inward, name: self.names[0], body, axes, other, way: None };
         let words = at_wall_in_words(&picture, moment);
         Some(Diagram { title: String::new(), drawing: picture.draw(), words })
     }
@@ -239,7 +264,16 @@ impl View<'_> {
             bodies[sphere as usize] = Body { mass, at_rest: motions.is_empty(), motions };
         }
         let named = moment == Moment::Before;
-        Some(Spheres { line, apart: false, named, names: self.names, bodies, axes: named, positive: None })
+        Some(Spheres {
+            line,
+            apart: false,
+            named,
+            names: self.names,
+            bodies,
+            beyond: Default::default(),
+            axes: named,
+            positive: None,
+        })
     }
 }
 

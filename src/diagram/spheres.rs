@@ -1,11 +1,12 @@
 //! Two spheres with their velocities: the picture that most questions need. They touch, or stand apart on the line along
 //! which both move.
 
-use super::canvas::{Canvas, Spot};
+use super::canvas::{Canvas, HEAD, Spot};
 use super::drawing::{Drawing, Point, Style};
 use super::formula;
 use super::geometry::Frame;
 use super::spots::{in_arc, inside};
+use super::wall::draw_wall;
 use crate::expr::{Expr, Text};
 use crate::mechanics::Sphere;
 
@@ -18,6 +19,8 @@ const COMPONENT: f64 = 2.2;
 const BEYOND: f64 = 2.3;
 /// Half of what is between spheres that stand apart.
 const APART: f64 = 0.9;
+/// How far a wall at the end of the line runs to either side.
+const WALL: f64 = 3.0;
 /// How far an arc runs outside its sphere.
 const ARC: f64 = 0.9;
 /// The corner that marks a right angle.
@@ -36,10 +39,21 @@ pub struct Spheres {
     pub names: [Sphere; 2],
     /// A, then B.
     pub bodies: [Body; 2],
+    /// What is struck later: on A's side, then on B's.
+    pub beyond: [Beyond; 2],
     /// Are **i** and **j** drawn?
     pub axes: bool,
     /// The direction that the working takes as positive.
     pub positive: Option<Point>,
+}
+
+/// What is struck later.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Beyond {
+    /// A third sphere, where they stand apart: further along the line.
+    pub sphere: Option<(Sphere, Body)>,
+    /// A wall beyond all of them, by the unit vector towards it.
+    pub wall: Option<Point>,
 }
 
 /// One of the spheres.
@@ -96,20 +110,36 @@ impl Spheres {
         if !self.apart {
             canvas.line(Style::Centres, far_a, far_b);
         }
-        for placed in &both {
+        let mut all = Vec::from(both);
+        for (place, beyond) in self.beyond.iter().enumerate() {
+            let Placed { centre, outward, .. } = all[place];
+            let step = outward * (2.0 * (RADIUS + APART));
+            let third = beyond.sphere.as_ref();
+            all.extend(third.map(|(name, body)| Placed { name: *name, body, centre: centre + step, outward, above }));
+            if let Some(inward) = beyond.wall.filter(|_| self.apart) {
+                let last = if third.is_some() { centre + step } else { centre };
+                draw_wall(last + inward * (RADIUS + 2.0 * APART), inward, [WALL; 2], &mut canvas);
+            }
+        }
+        for placed in &all {
             canvas.circle(Style::Rim, placed.centre, RADIUS);
             if !self.apart {
                 canvas.dot(placed.centre);
             }
         }
-        for placed in &both {
+        for placed in &all {
             placed.body.motions.iter().for_each(|motion| placed.arrow(motion, &mut canvas));
         }
-        let arcs = both.each_ref().map(|placed| placed.arcs(&mut canvas));
-        for placed in &both {
+        for (beyond, placed) in self.beyond.iter().zip(&all).filter(|_| !self.apart) {
+            let Some(inward) = beyond.wall else { continue };
+            let distance = canvas.frame().farthest(inward) - placed.centre.dot(inward);
+            draw_wall(placed.centre + inward * (distance + APART), inward, [WALL; 2], &mut canvas);
+        }
+        let arcs: Vec<Vec<bool>> = all.iter().map(|placed| placed.arcs(&mut canvas)).collect();
+        for placed in &all {
             placed.name(self.apart, &mut canvas);
         }
-        for (placed, arcs) in both.iter().zip(arcs) {
+        for (placed, arcs) in all.iter().zip(arcs) {
             placed.labels(&arcs, &mut canvas);
         }
         if self.named {
@@ -240,13 +270,17 @@ impl Placed<'_> {
         };
         let (side, _) = self.side(motion);
         let tail = self.centre + side * (RADIUS + ARROW);
-        let along = [0.5, 0.7, 0.85, 0.3, 1.0].map(|share| from + (to - from) * share);
+        let along = [0.5, 0.7, 0.85, 0.3, 0.15, 1.0].map(|share| from + (to - from) * share);
         let mut spots = Vec::new();
-        if !motion.component && side.dot(self.outward) < 0.8 {
+        // Beside a slight angle its arc has the room at the end of the arrow.
+        let most = if motion.angle.is_some() { 0.8 } else { 0.98 };
+        if !motion.component && side.dot(self.outward) < most {
             spots.push(Spot::new(tail, side));
         }
         for side in [first, -first] {
-            spots.extend(along.map(|point| Spot::new(point, side)));
+            // A long label is clear of the head.
+            let raised = along.into_iter().flat_map(|point| [point, point + side * HEAD.1]);
+            spots.extend(raised.map(|point| Spot::new(point, side)));
         }
         if motion.component {
             // Long labels side by side: pushed outwards, or one above the other.

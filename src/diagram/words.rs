@@ -1,5 +1,6 @@
 //! Pictures in words, for a reader who does not see them: the same givens, and no more.
 
+use super::corner::{Between, Other, Way};
 use super::particle::Particle;
 use super::spheres::{Body, Motion, Spheres};
 use super::wall::AtWall;
@@ -13,7 +14,12 @@ const UNIT_VECTORS: &str = " The unit vector i points to the right and j up the 
 pub fn in_words(spheres: &Spheres, moment: Moment) -> String {
     let [a, b] = spheres.names.map(Sphere::name);
     let mut words = if spheres.apart {
-        format!("Two spheres on one straight line, {a} to the left of {b}.")
+        let [left, right] = spheres.beyond.each_ref().map(|beyond| beyond.sphere.as_ref().map(|(name, _)| name.name()));
+        match (left, right) {
+            (None, None) => format!("Two spheres on one straight line, {a} to the left of {b}."),
+            (None, Some(c)) => format!("Three spheres on one straight line, from left to right {a}, {b} and {c}."),
+            (Some(c), _) => format!("Three spheres on one straight line, from left to right {c}, {a} and {b}."),
+        }
     } else {
         let line = towards(spheres.line);
         format!("Two spheres seen from above as they touch. The line of centres runs {line}, from {a} to {b}.")
@@ -21,10 +27,24 @@ pub fn in_words(spheres: &Spheres, moment: Moment) -> String {
     if spheres.axes {
         words.push_str(UNIT_VECTORS);
     }
-    for sphere in Sphere::BOTH {
-        let name = spheres.names[sphere as usize];
-        let sentence = body(name, &spheres.bodies[sphere as usize], moment, "impact", "the line of centres");
+    let two = Sphere::BOTH.map(|sphere| (spheres.names[sphere as usize], &spheres.bodies[sphere as usize]));
+    let third = spheres.beyond.iter().filter_map(|beyond| beyond.sphere.as_ref());
+    for (name, of) in two.into_iter().chain(third.map(|(name, of)| (*name, of))) {
+        let sentence = body(name, of, moment, "impact", "the line of centres");
         words.extend([" ", &sentence].into_iter().filter(|_| !sentence.is_empty()));
+    }
+    for (beyond, (nearest, side)) in spheres.beyond.iter().zip([(a, "left"), (b, "right")]) {
+        let last = beyond.sphere.as_ref().map_or(nearest, |(name, _)| name.name());
+        match beyond.wall {
+            Some(_) if spheres.apart => {
+                words.push_str(&format!(" A wall stands to the {side} of {last}, across the line."));
+            }
+            Some(inward) => {
+                let (runs, lies) = (runs(inward), towards(inward));
+                words.push_str(&format!(" A wall runs {runs}; from {last} it lies {lies}."));
+            }
+            None => {}
+        }
     }
     if let Some(positive) = spheres.positive {
         words.push_str(&format!(" The positive direction is {}.", towards(positive)));
@@ -34,23 +54,64 @@ pub fn in_words(spheres: &Spheres, moment: Moment) -> String {
 
 /// A sphere at a wall in words.
 pub fn at_wall_in_words(picture: &AtWall, moment: Moment) -> String {
-    let wall = picture.inward.turned();
-    let runs = match (wall.x * wall.y, wall.x.abs() < 1e-9) {
-        (_, true) => "up the page",
-        (slope, _) if slope.abs() < 1e-9 => "from left to right",
-        (slope, _) if slope > 0.0 => "from the left up to the right",
-        _ => "from the left down to the right",
+    let wall = |inward| format!("runs {}; from the sphere it lies {}.", runs(inward), towards(inward));
+    let here = wall(picture.inward);
+    let mut words = match &picture.other {
+        None => format!("A sphere touches a fixed wall, seen from above. The wall {here}"),
+        Some(Other { inward, names: [touched, other], between, .. }) => {
+            let there = wall(*inward);
+            let mut words = format!(
+                "Two fixed walls, seen from above. A sphere touches the {touched}. The {touched} {here} The {other} {there}"
+            );
+            match between {
+                Between::Right => words.push_str(" The walls meet at a right angle."),
+                Between::Angle(angle) => {
+                    words.push_str(&format!(" The walls meet at an angle of {}.", print::text_unicode(angle)));
+                }
+                Between::Unsaid => {}
+            }
+            words
+        }
     };
-    let mut words = format!(
-        "A sphere touches a fixed wall, seen from above. The wall runs {runs}; from the sphere it lies {}.",
-        towards(picture.inward)
-    );
     if picture.axes {
         words.push_str(UNIT_VECTORS);
     }
     let sentence = body(picture.name, &picture.body, moment, "impact", "the wall");
     words.extend([" ", &sentence].into_iter().filter(|_| !sentence.is_empty()));
+    if let Some(way) = &picture.way {
+        words.push_str(&on_its_way(picture, way));
+    }
     words
+}
+
+/// Where the sphere goes from a wall, and from another one.
+fn on_its_way(picture: &AtWall, way: &Way) -> String {
+    let name = picture.name.name();
+    let at = |angle: Option<&Expr>, wall: &str| {
+        angle.map(|angle| format!(", at an angle of {} to the {wall}", print::unicode(angle))).unwrap_or_default()
+    };
+    let (touched, to) = match &picture.other {
+        Some(other) => (other.names[0].as_str(), format!(", to the {}", other.names[1])),
+        None => ("wall", String::new()),
+    };
+    let from_it = at(way.angle.as_ref(), touched);
+    let mut words = format!(" From there {name} moves {}{from_it}{to}.", towards(way.heading));
+    if let (Some(other), Some((onwards, angle))) = (&picture.other, &way.onwards) {
+        let from_it = at(Some(angle), &other.names[1]);
+        words.push_str(&format!(" From the {} it moves {}{from_it}.", other.names[1], towards(*onwards)));
+    }
+    words
+}
+
+/// How a wall runs, by the direction towards it.
+fn runs(inward: Point) -> &'static str {
+    let wall = inward.turned();
+    match (wall.x * wall.y, wall.x.abs() < 1e-9) {
+        (_, true) => "up the page",
+        (slope, _) if slope.abs() < 1e-9 => "from left to right",
+        (slope, _) if slope > 0.0 => "from the left up to the right",
+        _ => "from the left down to the right",
+    }
 }
 
 /// A particle in words, with the impulse that it receives.

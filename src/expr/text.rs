@@ -33,6 +33,31 @@ impl Text {
         self.0.is_empty()
     }
 
+    /// The text with a letter at its end kept to the word before it, so that no last line is a letter alone.
+    ///
+    /// ```
+    /// use carom::expr::{print, read_markup};
+    /// let ask = read_markup("Find the value of {k}.").unwrap();
+    /// assert_eq!(print::text_latex(&ask[0].clone().without_widow()), "Find the value of~$k$.");
+    /// ```
+    pub fn without_widow(mut self) -> Text {
+        let is_stop = |piece: &Piece| matches!(piece, Piece::Words(words) if words.chars().count() < 2);
+        let is_letter = |piece: &Piece| match piece {
+            Piece::Formula(formula) => matches!(formula, Expr::Name(_)),
+            Piece::Italic(inner) => matches!(&inner[..], [Piece::Words(words)] if words.chars().count() == 1),
+            _ => false,
+        };
+        let last = self.0.iter().rposition(|piece| !is_stop(piece));
+        let before = last.filter(|last| is_letter(&self.0[*last])).and_then(|last| last.checked_sub(1));
+        if let Some(Piece::Words(words)) = before.and_then(|before| self.0.get_mut(before))
+            && words.ends_with(' ')
+        {
+            words.pop();
+            words.push('\u{a0}');
+        }
+        self
+    }
+
     /// The text with each formula and the size of each quantity changed, or the first error met.
     ///
     /// ```

@@ -3,7 +3,7 @@
 use super::working::{self, result};
 use super::{PrintedAnswer, PrintedPart, PrintedQuestion, answer, legible, scheme, wording};
 use crate::bank::{Answer, Question};
-use crate::diagram::{self, Manner};
+use crate::diagram::{self, Diagram, Manner};
 use crate::expr::{Expr, Piece, Text};
 use crate::generate::Variant;
 use crate::mechanics::Quantity;
@@ -36,20 +36,27 @@ pub fn compose(question: &Question, variant: &Variant, number: usize) -> Printed
     );
     let with_units = wording::letters_with_units(&stem);
     let angles = wording::named_angles(&stem);
-    let manner = Manner { vectors: wording::has_unit_vectors(&stem), with_units: &with_units, angles: &angles };
+    let after_walls = working::angles_after_walls(question);
+    let vectors = wording::has_unit_vectors(&stem);
+    let manner = Manner { vectors, with_units: &with_units, angles: &angles, after_walls: &after_walls };
     let worked = working::work(question, variant, manner);
     // Letters that are found are letters until they are.
     let finding = variant.solution.finds_unknowns();
     let worked_scene = if finding { &variant.scene } else { variant.solution.scene() };
+    let mut pictures = (0..).zip(diagram::solution(worked_scene, manner));
+    let of_first = pictures.next().map(|(_, pictures)| pictures);
+    let mut of_later: Vec<(u8, Vec<Diagram>)> = pictures.collect();
     let mut last = 0;
     let mut parts = Vec::new();
     for (place, part) in worked.iter().enumerate() {
         let shown = part.part.answers.iter().find_map(|answer| result(answer, variant));
         let asks = wording::paragraphs(&part.part.ask, variant, shown.as_ref());
+        let here = of_later.extract_if(.., |(impact, _)| part.works_on(*impact));
         parts.push(legible::part(PrintedPart {
             label: part.part.label.clone(),
             ask: wording::joined(asks),
             answers: part.part.answers.iter().map(|answer| printed_answer(answer, variant, &with_units)).collect(),
+            solution_diagrams: here.flat_map(|(_, pictures)| pictures).collect(),
             working: part.lines(variant, &mut last),
             scheme: scheme::rows(&worked[..=place], variant, &with_units),
         }));
@@ -60,7 +67,7 @@ pub fn compose(question: &Question, variant: &Variant, number: usize) -> Printed
         mirrors: question.mirrors.clone(),
         stem,
         diagrams: diagram::given(&variant.scene, manner),
-        solution_diagrams: diagram::solution(worked_scene, manner),
+        solution_diagrams: of_first.unwrap_or_default(),
         parts,
     }
 }

@@ -147,7 +147,8 @@ pub struct KeyMark {
 pub fn key_question(question: &Question, variant: &Variant, printed: &PrintedQuestion) -> KeyQuestion {
     let with_units = super::wording::letters_with_units(&printed.stem);
     let vectors = super::wording::has_unit_vectors(&printed.stem);
-    let worked = working::work(question, variant, Manner { vectors, with_units: &with_units, angles: &[] });
+    let worked =
+        working::work(question, variant, Manner { vectors, with_units: &with_units, angles: &[], after_walls: &[] });
     let parts = worked.iter().zip(&printed.parts).map(|(part, printed)| key_part(part, printed, variant, &with_units));
     let plain = |expr: &Expr| Json::from(print::plain(expr));
     KeyQuestion {

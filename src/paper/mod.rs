@@ -82,7 +82,7 @@ pub struct PrintedQuestion {
     pub stem: Vec<Text>,
     /// What is given, as pictures; none where a picture would give something away.
     pub diagrams: Vec<Diagram>,
-    /// The pictures of its solution: before and after.
+    /// The pictures of its solution: before and after, of several impacts the first.
     pub solution_diagrams: Vec<Diagram>,
     /// The parts; a question without parts has one whose label is empty.
     pub parts: Vec<PrintedPart>,
@@ -97,6 +97,8 @@ pub struct PrintedPart {
     pub ask: Text,
     /// Answers in the order asked.
     pub answers: Vec<PrintedAnswer>,
+    /// The pictures of the later impacts that this part is the first to work on.
+    pub solution_diagrams: Vec<Diagram>,
     /// The worked solution.
     pub working: Vec<WorkingLine>,
     /// The mark scheme, in the order in which the marks are earned.

@@ -10,7 +10,7 @@ use crate::bank::{Answer, Find, Part, Question};
 use crate::diagram::Manner;
 use crate::expr::{Expr, Function, Text};
 use crate::generate::Variant;
-use crate::mechanics::{Axis, Derivation, Known, Line, Quantity, Rule, Show, pose};
+use crate::mechanics::{Axis, Derivation, Known, Line, Moment, Quantity, Rule, Show, pose};
 use crate::number::Value;
 
 /// A step as it is printed.
@@ -56,8 +56,8 @@ pub struct WorkedPart<'q> {
 /// A letter of the question in place of one of the working.
 #[derive(Clone, Debug)]
 struct Letter {
-    /// Each impact has its own angles.
-    impact: u8,
+    /// The quantity that it is the angle of; each impact has its own.
+    of: Quantity,
     ours: &'static str,
     theirs: String,
 }
@@ -175,6 +175,11 @@ impl WorkedPart<'_> {
         }
     }
 
+    /// Is there a step of the impact before which so many come in its working?
+    pub fn works_on(&self, impact: u8) -> bool {
+        self.steps.iter().chain(&self.behind).any(|step| step.rule.impact() == impact)
+    }
+
     /// What the condition from which letters are found comes to.
     pub fn condition(&self) -> Option<Expr> {
         self.finding.iter().filter(|line| line.of_condition).find_map(|line| line.equations.first().cloned())
@@ -208,14 +213,22 @@ fn letters(question: &Question) -> Vec<Letter> {
         if let Some(Expr::Call(Function::Tan, inner)) = named
             && let Expr::Name(name) = &**inner
         {
-            found.push(Letter { impact: quantity.impact(), ours, theirs: name.text.clone() });
+            found.push(Letter { of: quantity, ours, theirs: name.text.clone() });
         }
     }
     found
 }
 
+/// The letters of a question for the angle between a path after an impact and the wall, each with the number of impacts
+/// before it.
+pub fn angles_after_walls(question: &Question) -> Vec<(u8, Expr)> {
+    let after_a_wall = |quantity: Quantity| matches!(quantity.of_its_impact(), Quantity::TanToWall(_, Moment::After));
+    let letters = letters(question).into_iter().filter(|letter| after_a_wall(letter.of));
+    letters.map(|letter| (letter.of.impact(), Expr::name(&letter.theirs))).collect()
+}
+
 fn of_impact(impact: u8, letters: &[Letter]) -> impl Iterator<Item = &Letter> {
-    letters.iter().filter(move |letter| letter.impact == impact)
+    letters.iter().filter(move |letter| letter.of.impact() == impact)
 }
 
 fn rename(expr: &Expr, letters: &[Letter]) -> Expr {

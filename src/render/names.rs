@@ -95,6 +95,7 @@ pub(super) const NAMES: [(&str, &[(&str, Kind)]); 26] = [
             ("label", Kind::Plain),
             ("ask", Kind::Plain),
             ("answers", Kind::Things("answer")),
+            ("solution_diagrams", Kind::Things("diagram")),
             ("working", Kind::Things("line")),
             ("scheme", Kind::Things("mark")),
             ("marks", Kind::Plain),

@@ -25,8 +25,8 @@ impl Notation {
     /// Words with formulas in them.
     pub(super) fn text(self, text: &Text) -> String {
         match self {
-            Notation::Latex => print::text_latex(text),
-            Notation::Html => print::text_html(text),
+            Notation::Latex => print::text_latex(&text.clone().without_widow()),
+            Notation::Html => print::text_html(&text.clone().without_widow()),
             Notation::Unicode => text.0.iter().map(|piece| self.piece(piece)).collect(),
         }
     }

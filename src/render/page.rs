@@ -167,6 +167,7 @@ impl<'p> Printer<'p> {
             .with("label", || plain(&part.label))
             .with("ask", || self.text(&part.ask))
             .with("answers", || list(&part.answers, |answer| self.answer(answer)))
+            .with("solution_diagrams", || list(&part.solution_diagrams, |diagram| self.diagram(diagram)))
             .with("working", || list(&part.working, |line| self.line(line)))
             .with("scheme", || list(&part.scheme, |row| self.mark(row)))
             .with("marks", || part.marks().into())
@@ -305,6 +306,7 @@ mod tests {
                 unit: Unit::MetrePerSecond,
                 phrase: Text::default(),
             }],
+            solution_diagrams: vec![Diagram::default()],
             working: vec![WorkingLine {
                 words: Text::default(),
                 equations: vec![Expr::equation(Expr::name("v"), Expr::integer(2))],

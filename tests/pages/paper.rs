@@ -44,6 +44,7 @@ fn at_rest() -> PrintedQuestion {
                 answer("direction of *A*", "atan(5*sqrt(3)/6)", "55.3", Degree, "to the line of centres"),
                 answer("speed of *B*", "27*sqrt(3)/10", "4.68", MetrePerSecond, "along the line of centres"),
             ],
+            solution_diagrams: Vec::new(),
             working: vec![
                 line("Perpendicular to the line of centres the velocity of *A* does not change:", ["6*sin(30) = 3"], None),
                 line("Conservation of momentum along the line of centres:", ["3*6*cos(30) = 3*v + 2*w"], Some(1)),
@@ -104,6 +105,7 @@ fn components() -> PrintedQuestion {
                     answer("velocity of *A*", "[-3/2, 2]", "", MetrePerSecond, ""),
                     answer("velocity of *B*", "[1, 1]", "", MetrePerSecond, ""),
                 ],
+                solution_diagrams: Vec::new(),
                 working: vec![
                     line(
                         "The components along {j} do not change. Conservation of momentum along {i}:",
@@ -127,6 +129,7 @@ fn components() -> PrintedQuestion {
                      the collision.",
                 ),
                 answers: vec![answer("angle of deflection of *A*", "acos(-1/(5*sqrt(13)))", "93", Degree, "")],
+                solution_diagrams: Vec::new(),
                 working: vec![line(
                     "By the scalar product:",
                     ["cos(theta) = (3*(-3/2) + 2*2)/(sqrt(13)*5/2)", "cos(theta) = -1/(5*sqrt(13))"],
@@ -160,6 +163,7 @@ fn show_that() -> PrintedQuestion {
             label: String::new(),
             ask: words("Show that {display: tan(beta) = 3*tan(alpha)/(1 - 2*e)}"),
             answers: Vec::new(),
+            solution_diagrams: Vec::new(),
             working: vec![
                 line(
                     "Momentum along the line of centres, and restitution, without the speed of the second sphere:",

@@ -10,11 +10,11 @@ use std::path::Path;
 
 use carom::diagram::Diagram;
 use carom::expr::{Piece, Text};
-use carom::paper::{Paper, PrintedQuestion};
+use carom::paper::{Edition, Paper, PrintedQuestion};
 use carom::render::RenderedFile;
 
 use super::engine::{PDFLATEX, set_fully};
-use super::papers::{editions, whole_bank};
+use super::papers::{editions, empty, reference_set, whole_bank};
 use super::words::{Word, lines, words};
 use super::{folder, on_both, rendered};
 
@@ -78,14 +78,21 @@ fn torn(pdf: &Path, paper: &Paper) -> Vec<String> {
             found.push(format!("question {number} is not there"));
             continue;
         };
+        if number == 1 && begin.0 != 0 {
+            found.push("the heading of the paper stands by itself".to_owned());
+        }
         for (letter, what) in [('S', "stem"), ('F', "figure"), ('P', "first part"), ('W', "diagrams")] {
             let marks = places.get(format!("{letter}{number}").as_str()).into_iter().flatten();
-            // a sheet of large print may be full of a stem and its figure
-            let may_part = letter == 'P' && paper.edition.large_print;
+            // a page of large print may be full of a stem and its figure, and below the heading of less than that
+            let may_part = paper.edition.large_print && (letter == 'P' || (letter != 'S' && number == 1));
             for (page, _) in marks.filter(|(page, _)| *page != begin.0 && !may_part) {
                 let (from, to) = (begin.0 + 1, page + 1);
                 found.push(format!("question {number} begins on page {from} and has its {what} on page {to}"));
             }
+        }
+        let is_sheet = pdf.file_stem().is_some_and(|name| name == "question-sheet");
+        if is_sheet && number == paper.questions.len() && last('E', number).is_some_and(|at| at.0 + 1 != pages.len()) {
+            found.push("the total of the paper stands by itself".to_owned());
         }
         // a part with lines to write on fills a page by itself
         if paper.edition.answer_space {
@@ -133,6 +140,25 @@ fn carom_knows_where_pages_break() {
                 .map(|document| (format!("breaks/{edition}/{}", document.name), document, paper.clone())),
         );
     }
+    let found = on_both(&work, |(name, document, paper)| set_and_torn(name, document, paper)).concat();
+    assert!(found.is_empty(), "\n{}", found.join("\n"));
+}
+
+/// Where a page is hardly large enough for one question and its pictures.
+#[test]
+fn carom_knows_papers_whose_heading_and_total_do_not_stand_by_themselves() {
+    let bank = reference_set();
+    let large = Edition { large_print: true, ..Edition::default() };
+    let long = bank.questions.iter().filter(|question| question.id.starts_with("successive/"));
+    let mut work = Vec::new();
+    for question in long {
+        let name = format!("breaks/alone/{}", question.id);
+        let question = PrintedQuestion { number: 1, ..question.clone() };
+        let paper = marked(Paper { questions: vec![question], edition: large, ..empty() });
+        let documents = rendered("latex", &paper).into_iter().filter(|document| document.name != "mark-scheme.tex");
+        work.extend(documents.map(|document| (format!("{name}/{}", document.name), document, paper.clone())));
+    }
+    assert!(work.len() > 8, "{} documents", work.len());
     let found = on_both(&work, |(name, document, paper)| set_and_torn(name, document, paper)).concat();
     assert!(found.is_empty(), "\n{}", found.join("\n"));
 }

@@ -20,11 +20,16 @@ const AROUND: f64 = 40.0;
 /// In one inch there are so many points of TeX, and 72 of a PDF.
 pub const TEX_POINTS: f64 = 72.27;
 
+/// The pictures of a question's solution, in the order in which they stand in it.
+pub fn of_solution(question: &PrintedQuestion) -> Vec<&Diagram> {
+    question.solution_diagrams.iter().chain(question.parts.iter().flat_map(|part| &part.solution_diagrams)).collect()
+}
+
 /// Diagrams of a paper's questions, each with what it is called.
-pub fn diagrams(paper: &Paper, of: impl Fn(&PrintedQuestion) -> &[Diagram]) -> Vec<(String, Diagram)> {
+pub fn diagrams(paper: &Paper, of: impl Fn(&PrintedQuestion) -> Vec<&Diagram>) -> Vec<(String, Diagram)> {
     let each = paper.questions.iter().flat_map(|question| {
         let named = |diagram: &Diagram| format!("{} ({}) {}", question.id, question.number, diagram.title);
-        of(question).iter().map(move |diagram| (named(diagram), diagram.clone()))
+        of(question).into_iter().map(move |diagram| (named(diagram), diagram.clone()))
     });
     each.collect()
 }
@@ -35,6 +40,8 @@ fn pages(name: &str, edition: Edition, drawings: &[&Drawing]) -> (PathBuf, f64) 
     let document = rendered("latex", &Paper { edition, ..empty() }).remove(0);
     let (mut contents, _) = document.contents.split_once(r"\begin{document}").map(|(a, b)| (a.to_owned(), b)).unwrap();
     contents += "\\begin{document}\n\\typeout{one em is \\the\\dimexpr1em\\relax}\n";
+    // At their own size: what is wider than a line of large print is drawn a little smaller there.
+    contents += "\\linewidth=\\maxdimen\n";
     writeln!(contents, "\\pdfhorigin={AROUND}pt \\pdfvorigin={AROUND}pt").unwrap();
     for drawing in drawings {
         let wide = 2.0 * AROUND;
@@ -83,8 +90,8 @@ pub fn on_paper(name: &str, edition: Edition, drawings: &[&Drawing]) -> Vec<(usi
 #[test]
 fn carom_knows_diagrams_that_are_clear_on_paper() {
     let bank = whole_bank();
-    let mut diagrams = diagrams(&bank, |question| &question.diagrams);
-    diagrams.extend(self::diagrams(&bank, |question| &question.solution_diagrams));
+    let mut diagrams = diagrams(&bank, |question| question.diagrams.iter().collect());
+    diagrams.extend(self::diagrams(&bank, of_solution));
     assert!(!diagrams.is_empty());
     let drawings: Vec<&Drawing> = diagrams.iter().map(|(_, diagram)| &diagram.drawing).collect();
     for (edition, large_print) in [("plain", false), ("large", true)] {

@@ -6,7 +6,7 @@ use carom::render::RenderedFile;
 
 use super::browser::{Picture, Seen, printed, seen};
 use super::clear::faults;
-use super::diagrams::{diagrams, planted, sphere};
+use super::diagrams::{diagrams, of_solution, planted, sphere};
 use super::ink::{Area, Ink};
 use super::papers::{empty, strained, whole_bank};
 use super::words::{Word, words};
@@ -36,8 +36,8 @@ fn unclear<'d>(drawings: impl IntoIterator<Item = &'d Drawing>, seen: &Seen) -> 
 
 /// The diagrams that a document shows, in its order: those of the questions or those of the solutions.
 fn shown(paper: &Paper, count: usize) -> Vec<(String, Diagram)> {
-    let questions = diagrams(paper, |question| &question.diagrams);
-    let solutions = diagrams(paper, |question| &question.solution_diagrams);
+    let questions = diagrams(paper, |question| question.diagrams.iter().collect());
+    let solutions = diagrams(paper, of_solution);
     let fitting = [Vec::new(), questions, solutions].into_iter().find(|diagrams| diagrams.len() == count);
     fitting.unwrap_or_else(|| panic!("{count} diagrams are neither those of the questions nor of the solutions"))
 }

@@ -3,6 +3,7 @@
 use carom::bank::Question;
 
 use super::clear::{as_meant, faults as faults_of};
+use super::diagrams::of_solution;
 use super::engine::{complaints, placed};
 use super::papers::{Batch, bank, batch};
 use super::{folder, on_both};
@@ -26,7 +27,7 @@ fn faults(question: &Question) -> (Batch, Vec<String>) {
 fn crowded(batch: &Batch) -> Vec<String> {
     let mut found = Vec::new();
     for (name, question) in batch.names.iter().zip(&batch.paper.questions) {
-        for diagram in question.diagrams.iter().chain(&question.solution_diagrams) {
+        for diagram in question.diagrams.iter().chain(of_solution(question)) {
             let faults = faults_of(&diagram.drawing, &as_meant(&diagram.drawing));
             found.extend(faults.first().map(|fault| format!("{name}: {} {fault}", diagram.title)));
         }
