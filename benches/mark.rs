@@ -81,7 +81,7 @@ fn sheets() -> Vec<Sheet> {
                 Expected::FollowThrough { .. } => "followed",
                 Expected::AllButShown => "right",
                 Expected::Everything => "worked",
-                Expected::Nothing | Expected::ExactWanted { .. } => return None,
+                Expected::Nothing | Expected::ExactWanted { .. } | Expected::Wrong { .. } => return None,
             };
             Some((kind, student.script))
         });

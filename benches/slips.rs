@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use carom::expr::Angles;
 use carom::mark::reading::{Vocabulary, read_answer};
-use carom::mark::slips::Mistakes;
+use carom::mark::slips::{Asked, Mistakes};
 use carom::mechanics::{Known, Moment, Quantity, Scene, SceneText, Sphere, pose};
 use carom::number::{Letter, Value};
 use divan::Bencher;
@@ -29,23 +29,23 @@ fn posed(question: &str) -> (Known<Value>, Vec<Letter>) {
     (pose(&scene).unwrap_or_else(|refusal| panic!("{refusal}")), letters)
 }
 
-fn answers() -> Vec<Vec<Quantity>> {
+fn answers() -> Vec<Asked> {
     let speeds = Sphere::BOTH.map(|sphere| vec![Quantity::Speed(sphere, Moment::After)]);
-    speeds.into_iter().chain([vec![Quantity::EnergyLost]]).collect()
+    speeds.into_iter().chain([vec![Quantity::EnergyLost]]).map(Asked::Quantities).collect()
 }
 
 /// Everything that can go wrong in a question with three answers.
 #[divan::bench(args = QUESTIONS)]
 fn mistakes_of_a_question(bencher: Bencher, question: &str) {
     let ((given, letters), answers) = (posed(question), answers());
-    bencher.bench(|| Mistakes::of(&given, &answers, &letters));
+    bencher.bench(|| Mistakes::of(&given, &answers, &letters, None));
 }
 
 /// The causes of one wrong answer.
 #[divan::bench]
 fn causes_of_an_answer(bencher: Bencher) {
     let ((given, letters), answers) = (posed("numbers"), answers());
-    let mistakes = Mistakes::of(&given, &answers, &letters);
+    let mistakes = Mistakes::of(&given, &answers, &letters, None);
     let readings = read_answer("2.52", &Vocabulary::default()).expect("a number");
     let said = &readings[0].statements[0].said[0];
     bencher.bench(|| mistakes.causes(&answers[0], said));

@@ -85,6 +85,25 @@ fn every_style_of_the_starting_question_has_numbers_enough_for_a_class() {
 }
 
 #[test]
+fn a_question_is_explained_by_the_path_of_its_file_too_and_a_slip_of_the_pen_is_seen() {
+    let here = folder("explain");
+    let shipped = fs::read_to_string("question_bank/deflection/greatest-deflection.toml").unwrap();
+    fs::create_dir(here.join("deflection")).unwrap();
+    fs::write(here.join("deflection/greatest-deflection.toml"), shipped).unwrap();
+    let (by_path, _) = done(&here, &["explain", "deflection/greatest-deflection.toml"]);
+    assert_eq!(by_path, done(&here, &["explain", "greatest-deflection"]).0);
+    let table = [
+        ("speds", "did you mean `rest/speeds-and-directions` or "),
+        ("5C", "did you mean `5C-"),
+        ("colours", "help: `carom list` names every question"),
+    ];
+    for (name, help) in table {
+        let said = refused(&here, &["explain", name]);
+        assert!(said.contains(&format!("unknown question `{name}`")) && said.contains(help), "{said}");
+    }
+}
+
+#[test]
 fn carom_explains_what_each_mistake_leads_to() {
     let story: Json = serde_json::from_str(&done(Path::new("."), &["explain", "5C-2", "--json"]).0).unwrap();
     let slip = |tag: &str| story["slips"].as_array().unwrap().iter().find(|slip| slip["tag"] == tag).unwrap();
@@ -281,16 +300,18 @@ fn every_schema_that_is_kept_is_printed() {
 #[cfg(feature = "external")]
 const UNSEEN: &str = "
 absent-mark accuracy-without-method angle-where-number asked-for-twice asked-for-what-is-given brace-never-closed
-brace-of-the-line-before components-exchanged components-of-two-spheres condition-misspelt condition-without-equation
-crlf derived-beside-parameter derived-from-each-other derived-in-wrong-order division-by-nought empty-title
-empty-words exact-of-no-answer formulas-that-cannot-be-read impossible-restitution impossible
+brace-of-the-line-before components-exchanged components-of-two-spheres condition-as-a-sentence condition-misspelt
+condition-without-equation crlf depends-on-nothing derived-beside-parameter derived-from-each-other
+derived-in-wrong-order division-by-nought empty-title empty-words exact-of-no-answer formulas-that-cannot-be-read
+function-that-is-none hidden-slips-misspelt impossible-restitution impossible key-below-parameters
 later-line-of-centres-missing later-mass-given-again later-newcomer-without-mass later-newcomer-without-velocity
 later-struck-by-nobody later-wall-along-the-line letter-nowhere-declared letters-beyond-ascii long-line mass-of-nought
 no-relation not-equal-misspelt numbers-squared-without-end parameter-and-letter reference-lacks-parameter
-requirement-in-words-misspelt requirement-of-another-kind requirement-twice requirement-without-truth
-restitution-above-one result-in-stem result-without-show reversed-range shown-is-an-equation shown-is-not-found
-shown-letter-given shown-letter-undeclared shown-without-a-result sine-shown-for-a-tangent style-lacks-parameter tabs
-three-dots two-answers-of-one-name underdetermined unit-misspelt unit-with-a-power unknown-name
+requirement-as-a-sentence requirement-in-words-misspelt requirement-of-another-kind requirement-that-says-two-things
+requirement-twice requirement-without-truth restitution-above-one result-in-stem result-without-show reversed-range
+second-component-tested shown-is-an-equation shown-is-not-found shown-letter-given shown-letter-undeclared
+shown-without-a-result sine-shown-for-a-tangent style-lacks-parameter tabs three-dots two-answers-of-one-name
+underdetermined unit-misspelt unit-per-hour unit-with-a-power unit-without-a-space unknown-name
 unknown-quantity-required unknown-that-is-given unreadable-formula unused-parameter value-from-parameter
 value-twice-in-other-words value-without-value wrong-kind
 ";

@@ -2,8 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use carom::diagram::{Diagram, Drawing, Frame, Manner, Point, Section, Stroke, given, solution, svg, tikz};
-use carom::expr::{Angles, print};
+use carom::diagram::{
+    Diagram, Drawing, Frame, Label, Manner, Point, Section, Stroke, Style, given, solution, svg, tikz,
+};
+use carom::expr::{Angles, Expr, number, print, read};
 use carom::mechanics::{Scene, SceneText};
 use serde_json::{Value as Json, json};
 
@@ -14,8 +16,8 @@ fn scene(text: &Json) -> Scene {
 
 fn drawn(text: &Json, vectors: bool) -> Vec<Diagram> {
     let scene = scene(text);
-    let manner = Manner { vectors, with_units: &[], angles: &[] };
-    given(&scene, manner).into_iter().chain(solution(&scene, manner)).collect()
+    let manner = Manner { vectors, with_units: &[], angles: &[], after_walls: &[] };
+    given(&scene, manner).into_iter().chain(solution(&scene, manner).into_iter().flatten()).collect()
 }
 
 /// A stroke as short straight pieces.
@@ -231,6 +233,231 @@ fn nothing_is_covered_in_a_direct_impact_whatever_the_velocities() {
     assert!(examine(scenes) > 500);
 }
 
+/// A strikes B; then one of them strikes C, which moves on the same line, or a wall at its end, or one after the other.
+fn along_a_line() -> Vec<Json> {
+    let third = |of: [&str; 2], speed: &str| json!({ "of": of, "mass": "3*m/2", "before": speed, "e": "1/2" });
+    let wall = |of: &str| json!({ "of": [of], "wall": ["0", "1"], "e": "1/3" });
+    let mut scenes = Vec::new();
+    for speed in ["0", "-1", "-13.75", "u*(1 + e)/4", "-2*u"] {
+        for then in [
+            json!([third(["B", "C"], speed)]),
+            json!([third(["C", "A"], speed)]),
+            json!([wall("B")]),
+            json!([wall("A")]),
+            json!([third(["B", "C"], speed), wall("C")]),
+            json!([third(["B", "C"], speed), wall("A")]),
+            json!([third(["C", "A"], speed), wall("C"), wall("B")]),
+        ] {
+            let symbols = json!({ "m": "positive", "u": "positive", "e": "unit" });
+            let masses = json!({ "A": "2", "B": "0.25" });
+            scenes.push(json!({ "masses": masses, "before": { "A": "5", "B": "-1" }, "e": "2/3", "symbols": symbols, "then": then }));
+        }
+    }
+    scenes
+}
+
+#[test]
+fn nothing_is_covered_further_along_the_line_and_all_of_it_is_told() {
+    for text in along_a_line() {
+        let figures = given(&scene(&text), Manner { vectors: false, with_units: &[], angles: &[], after_walls: &[] });
+        assert_eq!(figures.len(), 1, "{text}");
+        both_notations(&figures[0]);
+        assert_eq!(faults(&figures[0].drawing), Vec::<String>::new(), "{text}");
+        let (text, words) = (text.to_string(), &figures[0].words);
+        for label in labels(&figures[0]) {
+            assert!(words.contains(&label), "{text}: `{label}` is not in: {words}");
+        }
+        assert_eq!(words.contains("Three spheres"), text.contains("3*m/2"), "{words}");
+        for (of, side) in
+            [("A", "left"), ("B", "right"), ("C", if text.contains("[\"C\",") { "left" } else { "right" })]
+        {
+            let is_wall = text.contains(&format!("\"of\":[\"{of}\"]"));
+            let said = format!("A wall stands to the {side} of {of}, across the line.");
+            assert_eq!(words.contains(&said), is_wall, "{text}: {words}");
+        }
+    }
+}
+
+/// A strikes a wall at an angle with it, and then another wall, whichever way both run.
+fn between_two_walls() -> Vec<(Json, bool)> {
+    let wall = |degrees: i32| json!([format!("cos({degrees} deg)"), format!("sin({degrees} deg)")]);
+    let mut scenes = Vec::new();
+    let mut add = |first: &Json, second: &Json, before: Json, vectors: bool| {
+        let then = json!([{ "of": ["A"], "wall": second, "e": "1/3" }]);
+        let text =
+            json!({ "masses": { "A": "12" }, "before": { "A": before }, "wall": first, "e": "2/3", "then": then });
+        scenes.push((text, vectors));
+    };
+    // By their angle, the first across the page; then by vectors along them.
+    for (second, degrees) in
+        (15..=165).step_by(15).flat_map(|second| (10..370).step_by(30).map(move |degrees| (second, degrees)))
+    {
+        add(&json!(["1", "0"]), &wall(second), polar("2*sqrt(3)", degrees), false);
+    }
+    let along = [["1", "0"], ["0", "1"], ["3", "4"], ["-1", "5"], ["1", "-1"]].map(|wall| json!(wall));
+    for (first, second) in along.iter().flat_map(|first| along.iter().map(move |second| (first, second))) {
+        for velocity in (0..49).step_by(4).map(|k| [k / 7 - 3, k % 7 - 3].map(|part| part.to_string())) {
+            add(first, second, json!(velocity), true);
+        }
+    }
+    scenes.retain(|(text, _)| can_be_posed(text));
+    scenes
+}
+
+/// The walls of a picture: straight lines with the weight of a rim.
+fn walls(diagram: &Diagram) -> Vec<(Point, Point)> {
+    let straight = |stroke: &&Stroke| stroke.style == Style::Rim && matches!(stroke.pieces[..], [Section::Line(_)]);
+    diagram.drawing.strokes.iter().filter(straight).flat_map(flat).collect()
+}
+
+/// Do two lines cross, and not only touch?
+fn cross((a, b): (Point, Point), (c, d): (Point, Point)) -> bool {
+    let side = |p: Point, q: Point, r: Point| (q - p).unit().turned().dot(r - p);
+    let apart = |one: f64, other: f64| one.min(other) < -0.01 && one.max(other) > 0.01;
+    apart(side(a, b, c), side(a, b, d)) && apart(side(c, d, a), side(c, d, b))
+}
+
+#[test]
+fn both_walls_are_there_whichever_way_they_run_and_nothing_goes_through_them() {
+    let (angles, after_walls) = ([], [(0, Expr::name("beta")), (1, Expr::name("gamma"))]);
+    let mut complaints = Vec::new();
+    let (mut count, mut far) = (0, 0);
+    for (text, vectors) in between_two_walls() {
+        let manner = Manner { vectors, with_units: &[], angles: &angles, after_walls: &after_walls };
+        let (figures, solutions) = (given(&scene(&text), manner), solution(&scene(&text), manner));
+        assert_eq!((figures.len(), solutions.iter().map(Vec::len).collect::<Vec<_>>()), (1, vec![2, 2]), "{text}");
+        let same = text["wall"] == text["then"][0]["wall"];
+        for figure in figures.iter().chain(solutions.iter().flatten()) {
+            count += 1;
+            both_notations(figure);
+            let (shown, walls) = (labels(figure), walls(figure));
+            // Walls that are parallel are two if they face each other, and one if the sphere strikes it twice.
+            let two = walls.len() == 2;
+            let mut say = |fault: String| complaints.push(format!("{fault}: {} {text}", figure.title));
+            faults(&figure.drawing).into_iter().for_each(&mut say);
+            if !two && !same {
+                say("a wall is not there".to_owned());
+            }
+            let named = two && !figure.title.starts_with("After");
+            for wall in ["first wall", "second wall"] {
+                if shown.iter().any(|label| label == wall) != named {
+                    say(format!("`{wall}` is out of its place"));
+                }
+            }
+            for label in &shown {
+                if !figure.words.contains(label) {
+                    say(format!("`{label}` is not in: {}", figure.words));
+                }
+            }
+            let moved = figure
+                .drawing
+                .strokes
+                .iter()
+                .filter(|stroke| stroke.style != Style::Rim && stroke.style != Style::Thin);
+            if moved.flat_map(flat).any(|line| walls.iter().any(|wall| cross(line, *wall))) {
+                say("something goes through a wall".to_owned());
+            }
+        }
+        // Where the way to the second wall is long, only its beginning is drawn.
+        far += usize::from(!labels(&figures[0]).contains(&"γ".to_owned()));
+    }
+    assert!(
+        complaints.is_empty(),
+        "{} of {count}:\n{}",
+        complaints.len(),
+        complaints[..complaints.len().min(20)].join("\n")
+    );
+    assert!(count > 1000 && 10 * far < count, "{far} of {count}");
+}
+
+#[test]
+fn a_wall_beyond_two_spheres_is_clear_of_them_whichever_way_it_runs() {
+    let mut scenes = Vec::new();
+    for (line, of) in
+        [["1", "0"], ["0", "1"], ["3", "4"], ["-1", "2"]].iter().flat_map(|line| ["A", "B"].map(|of| (line, of)))
+    {
+        for (wall, b) in (0..180).step_by(30).flat_map(|wall| [["0", "0"], ["-1", "-2"]].map(move |b| (wall, b))) {
+            let wall = json!([format!("cos({wall} deg)"), format!("sin({wall} deg)")]);
+            let mut text = impact(json!(["4", "5"]), json!(b), *line);
+            text["then"] = json!([{ "of": [of], "wall": wall, "e": "1/3" }]);
+            scenes.extend([true, false].map(|vectors| (text.clone(), vectors)));
+        }
+    }
+    scenes.retain(|(text, _)| can_be_posed(text));
+    assert!(scenes.len() > 100);
+    for (text, vectors) in scenes {
+        let manner = Manner { vectors, with_units: &[], angles: &[], after_walls: &[] };
+        let figures = given(&scene(&text), manner);
+        let [figure] = &figures[..] else { panic!("{text}: {} figures", figures.len()) };
+        both_notations(figure);
+        assert_eq!(faults(&figure.drawing), Vec::<String>::new(), "{text}");
+        let walls = walls(figure);
+        assert_eq!(walls.len(), 1, "{text}");
+        let moved = figure.drawing.strokes.iter().filter(|stroke| stroke.style != Style::Thin);
+        assert!(!moved.flat_map(flat).any(|line| cross(line, walls[0])), "{text}");
+        let said = format!("from {} it lies", text["then"][0]["of"][0].as_str().unwrap());
+        assert!(figure.words.contains(" A wall runs ") && figure.words.contains(&said), "{text}: {}", figure.words);
+    }
+}
+
+/// How far a label is from the nearest arrow.
+fn off_its_arrow(drawing: &Drawing, label: &Label) -> f64 {
+    let frame = Frame::around(label.centre, label.size);
+    let arrows = drawing.strokes.iter().filter(|stroke| stroke.style == Style::Velocity).flat_map(flat);
+    let points = arrows.flat_map(|(from, to)| (0..=20).map(move |step| from + (to - from) * (f64::from(step) / 20.0)));
+    let off = |point: Point| {
+        let nearest = Point::new(point.x.clamp(frame.low.x, frame.high.x), point.y.clamp(frame.low.y, frame.high.y));
+        (point - nearest).length()
+    };
+    points.map(off).fold(f64::INFINITY, f64::min)
+}
+
+#[test]
+fn what_is_said_of_a_velocity_stands_at_its_arrow() {
+    let (mut complaints, mut count) = (Vec::new(), 0);
+    let mut examine = |text: Json, vectors: bool| {
+        let manner = Manner { vectors, with_units: &[], angles: &[], after_walls: &[] };
+        for figure in given(&scene(&text), manner) {
+            let of_velocity = |label: &&Label| print::text_unicode(&label.text).contains("m s⁻¹");
+            for label in figure.drawing.labels.iter().filter(of_velocity) {
+                count += 1;
+                let off = off_its_arrow(&figure.drawing, label);
+                if off > 0.8 {
+                    complaints.push(format!(
+                        "`{}` is {off:.2} off at {:?} {:?}: {text}",
+                        print::text_unicode(&label.text),
+                        label.centre,
+                        label.size
+                    ));
+                }
+            }
+        }
+    };
+    for (a, b) in (0..36)
+        .map(|k| (["5", "1", "7/2", "13.75", "-1", "14/3"][k / 6], ["-5", "-1", "0", "-7/2", "-13.75", "-14/3"][k % 6]))
+    {
+        let text = json!({ "masses": { "A": "2", "B": "3" }, "before": { "A": a, "B": b }, "e": "2/3" });
+        if can_be_posed(&text) {
+            examine(text, false);
+        }
+    }
+    for (x, y) in (0..81).map(|k| (k / 9 - 4, k % 9 - 4)).filter(|place| *place != (0, 0)) {
+        let velocity = [x, y].map(|part| part.to_string());
+        examine(json!({ "masses": { "A": "2" }, "before": { "A": velocity }, "impulse": ["-8", "6"] }), true);
+        if y < 0 {
+            examine(
+                json!({ "masses": { "A": "2" }, "before": { "A": velocity }, "wall": ["1", "0"], "e": "1/2" }),
+                true,
+            );
+        }
+        if x > 0 {
+            examine(impact(json!(velocity), json!(["0", "0"]), ["1", "0"]), true);
+        }
+    }
+    assert!(complaints.is_empty(), "{} of {count}:\n{}", complaints.len(), complaints.join("\n"));
+    assert!(count > 150);
+}
+
 fn can_be_posed(text: &Json) -> bool {
     carom::mechanics::pose(&scene(text)).is_ok()
 }
@@ -280,7 +507,7 @@ fn a_question_shows_what_is_given_and_nothing_else() {
         (wall, false, &["10 m s⁻¹", "2 kg", "30°", "A"]),
         (direct, false, &["2m", "3u", "A", "B", "km", "u", "2m", "A", "B", "km", "u"]),
         (pushed, true, &["(3i + j) m s⁻¹", "(−8i + 6j) N s", "2 kg", "A", "i", "j"]),
-        (changed, true, &["(3i + j) m s⁻¹", "2 kg", "A", "i", "j", "(−i + 4j) m s⁻¹", "2 kg", "A", "i", "j"]),
+        (changed, true, &["(3i + j) m s⁻¹", "2 kg", "A", "i", "j", "(−i + 4j) m s⁻¹", "2 kg", "A"]),
         (
             impact(polar("6", 30), json!(["0", "0"]), ["1", "0"]),
             false,
@@ -301,10 +528,19 @@ fn a_question_shows_what_is_given_and_nothing_else() {
         (backwards, true, &[]),
     ];
     for (text, vectors, expected) in cases {
-        let figures = given(&scene(&text), Manner { vectors, with_units: &[], angles: &[] });
+        let figures = given(&scene(&text), Manner { vectors, with_units: &[], angles: &[], after_walls: &[] });
         let shown: Vec<String> = figures.iter().flat_map(labels).collect();
         assert_eq!(shown, expected, "{text}");
     }
+    // The angle after the impact that is given, at the way from the wall.
+    let text = json!({ "masses": { "A": "2" }, "before": { "A": { "speed": "5", "cos": "2/sqrt(13)", "sin": "-3/sqrt(13)" } }, "wall": ["1", "0"], "e": "e", "unknowns": ["e"],
+                       "symbols": { "e": "unit" }, "conditions": ["A.after.tan_to_wall = 3/4"] });
+    let angles = [("alpha", "3/2"), ("beta", "3/4")].map(|(name, tangent)| {
+        (Expr::name(name), number(&read(tangent, Angles::Radians).unwrap(), &|_| None).unwrap())
+    });
+    let manner = Manner { vectors: false, with_units: &[], angles: &angles, after_walls: &[] };
+    let shown: Vec<String> = given(&scene(&text), manner).iter().flat_map(labels).collect();
+    assert_eq!(shown, ["2 kg", "5 m s⁻¹", "A", "α", "β"]);
 }
 
 #[test]
@@ -329,7 +565,7 @@ fn the_words_of_a_figure_tell_all_that_is_written_in_it() {
     }
     let [figure] = &given(
         &scene(&impact(polar("6", 30), json!(["0", "0"]), ["1", "0"])),
-        Manner { vectors: false, with_units: &[], angles: &[] },
+        Manner { vectors: false, with_units: &[], angles: &[], after_walls: &[] },
     )[..] else {
         panic!("one figure")
     };

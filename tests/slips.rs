@@ -9,7 +9,7 @@ use std::path::Path;
 
 use carom::expr::Angles;
 use carom::mark::reading::{Vocabulary, read_answer};
-use carom::mark::slips::{self, Mistakes};
+use carom::mark::slips::{self, Asked, Mistakes};
 use carom::mechanics::{
     Axis, Carried, Datum, Derivation, Known, Moment, Quantity, Road, Scene, SceneText, Setting, Slip, Sphere, pose,
 };
@@ -226,8 +226,9 @@ fn causes(exercise: &str, asked: &[Quantity], answer: &str) -> Option<Vec<Vec<&'
     let readings = read_answer(answer, &vocabulary).ok()?;
     let [statement] = readings[0].statements.as_slice() else { return None };
     let said = statement.said.first()?;
-    let mistakes = Mistakes::of(&posed(exercise), &[asked.to_vec()], &letters);
-    Some(mistakes.causes(asked, said).into_iter().map(|cause| cause.tags).collect())
+    let asked = Asked::Quantities(asked.to_vec());
+    let mistakes = Mistakes::of(&posed(exercise), std::slice::from_ref(&asked), &letters, None);
+    Some(mistakes.causes(&asked, said).into_iter().map(|cause| cause.tags).collect())
 }
 
 #[test]
@@ -322,7 +323,8 @@ fn slipped(given: &Known<Value>, tags: &[&str], quantity: Quantity) -> Option<f6
 /// The value with components rounded that the data has, which is among the mistakes unless it is the right value.
 fn rounded(given: &Known<Value>, quantity: Quantity, expected: Option<f64>) -> Option<f64> {
     let letters = ["m", "u", "v", "r"].map(|name| Letter::new(name, Range::Positive).unwrap());
-    let values = Mistakes::of(given, &[vec![quantity]], &letters).values(&[quantity]);
+    let asked = [Asked::Quantities(vec![quantity])];
+    let values = Mistakes::of(given, &asked, &letters, None).values(&asked[0]);
     let found = values.iter().filter(|(tags, _)| tags == &["early-rounding"]).map(|(_, values)| values[0]);
     let nearest = found.min_by(|one, two| {
         let off = |value: &f64| (value.abs() - expected.unwrap_or_default()).abs();

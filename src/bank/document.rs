@@ -17,12 +17,14 @@ pub struct Faults {
     pub source: Source,
     /// What is wrong with it.
     pub found: Vec<Diagnostic>,
+    /// Is a table of it unread, since its key is misspelt? Then what lacks is no fault.
+    pub is_unread: bool,
 }
 
 impl Faults {
     /// None yet.
     pub fn new(source: Source) -> Faults {
-        Faults { source, found: Vec::new() }
+        Faults { source, found: Vec::new(), is_unread: false }
     }
 
     /// A fault at a place in the file: what is wrong, what was expected, one thing to try.
@@ -208,10 +210,13 @@ impl<'t, 'd> Keys<'t, 'd> {
     /// there misspelt.
     pub fn finish(self, faults: &mut Faults) {
         let mut meant: Vec<&str> = Vec::new();
-        for key in self.table.keys() {
+        for (key, value) in self.table.iter() {
             let name: &str = key.get_ref();
-            if !self.known.contains(&name) {
-                meant.extend(near(name, self.known.iter().copied()));
+            if !self.known.contains(&name) && !is_astray(self.what, key, faults) {
+                let near_one = near(name, self.known.iter().copied());
+                faults.is_unread |=
+                    near_one.is_some_and(|meant| !self.table.contains_key(meant)) && holds_tables(value.get_ref());
+                meant.extend(near_one);
                 let message = format!("unknown key `{name}`");
                 let known = self.known.iter().copied();
                 let label = match near(name, known.clone()) {
@@ -229,6 +234,29 @@ impl<'t, 'd> Keys<'t, 'd> {
     }
 }
 
+/// Is it a table or a list of tables?
+fn holds_tables(value: &DeValue) -> bool {
+    match value {
+        DeValue::Table(_) => true,
+        DeValue::Array(items) => items.iter().any(|item| holds_tables(item.get_ref())),
+        _ => false,
+    }
+}
+
+/// The keys of a question that are written before its first heading. Whatever stands below a heading belongs to it.
+const OF_THE_QUESTION: [&str; 7] = ["title", "mirrors", "topic", "stem", "require", "hidden", "alike"];
+
+/// Is a key of the question written below the heading of something else? Then that is reported.
+fn is_astray(what: &str, key: &Spanned<impl AsRef<str>>, faults: &mut Faults) -> bool {
+    let name = key.get_ref().as_ref();
+    let is_astray = OF_THE_QUESTION.contains(&name);
+    if is_astray {
+        let help = "write it above the first heading in brackets: what stands below a heading belongs to it";
+        faults.report(key.span(), format!("`{name}` stands in {what}"), "it is a key of the question", help);
+    }
+    is_astray
+}
+
 /// Names in backticks, with commas between.
 pub fn listed<S: AsRef<str>>(names: &[S]) -> String {
     names.iter().map(|name| format!("`{}`", name.as_ref())).collect::<Vec<_>>().join(", ")
@@ -244,7 +272,8 @@ pub fn pairs<'t, 'd>(
         wrong_type(what, "a table", value.get_ref(), value.span(), faults);
         return Vec::new();
     };
-    table.iter().map(|(key, value)| (Spanned::new(key.span(), key.get_ref().to_string()), value)).collect()
+    let own = table.iter().filter(|(key, _)| !is_astray(what, key, faults));
+    own.map(|(key, value)| (Spanned::new(key.span(), key.get_ref().to_string()), value)).collect()
 }
 
 /// A string.

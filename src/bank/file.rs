@@ -173,7 +173,7 @@ pub fn read(faults: &mut Faults) -> Option<QuestionFile> {
     file.alike = keys.list("alike", faults);
     file.tests = keys.tables("test", "a test", faults).into_iter().map(|keys| test(keys, faults)).collect();
     keys.finish(faults);
-    Some(file)
+    (!faults.is_unread).then_some(file)
 }
 
 fn test(mut keys: Keys, faults: &mut Faults) -> TestFile {

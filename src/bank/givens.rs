@@ -66,7 +66,7 @@ fn letter(name: &str, range: &str) -> Option<Meaning> {
 
 /// The expression with each name under a sine, cosine or tangent taken in degrees, as a bare number there is: in
 /// `tan(alpha)` the parameter `alpha` is a number of degrees. An angle stays the angle that it is.
-pub(super) fn names_in_degrees(expr: &Expr) -> Expr {
+pub(crate) fn names_in_degrees(expr: &Expr) -> Expr {
     match expr {
         Expr::Call(function @ (Function::Sin | Function::Cos | Function::Tan), argument) => {
             Expr::call(*function, measured(argument))

@@ -27,6 +27,7 @@ pub use document::{parameter_span, row_span};
 pub use domain::Domain;
 pub use folder::{Bank, read_source};
 pub use givens::Givens;
+pub(crate) use givens::names_in_degrees;
 pub use posed::{Posed, Unposed};
 pub use question::{Answer, AuthorsTest, Code, EarnedFor, Find, Mark, Part, Question, Style, StyleName};
 pub use requirement::{Measure, Requirement};

@@ -7,7 +7,7 @@ use super::domain::constant;
 use super::givens::names_in_degrees;
 use crate::diagnostic::near;
 use crate::expr::{Angles, Expr, Fault, Meaning, Name, Names, Span, evaluate, holds, read};
-use crate::mechanics::Quantity;
+use crate::mechanics::{Quantity, Sphere, formula_meant, formulas_meant, is_sentence};
 use crate::number::{Fraction, Root, Value};
 
 /// A relation that must hold, over givens or results.
@@ -97,8 +97,11 @@ impl Requirement {
     ///
     /// A [`Fault`] with its place, if it cannot be read or is no relation.
     pub fn read(text: &str) -> Result<Requirement, Fault> {
-        if let Some((what, measures)) = in_words(text) {
+        if let Some((what, measures)) = in_words(text).filter(|(what, _)| !is_sentence(what)) {
             return Requirement::all_one(text, what, measures);
+        }
+        if is_sentence(text) && said_meant(text).is_none() {
+            return Err(sentence_fault("a requirement in words", text));
         }
         let mut plain = text.to_owned();
         let mut measured = Vec::new();
@@ -196,11 +199,43 @@ impl Requirement {
 
 /// What was perhaps to be said where no relation stands.
 fn relation_meant(text: &str) -> String {
-    let Some((what, said)) = text.split_once(" is ") else { return format!("write `{text} > 0`") };
-    match near(said.trim(), SAID.map(|(words, _)| words)) {
-        Some(words) => format!("did you mean `{} is {words}`?", what.trim()),
-        None => format!("write `{} is an integer`, or a relation such as `{} > 0`", what.trim(), what.trim()),
+    if let Some(meant) = said_meant(text).or_else(|| measure_meant(text)) {
+        return format!("did you mean `{meant}`?");
     }
+    format!("write `{}`", formula_meant(text).unwrap_or_else(|| format!("{text} > 0")))
+}
+
+/// What is said of a formula, with a slip of the pen in it: `A.after.speed is an integr`.
+fn said_meant(text: &str) -> Option<String> {
+    let (what, said) = text.split_once(" is ")?;
+    let is_not = said.trim().starts_with("not ");
+    let words = near(said.trim(), SAID.map(|(words, _)| words)).filter(|_| !is_not && !is_sentence(what))?;
+    Some(format!("{} is {words}", what.trim()))
+}
+
+/// What is said of a formula as if it were a function: `integer(A.after.speed)`.
+fn measure_meant(text: &str) -> Option<String> {
+    let (function, inside) = text.strip_suffix(')')?.split_once('(')?;
+    let said = SAID.iter().find(|(words, _)| words.ends_with(function.trim()) && !function.trim().is_empty())?;
+    Some(format!("{} is {}", inside.trim(), said.0))
+}
+
+/// The fault of a sentence where a relation is expected, with the formula to write.
+pub(super) fn sentence_fault(message: &str, text: &str) -> Fault {
+    let span = Span { start: 0, end: text.len() };
+    let is_sphere = |what: &str| Sphere::ALL.iter().any(|sphere| sphere.name() == what.trim());
+    let help = match (formulas_meant(text).as_slice(), text.split_once(" is ")) {
+        ([one], _) => format!("write `{one}`"),
+        ([one, other], _) => format!("write `{one}` and `{other}`, each in its own quotes"),
+        (_, Some((what, _))) if !is_sentence(what) && !is_sphere(what) => {
+            format!("write `{} is an integer`, or a relation such as `{} > 0`", what.trim(), what.trim())
+        }
+        _ if text.contains(" or ") => {
+            "each of them must hold; for one value or another write a product, `(n - 3)*(n - 4) = 0`".to_owned()
+        }
+        _ => "write a relation such as `A.after.speed > 3`, or `A.after.speed is an integer`".to_owned(),
+    };
+    Fault::new(message, span, "expected a relation between formulas").try_this(help)
 }
 
 /// What can be said of a number in words.

@@ -147,8 +147,8 @@ fn styles() -> Json {
     let each: Map<String, Json> =
         StyleName::ALL.into_iter().map(|style| (style.name().to_owned(), shared("style"))).collect();
     json!({
-        "description": "The styles in which the question is offered: friendly (whole numbers), exact (surds), calculator \
-                        (rounded answers). One is enough, and may be empty.",
+        "description": "The styles in which the question is offered: friendly (whole numbers and short fractions), exact \
+                        (surds), calculator (rounded answers). One is enough, and may be empty.",
         "type": "object", "minProperties": 1, "properties": each, "additionalProperties": false,
     })
 }

@@ -48,9 +48,36 @@ fn unknown(contents: &Contents, name: &str) -> Failure {
     let ids = contents.headings.iter().map(|heading| heading.id.as_str());
     let last = contents.headings.iter().filter_map(|heading| heading.id.rsplit('/').next());
     let mirrors = contents.headings.iter().filter_map(|heading| heading.mirrors.as_deref());
-    let help = match near(name, ids.chain(last).chain(mirrors)) {
-        Some(near) => format!("did you mean `{near}`? `carom list` names every question"),
-        None => "`carom list` names every question".to_owned(),
+    let near = near(name, ids.chain(last).chain(mirrors)).map(str::to_owned);
+    let near = near.into_iter().collect::<Vec<_>>();
+    let meant = if near.is_empty() { with_a_word_near(contents, name) } else { near };
+    let help = match meant.as_slice() {
+        [] => "`carom list` names every question".to_owned(),
+        meant => {
+            let meant = meant.iter().map(|id| format!("`{id}`")).collect::<Vec<_>>().join(" or ");
+            format!("did you mean {meant}? `carom list` names every question")
+        }
     };
     Failure::with_help(format!("unknown question `{name}`"), help)
+}
+
+/// A few questions whose ids have a word that is nearly what was typed, or that mirror exercises which begin with it.
+fn with_a_word_near(contents: &Contents, name: &str) -> Vec<String> {
+    const FEW: usize = 3;
+    let words = |id: &str| id.split(['/', '-']).filter(|word| word.len() > 3).map(str::to_owned).collect::<Vec<_>>();
+    let mut all: Vec<String> = contents.headings.iter().flat_map(|heading| words(&heading.id)).collect();
+    all.sort();
+    all.dedup();
+    let word = near(name, all.iter().map(String::as_str));
+    let has_it = |heading: &&Heading| match (word, &heading.mirrors) {
+        (Some(word), _) => words(&heading.id).iter().any(|own| own == word),
+        (None, Some(mirrors)) => {
+            !name.trim().is_empty() && mirrors.to_lowercase().starts_with(&name.trim().to_lowercase())
+        }
+        (None, None) => false,
+    };
+    let found = contents.headings.iter().filter(has_it).take(FEW);
+    found
+        .map(|heading| if word.is_none() { heading.mirrors.clone() } else { None }.unwrap_or(heading.id.clone()))
+        .collect()
 }

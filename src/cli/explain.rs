@@ -7,15 +7,15 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::bank;
 use super::check::{Progress, StyleCount, counts};
 use super::failure::Failure;
 use super::output::{count, print, print_json, table};
+use super::preview::subject::Subject;
 use super::solve::worked;
-use crate::bank::{Domain, Question, Style};
+use crate::bank::{Domain, Question, Style, read_question};
 use crate::expr::print as written;
 use crate::generate::{Variant, out_of, reference};
-use crate::mechanics::Line;
+use crate::mechanics::{Line, Rule};
 use crate::paper::{Dealer, PrintedAnswer, PrintedQuestion, compose};
 use crate::solve::solve;
 use mistakes::{LawMistakes, mistakes};
@@ -34,7 +34,7 @@ const AFTER: &str = "Examples:
 #[derive(Args)]
 #[command(after_help = AFTER)]
 pub struct ExplainArguments {
-    /// The question: its id, a part of it, or the exercise it mirrors
+    /// The question: its id, a part of it, the exercise it mirrors, or the path of its file (new.toml)
     #[arg(value_name = "QUESTION")]
     question: String,
     /// A bank of your own
@@ -66,8 +66,8 @@ impl Reference {
 
 /// Explains the question.
 pub fn run(arguments: &ExplainArguments) -> Result<(), Failure> {
-    let contents = bank::open(arguments.bank.as_deref())?;
-    let question = bank::find(&contents, &arguments.question)?.question()?;
+    let subject = Subject::find(&arguments.question, arguments.bank.as_deref(), None)?;
+    let question = read_question(&subject.id, &subject.read()?.source)?;
     let progress = Progress::new([&question]);
     let styles = counts(&question, &progress);
     progress.finish();
@@ -163,16 +163,11 @@ fn value_in_words(answer: &PrintedAnswer) -> String {
 }
 
 fn steps(variant: &Variant) -> String {
-    let rows: Vec<Vec<String>> = variant
-        .solution
-        .derivation()
-        .steps
-        .iter()
-        .map(|step| {
-            let gives: Vec<String> = step.gives.iter().map(ToString::to_string).collect();
-            vec![format!("  {}", step.law.name()), gives.join(", ")]
-        })
-        .collect();
+    let row = |step: &Rule| {
+        let gives: Vec<String> = step.gives.iter().map(ToString::to_string).collect();
+        vec![format!("  {}", step.law.name()), gives.join(", ")]
+    };
+    let rows: Vec<Vec<String>> = variant.solution.steps().into_iter().map(row).collect();
     format!("\nSteps\n{}", table(&rows))
 }
 

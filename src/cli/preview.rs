@@ -1,7 +1,7 @@
 //! `carom preview`: one question with its numbers, solution, scheme and answers, for whoever writes it.
 
 mod page;
-mod subject;
+pub(super) mod subject;
 mod watch;
 
 use std::io::{self, IsTerminal};

@@ -9,6 +9,7 @@ use crate::bank::Question;
 use crate::expr::{Angles, print};
 use crate::generate::{answer_rounds_safely, reference};
 use crate::mechanics::Scene;
+use crate::number::{Places, round};
 use crate::paper::{KeyQuestion, compose, key_question};
 use crate::solve::solve;
 
@@ -19,13 +20,17 @@ pub fn reference_faults(question: &Question) -> Vec<Finding> {
         return vec![one("the reference numbers make no question".to_owned())];
     };
     let printed = compose(question, &variant, 1);
-    let mut findings: Vec<Finding> =
-        again(question, &key_question(question, &variant, &printed)).into_iter().map(one).collect();
-    for answer in question.parts.iter().flat_map(|part| &part.answers) {
+    let key = key_question(question, &variant, &printed);
+    let mut findings: Vec<Finding> = again(question, &key).into_iter().map(one).collect();
+    let blanks = key.parts.iter().flat_map(|part| &part.blanks);
+    for (answer, blank) in question.parts.iter().flat_map(|part| &part.answers).zip(blanks) {
         if !answer_rounds_safely(answer, variant.style, &variant.solution) {
             let message = format!("`{}` of the reference is too near a tie to be rounded", answer.find.name());
             let help = "change a number, or ask for another accuracy with `accept`";
-            findings.push(one(message).with_help(help));
+            let long = blank.decimal.as_str().and_then(|decimal| decimal.parse().ok());
+            let label = long.map(|long| format!("it comes to {}", round(&long, &Places::SignificantFigures(8))));
+            let found = one(message).with_help(help);
+            findings.push(Finding { label: label.unwrap_or(found.label.clone()), ..found });
         }
     }
     findings

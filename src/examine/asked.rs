@@ -1,10 +1,11 @@
 //! Do the words ask for what the answers are, and speak of what the scene has?
 
 use super::finding::Finding;
+use super::sentence::{Token, is_one_of, is_supposed, sentences};
 use crate::answer::Kind;
 use crate::bank::{Answer, Find, Part, Question};
 use crate::expr::{Expr, Piece, Text, print};
-use crate::mechanics::Sphere;
+use crate::mechanics::{Sphere, VelocityText};
 use crate::unit::Unit;
 
 /// Words that name a quantity, and the unit in which it is stated.
@@ -52,8 +53,10 @@ pub fn beside_the_point(question: &Question) -> Vec<Finding> {
             findings.push(found.with_help(help).at_row(place, "answers", 0).as_warning());
         }
     }
+    findings.extend(extremes(question));
     findings.extend(strangers(question));
     findings.extend(absent(question));
+    findings.extend(in_one_line(question));
     findings
 }
 
@@ -91,6 +94,53 @@ fn shown(words: &str, part: &Part) -> Option<Finding> {
     None
 }
 
+/// Words for what is as large as it can be, and as small.
+const GREATEST: [&str; 6] = ["greatest", "largest", "maximum", "maximal", "maximised", "maximized"];
+const LEAST: [&str; 6] = ["least", "smallest", "minimum", "minimal", "minimised", "minimized"];
+
+/// The least of what the scene makes greatest, and the greatest or least of what nothing makes so.
+fn extremes(question: &Question) -> Option<Finding> {
+    let scene = &question.scene;
+    let sentences: Vec<_> = texts(question).flat_map(sentences).filter(|sentence| !is_supposed(sentence)).collect();
+    let word = |words: &[&str]| {
+        sentences.iter().find_map(|sentence| {
+            // `At least` is a bound, and `the greatest of the three` one of several.
+            let is_extreme = |place: &usize| {
+                let before = place.checked_sub(1).map(|before| &sentence[before]);
+                is_one_of(&sentence[*place], words)
+                    && !before.is_some_and(|token| is_one_of(token, &["at"]))
+                    && !sentence.get(place + 1).is_some_and(|token| is_one_of(token, &["of"]))
+            };
+            (0..sentence.len()).find(is_extreme).and_then(|place| match &sentence[place] {
+                Token::Word(word) => Some(word.clone()),
+                _ => None,
+            })
+        })
+    };
+    if let Some(maximise) = &scene.maximise {
+        let said = word(&LEAST)?;
+        let message = format!("the words speak of the {said}, and the scene makes `{maximise}` as large as possible");
+        let found = Finding::new(message, said, "the greatest in the scene").with_help("say `greatest`");
+        // Beside the greatest there may be a least of something else.
+        return Some(if word(&GREATEST).is_none() { found } else { found.as_warning() });
+    }
+    let said = word(&[GREATEST, LEAST].concat())?;
+    let is_range = question.parts.iter().flat_map(|part| &part.answers).any(|answer| answer.kind == Kind::Range);
+    let (message, label, help) = match (is_range, scene.conditions.is_empty()) {
+        (true, _) => {
+            let message = format!("the words speak of the {said}, and the answer is a set of values");
+            (message, "one value", "ask for the set of possible values")
+        }
+        (false, true) => {
+            let message = format!("the words speak of the {said}, and nothing in the scene makes it so");
+            (message, "no `maximise`", "name it in `maximise` of `[scene]`, or ask for what is found")
+        }
+        // The least for which something happens may be that for which it just does.
+        (false, false) => return None,
+    };
+    Some(Finding::new(message, said, label).with_help(help).as_warning())
+}
+
 /// All words that a student reads.
 fn texts(question: &Question) -> impl Iterator<Item = &Text> {
     let stems = question.styles.iter().flat_map(|style| style.stem.iter().chain([&style.note]));
@@ -117,6 +167,7 @@ fn absent(question: &Question) -> Vec<Finding> {
             let (message, label, help) = match bare.as_str() {
                 "wall" | "walls" if !has_wall => (wall, "no wall", mend),
                 "centres" if !has_spheres => (line, "no line of centres", name),
+                "rough" => ("say `rough`, and every impact here is smooth", "not smooth", "say `smooth`"),
                 "figure" | "fig" | "diagram" if next.starts_with(|sign: char| sign.is_ascii_digit()) => {
                     ("speak of a figure by number, and a sheet numbers none", "no number", "say `the diagram`")
                 }
@@ -130,6 +181,22 @@ fn absent(question: &Question) -> Vec<Finding> {
         }
     }
     findings
+}
+
+/// The vectors **i** and **j** where everything moves in one line.
+fn in_one_line(question: &Question) -> Option<Finding> {
+    let before = [&question.scene.before.a, &question.scene.before.b];
+    if !before.iter().any(|velocity| matches!(velocity, Some(VelocityText::Along(_)))) {
+        return None;
+    }
+    let is_vector = |expr: &&Expr| expr.names().iter().any(|name| matches!(name.text.as_str(), "i" | "j"));
+    let found = texts(question).flat_map(|text| text.formulas()).find(is_vector)?;
+    let message =
+        format!("the words have a vector, `{}`, and in the scene all moves in one line", print::unicode(found));
+    let help = "take `i` or `j` out of the braces; what is to be in italics stands between `_` and `_`";
+    // A product may be written with a star or without.
+    let first = found.names().first().map_or_else(String::new, |name| format!("{{{}", name.text));
+    Some(Finding::new(message, first, "no vector in the scene").with_help(help))
 }
 
 fn words(piece: &Piece) -> Option<&str> {
@@ -166,4 +233,34 @@ fn strangers(question: &Question) -> Vec<Finding> {
             found.with_help("name a sphere that there is; a point has another letter").as_warning()
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::examine::{Edits, edited};
+
+    #[test]
+    fn what_is_as_large_as_can_be_is_so_in_the_scene() {
+        let greatest = "deflection/greatest-deflection";
+        let range = "ranges/direction-reversed";
+        let table: [(&str, Edits, &str); 8] = [
+            (greatest, &[], ""),
+            (greatest, &[("greatest", "least")], "speak of the least, and the scene makes `A.tan_deflection` as large"),
+            (greatest, &[("*A* is greatest", "*A* is smallest")], "speak of the smallest"),
+            ("deflection/elastic", &[("greatest angle", "minimum angle")], "speak of the minimum"),
+            (range, &[("set of possible values", "greatest possible value")], "the answer is a set of values"),
+            (range, &[("possible values of {e}.", "possible values of {e}, in lowest terms.")], ""),
+            (range, &[("{e}.\"", "{e}, at least in words.\"")], ""),
+            (
+                "walls/rebound-speed-and-direction",
+                &[("Find the speed", "Find the maximum speed")],
+                "nothing in the scene",
+            ),
+        ];
+        for (id, edits, words) in table {
+            let said = extremes(&edited(id, edits)).map_or_else(String::new, |finding| finding.message);
+            assert!(said.contains(words) && said.is_empty() == words.is_empty(), "{id}: {edits:?}: {said}");
+        }
+    }
 }

@@ -9,7 +9,7 @@ use crate::generate::with_numbers;
 use crate::mark::AnswerKey;
 use crate::mark::judging::{Verdict, judge};
 use crate::mark::reading::read_answer;
-use crate::number::Fraction;
+use crate::number::{Fraction, Places, round};
 use crate::paper::{Key, compose, key_question};
 
 /// Every test of the author that fails.
@@ -43,7 +43,7 @@ fn of_test(question: &Question, place: usize, test: &AuthorsTest) -> Vec<Finding
         let exact = keyed.parts.iter().flat_map(|part| &part.blanks).find(|own| first(&own.find) == Some(name));
         let is_near = exact.is_none_or(|exact| is_as_near_as_it_claims(answer, &exact.decimal));
         if judged.verdict != Verdict::Correct || !is_near {
-            let found = print::unicode(&blank.model.value);
+            let found = comes_to(&print::unicode(&blank.model.value), exact.and_then(|exact| exact.decimal.as_str()));
             let message = format!("test {} fails: `{name}` is `{answer}` in it, and comes to `{found}`", place + 1);
             let help = "work it out again: either the answer is wrong or the scene is not the one that was meant";
             let found = Finding::new(message, format!("\"{answer}\""), "worked out here").with_help(help);
@@ -51,6 +51,16 @@ fn of_test(question: &Question, place: usize, test: &AuthorsTest) -> Vec<Finding
         }
     }
     findings
+}
+
+/// A value as it is shown to its author: with decimals beside a formula, and an angle in degrees.
+fn comes_to(value: &str, decimal: Option<&str>) -> String {
+    let is_plain = value.chars().all(|sign| sign.is_ascii_digit() || "./−-".contains(sign));
+    let places = Places::SignificantFigures(5);
+    match decimal.and_then(|decimal| decimal.parse().ok()).filter(|_| !is_plain) {
+        Some(decimal) => format!("{} ≈ {}", value.trim_end_matches("/1°"), round(&decimal, &places)),
+        None => value.to_owned(),
+    }
 }
 
 /// What is found, of a vector its first component.

@@ -160,6 +160,13 @@ fn fault(student: &Student, marked: &[MarkedPart]) -> Option<Fault> {
                 _ => None,
             }
         }
+        Expected::Wrong { part, blank } => {
+            let won = |part: &MarkedPart| part.awards.iter().any(|award| award.given && award.code.is_accuracy());
+            match marked[*part].answers[*blank].judgement.verdict {
+                Verdict::Correct => Some("is taken for right".to_owned()),
+                _ => won(&marked[*part]).then(|| "earns an accuracy mark".to_owned()),
+            }
+        }
         Expected::ExactWanted { part, blank } => {
             let judgement = &marked[*part].answers[*blank].judgement;
             (judgement.note != Some(Note::ExactWanted.tag())).then(|| "is not told that it must be exact".to_owned())

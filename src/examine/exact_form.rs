@@ -65,7 +65,7 @@ fn place(text: &Text) -> String {
     asking.unwrap_or_default()
 }
 
-fn sentences(text: &Text) -> Vec<String> {
+pub(super) fn sentences(text: &Text) -> Vec<String> {
     print::text_unicode(text).split(". ").map(str::to_lowercase).collect()
 }
 
@@ -88,7 +88,7 @@ fn is_of_all(sentence: &str) -> bool {
 }
 
 /// The answers of which a sentence speaks: those whose names begin with one of its words; all, if none does.
-fn meant<'q>(sentence: &str, answers: &[&'q Answer]) -> Vec<&'q Answer> {
+pub(super) fn meant<'q>(sentence: &str, answers: &[&'q Answer]) -> Vec<&'q Answer> {
     let open = answers.iter().copied().filter(|answer| answer.kind != Kind::Shown);
     let asking = sentence.split_inclusive("exact").next().unwrap_or(sentence);
     let is_named = |answer: &&Answer| {

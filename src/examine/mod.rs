@@ -8,14 +8,19 @@
 mod again;
 mod apart;
 mod asked;
+mod asked_for;
 mod author;
 mod coverage;
 mod exact_form;
+mod figures;
 mod finding;
 mod given;
+mod lines;
 mod promise;
 mod report;
 mod said;
+mod said_of_angles;
+mod said_of_motion;
 mod scheme;
 mod sentence;
 mod sentences;
@@ -31,3 +36,20 @@ pub use finding::Finding;
 pub use report::{AnswerForms, Hidden, Report, StyleReport, Turned};
 pub use students::{Expected, Student, students};
 pub use survey::{MARKED, survey, work};
+
+/// What stands in a text, each with what is to stand in its place.
+#[cfg(test)]
+type Edits<'t> = &'t [(&'t str, &'t str)];
+
+/// A shipped question after edits of its text, all of which must apply.
+#[cfg(test)]
+fn edited(id: &str, edits: Edits) -> crate::bank::Question {
+    let (_, text) = crate::bank::shipped().find(|(shipped, _)| *shipped == id).unwrap();
+    let mut text = text.to_owned();
+    for (from, to) in edits {
+        assert!(text.contains(from), "{id}: {from}");
+        text = text.replace(from, to);
+    }
+    let source = crate::diagnostic::Source::new(id, text);
+    crate::bank::read_question(id, &source).unwrap_or_else(|faults| panic!("{faults:?}"))
+}

@@ -66,7 +66,7 @@ pub fn unrewarded(question: &Question) -> Vec<Finding> {
 /// Marks that are earned with others: twice for one value in a part, or again for what an earlier part has found.
 pub fn paid_twice(question: &Question) -> Vec<Finding> {
     let is_value = |mark: &Mark| matches!(mark.earned_for, EarnedFor::Quantity(_) | EarnedFor::Unknown(_));
-    let mut findings = Vec::new();
+    let mut findings = used_twice(question);
     for (place, part) in question.parts.iter().enumerate() {
         let mut told: Vec<&EarnedFor> = Vec::new();
         for (row, mark) in part.marks.iter().enumerate().filter(|(_, mark)| mark.code.is_accuracy() && is_value(mark)) {
@@ -88,6 +88,28 @@ pub fn paid_twice(question: &Question) -> Vec<Finding> {
                     format!("the mark {} is for `{step}`, for which part ({}) has paid", mark.id, before.label);
                 let help = "name what this part finds, or take the row out";
                 let found = Finding::new(message, "", "who earns it there earns it here");
+                findings.push(found.with_help(help).at_row(place, "marks", row).as_warning());
+            }
+        }
+    }
+    findings
+}
+
+/// Marks for the use of one law in a part that takes it once.
+fn used_twice(question: &Question) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    // In a later impact a law is used again.
+    for (place, part) in question.parts.iter().enumerate().filter(|_| question.scene.then.is_empty()) {
+        for (row, mark) in part.marks.iter().enumerate().filter(|(_, mark)| !mark.code.is_accuracy()) {
+            let is_law = matches!(mark.earned_for, EarnedFor::Law(..) | EarnedFor::Condition);
+            let is_same = |other: &&Mark| {
+                (other.code, &other.earned_for, &other.text) == (mark.code, &mark.earned_for, &mark.text)
+            };
+            if let Some(other) = part.marks[..row].iter().find(is_same).filter(|_| is_law) {
+                let step = &mark.earned_for;
+                let message = format!("the marks {} and {} are both for `{step}`", other.id, mark.id);
+                let help = "take one of the two rows out, or say in `text` what else earns it";
+                let found = Finding::new(message, "", "who earns the one earns the other");
                 findings.push(found.with_help(help).at_row(place, "marks", row).as_warning());
             }
         }
@@ -132,7 +154,7 @@ mod tests {
     use super::*;
     use crate::bank::{read_question, shipped};
     use crate::diagnostic::Source;
-    use crate::examine::{asked, said, sentences, truth, units};
+    use crate::examine::{asked, asked_for, figures, said, sentences, truth, units};
     use crate::generate::Deal;
     use crate::paper::words;
 
@@ -147,6 +169,8 @@ mod tests {
             found.extend(unknown_exercise(&question, &exercises));
             found.extend(units::astray(&question));
             found.extend(asked::beside_the_point(&question));
+            found.extend(asked_for::others(&question));
+            found.extend(figures::otherwise(&question));
             found.extend(paid_twice(&question));
             amiss.extend(found.into_iter().map(|finding| format!("{id}: {}", finding.message)));
             for style in &question.styles {

@@ -1,7 +1,7 @@
 //! A sentence of a question, token by token, and whose each number in it is.
 
 use crate::expr::{Expr, Piece, Text};
-use crate::mechanics::Sphere;
+use crate::mechanics::{Axis, Sphere};
 use crate::unit::Unit;
 
 use super::sentences::in_order;
@@ -35,6 +35,8 @@ pub enum Noun {
     Velocity,
     /// An acute angle.
     Angle,
+    /// A radius.
+    Radius,
 }
 
 /// The sentences of a text.
@@ -144,12 +146,41 @@ pub fn noun_of(sentence: &[Token], place: usize) -> Option<(usize, Noun, bool)> 
             "velocity" => (Noun::Velocity, false),
             "velocities" => (Noun::Velocity, true),
             "angle" => (Noun::Angle, false),
+            "radius" => (Noun::Radius, false),
+            "radii" => (Noun::Radius, true),
             word if BETWEEN.contains(&word) => continue,
             _ => return None,
         };
         return Some((at, noun, is_plural));
     }
     None
+}
+
+/// The axis from which an angle is measured for which these words come next: along the line of centres and the normal to a
+/// wall, or across it.
+pub fn measured_from(after: &[Token]) -> Option<Axis> {
+    const DESCRIBED: [&str; 8] = ["the", "a", "this", "that", "smooth", "fixed", "vertical", "first"];
+    let (mut is_across, mut is_normal) = (false, false);
+    for (place, token) in after.iter().enumerate().take(10).take_while(|(_, token)| !is_value(token)) {
+        let Word(word) = token else { continue };
+        // `When it hits the wall` measures nothing.
+        let lead = after[..place].iter().rev().find(|token| !is_one_of(token, &DESCRIBED));
+        let is_line = lead.is_some_and(|lead| is_one_of(lead, &["with", "to", "and", "between"]));
+        match word.as_str() {
+            "perpendicular" => is_across = true,
+            "normal" => (is_across, is_normal) = (true, true),
+            "centres" | "centers" => return Some(if is_across { Axis::T } else { Axis::N }),
+            "wall" if is_line => return Some(if is_across { Axis::N } else { Axis::T }),
+            "common" => return Some(Axis::T),
+            _ => {}
+        }
+    }
+    is_normal.then_some(Axis::N)
+}
+
+/// Is it a number or formula, and no equation?
+fn is_value(token: &Token) -> bool {
+    matches!(token, Number(expr, ..) if !matches!(expr, Expr::Relation(..)))
 }
 
 /// Whose a number is: the sphere that is named for it.
@@ -175,7 +206,7 @@ pub fn owner_of(sentence: &[Token], place: usize) -> Option<(Noun, Sphere)> {
         [Word(of), Token::Sphere(owner), ..] if of == "of" => Some(*owner),
         [Word(of), Word(_), Token::Sphere(owner), ..] if of == "of" => Some(*owner),
         [Word(of), Word(_), Word(_), Token::Sphere(owner), ..] if of == "of" => Some(*owner),
-        _ if noun == Noun::Mass => beside(&sentence[..at]),
+        _ if matches!(noun, Noun::Mass | Noun::Radius) => beside(&sentence[..at]),
         _ => subject(&sentence[..at]),
     };
     owner.map(|owner| (noun, owner))
@@ -206,8 +237,8 @@ fn beside(before: &[Token]) -> Option<Sphere> {
 }
 
 /// Words after which a sphere is not the one that moves.
-const OBJECT: [&str; 15] = [
-    "towards", "to", "from", "with", "by", "strikes", "hits", "struck", "hit", "at", "meets", "behind", "on",
+const OBJECT: [&str; 16] = [
+    "towards", "to", "from", "with", "by", "strikes", "hits", "struck", "hit", "at", "meets", "leaves", "behind", "on",
     "between", "for",
 ];
 /// Words that stand before the name of a sphere.
@@ -245,6 +276,27 @@ mod tests {
     use crate::expr::{print, read_markup};
 
     #[test]
+    fn an_angle_is_measured_from_the_line_that_is_named_next() {
+        let table = [
+            ("{a} with the line of centres, which is perpendicular to the wall", Some(Axis::N)),
+            ("{a} to the perpendicular to the line of centres", Some(Axis::T)),
+            ("{a} with the common tangent", Some(Axis::T)),
+            ("{a}, where {tan(a) = 3/4}, with the wall", Some(Axis::T)),
+            ("{a} with the normal to the wall", Some(Axis::N)),
+            ("{a} to the normal", Some(Axis::N)),
+            ("{a} with a line that is perpendicular to the wall", Some(Axis::N)),
+            ("{a} with its first direction when it hits the wall", None),
+            ("{a} with a smooth fixed wall", Some(Axis::T)),
+            ("{a} and then {b} with the wall", None),
+        ];
+        for (words, axis) in table {
+            let text = read_markup(words).unwrap();
+            let sentence = &sentences(&text[0])[0];
+            assert_eq!(measured_from(&sentence[1..]), axis, "{words}");
+        }
+    }
+
+    #[test]
     fn a_number_is_of_the_sphere_for_which_it_is_named() {
         let table = [
             ("Sphere *A*, of mass {m kg}, strikes a sphere *B* of mass {k kg}.", "m: Mass A, k: Mass B"),
@@ -269,6 +321,8 @@ mod tests {
             ("*A* and *B* move with speed {u m/s}.", ""),
             ("*A* hits *B* of mass {m kg}, which has speed {u m/s}.", "m: Mass B, u: Speed B"),
             ("Their speed of approach is {u m/s}; the radius is {r}.", ""),
+            ("*A*, of radius {r}, hits *B*. The radius of *B* is {2*r}.", "r: Radius A, 2*r: Radius B"),
+            ("*A* and *B* have radii {r} and {s}, and each has mass {m kg}.", "r: Radius A, s: Radius B"),
             ("If the mass of *A* were {m kg}, it would stop.", ""),
         ];
         for (words, owners) in table {

@@ -160,6 +160,11 @@ fn of_words(words: &str, before: &str, remarks: &mut Vec<Remark>) {
             let shown = format!("{before} {word}");
             remarks.push(remark_at("a word said twice", around(words, at), &shown, "take one of them out"));
         }
+        let is_counted = ["two", "three", "both"].iter().any(|count| word.eq_ignore_ascii_case(count));
+        if let Some(one) = words[at..].split(['.', ',', ';']).next().filter(|_| is_counted).and_then(one_of_several) {
+            let shown = format!("{word} … {one}");
+            remarks.push(remark_at("several of one", around(words, at), &shown, "write the word in the plural"));
+        }
         if word.starts_with(|c: char| c.is_ascii_lowercase()) && takes_the_other_article(before, word) {
             let (shown, help) = (format!("{before} {word}"), "write the other of the two");
             remarks.push(remark_at("`a` or `an` before a word", around(words, at), &shown, help));
@@ -167,6 +172,15 @@ fn of_words(words: &str, before: &str, remarks: &mut Vec<Remark>) {
         at += word.len();
         before = word;
     }
+}
+
+/// The word in the singular that comes after a count and what describes it, before any in the plural.
+fn one_of_several(counted: &str) -> Option<&str> {
+    const THINGS: [&str; 4] = ["sphere", "particle", "ball", "wall"];
+    const JOIN: [&str; 6] = ["of", "with", "the", "and", "to", "in"];
+    let described = counted.split_whitespace().skip(1).take(5);
+    let mut words = described.take_while(|word| !is_plural(word) && !JOIN.contains(word));
+    words.find(|word| THINGS.contains(word))
 }
 
 /// Before a sound of a vowel stands `an`, before any other `a`; words in which the sound is not that of the letter are left
@@ -215,7 +229,21 @@ fn of_number(expr: &Expr, piece: &Piece, before: &str, after: &str, remarks: &mu
             remarks.push(remark("several of one", &several, "write the word in the plural"));
         }
     }
+    plural_of_one(piece, before, after, remarks);
     article(piece, before, remarks);
+}
+
+/// `Of masses 3 kg`, where one number stands alone.
+fn plural_of_one(piece: &Piece, before: &str, after: &str, remarks: &mut Vec<Remark>) {
+    const PLURALS: [&str; 4] = ["masses", "speeds", "velocities", "radii"];
+    let before = before.trim_end();
+    let Some(plural) = PLURALS.into_iter().find(|plural| before.ends_with(plural)) else { return };
+    let clause = after.split('.').next().unwrap_or_default();
+    let has_others = clause.starts_with([',', '/']) || [" and", " or", "each"].iter().any(|word| clause.contains(word));
+    if !has_others {
+        let help = "write the word in the singular, or give each its number";
+        remarks.push(remark_at("several of one", plural, &format!("{plural} {}", shown(piece)), help));
+    }
 }
 
 /// Words for one thing that can be counted.
@@ -307,6 +335,10 @@ mod tests {
             ("The velocity is {[0, 0] m/s}.", "a vector of nought"),
             ("It rebounds {1} times.", "1 times"),
             ("After {2} second it stops.", "2 second"),
+            ("A sphere of masses {2 kg} moves.", "masses 2 kg"),
+            ("The masses are {2 kg} and {3 kg}; of masses {m}, {k} and {l}.", ""),
+            ("Two small smooth sphere collide.", "Two … sphere"),
+            ("Two small smooth spheres collide, one sphere at rest. The two paths and the wall.", ""),
             ("A {8 kg} mass, a {18 kg} mass.", "a 18 kg"),
             ("An {7 kg} mass, an {7 kg} mass.", "an 7 kg"),
             ("The the mass is {m} , they say.", "stray sign"),

@@ -8,8 +8,8 @@ use super::finding::Finding;
 use crate::answer::Accept;
 use crate::bank::{Answer, Question};
 use crate::generate::{Variant, reference};
-use crate::mark::slips::{Answers, acting, shown};
-use crate::mechanics::{Quantity, Slip, pose};
+use crate::mark::slips::{Answers, Asked, acting, shown};
+use crate::mechanics::{Slip, pose};
 use crate::number::Places;
 
 /// Exact values that differ by less than this part are one.
@@ -49,7 +49,8 @@ impl Slips {
     /// Follows every slip through one variant.
     pub fn follow(&mut self, question: &Question, variant: &Variant) {
         let (answers, asked) = asked(question);
-        if asked.iter().all(Vec::is_empty) {
+        let sought = variant.solution.sought();
+        if sought.is_none() && asked.iter().all(|asked| asked.quantities().is_empty()) {
             return;
         }
         let Ok(given) = pose(variant.solution.scene()) else { return };
@@ -64,7 +65,7 @@ impl Slips {
                 _ => one.is_some() != other.is_some(),
             })
         };
-        let Some(outcomes) = shown(&given, &asked, &differ) else { return };
+        let Some(outcomes) = shown(&given, &asked, sought.as_ref(), &differ) else { return };
         self.variants += 1;
         self.acting |= outcomes.iter().fold(0, |acting, outcome| acting | 1 << outcome.slip);
         let showing: Vec<(usize, &Answers)> =
@@ -78,6 +79,10 @@ impl Slips {
         }
         for (place, (slip, answers)) in showing.iter().enumerate() {
             for (other, others) in &showing[place + 1..] {
+                // Who finds nothing writes nothing, whatever the mistake.
+                if !answers.iter().zip(*others).any(|(one, other)| one.is_some() && other.is_some()) {
+                    continue;
+                }
                 self.beside[*slip] |= 1 << other;
                 if self.told[*slip] >> other & 1 == 0 && differ(answers, others) {
                     self.told[*slip] |= 1 << other;
@@ -119,10 +124,10 @@ impl Slips {
     }
 }
 
-/// The answers of a question, and the quantities that each asks for.
-fn asked(question: &Question) -> (Vec<&Answer>, Vec<Vec<Quantity>>) {
+/// The answers of a question, and what each asks for.
+fn asked(question: &Question) -> (Vec<&Answer>, Vec<Asked>) {
     let answers: Vec<&Answer> = question.parts.iter().flat_map(|part| &part.answers).collect();
-    let asked = answers.iter().map(|answer| answer.find.quantities()).collect();
+    let asked = answers.iter().map(|answer| Asked::of(&answer.find, answer.kind)).collect();
     (answers, asked)
 }
 
@@ -131,8 +136,9 @@ fn asked(question: &Question) -> (Vec<&Answer>, Vec<Vec<Quantity>>) {
 pub fn all_acting(question: &Question, styles: &[Slips]) -> u128 {
     let followed = styles.iter().fold(0, |all, slips| all | slips.acting);
     let by_reference = || -> Option<Vec<usize>> {
-        let given = pose(reference(question).ok()?.solution.scene()).ok()?;
-        Some(acting(&given, &asked(question).1))
+        let solution = reference(question).ok()?.solution;
+        let given = pose(solution.scene()).ok()?;
+        Some(acting(&given, &asked(question).1, solution.sought().as_ref()))
     };
     by_reference().unwrap_or_default().into_iter().fold(followed, |all, slip| all | 1 << slip)
 }
@@ -153,6 +159,70 @@ fn are_one(one: f64, other: f64, accept: &Accept, is_exact: bool) -> bool {
         Some(Places::Nearest(step)) => step.decimal().to_string().parse().unwrap_or(1.0),
     };
     (one / unit).round() == (other / unit).round()
+}
+
+/// Slips that do not show, each with how many variants hide it and the first of these, against the list of the question:
+/// one finding, and with the list as it should be where several are amiss.
+fn undeclared(question: &Question, hidden: &[(&str, Vec<String>, String)]) -> Option<Finding> {
+    let is_declared = |tag: &str| question.hidden.iter().any(|known| known == tag);
+    let missing: Vec<_> = hidden.iter().filter(|(tag, ..)| !is_declared(tag)).collect();
+    let idle = |tag: &&String| !hidden.iter().any(|(hidden, ..)| hidden == tag);
+    let needless: Vec<&String> = question.hidden.iter().filter(idle).collect();
+    match (missing.as_slice(), needless.as_slice()) {
+        ([], []) => None,
+        ([(tag, variants, first)], []) => {
+            let did = Slip::all().iter().find(|(_, slip)| slip.tag == *tag).map_or("", |(_, slip)| slip.did);
+            let message = format!("the slip `{tag}` does not show in {}, first with {first}", variants.join(", "));
+            let label = format!("a student who {did} is marked right");
+            let help =
+                format!("require other numbers, or add `\"{tag}\"` to the list `hidden = [ … ]` of the question");
+            Some(Finding::new(message, "[[part]]", label).with_help(help))
+        }
+        ([], [tag]) => {
+            let message = format!("the slip `{tag}` is declared hidden, and shows in every variant");
+            Some(Finding::new(message, format!("\"{tag}\""), "not needed").with_help("take it out of `hidden`"))
+        }
+        (missing, needless) => {
+            let list = |tags: &[&str]| {
+                let names: Vec<String> = tags.iter().map(|tag| format!("`{tag}`")).collect();
+                format!("the {} {}", if tags.len() == 1 { "slip" } else { "slips" }, names.join(", "))
+            };
+            // The numbers that hide them say which requirement is wanted.
+            let mut groups: Vec<(&str, Vec<&str>)> = Vec::new();
+            for (tag, _, first) in missing {
+                match groups.iter_mut().find(|(known, _)| known == first) {
+                    Some((_, tags)) => tags.push(tag),
+                    None => groups.push((first, vec![tag])),
+                }
+            }
+            let mut said = Vec::new();
+            for (first, tags) in groups {
+                let verb = if tags.len() == 1 { "does" } else { "do" };
+                said.push(format!("{} {verb} not show in some variants, first with {first}", list(&tags)));
+            }
+            if !needless.is_empty() {
+                let tags: Vec<&str> = needless.iter().map(|tag| tag.as_str()).collect();
+                let verb =
+                    if tags.len() == 1 { "is declared hidden, and shows" } else { "are declared hidden, and show" };
+                said.push(format!("{} {verb} in every variant", list(&tags)));
+            }
+            let message = said.join("; ");
+            let is_kept = |tag: &&str| is_declared(tag);
+            let (kept, new): (Vec<&str>, Vec<&str>) = hidden.iter().map(|(tag, ..)| *tag).partition(is_kept);
+            let whole: Vec<String> = kept.into_iter().chain(new).map(|tag| format!("\"{tag}\"")).collect();
+            let list = format!("`hidden = [{}]`", whole.join(", "));
+            let (label, help) = match (missing.is_empty(), whole.is_empty()) {
+                (true, true) => ("not needed", "take the whole list out".to_owned()),
+                (true, false) => ("not all of it is needed", format!("write {list}")),
+                _ => (
+                    "a student who makes a hidden slip is marked right",
+                    format!("require other numbers, or write {list}"),
+                ),
+            };
+            let at = if question.hidden.is_empty() { "[[part]]" } else { "hidden" };
+            Some(Finding::new(message, at, label).with_help(help))
+        }
+    }
 }
 
 /// What a question's numbers hide and do not say, and what it says without need.
@@ -177,21 +247,7 @@ pub fn findings(
             }
         }
     }
-    for (tag, variants, first) in &hidden {
-        if question.hidden.iter().any(|known| known == tag) {
-            continue;
-        }
-        let did = Slip::all().iter().find(|(_, slip)| slip.tag == *tag).map_or("", |(_, slip)| slip.did);
-        let message = format!("the slip `{tag}` does not show in {}, first with {first}", variants.join(", "));
-        let label = format!("a student who {did} is marked right");
-        let help = format!("require other numbers, or add `\"{tag}\"` to the list `hidden = [ … ]` of the question");
-        findings.push(Finding::new(message, "[[part]]", label).with_help(help));
-    }
-    for tag in question.hidden.iter().filter(|tag| !hidden.iter().any(|(hidden, ..)| hidden == tag)) {
-        let message = format!("the slip `{tag}` is declared hidden, and shows in every variant");
-        let label = "not needed";
-        findings.push(Finding::new(message, format!("\"{tag}\""), label).with_help("take it out of `hidden`"));
-    }
+    findings.extend(undeclared(question, &hidden));
     let mut all = Slips::default();
     for slips in styles {
         all.add(slips.clone());

@@ -1,9 +1,9 @@
 //! The students that Carom writes.
 
 use crate::answer::{Accept, Kind};
-use crate::bank::{Code, EarnedFor, Find};
+use crate::bank::{Code, EarnedFor};
 use crate::expr::{Expr, print};
-use crate::mark::{KeyedPart, KeyedQuestion, PartScript, Script};
+use crate::mark::{KeyedBlank, KeyedPart, KeyedQuestion, PartScript, Script};
 use crate::mechanics::{Axis, Moment, Quantity, Seen, Sphere};
 use crate::number::{Places, round};
 use crate::paper::{Blank, KeyPart, KeyQuestion, PrintedAnswer, PrintedPart, PrintedQuestion};
@@ -36,6 +36,13 @@ pub enum Expected {
         blank: usize,
         /// The tag of the mistake.
         tag: String,
+    },
+    /// A wrong answer, and no accuracy mark of its part.
+    Wrong {
+        /// The place of the part.
+        part: usize,
+        /// The place of the blank.
+        blank: usize,
     },
     /// A right number in a form that is not wanted.
     ExactWanted {
@@ -110,6 +117,7 @@ pub fn students(printed: &PrintedQuestion, key: &KeyQuestion, question: &KeyedQu
         all.extend(mistaken(place, part, keyed, question));
         all.extend(followed(place, part, keyed, question));
         all.extend(in_figures(place, part));
+        all.extend(of_wrong_ranges(place, part));
     }
     all
 }
@@ -163,6 +171,62 @@ fn in_figures(place: usize, part: &KeyPart) -> Vec<Student> {
     .collect()
 }
 
+/// How a range is written wrongly: its signs, one after another, and the numbers or letters that stand between them.
+type WrongRange = (&'static str, fn(&str) -> String);
+
+/// The wrong ranges, each of a token of the right one.
+const WRONG_RANGES: [WrongRange; 4] = [
+    ("the range the wrong way round", |token| match token {
+        "<" | "<=" => token.replace('<', ">"),
+        _ => token.replace('>', "<"),
+    }),
+    ("the ends of the range for the range", |token| match token {
+        "<" | "<=" | ">" | ">=" => "=".to_owned(),
+        _ => token.to_owned(),
+    }),
+    ("the range with its ends counted otherwise", |token| match token {
+        "<" | ">" => format!("{token}="),
+        _ => token.trim_end_matches('=').to_owned(),
+    }),
+    ("a range that ends elsewhere", |token| match token {
+        "<" | "<=" | ">" | ">=" => token.to_owned(),
+        end => format!("({end})/2"),
+    }),
+];
+
+/// One student for each way in which a range is written wrongly.
+fn of_wrong_ranges(place: usize, part: &KeyPart) -> Vec<Student> {
+    let mut all = Vec::new();
+    for (blank, printed) in part.blanks.iter().enumerate().filter(|(_, blank)| blank.kind == Kind::Range.name()) {
+        let Some(letter) = printed.find.as_str() else { continue };
+        let right = signs_and_sides(printed.exact.as_str().unwrap_or_default());
+        for (who, wrong) in WRONG_RANGES {
+            let token = |token: &String| if token == letter { token.clone() } else { wrong(token) };
+            let written = right.iter().map(token).collect::<Vec<_>>().join(" ");
+            let answers = vec![(Some(printed.name.clone()), written)];
+            let parts = vec![PartScript { label: part.label.clone(), answers, working: Vec::new() }];
+            let expected = Expected::Wrong { part: place, blank };
+            all.push(Student { who: who.to_owned(), script: script(parts), expected });
+        }
+    }
+    all
+}
+
+/// The signs of an inequality and what stands on either side of each, in their order.
+fn signs_and_sides(inequality: &str) -> Vec<String> {
+    let mut found: Vec<String> = Vec::new();
+    let mut is_side = false;
+    for word in inequality.split(' ') {
+        let is_sign = word.starts_with(['<', '>']);
+        match found.last_mut().filter(|_| is_side && !is_sign) {
+            Some(side) => *side = format!("{side} {word}"),
+            None => found.push(word.to_owned()),
+        }
+        is_side = !is_sign;
+    }
+    found
+}
+
 /// A decimal to so many significant figures, if it goes on that long.
 fn longer(decimal: &str, figures: usize) -> Option<String> {
     let places = Places::SignificantFigures(u32::try_from(figures).ok()?);
@@ -202,15 +266,15 @@ fn worked(printed: &PrintedQuestion, question: &KeyedQuestion) -> Student {
 fn mistaken(place: usize, part: &KeyPart, keyed: &KeyedPart, question: &KeyedQuestion) -> Vec<Student> {
     let mut all = Vec::new();
     for (blank, (printed, known)) in part.blanks.iter().zip(&keyed.blanks).enumerate() {
-        let Find::Quantity(quantity) = known.find else { continue };
         // A number that should have letters is another mistake.
-        if !question.letters.is_empty() || printed.decimal.is_null() || printed.kind == Kind::Shown.name() {
+        let is_lettered = !question.letters.iter().all(|letter| question.scene.unknowns.contains(letter));
+        if is_lettered || printed.decimal.is_null() || printed.kind == Kind::Shown.name() {
             continue;
         }
-        for (tags, values) in question.mistaken_values(&[quantity]) {
+        for (tags, values) in question.mistaken_values(&known.asked()) {
             let ([tag], [value]) = (tags.as_slice(), values.as_slice()) else { continue };
             let Some(written) = three_figures(*value) else { continue };
-            if Some(written.as_str()) == printed.rounded.as_str() {
+            if Some(written.as_str()) == printed.rounded.as_str() || is_hidden(&written, printed, known) {
                 continue;
             }
             let answers = vec![(Some(printed.name.clone()), written)];
@@ -220,6 +284,13 @@ fn mistaken(place: usize, part: &KeyPart, keyed: &KeyedPart, question: &KeyedQue
         }
     }
     all
+}
+
+/// Is a wrong number one with the right one at the figures that are asked for? That the numbers hide it is told elsewhere.
+fn is_hidden(written: &str, printed: &Blank, known: &KeyedBlank) -> bool {
+    let (Some(places), Some(right)) = (known.model.accept.places(), printed.decimal.as_str()) else { return false };
+    let at_its_places = |number: &str| number.parse().ok().map(|number| round(&number, places));
+    at_its_places(written) == at_its_places(right)
 }
 
 /// A number to three significant figures, as a student writes it.

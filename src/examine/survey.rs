@@ -1,6 +1,6 @@
 //! Questions examined, every set of numbers of every style, on all processors.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZero;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
@@ -10,8 +10,8 @@ use super::finding::Finding;
 use super::report::{Report, StyleReport};
 use super::shows;
 use super::tally::{Tally, numbers};
-use super::{again, asked, author, exact_form, given, said, scheme, units};
-use crate::bank::{Givens, Posed, Question, Style, Unposed};
+use super::{again, asked, asked_for, author, exact_form, figures, given, lines, said, scheme, units};
+use crate::bank::{Givens, Posed, Question, Requirement, Style, Unposed};
 use crate::diagnostic::Severity;
 use crate::generate::{Deal, MOST_SETS, Numbers, Sieve, Unfit, Variant, out_of, reference};
 
@@ -166,7 +166,10 @@ impl Done {
         findings.extend(given::unsaid(question));
         findings.extend(units::astray(question));
         findings.extend(exact_form::unkept(question));
+        findings.extend(figures::otherwise(question));
         findings.extend(asked::beside_the_point(question));
+        findings.extend(asked_for::others(question));
+        findings.extend(lines::from_another_line(question));
         findings.extend(scheme::unrewarded(question));
         findings.extend(scheme::paid_twice(question));
         findings.extend(scheme::unknown_exercise(question, exercises));
@@ -179,6 +182,7 @@ impl Done {
             }
         }
         findings.extend(said);
+        findings.extend(needless(question, &self.tallies));
         let mut told = BTreeSet::new();
         for (style, tally) in question.styles.iter().zip(&self.tallies) {
             findings.extend(unposed(question, style, tally));
@@ -235,6 +239,11 @@ fn unposed(question: &Question, style: &Style, tally: &Tally) -> Vec<Finding> {
         let message = format!("{message}{}", why.map_or_else(String::new, |why| format!(": {why}")));
         let (label, help) = match reason {
             Unfit::NoValue => ("of no value there", "require what gives it one: below a line `a - b` wants `a != b`"),
+            Unfit::Underdetermined => (
+                "they are never dealt, and every deal has to try them",
+                "require what determines it: a sphere that is at rest has no direction, and `A.after.speed > 0` says that \
+                 it is not",
+            ),
             _ => (
                 "they are never dealt, and every deal has to try them",
                 "require what makes the collision possible, in `require`",
@@ -245,6 +254,31 @@ fn unposed(question: &Question, style: &Style, tally: &Tally) -> Vec<Finding> {
         findings.push(found.with_help(help).as_warning());
     }
     findings
+}
+
+/// Requirements on what is given that turn no set of numbers away in any style that has them. What is required of results
+/// guards against numbers that may be given later.
+fn needless(question: &Question, tallies: &[Tally]) -> Vec<Finding> {
+    // Of a style that was not examined to its end, or has no variant, nothing can be said.
+    if tallies.iter().any(|tally| tally.census.examined < tally.census.size || tally.census.fit == 0) {
+        return Vec::new();
+    }
+    let mut demands: BTreeMap<&str, bool> = BTreeMap::new();
+    for (style, tally) in question.styles.iter().zip(tallies) {
+        let is_given = |name: &str| question.is_given(style, name);
+        let on_results = |demand: &Requirement| demand.is_on_results(&question.scene.unknowns, &is_given);
+        for (place, requirement) in style.require.iter().enumerate().filter(|(_, demand)| !on_results(demand)) {
+            let turns = tally.census.unfit.keys().any(|reason| reason.requirement() == Some(place));
+            *demands.entry(requirement.text.as_str()).or_default() |= turns;
+        }
+    }
+    let idle = demands.into_iter().filter(|(_, turns)| !turns);
+    let found = |text: &str| {
+        let message = format!("`{text}` turns no set of numbers away");
+        let help = "take it out; or mend it, if it was meant to turn some away";
+        Finding::new(message, format!("\"{text}\""), "nothing changes without it").with_help(help).as_warning()
+    };
+    idle.map(|(text, _)| found(text)).collect()
 }
 
 /// Why a set of numbers makes no collision, in words of mechanics; or which name has no value, and why.
@@ -288,8 +322,8 @@ fn idle(question: &Question, coverage: &Coverage) -> Vec<Finding> {
     let faults = faults.into_iter().map(|(fault, more)| {
         let more = match more {
             0 => String::new(),
-            1 => "; and so does another".to_owned(),
-            more => format!("; and so do {more} others"),
+            1 => "; one other fares the same".to_owned(),
+            more => format!("; {more} others fare the same"),
         };
         let message = format!("a student who writes {fault}{more}");
         let found = Finding::new(message, "marks", "not as this scheme is meant").with_help(look.as_str());

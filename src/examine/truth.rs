@@ -1,5 +1,8 @@
 //! Is what the words say of the collision so? Who is at rest, who moves towards whom, and which angles are acute.
 
+use std::cmp::Ordering;
+
+use super::sentence::{Token, is_one_of, is_supposed, sentences, subject};
 use super::sentences::{around, in_order, remark_at};
 use super::tally::Remark;
 use crate::expr::{Expr, Meaning, Piece, Text, Turn, evaluate};
@@ -13,6 +16,7 @@ use crate::unit::Unit;
 pub fn untrue(words: &Words, variant: &Variant, remarks: &mut Vec<Remark>) {
     for paragraph in &words.stem {
         ways(paragraph, variant, remarks);
+        beside_each_other(paragraph, variant, remarks);
         resting(paragraph, variant, remarks);
     }
     for text in words.stem.iter().chain(&words.asks) {
@@ -100,6 +104,45 @@ fn named_before(pieces: &[&Piece]) -> Vec<Sphere> {
     match pieces {
         [.., one, Piece::Words(and), _] if and.trim() == "and" => name(Some(one)).into_iter().chain([last]).collect(),
         _ => vec![last],
+    }
+}
+
+/// What one sphere is said to be beside another, and how what it has is then to that of the other.
+const BESIDE: [(&str, Ordering); 4] = [
+    ("heavier", Ordering::Greater),
+    ("lighter", Ordering::Less),
+    ("faster", Ordering::Greater),
+    ("slower", Ordering::Less),
+];
+
+/// A sphere that is said to be heavier or faster than another is so.
+fn beside_each_other(text: &Text, variant: &Variant, remarks: &mut Vec<Remark>) {
+    let is_there = |piece: &Piece| matches!(piece, Piece::Words(words) if words.contains("er than"));
+    if !text.0.iter().any(is_there) {
+        return;
+    }
+    let known = variant.solution.known();
+    for sentence in sentences(text).into_iter().filter(|sentence| !is_supposed(sentence)) {
+        for (place, token) in sentence.iter().enumerate() {
+            let Some((said, wanted)) = BESIDE.iter().find(|(said, _)| is_one_of(token, &[said])) else { continue };
+            let other = sentence[place + 1..].iter().take(3).find_map(|token| match token {
+                Token::Sphere(sphere) => Some(*sphere),
+                _ => None,
+            });
+            let (Some(one), Some(other)) = (subject(&sentence[..place]), other) else { continue };
+            let is_later = sentence.iter().any(|token| is_one_of(token, &["after", "then"]));
+            let of = |sphere| match *said {
+                "heavier" | "lighter" => known.number(Quantity::Mass(sphere)),
+                _ if is_later => None,
+                _ => known.number(Quantity::Speed(sphere, Moment::Before)),
+            };
+            let (Some(one_has), Some(other_has)) = (of(one), of(other)) else { continue };
+            if (&one_has - &other_has).sign().is_some_and(|sign| sign != *wanted) {
+                let shown = format!("{} is {said} than {}", one.name(), other.name());
+                let help = "require that it is so, or take the words out";
+                remarks.push(remark_at("a comparison that is not so", &format!("{said} than"), &shown, help));
+            }
+        }
     }
 }
 

@@ -50,7 +50,7 @@ fn of_text(pieces: &[Piece], question: &Question, style: &Style, findings: &mut 
         let is_bare = said == Unit::None
             && match expr {
                 Expr::Name(name) if own == Unit::Degree => !is_number(&name.text, style),
-                Expr::Name(name) => !is_number(&name.text, style) || !is_stated(&pieces[..place], &after),
+                Expr::Name(name) => !is_number(&name.text, style) || !is_stated(&pieces[..place], &after, style),
                 _ => true,
             };
         if own == Unit::None || own == said || is_bare {
@@ -94,23 +94,30 @@ fn unit_beside(after: &str) -> Option<(&'static str, Unit)> {
 
 fn beside((written, unit): (&str, Unit), after: &str, expr: &Expr, said: Unit) -> Finding {
     let space = if after.starts_with(' ') { " " } else { "" };
-    let message = format!("the unit `{written}` stands beside the braces of `{}`", print::plain(expr));
-    let help = match said {
-        Unit::None => format!("write `{{{} {}}}`", print::plain(expr), unit.plain()),
-        _ => "take it out: the braces have a unit already".to_owned(),
+    let name = print::plain(expr);
+    let message = format!("the unit `{written}` stands beside the braces of `{name}`");
+    let (inside, help) = match said {
+        Unit::None => (name.clone(), format!("write `{{{name} {}}}`", unit.plain())),
+        _ => (format!("{name} {}", said.plain()), "take it out: the braces have a unit already".to_owned()),
     };
-    Finding::new(message, format!("}}{space}{written}"), "expected it within them").with_help(help)
+    Finding::new(message, format!("{{{inside}}}{space}{written}"), "expected it within them").with_help(help)
 }
 
 /// Do the words before and after say that a number is a mass or a speed, and not how many times another it is?
-fn is_stated(before: &[Piece], after: &str) -> bool {
-    let said = print::text_unicode(&Text(before[before.len().saturating_sub(3)..].to_vec()));
-    let mut words = said.split_whitespace().rev().skip_while(|word| matches!(*word, "is" | "of" | "A" | "B" | "C"));
-    let is_said = words.next().is_some_and(|word| matches!(word, "speed" | "mass"));
+fn is_stated(before: &[Piece], after: &str, style: &Style) -> bool {
+    let said = print::text_unicode(&Text(before[before.len().saturating_sub(6)..].to_vec()));
+    let is_between = |word: &&str| {
+        let word = word.trim_end_matches(',');
+        matches!(word, "is" | "are" | "of" | "and" | "have" | "A" | "B" | "C") || is_number(word, style)
+    };
+    let mut words = said.split_whitespace().rev().skip_while(is_between);
+    let is_said = words.next().is_some_and(|word| matches!(word, "speed" | "mass" | "speeds" | "masses"));
     let ends = after.is_empty() || after.starts_with(['.', ',', ';', ')']);
     is_said
         && (ends
-            || [" and ", " is ", " to ", " towards ", " when ", " which "].iter().any(|next| after.starts_with(next)))
+            || [" and ", " is ", " to ", " towards ", " when ", " which ", " respectively"]
+                .iter()
+                .any(|next| after.starts_with(next)))
 }
 
 /// Is it a parameter whose values are all plain numbers?

@@ -5,6 +5,7 @@
 //! [`Unreadable`](reading::Unreadable) and goes to a person. [`judging`] compares the readings with the model answer.
 
 mod award;
+mod enclosure;
 pub mod judging;
 mod key;
 mod marking;

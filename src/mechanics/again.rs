@@ -20,8 +20,8 @@ pub struct Carried<N> {
     needs: Vec<Set>,
     /// Of what each step gives the places, where it is entered: not what was given, or what an earlier step gave.
     gives: Vec<Vec<Option<usize>>>,
-    /// All that some step gives.
-    given: Set,
+    /// All that some step gives and that another needs, or that was asked.
+    of_use: Set,
 }
 
 /// A set of steps or of quantities, by their places. Of so many that they do not fit the last share a place.
@@ -102,7 +102,9 @@ impl<N: Number + PartialEq> Carried<N> {
         let all = |needs: &[Quantity]| needs.iter().filter_map(place_of).fold(Set::default(), Set::with);
         let needs = derivation.steps.iter().map(|step| all(&step.needs)).collect();
         let given = derivation.steps.iter().fold(Set::default(), |given, step| Set(given.0 | all(&step.gives).0));
-        Carried { derivation, known, missing, places, needs, gives, given }
+        let needed = derivation.steps.iter().fold(all(asked), |needed, step| Set(needed.0 | all(&step.needs).0));
+        let of_use = Set(given.0 & needed.0);
+        Carried { derivation, known, missing, places, needs, gives, of_use }
     }
 
     /// The steps.
@@ -133,9 +135,9 @@ impl<N: Number + PartialEq> Carried<N> {
         self.places.get(&quantity).is_some_and(|place| trace.changed.has(*place))
     }
 
-    /// Has anything that a step gives another value than before?
+    /// Has anything that a step gives another value than before? Not what nobody needs.
     pub fn is_anything_changed(&self, trace: Trace) -> bool {
-        self.given.meets(trace.changed)
+        self.of_use.meets(trace.changed)
     }
 
     /// May the slip take the place of a law at some step?

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use super::condition::{fault, name_of, put_back, residual, vanishes};
 use super::conditions_in_words::{condition_line, no_roots};
 use super::extreme;
-use super::law::Known;
+use super::law::{Known, Rule};
 use super::line::Line;
 use super::range::{self, Values};
 use super::refusal::Refusal;
@@ -49,6 +49,16 @@ impl Found {
     /// Was there something to be found?
     pub fn is_of_unknowns(&self) -> bool {
         self.posed.is_some()
+    }
+
+    /// What they were found from.
+    pub(super) fn posed(&self) -> Option<&Posed> {
+        self.posed.as_deref()
+    }
+
+    /// The steps to the quantities of which the conditions speak, in terms of the unknowns.
+    pub fn steps(&self) -> &[&'static Rule] {
+        self.posed.as_ref().map_or(&[], |posed| &posed.derivation.steps)
     }
 
     /// How the unknowns were found.

@@ -12,6 +12,7 @@ use super::line::Line;
 use super::refusal::Refusal;
 use super::scene::{Condition, Contact};
 use super::scene_reader::meaning;
+use super::sought::Vanishing;
 use super::validity::broken_laws;
 use super::working::Show;
 use super::{Derivation, Quantity, Sphere, pose};
@@ -49,6 +50,14 @@ impl Values {
             }
             (None, None) => name,
         }
+    }
+
+    /// The ends but for those of what the letter may be at all, which need no reason.
+    fn ends_found(&self) -> impl Iterator<Item = &End> {
+        let domain = Span::of(self.letter.range());
+        let is_of_letter =
+            move |end: &&End| domain.low.iter().chain(&domain.high).any(|other| other.value.equals(&end.value));
+        self.span.low.iter().chain(&self.span.high).filter(move |end| !is_of_letter(end))
     }
 }
 
@@ -197,11 +206,7 @@ pub(super) fn lines(posed: &Posed, values: &Values) -> Vec<Line> {
     // They have been found once, or there would be no values.
     let stated = posed.stated().unwrap_or_default();
     let physical = posed.physical();
-    // What a letter may be at all needs no reason.
-    let domain = Span::of(values.letter.range());
-    let is_of_letter = |end: &End| domain.low.iter().chain(&domain.high).any(|other| other.value.equals(&end.value));
-    let ends = values.span.low.iter().chain(&values.span.high).filter(|end| !is_of_letter(end));
-    let because = ends.filter_map(|end| {
+    let because = values.ends_found().filter_map(|end| {
         let is_stated =
             stated.iter().any(|Stated { demanded: (value, demand), .. }| ends_at(value, *demand, values.letter, end));
         physical.iter().find(|physical| !is_stated && physical.ends_at(values.letter, end))
@@ -232,6 +237,23 @@ pub(super) fn lines(posed: &Posed, values: &Values) -> Vec<Line> {
 }
 
 impl Posed {
+    /// The ends of a range, each with what is nought there. What a letter may be at all is no end that was found.
+    pub(super) fn ends(&self, values: &Values) -> Vec<(Value, Vanishing)> {
+        let (stated, physical) = (self.stated().unwrap_or_default(), self.physical());
+        let conditions = || self.scene.conditions.iter().zip(&stated);
+        let found = |end: &End| {
+            let vanishing = conditions().find_map(|(condition, Stated { demanded: (value, demand), .. })| {
+                ends_at(value, *demand, values.letter, end).then(|| Vanishing::Gap(condition.clone()))
+            });
+            let bound = || {
+                let bounds = physical.iter().find(|physical| physical.ends_at(values.letter, end))?;
+                Some(Vanishing::Distance(bounds.quantity, bounds.bound.clone()))
+            };
+            Some((end.value.clone(), vanishing.or_else(bound)?))
+        };
+        values.ends_found().filter_map(found).collect()
+    }
+
     /// The conditions as inequalities.
     fn stated(&self) -> Result<Vec<Stated>, Refusal> {
         let letters = |name: &str| meaning(&self.scene.letters, name);

@@ -100,7 +100,7 @@ const AT_A_WALL: &[(&str, &str)] = &[
     ("Across the line of centres", "Parallel to the wall"),
     ("along the line of centres", "perpendicular to the wall"),
     ("Along the line of centres", "Perpendicular to the wall"),
-    ("the part along the", "the part perpendicular to the"),
+    ("the part along the line of centres", "the part perpendicular to the wall"),
     ("the line of centres", "the perpendicular to the wall"),
     ("from *A* towards *B*", "towards the wall"),
     ("from *B* towards *A*", "away from the wall"),
@@ -228,5 +228,15 @@ mod tests {
             Setting::Wall.say("the component perpendicular to the line of centres does not change"),
             "the component parallel to the wall does not change"
         );
+    }
+
+    #[test]
+    fn at_a_wall_what_is_unchanged_is_parallel_to_the_wall() {
+        for tag in ["e-on-perpendicular", "perpendicular-dropped", "wrong-axis"] {
+            let slip = crate::mechanics::Slip::all().iter().find(|(_, slip)| slip.tag == tag).unwrap().1;
+            let said = Setting::Wall.say(slip.sentence);
+            assert!(said.contains("parallel to the wall") && said.contains("unchanged"), "{said}");
+            assert!(!said.contains("centres") && !said.contains("across"), "{said}");
+        }
     }
 }

@@ -77,6 +77,37 @@ impl Value {
     }
 }
 
+impl Value {
+    /// About the value, where the letters have these numbers, of an angle the tangent; not a number where it does not
+    /// exist. No digit is proved.
+    pub fn nearly(&self, at: &dyn Fn(Letter) -> f64) -> f64 {
+        let number = |letter: Letter| match letter.is_constant() {
+            true => letter.name().parse::<Fraction>().map_or(f64::NAN, |degrees| degrees.to_f64().to_radians().tan()),
+            false => at(letter),
+        };
+        let polynomial = |polynomial: &Polynomial| -> f64 {
+            let powers = |monomial: &[(Letter, u32)]| -> f64 {
+                monomial.iter().map(|(letter, power)| number(*letter).powi(*power as i32)).product()
+            };
+            polynomial.terms().iter().map(|(monomial, coefficient)| coefficient.to_f64() * powers(monomial)).sum()
+        };
+        match self {
+            Value::Rational(number) => number.to_f64(),
+            Value::Compound(compound) => {
+                let root = |root: &Root| match root {
+                    Root::Prime(prime) => (*prime as f64).sqrt(),
+                    Root::Cosine(letter) => 1.0 / number(*letter).hypot(1.0),
+                    Root::Nested { radicand, .. } => radicand.nearly(at).sqrt(),
+                };
+                let term = |(roots, coefficient): (&Vec<Root>, &Polynomial)| {
+                    polynomial(coefficient) * roots.iter().map(root).product::<f64>()
+                };
+                compound.terms.iter().map(term).sum::<f64>() / polynomial(&compound.denominator)
+            }
+        }
+    }
+}
+
 /// The tangent of so many degrees.
 fn tangent(letter: Letter, bits: usize) -> Option<Interval> {
     cosine_and_tangent(letter, bits).map(|(_, tangent)| tangent)

@@ -9,7 +9,7 @@ use answer_path::answer_path;
 
 use crate::expr::{Expr, in_degrees, written, written_angle};
 use crate::mechanics::{
-    Derivation, Found, Known, Line, Quantity, Refusal, Scene, Show, Values, backwards, check_with, pose,
+    Derivation, Found, Known, Line, Quantity, Refusal, Rule, Scene, Show, Sought, Values, backwards, check_with, pose,
 };
 use crate::method::{Impact, Selection};
 use crate::number::{Angle, Letter, Value};
@@ -89,6 +89,13 @@ impl Solution {
         &self.derivation
     }
 
+    /// Every step: those by which the unknowns were found, and then the others.
+    pub fn steps(&self) -> Vec<&'static Rule> {
+        let mut steps = self.root.steps().to_vec();
+        steps.extend(self.derivation.steps.iter().filter(|step| !self.root.steps().contains(step)));
+        steps
+    }
+
     /// The impact in the axes of the line of centres, first along it and then across, if the scene determines all of
     /// what it starts from.
     pub fn impact(&self) -> Option<Impact<Value>> {
@@ -114,6 +121,11 @@ impl Solution {
     /// The values that an unknown may have, where inequalities leave it a letter.
     pub fn range(&self) -> Option<&Values> {
         self.root.range.as_ref()
+    }
+
+    /// What the one unknown was found from; none where there is no unknown, or more than that.
+    pub fn sought(&self) -> Option<Sought> {
+        self.root.sought()
     }
 
     /// How the unknowns were found.

@@ -4,8 +4,9 @@
 use super::super::document::{Faults, listed};
 use super::super::file::{QuestionFile, TestFile};
 use super::super::literal::Words;
-use super::super::question::{AuthorsTest, Part, Style};
+use super::super::question::{AuthorsTest, Find, Part, Style};
 use super::names::{Also, NamesUsed};
+use crate::diagnostic::near;
 use crate::expr::{Angles, Expr, read_as_written};
 use crate::mechanics::Slip;
 
@@ -30,24 +31,54 @@ pub fn declared(
 ) -> Declared {
     faults.twice("the slip", &[], &file.hidden);
     faults.twice("the pair", &[], &file.alike);
-    let hidden = file.hidden.iter().filter_map(|words| slip(words.get_ref(), words, faults)).collect();
+    let hidden = hidden(&file.hidden, faults);
     let alike = file.alike.iter().filter_map(|words| pair(words, faults)).collect();
     let mut tests = Vec::new();
     for written in &file.tests {
-        tests.extend(test(written, styles, parts, reference, used, faults));
+        let answers = file.parts.iter().map(|part| part.answers.len()).sum();
+        tests.extend(test(written, styles, (parts, answers), reference, used, faults));
     }
     Declared { hidden, alike, tests }
 }
 
-fn slip(tag: &str, words: &Words, faults: &mut Faults) -> Option<String> {
-    let tag = tag.trim();
-    let tags: Vec<&str> = Slip::all().iter().map(|(_, slip)| slip.tag).collect();
-    if tags.contains(&tag) {
-        return Some(tag.to_owned());
+/// The slips of a list; several that nobody knows are one fault.
+fn hidden(list: &[Words], faults: &mut Faults) -> Vec<String> {
+    let is_known = |words: &&Words| known(words.get_ref()).is_some();
+    let unknown: Vec<&Words> = list.iter().filter(|words| !is_known(words)).collect();
+    if let [first, .., last] = unknown.as_slice() {
+        let names: Vec<&str> = unknown.iter().map(|words| words.get_ref().trim()).collect();
+        let instead = |name: &str| near(name, tags()).map(|near| format!("`{near}` for `{name}`"));
+        let instead: Vec<String> = names.iter().filter_map(|name| instead(name)).collect();
+        let help = match instead.as_slice() {
+            [] => "take them out; `carom check` then names the slips that belong there".to_owned(),
+            some => format!("did you mean {}? Take out what is none", some.join(", ")),
+        };
+        let message = format!("unknown slips {}", listed(&names));
+        faults.report(first.span().start..last.span().end, message, LISTED, help);
+    } else if let [words] = unknown.as_slice() {
+        slip(words.get_ref(), words, faults);
     }
-    let label = "docs/marking.md lists the slips of every law".to_owned();
-    faults.unknown(words.span(), format!("unknown slip `{tag}`"), label, tag, tags);
-    None
+    list.iter().filter_map(|words| known(words.get_ref())).collect()
+}
+
+/// Where an author finds the names of slips.
+const LISTED: &str = "docs/marking.md lists the slips of every law";
+
+fn tags() -> Vec<&'static str> {
+    Slip::all().iter().map(|(_, slip)| slip.tag).collect()
+}
+
+fn known(tag: &str) -> Option<String> {
+    tags().contains(&tag.trim()).then(|| tag.trim().to_owned())
+}
+
+fn slip(tag: &str, words: &Words, faults: &mut Faults) -> Option<String> {
+    let found = known(tag);
+    if found.is_none() {
+        let tag = tag.trim();
+        faults.unknown(words.span(), format!("unknown slip `{tag}`"), LISTED.to_owned(), tag, tags());
+    }
+    found
 }
 
 fn pair(words: &Words, faults: &mut Faults) -> Option<(String, String)> {
@@ -68,7 +99,7 @@ fn pair(words: &Words, faults: &mut Faults) -> Option<(String, String)> {
 fn test(
     written: &TestFile,
     styles: &[Style],
-    parts: &[Part],
+    (parts, file_answers): (&[Part], usize),
     reference: (&[(String, Expr)], usize),
     used: &mut NamesUsed,
     faults: &mut Faults,
@@ -109,6 +140,8 @@ fn test(
         let known = own.iter().find(|(own, _)| own == name).or(reference.0.iter().find(|(own, _)| own == name));
         match known {
             Some(known) => numbers.push(known.clone()),
+            // What the reference lacks is its own fault.
+            None if style == reference.1 => {}
             None => faults.report(
                 written.span.clone(),
                 format!("the test gives no number for `{name}`"),
@@ -118,9 +151,19 @@ fn test(
         }
     }
     let asked: Vec<String> = parts.iter().flat_map(|part| &part.answers).map(|answer| answer.find.name()).collect();
-    let is_strange = |name: &String| !asked.is_empty() && !asked.contains(name);
+    // Of an answer that cannot be read nothing is known.
+    let answers = || parts.iter().flat_map(|part| &part.answers);
+    let is_whole = answers().count() == file_answers;
+    let is_strange = |name: &String| is_whole && !asked.contains(name);
     for (name, _) in written.answers.iter().filter(|(name, _)| is_strange(name.get_ref())) {
         let text = name.get_ref();
+        let is_second = |find: &Find| matches!(find, Find::Vector(_, y) if y.to_string() == *text);
+        if let Some(find) = answers().map(|answer| &answer.find).find(|find| is_second(find)) {
+            let first = find.name();
+            let help = format!("write both at the first: `\"{first}\" = \"3i + 4j\"`");
+            faults.report(name.span(), format!("`{text}` is asked for with `{first}`"), "one vector", help);
+            continue;
+        }
         let label = format!("the question asks for {}", listed(&asked));
         let known = asked.iter().map(String::as_str);
         faults.unknown(name.span(), format!("`{text}` is not asked for"), label, text, known);

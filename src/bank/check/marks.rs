@@ -8,6 +8,7 @@ use super::names::NamesUsed;
 use super::quantities;
 use super::styles::line;
 use crate::diagnostic::near;
+use crate::mechanics::{Law, Quantity};
 
 /// The marks of a part.
 pub fn marks(written: &[MarkFile], unknowns: &[String], used: &mut NamesUsed, faults: &mut Faults) -> Vec<Mark> {
@@ -68,12 +69,27 @@ fn read_earned_for(words: &Words, unknowns: &[String], faults: &mut Faults) -> O
         quantities::unknown_at(words.span(), "step", text, &[], faults);
         return None;
     }
-    let label = match near(text, laws.iter().copied()) {
-        Some(_) => "no law has this name".to_owned(),
-        None => format!("expected a quantity, or a law: {}", listed(&laws)),
+    let condition = || is_about_condition(text).then(|| EarnedFor::Condition.to_string());
+    let law = || Law::meant(text).map(|law| law.name().to_owned());
+    let quantity = || Quantity::meant(text).map(|quantity| quantity.to_string());
+    let near = || near(text, laws.iter().copied()).map(str::to_owned);
+    let (label, help) = match condition().or_else(near).or_else(law).or_else(quantity) {
+        Some(meant) => ("no law has this name".to_owned(), format!("did you mean `{meant}`?")),
+        None => (
+            format!("expected a quantity, or a law: {}", listed(&laws)),
+            "write one of those, or take it out".to_owned(),
+        ),
     };
-    faults.unknown(words.span(), format!("unknown step `{text}`"), label, text, laws);
+    faults.report(words.span(), format!("unknown step `{text}`"), label, help);
     None
+}
+
+/// Do words speak of what a condition asks: of an inequality, or of what is greatest?
+fn is_about_condition(words: &str) -> bool {
+    const BEGIN: [&str; 9] =
+        ["condition", "differentiat", "inequalit", "maxim", "minim", "greatest", "least", "stationary", "turning"];
+    let words = words.to_lowercase();
+    words.split(' ').any(|word| BEGIN.iter().any(|begin| word.starts_with(begin)))
 }
 
 /// `M1a`, `M1b`, …, `M1z`, `M1aa`, …
@@ -101,8 +117,13 @@ fn earlier(name: &Words, all: &[Words], before: &[Mark], faults: &mut Faults) ->
         [] => "no mark stands before this one".to_owned(),
         _ => format!("the marks before this one are {}", listed(&ids)),
     };
+    let message = format!("no earlier mark `{text}` in this part");
+    if ids.is_empty() {
+        faults.report(name.span(), message, label, "leave `depends` out");
+        return None;
+    }
     let left = ids.into_iter().filter(|id| !all.iter().any(|named| named.get_ref() == id));
-    faults.unknown(name.span(), format!("no earlier mark `{text}` in this part"), label, text, left);
+    faults.unknown(name.span(), message, label, text, left);
     None
 }
 

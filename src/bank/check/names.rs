@@ -4,9 +4,10 @@ use std::ops::Range;
 
 use super::super::document::{Faults, listed};
 use super::super::literal::Words;
+use super::super::requirement::Measure;
 use super::quantities;
-use crate::diagnostic::near;
-use crate::expr::{Expr, Name, Piece, Text};
+use crate::diagnostic::{Diagnostic, near};
+use crate::expr::{Expr, Function, Name, Piece, Text};
 use crate::mechanics::Quantity;
 use crate::unit::Unit;
 
@@ -150,6 +151,22 @@ impl NamesUsed {
             faults.report(span, message, label, format!("write `{meant}`"));
             return;
         }
+        if let Some((span, name, unit)) =
+            run_on(&faults.source.text, &used.span, &known).filter(|_| used.also == Also::Nothing)
+        {
+            let help = format!("write `{{{name} {unit}}}`");
+            faults.report(span, "a unit without a space before it", "a name and its unit", help);
+            return;
+        }
+        if name.len() > 1 && faults.source.text[used.span.end..].starts_with('(') {
+            let functions = functions(used.also == Also::Quantities);
+            let label = format!("formulas have {}", listed(&functions));
+            let help = "say it with those; for a product write a star before the bracket";
+            let fault = Diagnostic::new(format!("unknown function `{name}`"), &faults.source, used.span.clone(), label);
+            let near = near(name, functions.into_iter().chain(known));
+            faults.found.push(fault.with_help(help).with_near(near));
+            return;
+        }
         let label = match known.as_slice() {
             [] => "the question has no parameters".to_owned(),
             _ => {
@@ -201,6 +218,23 @@ impl NamesUsed {
     }
 }
 
+/// The functions of a formula, and of a requirement.
+fn functions(is_required: bool) -> Vec<&'static str> {
+    let measures = Measure::ALL.iter().map(|measure| measure.name()).filter(|_| is_required);
+    Function::ALL.iter().map(|function| function.name()).chain(measures).collect()
+}
+
+/// A name that is known and the unit that stands at its end without a space, as in `{um/s}`.
+fn run_on<'n>(text: &str, at: &Range<usize>, known: &[&'n str]) -> Option<(Range<usize>, &'n str, &'static str)> {
+    let open = text[..at.start].rfind('{')? + 1;
+    let inside = text[open..].split('}').next()?;
+    known.iter().find_map(|name| {
+        let said = inside.strip_prefix(name)?;
+        let unit = units().into_iter().find(|unit| *unit == said)?;
+        Some((open..open + inside.len(), *name, unit))
+    })
+}
+
 /// The units that have a name.
 fn units() -> Vec<&'static str> {
     Unit::ALL.map(Unit::plain).into_iter().filter(|unit| !unit.is_empty()).collect()
@@ -221,8 +255,10 @@ fn unit_meant(text: &str, at: &Range<usize>) -> Option<(Range<usize>, &'static s
     if at.start < start || !unit.chars().all(is_sign) {
         return None;
     }
-    let meant =
-        units().into_iter().find(|known| known.chars().filter(char::is_ascii_alphabetic).eq(letters.chars()))?;
+    let meant = units().into_iter().find(|known| known.chars().filter(char::is_ascii_alphabetic).eq(letters.chars()));
+    // Of a unit that is none of ours, as km/h, at least what it is a unit of.
+    let is_speed = || unit.split_once('/').is_some_and(|(_, time)| ["h", "s", "min", "hr"].contains(&time));
+    let meant = meant.or_else(|| is_speed().then(|| Unit::MetrePerSecond.plain()))?;
     Some((start..start + unit.len(), meant))
 }
 

@@ -22,7 +22,10 @@ pub fn unknown_at(span: std::ops::Range<usize>, what: &str, name: &str, others: 
     }
     let help = match near(name, names.iter().map(String::as_str)) {
         Some(near) => format!("did you mean `{near}`?"),
-        None => siblings(name, &names),
+        None => match Quantity::meant(name).filter(|_| !name.contains('.')) {
+            Some(meant) => format!("did you mean `{meant}`?"),
+            None => siblings(name, &names),
+        },
     };
     let label = "no quantity of the collision has this name";
     faults.report(span, format!("unknown {what} `{name}`"), label, help);

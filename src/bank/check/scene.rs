@@ -1,12 +1,13 @@
 //! The scene checked as far as it can be without numbers: its formulas, letters and conditions.
 
 use super::super::document::{Faults, listed};
+use super::super::requirement::sentence_fault;
 use super::super::scene_file::SceneFile;
 use super::super::scene_names::given_unknowns;
 use super::names::{Also, NamesUsed};
 use super::quantities;
 use crate::expr::{Angles, Expr, read};
-use crate::mechanics::{Quantity, Sphere};
+use crate::mechanics::{Quantity, Sphere, is_sentence};
 use crate::number::Range;
 
 /// Reads every formula of the scene.
@@ -52,6 +53,7 @@ pub fn scene(file: &SceneFile, used: &mut NamesUsed, faults: &mut Faults) {
                     faults.unknown(words.span(), format!("unknown sphere `{text}`"), label, text, names);
                 }
             }
+            "conditions" if is_sentence(text) => faults.expression(words, sentence_fault("a condition in words", text)),
             "conditions" => match read(text, Angles::Degrees) {
                 Ok(expr @ Expr::Relation(..)) => used.expression(words, &expr, Also::Quantities, None, faults),
                 Ok(_) => {

@@ -20,7 +20,7 @@ pub fn story(question: &Question, styles: &[StyleCount], known: Option<&Referenc
         let numbers = question.reference.iter();
         let numbers = numbers.map(|(name, value)| json!({"name": name, "value": written::plain(value)}));
         story["reference"] = numbers.collect();
-        let steps = variant.solution.derivation().steps.iter().map(|step| {
+        let steps = variant.solution.steps().into_iter().map(|step| {
             let gives: Vec<String> = step.gives.iter().map(ToString::to_string).collect();
             json!({"law": step.law.name(), "gives": gives})
         });

@@ -6,8 +6,11 @@ use crate::bank::{EarnedFor, Question};
 use crate::expr::print as written;
 use crate::generate::Variant;
 use crate::mark::KeyedQuestion;
-use crate::mechanics::{Law, Slip};
+use crate::mark::slips::Asked;
+use crate::mechanics::{Law, Quantity, Slip};
+use crate::number::Range;
 use crate::paper::{PrintedQuestion, key_question};
+use crate::solve::Solution;
 
 /// The slips of a law.
 pub struct LawMistakes {
@@ -36,11 +39,13 @@ pub struct WrongAnswer {
     pub values: Vec<Vec<f64>>,
     /// Its unit, with the space before it.
     pub unit: String,
+    /// Is it an end of the values that a letter can have?
+    pub is_end: bool,
 }
 
 /// Every slip of the laws in the solution of a question with its reference numbers, and of those that earn its marks.
 pub fn mistakes(question: &Question, variant: &Variant, printed: &PrintedQuestion) -> Vec<LawMistakes> {
-    let mut laws: BTreeSet<Law> = variant.solution.derivation().steps.iter().map(|step| step.law).collect();
+    let mut laws: BTreeSet<Law> = variant.solution.steps().into_iter().map(|step| step.law).collect();
     for mark in question.parts.iter().flat_map(|part| &part.marks) {
         if let EarnedFor::Law(law, _) = mark.earned_for {
             laws.insert(law);
@@ -64,24 +69,24 @@ fn led_to(
     printed: &PrintedQuestion,
     keyed: &KeyedQuestion,
 ) -> Vec<WrongAnswer> {
-    // What is lettered has no wrong number, but a wrong formula.
-    let in_letters = !variant.scene.letters.is_empty();
     let mut found = Vec::new();
     for (part, shown) in question.parts.iter().zip(&printed.parts) {
         for (answer, shown_answer) in part.answers.iter().zip(&shown.answers) {
-            let rows = keyed.mistaken_values(&answer.find.quantities());
+            let asked = Asked::of(&answer.find, answer.kind);
+            let rows = keyed.mistaken_values(&asked);
             let mut values: Vec<Vec<f64>> =
                 rows.into_iter().filter(|(tags, _)| *tags == [slip.tag]).map(|(_, values)| values).collect();
             if values.is_empty() {
                 continue;
             }
             values.dedup();
-            let degrees = answer.find.quantities().iter().any(|quantity| quantity.is_angle());
+            let (in_letters, degrees) = form(&asked, &variant.solution);
             let unit = shown_answer.unit.plain();
             found.push(WrongAnswer {
                 part: shown.label.clone(),
                 name: written::text_unicode(&shown_answer.name),
                 values: if in_letters { Vec::new() } else { values },
+                is_end: asked == Asked::Ends,
                 unit: if degrees { "°".to_owned() } else { format!(" {unit}").trim_end().to_owned() },
             });
         }
@@ -89,15 +94,40 @@ fn led_to(
     found
 }
 
+/// Has the answer letters, and is it so many degrees? What is lettered has no wrong number, but a wrong formula.
+fn form(asked: &Asked, solution: &Solution) -> (bool, bool) {
+    match asked {
+        Asked::Quantities(quantities) => {
+            let has_letters = |quantity: &Quantity| match (solution.number(*quantity), solution.angle(*quantity)) {
+                (Some(value), _) => !value.letters().is_empty(),
+                (None, angle) => angle.is_some_and(|angle| !angle.letters().is_empty()),
+            };
+            (quantities.iter().any(has_letters), quantities.iter().any(|quantity| quantity.is_angle()))
+        }
+        Asked::Unknown => {
+            let found = solution.found().first();
+            (
+                found.is_some_and(|(_, value)| !value.letters().is_empty()),
+                found.is_some_and(|(letter, _)| letter.range() == Range::Acute),
+            )
+        }
+        Asked::Ends => {
+            let ends = solution.range().into_iter().flat_map(|values| values.span.low.iter().chain(&values.span.high));
+            (ends.into_iter().any(|end| !end.value.letters().is_empty()), false)
+        }
+    }
+}
+
 /// As the command prints them.
 pub fn in_words(all: &[LawMistakes]) -> String {
+    let not_here = "does not show here";
     let mut text = "\nSlips that students make, and what each leads to with the reference numbers\n".to_owned();
     for LawMistakes { law, slips } in all {
         text.push_str(&format!("  {}\n", law.name()));
         for Mistake { slip, leads_to } in slips {
             text.push_str(&format!("    {}: {}\n", slip.tag, slip.sentence));
             let wrong: Vec<String> = leads_to.iter().map(wrong_in_words).collect();
-            let wrong = if wrong.is_empty() { "does not show here".to_owned() } else { wrong.join("; ") };
+            let wrong = if wrong.is_empty() { not_here.to_owned() } else { wrong.join("; ") };
             text.push_str(&format!("      → {wrong}\n"));
         }
     }
@@ -120,7 +150,8 @@ fn wrong_in_words(wrong: &WrongAnswer) -> String {
     let mut values: Vec<String> = wrong.values.iter().map(one).collect();
     values.sort();
     values.dedup();
-    format!("{part}{} {}", wrong.name, values.join(" or "))
+    let end = if wrong.is_end { " that end at" } else { "" };
+    format!("{part}{}{end} {}", wrong.name, values.join(" or "))
 }
 
 /// A float to three significant figures, without an exponent.

@@ -123,8 +123,14 @@ pub fn run(arguments: &MarkArguments) -> Result<(), Failure> {
     }
     let overrides = overrides(arguments.overrides.as_deref(), &key)?;
     let report = MarkReport::new(&scripts, &profile, overrides);
+    let file = arguments.overrides.as_deref().map(|path| path.display().to_string()).unwrap_or_default();
     for word in &report.idle {
-        say(&format!("warning: line {} of the overrides is about what was not handed in", word.line));
+        let who = if arguments.without_names { "a student" } else { word.student.as_str() };
+        say(&format!(
+            "warning: line {} of `{file}` is about question {} of {who}, which was not handed in, and changes nothing\n\
+             help: look at the name and the number; for a paper that is not there, add a row with its student and question to `{}`",
+            word.line, word.question, submissions.file
+        ));
     }
 
     let text = |name: &str, contents: String| OutputFile { name: name.to_owned(), contents: contents.into_bytes() };

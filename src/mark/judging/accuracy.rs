@@ -14,11 +14,11 @@
 
 use crate::answer::Accept;
 use crate::expr::Expr;
+use crate::mark::enclosure::enclose;
 use crate::number::{Decimal, FloatInterval, Fraction, Interval, Places, Uncertain, Value, round, round_certified};
 
 use super::Note;
 use super::angle::Enclosed;
-use super::enclosure::enclose;
 use super::exact::{Equality, proved};
 use super::finding::Finding;
 
@@ -94,6 +94,12 @@ impl Written {
     pub(super) fn is_far_from(&self, exact: FloatInterval, wanted: &Places) -> bool {
         let last_place = if self.noughts > 0 { -i64::from(self.noughts) } else { self.places };
         is_far(FloatInterval::from_fraction(&self.value), last_place, exact, wanted)
+    }
+
+    /// Is it the other, rounded to fewer places?
+    pub(super) fn is_rounding_of(&self, other: &Written) -> bool {
+        let places = decimal_places(self.places).filter(|_| self.places < other.places);
+        places.is_some_and(|places| round(&other.value, &places).to_fraction() == self.value)
     }
 
     /// The decimal with its sign changed.

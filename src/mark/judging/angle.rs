@@ -66,7 +66,29 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Findin
             let finding = compare(model, stated, &expected, radians);
             if finding.is_credited() { finding } else { explain(model, said, stated, right, finding) }
         }
-        None => compare(model, stated, right, radians).at_most_partial(Note::ReferenceUnchecked),
+        None => from_another_line(model, stated, right, radians, said.reference),
+    }
+}
+
+/// An angle from a line that lies nobody knows how to the model's own. What it comes to from the path before the impact, or
+/// which end of i is meant of an acute angle, a person can see.
+fn from_another_line(
+    model: &Model,
+    stated: &Stated,
+    right: &Enclosed,
+    radians: bool,
+    named: Option<ReferenceLine>,
+) -> Finding {
+    let finding = compare(model, stated, right, radians);
+    let is_supplement = || right.from(180).is_some_and(|turn| compare(model, stated, &turn, radians).is_credited());
+    match named {
+        Some(ReferenceLine::MinusI) if finding.is_credited() || is_supplement() => {
+            Finding::unreadable(Note::ReferenceUnchecked)
+        }
+        Some(ReferenceLine::OriginalDirection) if !finding.is_credited() => {
+            Finding::unreadable(Note::ReferenceUnchecked)
+        }
+        _ => finding.at_most_partial(Note::ReferenceUnchecked),
     }
 }
 

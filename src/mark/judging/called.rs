@@ -102,7 +102,11 @@ pub(in crate::mark) fn is_named(model: &Model, statement: &Statement) -> bool {
         _ if asked.is_angle() => {
             is_sort() || (["theta", "phi", "alpha", "beta", "gamma", "delta"].contains(&letter) && is_own_letter())
         }
-        Quantity::Mass(_) => is_sort() || (spheres.1.is_some() && letter.starts_with(['m', 'M'])),
+        Quantity::Mass(_) => {
+            // `M` beside the question's `m` is the other mass.
+            let is_other = || label.typed.trim() == "M" && model.vocabulary.letters.iter().any(|own| own.name() == "m");
+            is_sort() || is_other() || (spheres.1.is_some() && letter.starts_with(['m', 'M']))
+        }
         Quantity::Impulse(..) | Quantity::ImpulseMagnitude | Quantity::Restitution => is_sort(),
         Quantity::KineticEnergy(..) | Quantity::TotalEnergy(_) => is_sort(),
         _ => false,

@@ -1,11 +1,11 @@
 //! Is what a student wrote exactly equal to the model answer? Refuted by intervals, proved by the normal form.
 
 use crate::expr::{Expr, Function, Meaning, Turn, evaluate, holds};
+use crate::mark::enclosure::{POINTS, at_point, enclose, enclose_roughly, letter};
 use crate::number::{Angle, FloatInterval, Fraction, Interval, Letter, Range, Value};
 
 use super::Model;
 use super::effort::{MOST_EFFORT, effort, effort_at_point};
-use super::enclosure::{POINTS, at_point, enclose, enclose_roughly};
 
 /// The precision of the enclosures that refute.
 pub(super) const BITS: usize = 96;
@@ -17,14 +17,6 @@ pub(super) enum Equality {
     Different,
     /// Neither proved nor refuted.
     Undecided,
-}
-
-/// The letter of that name; a capital is condoned where the question has only the small letter, or the reverse.
-pub(super) fn letter<'a>(letters: &'a [Letter], name: &str) -> Option<&'a Letter> {
-    letters.iter().find(|letter| letter.name() == name).or_else(|| {
-        let single = name.len() == 1;
-        letters.iter().find(|letter| single && letter.name().eq_ignore_ascii_case(name))
-    })
 }
 
 /// What a name means where these are the letters.

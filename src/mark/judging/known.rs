@@ -4,11 +4,11 @@ use std::sync::{Arc, OnceLock};
 
 use crate::answer::Kind;
 use crate::expr::{Expr, Meaning};
+use crate::mark::enclosure::{enclose, enclose_roughly};
 use crate::number::{FloatInterval, Interval, Letter, Value};
 
 use super::accuracy::{BITS, Nearly, Target};
 use super::angle::{Enclosed, as_turn};
-use super::enclosure::{enclose, enclose_roughly};
 use super::equation::Difference;
 use super::{Model, exact};
 

@@ -261,7 +261,9 @@ impl Equation {
         }
         // A sum inside may swallow figures.
         let swallows = has_sum(&left) && !finding.exact && finding.is_credited();
-        match step_left(&left, &is_atom) {
+        // `(k − 8)(k + 24) = 0` may be true of other values too.
+        let is_gathered = left.names().iter().filter(|name| name.text == self.unknown).count() < 2;
+        match step_left(&left, &is_atom).or((!is_gathered).then_some(Note::Unsolved)) {
             _ if swallows => Finding::unreadable(Note::CannotBeCompared),
             Some(Note::SquareLeft) => finding.at_most_partial(Note::SquareLeft),
             Some(note) if finding.is_correct() => Finding::partial(note),

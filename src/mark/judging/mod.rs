@@ -10,7 +10,6 @@ mod called;
 mod changes;
 mod coefficients;
 mod effort;
-mod enclosure;
 mod equation;
 mod exact;
 mod finding;
@@ -63,6 +62,8 @@ pub struct Model {
     pub vocabulary: Vocabulary,
     /// What is asked for, where that is known: from it come the unit, the sphere and the line of an angle.
     pub quantity: Option<Quantity>,
+    /// The letter that is to be found, where one is: another letter is then the name of something else.
+    pub letter: Option<String>,
     /// Does the sphere move from B towards A? An angle measured from BA can be judged only where that is known.
     pub rebounds: Option<bool>,
     /// Of a speed: the acute angle between the path of the sphere and the line of centres. A direction told beside a speed
@@ -84,6 +85,7 @@ impl Model {
             accept,
             vocabulary,
             quantity: None,
+            letter: None,
             rebounds: None,
             path: None,
             prepared: Prepared::default(),

@@ -4,6 +4,7 @@ use std::cmp::Ordering;
 
 use crate::answer::Kind;
 use crate::expr::{Expr, Function, Meaning, Relation};
+use crate::mark::enclosure::enclose_roughly;
 use crate::mark::reading::{Form, Label, Notation, Said};
 use crate::mechanics::Quantity;
 use crate::number::{FloatInterval, Fraction, Places, Range, Value};
@@ -11,7 +12,6 @@ use crate::unit::Unit;
 
 use super::accuracy::{Coarsest, Target, Written, decimal, is_far, places};
 use super::coefficients;
-use super::enclosure::enclose_roughly;
 use super::exact::{self, Equality, same};
 use super::finding::Finding;
 use super::known::Further;

@@ -99,6 +99,15 @@ fn one(model: &Model, right: &[Bound], letter: Letter, statements: &[Statement])
         if remarks.any(|remark| remark.contains("between") || remark.contains("clud")) {
             return Finding::unreadable(Note::CannotBeCompared);
         }
+        // `1/3 - 1` may be a range with a dash.
+        let is_end = |value: &Expr| right.iter().any(|end| at(model, end, value).is_credited());
+        if let [Expr::Sum(terms)] = bare.as_slice()
+            && let [first, Expr::Negative(last)] = terms.as_slice()
+            && is_end(first)
+            && is_end(last)
+        {
+            return Finding::unreadable(Note::CannotBeCompared);
+        }
         return match (all_are(&ends), all_are(&right.iter().collect::<Vec<_>>())) {
             (true, _) => Finding::partial(Note::RangeWanted),
             (false, true) => Finding::wrong(Note::RangeWanted),
@@ -118,7 +127,7 @@ fn one(model: &Model, right: &[Bound], letter: Letter, statements: &[Statement])
 /// The bounds of a student against the ends that must be there.
 fn against(model: &Model, ends: &[&Bound], own: &[Bound], letter: Letter) -> Finding {
     let mut worst = Finding::EXACT;
-    let mut missing = 0;
+    let mut missing = Vec::new();
     for end in ends {
         let near: Vec<&Bound> = own.iter().filter(|bound| is_near(model, bound, end)).collect();
         // Said twice, what is nearest counts, as in a chain of equals signs.
@@ -127,7 +136,7 @@ fn against(model: &Model, ends: &[&Bound], own: &[Bound], letter: Letter) -> Fin
             None if own.iter().any(|bound| at(model, end, &bound.shown).is_credited()) => {
                 return Finding::wrong(Note::RangeTurned);
             }
-            None => missing += 1,
+            None => missing.push(end),
         }
         if near.iter().any(|bound| bound.included != end.included) {
             worst = worst.spoilt_by(Note::RangeEnd);
@@ -139,10 +148,14 @@ fn against(model: &Model, ends: &[&Bound], own: &[Bound], letter: Letter) -> Fin
     let follows = |bound: &Bound| {
         is_natural(bound, letter) || ends.iter().any(|end| is_no_tighter(bound, end) || is_near(model, bound, end))
     };
-    match (missing, own.iter().all(follows)) {
+    // `1/4 ≤ k ≤ 3`: not left out, but elsewhere.
+    let is_elsewhere = |end: &&&Bound| own.iter().any(|bound| bound.above == end.above && !is_natural(bound, letter));
+    match (missing.len(), own.iter().all(follows)) {
         (0, true) if goes_too_far(own, letter) => worst.spoilt_by(Note::RangeTooFar),
         (0, true) => worst,
-        (missing, true) if missing < ends.len() => worst.at_most_partial(Note::RangeHalf),
+        (count, true) if count < ends.len() && !missing.iter().any(is_elsewhere) => {
+            worst.at_most_partial(Note::RangeHalf)
+        }
         _ => Finding::WRONG,
     }
 }
@@ -243,7 +256,8 @@ fn is_of(letter: Letter, statement: &Statement) -> bool {
 fn ends_of(said: &Said, low: &Option<End>, high: &Option<End>, letters: &[Letter]) -> Option<Vec<Bound>> {
     let says = |word: &str| said.remarks.iter().any(|remark| remark.contains(word));
     let bound = |above: bool, end: &End| {
-        let included = match (end.included, says("inclusive"), says("exclusive") || says("strictly")) {
+        let takes_in = says("inclusive") || says("both included");
+        let included = match (end.included, takes_in, says("exclusive") || says("strictly")) {
             (None, true, false) => Some(true),
             (None, false, true) => Some(false),
             (included, ..) => included,

@@ -5,6 +5,22 @@ use super::*;
 use crate::mark::reading::read_answer;
 
 #[test]
+fn values_that_differ_by_a_figure_are_rivals_and_a_rounder_one_is_not() {
+    const RIVALS: &str = "wrong rival-answers";
+    earn(
+        &Asked("4*sqrt(39)/9", None, "A.after.speed", None),
+        &[
+            ("2.78 or 2.77", RIVALS),
+            ("2.77, 2.78", RIVALS),
+            ("2.79 or 2.78", RIVALS),
+            ("2.78 or 2.8", "correct"),
+            ("2.776, 2.78", "correct"),
+            ("2.77 or 2.78 so 2.78", "correct"),
+        ],
+    );
+}
+
+#[test]
 fn a_value_and_its_opposite_are_rivals_unless_one_is_chosen() {
     const RIVALS: &str = "wrong rival-answers";
     earn(
@@ -98,56 +114,7 @@ fn a_rival_that_lacks_a_letter_or_has_another_unit_is_a_rival() {
 }
 
 #[test]
-fn what_is_true_besides_is_no_rival() {
-    const RIVALS: &str = "wrong rival-answers";
-    earn(
-        &Asked("4*i + j", None, "", None),
-        &[
-            ("4i+j, speed √17", "correct"),
-            ("4i + j (speed √17)", "correct"),
-            ("v=4i+j so |v|=√17", "correct"),
-            ("(4i+j) m/s, magnitude 4.12", "correct"),
-            ("4i+j, speed 5", RIVALS),
-            ("4i+j or speed √17", RIVALS),
-            ("4i+2j, speed √17", "wrong"),
-            ("speed √17", "wrong scalar-for-vector"),
-        ],
-    );
-    earn(
-        &Asked("5", None, "A.after.speed", None),
-        &[
-            ("v=5,θ=53.1", "correct"),
-            ("speed 5 angle 53.1", "correct"),
-            ("v = 3, θ = 5", "wrong"),
-            ("θ = 5", "unreadable named-otherwise"),
-        ],
-    );
-    earn(
-        &Asked("48/25", None, "ke.lost", None),
-        &[
-            ("KE before 5.44, after 3.52, loss 1.92", "correct"),
-            ("5.44 before, 3.52 after, 1.92 lost", "correct"),
-            ("KE after = 1.92, KE lost = 3.52", "wrong"),
-            ("1.92 after, 3.52 lost", "wrong"),
-            ("E = 1.92 J", "correct"),
-        ],
-    );
-    earn(
-        &Asked("10/43", None, "ke.fraction_lost", None),
-        &[
-            ("lost 10/43, kept 33/43", "correct"),
-            ("23.3% lost, 76.7% remains", "correct"),
-            ("76.7% lost, 23.3% remains", "wrong"),
-            ("10/43 remains", "unreadable named-otherwise"),
-            ("fraction lost = 10/43, fraction remaining = 33/43", "correct"),
-            ("10/43 lost, 33/43 left", "correct"),
-            ("33/43 lost, 10/43 left", "wrong"),
-        ],
-    );
-}
-
-#[test]
-fn what_leads_to_the_answer_or_is_true_of_it_is_no_rival() {
+fn what_leads_to_the_answer_or_is_true_besides_is_no_rival() {
     const RIVALS: &str = "wrong rival-answers";
     const OTHERWISE: &str = "unreadable named-otherwise";
     earn(
@@ -248,11 +215,50 @@ fn what_leads_to_the_answer_or_is_true_of_it_is_no_rival() {
     earn(
         &Asked("48/25", None, "ke.lost", None),
         &[
+            ("KE before 5.44, after 3.52, loss 1.92", "correct"),
+            ("5.44 before, 3.52 after, 1.92 lost", "correct"),
+            ("KE after = 1.92, KE lost = 3.52", "wrong"),
+            ("1.92 after, 3.52 lost", "wrong"),
+            ("E = 1.92 J", "correct"),
             ("KE goes from 5.44 to 3.52, so 1.92 J lost", "correct"),
             ("from 5.44 to 1.92", "wrong"),
             ("1.92 (48/25) J", "correct"),
             ("48/25 [1.92] J", "correct"),
             ("1.92 (48/25) kJ", RIVALS),
+        ],
+    );
+    earn(
+        &Asked("4*i + j", None, "", None),
+        &[
+            ("4i+j, speed √17", "correct"),
+            ("4i + j (speed √17)", "correct"),
+            ("v=4i+j so |v|=√17", "correct"),
+            ("(4i+j) m/s, magnitude 4.12", "correct"),
+            ("4i+j, speed 5", RIVALS),
+            ("4i+j or speed √17", RIVALS),
+            ("4i+2j, speed √17", "wrong"),
+            ("speed √17", "wrong scalar-for-vector"),
+        ],
+    );
+    earn(
+        &Asked("5", None, "A.after.speed", None),
+        &[
+            ("v=5,θ=53.1", "correct"),
+            ("speed 5 angle 53.1", "correct"),
+            ("v = 3, θ = 5", "wrong"),
+            ("θ = 5", OTHERWISE),
+        ],
+    );
+    earn(
+        &Asked("10/43", None, "ke.fraction_lost", None),
+        &[
+            ("lost 10/43, kept 33/43", "correct"),
+            ("23.3% lost, 76.7% remains", "correct"),
+            ("76.7% lost, 23.3% remains", "wrong"),
+            ("10/43 remains", OTHERWISE),
+            ("fraction lost = 10/43, fraction remaining = 33/43", "correct"),
+            ("10/43 lost, 33/43 left", "correct"),
+            ("33/43 lost, 10/43 left", "wrong"),
         ],
     );
 }

@@ -6,42 +6,15 @@ use std::cmp::Ordering;
 
 use crate::answer::Kind;
 use crate::expr::{Expr, Function, Relation};
-use crate::mark::reading::{End, Form, Reading, Said, Statement, is_second_thought};
+use crate::mark::enclosure::enclose_roughly;
+use crate::mark::reading::{End, Form, Reading, Said, Statement, is_rejection, is_second_thought};
 use crate::mechanics::{Moment, Quantity};
 
 use super::besides::{compared_with_a_bound, without_its_name, without_size_and_direction, without_told_besides};
 use super::called::{COMPARING, EARLIER, LATER, LOSSES, is_of_loss, moment, states, words};
-use super::enclosure::enclose_roughly;
 use super::otherwise::{DIRECTED, is_changed_to};
 use super::statements::is_rival;
 use super::{Model, exact};
-
-/// Words that take back the value beside them.
-const REJECTIONS: [&str; 23] = [
-    "reject",
-    "rejected",
-    "rejecting",
-    "discard",
-    "discarded",
-    "disregard",
-    "disregarded",
-    "ignore",
-    "ignored",
-    "inadmissible",
-    "invalid",
-    "scrap",
-    "scrapped",
-    "cancel",
-    "cancelled",
-    "canceled",
-    "delete",
-    "deleted",
-    "void",
-    "withdrawn",
-    "mistake",
-    "error",
-    "crossed",
-];
 
 /// The reading without what does not count; `None` if nothing is left of it.
 pub(super) fn counted<'r>(model: &Model, reading: &'r Reading) -> Option<Cow<'r, Reading>> {
@@ -67,14 +40,13 @@ pub(super) fn counted<'r>(model: &Model, reading: &'r Reading) -> Option<Cow<'r,
 fn is_rejected(statement: &Statement) -> bool {
     let label = statement.label.iter().map(|label| label.typed.to_lowercase());
     let remarks = statement.said.iter().flat_map(|said| said.remarks.iter().cloned());
-    // `2.78, not 3.08`
-    let is_denied = statement.said.iter().flat_map(|said| &said.remarks).any(|remark| remark == "not");
+    // `2.78, not 3.08`, `8, −8 (N/A)`
+    let mut own = statement.said.iter().flat_map(|said| &said.remarks);
+    let is_denied = own.any(|remark| matches!(remark.as_str(), "not" | "n/a"));
     if is_denied || is_taken_back(statement) {
         return true;
     }
-    label
-        .chain(remarks)
-        .any(|words| words.split(|letter: char| !letter.is_alphanumeric()).any(|word| REJECTIONS.contains(&word)))
+    label.chain(remarks).any(|words| words.split(|letter: char| !letter.is_alphanumeric()).any(is_rejection))
 }
 
 /// `3.08, no, 2.78`

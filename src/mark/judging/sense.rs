@@ -32,8 +32,10 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Option
     let (sphere, axis) = match model.quantity? {
         Quantity::Velocity(sphere, _, axis) | Quantity::SphereMomentum(sphere, _, axis) => (sphere, axis),
         Quantity::Impulse(sphere, axis) => (sphere, axis),
-        Quantity::Speed(..) => {
-            let agrees = agrees(line.sense(), model.rebounds) != Some(false);
+        Quantity::Speed(sphere, _) => {
+            // Away from B is where C goes.
+            let is_of_c = sphere == Sphere::C && line.is_sense_alone();
+            let agrees = is_of_c || agrees(line.sense(), model.rebounds) != Some(false);
             let lies = |degrees: i64| model.path.as_ref().is_none_or(|path| *path == Expr::integer(degrees));
             let lies = match line.unsensed() {
                 ReferenceLine::AlongLineOfCentres => lies(0),

@@ -97,10 +97,19 @@ fn links(statement: &Statement, one: One) -> Finding {
     let findings: Vec<Finding> = statement.said.iter().map(|said| one(said, label)).collect();
     let Some(last) = findings.last().copied() else { return Finding::unreadable(Note::CannotBeRead) };
     let spoilt_after = |at: usize| findings[at + 1..].iter().any(|finding| finding.verdict == Verdict::Wrong);
+    // `2.78 = 3`: a right value, and a rounding of it.
+    let only_rounded_after = |at: usize| {
+        let later = findings.iter().zip(&statement.said).skip(at + 1);
+        let mut wrong = later.filter(|(finding, _)| finding.verdict == Verdict::Wrong);
+        wrong.all(|(_, said)| is_rounding(&statement.said[at], said))
+    };
     let is_bare = |at: usize| is_bare_number(&statement.said[at]);
     // `2 = 3` and `3 = 4` are no working: two numbers that are said to be one are rivals.
-    // What is only rounded too far is no other number.
-    let is_other = |at: usize| findings[at].verdict == Verdict::Wrong && findings[at].note != Some(Note::TooFewFigures);
+    // What is only rounded too far is no other number; what is a little off is one.
+    let is_other = |at: usize| match findings[at].verdict {
+        Verdict::Wrong => findings[at].note != Some(Note::TooFewFigures),
+        _ => findings[at].note == Some(Note::NearMiss),
+    };
     let rivals = (0..findings.len()).any(|at| is_bare(at) && is_other(at));
     if rivals && findings.len() > 1 && findings.iter().enumerate().any(|(at, f)| is_bare(at) && f.is_correct()) {
         return Finding::wrong(Note::RivalAnswers);
@@ -115,8 +124,18 @@ fn links(statement: &Statement, one: One) -> Finding {
     let right = findings.iter().position(Finding::is_correct);
     match right {
         Some(at) if !spoilt_after(at) => findings[at],
+        Some(at) if only_rounded_after(at) => findings[at].remarked(Note::IgnoredAfter),
         _ => last,
     }
+}
+
+/// Is the second of two bare numbers the first, rounded to the places that it has?
+fn is_rounding(first: &Said, second: &Said) -> bool {
+    let written = |said: &Said| match &said.form {
+        Form::Value(expr) => Written::of(expr),
+        _ => None,
+    };
+    written(first).zip(written(second)).is_some_and(|(first, second)| second.is_rounding_of(&first))
 }
 
 /// Is it a number as it stands, with nothing left to work out?
@@ -124,7 +143,24 @@ fn is_bare_number(said: &Said) -> bool {
     matches!(&said.form, Form::Value(expr) if Written::of(expr).is_some())
 }
 
+/// `k = 8, m = 2`, where k is to be found: what is called so, if each of the others has a letter of its own.
+fn called_as_asked<'s>(model: &Model, statements: &[&'s Statement]) -> Option<&'s Statement> {
+    let asked = model.letter.as_ref()?;
+    let letter = |statement: &Statement| match statement.label.as_ref()?.expr.as_ref()? {
+        Expr::Name(name) => Some(name.text.clone()),
+        _ => None,
+    };
+    let letters: Vec<String> = statements.iter().map(|statement| letter(statement)).collect::<Option<_>>()?;
+    let mut own = statements.iter().zip(&letters).filter(|(_, letter)| *letter == asked);
+    let (only, _) = own.next()?;
+    let any_rival = statements.iter().flat_map(|statement| &statement.said).any(is_rival);
+    (own.next().is_none() && !any_rival).then_some(*only)
+}
+
 fn choose(model: &Model, statements: &[&Statement], one: One) -> Finding {
+    if let Some(own) = called_as_asked(model, statements) {
+        return chain(model, own, one);
+    }
     let spheres: Vec<Option<Sphere>> = statements.iter().map(|statement| named_sphere(statement)).collect();
     if let Some(asked) = model.quantity.and_then(sphere) {
         let own: Vec<&Statement> =
@@ -230,9 +266,10 @@ fn last_or_rivals(model: &Model, statements: &[&Statement], one: One) -> Finding
     let right = findings.iter().copied().find(Finding::is_correct);
     // A value and its opposite are two values.
     let spoilt = findings.iter().any(|finding| !finding.is_credited() || finding.note == Some(Note::Sign));
-    // A right value and one that lacks a letter, or has another unit, are two values.
+    // A right value and one that lacks a letter, has another unit, or is another by a figure, are two values.
     let differs = |finding: &Finding| {
-        matches!(finding.note, Some(Note::LetterMissing | Note::UnitWrong | Note::UnitNotNeeded))
+        use Note::{LetterMissing, NearMiss, Truncated, UnitNotNeeded, UnitWrong};
+        matches!(finding.note, Some(LetterMissing | UnitWrong | UnitNotNeeded | NearMiss | Truncated))
             && !finding.is_correct()
     };
     let spoilt = spoilt || (right.is_some() && findings.iter().any(differs));

@@ -5,6 +5,7 @@ use crate::expr::{Expr, Function, Meaning, written};
 use crate::mark::reading::{Form, Notation, Reading, Said, Statement};
 
 use super::accuracy::Written;
+use super::called::words;
 use super::exact;
 use super::finding::Finding;
 use super::spheres::{named_sphere, sphere};
@@ -59,7 +60,7 @@ pub(super) fn of_its_components(model: &Model, reading: &Reading) -> Option<Said
             (Form::Vector(x, y, Notation::Words), None) if of_whole(statement) => {
                 (x.clone(), y.clone(), Notation::Words)
             }
-            (Form::Vector(x, y, Notation::UnitVectors), None) if statement.label.is_none() => {
+            (Form::Vector(x, y, Notation::UnitVectors), None) if of_whole(statement) => {
                 (x.clone(), y.clone(), Notation::Coordinates)
             }
             (Form::Value(value), Some('i')) => (value.clone(), nought(), Notation::Words),
@@ -169,6 +170,12 @@ pub(super) fn judge(model: &Model, said: &Said) -> Finding {
     };
     let (x, y) = (scaled(&x), scaled(&y));
     let mut finding = both(model, (&right_x, &x), (&right_y, &y));
+    // `6 left and 2.4 down`: signs in words, on a page that nobody has drawn.
+    let says = |side: &[&str]| said.remarks.iter().flat_map(|remark| words(remark)).any(|word| side.contains(&word));
+    let is_turned = notation == Notation::Coordinates && says(&["left", "down"]);
+    if is_turned || !finding.is_credited() && says(&["right", "up"]) {
+        return Finding::unreadable(Note::DirectionUnchecked);
+    }
     if !finding.is_credited() {
         return explain(model, (&right_x, &right_y), (&x, &y), finding);
     }

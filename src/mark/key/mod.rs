@@ -16,14 +16,16 @@ use serde::Deserialize;
 pub use fault::KeyFault;
 
 use super::judging::Model;
-use super::slips::Mistakes;
+use super::slips::{Asked, Mistakes};
 use super::working::Prepared;
 use crate::bank::{Code, EarnedFor, Find};
 use crate::expr::{Angles, Expr, degrees, read};
-use crate::mechanics::{Derivation, Known, Meeting, Quantity, Scene, SceneText, Setting, VelocityText, pose};
+use crate::mechanics::{
+    Condition, Derivation, Known, Meeting, Quantity, Scene, SceneText, Setting, Sought, VelocityText, pose,
+};
 use crate::number::{Letter, Value};
 use crate::paper::KeyQuestion;
-use crate::solve::solve;
+use crate::solve::{Solution, solve};
 
 /// A key, read and checked.
 #[derive(Clone, Debug)]
@@ -272,8 +274,8 @@ impl KeyedQuestion {
     }
 
     /// The wrong values that slips lead to for an answer, each with the tags of what leads to it.
-    pub fn mistaken_values(&self, answer: &[Quantity]) -> Vec<(Vec<&'static str>, Vec<f64>)> {
-        self.mistakes().values(answer)
+    pub fn mistaken_values(&self, asked: &Asked) -> Vec<(Vec<&'static str>, Vec<f64>)> {
+        self.mistakes_where_found().unwrap_or_else(|| self.mistakes()).values(asked)
     }
 
     /// For a question in numbers: a wrong value of one quantity as a student might have it, to three significant figures,
@@ -301,23 +303,30 @@ impl KeyedQuestion {
 
     /// What slips lead to, worked out when an answer is first wrong.
     pub(super) fn mistakes(&self) -> &Mistakes {
-        self.mistakes.get_or_init(|| self.mistakes_from(&self.given))
+        let range = || self.solution(true)?.sought();
+        self.mistakes.get_or_init(|| self.mistakes_from(&self.given, range().as_ref()))
     }
 
     /// The same with the letters that were to be found as they were found: who has found e goes on with a number.
     pub(super) fn mistakes_where_found(&self) -> Option<&Mistakes> {
         let found = || {
-            let solution = Some(&self.scene).filter(|scene| !scene.unknowns.is_empty());
-            let solution = solution.and_then(|scene| solve(scene, &[]).ok()).filter(|own| !own.found().is_empty())?;
-            Some(self.mistakes_from(&pose(solution.scene()).ok()?))
+            let solution = self.solution(false)?;
+            Some(self.mistakes_from(&pose(solution.scene()).ok()?, solution.sought().as_ref()))
         };
         self.mistakes_where_found.get_or_init(found).as_ref()
     }
 
-    fn mistakes_from(&self, given: &Known<Value>) -> Mistakes {
+    /// The scene solved, where it has something to be found: a range of values, or values.
+    fn solution(&self, is_range: bool) -> Option<Solution> {
+        let Scene { unknowns, conditions, .. } = &self.scene;
+        let is_sought = !unknowns.is_empty() && conditions.iter().any(Condition::is_inequality) == is_range;
+        if is_sought { solve(&self.scene, &[]).ok() } else { None }
+    }
+
+    fn mistakes_from(&self, given: &Known<Value>, sought: Option<&Sought>) -> Mistakes {
         let blanks = self.parts.iter().flat_map(|part| &part.blanks);
-        let answers = blanks.map(|blank| blank.find.quantities()).filter(|answer| !answer.is_empty());
-        Mistakes::of(given, &answers.collect::<Vec<_>>(), &self.letters)
+        let asked: Vec<Asked> = blanks.map(KeyedBlank::asked).collect();
+        Mistakes::of(given, &asked, &self.letters, sought)
     }
 }
 

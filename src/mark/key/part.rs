@@ -8,6 +8,7 @@ use crate::answer::{Accept, Kind};
 use crate::bank::{Code, EarnedFor, Find};
 use crate::expr::{Angles, Expr, Function, read_range, written};
 use crate::mark::judging::{Model, ModelOptions};
+use crate::mark::slips::Asked;
 use crate::mechanics::{Axis, Derivation, Known, Meeting, Quantity, Scene, Sphere};
 use crate::number::Value;
 use crate::paper::{Blank, KeyMark, KeyPart};
@@ -63,6 +64,11 @@ impl KeyedPart {
 }
 
 impl KeyedBlank {
+    /// What it asks for, as slips see it.
+    pub(crate) fn asked(&self) -> Asked {
+        Asked::of(&self.find, self.model.kind)
+    }
+
     fn read(blank: &Blank, printed: Option<&String>, scene: &Scene) -> Result<KeyedBlank, KeyFault> {
         let at = |field: &str, message: String, expected: &str| KeyFault {
             path: field.to_owned(),
@@ -108,7 +114,10 @@ impl KeyedBlank {
         };
         let options =
             ModelOptions { kind: Some(kind), accept: Some(accept), letters: scene.letters.clone(), quantity: asked };
-        let model = Model::read(&text, &options).map_err(|fault| at("exact", fault.message, &fault.expected))?;
+        let mut model = Model::read(&text, &options).map_err(|fault| at("exact", fault.message, &fault.expected))?;
+        if let Find::Unknown(name) = &find {
+            model.letter = Some(name.clone());
+        }
         Ok(KeyedBlank { name: blank.name.clone(), find, model })
     }
 }

@@ -10,7 +10,7 @@ use crate::mark::award::{Cause, MarkedAnswer};
 use crate::mark::judging::{Note, Verdict};
 use crate::mark::key::{KeyedBlank, KeyedPart, KeyedQuestion};
 use crate::mark::reading::{Reading, Said};
-use crate::mark::slips::{self, EARLY_ROUNDING, Mistakes, early_rounding};
+use crate::mark::slips::{self, Asked, EARLY_ROUNDING, Mistakes, early_rounding};
 use crate::mark::working::Examined;
 
 /// The most mistakes that are listed for one answer.
@@ -98,17 +98,15 @@ fn behind(
     examined: &Examined,
     by_lines: &ByLines,
 ) -> Vec<Found> {
-    let asked = blank.find.quantities();
-    if asked.is_empty() {
-        return Vec::new();
-    }
+    let asked = blank.asked();
     let rounded = rounded(question, &blank.find, readings, examined);
     let is_of_paper = !examined.theirs.0.is_empty();
     let mut found: Vec<Found> =
         rounded.into_iter().map(|cause| Found { cause, is_of_law: false, explains: true, is_of_paper }).collect();
     let is_rounded = !found.is_empty();
     let causes_in = |mistakes: &Mistakes| {
-        let mut each = readings.iter().filter_map(last_said).map(|said| mistakes.causes(&asked, said));
+        let mut each =
+            readings.iter().flat_map(|reading| said_of(&asked, reading)).map(|said| mistakes.causes(&asked, said));
         each.find(|found| !found.is_empty())
     };
     let causes = question.mistakes_where_found().and_then(causes_in).or_else(|| causes_in(question.mistakes()));
@@ -126,6 +124,14 @@ fn behind(
         Found { cause: explained(cause, part), is_of_law, explains: is_of_law, is_of_paper: false }
     }));
     found
+}
+
+/// What an answer comes to. Of a range an end may be said before the other.
+fn said_of<'a>(asked: &Asked, reading: &'a Reading) -> Vec<&'a Said> {
+    match asked {
+        Asked::Ends => reading.statements.iter().flat_map(|statement| &statement.said).collect(),
+        _ => Vec::from_iter(last_said(reading)),
+    }
 }
 
 /// What the answer comes to in the end.
@@ -153,7 +159,9 @@ fn explained(cause: &slips::Cause, part: &KeyedPart) -> Cause {
             EarnedFor::Law(law, _) if mark.code.is_method() => cause.earns_method(*law),
             EarnedFor::Law(law, _) => cause.earns_accuracy(*law),
             EarnedFor::Quantity(quantity) => cause.keeps(*quantity) && !is_asked(part, *quantity),
-            EarnedFor::Condition | EarnedFor::Unknown(_) => false,
+            // Wrong values in a condition are no reason not to have set it up.
+            EarnedFor::Condition => mark.code.is_method(),
+            EarnedFor::Unknown(_) => false,
         };
         earned.push(own && mark.depends.iter().all(|needed| earned[*needed]));
     }

@@ -15,6 +15,7 @@ use crate::mechanics::{Quantity, Seen};
 pub(super) struct Charged {
     inaccuracy: bool,
     units: bool,
+    coordinates: bool,
 }
 
 /// What speaks for and against the marks of a part.
@@ -217,10 +218,10 @@ impl Worth {
             // What is rounded too early costs its mark every time.
             Verdict::Partial if is(&[Note::EarlyRounding]) => Worth::Method,
             Verdict::Partial if is(&[Note::UnitWrong]) => charge(profile.units, &mut charged.units),
+            // One who writes coordinates writes them throughout.
+            Verdict::Partial if is(&[Note::Coordinates]) => charge(Charge::Once, &mut charged.coordinates),
             // The value is right and its form is not.
-            Verdict::Partial
-                if is(&[Note::ExactWanted, Note::Coordinates, Note::DirectionMissing, Note::GradientUnstated]) =>
-            {
+            Verdict::Partial if is(&[Note::ExactWanted, Note::DirectionMissing, Note::GradientUnstated]) => {
                 Worth::Method
             }
             // The condition is there, and not what it comes to.

@@ -11,7 +11,7 @@ use crate::mark::award::MarkedAnswer;
 use crate::mark::judging::{Judgement, Model, Note, Verdict, judge};
 use crate::mark::key::{KeyedPart, KeyedQuestion};
 use crate::mark::reading::{Form, Reading};
-use crate::mark::working::{Examined, comes_to};
+use crate::mark::working::{Examined, has_these_sizes};
 use crate::mechanics::{Datum, Derivation, Line, Moment, Quantity, Show};
 use crate::number::{Fraction, Places, round};
 use crate::paper::WorkingLine;
@@ -62,7 +62,7 @@ pub(super) fn answers(
         // A decimal may be rounded, but not before a letter.
         let is_open = |expr: &&Expr| blank.model.kind == Kind::Expression || !has_decimal(expr);
         let exact = judged.readings.as_deref().and_then(formula).filter(is_open);
-        let exact = exact.filter(|expr| comes_to(question, expr, &values));
+        let exact = exact.filter(|expr| has_these_sizes(question, expr, &values));
         let value = match exact {
             Some(exact) => exact.clone(),
             // A formula in letters must be it at every point.

@@ -17,6 +17,7 @@ use crate::mark::key::{KeyedBlank, KeyedPart};
 use crate::mark::reading::Statement;
 use crate::mark::script::PartScript;
 use crate::mark::working::Examined;
+use crate::mechanics::{Moment, Quantity};
 
 /// The last lines of the working of a part, as many as it has blanks.
 pub(super) struct Left<'s> {
@@ -25,6 +26,7 @@ pub(super) struct Left<'s> {
     lines: Vec<(usize, &'s str)>,
     /// What the lines earn, a mark each.
     by_lines: &'s [Option<Award>],
+    examined: &'s Examined,
 }
 
 impl<'s> Left<'s> {
@@ -33,7 +35,7 @@ impl<'s> Left<'s> {
         let mut lines: Vec<(usize, &str)> = lines.enumerate().map(|(place, line)| (place + 1, line)).collect();
         lines.reverse();
         lines.truncate(part.blanks.len());
-        Left { part, lines, by_lines: &examined.awards }
+        Left { part, lines, by_lines: &examined.awards, examined }
     }
 
     /// The last line, if it has the right answers to all of several blanks: `v = 3, w = 5`.
@@ -73,7 +75,8 @@ impl<'s> Left<'s> {
             let is_result = labels.all(|label| !is_formula(&label.typed));
             let is_answer = || has_method || statements.iter().any(|statement| self.is_called(blank, statement));
             let is_right = found.judgement.verdict == Verdict::Correct;
-            (is_right && is_alone && is_result && is_answer()).then_some((line, found))
+            let is_of_other = || statements.iter().any(|statement| self.is_of_other(blank, statement));
+            (is_right && is_alone && is_result && is_answer() && !is_of_other()).then_some((line, found))
         })
     }
 
@@ -109,6 +112,15 @@ impl<'s> Left<'s> {
         let mut methods = (0..scheme.len()).filter(|mark| scheme[*mark].code.is_method());
         leads.all(|mark| seen(*mark).is_some())
             && methods.any(|mark| scheme[mark].blanks.contains(&blank) && elsewhere(mark))
+    }
+
+    /// Is it called by the letter of the other sphere?
+    fn is_of_other(&self, blank: &KeyedBlank, statement: &Statement) -> bool {
+        let Find::Quantity(Quantity::Speed(sphere, Moment::After)) = blank.find else { return false };
+        match statement.label.as_ref().and_then(|label| label.expr.as_ref()) {
+            Some(Expr::Name(name)) => self.examined.is_of_other(&name.text, sphere),
+            _ => false,
+        }
     }
 
     /// Is a value called what the blank asks for, and not what another of the part does?

@@ -163,6 +163,8 @@ fn plain(character: char, before: Option<char>) -> Option<&'static str> {
         '⩾' | '≧' => "≥",
         '⇒' | '⟹' | '→' | '⟶' | '∴' => "⇒",
         '∵' => " because ",
+        '∩' => " and ",
+        'ℝ' => "R",
         '@' => " at ",
         '⊥' | '⟂' => " perpendicular ",
         '∥' => " parallel to ",

@@ -29,6 +29,8 @@ pub(super) enum Doubt {
     Column,
     /// `[2, 3]`: coordinates or a range.
     Brackets,
+    /// `2 to 3`: two values, as in a ratio, or a range.
+    To,
     /// `mu`: one Greek letter or two letters side by side.
     Names,
     /// `4u (2)`: the number of the equation, or a factor.

@@ -145,7 +145,12 @@ impl Walk<'_> {
             None => (self.any(at, &wording::TOWARDS)?, true),
         };
         let next = self.any(self.article(next), &["sphere", "ball", "particle"]).unwrap_or(self.article(next));
-        let typed = self.tokens.get(next).map(|_| self.typed(next))?;
+        let sphere = self.tokens.get(next)?;
+        let typed = self.typed(next);
+        // `in the direction of A's motion`
+        if sphere.end - sphere.start > typed.len() {
+            return None;
+        }
         match (typed, towards) {
             ("B", true) | ("A", false) => Some((ReferenceLine::TowardsB, next + 1)),
             ("A", true) | ("B", false) => Some((ReferenceLine::TowardsA, next + 1)),

@@ -67,9 +67,25 @@ impl Statements<'_> {
         Ok(())
     }
 
-    /// Is an inequality the condition for what words alone say, and nothing else the answer? Which way a sphere then moves
-    /// is for a person to see.
-    pub(super) fn is_asked_condition(&self, words: &[Placed], reason: &[Placed]) -> bool {
+    /// `A rebounds if e > 1/3`, `A rebounds for e > 1/3`: where the inequality begins that is the condition for what words
+    /// alone say, and nothing else the answer. Which way a sphere then moves is for a person to see.
+    pub(super) fn asked_condition(&self, tokens: &[Placed]) -> Option<usize> {
+        let leads = |placed: &&Placed| {
+            let word = self.slice(std::slice::from_ref(*placed)).to_lowercase();
+            matches!(placed.token, Token::Phrase(_)) && matches!(&*word, "if" | "when" | "where" | "for")
+        };
+        let lead = tokens.iter().position(|placed| leads(&placed))?;
+        let (words, condition) = tokens.split_at(lead);
+        let is_condition = self.found.is_empty()
+            && !self.vocabulary.vectors
+            && self.say_what_happens(words)
+            && has_inequality(condition);
+        let begins = condition.iter().take_while(|placed| matches!(placed.token, Token::Phrase(_))).count();
+        is_condition.then_some(lead + begins)
+    }
+
+    /// Do words alone say what happens, and not which way a sphere moves?
+    fn say_what_happens(&self, words: &[Placed]) -> bool {
         const WAYS: [&str; 11] = [
             "same",
             "original",
@@ -85,19 +101,31 @@ impl Statements<'_> {
         ];
         let tells_way = |word: &str| WAYS.contains(&&*word.to_lowercase());
         let says_how = |placed: &Placed| {
-            matches!(placed.token, Token::Phrase(Phrase::Remark | Phrase::Sphere | Phrase::Joiner | Phrase::Is))
+            matches!(
+                placed.token,
+                Token::Phrase(Phrase::Remark | Phrase::Sphere | Phrase::Joiner | Phrase::Is | Phrase::Noun)
+            )
         };
-        let word = reason.first().map(|first| self.slice(std::slice::from_ref(first)).to_lowercase());
-        matches!(word.as_deref(), Some("if" | "when" | "where"))
-            && self.found.is_empty()
-            && !self.vocabulary.vectors
-            && words.iter().all(says_how)
-            && !self.slice(words).split_whitespace().any(tells_way)
-            && has_inequality(reason)
+        words.iter().all(says_how) && !self.slice(words).split_whitespace().any(tells_way)
+    }
+
+    /// `1/3 for A to rebound` without what happens then.
+    fn without_what_happens<'t>(&self, tokens: &'t [Placed]) -> &'t [Placed] {
+        let is_for = |placed: &Placed| {
+            matches!(placed.token, Token::Phrase(Phrase::Remark | Phrase::Joiner))
+                && matches!(&*self.slice(std::slice::from_ref(placed)).to_lowercase(), "for" | "to")
+        };
+        match tokens.iter().position(is_for) {
+            Some(at) if self.say_what_happens(&tokens[at..]) => &tokens[..at],
+            _ => tokens,
+        }
     }
 
     pub(super) fn inequality(&mut self, sides: &[&[Placed]], relations: &[(char, usize)]) -> Result<(), Unreadable> {
         let (sides, relations) = without_infinite_ends(sides, relations)?;
+        if self.is_of_multiplier(sides, relations) {
+            return Ok(());
+        }
         let values: Vec<Expr> = sides.iter().map(|side| self.bounded(side)).collect::<Result<_, _>>()?;
         let said = values.windows(2).zip(relations).map(|(pair, (sign, _))| {
             let relation = match sign {
@@ -134,6 +162,7 @@ impl Statements<'_> {
 
     /// A side of an inequality. After `e = 5/7` it may be an e that the question does not have.
     fn bounded(&mut self, tokens: &[Placed]) -> Result<Expr, Unreadable> {
+        let tokens = self.without_what_happens(tokens);
         let typed = self.slice(tokens).to_owned();
         let is_name = self.found.iter().filter_map(|found| found.label.as_ref()).any(|label| label.typed == typed);
         self.side(tokens).or_else(|fault| self.named(tokens).filter(|_| is_name).ok_or(fault))

@@ -24,6 +24,8 @@ pub(super) enum Sort {
     Gradient,
     /// May turn the meaning round.
     Negation,
+    /// Takes back the value beside it.
+    Rejection,
     /// Does nothing.
     Plain,
 }
@@ -46,7 +48,7 @@ pub(super) const OTHERS: [&str; 13] = [
 ];
 
 /// Single words, by what they do.
-const SINGLE: [(Sort, &str); 8] = [
+const SINGLE: [(Sort, &str); 9] = [
     (
         Sort::Joiner,
         "and so hence therefore thus then giving gives give at with in makes making make moves moving move moved \
@@ -72,21 +74,24 @@ const SINGLE: [(Sort, &str); 8] = [
          nought point divided multiplied",
     ),
     (
+        Sort::Rejection,
+        "reject rejected rejecting discard discarded disregard disregarded ignore ignored inadmissible invalid scrap \
+         scrapped cancel cancelled canceled delete deleted void withdrawn mistake error crossed",
+    ),
+    (
         Sort::Plain,
-        "inclusive exclusive strictly between of the a an its their both approx approximately about roughly around circa say exactly only just after \
+        "inclusive exclusive strictly any between of the a an its their both approx approximately about roughly around circa say exactly only just after \
          before finally initially final initial new total sphere spheres ball balls disc discs body particle particles \
          along parallel perp perpendicular right left up down upwards downwards north south east west rightwards \
          leftwards horizontally vertically acute obtuse clockwise anticlockwise counterclockwise away towards it they \
          i.e ie eg sf dp s.f d.p rounded decimal places significant figures correct collision impact afterwards \
-         that this these for on off each other line centres centers vector unit magnitude required shown qed \
+         that this these set for on off each other line centres centers vector unit magnitude required shown qed \
          respectively simplified exact value surd form answer ans path motion travel axis oe awrt cao sense \
-         immediately original towards heading bounces bouncing rebounds rebounding rebounded separates separating yes reversed reverses unchanged done \
+         immediately original towards heading bounces bouncing bounce rebounds rebounding rebounded rebound separates separating yes reversed reverses unchanged done \
          remains remaining retained kept hopefully think calculator working see diagram there here now very nearly almost precisely overall resultant \
          scalar using used calculated find found get got have we solution value values part question result results \
          answers both my our checked units metric decimal fraction respectively clm com colm pclm plm mom cons nel nlr nlor nli \
-         rejected reject rejecting discard discarded ignore ignored disregard disregarded inadmissible invalid scrap \
-         scrapped cancel cancelled canceled delete deleted void withdrawn mistake error crossed clearly obviously \
-         eventually need needs provided requires conservation linear law eq eqn equation substituting subtracting adding",
+         clearly obviously eventually need needs provided requires conservation linear law eq eqn equation substituting subtracting adding",
     ),
 ];
 
@@ -121,6 +126,11 @@ pub(crate) fn is_strange(word: &str) -> bool {
         && !KNOWN.contains(&*small)
         && !is_greek(&small)
         && !is_unit_word(word)
+}
+
+/// Does the word take back the value beside it; it is in small letters.
+pub(crate) fn is_rejection(word: &str) -> bool {
+    sort(word) == Some(Sort::Rejection)
 }
 
 /// What a single word does; it is in small letters.

@@ -21,6 +21,7 @@ impl Statements<'_> {
     pub(super) fn any_multiple(&mut self, tokens: &[Placed]) -> Result<Option<Said>, Unreadable> {
         let Some(vector) = of_any_multiple(tokens, self.vocabulary) else { return Ok(None) };
         let place = tokens[0].start;
+        self.multiplier = Some(tokens[0].token.clone());
         let gradient = match self.side(vector)? {
             Expr::Vector(x, y) => along(&x, &y),
             _ => None,
@@ -29,6 +30,31 @@ impl Statements<'_> {
             return Err(Unreadable::Sign(place, "a multiple of what is no vector, or of one along j".to_owned()));
         };
         Ok(Some(Said { form: Form::Gradient(gradient), unit: None, reference: None, remarks: Vec::new() }))
+    }
+
+    /// Where a condition on it begins: `k(i - 3j) for k ≠ 0`.
+    pub(super) fn condition_of_multiplier(&self, tokens: &[Placed]) -> Option<usize> {
+        let leads = |placed: &Placed| {
+            matches!(placed.token, Token::Phrase(_))
+                && self.slice(std::slice::from_ref(placed)).eq_ignore_ascii_case("for")
+        };
+        let at = tokens.iter().position(leads)?;
+        let (multiple, condition) = tokens.split_at(at);
+        of_any_multiple(multiple, self.vocabulary)?;
+        let is_of_it = |placed: &Placed| {
+            placed.token == multiple[0].token
+                || matches!(&placed.token, Token::Phrase(_) | Token::Sign('≠' | '>' | '<'))
+                || placed.token == Token::Number(Expr::integer(0))
+        };
+        condition.iter().all(is_of_it).then_some(at)
+    }
+
+    /// `k(i - 3j), k ≠ 0`: what is said of the letter by which a vector is multiplied leaves the line as it is.
+    pub(super) fn is_of_multiplier(&self, sides: &[&[Placed]], relations: &[(char, usize)]) -> bool {
+        let ([[letter], [nought]], [(sign, _)]) = (sides, relations) else { return false };
+        self.multiplier.as_ref() == Some(&letter.token)
+            && nought.token == Token::Number(Expr::integer(0))
+            && matches!(sign, '≠' | '>' | '<')
     }
 }
 
@@ -92,12 +118,15 @@ pub(super) fn of_any_multiple<'t>(tokens: &'t [Placed], vocabulary: &Vocabulary)
         Token::Sign(sign) => *sign == '±',
         Token::Greek(name) => names::letter(name, vocabulary).is_none(),
         Token::Word(name) => {
-            name.len() == 1 && "cdkrstpqn".contains(name.as_str()) && names::letter(name, vocabulary).is_none()
+            name.len() == 1 && "abcdkrstpqn".contains(name.as_str()) && names::letter(name, vocabulary).is_none()
         }
         _ => false,
     };
     let is_bracketed = open.is('(') && close.is(')') && !inside.iter().any(|placed| placed.is('(') || placed.is(')'));
-    (is_parameter && is_bracketed && vocabulary.vectors).then_some(inside)
+    // `k(1, -3)`
+    let is_pair = inside.iter().any(|placed| placed.is(','));
+    let vector = if is_pair { &tokens[1..] } else { inside };
+    (is_parameter && is_bracketed && vocabulary.vectors).then_some(vector)
 }
 
 /// Does it all belong to one vector in brackets and the number by which it is multiplied or divided?

@@ -49,7 +49,7 @@ mod values;
 mod vectors;
 mod wording;
 
-pub(crate) use lexicon::{is_never_letters, is_strange};
+pub(crate) use lexicon::{is_never_letters, is_rejection, is_strange};
 pub(crate) use line::ACROSS;
 pub(crate) use named_line::{NamedLine, named_line};
 pub use reference::{ReferenceLine, Sense};

@@ -33,7 +33,7 @@ const WHOLE: [&str; 21] = [
 ];
 const TENS: [&str; 8] = ["twenty", "thirty", "forty", "fifty", "sixty", "seventy", "eighty", "ninety"];
 /// One of so many equal parts, and several of them.
-const PARTS: [(&str, &str, i64); 12] = [
+const PARTS: [(&str, &str, i64); 20] = [
     ("half", "halves", 2),
     ("third", "thirds", 3),
     ("quarter", "quarters", 4),
@@ -46,9 +46,17 @@ const PARTS: [(&str, &str, i64); 12] = [
     ("tenth", "tenths", 10),
     ("eleventh", "elevenths", 11),
     ("twelfth", "twelfths", 12),
+    ("thirteenth", "thirteenths", 13),
+    ("fourteenth", "fourteenths", 14),
+    ("fifteenth", "fifteenths", 15),
+    ("sixteenth", "sixteenths", 16),
+    ("seventeenth", "seventeenths", 17),
+    ("eighteenth", "eighteenths", 18),
+    ("nineteenth", "nineteenths", 19),
+    ("twentieth", "twentieths", 20),
 ];
 /// Words and signs between which a number can stand in words.
-const BEFORE: [&str; 9] = ["is", "and", "or", "so", "are", "was", "at", "of", "to"];
+const BEFORE: [&str; 11] = ["is", "and", "or", "so", "are", "was", "at", "of", "to", "root", "sqrt"];
 const AFTER: [&str; 16] = [
     "and", "or", "so", "over", "times", "root", "square", "squared", "plus", "minus", "divided", "percent", "per",
     "all", "degrees", "x",

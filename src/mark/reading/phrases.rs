@@ -62,7 +62,12 @@ pub(super) fn with_phrases(
     let walk = Walk { tokens: &tokens, words: tokens.iter().map(small).collect(), vocabulary };
     let mut out: Vec<Placed> = Vec::with_capacity(tokens.len());
     let mut at = 0;
+    // Does a word stand before that names or says something?
+    let mut after_words = false;
     while at < tokens.len() {
+        if after_words && walk.is_added(at, &out) {
+            return Err(Unreadable::Sign(tokens[at].start, "something is added to words".to_owned()));
+        }
         let accuracy = walk.accuracy(at);
         let after_number = matches!(out.last().map(|last| &last.token), Some(Token::Number(_)));
         if let Some(end) = accuracy.and_then(|next| unit_before_accuracy(&tokens, after_number, next)) {
@@ -76,10 +81,19 @@ pub(super) fn with_phrases(
             at = next;
             continue;
         }
+        if let Some(set_off) = walk.denial(at) {
+            let comma = Placed { token: Token::Sign(','), ..tokens[at].clone() };
+            out.extend(Some(comma).filter(|_| !set_off));
+            out.push(Placed { token: Token::Phrase(Phrase::Remark), ..tokens[at].clone() });
+            at += 1;
+            continue;
+        }
         let found = match accuracy.or_else(|| walk.named_equation(at)).or_else(|| walk.positive_direction(at)) {
             Some(next) => Some((Phrase::Remark, next)),
             None => walk.phrase(at)?,
         };
+        after_words = matches!(found, Some((Phrase::Remark | Phrase::Noun | Phrase::Sphere | Phrase::Unknown, next))
+            if tokens[at..next].iter().all(|placed| matches!(placed.token, Token::Word(_))));
         match found {
             Some((phrase, next)) => {
                 let (first, last) = (&tokens[at], &tokens[next - 1]);
@@ -144,6 +158,17 @@ impl Walk<'_> {
         }
     }
 
+    /// `A + 2`, `v = B - 2`: is a number added to what stands before it, or taken off, and no sign of its own? At the
+    /// beginning a minus may be a dash, but not after an article.
+    fn is_added(&self, at: usize, before: &[Placed]) -> bool {
+        let (Some(sign), Some(next)) = (self.tokens.get(at), self.tokens.get(at + 1)) else { return false };
+        let ends = |placed: &&Placed| !matches!(placed.token, Token::Sign(',' | ';' | ':' | '\n' | '⇒'));
+        let is_side = || before.iter().rev().take_while(ends).any(|placed| placed.is('=') || placed.is('≈'));
+        let is_article = || at > 0 && self.article(at - 1) == at;
+        let is_sign = sign.is('+') || sign.is('-') && (is_side() || is_article());
+        is_sign && sign.spaced == next.spaced && matches!(next.token, Token::Number(_) | Token::Root { .. })
+    }
+
     /// The phrase that begins at a token.
     fn phrase(&self, at: usize) -> Result<Option<(Phrase, usize)>, Unreadable> {
         let Some(word) = self.word(at) else { return Ok(None) };
@@ -177,13 +202,20 @@ impl Walk<'_> {
             return Ok(Some(found));
         }
         let sort = lexicon::sort(word);
-        // `2.78, not 3.08`
-        let parted = || at > 0 && (self.tokens[at - 1].is(',') || self.tokens[at - 1].is('('));
-        if word == "not"
-            && parted()
-            && matches!(self.tokens.get(at + 1).map(|next| &next.token), Some(Token::Number(_)))
-        {
-            return Ok(Some((Phrase::Remark, at + 1)));
+        // `a(2)`, `a2` and `a = 2` have a letter, and no article.
+        let begins = at == 0 || matches!(self.tokens[at - 1].token, Token::Sign(',' | ';' | '\n' | '⇒'));
+        let is_letter = self.tokens.get(at + 1).is_some_and(|next| match next.token {
+            Token::Number(_) | Token::Sign('(') => !next.spaced,
+            Token::Sign('=') => begins,
+            _ => false,
+        });
+        if is_letter && word.len() == 1 && sort == Some(Sort::Plain) {
+            return Ok(None);
+        }
+        // `k = −8 (N/A)`
+        let is = |at: usize, sign: char| self.tokens.get(at).is_some_and(|placed| placed.is(sign));
+        if word == "n" && is(at + 1, '/') && self.word(at + 2) == Some("a") {
+            return Ok(Some((Phrase::Remark, at + 3)));
         }
         if let Some(Sort::Negation) = sort {
             return Err(Unreadable::Sign(placed.start, format!("`{word}` may turn the answer round")));
@@ -202,7 +234,7 @@ impl Walk<'_> {
             Some(Sort::Noun) => Phrase::Noun,
             Some(Sort::Is) => Phrase::Is,
             Some(Sort::Gradient) => Phrase::Gradient,
-            Some(Sort::Plain) => Phrase::Remark,
+            Some(Sort::Rejection | Sort::Plain) => Phrase::Remark,
             Some(Sort::Negation) | None => {
                 if is_unit_word(self.typed(at)) || word == "per" {
                     return Ok(None);

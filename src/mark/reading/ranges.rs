@@ -44,11 +44,16 @@ pub(super) fn with_round_brackets(tokens: &[Placed]) -> Vec<Placed> {
     out
 }
 
-/// What holds of the letter in `{e : e > 1/3}`.
+/// What holds of the letter in `{e : e > 1/3}`, `{e ∈ ℝ : e > 1/3}`.
 pub(super) fn without_set_builder(tokens: &[Placed]) -> &[Placed] {
-    let [open, Placed { token: Token::Word(_) | Token::Greek(_), .. }, such_that, rest @ .., close] = tokens else {
+    let [open, Placed { token: Token::Word(_) | Token::Greek(_), .. }, inside @ .., close] = tokens else {
         return tokens;
     };
+    let inside = match inside {
+        [element, reals, after @ ..] if element.is('∈') && reals.token == Token::Word("R".to_owned()) => after,
+        all => all,
+    };
+    let [such_that, rest @ ..] = inside else { return tokens };
     let is_set = is_any(open, &OPENING) && is_any(close, &CLOSING) && is_any(such_that, &[':', '|']);
     let unbroken = !rest.iter().any(|placed| is_any(placed, &OPENING) || is_any(placed, &CLOSING) || placed.is('|'));
     if is_set && has_inequality(rest) && unbroken { rest } else { tokens }
@@ -120,7 +125,9 @@ impl Statements<'_> {
             let high = End { at: self.side(&tokens[start..])?, included: (start == 3).then_some(false) };
             return Ok(Some((None, said(None, Some(high), Vec::new()))));
         }
-        let Some(lead) = words.iter().position(|word| matches!(&**word, "between" | "from")) else { return Ok(None) };
+        let Some(lead) = words.iter().position(|word| matches!(&**word, "between" | "from")) else {
+            return Ok(self.one_to_another(tokens, &words));
+        };
         let joiner = if words[lead] == "between" { "and" } else { "to" };
         let Some(joint) = words.iter().position(|word| word == joiner).filter(|joint| *joint > lead) else {
             return Ok(None);
@@ -149,6 +156,25 @@ impl Statements<'_> {
             Some(End { at, included })
         };
         Ok(Some((label, said(end(low), end(high), beside))))
+    }
+
+    /// `2/3 to 1`, `e = 2/3 to 1`: numbers alone, which may be two values as well.
+    fn one_to_another(&mut self, tokens: &[Placed], words: &[String]) -> Option<(Option<Label>, Said)> {
+        let joint = words.iter().position(|word| word == "to").filter(|joint| *joint > 0)?;
+        let name = tokens.iter().take_while(is_letter).count();
+        let lead = tokens.get(name).filter(|sign| name > 0 && is_any(sign, &['=', ':']));
+        let (name, low) = if lead.is_some() { (&tokens[..name], name + 1) } else { (&tokens[..0], 0) };
+        let is_word = |placed: &&Placed| matches!(placed.token, Token::Phrase(_));
+        let after = tokens.len() - tokens[joint + 1..].iter().rev().take_while(is_word).count();
+        let (low, high) = (&tokens[low..joint.max(low)], &tokens[joint + 1..after]);
+        let begins = |side: &[Placed]| matches!(side.first().map(|first| &first.token), Some(Token::Number(_)));
+        if !begins(low) || !begins(high) || !self.choices.otherwise(Doubt::To, tokens[joint].start) {
+            return None;
+        }
+        let (low, high) = (self.scalar(low).ok()?, self.scalar(high).ok()?);
+        let end = |at: Expr| Some(End { at, included: None });
+        let label = (!name.is_empty()).then(|| Label { typed: self.slice(name).to_owned(), expr: self.named(name) });
+        Some((label, said(end(low), end(high), words[after..].to_vec())))
     }
 
     /// `e is 0.8 or less`: what it is called, and the range.

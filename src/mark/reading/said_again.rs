@@ -8,6 +8,7 @@ use super::units::{is_unit_word, unit};
 use super::vectors::{self, Shape, shape};
 use super::{SaidUnit, Vocabulary};
 use crate::expr::{Expr, Function};
+use crate::mark::enclosure::enclose_roughly;
 use crate::number::{Letter, Range};
 
 /// The closing bracket of a value that is said again, or of a condition, in the bracket that opens here.
@@ -31,7 +32,7 @@ pub(super) fn said_again(
     let inner = tokens.get(start + 1)?;
     let close = start + tokens[start..].iter().position(|placed| placed.is(')'))?;
     let inside = &tokens[start + 1..close];
-    let compares = |placed: &Placed| matches!(placed.token, Token::Sign('<' | '>' | '≤' | '≥'));
+    let compares = |placed: &Placed| matches!(placed.token, Token::Sign('<' | '>' | '≤' | '≥' | '≠'));
     if inner.is('=') || inner.is('≈') || inside.iter().any(compares) {
         let opens = inside.iter().any(|placed| placed.is('('));
         return (!opens).then_some(close);
@@ -144,43 +145,21 @@ fn half_unit(tokens: &[Placed]) -> f64 {
     }
 }
 
-/// About how much it is where its letters have values that nobody would choose.
+/// About how much it is, in degrees if it is an angle, where its letters have values that nobody would choose.
 fn size(expr: &Expr, letters: &[Letter]) -> Option<f64> {
-    let size = |expr: &Expr| size(expr, letters);
-    let found = match expr {
-        Expr::Number(value) => value.to_f64(),
-        Expr::Decimal(text) => text.parse().ok()?,
-        Expr::Name(name) => {
-            let place = letters.iter().position(|letter| letter.name() == name.text)?;
-            let share = (0.6180339887 * (place + 1) as f64).fract();
-            match letters[place].range() {
-                Range::Unit => 0.1 + 0.8 * share,
-                Range::Acute => 10.0 + 70.0 * share,
-                _ => 1.0 + 2.0 * share,
-            }
-        }
-        Expr::Degrees(inner) => size(inner)?,
-        Expr::Negative(inner) => -size(inner)?,
-        Expr::Sum(terms) => terms.iter().map(size).sum::<Option<f64>>()?,
-        Expr::Product(factors) => factors.iter().map(size).product::<Option<f64>>()?,
-        Expr::Quotient(above, below) => size(above)? / size(below)?,
-        Expr::Power(base, exponent) => size(base)?.powf(size(exponent)?),
-        Expr::Call(function, argument) => {
-            let argument = size(argument)?;
-            match function {
-                Function::Sqrt => argument.sqrt(),
-                Function::Sin => argument.to_radians().sin(),
-                Function::Cos => argument.to_radians().cos(),
-                Function::Tan => argument.to_radians().tan(),
-                Function::Asin => argument.asin().to_degrees(),
-                Function::Acos => argument.acos().to_degrees(),
-                Function::Atan => argument.atan().to_degrees(),
-                _ => return None,
-            }
-        }
-        _ => return None,
-    };
-    found.is_finite().then_some(found)
+    let found = enclose_roughly(expr, letters, 0)?;
+    let size = (found.lower + found.upper) / 2.0;
+    Some(if is_angle(expr, letters) { size.to_degrees() } else { size })
+}
+
+/// Is it an angle, or does it have one as a term or a factor?
+fn is_angle(expr: &Expr, letters: &[Letter]) -> bool {
+    match expr {
+        Expr::Degrees(_) | Expr::Call(Function::Asin | Function::Acos | Function::Atan, _) => true,
+        Expr::Name(name) => letters.iter().any(|letter| letter.name() == name.text && letter.range() == Range::Acute),
+        Expr::Call(..) => false,
+        other => other.children().into_iter().any(|child| is_angle(child, letters)),
+    }
 }
 
 /// Is it a decimal of one figure, as `0.7` is?

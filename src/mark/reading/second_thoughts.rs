@@ -2,6 +2,7 @@
 
 use super::phrases::Walk;
 use super::tokens::{Placed, Token};
+use super::units::is_unit_word;
 
 /// Words that take back what stands before them, where another value follows.
 const SECOND_THOUGHTS: [&str; 11] =
@@ -17,6 +18,22 @@ pub(crate) fn is_second_thought(remark: &str) -> bool {
 }
 
 impl Walk<'_> {
+    /// `2.78, not 3.08`, `k = 8 not -24`: the word before a value that is none. Is it set off from the one that is?
+    pub(super) fn denial(&self, at: usize) -> Option<bool> {
+        let token = |at: usize| self.tokens.get(at).map(|placed| &placed.token);
+        let is_number = |at: usize| matches!(token(at), Some(Token::Number(_)));
+        let minus = usize::from(token(at + 1) == Some(&Token::Sign('-')));
+        if self.word(at) != Some("not") || !is_number(at + 1 + minus) {
+            return None;
+        }
+        match token(at.checked_sub(1)?)? {
+            Token::Sign(',' | '(') => Some(true),
+            Token::Number(_) | Token::Sign('°' | '%') => Some(false),
+            Token::Word(word) if is_unit_word(word) && (0..at).any(is_number) => Some(false),
+            _ => None,
+        }
+    }
+
     /// A word by which the value before it is taken back, and the token at which the other value begins.
     pub(super) fn second_thought(&self, at: usize) -> Option<(Placed, usize)> {
         let parts = |at: usize| {

@@ -10,7 +10,7 @@ use super::tokens::{Placed, Token};
 use crate::expr::Expr;
 
 /// Words that stand for signs or functions, and these.
-const SIGNS: [(&str, &str); 73] = [
+const SIGNS: [(&str, &str); 80] = [
     ("times", "*"),
     ("multiplied by", "*"),
     ("over", "/"),
@@ -81,6 +81,13 @@ const SIGNS: [(&str, &str); 73] = [
     ("not exceeding", "≤"),
     ("cannot exceed", "≤"),
     ("can't exceed", "≤"),
+    ("cannot be more than", "≤"),
+    ("can't be more than", "≤"),
+    ("cannot be greater than", "≤"),
+    ("can't be greater than", "≤"),
+    ("cannot be less than", "≥"),
+    ("can't be less than", "≥"),
+    ("up to and including", "≤"),
     ("infinity", "∞"),
     ("element of", "∈"),
     ("must exceed", ">"),
@@ -138,7 +145,9 @@ pub(super) fn with_signs(tokens: &[Placed], vocabulary: &Vocabulary, choices: &m
             let token = if times > 1 {
                 Token::Number(recurring_value(whole, before, block))
             } else if !is_long {
-                let (before, last) = decimals.split_at(decimals.len() - 1);
+                // `0.36 recurring`: the last figure, or both.
+                let all = decimals.len() > 1 && choices.otherwise(Doubt::Recurring, placed.start);
+                let (before, last) = decimals.split_at(if all { 0 } else { decimals.len() - 1 });
                 Token::Number(recurring_value(whole, before, last))
             } else if choices.otherwise(Doubt::Recurring, placed.start) {
                 // It goes on as a calculator's number does.
@@ -154,6 +163,14 @@ pub(super) fn with_signs(tokens: &[Placed], vocabulary: &Vocabulary, choices: &m
         if let Some((number, next)) = in_words.or_else(|| added_fraction(&out, tokens, at, vocabulary, choices)) {
             out.extend(number);
             at = next;
+            continue;
+        }
+        // `f in [0, 3/4]`
+        let is_letter = matches!(out.as_slice(), [Placed { token: Token::Word(_) | Token::Greek(_), .. }]);
+        let opens = is_sign(at + 1, '[') || is_sign(at + 1, '(');
+        if is(at, "in") && is_letter && opens && tokens[at..].iter().any(|placed| placed.is(',')) {
+            out.push(Placed { token: Token::Sign('∈'), ..placed.clone() });
+            at += 1;
             continue;
         }
         // `u - eu all over 2`
@@ -219,7 +236,7 @@ fn lowered_exponent(tokens: &[Placed], at: usize) -> bool {
         return false;
     };
     let is_mantissa = matches!(&mantissa.token, Token::Number(Expr::Decimal(digits))
-        if digits.as_bytes()[1] == b'.' && !digits.starts_with('0'));
+        if digits.as_bytes().get(1) == Some(&b'.') && !digits.starts_with('0'));
     let is_times = times.is('*') || matches!(&times.token, Token::Word(word) if word.eq_ignore_ascii_case("x"));
     let is_exponent = matches!(&exponent.token, Token::Number(Expr::Number(power)) if power.is_integer());
     let ends = tokens.get(at + 2).is_none_or(|next| match &next.token {

@@ -30,6 +30,7 @@ pub(super) fn statements(
         found: Vec::new(),
         remarks: Vec::new(),
         lines: Vec::new(),
+        multiplier: None,
         passes_over,
     };
     let tokens = ranges::without_set_builder(without_part_label(without_arrow(unquoted(tokens)), vocabulary));
@@ -64,6 +65,8 @@ pub(super) struct Statements<'a> {
     remarks: Vec<String>,
     /// The gradients of lines that were given by their equations.
     pub(super) lines: Vec<Expr>,
+    /// The letter of which nothing is known in `k(i - 3j)`.
+    pub(super) multiplier: Option<Token>,
     /// Are formulas on the way to a value passed over, in letters that nobody knows?
     pub(super) passes_over: bool,
 }
@@ -71,15 +74,16 @@ pub(super) struct Statements<'a> {
 impl Statements<'_> {
     fn segment(&mut self, tokens: &[Placed], concludes: bool) -> Result<(), Unreadable> {
         let reason = tokens.iter().position(|placed| placed.token == Token::Phrase(Phrase::Because));
-        let (tokens, reason) = tokens.split_at(reason.unwrap_or(tokens.len()));
+        let reason = reason.or_else(|| self.condition_of_multiplier(tokens));
+        let whole = tokens;
+        let (tokens, reason) = whole.split_at(reason.unwrap_or(whole.len()));
         if self.is_condition(reason) && !(tokens.is_empty() && self.found.is_empty()) {
             return Err(Unreadable::Sign(reason[0].start, "the answer holds on a condition".to_owned()));
         }
-        // `A rebounds if e > 1/3`
-        if self.is_asked_condition(tokens, reason) {
-            let words = reason.iter().take_while(|placed| matches!(placed.token, Token::Phrase(_))).count();
-            self.remark([tokens, &reason[..words]].map(|part| self.slice(part)).join(" ").trim().to_lowercase());
-            return self.segment(&reason[words..], concludes);
+        if let Some(at) = self.asked_condition(whole) {
+            let (words, condition) = whole.split_at(at);
+            self.remark(self.slice(words).to_lowercase());
+            return self.segment(condition, concludes);
         }
         if let Some((label, said)) = self.range_in_words(tokens)? {
             self.found.push(Statement { label, said: vec![said] });
@@ -188,9 +192,12 @@ impl Statements<'_> {
                     let side = &tokens[start..at];
                     let words = side.iter().rev().take_while(says_nothing).count();
                     let side = if words < side.len() { &side[..side.len() - words] } else { side };
-                    // `values of e greater than 3`
+                    // `values of e greater than 3`, `the set of values is 0 < e < 1`
                     let is_remark = |placed: &&Placed| placed.token == Token::Phrase(Phrase::Remark);
                     let lead = if is_inequality(sign) { side.iter().take_while(is_remark).count() } else { 0 };
+                    let is =
+                        side.get(lead).filter(|_| lead > 0).is_some_and(|next| next.token == Token::Phrase(Phrase::Is));
+                    let lead = lead + usize::from(is);
                     sides.push(if lead < side.len() { &side[lead..] } else { side });
                     relations.push((sign, placed.start));
                     start = at + 1;

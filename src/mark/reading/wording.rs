@@ -205,7 +205,7 @@ pub(super) const AFTER_A_LINE: [&str; 8] =
     ["of spheres", "of two spheres", "of A and B", "of a and b", "of balls", "of collision", "direction", "of impact"];
 
 /// Runs of words that say nothing about the value.
-pub(super) const REMARKS: [&str; 27] = [
+pub(super) const REMARKS: [&str; 32] = [
     "as required",
     "no units",
     "no unit",
@@ -222,11 +222,16 @@ pub(super) const REMARKS: [&str; 27] = [
     "to left",
     "in opposite direction",
     "in same direction",
+    "same direction",
+    "opposite direction",
     "from its path",
     "to each other",
     "in total",
     "in magnitude",
     "in ratio",
+    "or any multiple",
+    "or any scalar multiple",
+    "or multiples",
     "to 3sf",
     "i got",
     "i get",

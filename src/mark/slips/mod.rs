@@ -4,9 +4,12 @@
 //! calculator and those of the last line, each with the value that it leads to. An answer is then looked up among them,
 //! by the figures that the student wrote, and all [`Cause`]s that lead there are named, the likeliest first.
 
+mod asked;
+mod backwards;
 mod calculator;
 mod cause;
 mod last_step;
+mod listed;
 mod rounding;
 mod sample;
 mod shown;
@@ -15,15 +18,18 @@ mod table;
 mod tests;
 mod written;
 
+pub use asked::Asked;
 pub use cause::{Cause, StepMarks};
+pub use listed::{Listed, all};
 pub use rounding::{EARLY_ROUNDING, EarlyRounding, early_rounding};
 pub use shown::{Answers, Outcome, acting, shown};
 
 use crate::expr::Expr;
 use crate::mark::reading::{Form, ReferenceLine, Said};
-use crate::mechanics::{Carried, Datum, Known, Law, Quantity, Road, Slip, Steps, Trace};
+use crate::mechanics::{Carried, Datum, Known, Law, Quantity, Road, Slip, Sought, Steps, Trace};
 use crate::number::{Letter, Value};
 
+use backwards::{Backwards, Landed};
 use last_step::LastStep;
 use sample::Sample;
 use table::{Answer, Values};
@@ -66,6 +72,7 @@ pub struct Mistakes {
     ways: Vec<Way>,
     answers: Vec<Answer>,
     letters: Vec<Letter>,
+    backwards: Option<Backwards>,
 }
 
 /// A slip by itself, as it was found on a road.
@@ -78,28 +85,40 @@ struct Single {
 }
 
 impl Mistakes {
-    /// Works out what each slip leads to, for answers that are one quantity each, or the components of a vector.
+    /// Works out what each slip leads to, for answers that are one quantity each, the components of a vector, or what is
+    /// found backwards.
     ///
-    /// `given` is what the scene gives, as `pose` has it, with its unknowns found; `letters` are those of the question.
-    pub fn of(given: &Known<Value>, answers: &[Vec<Quantity>], letters: &[Letter]) -> Mistakes {
-        let mut mistakes =
-            Mistakes { roads: Vec::new(), ways: Vec::new(), answers: Vec::new(), letters: letters.to_vec() };
+    /// `given` is what the scene gives, as `pose` has it, with its unknowns found; `letters` are those of the question, and
+    /// `sought` is what its unknown was found from.
+    pub fn of(given: &Known<Value>, answers: &[Asked], letters: &[Letter], sought: Option<&Sought>) -> Mistakes {
+        let mut mistakes = Mistakes {
+            roads: Vec::new(),
+            ways: Vec::new(),
+            answers: Vec::new(),
+            letters: letters.to_vec(),
+            backwards: None,
+        };
         let Some(given) = sampled(given) else { return mistakes };
-        let mut asked: Vec<Quantity> = answers.iter().flatten().copied().collect();
-        asked.extend(answers.iter().filter_map(|answer| angle_of(answer)).flatten());
-        asked.extend(answers.iter().flatten().flat_map(|quantity| last_step::taken_for(*quantity)).map(|(q, _)| q));
+        let quantities = || answers.iter().map(Asked::quantities);
+        let mut asked: Vec<Quantity> = quantities().flatten().copied().collect();
+        asked.extend(quantities().filter_map(angle_of).flatten());
+        asked.extend(quantities().flatten().flat_map(|quantity| last_step::taken_for(*quantity)).map(|(q, _)| q));
+        asked.extend(sought.iter().flat_map(|sought| &sought.asked));
         asked.sort();
         asked.dedup();
-        for road in Road::ALL {
-            let carried = Carried::on(road, &given, &asked);
-            if mistakes.roads.iter().all(|other| other.derivation() != carried.derivation()) {
-                mistakes.roads.push(carried);
+        mistakes.roads = roads(&given, &asked);
+        mistakes.backwards = sought.and_then(|sought| Backwards::of(sought, &mut mistakes.roads[0]));
+        let known = mistakes.roads[0].known();
+        let angles = quantities().filter_map(angle_of);
+        let all = quantities().map(<[Quantity]>::to_vec).chain(angles);
+        let mut found: Vec<Answer> = all.filter_map(|answer| Answer::of(&answer, known)).collect();
+        if let Some(backwards) = &mistakes.backwards {
+            for asked in answers.iter().filter(|asked| asked.quantities().is_empty()) {
+                let each = (0..backwards.count()).map(|place| Answer::of_letter(asked, backwards, place));
+                found.extend(each.filter(|_| backwards.is_range == (*asked == Asked::Ends)));
             }
         }
-        let known = mistakes.roads[0].known();
-        let angles = answers.iter().filter_map(|answer| angle_of(answer));
-        let all = answers.iter().cloned().chain(angles);
-        mistakes.answers = all.filter_map(|answer| Answer::of(&answer, known)).collect();
+        mistakes.answers = found;
         let singles = mistakes.add_singles();
         mistakes.add_calculator();
         mistakes.add_last_steps();
@@ -109,12 +128,33 @@ impl Mistakes {
 
     /// Everything that leads to what a student wrote, the likeliest first: single slips in the order of their places,
     /// then pairs. Nothing for an answer that is right at the figures it has.
-    pub fn causes(&self, answer: &[Quantity], said: &Said) -> Vec<Cause> {
-        let of_angle = matches!(&said.unit, Some(unit) if unit.degrees).then(|| angle_of(answer)).flatten();
-        let asked = of_angle.as_deref().unwrap_or(answer);
+    pub fn causes(&self, asked: &Asked, said: &Said) -> Vec<Cause> {
+        if *asked == Asked::Ends {
+            return self.causes_of_ends(said);
+        }
+        let of_angle = matches!(&said.unit, Some(unit) if unit.degrees).then(|| angle_of(asked.quantities())).flatten();
+        let asked = of_angle.map_or_else(|| asked.clone(), Asked::Quantities);
         let Some(answer) = self.answers.iter().find(|known| known.asked == asked) else { return Vec::new() };
         let Some(written) = self.written(answer, said) else { return Vec::new() };
-        let mut ways: Vec<&Way> = answer.matching(&written).map(|way| &self.ways[way]).collect();
+        self.behind(answer.matching(&written).collect())
+    }
+
+    /// The same of the values that a letter can have: what leads to an end of them that is none.
+    fn causes_of_ends(&self, said: &Said) -> Vec<Cause> {
+        let Some(backwards) = &self.backwards else { return Vec::new() };
+        let answers = || self.answers.iter().filter(|known| known.asked == Asked::Ends);
+        let ends = written::ends(said, backwards.letter, &self.letters);
+        let wrong = ends.into_iter().filter(|end| !answers().any(|answer| answer.is_written(&[*end])));
+        self.behind(
+            wrong
+                .flat_map(|end| answers().flat_map(move |answer| answer.matching(&[end]).collect::<Vec<_>>()))
+                .collect(),
+        )
+    }
+
+    /// The causes that ways are, each once.
+    fn behind(&self, ways: Vec<usize>) -> Vec<Cause> {
+        let mut ways: Vec<&Way> = ways.into_iter().map(|way| &self.ways[way]).collect();
         ways.sort_by_key(|way| way.rank());
         ways.dedup_by_key(|way| way.rank());
         ways.into_iter().map(|way| way.cause(&self.roads[way.road])).collect()
@@ -128,13 +168,12 @@ impl Mistakes {
 
     /// The wrong values of an answer, each with the tags of what leads to it: of a vector its components; of an angle so
     /// many degrees. Where letters remain, with every speed, mass and length one.
-    pub fn values(&self, answer: &[Quantity]) -> Vec<(Vec<&'static str>, Vec<f64>)> {
-        let Some(answer) = self.answers.iter().find(|known| known.asked == answer) else { return Vec::new() };
+    pub fn values(&self, asked: &Asked) -> Vec<(Vec<&'static str>, Vec<f64>)> {
         let row = |(values, way): (&Values, usize)| {
             let values = values.iter().map(|value| value.0[0]).collect();
             (self.ways[way].tags(), values)
         };
-        answer.rows().map(row).collect()
+        self.answers.iter().filter(|known| known.asked == *asked).flat_map(Answer::rows).map(row).collect()
     }
 
     /// The value as it was written, in the unit of the answer.
@@ -156,7 +195,7 @@ impl Mistakes {
             Form::Ratio(above, below) => vec![number(&above.clone().over(below.clone()))?],
             Form::Vector(x, y, _) => vec![number(x)?, number(y)?],
             Form::Gradient(expr) if answer.is_line() => vec![number(&Expr::integer(1))?, number(expr)?],
-            Form::AtRest if !answer.is_angle() => vec![number(&Expr::integer(0))?; answer.asked.len()],
+            Form::AtRest if !answer.is_angle() => vec![number(&Expr::integer(0))?; answer.quantities().len().max(1)],
             _ => return None,
         };
         let scale = said.unit.as_ref().and_then(|unit| number(&unit.scale)).map_or(1.0, |scale| scale.value.0[0]);
@@ -182,20 +221,45 @@ impl Mistakes {
         slips: &[(Law, &Slip)],
         other: &[(Quantity, Datum<Sample>)],
     ) -> (Trace, Vec<(usize, Values)>) {
-        let answers = &self.answers;
-        self.roads[road].again(slips, other, |carried, trace| {
-            let is_changed = |answer: &Answer| answer.asked.iter().any(|asked| carried.is_changed(*asked, trace));
-            let changed = answers.iter().enumerate().filter(|(_, answer)| is_changed(answer));
-            let values = changed.filter_map(|(place, answer)| Some((place, answer.values_in(carried.known())?)));
-            (trace, values.filter(|(place, values)| !answers[*place].is_right(values)).collect())
-        })
+        self.roads[road].again(slips, other, look_for_wrong(&self.answers))
+    }
+
+    /// The same of what is found backwards, and of the other answers where it has come out otherwise.
+    fn again_backwards(
+        &mut self,
+        road: usize,
+        slips: &[(Law, &Slip)],
+        other: &[(Quantity, Datum<Sample>)],
+    ) -> Vec<(usize, Values)> {
+        let (Some(backwards), answers) = (&self.backwards, &self.answers) else { return Vec::new() };
+        let road = &mut self.roads[road];
+        let mut wrong = Vec::new();
+        for place in 0..backwards.count() {
+            let Some(Landed { number, .. }) = backwards.found(place, road, slips, other) else { continue };
+            if number.is_near(backwards.right(place).number, SAME) {
+                continue;
+            }
+            let of_letter = answers.iter().enumerate();
+            let of_letter = of_letter.filter(|(_, answer)| answer.quantities().is_empty() && answer.place == place);
+            wrong.extend(of_letter.map(|(at, _)| (at, vec![backwards.in_figures(number)])));
+            if !backwards.is_range {
+                let other: Vec<_> = backwards.given_at(number).into_iter().chain(other.iter().cloned()).collect();
+                wrong.extend(road.again(slips, &other, look_for_wrong(answers)).1);
+            }
+        }
+        wrong
     }
 
     fn add_singles(&mut self) -> Vec<Single> {
         let mut singles = Vec::new();
         for (slip, owned) in Slip::all().iter().enumerate() {
+            let mut is_found_again = false;
             for road in 0..self.roads.len() {
                 let (trace, mut wrong) = self.again(road, &[*owned], &[]);
+                // What is found backwards costs ten times as much, and hardly ever depends on the road.
+                if !trace.slipped.is_empty() && !std::mem::replace(&mut is_found_again, true) {
+                    wrong.extend(self.again_backwards(road, &[*owned], &[]));
+                }
                 if trace.slipped.is_empty() || wrong.is_empty() {
                     continue;
                 }
@@ -216,6 +280,9 @@ impl Mistakes {
             for road in 0..self.roads.len() {
                 for entered in calculator::entered(slip, self.roads[road].known(), &self.letters) {
                     let (trace, mut wrong) = self.again(road, &[], &entered);
+                    if road == 0 {
+                        wrong.extend(self.again_backwards(road, &[], &entered));
+                    }
                     wrong.retain(|(answer, values)| !self.answers[*answer].has(values, |way| is_same(&self.ways[way])));
                     let way = Way { origin: Origin::Calculator(place), road, trace, lost: Steps::default() };
                     self.add(way, wrong.into_iter());
@@ -252,12 +319,37 @@ impl Mistakes {
         for (one, two) in pairs.into_iter().take(MOST_PAIRS) {
             let slips = [all[one.slip], all[two.slip]];
             let (trace, mut wrong) = self.again(one.road, &slips, &[]);
+            if self.backwards.as_ref().is_some_and(Backwards::is_quick) {
+                wrong.extend(self.again_backwards(one.road, &slips, &[]));
+            }
             wrong.retain(|(answer, values)| !self.answers[*answer].has(values, |way| self.ways[way].is_single()));
             let lost = [one, two].into_iter().filter(|single| !all[single.slip].1.condoned);
             let lost = lost.fold(Steps::default(), |lost, single| lost.and(single.slipped));
             let way = Way { origin: Origin::Slips(one.slip, Some(two.slip)), road: one.road, trace, lost };
             self.add(way, wrong.into_iter());
         }
+    }
+}
+
+/// The derivation of what is asked on each road, each that is none of the others.
+fn roads(given: &Known<Sample>, asked: &[Quantity]) -> Vec<Carried<Sample>> {
+    let mut roads: Vec<Carried<Sample>> = Vec::new();
+    for road in Road::ALL {
+        let carried = Carried::on(road, given, asked);
+        if roads.iter().all(|other| other.derivation() != carried.derivation()) {
+            roads.push(carried);
+        }
+    }
+    roads
+}
+
+/// The wrong values of the answers that a derivation has changed, each with the place of its answer.
+fn look_for_wrong(answers: &[Answer]) -> impl Fn(&Carried<Sample>, Trace) -> (Trace, Vec<(usize, Values)>) {
+    |carried, trace| {
+        let is_changed = |answer: &Answer| answer.quantities().iter().any(|asked| carried.is_changed(*asked, trace));
+        let changed = answers.iter().enumerate().filter(|(_, answer)| is_changed(answer));
+        let values = changed.filter_map(|(place, answer)| Some((place, answer.values_in(carried.known())?)));
+        (trace, values.filter(|(place, values)| !answers[*place].is_right(values)).collect())
     }
 }
 
@@ -289,42 +381,4 @@ fn sampled(given: &Known<Value>) -> Option<Known<Sample>> {
 /// What an expression comes to at the first of the points: to see whether two students wrote the same wrong value.
 pub(super) fn value_at_first_point(expr: &Expr, letters: &[Letter]) -> Option<f64> {
     Written::of(expr, letters).map(|written| written.value.0[0])
-}
-
-/// A mistake as the documentation lists it.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Listed {
-    /// The tag.
-    pub tag: &'static str,
-    /// The law that owns it and the others that answer to it; of a slip of the calculator or of the last line none.
-    pub laws: Vec<Law>,
-    /// What the student did.
-    pub did: &'static str,
-    /// What a teacher would say.
-    pub sentence: &'static str,
-}
-
-/// Every mistake that is recognised: those of laws and of the calculator in the order of their places, then those of the
-/// last line.
-pub fn all() -> Vec<Listed> {
-    let of_laws =
-        Slip::all().iter().map(|(law, slip)| (std::iter::once(*law).chain(slip.also.iter().copied()).collect(), *slip));
-    let of_calculator = calculator::SLIPS.iter().map(|slip| (Vec::new(), slip));
-    let mut slips: Vec<(Vec<Law>, &Slip)> = of_laws.chain(of_calculator).collect();
-    slips.sort_by_key(|(_, slip)| slip.place);
-    let arithmetic = Listed {
-        tag: ARITHMETIC,
-        laws: Vec::new(),
-        did: "worked out something wrongly after right equations",
-        sentence: "What you need is there: look for an error in the arithmetic after it.",
-    };
-    let listed =
-        |(laws, slip): (Vec<Law>, &Slip)| Listed { tag: slip.tag, laws, did: slip.did, sentence: slip.sentence };
-    let last = last_step::ALL.iter().map(|step| Listed {
-        tag: step.tag,
-        laws: Vec::new(),
-        did: step.did,
-        sentence: step.sentence,
-    });
-    slips.into_iter().map(listed).chain(last).chain([arithmetic]).collect()
 }

@@ -35,9 +35,20 @@ impl Sample {
         Some(Sample(sample))
     }
 
+    /// About a value, where its letters are these numbers, of an angle the tangent; not a number where it does not exist.
+    pub(super) fn nearly(value: &Value, letters: &dyn Fn(Letter) -> Option<Sample>) -> Sample {
+        let letter_at = |point: usize| move |letter: Letter| letters(letter).map_or(f64::NAN, |number| number.0[point]);
+        Sample(std::array::from_fn(|point| value.nearly(&letter_at(point))))
+    }
+
+    /// What a letter stands for; of an angle its tangent.
+    pub(super) fn of_tangent(letter: Letter) -> Sample {
+        Sample(std::array::from_fn(|point| at(letter, point).to_f64()))
+    }
+
     /// What a letter stands for; of an angle the angle in radians.
     pub(super) fn of_letter(letter: Letter) -> Sample {
-        let numbers = Sample(std::array::from_fn(|point| at(letter, point).to_f64()));
+        let numbers = Sample::of_tangent(letter);
         if letter.range() == Range::Acute { numbers.map(f64::atan) } else { numbers }
     }
 

@@ -3,16 +3,19 @@
 //! [`Mistakes`](super::Mistakes) looks up what a student wrote; here nobody has written anything yet, and the question
 //! is whether its numbers would let a slip be seen.
 
-use crate::mechanics::{Axis, Carried, Datum, Known, Quantity, Road, Slip};
+use crate::mechanics::{Axis, Datum, Known, Quantity, Slip, Sought};
 use crate::number::Value;
 
+use super::asked::Asked;
+use super::backwards::{Backwards, Landed};
 use super::last_step::has_a_sense;
 use super::sample::Sample;
-use super::sampled;
 use super::table::value;
+use super::{roads, sampled};
 
 /// An answer in figures: each component at each of the fixed points of the letters, of an angle the degrees. Without a
-/// sign where the sign is no part of the answer, and of a direction the unit vector.
+/// sign where the sign is no part of the answer, and of a direction the unit vector. Of a range each end, with plus or
+/// minus one for the side of it on which the range lies.
 pub type Figures = Vec<f64>;
 
 /// The answers of a question in figures, each where it has a value.
@@ -31,15 +34,16 @@ pub struct Outcome {
 /// right ones, is for the caller to say. Nothing if a value does not exist at the points.
 pub fn shown(
     given: &Known<Value>,
-    answers: &[Vec<Quantity>],
+    answers: &[Asked],
+    sought: Option<&Sought>,
     differ: &dyn Fn(&Answers, &Answers) -> bool,
 ) -> Option<Vec<Outcome>> {
-    Some(carried_out(&sampled(given)?, answers, differ))
+    Some(carried_out(&sampled(given)?, answers, sought, differ))
 }
 
 /// The slips that would change something if no number happened to equal another: every number that is not nought is
 /// moved a little, each by another part. What is nought stays so; who strikes a sphere at rest cannot forget its velocity.
-pub fn acting(given: &Known<Value>, answers: &[Vec<Quantity>]) -> Vec<usize> {
+pub fn acting(given: &Known<Value>, answers: &[Asked], sought: Option<&Sought>) -> Vec<usize> {
     let Some(mut moved) = sampled(given) else { return Vec::new() };
     let mut part = 1.0; // so little in all that who goes on does not turn back
     for (quantity, datum) in &mut moved.0 {
@@ -53,33 +57,46 @@ pub fn acting(given: &Known<Value>, answers: &[Vec<Quantity>]) -> Vec<usize> {
             Datum::Equation(_) => {}
         }
     }
-    carried_out(&moved, answers, &|_, _| true).iter().map(|outcome| outcome.slip).collect()
+    carried_out(&moved, answers, sought, &|_, _| true).iter().map(|outcome| outcome.slip).collect()
 }
 
 fn carried_out(
     given: &Known<Sample>,
-    answers: &[Vec<Quantity>],
+    answers: &[Asked],
+    sought: Option<&Sought>,
     differ: &dyn Fn(&Answers, &Answers) -> bool,
 ) -> Vec<Outcome> {
-    let asked: Vec<Quantity> = answers.iter().flatten().copied().collect();
-    let mut roads: Vec<Carried<Sample>> = Vec::new();
-    for road in Road::ALL {
-        let carried = Carried::on(road, given, &asked);
-        if roads.iter().all(|other| other.derivation() != carried.derivation()) {
-            roads.push(carried);
-        }
-    }
-    let all = |known: &Known<Sample>| answers.iter().map(|answer| figures(answer, known)).collect::<Answers>();
-    let right = all(roads[0].known());
+    let asked = answers.iter().map(Asked::quantities).chain(sought.map(|sought| sought.asked.as_slice()));
+    let mut roads = roads(given, &asked.collect::<Vec<_>>().concat());
+    let backwards = sought.and_then(|sought| Backwards::of(sought, &mut roads[0]));
+    let backwards = backwards.as_ref();
+    let all = |known: &Known<Sample>, found: &[Option<Landed>]| {
+        answers.iter().map(|asked| figures(asked, known, backwards, found)).collect::<Answers>()
+    };
+    let places = || backwards.into_iter().flat_map(|backwards| (0..backwards.count()).map(move |at| (backwards, at)));
+    let found: Vec<Option<Landed>> = places().map(|(backwards, at)| Some(backwards.right(at))).collect();
+    let right = all(roads[0].known(), &found);
     let mut outcomes = Vec::new();
     for (slip, owned) in Slip::all().iter().enumerate() {
         let mut acts = false;
         let shown = roads.iter_mut().filter(|road| road.has_law_of(*owned)).find_map(|road| {
-            let found = road.again(&[*owned], &[], |carried, trace| {
-                carried.is_anything_changed(trace).then(|| all(carried.known()))
+            let made = [*owned];
+            let looked = road.again(&made, &[], |carried, trace| {
+                // What is found backwards is not known yet.
+                carried.is_anything_changed(trace).then(|| backwards.is_none().then(|| all(carried.known(), &[])))
             });
-            acts |= found.is_some();
-            found.filter(|found| differ(found, &right))
+            acts |= looked.is_some();
+            let outcome = looked?.unwrap_or_else(|| {
+                // Who has found another letter goes on with that.
+                let found: Vec<Option<Landed>> =
+                    places().map(|(backwards, at)| backwards.found(at, road, &made, &[])).collect();
+                let given = match (backwards, found.as_slice()) {
+                    (Some(backwards), [Some(own)]) if !backwards.is_range => backwards.given_at(own.number),
+                    _ => Vec::new(),
+                };
+                road.again(&made, &given, |carried, _| all(carried.known(), &found))
+            });
+            Some(outcome).filter(|outcome| differ(outcome, &right))
         });
         if acts {
             outcomes.push(Outcome { slip, shown });
@@ -89,10 +106,26 @@ fn carried_out(
 }
 
 /// An answer in what is known.
-fn figures(answer: &[Quantity], known: &Known<Sample>) -> Option<Figures> {
+fn figures(
+    asked: &Asked,
+    known: &Known<Sample>,
+    backwards: Option<&Backwards>,
+    found: &[Option<Landed>],
+) -> Option<Figures> {
+    let Asked::Quantities(answer) = asked else {
+        let backwards = backwards?;
+        let side = |landed: Landed| (*asked == Asked::Ends).then_some(landed.side);
+        let figures = |landed: Landed| [Some(backwards.in_figures(landed.number)), side(landed)];
+        let found: Option<Vec<Landed>> = found.iter().copied().collect();
+        return Some(found?.into_iter().flat_map(figures).flatten().flat_map(|sample| sample.0).collect());
+    };
+    // Who has not found the letter cannot go on.
+    if backwards.is_some_and(|backwards| !backwards.is_range) && found.iter().any(Option::is_none) {
+        return None;
+    }
     let found: Option<Vec<Sample>> = answer.iter().map(|quantity| value(known.0.get(quantity)?)).collect();
     let mut found = found.filter(|values| !values.is_empty() && values.iter().all(|value| value.is_finite()))?;
-    match answer {
+    match answer.as_slice() {
         [Quantity::Line(Axis::X) | Quantity::Tangent(Axis::X), _] => {
             let size = found[0].with(found[1], f64::hypot);
             let turned = found[0].with(found[1], |x, y| if x < 0.0 || (x == 0.0 && y < 0.0) { -1.0 } else { 1.0 });

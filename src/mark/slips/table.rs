@@ -1,9 +1,11 @@
 //! The wrong values of one answer, sorted by size, and the search among them.
 
 use crate::mechanics::{Datum, Known, Quantity};
-use crate::number::Number;
+use crate::number::{Number, Range};
 
 use super::SAME;
+use super::asked::Asked;
+use super::backwards::Backwards;
 use super::last_step::{ANOTHER_ANSWER, FACTOR_OF_TEN, LastStep, RADIANS, SIGN, has_a_sense, taken_for};
 use super::sample::Sample;
 use super::written::Written;
@@ -17,7 +19,10 @@ const SMALLEST: f64 = 1e-10;
 /// An answer with its right value and the wrong ones.
 #[derive(Clone, Debug)]
 pub(super) struct Answer {
-    pub(super) asked: Vec<Quantity>,
+    pub(super) asked: Asked,
+    /// Which place of what is found backwards it is.
+    pub(super) place: usize,
+    is_angle: bool,
     truth: Values,
     signed: bool,
     rows: Vec<Row>,
@@ -35,28 +40,43 @@ impl Answer {
     /// `None` if the quantities are not known.
     pub(super) fn of(asked: &[Quantity], known: &Known<Sample>) -> Option<Answer> {
         let signed = asked.len() > 1 || asked.iter().any(|quantity| has_a_sense(*quantity));
-        let mut answer = Answer { asked: asked.to_vec(), truth: Vec::new(), signed, rows: Vec::new() };
+        let is_angle = asked.len() == 1 && asked[0].is_angle();
+        let asked = Asked::Quantities(asked.to_vec());
+        let mut answer = Answer { asked, place: 0, is_angle, truth: Vec::new(), signed, rows: Vec::new() };
         answer.truth = answer.values_in(known)?;
         Some(answer)
     }
 
+    /// What is found backwards: its one value, or an end of its values.
+    pub(super) fn of_letter(asked: &Asked, backwards: &Backwards, place: usize) -> Answer {
+        let is_angle = backwards.letter.range() == Range::Acute;
+        let truth = vec![backwards.in_figures(backwards.right(place).number)];
+        Answer { asked: asked.clone(), place, is_angle, truth, signed: true, rows: Vec::new() }
+    }
+
     pub(super) fn is_angle(&self) -> bool {
-        self.asked.len() == 1 && self.asked[0].is_angle()
+        self.is_angle
+    }
+
+    /// The quantities that are asked for; none of a letter.
+    pub(super) fn quantities(&self) -> &[Quantity] {
+        self.asked.quantities()
     }
 
     /// Is it an angle with the line of centres?
     pub(super) fn is_to_line(&self) -> bool {
-        matches!(self.asked[0].of_its_impact(), Quantity::AngleToLine(..) | Quantity::AngleFromN(..))
+        let first = self.quantities().first().map(|quantity| quantity.of_its_impact());
+        matches!(first, Some(Quantity::AngleToLine(..) | Quantity::AngleFromN(..)))
     }
 
     /// Is it a direction of which any multiple will do?
     pub(super) fn is_line(&self) -> bool {
-        matches!(self.asked[0], Quantity::Line(_) | Quantity::Tangent(_)) && self.asked.len() == 2
+        matches!(self.quantities(), [Quantity::Line(_) | Quantity::Tangent(_), _])
     }
 
     /// The answer in what is known; an angle in degrees.
     pub(super) fn values_in(&self, known: &Known<Sample>) -> Option<Values> {
-        let found: Option<Values> = self.asked.iter().map(|quantity| value(known.0.get(quantity)?)).collect();
+        let found: Option<Values> = self.quantities().iter().map(|quantity| value(known.0.get(quantity)?)).collect();
         found.filter(|values| !values.is_empty() && values.iter().all(|value| value.is_finite()))
     }
 
@@ -97,12 +117,16 @@ impl Answer {
         self.rows.iter().map(|row| (&row.values, row.way))
     }
 
+    /// Is it what was written, at the figures it has?
+    pub(super) fn is_written(&self, written: &[Written]) -> bool {
+        self.fits(written, &self.truth, &self.truth, |written, value, _, signed| written.is_right(value, signed))
+    }
+
     /// The ways to what was written; none if it is right at the figures it has.
     pub(super) fn matching<'a>(&'a self, written: &'a [Written]) -> impl Iterator<Item = usize> + 'a {
         let (low, high) = if self.is_line() { (0.0, f64::INFINITY) } else { sizes(written) };
         let near = self.rows[self.first(low)..].iter().take_while(move |row| row.size <= high);
-        let is_right =
-            self.fits(written, &self.truth, &self.truth, |written, value, _, signed| written.is_right(value, signed));
+        let is_right = self.is_written(written);
         let fits = move |row: &&Row| !is_right && self.fits(written, &row.values, &self.truth, Written::is);
         near.filter(fits).map(|row| row.way)
     }
@@ -151,13 +175,14 @@ impl Answer {
         if self.is_angle() {
             found.push((changed(&f64::to_radians), RADIANS));
         }
-        let taken: Vec<Vec<(Quantity, LastStep)>> = self.asked.iter().map(|quantity| taken_for(*quantity)).collect();
+        let taken: Vec<Vec<(Quantity, LastStep)>> =
+            self.quantities().iter().map(|quantity| taken_for(*quantity)).collect();
         for place in 0..taken.iter().map(Vec::len).min().unwrap_or(0) {
             // The components of a vector are taken for others together.
             let values: Option<Values> = taken.iter().map(|taken| value(known.0.get(&taken[place].0)?)).collect();
             found.extend(values.map(|values| (values, taken[0][place].1)));
         }
-        for other in answers.iter().filter(|other| other.asked.len() == 1 && self.asked.len() == 1) {
+        for other in answers.iter().filter(|other| other.truth.len() == 1 && self.truth.len() == 1) {
             if other.asked != self.asked && other.is_angle() == self.is_angle() {
                 found.push((other.truth.clone(), ANOTHER_ANSWER));
             }

@@ -6,16 +6,25 @@ use crate::expr::Angles;
 use crate::mark::reading::{Form, Said, Vocabulary, read_answer};
 use crate::mechanics::{Axis, Known, Law, Moment, Quantity, Scene, SceneText, Sphere, pose};
 use crate::number::{Letter, Range, Value};
+use crate::solve::solve;
 
-use super::{Cause, Mistakes, early_rounding};
+use super::{Asked, Cause, Mistakes, early_rounding};
 
 const SPEED_OF_A: Quantity = Quantity::Speed(Sphere::A, Moment::After);
 const SPEED_OF_B: Quantity = Quantity::Speed(Sphere::B, Moment::After);
 const ANGLE_OF_A: Quantity = Quantity::AngleToLine(Sphere::A, Moment::After);
 
-fn posed(scene: &str) -> Known<Value> {
-    let text: SceneText = serde_json::from_str(scene).unwrap();
-    pose(&Scene::read(&text, &BTreeMap::new(), Angles::Radians).unwrap()).unwrap()
+fn scene(text: &str) -> Scene {
+    let text: SceneText = serde_json::from_str(text).unwrap();
+    Scene::read(&text, &BTreeMap::new(), Angles::Radians).unwrap()
+}
+
+fn posed(text: &str) -> Known<Value> {
+    pose(&scene(text)).unwrap()
+}
+
+fn asked<const COUNT: usize>(answers: [Vec<Quantity>; COUNT]) -> [Asked; COUNT] {
+    answers.map(Asked::Quantities)
 }
 
 /// A of 4 kg with 4 m/s at 30 degrees strikes B of 2 kg at rest, e = 1/3: A goes on with 2.78 at 46.1, B with 3.08.
@@ -65,8 +74,8 @@ fn law(name: &str) -> Law {
 
 #[test]
 fn carom_names_every_cause_of_a_wrong_number_likely_ones_first() {
-    let answers = [vec![SPEED_OF_A], vec![SPEED_OF_B], vec![ANGLE_OF_A]];
-    let mistakes = Mistakes::of(&b_at_rest(), &answers, &[]);
+    let answers = asked([vec![SPEED_OF_A], vec![SPEED_OF_B], vec![ANGLE_OF_A]]);
+    let mistakes = Mistakes::of(&b_at_rest(), &answers, &[], None);
     for (answer, text, expected) in [
         (0, "3.64", &["sincos-swap", "wrong-axis"][..]),
         (0, "2.31", &["e-wrong-side", "masses-omitted", "e-taken-as-1"]),
@@ -90,9 +99,18 @@ fn carom_names_every_cause_of_a_wrong_number_likely_ones_first() {
 }
 
 #[test]
+fn on_one_line_nobody_takes_another_axis() {
+    let known = posed(r#"{"masses": {"A": "1", "B": "3"}, "before": {"A": "11", "B": "3"}, "e": "1/2"}"#);
+    let asked = asked([vec![Quantity::Speed(Sphere::A, Moment::After)]]);
+    let mistakes = Mistakes::of(&known, &asked, &[], None);
+    let tags = tags(&mistakes.causes(&asked[0], &said("11", &[])));
+    assert!(tags.contains(&"before-for-after") && !tags.contains(&"wrong-axis"), "{tags:?}");
+}
+
+#[test]
 fn an_answer_that_is_right_at_its_figures_has_no_cause() {
-    let answers = [vec![SPEED_OF_A], vec![SPEED_OF_B], vec![ANGLE_OF_A]];
-    let mistakes = Mistakes::of(&b_at_rest(), &answers, &[]);
+    let answers = asked([vec![SPEED_OF_A], vec![SPEED_OF_B], vec![ANGLE_OF_A]]);
+    let mistakes = Mistakes::of(&b_at_rest(), &answers, &[], None);
     for (answer, text) in
         [(0, "2.78"), (0, "2.8"), (0, "2.77"), (0, "4√39/9"), (1, "3.1"), (1, "3.07"), (2, "46"), (2, "46.1°")]
     {
@@ -102,15 +120,16 @@ fn an_answer_that_is_right_at_its_figures_has_no_cause() {
 
 #[test]
 fn one_figure_is_no_evidence_unless_it_is_the_exact_value() {
-    let mistakes = Mistakes::of(&b_at_rest(), &[vec![SPEED_OF_A]], &[]);
-    assert_eq!(tags(&mistakes.causes(&[SPEED_OF_A], &said("4", &[]))), ["before-for-after"]);
-    assert_eq!(mistakes.causes(&[SPEED_OF_A], &said("9", &[])), []);
+    let answers = asked([vec![SPEED_OF_A]]);
+    let mistakes = Mistakes::of(&b_at_rest(), &answers, &[], None);
+    assert_eq!(tags(&mistakes.causes(&answers[0], &said("4", &[]))), ["before-for-after"]);
+    assert_eq!(mistakes.causes(&answers[0], &said("9", &[])), []);
 }
 
 #[test]
 fn vectors_are_recognised_by_their_components() {
-    let answers = [velocity(Sphere::A), velocity(Sphere::B)];
-    let mistakes = Mistakes::of(&along_j(), &answers, &[]);
+    let answers = asked([velocity(Sphere::A), velocity(Sphere::B)]);
+    let mistakes = Mistakes::of(&along_j(), &answers, &[], None);
     for (answer, text, expected) in [
         // Afterwards A has 4i + j.
         (0, "4i + 3j", &["e-wrong-side"][..]),
@@ -133,8 +152,8 @@ fn vectors_are_recognised_by_their_components() {
 fn formulas_in_letters_are_recognised() {
     let (known, letters) = in_letters();
     let along = |sphere| vec![Quantity::Velocity(sphere, Moment::After, Axis::N)];
-    let answers = [along(Sphere::A), along(Sphere::B), vec![Quantity::TanDeflection(Sphere::A)]];
-    let mistakes = Mistakes::of(&known, &answers, &letters);
+    let answers = asked([along(Sphere::A), along(Sphere::B), vec![Quantity::TanDeflection(Sphere::A)]]);
+    let mistakes = Mistakes::of(&known, &answers, &letters, None);
     for (answer, text, expected) in [
         (0, "u cos α(1 + e)/2", &["restitution-reversed", "other-sphere"][..]),
         (0, "u sin α(1 - e)/2", &["sincos-swap"]),
@@ -150,8 +169,8 @@ fn formulas_in_letters_are_recognised() {
 
 #[test]
 fn pairs_of_slips_come_after_single_ones() {
-    let answers = [vec![SPEED_OF_A]];
-    let mistakes = Mistakes::of(&b_at_rest(), &answers, &[]);
+    let answers = asked([vec![SPEED_OF_A]]);
+    let mistakes = Mistakes::of(&b_at_rest(), &answers, &[], None);
     // Sine for cosine, and e as 1: 2(4 - 2)/6 along the line of centres, 2 root 3 across it.
     let found = mistakes.causes(&answers[0], &said("3.5276684", &[]));
     let pair = found.iter().find(|cause| cause.tags == ["sincos-swap", "e-taken-as-1"]).expect("the pair");
@@ -170,8 +189,8 @@ fn sign_slips_keep_the_method_and_missing_terms_lose_it() {
         r#"{"masses": {"A": "3", "B": "1"}, "before": {"A": ["1", "3"], "B": ["-4", "2"]},
             "line_of_centres": ["1", "0"], "e": "3/4"}"#,
     );
-    let answers = [vec![SPEED_OF_A]];
-    let mistakes = Mistakes::of(&scene, &answers, &[]);
+    let answers = asked([vec![SPEED_OF_A]]);
+    let mistakes = Mistakes::of(&scene, &answers, &[], None);
     let laws = ["perpendicular", "momentum", "restitution", "solve", "speed"].map(law);
     for (tag, text, marks) in [
         ("sincos-swap", "1.288470508", "M- M- M- M- M-"),
@@ -198,8 +217,8 @@ fn sign_slips_keep_the_method_and_missing_terms_lose_it() {
 
 #[test]
 fn a_calculator_in_radians_is_recognised() {
-    let answers = [vec![SPEED_OF_B]];
-    let mistakes = Mistakes::of(&b_at_rest(), &answers, &[]);
+    let answers = asked([vec![SPEED_OF_B]]);
+    let mistakes = Mistakes::of(&b_at_rest(), &answers, &[], None);
     // 4 cos(30 rad) 4/6 (1 + 1/3)
     assert_eq!(tags(&mistakes.causes(&answers[0], &said("0.548", &[]))), ["radian-mode"]);
 }
@@ -222,4 +241,88 @@ fn rounding_on_the_way_is_recognised_with_the_working_and_without() {
     assert_eq!(rounding("2.85", &shown), None, "it is further off than rounding explains");
     assert_eq!(rounding("2.72", &[(along, expr("1.8"))]), None, "what is shown is not the right value rounded");
     assert_eq!(rounding("2.79", &[]), None, "no rounding leads there");
+}
+
+/// What slips lead to where a letter is found backwards, as formulas of their own have it.
+#[test]
+fn a_letter_is_found_again_by_who_makes_a_slip() {
+    // A of 2 strikes B of 3 at rest with 5: A's velocity after is 5(2 - 3e)/5, with the slips those of the comments.
+    let turned_back = r#"{"masses": {"A": "2", "B": "3"}, "before": {"A": "5", "B": "0"}, "e": "e",
+        "symbols": {"e": "unit"}, "unknowns": ["e"], "conditions": ["A.after.x < 0"]}"#;
+    // B moves with 1 towards A: (k + 1) v = 2 k - 1 - e 3 with e = 1/2, in units of m and u.
+    let goes_on = r#"{"masses": {"A": "k*m", "B": "m"}, "before": {"A": "2*u", "B": "-u"}, "e": "1/2",
+        "symbols": {"k": "positive", "m": "positive", "u": "positive"}, "unknowns": ["k"],
+        "conditions": ["A.after.x > 0"]}"#;
+    // tan^2 = (3 - e)/4 makes the deflection greatest, for any e.
+    let greatest = r#"{"masses": {"A": "3", "B": "1"}, "before": {"A": {"speed": "u", "angle_deg": "alpha"}, "B": ["0", "0"]},
+        "line_of_centres": ["1", "0"], "sense": "A_to_B", "e": "1/2", "symbols": {"u": "positive", "alpha": "acute"},
+        "unknowns": ["alpha"], "maximise": "A.tan_deflection"}"#;
+    // At 60 degrees to the wall it leaves at a right angle to how it came: e = cot^2.
+    let right_angle = r#"{"masses": {"A": "2"}, "before": {"A": {"speed": "4", "angle_deg": "-60"}}, "wall": ["1", "0"],
+        "e": "e", "symbols": {"e": "unit"}, "unknowns": ["e"], "conditions": ["A.deflection_dot = 0"]}"#;
+    let degrees = |square: f64| square.sqrt().atan().to_degrees();
+    let e = Asked::Quantities(vec![Quantity::Restitution]);
+    for (text, asked, tag, expected) in [
+        (turned_back, Asked::Ends, "masses-swapped", 1.5),    // 3 - 2e
+        (turned_back, Asked::Ends, "e-wrong-side", 1.5),      // 2 - 3/e
+        (turned_back, Asked::Ends, "masses-omitted", 1.0),    // 1 - e
+        (goes_on, Asked::Ends, "e-taken-as-1", 2.0),          // 2k - 1 - 3
+        (goes_on, Asked::Ends, "coalesce", 0.5),              // 2k - 1
+        (goes_on, Asked::Ends, "momentum-sign", 0.25),        // 2k + 1 - 3/2
+        (goes_on, Asked::Ends, "restitution-ignores-b", 1.0), // 2k - 1 - 1
+        (greatest, Asked::Unknown, "e-taken-as-1", degrees(2.0 / 4.0)),
+        (greatest, Asked::Unknown, "coalesce", degrees(3.0 / 4.0)),
+        (right_angle, e, "sincos-swap", 3.0),
+    ] {
+        let solution = solve(&scene(text), &[]).unwrap();
+        let letters = solution.scene().letters.clone();
+        let given = pose(solution.scene()).unwrap();
+        let mistakes = Mistakes::of(&given, std::slice::from_ref(&asked), &letters, solution.sought().as_ref());
+        let values = mistakes.values(&asked);
+        let found: Vec<f64> = values.iter().filter(|(tags, _)| *tags == [tag]).map(|(_, value)| value[0]).collect();
+        assert!(
+            found.iter().any(|found| (found - expected).abs() < 1e-6),
+            "{tag}: {found:?}, not {expected}\n{values:?}"
+        );
+    }
+}
+
+/// A slip that leaves nothing to be found leads to no number.
+#[test]
+fn who_finds_nothing_finds_no_number() {
+    let text = r#"{"masses": {"A": "1", "B": "3"}, "before": {"A": "5", "B": "0"}, "e": "e", "symbols": {"e": "unit"},
+        "unknowns": ["e"], "conditions": ["A.after.x < 0"]}"#;
+    let solution = solve(&scene(text), &[]).unwrap();
+    let given = pose(solution.scene()).unwrap();
+    let mistakes = Mistakes::of(&given, &[Asked::Ends], &solution.scene().letters, solution.sought().as_ref());
+    // With e = 1 or e = 0 there is no e to be found, and in a direct impact no paths are at right angles.
+    let values = mistakes.values(&Asked::Ends);
+    for tag in ["e-taken-as-1", "coalesce", "right-angle-assumed"] {
+        assert!(!values.iter().any(|(tags, _)| *tags == [tag]), "{tag}: {values:?}");
+    }
+}
+
+#[test]
+fn an_end_of_a_range_that_is_none_has_its_causes() {
+    let text = r#"{"masses": {"A": "2", "B": "3"}, "before": {"A": "5", "B": "0"}, "e": "e",
+        "symbols": {"e": "unit"}, "unknowns": ["e"], "conditions": ["A.after.x < 0"]}"#;
+    let solution = solve(&scene(text), &[]).unwrap();
+    let letters = solution.scene().letters.clone();
+    let given = pose(solution.scene()).unwrap();
+    let mistakes = Mistakes::of(&given, &[Asked::Ends], &letters, solution.sought().as_ref());
+    let three_halves = &["e-wrong-side", "masses-swapped"][..];
+    for (text, expected) in [
+        ("e > 3/2", three_halves),
+        ("1.5 < e", three_halves),
+        ("2e > 3", three_halves),
+        ("1 < 2e/3", three_halves),
+        ("e < 3/2", three_halves),
+        ("2/3 < e <= 1", &[]),
+        ("e > 0.667", &[]),
+        ("e <= 1", &[]),
+        ("e > 1/7", &[]),
+    ] {
+        let found = mistakes.causes(&Asked::Ends, &said(text, &letters));
+        assert_eq!(tags(&found), expected, "{text}");
+    }
 }

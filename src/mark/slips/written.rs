@@ -1,6 +1,8 @@
 //! What a student wrote, as a number at the points, with the figures of its decimals.
 
 use crate::expr::{Expr, Function};
+use crate::mark::reading::{Form, Said};
+use crate::mechanics::{Datum, Known};
 use crate::number::{Fraction, Letter, Number, Range};
 
 use super::sample::Sample;
@@ -32,13 +34,13 @@ enum Fit {
 impl Written {
     /// A value with the letters of the question; `None` if it has others, or is no number.
     pub(super) fn of(expr: &Expr, letters: &[Letter]) -> Option<Written> {
-        let value = Evaluated::of(expr, letters)?.value;
+        let value = Evaluated::in_letters(expr, letters)?.value;
         Written::with_figures(expr, value)
     }
 
     /// An angle in degrees. A plain number is of degrees, unless it is said to be of radians.
     pub(super) fn degrees(expr: &Expr, letters: &[Letter], in_radians: bool) -> Option<Written> {
-        let found = Evaluated::of(expr, letters)?;
+        let found = Evaluated::in_letters(expr, letters)?;
         let turned = found.is_angle || in_radians;
         Written::with_figures(expr, if turned { found.value.map(f64::to_degrees) } else { found.value })
     }
@@ -181,20 +183,104 @@ struct Evaluated {
     is_angle: bool,
 }
 
+/// The ends of the values that a letter is said to have, where they are more than what it can be anyway: the letter by
+/// itself beside a number, or an inequality that is linear in it.
+pub(super) fn ends(said: &Said, letter: Letter, letters: &[Letter]) -> Vec<Written> {
+    let found: Vec<Written> = match &said.form {
+        Form::Range(low, high) => {
+            [low, high].into_iter().flatten().filter_map(|end| Written::of(&end.at, letters)).collect()
+        }
+        Form::Equation(relation) => pairs(relation).iter().filter_map(|pair| end(pair, letter, letters)).collect(),
+        Form::Value(value) => Written::of(value, letters).into_iter().collect(),
+        _ => Vec::new(),
+    };
+    let is_natural = |end: &Written| letter.range() == Range::Unit && [0.0, 1.0].contains(&end.value.0[0]);
+    found.into_iter().filter(|end| !is_natural(end)).collect()
+}
+
+/// The sides of every relation of a chain, two by two.
+fn pairs(relation: &Expr) -> Vec<[&Expr; 2]> {
+    match relation {
+        Expr::Relation(left, _, right) => match &**left {
+            Expr::Relation(_, _, middle) => pairs(left).into_iter().chain([[&**middle, &**right]]).collect(),
+            _ => vec![[left, right]],
+        },
+        _ => Vec::new(),
+    }
+}
+
+/// The number at which the two sides meet.
+fn end([left, right]: &[&Expr; 2], letter: Letter, letters: &[Letter]) -> Option<Written> {
+    let is_letter = |side: &Expr| matches!(side, Expr::Name(name) if name.text == letter.name());
+    if is_letter(left) || is_letter(right) {
+        return Written::of(if is_letter(left) { right } else { left }, letters);
+    }
+    let apart = |number: f64| {
+        let side = |side: &Expr| {
+            Evaluated::of(side, &|name| match name == letter.name() {
+                true => Some(Evaluated { value: Sample::constant(number), is_angle: false }),
+                false => Evaluated::of_letter(name, letters),
+            })
+        };
+        Some(side(left)?.value - side(right)?.value)
+    };
+    let (at_0, at_1, at_2) = (apart(0.0)?, apart(1.0)?, apart(2.0)?);
+    let is_linear = (at_1 - at_0).is_near(at_2 - at_1, EXACT);
+    let value = at_0.with(at_1, |at_0, at_1| at_0 / (at_0 - at_1));
+    let unit = Decimals::within(left).into_iter().chain(Decimals::within(right)).map(|decimals| decimals.unit);
+    (is_linear && value.is_finite()).then(|| Written { value, unit: unit.reduce(f64::max) })
+}
+
+/// How far the sides of a condition are apart: of angles in degrees, beside which a plain number is one of degrees.
+pub(super) fn condition_gap(
+    left: &Expr,
+    right: &Expr,
+    others: &[(Letter, Sample)],
+    own: (Letter, Sample),
+    known: &Known<Sample>,
+) -> Option<Sample> {
+    let names = |name: &str| {
+        if let Some((letter, number)) = others.iter().chain([&own]).find(|(letter, _)| letter.name() == name) {
+            let is_angle = letter.range() == Range::Acute;
+            return Some(Evaluated { value: if is_angle { number.map(f64::atan) } else { *number }, is_angle });
+        }
+        match known.0.get(&name.parse().ok()?)? {
+            Datum::Number(value) => Some(Evaluated { value: *value, is_angle: false }),
+            Datum::Direction { y, x } => Some(Evaluated { value: y.with(*x, f64::atan2), is_angle: true }),
+            Datum::Equation(_) => None,
+        }
+    };
+    let (left, right) = (Evaluated::of(left, &names)?, Evaluated::of(right, &names)?);
+    let degrees = |side: Evaluated| if side.is_angle { side.value.map(f64::to_degrees) } else { side.value };
+    Some(match left.is_angle || right.is_angle {
+        true => degrees(left) - degrees(right),
+        false => left.value - right.value,
+    })
+}
+
 /// The highest power that is worked out.
 const MOST_POWER: f64 = 64.0;
 
+/// What a name stands for.
+type Names<'a> = &'a dyn Fn(&str) -> Option<Evaluated>;
+
 impl Evaluated {
-    fn of(expr: &Expr, letters: &[Letter]) -> Option<Evaluated> {
-        let inner = |expr: &Expr| Evaluated::of(expr, letters);
+    fn in_letters(expr: &Expr, letters: &[Letter]) -> Option<Evaluated> {
+        Evaluated::of(expr, &|name| Evaluated::of_letter(name, letters))
+    }
+
+    fn of_letter(name: &str, letters: &[Letter]) -> Option<Evaluated> {
+        let letter = letters.iter().find(|letter| letter.name() == name)?;
+        Some(Evaluated { value: Sample::of_letter(*letter), is_angle: letter.range() == Range::Acute })
+    }
+
+    fn of(expr: &Expr, names: Names) -> Option<Evaluated> {
+        let inner = |expr: &Expr| Evaluated::of(expr, names);
         let number = |value: f64| Some(Evaluated { value: Sample::constant(value), is_angle: false });
         match expr {
             Expr::Number(value) => number(value.to_f64()),
             Expr::Decimal(text) => number(text.parse::<Fraction>().ok()?.to_f64()),
-            Expr::Name(name) => {
-                let letter = letters.iter().find(|letter| letter.name() == name.text)?;
-                Some(Evaluated { value: Sample::of_letter(*letter), is_angle: letter.range() == Range::Acute })
-            }
+            Expr::Name(name) => names(&name.text),
             Expr::Pi => Some(Evaluated { value: Sample::constant(std::f64::consts::PI), is_angle: true }),
             Expr::Degrees(degrees) => {
                 let degrees = inner(degrees)?;
@@ -202,8 +288,8 @@ impl Evaluated {
                 Some(Evaluated { value, is_angle: true })
             }
             Expr::Negative(value) => inner(value).map(|found| Evaluated { value: -found.value, ..found }),
-            Expr::Sum(terms) => all(terms, letters, |sum, term| sum + term),
-            Expr::Product(factors) => all(factors, letters, |product, factor| product * factor),
+            Expr::Sum(terms) => all(terms, names, |sum, term| sum + term),
+            Expr::Product(factors) => all(factors, names, |product, factor| product * factor),
             Expr::Quotient(above, below) => {
                 let (above, below) = (inner(above)?, inner(below)?);
                 let is_angle = above.is_angle && !below.is_angle;
@@ -224,8 +310,8 @@ impl Evaluated {
     }
 }
 
-fn all(parts: &[Expr], letters: &[Letter], combine: impl Fn(Sample, Sample) -> Sample) -> Option<Evaluated> {
-    let parts: Option<Vec<Evaluated>> = parts.iter().map(|part| Evaluated::of(part, letters)).collect();
+fn all(parts: &[Expr], names: Names, combine: impl Fn(Sample, Sample) -> Sample) -> Option<Evaluated> {
+    let parts: Option<Vec<Evaluated>> = parts.iter().map(|part| Evaluated::of(part, names)).collect();
     parts?
         .into_iter()
         .reduce(|one, two| Evaluated { value: combine(one.value, two.value), is_angle: one.is_angle || two.is_angle })

@@ -2,13 +2,16 @@
 
 use super::compare::any_within;
 use super::examine::{Studied, value};
+use super::linear::Linear;
 use super::offered::{Offered, differences};
 use super::pair::{Convention, Laws, Matched, conventions};
 use super::points::sizes;
 use super::prepared::Prepared;
+use super::spread::Spread;
 use super::substituted::{apart, impulse_in, put_back, without_impulse};
 use super::theirs::numbers;
 use super::told_apart::{Found, told_apart, weight};
+use super::two_lines;
 use crate::expr::Expr;
 use crate::mechanics::{Axis, Law, Moment, Quantity, Setting, Sphere};
 
@@ -50,6 +53,9 @@ pub(super) fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option
     let all = equations().filter_map(|(place, which, equation)| Offered::of(place, which, equation, prepared));
     let (mut offered, others): (Vec<Offered>, Vec<Offered>) = all.partition(Offered::is_of_velocities);
     offered.extend(by_impulses(&others));
+    let on_two_lines =
+        two_lines::momentum(lines).and_then(|(place, which, equation)| Offered::of(place, which, &equation, prepared));
+    offered.extend(on_two_lines.filter(Offered::is_of_velocities));
     let pairs = pairs(&offered, lines);
     let substituted: Vec<Substituted> =
         equations().flat_map(|equation| substituted(equation, &pairs, lines, prepared)).collect();
@@ -162,19 +168,31 @@ fn multiplied_out(
     };
     let all: Vec<Expr> = terms(left).into_iter().chain(terms(right).into_iter().map(Expr::negated)).collect();
     let linear = |expr: &Expr| differences(&(expr.clone(), Expr::integer(0)), prepared);
-    let is_said = |(left, right): &&(Expr, Expr)| {
-        let is = |expr: &Expr, own: &str| matches!(expr, Expr::Name(name) if name.text == own);
-        let names = right.names();
-        is(left, other) && names.iter().any(|name| name.text == *letter) && names.iter().all(|name| name.text != *other)
+    if all.len() < 4 {
+        return Vec::new();
+    }
+    // `w = v + 1.5`, or `w - v = 1.5` of which that is left to the reader.
+    let has = |equation: &(Expr, Expr), own: &String| {
+        [&equation.0, &equation.1].iter().any(|side| side.names().iter().any(|name| name.text == *own))
+    };
+    let is_solved = |(left, right): &(Expr, Expr)| {
+        let is_other = matches!(left, Expr::Name(name) if name.text == *other);
+        is_other && right.names().iter().all(|name| name.text != *other)
     };
     let readings = lines[..=place].iter().flat_map(|studied| &studied.line.readings);
-    let said: Vec<&(Expr, Expr)> = readings.flat_map(|reading| &reading.equations).filter(is_said).take(2).collect();
-    if said.is_empty() || all.len() < 4 {
+    let mut said: Vec<&(Expr, Expr)> = readings
+        .flat_map(|reading| &reading.equations)
+        .filter(|equation| has(equation, letter) && has(equation, other))
+        .collect();
+    said.sort_by_key(|equation| !is_solved(equation));
+    said.truncate(MOST_SAID);
+    if said.is_empty() {
         return Vec::new();
     }
     let Some(terms) = all.iter().map(linear).collect::<Option<Vec<_>>>() else { return Vec::new() };
     let put = said.into_iter().flat_map(|said| {
-        let back = linear(&said.1).map(|said| put_back(&terms, &said, letter, other)).unwrap_or_default();
+        let solved = differences(said, prepared).and_then(|both| solved_for(both, other));
+        let back = solved.map(|said| put_back(&terms, &said, letter, other)).unwrap_or_default();
         back.into_iter().filter_map(move |linear| {
             let bracket = Offered::of(place, which, said, prepared)?;
             let whole = bracket.with(linear);
@@ -183,6 +201,19 @@ fn multiplied_out(
         })
     });
     put.collect()
+}
+
+/// So many equations with both unknowns are tried for what has been put into another.
+const MOST_SAID: usize = 3;
+
+/// What an equation, all on one side, says of an unknown, at every point.
+fn solved_for(both: Vec<Linear>, unknown: &str) -> Option<Vec<Linear>> {
+    let at = |mut whole: Linear| {
+        let below = whole.before(unknown);
+        whole.unknowns.retain(|(name, _)| name != unknown);
+        Some(whole.times(Spread::exactly(-1.0).over(below)?))
+    };
+    both.into_iter().map(at).collect()
 }
 
 /// Are both unknowns positive against i, or against j, along which the line of centres lies?

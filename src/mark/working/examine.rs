@@ -40,14 +40,26 @@ pub(crate) struct Examined {
     pub(super) has_e: Option<bool>,
     /// Both energies, where only an answer may be their difference.
     pub(super) to_be_subtracted: Option<ToBeSubtracted>,
+    /// The student's letters for the velocities of A and B after the impact, where an equation says so.
+    pub(super) letters: Option<[String; 2]>,
     /// What each line is short of one of the two equations, if it is one.
     pub(super) short_of_law: Vec<Option<u32>>,
+}
+
+/// Of the letters for the velocities of A and B, is it that of the other sphere?
+pub(super) fn is_of_other(letters: &[String; 2], letter: &str, sphere: Sphere) -> bool {
+    Sphere::BOTH.into_iter().zip(letters).any(|(own, name)| own != sphere && name == letter)
 }
 
 impl Examined {
     /// Does e stand in the lines, so that it was not forgotten?
     pub(crate) fn has_e(&self) -> bool {
         self.has_e == Some(true)
+    }
+
+    /// Is it the student's letter for the velocity of the other sphere?
+    pub(crate) fn is_of_other(&self, letter: &str, sphere: Sphere) -> bool {
+        self.letters.as_ref().is_some_and(|letters| is_of_other(letters, letter, sphere))
     }
 
     /// What follows for a quantity from the student's own values, at every point.
@@ -60,7 +72,7 @@ impl Examined {
 }
 
 /// Does a formula in the question's letters come to these at every point, whatever their sign?
-pub(crate) fn comes_to(question: &KeyedQuestion, expr: &Expr, sizes: &[f64]) -> bool {
+pub(crate) fn has_these_sizes(question: &KeyedQuestion, expr: &Expr, sizes: &[f64]) -> bool {
     let prepared = question.prepared();
     let own = value(expr, prepared, &prepared.names).and_then(|values| numbers(&values));
     let is = |(own, size): (&f64, &f64)| (own.abs() - size.abs()).abs() <= 1e-9 * size.abs();
@@ -159,6 +171,7 @@ pub(super) fn examine_one(
         studied.reading.iter().flat_map(|reading| &reading.members).any(|member| shows_e(&member.expr, prepared))
     };
     let has_e = Some(working.lines.iter().any(shows));
+    let letters = working.convention_by_laws().map(|convention| convention.letters.clone());
     let lines = working.lines.iter().map(|studied| MarkedLine {
         typed: studied.line.typed.clone(),
         reading: studied.reading.as_ref().map(|reading| reading.printed.clone()),
@@ -166,7 +179,7 @@ pub(super) fn examine_one(
     });
     let lines = lines.chain(unread).collect();
     let (theirs, followed) = (working.theirs, Some(working.followed));
-    Examined { awards, lines, theirs, stated, followed, solution, has_e, to_be_subtracted, short_of_law }
+    Examined { awards, lines, theirs, stated, followed, solution, has_e, to_be_subtracted, letters, short_of_law }
 }
 
 /// The first line of more than are read: a person is told of it.
@@ -254,6 +267,12 @@ impl Working<'_> {
             }
         }
         names
+    }
+
+    /// Whose the student's letters are, where an equation says so.
+    pub(super) fn convention_by_laws(&self) -> Option<&Convention> {
+        let is_law = |studied: &Studied| !studied.matched.is_empty();
+        self.convention.as_ref().filter(|_| self.lines.iter().any(is_law))
     }
 
     /// What formulas are evaluated with at a point.

@@ -61,7 +61,7 @@ fn examine_later(
         role: meeting.in_words(&line.role),
         ..line
     });
-    Some(Examined { lines: lines.collect(), theirs, followed: None, solution: None, ..examined })
+    Some(Examined { lines: lines.collect(), theirs, followed: None, solution: None, letters: None, ..examined })
 }
 
 /// Is the first impact the business of an earlier part alone, so that letters here are of what comes later?
@@ -120,6 +120,7 @@ impl Examined {
             solution: None,
             has_e: None,
             to_be_subtracted: None,
+            letters: None,
             short_of_law,
         }
     }
@@ -158,7 +159,7 @@ impl Examined {
         self.to_be_subtracted = later.to_be_subtracted.or(self.to_be_subtracted.take());
         // Each impact has an e of its own.
         self.has_e = [self.has_e, later.has_e].into_iter().flatten().reduce(|one, other| one && other);
-        (self.followed, self.solution) = (None, None);
+        (self.followed, self.solution, self.letters) = (None, None, None);
         let both = self.short_of_law.len().max(later.short_of_law.len());
         self.short_of_law.resize(both, None);
         for (own, other) in self.short_of_law.iter_mut().zip(later.short_of_law) {

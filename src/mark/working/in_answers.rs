@@ -131,10 +131,10 @@ fn solved(
             Find::Quantity(Quantity::Speed(sphere, Moment::After)) => {
                 let across = sizes(&prepared.known, Quantity::Velocity(*sphere, Moment::After, Axis::T));
                 let speed = |(point, along): (usize, &f64)| along.hypot(across.as_ref().map_or(0.0, |all| all[point]));
-                are_sizes(&values, &of(*sphere).iter().enumerate().map(speed).collect::<Vec<f64>>())
+                are_near_sizes(&values, &of(*sphere).iter().enumerate().map(speed).collect::<Vec<f64>>())
             }
             Find::Quantity(quantity) => match along_for(*quantity, prepared) {
-                Quantity::Velocity(sphere, Moment::After, Axis::N) => are_sizes(&values, of(sphere)),
+                Quantity::Velocity(sphere, Moment::After, Axis::N) => are_near_sizes(&values, of(sphere)),
                 _ => false,
             },
             Find::Vector(Quantity::Velocity(sphere, Moment::After, _), _) => are_along(&values, of(*sphere), prepared),
@@ -162,12 +162,12 @@ fn subtracted(
     part.blanks.iter().zip(said).position(|(blank, said)| {
         let is_loss = blank.find.quantities().iter().any(|find| find.of_its_impact() == Quantity::EnergyLost);
         let values = said.as_ref().filter(|_| is_loss).and_then(|(expr, _)| value(expr, prepared, &prepared.names));
-        values.is_some_and(|values| are_sizes(&values, &energies.difference))
+        values.is_some_and(|values| are_near_sizes(&values, &energies.difference))
     })
 }
 
 /// Are they these numbers but for their signs, rounded perhaps on the way?
-fn are_sizes(values: &[Value], sizes: &[f64]) -> bool {
+fn are_near_sizes(values: &[Value], sizes: &[f64]) -> bool {
     values.iter().zip(sizes).all(|(value, size)| match value {
         Value::Number(number) => is_near(number.middle().abs(), size.abs()),
         Value::Vector(..) => false,

@@ -253,6 +253,12 @@ fn candidates(typed: &str) -> Vec<(Option<&str>, String)> {
     {
         all.push((Some(before.trim()), after.trim().to_owned()));
     }
+    // `v - u = 2i - 2j, which is parallel to i - j`: the vector, and one along it.
+    let along = ["parallel to", "parallel", "∥"].into_iter().find_map(|word| typed.split_once(word));
+    if let Some((before, after)) = along.filter(|(before, _)| before.contains('=')) {
+        let before = before.trim_end().trim_end_matches("which is").trim_end_matches([' ', ',']);
+        all.push((None, format!("{before}, {}", after.trim())));
+    }
     // A scalar product is worked out on its right: `(2i + 5j).(i - j) = 2 - 5`.
     if let Some((product, after)) = typed.split_once('=')
         && SCALAR_PRODUCTS.iter().any(|sign| product.contains(sign))
@@ -275,8 +281,8 @@ fn candidates(typed: &str) -> Vec<(Option<&str>, String)> {
     all
 }
 
-/// How the sign of a scalar product stands between two vectors.
-const SCALAR_PRODUCTS: [&str; 7] = [").(", ") . (", ")·(", ") · (", ")•(", ") • (", ")⋅("];
+/// How the sign of a scalar product stands before a vector: `(2i + 5j).(i - j)`, `u_A·(1, -1)`.
+const SCALAR_PRODUCTS: [&str; 7] = [".(", " . (", "·(", "· (", "•(", "• (", "⋅("];
 
 fn read_line(reading: Reading) -> ReadLine {
     let mut equations = Vec::new();

@@ -40,10 +40,11 @@ mod terms;
 mod theirs;
 mod told_apart;
 mod trials;
+mod two_lines;
 mod values;
 mod vectors;
 
-pub(super) use examine::{Examined, comes_to};
+pub(super) use examine::{Examined, has_these_sizes};
 pub(super) use impacts::examine;
 pub(super) use line::MOST_LINES;
 pub(super) use prepared::Prepared;

@@ -2,10 +2,13 @@
 
 use super::compare::{any_within, comes_to, is_vector};
 use super::evidence::Evidence;
-use super::examine::{Value, Working};
+use super::examine::{Studied, Value, Working};
 use super::points::sizes;
+use super::shapes::squared;
+use super::theirs::unknown_sphere;
 use crate::bank::Code;
 use crate::expr::Expr;
+use crate::mark::judging::may_be_named;
 use crate::mechanics::{Axis, Law, Moment, Quantity, Seen, Setting, Shape, Sphere};
 
 impl Working<'_> {
@@ -20,8 +23,72 @@ impl Working<'_> {
             }
             Seen::Value(_, Shape::ChangeOfMomentum) => self.impulse_along(law),
             Seen::Value(_, Shape::DifferenceOfSquares) => self.energy_of_one(law),
+            Seen::Value(_, Shape::Pythagoras) => self.speed_of_own_vector(law),
             _ => None,
         }
+    }
+
+    /// Pythagoras with both components of the vector in which the student's momentum ends, though it be called nothing.
+    fn speed_of_own_vector(&self, law: Law) -> Option<Evidence> {
+        let (of, found) = match self.prepared.setting {
+            Setting::Impulse => (Sphere::A, self.impulse_of_particle(Code::M1)?),
+            _ if self.is_in_vectors() => (unknown_sphere(self.prepared)?, self.vector_momentum(Code::M1)?),
+            _ => return None,
+        };
+        let mut own: Option<[Vec<f64>; 2]> = None;
+        let mut goes_on = false;
+        for (place, studied) in self.lines.iter().enumerate().skip(found.line) {
+            let has_squares = |[x, y]: &[Vec<f64>; 2]| {
+                let is = |expr: &Expr, sizes: &Vec<f64>| self.is_one_of(expr, std::slice::from_ref(sizes));
+                let are = |(one, other): &(Expr, Expr)| is(one, x) && is(other, y) || is(one, y) && is(other, x);
+                let holds = |inner: &Expr| squared(inner).as_ref().is_some_and(are);
+                self.members(studied).any(|(member, _)| {
+                    let is_else = |label: &String| !may_be_named(label, Quantity::Speed(of, Moment::After));
+                    !member.label.as_ref().is_some_and(is_else) && any_within(&member.expr, &holds)
+                })
+            };
+            if own.as_ref().is_some_and(has_squares) {
+                return Some(Evidence::given(place, law.name()));
+            }
+            // What goes on from an equation for something else is not the velocity either.
+            let is_continued = studied.line.typed.starts_with('=');
+            if !is_continued || goes_on {
+                let ends = self.unnamed_vector(studied, of);
+                goes_on = ends.is_some();
+                own = ends.or(own);
+            }
+        }
+        None
+    }
+
+    /// The vector in which a line ends that has nothing but vectors, and may be a velocity that nobody has given.
+    fn unnamed_vector(&self, studied: &Studied, of: Sphere) -> Option<[Vec<f64>; 2]> {
+        let reading = studied.reading.as_ref()?;
+        let after = Quantity::Velocity(of, Moment::After, Axis::X);
+        let may_be = |label: &String| may_be_named(label, after);
+        let are_vectors = |value: &Option<Vec<Value>>| matches!(value.as_deref(), Some([Value::Vector(..), ..]));
+        if !reading.members.iter().all(|member| member.letter.is_none() && member.label.as_ref().is_none_or(may_be))
+            || !studied.values.iter().all(are_vectors)
+        {
+            return None;
+        }
+        let values = studied.values.last()?.as_ref()?;
+        let middle = |value: &Value| match value {
+            Value::Vector(x, y) => Some((x.middle(), y.middle())),
+            Value::Number(_) => None,
+        };
+        let (x, y) = values.iter().map(middle).collect::<Option<Vec<_>>>()?.into_iter().unzip();
+        let is_known = |of_axis: &dyn Fn(Axis) -> Quantity| {
+            let [x, y] = [Axis::X, Axis::Y].map(|axis| sizes(&self.prepared.known, of_axis(axis)));
+            let both = x.zip(y);
+            both.is_some_and(|(x, y)| [1.0, -1.0].into_iter().any(|sign| is_vector(values, &x, &y, sign)))
+        };
+        let is_given = Sphere::BOTH.into_iter().any(|sphere| {
+            is_known(&|axis| Quantity::Velocity(sphere, Moment::Before, axis))
+                || is_known(&|axis| Quantity::Impulse(sphere, axis))
+                || sphere != of && is_known(&|axis| Quantity::Velocity(sphere, Moment::After, axis))
+        });
+        (!is_given && !is_known(&Quantity::TotalMomentum)).then_some([x, y])
     }
 
     /// The change of momentum of a sphere whose velocity after the impact is the student's own.

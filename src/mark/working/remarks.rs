@@ -8,9 +8,32 @@ pub(super) fn after_remark(typed: &str) -> Option<&str> {
     (is_in_words && formula.contains('=')).then(|| formula.trim())
 }
 
-/// Without the word with which a sentence goes on.
+/// Without the word with which a sentence goes on, or the name of the law that is used: `NEL: y - x = 4`.
 pub(super) fn without_lead_in(typed: &str) -> &str {
-    LEAD_INS.iter().find_map(|word| typed.strip_prefix(word)?.strip_prefix(' ')).unwrap_or(typed).trim()
+    let after_law = |(law, ends): (&str, &[char])| {
+        let (lead, after) = typed.split_at_checked(law.len())?;
+        let after = after.strip_prefix(ends).filter(|after| lead.eq_ignore_ascii_case(law) && after.contains('='))?;
+        Some(after.trim_start_matches([' ', ':']))
+    };
+    let after_word = |word: &&str| typed.strip_prefix(*word)?.strip_prefix(' ');
+    let after = LEAD_INS.iter().find_map(after_word).or_else(|| laws().find_map(after_law));
+    after.unwrap_or(typed).trim()
+}
+
+/// What the two laws are called, for short and in words, with what ends the name.
+fn laws() -> impl Iterator<Item = (&'static str, &'static [char])> {
+    const SHORT: [&str; 8] = ["CLM", "COLM", "PCLM", "PCM", "NEL", "NLR", "NLOR", "NLI"];
+    // With a blank after it COM may be the centre of mass.
+    const WITH_COLON: [&str; 7] = [
+        "COM",
+        "momentum",
+        "conservation of momentum",
+        "restitution",
+        "law of restitution",
+        "newton's law of restitution",
+        "impact law",
+    ];
+    SHORT.into_iter().map(|law| (law, &[':', ' '][..])).chain(WITH_COLON.into_iter().map(|law| (law, &[':'][..])))
 }
 
 /// `x = -(5)` for `-x = 5`.

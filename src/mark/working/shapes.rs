@@ -119,10 +119,8 @@ impl Working<'_> {
 
     /// `p² + v²`, with one component that is across the line and one along it.
     pub(super) fn is_pythagoras(&self, expr: &Expr, sphere: Option<Sphere>) -> bool {
-        let Expr::Sum(terms) = expr else { return false };
-        let [one, other] = terms.as_slice() else { return false };
-        let is_bare = are_bare(terms);
-        let Some((one, other)) = base_of_square(one).zip(base_of_square(other)) else { return false };
+        let Some((one, other)) = squared(expr) else { return false };
+        let is_bare = matches!(expr, Expr::Sum(terms) if are_bare(terms));
         let are = |across: &Expr, along: &Expr| match is_bare {
             true => self.spheres(sphere).into_iter().any(|of| self.are_known_components(across, along, of)),
             false => self.are_components(across, along, sphere),
@@ -228,6 +226,13 @@ fn is_square(term: &Expr) -> bool {
 /// Are they numbers as they stand?
 pub(super) fn are_bare(terms: &[Expr]) -> bool {
     terms.iter().all(|term| matches!(term, Expr::Number(_) | Expr::Decimal(_)))
+}
+
+/// What the two terms of Pythagoras are the squares of.
+pub(super) fn squared(expr: &Expr) -> Option<(Expr, Expr)> {
+    let Expr::Sum(terms) = expr else { return None };
+    let [one, other] = terms.as_slice() else { return None };
+    base_of_square(one).zip(base_of_square(other))
 }
 
 /// What a term of Pythagoras is the square of; a number alone is a square that has been worked out.

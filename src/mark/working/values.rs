@@ -2,7 +2,7 @@
 
 use super::compare::{any_within, comes_to, is_composite, is_vector};
 use super::evidence::Evidence;
-use super::examine::{Studied, Value, Working};
+use super::examine::{Studied, Value, Working, is_of_other};
 use super::line::Member;
 use super::linear::constant;
 use super::points::sizes;
@@ -47,8 +47,10 @@ impl Working<'_> {
                     (None, _) => statement.label.is_some() || statement.said.len() > 1,
                 };
                 let of_a_part = |label: &Label| is_of_a_part(&label.typed, quantity) || self.is_of_unknown(label);
+                let is_of_other =
+                    matches!(named, Some(Expr::Name(name)) if self.is_velocity_of_other(&name.text, quantity));
                 let is_own = matches!(named, Some(Expr::Name(name)) if Some(name.text.as_str()) == own_letter);
-                let is_named = is_named && !statement.label.as_ref().is_some_and(of_a_part);
+                let is_named = is_named && !is_of_other && !statement.label.as_ref().is_some_and(of_a_part);
                 if !is_named {
                     continue;
                 }
@@ -96,6 +98,12 @@ impl Working<'_> {
         let place = self.wrongly_stated(along, letter)?;
         let feedback = format!("{letter} is not right");
         Some(Evidence { given: false, feedback, ..Evidence::given(place, quantity.in_plain_words()) })
+    }
+
+    /// Is a letter that of the other sphere, by the equations, where the speed of one is looked for?
+    fn is_velocity_of_other(&self, letter: &str, speed: Quantity) -> bool {
+        let Quantity::Speed(sphere, Moment::After) = speed else { return false };
+        self.convention_by_laws().is_some_and(|convention| is_of_other(&convention.letters, letter, sphere))
     }
 
     /// The student's letter for the velocity of a sphere whose speed it is too, for it moves along the line of centres.
@@ -194,7 +202,15 @@ impl Working<'_> {
             true => is_vector(&exactly(values), &x, &y, 1.0),
             false => is_vector(values, &x, &y, 1.0),
         };
-        let line = self.lines.iter().position(|studied| self.members(studied).any(|(_, values)| is_right(values)))?;
+        // A right formula that is worked out wrongly is no right value, here either.
+        let same_statement =
+            |one: &(&Member, &Vec<Value>), other: &(&Member, &Vec<Value>)| one.0.statement == other.0.statement;
+        let ends_right = |studied: &Studied| {
+            let of_vectors = |(_, values): &(&Member, &Vec<Value>)| matches!(values[..], [Value::Vector(..), ..]);
+            let vectors: Vec<_> = self.members(studied).filter(of_vectors).collect();
+            vectors.chunk_by(same_statement).any(|chain| chain.last().is_some_and(|(_, values)| is_right(values)))
+        };
+        let line = self.lines.iter().position(ends_right)?;
         Some(Evidence::given(line, format!("the velocity of {}", sphere.name())))
     }
 

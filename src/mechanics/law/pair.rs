@@ -93,12 +93,18 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
 
 pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
     match slip {
-        // What does change was taken not to.
-        "wrong-axis" if rule.form == FORWARDS => {
+        // What does change was taken not to; on one line there is nothing else.
+        "wrong-axis" if rule.form == FORWARDS && !is_on_one_line(known) => {
             Some(known.numbers([ALONG[0], ALONG[1]])?.map(Datum::Number).to_vec())
         }
         _ => None,
     }
+}
+
+/// Has neither sphere a component across?
+fn is_on_one_line<N: Number>(known: &Known<N>) -> bool {
+    let across = |sphere| known.number(Quantity::Velocity(sphere, Moment::Before, Axis::T));
+    Sphere::BOTH.into_iter().all(|sphere| across(sphere).is_some_and(|across| across.is_nought()))
 }
 
 /// What earns the mark for accuracy.

@@ -193,7 +193,9 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
         "restitution-reversed" if rule.form == OF_E => number(-evaluate_e(known)?),
         "restitution-reversed" => with_inputs(rule, known, &[(e, -at(e)?)]),
         "restitution-ignores-b" => with_inputs(rule, known, &[(b, at(b)?.nought())]),
-        "right-angle-assumed" if rule.form == EQUATION && is_at_rest_before(known, Sphere::B) => {
+        "right-angle-assumed"
+            if rule.form == EQUATION && is_at_rest_before(known, Sphere::B) && !is_along_line_before(known) =>
+        {
             // A has no velocity left along the line of centres, which is the path of B.
             let one = at(a)?.one();
             Some(vec![Datum::Equation([one.clone(), one.nought(), one.nought()])])
@@ -215,6 +217,11 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
         }
         _ => None,
     }
+}
+
+/// Is A known to move along the line of centres? Then there are no paths at an angle.
+fn is_along_line_before<N: Number>(known: &Known<N>) -> bool {
+    known.number(Quantity::Velocity(Sphere::A, Moment::Before, Axis::T)).is_some_and(|across| across.is_nought())
 }
 
 fn evaluate_e<N: Number>(known: &Known<N>) -> Option<N> {

@@ -15,6 +15,14 @@ pub(super) const POINTS: u32 = 6;
 /// The highest power that is enclosed.
 const MOST_POWER: i64 = 64;
 
+/// The letter of that name; a capital is condoned where the question has only the small letter, or the reverse.
+pub(super) fn letter<'a>(letters: &'a [Letter], name: &str) -> Option<&'a Letter> {
+    letters.iter().find(|letter| letter.name() == name).or_else(|| {
+        let single = name.len() == 1;
+        letters.iter().find(|letter| single && letter.name().eq_ignore_ascii_case(name))
+    })
+}
+
 /// What a letter stands for at a point: for an angle its tangent.
 pub(super) fn at_point(letter: &Letter, point: u32) -> Fraction {
     let seed = 7 + i64::from(point) * 41;
@@ -171,7 +179,7 @@ impl<N: Enclosure> At<'_, N> {
     }
 
     fn letter(&self, name: &str) -> Option<N> {
-        let letter = super::exact::letter(self.letters, name)?;
+        let letter = letter(self.letters, name)?;
         let value = || self.of(&at_point(letter, self.point));
         if letter.range() != Range::Acute {
             return Some(value());
@@ -186,7 +194,7 @@ impl<N: Enclosure> At<'_, N> {
     /// The tangent, sine or cosine of an acute letter, which stands for its tangent: no angle need be worked out.
     fn of_acute(&self, function: Function, of: &Expr) -> Option<N> {
         let Expr::Name(name) = of else { return None };
-        let letter = super::exact::letter(self.letters, &name.text).filter(|letter| letter.range() == Range::Acute)?;
+        let letter = letter(self.letters, &name.text).filter(|letter| letter.range() == Range::Acute)?;
         let tangent = at_point(letter, self.point);
         let above = match function {
             Function::Tan => return Some(self.of(&tangent)),

@@ -1,0 +1,108 @@
+//! Do the words ask for the figures to which answers are accepted? Whoever does as he is told must not lose a mark by it.
+
+use super::exact_form::{meant, sentences};
+use super::finding::Finding;
+use crate::answer::{Accept, Kind};
+use crate::bank::{Answer, Question, StyleName};
+use crate::expr::{Text, print};
+use crate::number::Places;
+
+/// Words that ask for other figures than those to which an answer is accepted.
+pub fn otherwise(question: &Question) -> Vec<Finding> {
+    let rows =
+        |part: usize| question.parts[part].answers.iter().enumerate().map(move |(row, answer)| (part, row, answer));
+    let all: Vec<_> = (0..question.parts.len()).flat_map(rows).collect();
+    let mut findings: Vec<Finding> = Vec::new();
+    for style in &question.styles {
+        let before = style.stem.iter().chain([&style.note]).map(|text| (text, None));
+        let asks = question.parts.iter().enumerate();
+        let asks = asks.flat_map(|(place, part)| part.ask.iter().map(move |ask| (ask, Some(place))));
+        for (text, part) in before.chain(asks) {
+            let answers: Vec<_> = all.iter().filter(|(own, ..)| part.is_none_or(|part| part == *own)).collect();
+            let Some((places, answer)) = unlike(text, style.name, answers.iter().map(|(.., answer)| *answer)) else {
+                continue;
+            };
+            let name = print::text_unicode(&answer.name);
+            let rule = answer.accept(style.name);
+            let asked = in_words(&places);
+            let message = format!("style `{}` asks for {asked}, and the rule of `{name}` is `{rule}`", style.name);
+            let help =
+                format!("write `accept = \"{}\"` at the answer, or ask for what it has", Accept::RoundsTo(places));
+            let found = Finding::new(message, "", "who does as the words say may lose the mark").with_help(help);
+            let at = answers.iter().find(|(.., own)| std::ptr::eq(*own, answer));
+            let found = at.map_or(found.clone(), |(part, row, _)| found.at_row(*part, "answers", *row));
+            // Of one text of all styles it is told once.
+            if !findings.iter().any(|known| known.row == found.row) {
+                findings.push(found);
+            }
+        }
+    }
+    findings
+}
+
+/// The figures that a text asks for, and the first answer of which it speaks, if none of these is accepted to them.
+fn unlike<'q>(
+    text: &Text,
+    style: StyleName,
+    answers: impl Iterator<Item = &'q Answer>,
+) -> Option<(Places, &'q Answer)> {
+    let is_number = |answer: &&Answer| matches!(answer.kind, Kind::Number | Kind::Angle | Kind::Vector);
+    let answers: Vec<&Answer> = answers.filter(is_number).collect();
+    sentences(text).into_iter().find_map(|sentence| {
+        let asked = asked(&sentence);
+        let places = |answer: &Answer| answer.accept(style).places().cloned();
+        let rounded: Vec<&Answer> =
+            meant(&sentence, &answers).into_iter().filter(|answer| places(answer).is_some()).collect();
+        let is_met = rounded.iter().any(|answer| asked.iter().any(|asked| places(answer).as_ref() == Some(asked)));
+        let (first, wanted) = (rounded.first()?, asked.into_iter().next()?);
+        (!is_met).then_some((wanted, *first))
+    })
+}
+
+/// All figures that a sentence asks for: `to 3 significant figures`, `to the nearest degree`.
+fn asked(sentence: &str) -> Vec<Places> {
+    const COUNTS: [&str; 5] = ["one", "two", "three", "four", "five"];
+    let words: Vec<&str> =
+        sentence.split_whitespace().map(|word| word.trim_matches(['.', ',', ';', '(', ')'])).collect();
+    let at = (0..words.len()).filter_map(|at| {
+        let count = COUNTS.iter().position(|count| *count == words[at]).map(|count| (count + 1).to_string());
+        let first = count.as_deref().unwrap_or(words[at]);
+        let is_rule = first == "nearest" || first.parse::<u32>().is_ok();
+        let rest = |length: usize| words.get(at + 1..at + length).map(|rest| format!("{first} {}", rest.join(" ")));
+        let said = |length| Accept::said(&rest(length)?).ok();
+        [3, 2].into_iter().filter(|_| is_rule).find_map(said)?.places().cloned()
+    });
+    at.collect()
+}
+
+fn in_words(places: &Places) -> String {
+    let several = |count: u32, one: &str| format!("{count} {one}{}", if count == 1 { "" } else { "s" });
+    match places {
+        Places::SignificantFigures(count) => several(*count, "significant figure"),
+        Places::DecimalPlaces(count) => several(*count, "decimal place"),
+        Places::Nearest(_) => format!("the {}", Accept::Rounded(places.clone())),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::examine::edited;
+
+    #[test]
+    fn figures_of_the_words_are_those_of_the_rule() {
+        let id = "rest/speeds-and-directions";
+        assert_eq!(otherwise(&edited(id, &[])), []);
+        let table = [
+            ("significant figures", 2, "asks for 2 significant figures, and the rule of"),
+            ("decimal places", 1, "asks for 1 decimal place, and the rule of"),
+        ];
+        for (what, count, words) in table {
+            let note = format!("to {count} {what}");
+            let found = otherwise(&edited(id, &[("to 3 significant figures", &note)]));
+            assert!(found.iter().any(|found| found.message.contains(words)), "{found:?}");
+        }
+        assert_eq!(asked("give it to three significant figures, or to the nearest degree.").len(), 2);
+        assert_eq!(asked("the 3 spheres move with the nearest at 2 m s⁻¹ in 3 figures."), []);
+    }
+}

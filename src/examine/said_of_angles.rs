@@ -1,0 +1,103 @@
+//! What the words say of angles: how large they are, from which line they are measured, and what their sine is.
+
+use super::finding::Finding;
+use super::said::Seen;
+use super::sentence::{Sentence, Token, measured_from};
+use crate::bank::names_in_degrees;
+use crate::expr::{Expr, Function, Meaning, Piece, Relation, Turn, holds, print, written_angle};
+use crate::mechanics::{Axis, Moment, Quantity, Sphere};
+use crate::number::{Angle, Value};
+
+impl Seen<'_> {
+    /// What is said of the acute angle of a velocity, measured from the line that the words name after it, and what it is.
+    pub(super) fn angle(
+        &self,
+        sphere: Sphere,
+        moment: Moment,
+        expr: &Expr,
+        after: &[Token],
+    ) -> Option<(String, String)> {
+        let from = measured_from(after)?;
+        let to_line = self.known.direction(self.first(sphere, Quantity::AngleToLine(sphere, moment))?);
+        let (across, along) = to_line?;
+        let (y, x) = if from == Axis::N { (across, along) } else { (along, across) };
+        let has = Angle::of(&y, &x)?;
+        if let (Some(said), Some(has)) = (self.meaning(expr).and_then(degrees_said), degrees(&Turn::of(has.clone()))) {
+            let is_apart = (said - has).abs() > 1e-6 && said < 90.0;
+            return is_apart.then(|| (format!("{said:.4}"), format!("{has:.4}")));
+        }
+        // Of letters only what goes before is given; what comes after is to be found.
+        let is_in = |value: &Value, name: &str| value.letters().iter().any(|letter| letter.name() == name);
+        let Expr::Name(letter) = expr else { return None };
+        let is_given = is_in(&y, &letter.text) || is_in(&x, &letter.text);
+        if moment == Moment::After {
+            return None;
+        }
+        let (y, x) = (&y * &y, &x * &x);
+        let is_so = |tangent: &Value| y.equals(&(tangent * &x));
+        let by_itself = || {
+            let tangent = self.number(&names_in_degrees(&Expr::call(Function::Tan, expr.clone())))?;
+            Some(&tangent * &tangent)
+        };
+        let all = [by_itself().filter(|_| is_given), self.tangent_said(&letter.text)];
+        let said: Vec<Value> = all.into_iter().flatten().collect();
+        if said.is_empty() || said.iter().any(is_so) {
+            return None;
+        }
+        let said = Angle::of(&said[0].square_root()?, &Value::ONE)?;
+        let shown = |angle: &Angle| print::unicode(&written_angle(angle));
+        Some((shown(&said), shown(&has)))
+    }
+
+    /// The square of the tangent that an equation of the words gives to an angle, by its tangent, sine or cosine.
+    fn tangent_said(&self, angle: &str) -> Option<Value> {
+        let of_it = |expr: &Expr| {
+            let Expr::Relation(left, Relation::Equal, right) = expr else { return None };
+            let Expr::Call(function, argument) = &**left else { return None };
+            let is_its = matches!(&**argument, Expr::Name(name) if name.text == angle);
+            let value = self.number(right).filter(|_| is_its)?;
+            let square = &value * &value;
+            let rest = &Value::ONE - &square;
+            match function {
+                Function::Tan => Some(square),
+                Function::Sin => square.divided_by(&rest),
+                Function::Cos => rest.divided_by(&square),
+                _ => None,
+            }
+        };
+        self.stem().flat_map(|text| &text.0).find_map(|piece| match piece {
+            Piece::Formula(expr) => of_it(expr),
+            _ => None,
+        })
+    }
+
+    /// Equations and inequalities between what is given that do not hold.
+    pub(super) fn equations(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        for token in sentence {
+            let Token::Number(relation @ Expr::Relation(left, _, right), _, lead) = token else { continue };
+            let is_given = |side: &Expr| match self.meaning(&names_in_degrees(side)) {
+                Some(Meaning::Number(value)) => value.is_constant(),
+                Some(Meaning::Angle(turn) | Meaning::Degrees(turn)) => turn.is_constant(),
+                _ => false,
+            };
+            let is_so = || holds(&names_in_degrees(relation), &|name| self.variant.givens.meaning(name));
+            if is_given(left) && is_given(right) && is_so() == Ok(Some(false)) {
+                let message = format!("the words say that `{}`, and it is not so", print::plain(relation));
+                findings.push(self.finding(message, lead, "say what it is, or give other values to its names"));
+            }
+        }
+    }
+}
+
+/// The degrees of a number or angle in the words.
+fn degrees_said(meaning: Meaning) -> Option<f64> {
+    match meaning {
+        Meaning::Number(value) => value.to_f64(),
+        Meaning::Angle(turn) | Meaning::Degrees(turn) => degrees(&turn),
+        _ => None,
+    }
+}
+
+fn degrees(turn: &Turn) -> Option<f64> {
+    turn.enclose(64).map(|degrees| degrees.to_f64())
+}

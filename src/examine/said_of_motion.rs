@@ -1,0 +1,246 @@
+//! What the words say of how it happens: what is elastic, what is direct, who moves which way and who turns back.
+
+use std::cmp::Ordering;
+
+use super::finding::Finding;
+use super::said::{Seen, moment};
+use super::sentence::{Sentence, Token, is_one_of, subject};
+use crate::expr::{Angles, Relation, print, read, written};
+use crate::mechanics::{Axis, Condition, Moment, Quantity, Setting, Sphere};
+use crate::number::Value;
+use crate::unit::Unit;
+
+impl Seen<'_> {
+    /// Does all of it happen along one line?
+    fn is_direct(&self) -> bool {
+        self.variant.scene.setting == Setting::Direct
+    }
+
+    /// Does a sphere strike a wall first, or is it alone?
+    pub(super) fn is_alone(&self) -> bool {
+        self.variant.scene.setting.is_of_one()
+    }
+
+    /// Impacts that are elastic or not at all, direct or oblique.
+    pub(super) fn kind(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        const TOGETHER: [&str; 4] = ["coalesce", "coalesces", "coalesced", "inelastic"];
+        let scene = &self.question.scene;
+        let given = scene.e.as_ref().and_then(|e| read(e, Angles::Degrees).ok());
+        let is_open = given.is_none_or(|e| e.names().iter().any(|name| scene.unknowns.contains(&name.text)));
+        for (place, token) in sentence.iter().enumerate() {
+            let is_perfectly = place > 0 && is_one_of(&sentence[place - 1], &["perfectly"]);
+            let coefficient = match token {
+                Token::Word(word) if is_perfectly && ["elastic", "elastically"].contains(&word.as_str()) => Value::ONE,
+                Token::Word(word) if word == "inelastic" && !is_perfectly => continue,
+                _ if is_one_of(token, &TOGETHER) => Value::ZERO,
+                _ => continue,
+            };
+            let all = self.known.0.keys().filter(|quantity| quantity.of_its_impact() == Quantity::Restitution);
+            let all: Vec<Value> = all.filter_map(|quantity| self.known.number(*quantity)).collect();
+            if !is_open && !all.is_empty() && !all.iter().any(|e| e.equals(&coefficient)) {
+                let Token::Word(word) = token else { continue };
+                let said = if is_perfectly { format!("perfectly {word}") } else { word.clone() };
+                let e = print::unicode(&written(&all[0]));
+                let wanted = print::unicode(&written(&coefficient));
+                let message = format!("the words say `{said}`, for which e is {wanted}, and in the scene it is {e}");
+                findings.push(self.finding(message, &said, "give in `[scene]` the `e` that is said, or say another"));
+            }
+        }
+        let says = |words: &[&str]| sentence.iter().find(|token| is_one_of(token, words));
+        let is_across = || {
+            let mut across = Sphere::BOTH.map(|sphere| Quantity::Velocity(sphere, Moment::Before, Axis::T)).into_iter();
+            across.any(|across| self.known.number(across).is_some_and(|value| !value.is_zero()))
+        };
+        let wrong = match self.is_direct() {
+            true => says(&["oblique", "obliquely"]),
+            false if scene.then.is_empty() && is_across() => says(&["directly"]),
+            false => None,
+        };
+        if let Some(Token::Word(word)) = wrong {
+            let other = if word == "directly" { "oblique" } else { "direct" };
+            let message = format!("the words say `{word}`, and in the scene the impact is {other}");
+            findings.push(self.finding(message, word, "say what it is, or give other velocities in `[scene]`"));
+        }
+    }
+
+    /// A sphere that is said to move, or to move towards the other or away from it, before the impact.
+    pub(super) fn moving(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        for (place, token) in sentence.iter().enumerate() {
+            if !is_one_of(token, &["moving", "moves"]) || moment(sentence, place) == Moment::After {
+                continue;
+            }
+            let Some(sphere) = subject(&sentence[..place]) else { continue };
+            let has = |quantity| self.known.number(self.first(sphere, quantity)?);
+            if has(Quantity::Speed(sphere, Moment::Before)).is_some_and(|speed| speed.is_zero()) {
+                let message =
+                    format!("the words say that `*{}*` is moving, and in the scene it is at rest", sphere.name());
+                let at = sentence.get(place + 1).map_or("is moving".to_owned(), |next| match next {
+                    Token::Word(next) => format!("moving {next}"),
+                    _ => "moving".to_owned(),
+                });
+                findings.push(self.finding(message, &at, "say that it is at rest, or give it a velocity in `[scene]`"));
+            }
+            let (way, sense) = match &sentence[place + 1..] {
+                [Token::Word(to), Token::Word(it), ..] if to == "towards" && it == "it" => ("towards", 1.0),
+                [Token::Word(away), Token::Word(_), Token::Word(it), ..] if away == "away" && it == "it" => {
+                    ("away from", -1.0)
+                }
+                _ => continue,
+            };
+            let ahead = if sphere == Sphere::A { sense } else { -sense };
+            let along = has(Quantity::Velocity(sphere, Moment::Before, Axis::N)).and_then(|along| along.sign());
+            let is_with = |sign: Ordering| if ahead > 0.0 { sign.is_lt() } else { sign.is_gt() };
+            if sphere != Sphere::C && along.is_some_and(is_with) {
+                let message =
+                    format!("the words say that `*{}*` moves {way} the other, and it does not", sphere.name());
+                let help = "turn its velocity round in `[scene]`, or say which way it is";
+                findings.push(self.finding(message, &format!("{way} it"), help));
+            }
+        }
+    }
+
+    /// A sphere whose direction is said to be reversed, or not to change.
+    pub(super) fn turned_back(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        // Of a component it may be said in any impact.
+        if sentence.iter().any(|token| is_one_of(token, &["component"])) {
+            return;
+        }
+        let Some(at) = sentence.iter().position(|token| is_one_of(token, &["direction"])) else { return };
+        let sphere = |token: &Token| if let Token::Sphere(sphere) = token { Some(*sphere) } else { None };
+        let verb = ["reversed", "unchanged", "changed"];
+        let Some(end) = sentence[at..].iter().position(|token| is_one_of(token, &verb)).map(|end| at + end) else {
+            return;
+        };
+        let Token::Word(word) = &sentence[end] else { return };
+        let is_not = sentence[at..end].iter().any(|token| is_one_of(token, &["not"]));
+        let is_back = match (word.as_str(), is_not) {
+            ("reversed", false) => true,
+            ("reversed", true) | ("unchanged", false) | ("changed", true) => false,
+            _ => return,
+        };
+        let of: Vec<Sphere> = sentence[at..end].iter().filter_map(sphere).collect();
+        let [of] = of.as_slice() else { return };
+        let met = self.known.0.keys().filter(|known| known.of_its_impact() == Quantity::Mass(*of));
+        if met.map(|mass| mass.impact()).ne([0]) {
+            return;
+        }
+        let is_so = match self.is_direct() {
+            // What is at rest before or after has not turned back.
+            true => self.turns_round(*of).map(|turns| turns == is_back),
+            false => self.keeps_its_line(*of, is_back),
+        };
+        if is_so == Some(false) {
+            let said = if is_back { "reversed" } else { "not changed" };
+            let message = format!("the words say that the direction of `*{}*` is {said}, and it is not so", of.name());
+            let help = "mend the `conditions` or velocities of `[scene]`, or say what happens";
+            findings.push(self.finding(message, &format!("is {}{word}", if is_not { "not " } else { "" }), help));
+        }
+    }
+
+    /// Is the component of a sphere's velocity along the line of centres turned round?
+    fn turns_round(&self, sphere: Sphere) -> Option<bool> {
+        let along = |moment| self.known.number(Quantity::Velocity(sphere, moment, Axis::N))?.sign();
+        let before = along(Moment::Before)?;
+        let after = along(Moment::After).or_else(|| self.required(sphere))?;
+        Some(before.is_ne() && before == after.reverse())
+    }
+
+    /// The scalar product of a sphere's velocities before and after in the plane, and their cross product.
+    fn products(&self, sphere: Sphere) -> Option<(Value, Value)> {
+        let along = |moment, axis| self.known.number(Quantity::Velocity(sphere, moment, axis));
+        let components = |[one, other]: [Axis; 2]| {
+            let of = |moment| Some([along(moment, one)?, along(moment, other)?]);
+            Some((of(Moment::Before)?, of(Moment::After)?))
+        };
+        let found = components([Axis::N, Axis::T]).or_else(|| components([Axis::X, Axis::Y]));
+        let ([p, q], [r, s]) = found?;
+        Some((&(&p * &r) + &(&q * &s), &(&p * &s) - &(&q * &r)))
+    }
+
+    /// Does a sphere go on in its own line, back or forth?
+    fn keeps_its_line(&self, sphere: Sphere, is_back: bool) -> Option<bool> {
+        let (dot, cross) = self.products(sphere)?;
+        let way = if is_back { Ordering::Less } else { Ordering::Greater };
+        Some(cross.is_zero() && dot.sign().is_none_or(|sign| sign == way))
+    }
+
+    /// A sphere that is said to rebound, and goes on.
+    pub(super) fn rebounding(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        const REBOUNDS: [&str; 5] = ["rebounds", "rebound", "rebounded", "rebounding", "bounces"];
+        let found = sentence.iter().enumerate().find(|(_, token)| is_one_of(token, &REBOUNDS));
+        let Some((place, Token::Word(word))) = found else { return };
+        if self.is_alone() || !self.question.scene.then.is_empty() {
+            return;
+        }
+        let is_not = place > 0 && sentence[..place].iter().any(|token| is_one_of(token, &["not", "nor"]));
+        let Some(sphere) = subject(&sentence[..place]) else { return };
+        if self.turns_round(sphere) == Some(is_not) {
+            let not = if is_not { "does not rebound" } else { "rebounds" };
+            let message = format!("the words say that `*{}*` {not}, and it is not so", sphere.name());
+            findings.push(self.finding(
+                message,
+                word,
+                "mend the `conditions` or numbers of `[scene]`, or say what happens",
+            ));
+        }
+    }
+
+    /// The angle through which the path of a sphere is said to be turned.
+    pub(super) fn turned_through(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        let Some(at) = sentence.iter().position(|token| is_one_of(token, &["through"])) else { return };
+        let is_turned =
+            sentence[..at].iter().any(|token| is_one_of(token, &["turn", "turns", "turned", "deflects", "deflected"]));
+        let said = match &sentence[at + 1..] {
+            [Token::Word(a), Token::Word(right), Token::Word(angle), ..]
+                if (a.as_str(), right.as_str(), angle.as_str()) == ("a", "right", "angle") =>
+            {
+                Some(90.0)
+            }
+            // `An acute angle of`, and no number of what comes later.
+            rest => {
+                let number = rest.iter().take(5).find_map(|token| match token {
+                    Token::Number(expr, unit, _) => {
+                        let value = if *unit == Unit::Degree { self.number(expr) } else { None };
+                        Some(value.and_then(|value| value.to_f64()))
+                    }
+                    // One that stands in the words without braces.
+                    Token::Word(word) => word.parse().ok().map(Some),
+                    _ => None,
+                });
+                number.flatten()
+            }
+        };
+        let (Some(said), true, true) = (said, is_turned, self.question.scene.then.is_empty()) else { return };
+        // `more than a right angle` is no angle.
+        let is_compared = sentence[at + 1..].iter().any(|token| is_one_of(token, &["than", "least", "most"]));
+        let named = sentence[..at].iter().filter_map(|token| match token {
+            Token::Sphere(sphere) => Some(*sphere),
+            _ => None,
+        });
+        let named: Vec<Sphere> = named.collect();
+        let ([sphere], false) = (named.as_slice(), is_compared) else { return };
+        let Some((dot, cross)) = self.products(*sphere) else { return };
+        let is_so = match (said == 90.0, dot.to_f64(), cross.to_f64()) {
+            (true, ..) => dot.is_zero(),
+            (false, Some(dot), Some(cross)) => (cross.abs().atan2(dot).to_degrees() - said).abs() < 1e-6,
+            _ => return,
+        };
+        if !is_so {
+            let message =
+                format!("the words say that `*{}*` is turned through {said}°, and it is not so", sphere.name());
+            findings.push(self.finding(message, "through", "require the angle that is said, or say another"));
+        }
+    }
+
+    /// The sign that a condition gives to the velocity of a sphere afterwards.
+    fn required(&self, sphere: Sphere) -> Option<Ordering> {
+        let after = [Axis::X, Axis::N].map(|axis| Quantity::Velocity(sphere, Moment::After, axis).to_string());
+        let of_it =
+            |condition: &&Condition| after.contains(&print::plain(&condition.left)) && condition.right.is_zero();
+        match self.variant.scene.conditions.iter().find(of_it)?.relation {
+            Relation::Less | Relation::LessOrEqual => Some(Ordering::Less),
+            Relation::Greater | Relation::GreaterOrEqual => Some(Ordering::Greater),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,238 @@
+//! A letter that is found backwards, found again by somebody with a slip.
+//!
+//! What the scene gives is taken with a number in place of the letter, the derivation is carried out again with the slip,
+//! and what should vanish is looked at. From the right value on the number is changed until that vanishes again, by the
+//! rule of the secant: most conditions are linear in the letter, or nearly so, and the third number is the one. Every
+//! point has its own.
+
+use crate::mechanics::{Carried, Condition, Datum, Known, Law, Quantity, Slip, Sought, Vanishing};
+use crate::number::{Letter, Range, Value};
+
+use super::sample::{POINTS, Sample};
+use super::table::value;
+use super::written::condition_gap;
+
+/// After so many numbers it is given up.
+const MOST_STEPS: usize = 12;
+
+/// Two numbers that differ by less than this part are one: of a condition, and of a rate of change, which is found from
+/// differences.
+const ONE: f64 = 1e-13;
+const ONE_OF_A_SLOPE: f64 = 1e-7;
+
+/// How far off the values are from which a rate of change is found: further, and it is less right; nearer, and what is left
+/// of their difference is noise.
+const FINE: f64 = 1e-4;
+
+/// What is right vanishes to this part of what it is a little further on.
+const VANISHED: f64 = 1e-6;
+
+/// How far off the second number is.
+const FIRST_STEP: f64 = 1.0 / 16.0;
+
+/// Data in place of others.
+pub(super) type Entered = Vec<(Quantity, Datum<Sample>)>;
+
+/// A letter, with all that it is found from.
+#[derive(Clone, Debug)]
+pub(super) struct Backwards {
+    pub(super) letter: Letter,
+    /// The other letters, each with what it stands for.
+    others: Vec<(Letter, Sample)>,
+    /// What is given in terms of the letter.
+    given: Vec<(Quantity, Datum<Value>)>,
+    /// What was asked of the scene to find it.
+    asked: Vec<Quantity>,
+    /// The right numbers.
+    places: Vec<Place>,
+    /// Are they the ends of a range?
+    pub(super) is_range: bool,
+}
+
+/// A right number, with what vanishes there.
+#[derive(Clone, Debug)]
+struct Place {
+    right: Landed,
+    vanishing: Vanishing,
+}
+
+/// A number at which something vanishes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Landed {
+    pub(super) number: Sample,
+    /// Does it grow with the number there? One, or else minus one: of a range that is the side on which it lies.
+    pub(super) side: Sample,
+}
+
+impl Backwards {
+    /// Nothing if the right numbers do not exist at the points, or do not make vanish what they should.
+    pub(super) fn of(sought: &Sought, road: &mut Carried<Sample>) -> Option<Backwards> {
+        let has_letter = |value: &Value| value.letters().contains(&sought.letter);
+        let is_open = |datum: &Datum<Value>| match datum {
+            Datum::Number(value) => has_letter(value),
+            Datum::Direction { y, x } => has_letter(y) || has_letter(x),
+            Datum::Equation(_) => false,
+        };
+        let given = sought.given.0.iter().filter(|(_, datum)| is_open(datum));
+        let given = given.map(|(quantity, datum)| (*quantity, datum.clone())).collect();
+        let others = sought.letters.iter().filter(|other| **other != sought.letter);
+        let others = others.map(|other| (*other, Sample::of_tangent(*other))).collect();
+        let (letter, asked, is_range) = (sought.letter, sought.asked.clone(), sought.is_range);
+        let mut backwards = Backwards { letter, others, given, asked, places: Vec::new(), is_range };
+        for (value, vanishing) in &sought.places {
+            let number = Sample::of(value)?;
+            let [here, beside] =
+                [number, beside(number)].map(|number| backwards.gap(vanishing, number, road, &[], &[]));
+            let (here, beside) = (here?, beside?);
+            if !here.0.iter().zip(beside.0).all(|(here, beside)| here.abs() <= VANISHED * beside.abs()) {
+                return None;
+            }
+            let right = Landed { number, side: beside.map(f64::signum) };
+            backwards.places.push(Place { right, vanishing: vanishing.clone() });
+        }
+        Some(backwards)
+    }
+
+    /// How many places there are.
+    pub(super) fn count(&self) -> usize {
+        self.places.len()
+    }
+
+    /// Is it quickly found again, so that pairs of slips can be tried? Where something is greatest it is not.
+    pub(super) fn is_quick(&self) -> bool {
+        self.places.iter().all(|place| !matches!(place.vanishing, Vanishing::Slope(_)))
+    }
+
+    /// The right number of a place.
+    pub(super) fn right(&self, place: usize) -> Landed {
+        self.places[place].right
+    }
+
+    /// A number as an answer has it: an angle in degrees.
+    pub(super) fn in_figures(&self, number: Sample) -> Sample {
+        match self.letter.range() {
+            Range::Acute => number.map(|tangent| tangent.atan().to_degrees()),
+            _ => number,
+        }
+    }
+
+    /// What is given where the letter is this number.
+    pub(super) fn given_at(&self, number: Sample) -> Entered {
+        let there = |value: &Value| self.nearly(value, number);
+        let datum = |datum: &Datum<Value>| match datum {
+            Datum::Number(value) => Datum::Number(there(value)),
+            Datum::Direction { y, x } => Datum::Direction { y: there(y), x: there(x) },
+            Datum::Equation(coefficients) => Datum::Equation([0, 1, 2].map(|place| there(&coefficients[place]))),
+        };
+        self.given.iter().map(|(quantity, given)| (*quantity, datum(given))).collect()
+    }
+
+    /// About a value, where the letter is this number.
+    fn nearly(&self, value: &Value, number: Sample) -> Sample {
+        Sample::nearly(value, &|letter| match letter == self.letter {
+            true => Some(number),
+            false => self.others.iter().find(|(other, _)| *other == letter).map(|(_, number)| *number),
+        })
+    }
+
+    /// The number that somebody finds who makes these slips and starts from other data: none who finds nothing, or
+    /// something that the letter cannot be.
+    pub(super) fn found(
+        &self,
+        place: usize,
+        road: &mut Carried<Sample>,
+        slips: &[(Law, &Slip)],
+        entered: &[(Quantity, Datum<Sample>)],
+    ) -> Option<Landed> {
+        let Place { right, vanishing } = &self.places[place];
+        let is_changed =
+            |carried: &Carried<Sample>, trace| self.asked.iter().any(|own| carried.is_changed(*own, trace));
+        if !road.again(slips, entered, is_changed) {
+            return Some(*right);
+        }
+        let one = if matches!(vanishing, Vanishing::Slope(_)) { ONE_OF_A_SLOPE } else { ONE };
+        let start = [right.number, beside(right.number)];
+        let mut gap = |number: Sample| self.gap(vanishing, number, road, slips, entered);
+        // What is not near a line in the number may be one in its reciprocal.
+        let over = |number: Sample| number.map(f64::recip);
+        let by_reciprocal = |gap: &mut dyn FnMut(Sample) -> Option<Sample>| {
+            let Landed { number, side } = root(start.map(over), one, |number| gap(over(number)))?;
+            Some(Landed { number: over(number), side: -side })
+        };
+        let found = root(start, one, &mut gap).or_else(|| by_reciprocal(&mut gap))?;
+        let can_be = self.letter.range() == Range::Real || found.number.0.iter().all(|number| *number > 0.0);
+        can_be.then_some(found)
+    }
+
+    /// What should vanish, for a number.
+    fn gap(
+        &self,
+        vanishing: &Vanishing,
+        number: Sample,
+        road: &mut Carried<Sample>,
+        slips: &[(Law, &Slip)],
+        entered: &[(Quantity, Datum<Sample>)],
+    ) -> Option<Sample> {
+        let mut measured = |number: Sample| {
+            let mut other = self.given_at(number);
+            other.extend_from_slice(entered);
+            road.again(slips, &other, |carried, _| self.measured(vanishing, number, carried.known()))
+        };
+        if !matches!(vanishing, Vanishing::Slope(_)) {
+            return measured(number);
+        }
+        // The rate of change by a value to each side: right but for the square of how far off they are.
+        let step = number.map(|number| FINE * number.abs().max(FINE));
+        let slope = measured(number + step)? - measured(number - step)?;
+        Some(slope.with(step, |slope, step| slope / (2.0 * step)))
+    }
+
+    /// What is looked at, of what is known.
+    fn measured(&self, vanishing: &Vanishing, number: Sample, known: &Known<Sample>) -> Option<Sample> {
+        let found = match vanishing {
+            Vanishing::Gap(Condition { left, right, .. }) => {
+                condition_gap(left, right, &self.others, (self.letter, number), known)?
+            }
+            Vanishing::Distance(quantity, bound) => value(known.0.get(quantity)?)? - self.nearly(bound, number),
+            Vanishing::Slope(quantity) => value(known.0.get(quantity)?)?,
+        };
+        found.is_finite().then_some(found)
+    }
+}
+
+/// The second number, a little further on.
+fn beside(number: Sample) -> Sample {
+    number.map(|number| number + FIRST_STEP * number.abs().max(FIRST_STEP))
+}
+
+/// Where something vanishes, at each point for itself.
+fn root(start: [Sample; 2], one: f64, mut gap: impl FnMut(Sample) -> Option<Sample>) -> Option<Landed> {
+    let [mut last, mut here] = start;
+    let (mut at_last, mut at_here) = (gap(last)?, gap(here)?);
+    // What is the same for every number determines none.
+    if at_last == at_here {
+        return None;
+    }
+    let mut side = Sample::constant(1.0);
+    for _ in 0..MOST_STEPS {
+        let place = |point: usize| {
+            let (change, rise) = (here.0[point] - last.0[point], at_here.0[point] - at_last.0[point]);
+            match at_here.0[point] == 0.0 || change == 0.0 {
+                true => (here.0[point], side.0[point]),
+                false => (here.0[point] - at_here.0[point] * change / rise, (rise / change).signum()),
+            }
+        };
+        let each: [(f64, f64); POINTS] = std::array::from_fn(place);
+        let next = Sample(each.map(|(next, _)| next));
+        side = Sample(each.map(|(_, side)| side));
+        if !next.is_finite() {
+            return None;
+        }
+        if next.0.iter().zip(here.0).all(|(next, here)| (next - here).abs() <= one * next.abs()) {
+            return Some(Landed { number: next, side });
+        }
+        (last, at_last) = (here, at_here);
+        (here, at_here) = (next, gap(next)?);
+    }
+    None
+}

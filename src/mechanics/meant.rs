@@ -1,0 +1,474 @@
+//! What somebody means who writes a sentence where a formula is expected: for `A turns through 90 degrees`, that
+//! `A.deflection_deg = 90`.
+
+use super::conditions_in_words::in_english;
+use super::{Law, Quantity, Setting};
+use crate::expr::{Angles, Expr, read};
+
+/// Words that say nothing of a quantity.
+const IDLE: [&str; 33] = [
+    "the",
+    "of",
+    "in",
+    "is",
+    "are",
+    "impact",
+    "collision",
+    "that",
+    "which",
+    "a",
+    "an",
+    "to",
+    "with",
+    "degrees",
+    "and",
+    "has",
+    "have",
+    "on",
+    "its",
+    "by",
+    "it",
+    "their",
+    "makes",
+    "sphere",
+    "ball",
+    "motion",
+    "after",
+    "immediately",
+    "be",
+    "must",
+    "should",
+    "acute",
+    "path",
+];
+
+/// Other words for those of the vocabulary.
+const ALSO: [(&str, &str); 23] = [
+    ("turn", "deflected"),
+    ("turns", "deflected"),
+    ("turned", "deflected"),
+    ("deflects", "deflected"),
+    ("deflection", "deflected"),
+    ("loss", "lost"),
+    ("loses", "lost"),
+    ("ke", "kinetic energy"),
+    ("velocities", "velocity"),
+    ("masses", "mass"),
+    ("speeds", "speed"),
+    ("angles", "angle"),
+    ("initial", "before"),
+    ("initially", "before"),
+    ("final", "after"),
+    ("tan", "tangent"),
+    ("loc", "line centres"),
+    ("centers", "centres"),
+    ("parallel", "along"),
+    ("direct", "direction"),
+    ("momenta", "momentum"),
+    ("proportion", "fraction"),
+    ("through", ""),
+];
+
+/// Words that stand in no formula.
+const OF_SENTENCES: [&str; 22] = [
+    "the", "of", "is", "are", "as", "out", "through", "not", "be", "must", "should", "and", "or", "to", "with", "when",
+    "has", "than", "equals", "no", "whole", "between",
+];
+
+/// How a relation is said, and its sign; the longer before what it begins with.
+const RELATIONS: [(&str, &str); 33] = [
+    ("is not equal to", "!="),
+    ("not equal to", "!="),
+    ("is different from", "!="),
+    ("is not", "!="),
+    ("is greater than", ">"),
+    ("is more than", ">"),
+    ("is larger than", ">"),
+    ("greater than", ">"),
+    ("more than", ">"),
+    ("exceeds", ">"),
+    ("is less than", "<"),
+    ("is smaller than", "<"),
+    ("is below", "<"),
+    ("less than", "<"),
+    ("is at least", ">="),
+    ("at least", ">="),
+    ("is at most", "<="),
+    ("at most", "<="),
+    ("comes out as", "="),
+    ("comes to", "="),
+    ("is equal to", "="),
+    ("equal to", "="),
+    ("equals", "="),
+    ("must be", "="),
+    ("should be", "="),
+    ("is", "="),
+    ("<=", "<="),
+    (">=", ">="),
+    ("!=", "!="),
+    ("==", "="),
+    ("=", "="),
+    ("<", "<"),
+    (">", ">"),
+];
+
+/// What is said of a number in words, the formula for it, and that for its contrary.
+const SAID: [(&[&str], &str, &str); 7] = [
+    (&["integer", "integers", "whole"], "{} is an integer", "denominator({}) > 1"),
+    (&["even"], "{}/2 is an integer", "({} + 1)/2 is an integer"),
+    (&["odd"], "({} + 1)/2 is an integer", "{}/2 is an integer"),
+    (&["rational", "surd", "surds", "fraction"], "{} is rational", "radicand({}) > 1"),
+    (&["positive"], "{} > 0", "{} <= 0"),
+    (&["negative"], "{} < 0", "{} >= 0"),
+    (&["zero", "nought"], "{} = 0", "{} != 0"),
+];
+
+/// What is said of two spheres beside each other, and the sign between what they have.
+const COMPARED: [(&str, &str, &str); 4] =
+    [("heavier", "mass", ">"), ("lighter", "mass", "<"), ("faster", "speed", ">"), ("slower", "speed", "<")];
+
+/// Is a text a sentence, and no formula?
+pub fn is_sentence(text: &str) -> bool {
+    let words: Vec<&str> = text.split_whitespace().collect();
+    let is_known = |word: &&str| word.len() > 1 && Quantity::meant(word).is_some();
+    words.iter().any(|word| OF_SENTENCES.contains(&word.to_lowercase().as_str()))
+        || words.windows(2).any(|pair| pair.iter().all(is_known))
+}
+
+/// The formula that a sentence is perhaps about.
+///
+/// ```
+/// use carom::mechanics::formula_meant;
+/// assert_eq!(formula_meant("A turns through 90 degrees").as_deref(), Some("A.deflection_deg = 90"));
+/// ```
+pub fn formula_meant(sentence: &str) -> Option<String> {
+    let text = sentence.trim().trim_end_matches('.').replace("a right angle", "90 degrees");
+    // `A is turned through` is `A turns through`, and says nothing that *A* is.
+    let text = [" is turned", " is deflected"].iter().fold(text, |text, said| text.replace(said, " turns"));
+    let words: Vec<String> = text.split_whitespace().map(str::to_lowercase).collect();
+    let says = |of: &[&str]| words.iter().any(|word| of.contains(&word.as_str()));
+    if says(&["different", "unequal", "equal", "same"]) && !says(&["to", "from", "as", "direction"]) {
+        let sign = if says(&["different", "unequal"]) { "!=" } else { "=" };
+        if says(&["mass", "masses"]) {
+            return Some(format!("A.mass {sign} B.mass"));
+        }
+        let (one, other) = text.split_once(" are ")?.0.split_once(" and ")?;
+        return Some(format!("{} {sign} {}", side(one)?, side(other)?));
+    }
+    let mut spheres = text.split_whitespace().filter(|word| ["A", "B"].contains(word));
+    let sphere = spheres.next();
+    if let (Some(one), Some(other)) = (sphere, spheres.next())
+        && let Some((_, noun, sign)) = COMPARED.iter().find(|(said, ..)| says(&[said]))
+    {
+        let of = |sphere: &str| side(&format!("{noun} of {sphere} {}", if says(&["before"]) { "before" } else { "" }));
+        return Some(format!("{} {sign} {}", of(one)?, of(other)?));
+    }
+    if let Some(sphere) = sphere.filter(|_| says(&["rest", "stops"])) {
+        return Some(format!("{sphere}.after.speed {} 0", if says(&["not", "never"]) { ">" } else { "=" }));
+    }
+    if let Some(sphere) = sphere.filter(|_| text.contains("goes on") || says(&["continues"])) {
+        return Some(format!("{sphere}.after.n {} 0", if sphere == "A" { ">" } else { "<" }));
+    }
+    if let Some(sphere) = sphere
+        && says(&["rebounds", "rebound", "bounces", "reversed", "reverses", "back"])
+    {
+        // Along the line of centres A comes forwards, and B backwards.
+        let is_back = (sphere == "A") != says(&["not", "never"]);
+        return Some(format!("{sphere}.after.n {} 0", if is_back { "<" } else { ">" }));
+    }
+    if says(&["between", "or"]) && text.contains(|sign: char| sign.is_ascii_digit()) {
+        return None;
+    }
+    // `The impulse is a multiple of 3.`
+    for divides in ["is a multiple of", "is divisible by"] {
+        if let Some((what, by)) = text.split_once(divides) {
+            return Some(format!("{}/{} is an integer", side(what)?, side(by)?));
+        }
+    }
+    if let Some((of, said, contrary)) = SAID.iter().find(|(of, ..)| says(of)) {
+        let verbs = [" is ", " are ", " must ", " should "].into_iter();
+        let word = || of.iter().filter_map(|word| text.find(&format!(" {word}"))).min();
+        let end = verbs.filter_map(|verb| text.find(verb)).next().or_else(word).unwrap_or(text.len());
+        let what = side(&text[..end]).unwrap_or_else(|| "A.after.speed".to_owned());
+        return Some(if says(&["not"]) { contrary } else { said }.replace("{}", &what));
+    }
+    let padded = format!("{text} ");
+    let found = RELATIONS.iter().find_map(|(said, sign)| {
+        let at = padded.find(&format!(" {said} "))?;
+        Some((at, at + said.len() + 1, *sign))
+    });
+    if let Some((start, end, sign)) = found {
+        // `Prime` is no name.
+        let is_word = |text: &str| text.len() > 2 && text.chars().all(|sign| sign.is_ascii_lowercase());
+        if is_word(text[end.min(text.len())..].trim()) && Quantity::meant(&text[end..]).is_none() {
+            return None;
+        }
+        return Some(format!("{} {sign} {}", side(&padded[..start])?, side(&padded[end..])?));
+    }
+    // `A turns through 90 degrees` ends in its number.
+    let number = text.find(|sign: char| sign.is_ascii_digit())?;
+    Some(format!("{} = {}", side(&text[..number])?, side(&text[number..])?))
+}
+
+/// The formulas that a sentence is perhaps about: of one that says two things, each.
+///
+/// ```
+/// use carom::mechanics::formulas_meant;
+/// assert_eq!(formulas_meant("e is between 1/3 and 1/2"), ["e > 1/3", "e < 1/2"]);
+/// ```
+pub fn formulas_meant(sentence: &str) -> Vec<String> {
+    let text = sentence.trim().trim_end_matches('.');
+    if let Some((what, (low, high))) =
+        text.split_once(" between ").and_then(|(w, ends)| Some((w, ends.split_once(" and ")?)))
+    {
+        let what = what.trim_end().trim_end_matches(" is").trim_end_matches(" lies");
+        let ends = || Some((side(what)?, side(low)?, side(high)?));
+        return ends()
+            .map_or_else(Vec::new, |(what, low, high)| vec![format!("{what} > {low}"), format!("{what} < {high}")]);
+    }
+    let is_said = |half: &str| RELATIONS.iter().any(|(said, _)| format!("{half} ").contains(&format!(" {said} ")));
+    match text.split_once(" and ") {
+        Some((one, other)) if is_said(one) && is_said(other) => {
+            [one, other].into_iter().filter_map(formula_meant).collect()
+        }
+        _ => formula_meant(text).into_iter().collect(),
+    }
+}
+
+/// One side of a relation: a formula as it stands, or the quantity that it names.
+fn side(text: &str) -> Option<String> {
+    let text = text.trim().trim_start_matches("that ");
+    for (word, times) in [("twice ", 2), ("double ", 2), ("half ", 0)] {
+        if let Some(rest) = text.strip_prefix(word) {
+            let rest = side(rest)?;
+            return Some(if times == 0 { format!("{rest}/2") } else { format!("{times}*{rest}") });
+        }
+    }
+    let is_formula = |text: &str| !is_sentence(text) && read(text, Angles::Degrees).is_ok_and(|expr| is_plain(&expr));
+    // A number with its unit.
+    if let Some((number, unit)) = text.split_once(' ')
+        && number.starts_with(|sign: char| sign.is_ascii_digit() || sign == '-')
+        && unit.starts_with(char::is_alphabetic)
+        && is_formula(number)
+    {
+        return Some(number.to_owned());
+    }
+    if is_formula(text) {
+        return Some(text.to_owned());
+    }
+    Quantity::meant(text).map(|quantity| quantity.to_string())
+}
+
+/// Has it no product of names that stand side by side, as words do?
+fn is_plain(expr: &Expr) -> bool {
+    !matches!(expr, Expr::Relation(..))
+        && expr.names().iter().all(|name| !["A", "B", "C"].contains(&name.text.as_str()))
+}
+
+/// What teachers call laws by their first letters.
+const LETTERS: [(&str, &str); 8] = [
+    ("nel", "restitution"),
+    ("nlr", "restitution"),
+    ("nlor", "restitution"),
+    ("clm", "momentum"),
+    ("colm", "momentum"),
+    ("pcm", "momentum"),
+    ("pclm", "momentum"),
+    ("ke", "energy"),
+];
+
+impl Law {
+    /// The law that words are most probably about: by its first letters, or by the words of its mark.
+    ///
+    /// ```
+    /// use carom::mechanics::Law;
+    /// assert_eq!(Law::meant("NEL").map(Law::name), Some("restitution"));
+    /// assert_eq!(Law::meant("Newton's law").map(Law::name), Some("restitution"));
+    /// assert_eq!(Law::meant("colours"), None);
+    /// ```
+    pub fn meant(words: &str) -> Option<Law> {
+        let said = words.to_lowercase();
+        if let Some((_, name)) = LETTERS.iter().find(|(letters, _)| *letters == said.replace('.', "").trim()) {
+            return Law::ALL.iter().copied().find(|law| law.name() == *name);
+        }
+        // `Newtons` and `conserved` begin as `Newton's` and `conservation` do.
+        let stem = |word: &str| word.chars().take(6).collect::<String>();
+        let stems = |words: &str| -> Vec<String> {
+            let words = words.split(|sign: char| !sign.is_alphabetic()).filter(|word| word.chars().count() > 3);
+            words.map(stem).collect()
+        };
+        let said = stems(&said);
+        let weigh = |law: &Law| {
+            let (name, method) = (stems(law.name()), stems(&law.method().0.to_lowercase()));
+            let hits = said.iter().filter(|word| name.contains(word) || method.contains(word)).count();
+            let missing = name.iter().filter(|word| !said.contains(word)).count();
+            2 * hits as i64 - missing as i64
+        };
+        let weights = Law::ALL.iter().map(|law| (weigh(law), *law)).filter(|(weight, _)| *weight > 0);
+        weights.rev().max_by_key(|(weight, _)| *weight).map(|(_, law)| law)
+    }
+}
+
+impl Quantity {
+    /// The quantity that words are most probably about: `speed of A`. What is not said to be before is after.
+    ///
+    /// ```
+    /// use carom::mechanics::Quantity;
+    /// assert_eq!(Quantity::meant("the speed of B").map(|quantity| quantity.to_string()).as_deref(), Some("B.after.speed"));
+    /// assert_eq!(Quantity::meant("colour"), None);
+    /// ```
+    pub fn meant(words: &str) -> Option<Quantity> {
+        let said = content(words);
+        let is_sphere = |word: &String| ["A", "B", "C"].contains(&word.as_str());
+        let named: Vec<&String> = said.iter().filter(|word| is_sphere(word)).collect();
+        let weigh = |own: &[String]| {
+            if !named.is_empty() && own.iter().any(|word| is_sphere(word) && !said.contains(word)) {
+                return None;
+            }
+            let matched: Vec<&String> = said.iter().filter(|word| own.contains(word)).collect();
+            matched.iter().find(|word| !is_sphere(word))?;
+            let missing = own.iter().filter(|word| !said.contains(word)).count();
+            let beside = said.iter().filter(|word| !own.contains(word) && !is_sphere(word)).count();
+            Some(3 * matched.len() as i64 - 2 * (missing + beside) as i64)
+        };
+        let mut best: Option<(i64, Quantity)> = None;
+        for quantity in Quantity::all() {
+            let mut names = vec![in_english(quantity, Setting::default())];
+            if !matches!(quantity, Quantity::Impulse(..)) {
+                names.push(quantity.in_words());
+            }
+            let weight = names.iter().filter_map(|name| weigh(&content(name))).max();
+            if let Some(weight) = weight.filter(|weight| best.is_none_or(|(best, _)| *weight > best)) {
+                best = Some((weight, quantity));
+            }
+        }
+        best.map(|(_, quantity)| quantity)
+    }
+}
+
+/// The words that tell quantities apart, each in one form.
+fn content(words: &str) -> Vec<String> {
+    let mut found: Vec<String> = Vec::new();
+    for word in words.split(|sign: char| !sign.is_alphanumeric()).filter(|word| !word.is_empty()) {
+        let word = if ["A", "B", "C"].contains(&word) { word.to_owned() } else { word.to_lowercase() };
+        let other = ALSO.iter().find(|(also, _)| *also == word).map_or(word.as_str(), |(_, word)| word);
+        for word in other.split_whitespace().filter(|word| !IDLE.contains(word)) {
+            if !found.iter().any(|known| known == word) {
+                found.push(word.to_owned());
+            }
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_are_about_the_quantity_that_has_most_of_them() {
+        let table = [
+            ("the speed of A after", "A.after.speed"),
+            ("speed of B before", "B.before.speed"),
+            ("initial speed of A", "A.before.speed"),
+            ("speed", "A.after.speed"),
+            ("impulse", "impulse.magnitude"),
+            ("the impulse on A", "impulse.magnitude"),
+            ("A turns through", "A.deflection_deg"),
+            ("deflection of A", "A.deflection_deg"),
+            ("tangent of the deflection of A", "A.tan_deflection"),
+            ("kinetic energy lost", "ke.lost"),
+            ("ke lost", "ke.lost"),
+            ("loss in kinetic energy", "ke.lost"),
+            ("energy lost by A", "A.ke_lost"),
+            ("the fraction of energy lost", "ke.fraction_lost"),
+            ("coefficient of restitution", "e"),
+            ("mass of B", "B.mass"),
+            ("component of A along the line of centres", "A.after.n"),
+            ("component of A perpendicular to the line of centres", "A.after.t"),
+            ("the angle A makes with the wall", "A.after.angle_to_wall_deg"),
+            ("direction of A", "A.after.angle_to_loc_deg"),
+            ("speed of approach", "approach"),
+            ("ratio of the masses", "mass_ratio"),
+        ];
+        let meant = |words| Quantity::meant(words).map_or_else(String::new, |quantity| quantity.to_string());
+        let wrong: Vec<_> = table.iter().filter(|(words, name)| meant(words) != *name).collect();
+        assert!(wrong.is_empty(), "{:?}", wrong.iter().map(|(words, _)| (words, meant(words))).collect::<Vec<_>>());
+        assert_eq!(Quantity::meant("nice numbers"), None);
+    }
+
+    #[test]
+    fn a_law_is_known_by_the_words_of_teachers() {
+        let table = [
+            ("NEL", "restitution"),
+            ("CLM", "momentum"),
+            ("conservation of momentum", "momentum"),
+            ("Newtons law", "restitution"),
+            ("Pythagoras", "speed"),
+            ("loss of kinetic energy", "energy"),
+            ("resolving", "resolve"),
+            ("solving the equations", "solve"),
+        ];
+        for (words, law) in table {
+            assert_eq!(Law::meant(words).map(Law::name), Some(law), "{words}");
+        }
+    }
+
+    #[test]
+    fn a_sentence_means_a_formula_that_can_be_read() {
+        let table = [
+            ("A turns through 90 degrees", "A.deflection_deg = 90"),
+            ("A turns through a right angle", "A.deflection_deg = 90"),
+            ("the speed of A after is an integer", "A.after.speed is an integer"),
+            ("speed of B after is whole", "B.after.speed is an integer"),
+            ("e comes out as 5/7", "e = 5/7"),
+            ("A.deflection_deg is 90", "A.deflection_deg = 90"),
+            ("mA not equal to mB", "mA != mB"),
+            ("the masses are different", "A.mass != B.mass"),
+            ("A rebounds", "A.after.n < 0"),
+            ("A does not rebound", "A.after.n > 0"),
+            ("mA and mB are different", "mA != mB"),
+            ("no surds", "A.after.speed is rational"),
+            ("A.deflection_deg between 30 and 60", ""),
+            ("A is turned through a right angle", "A.deflection_deg = 90"),
+            ("A is deflected through 30 degrees", "A.deflection_deg = 30"),
+            ("A is deflected by more than 20 degrees", "A.deflection_deg > 20"),
+            ("A.after.speed integer", "A.after.speed is an integer"),
+            ("A.after.speed is not an integer", "denominator(A.after.speed) > 1"),
+            ("ke.lost is not zero", "ke.lost != 0"),
+            ("mA is even", "mA/2 is an integer"),
+            ("the impulse is a multiple of 3", "impulse.magnitude/3 is an integer"),
+            ("A comes to rest", "A.after.speed = 0"),
+            ("A is faster than B after", "A.after.speed > B.after.speed"),
+            ("B is heavier than A", "B.mass > A.mass"),
+            ("A goes on in the same direction", "A.after.n > 0"),
+            ("A.after.speed = 3 or A.after.speed = 4", ""),
+            ("the speed of A is equal to the speed of B", "A.after.speed = B.after.speed"),
+            ("the direction of B is reversed", "B.after.n > 0"),
+            ("speed of B after = 3", "B.after.speed = 3"),
+            ("the speed of A is less than the speed of B", "A.after.speed < B.after.speed"),
+            ("the mass of A is twice the mass of B", "A.mass = 2*B.mass"),
+            ("kinetic energy lost is at most 12 J", "ke.lost <= 12"),
+            ("no surd in the speed of A", "A.after.speed is rational"),
+            ("the deflection of A is positive", "A.deflection_deg > 0"),
+            ("A.after.speed whole", "A.after.speed is an integer"),
+        ];
+        let meant = |sentence| formula_meant(sentence).unwrap_or_default();
+        let wrong: Vec<_> = table.iter().filter(|(sentence, formula)| meant(sentence) != *formula).collect();
+        let found: Vec<_> = wrong.iter().map(|(sentence, _)| (sentence, meant(sentence))).collect();
+        assert!(wrong.is_empty(), "{found:?}");
+        let all = [
+            ("the deflection of A is between 30 and 60 degrees", "A.deflection_deg > 30, A.deflection_deg < 60"),
+            ("A.after.speed > 3 and A.after.speed < 6", "A.after.speed > 3, A.after.speed < 6"),
+            ("mA and mB are different", "mA != mB"),
+        ];
+        for (sentence, formulas) in all {
+            assert_eq!(formulas_meant(sentence).join(", "), formulas);
+        }
+        for formula in
+            ["mA != mB", "A.after.n > 0", "u speed > 3", "2 m cos(alpha) < 3", "denominator(p/q) = q", "before != 1"]
+        {
+            assert!(!is_sentence(formula), "{formula}");
+        }
+    }
+}
