@@ -169,7 +169,14 @@ fn latex_says_which_names_it_prints_as_question_marks() {
 
 #[test]
 fn a_browser_that_falls_over_in_starting_is_asked_once_more() {
-    let falls = r#"[ -e fallen ] || { : > fallen; kill -s SEGV $$; }"#;
+    // What it leaves of itself outside its profile.
+    let socket = r#"
+        for a in "$@"; do case $a in --user-data-dir=*) profile=${a#*=} ;; esac; done
+        left="$TMPDIR/org.chromium.Chromium.$$"
+        /bin/mkdir -p "$profile" "$left"
+        : > "$left/SingletonSocket"
+        /bin/ln -s "$left/SingletonSocket" "$profile/SingletonSocket""#;
+    let falls = format!("[ -e fallen ] || {{ {socket}\n: > fallen; kill -s SEGV $$; }}");
     let machine = Machine::new("falls").with("chromium", &format!("{falls}\n{PRINTS}"));
     let output = machine.sheet(&["--format", "pdf"]);
     assert_eq!(code(&output), 0, "{}", said(&output));

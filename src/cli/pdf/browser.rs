@@ -7,6 +7,7 @@ use std::time::Duration;
 
 use super::super::failure::Failure;
 use super::super::write::OutputFile;
+use super::repeatable::make_repeatable;
 use super::scratch::Scratch;
 use super::{documents, finished, machine, no_documents, run};
 use crate::render::RenderedFile;
@@ -41,10 +42,12 @@ fn one(
     for attempt in 1..=2 {
         let profile = scratch.folder().join(format!("profile-{stem}-{attempt}"));
         let browser = command(program, file, &profile, &pdf, scratch);
-        (_, said) = run(program, browser, &file.name, limit)?;
+        let outcome = run(program, browser, &file.name, limit);
+        take_away_the_socket(&profile);
+        (_, said) = outcome?;
         // Browsers exit with 0 and without a page, and the other way round: what counts is the page.
         if let Some(mut contents) = finished(&pdf) {
-            leave_out_the_time(&mut contents);
+            make_repeatable(&mut contents);
             return Ok(OutputFile { name: format!("{stem}.pdf"), contents });
         }
     }
@@ -71,6 +74,18 @@ fn command(program: &Path, file: &RenderedFile, profile: &Path, pdf: &Path, scra
     }
     browser.arg(address(&scratch.folder().join(&file.name)));
     browser
+}
+
+/// Takes away what a browser that fell over, or was stopped, has left where everybody's work of the moment is kept: the
+/// folder of the socket by which a second window would find the first. Its profile holds a link to it.
+fn take_away_the_socket(profile: &Path) {
+    let Ok(socket) = fs::read_link(profile.join("SingletonSocket")) else { return };
+    let Some(folder) = socket.parent() else { return };
+    for name in ["SingletonSocket", "SingletonCookie"] {
+        let _ = fs::remove_file(folder.join(name));
+    }
+    // Where there is something else in it, it was not what we took it for, and stays.
+    let _ = fs::remove_dir(folder);
 }
 
 fn nothing_came(program: &Path, file: &str, said: &str) -> Failure {
@@ -118,18 +133,6 @@ fn is_root(_: &Scratch) -> bool {
     false
 }
 
-/// Overwrites the time of printing with blanks, so that the same sheet is the same file; no byte moves.
-///
-/// Within a string of a PDF the bracket would have a backslash before it, so it is the entry and nothing else.
-fn leave_out_the_time(pdf: &mut [u8]) {
-    for key in [b"/CreationDate (D:".as_slice(), b"/ModDate (D:"] {
-        while let Some(start) = pdf.windows(key.len()).position(|bytes| bytes == key) {
-            let length = pdf[start..].iter().position(|byte| *byte == b')').map_or(key.len(), |end| end + 1);
-            pdf[start..start + length].fill(b' ');
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -143,15 +146,5 @@ mod tests {
         ] {
             assert_eq!(address(Path::new(path)), expected);
         }
-    }
-
-    #[test]
-    fn the_time_of_printing_is_left_out_and_no_byte_moves() {
-        let before = b"<</Producer (Skia)\n/CreationDate (D:20261121234719+00'00')\n/ModDate (D:2026)>> (\\(D:1)";
-        let mut after = before.to_vec();
-        leave_out_the_time(&mut after);
-        assert_eq!(after.len(), before.len());
-        let words: Vec<&str> = std::str::from_utf8(&after).unwrap().split_whitespace().collect();
-        assert_eq!(words, ["<</Producer", "(Skia)", ">>", "(\\(D:1)"]);
     }
 }

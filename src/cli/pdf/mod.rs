@@ -7,6 +7,7 @@ mod browser;
 mod machine;
 mod package;
 mod process;
+mod repeatable;
 mod scratch;
 mod tex;
 mod tex_fault;
