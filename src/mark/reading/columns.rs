@@ -9,14 +9,17 @@ pub(super) fn on_two_lines(mut tokens: Vec<Placed>, vocabulary: &Vocabulary, cho
     if !vocabulary.vectors {
         return tokens;
     }
+    // What is typed before the first line and after the last is no line.
+    let ends = [tokens.iter().position(is_said), tokens.iter().rposition(is_said)];
+    let [Some(first), Some(last)] = ends else { return tokens };
     let is_figure = |placed: &Placed| match placed.token {
         Token::Number(_) | Token::Root { .. } => true,
         Token::Sign(sign) => matches!(sign, '-' | '/' | '.' | '⟦' | '⟧'),
         _ => false,
     };
-    let breaks: Vec<usize> = (0..tokens.len()).filter(|at| tokens[*at].is('\n')).collect();
+    let breaks: Vec<usize> = (first..last).filter(|at| tokens[*at].is('\n')).collect();
     let [middle] = breaks.as_slice() else { return tokens };
-    let (above, below) = (&tokens[..*middle], &tokens[middle + 1..]);
+    let (above, below) = (&tokens[first..*middle], &tokens[middle + 1..=last]);
     let open = above.iter().rposition(|placed| placed.is('(') || placed.is('['));
     let close = below.iter().position(|placed| placed.is(')') || placed.is(']'));
     let (bracketed, column) = match (open, close) {
@@ -30,10 +33,15 @@ pub(super) fn on_two_lines(mut tokens: Vec<Placed>, vocabulary: &Vocabulary, cho
     if bracketed || choices.otherwise(Doubt::Column, place) {
         let sign = |sign, from: &Placed| Placed { token: Token::Sign(sign), ..from.clone() };
         tokens[*middle].token = Token::Sign(';');
-        if !bracketed && let (Some(first), Some(last)) = (tokens.first().cloned(), tokens.last().cloned()) {
-            tokens.insert(0, sign('(', &first));
-            tokens.push(sign(')', &last));
+        if !bracketed {
+            let (open, close) = (sign('(', &tokens[first]), sign(')', &tokens[last]));
+            tokens.insert(last + 1, close);
+            tokens.insert(first, open);
         }
     }
     tokens
+}
+
+fn is_said(placed: &Placed) -> bool {
+    !placed.is('\n')
 }
