@@ -30,7 +30,7 @@ pub(super) fn judged(
         judge_together(&models, &read_answer(answer, &together_vocabulary(&models)))
     };
     let left = Left::of(part, script, examined);
-    let mut lines = Lines::default();
+    let lines = Lines::default();
     let unnamed = unnamed.or_else(|| left.for_all(&all_at_once).filter(|_| script.answers.is_empty()));
     let mut together = match (unnamed, part.blanks.as_slice()) {
         (None, _) | (Some(_), [_]) => Vec::new(),
@@ -52,13 +52,14 @@ pub(super) fn judged(
                 let model = in_profile(&blank.model, profile);
                 // Every blank may look at every line, and nobody else at an answer.
                 let readings = match is_typed {
-                    true => read_answer(answer, &model.vocabulary),
+                    true => Rc::new(read_answer(answer, &model.vocabulary)),
                     false => lines.read(answer, &model.vocabulary),
                 };
-                Judged::new(profiled(judge(&model, &readings), profile).in_setting(part.setting), readings.ok())
+                let judgement = profiled(judge(&model, &readings), profile).in_setting(part.setting);
+                Judged::new(judgement, Rc::unwrap_or_clone(readings).ok())
             })
         };
-        let left = if alone.or(unnamed).is_none() { left.for_one(place, &mut judged) } else { None };
+        let left = if alone.or(unnamed).is_none() { left.for_one(place, &lines, &mut judged) } else { None };
         let typed = alone.or(unnamed).or(left.as_ref().map(|(line, _)| *line)).map(str::to_owned);
         let found = match (alone, left, together) {
             (Some(answer), ..) => judged(answer),

@@ -7,7 +7,7 @@ use std::rc::Rc;
 
 use super::answers::is_shown;
 use super::decide::own_blank;
-use super::memory::Judged;
+use super::memory::{Judged, Lines};
 use crate::answer::Kind;
 use crate::bank::{Code, Find};
 use crate::expr::Expr;
@@ -50,6 +50,7 @@ impl<'s> Left<'s> {
     pub(super) fn for_one(
         &self,
         place: usize,
+        lines: &Lines,
         judged: &mut dyn FnMut(&str) -> Rc<Judged>,
     ) -> Option<(&'s str, Rc<Judged>)> {
         let blank = &self.part.blanks[place];
@@ -67,16 +68,20 @@ impl<'s> Left<'s> {
             if !has_method && !calls_something(line) {
                 return None;
             }
-            let found = judged(line);
-            let statements = found.readings.as_ref()?.first().map(|one| &one.statements)?;
+            let readings = lines.read(line, &blank.model.vocabulary);
+            let Ok(readings) = readings.as_ref() else { return None };
+            let statements = readings.first().map(|one| &one.statements)?;
             // `v = 3, w = 5` is for two blanks, and not the second value for either; `w − v = 3` is for none.
             let is_alone = self.part.blanks.len() == 1 || statements.len() == 1;
             let mut labels = statements.iter().filter_map(|one| one.label.as_ref());
             let is_result = labels.all(|label| !is_formula(&label.typed));
             let is_answer = || has_method || statements.iter().any(|statement| self.is_called(blank, statement));
-            let is_right = found.judgement.verdict == Verdict::Correct;
             let is_of_other = || statements.iter().any(|statement| self.is_of_other(blank, statement));
-            (is_right && is_alone && is_result && is_answer() && !is_of_other()).then_some((line, found))
+            if !(is_alone && is_result && is_answer()) || is_of_other() {
+                return None;
+            }
+            let found = judged(line);
+            (found.judgement.verdict == Verdict::Correct).then_some((line, found))
         })
     }
 

@@ -1,6 +1,6 @@
 //! Answers remembered: of thousands of students many write the same, and what was found of it once holds for all of them.
 
-use std::cell::OnceCell;
+use std::cell::{OnceCell, RefCell};
 use std::collections::HashMap;
 use std::rc::Rc;
 
@@ -25,16 +25,23 @@ pub(in crate::mark) struct Memory {
 
 /// What the lines of a part were read as. Its blanks have the letters of one question, and each may look at every line.
 #[derive(Default)]
-pub(super) struct Lines(Vec<(String, bool, Result<Vec<Reading>, Unreadable>)>);
+pub(super) struct Lines(RefCell<Vec<Line>>);
+
+struct Line {
+    typed: String,
+    vectors: bool,
+    readings: Rc<Result<Vec<Reading>, Unreadable>>,
+}
 
 impl Lines {
-    pub(super) fn read(&mut self, typed: &str, vocabulary: &Vocabulary) -> Result<Vec<Reading>, Unreadable> {
-        let is_it = |(known, vectors, _): &&(String, bool, _)| known == typed && *vectors == vocabulary.vectors;
-        if let Some((_, _, readings)) = self.0.iter().find(is_it) {
-            return readings.clone();
+    pub(super) fn read(&self, typed: &str, vocabulary: &Vocabulary) -> Rc<Result<Vec<Reading>, Unreadable>> {
+        let is_it = |line: &&Line| line.typed == typed && line.vectors == vocabulary.vectors;
+        if let Some(line) = self.0.borrow().iter().find(is_it) {
+            return line.readings.clone();
         }
-        let readings = read_answer(typed, vocabulary);
-        self.0.push((typed.to_owned(), vocabulary.vectors, readings.clone()));
+        let readings = Rc::new(read_answer(typed, vocabulary));
+        let line = Line { typed: typed.to_owned(), vectors: vocabulary.vectors, readings: readings.clone() };
+        self.0.borrow_mut().push(line);
         readings
     }
 }

@@ -16,8 +16,11 @@ pub(super) fn is_any(placed: &Placed, signs: &[char]) -> bool {
 }
 
 /// `]1/3, 1[` with its brackets as round ones, which mean the same.
-pub(super) fn with_round_brackets(tokens: &[Placed]) -> Vec<Placed> {
-    let mut out = tokens.to_vec();
+pub(super) fn with_round_brackets(tokens: Vec<Placed>) -> Vec<Placed> {
+    if !tokens.iter().any(|placed| is_any(placed, &['[', ']'])) {
+        return tokens;
+    }
+    let mut out = tokens.clone();
     // For each bracket that stands open: has a comma followed it?
     let mut open: Vec<bool> = Vec::new();
     for (at, placed) in tokens.iter().enumerate() {

@@ -277,6 +277,9 @@ fn is_factor(placed: &Placed, vocabulary: &Vocabulary) -> bool {
 
 /// `5/16 ÷ 5/12` as `5/16 / (5/12)`: what is divided by with the sign of division is the whole fraction after it.
 fn with_fractions_below(tokens: Vec<Placed>) -> Vec<Placed> {
+    if !tokens.iter().any(|placed| placed.is('÷')) {
+        return tokens;
+    }
     let mut out: Vec<Placed> = Vec::with_capacity(tokens.len());
     let mut open_until = None;
     for (at, placed) in tokens.iter().enumerate() {

@@ -16,13 +16,13 @@ use crate::expr::Expr;
 
 /// Every statement of an answer.
 pub(super) fn statements(
-    tokens: &[Placed],
+    tokens: Vec<Placed>,
     text: &str,
     vocabulary: &Vocabulary,
     choices: &mut Choices,
     passes_over: bool,
 ) -> Result<Vec<Statement>, Unreadable> {
-    let tokens = &ranges::with_round_brackets(tokens);
+    let tokens = ranges::with_round_brackets(tokens);
     let mut reader = Statements {
         text,
         vocabulary,
@@ -33,7 +33,7 @@ pub(super) fn statements(
         multiplier: None,
         passes_over,
     };
-    let tokens = ranges::without_set_builder(without_part_label(without_arrow(unquoted(tokens)), vocabulary));
+    let tokens = ranges::without_set_builder(without_part_label(without_arrow(unquoted(&tokens)), vocabulary));
     for (concludes, segment) in segments(tokens) {
         let segment = without_number(segment, reader.choices);
         reader.segment(segment, concludes)?;

@@ -191,24 +191,25 @@ impl Lexer<'_> {
             self.greek(name);
             return Ok(());
         }
-        let pair: String = [Some(sign), self.sign(1)].into_iter().flatten().collect();
-        // Radians as a raised letter.
-        if pair == "^c" && !self.sign(2).is_some_and(char::is_alphanumeric) && !self.is_letter("c") {
-            self.put(Token::Word("rad".to_owned()), 2);
-            return Ok(());
-        }
-        let (token, length) = match pair.as_str() {
-            "**" => ('^', 2),
-            "==" | ":=" => ('=', 2),
-            "!=" => ('≠', 2),
-            "<=" | "=<" => ('≤', 2),
-            "=>" | "->" => ('⇒', 2),
-            ">=" => ('≥', 2),
-            "//" => ('¦', 2),
+        let next = self.sign(1).unwrap_or(' ');
+        let ends_word = !self.sign(2).is_some_and(char::is_alphanumeric);
+        let (token, length) = match (sign, next) {
+            // Radians as a raised letter.
+            ('^', 'c') if ends_word && !self.is_letter("c") => {
+                self.put(Token::Word("rad".to_owned()), 2);
+                return Ok(());
+            }
+            ('*', '*') => ('^', 2),
+            ('=', '=') | (':', '=') => ('=', 2),
+            ('!', '=') => ('≠', 2),
+            ('<', '=') | ('=', '<') => ('≤', 2),
+            ('=', '>') | ('-', '>') => ('⇒', 2),
+            ('>', '=') => ('≥', 2),
+            ('/', '/') => ('¦', 2),
             // The circle of degrees, as a letter.
-            "^o" if !self.sign(2).is_some_and(char::is_alphanumeric) => ('°', 2),
-            ".." if self.sign(2) == Some('.') => ('…', 3),
-            ".." => return Err(Unreadable::Sign(place, "two points, one after the other".to_owned())),
+            ('^', 'o') if ends_word => ('°', 2),
+            ('.', '.') if self.sign(2) == Some('.') => ('…', 3),
+            ('.', '.') => return Err(Unreadable::Sign(place, "two points, one after the other".to_owned())),
             _ => (sign, 1),
         };
         match token {
