@@ -1,0 +1,69 @@
+//! The law that words are about: for `NEL`, restitution.
+
+use crate::mechanics::Law;
+
+/// What teachers call laws by their first letters.
+const LETTERS: [(&str, &str); 8] = [
+    ("nel", "restitution"),
+    ("nlr", "restitution"),
+    ("nlor", "restitution"),
+    ("clm", "momentum"),
+    ("colm", "momentum"),
+    ("pcm", "momentum"),
+    ("pclm", "momentum"),
+    ("ke", "energy"),
+];
+
+impl Law {
+    /// The law that words are most probably about: by its first letters, or by the words of its mark.
+    ///
+    /// ```
+    /// use carom::mechanics::Law;
+    /// assert_eq!(Law::meant("NEL").map(Law::name), Some("restitution"));
+    /// assert_eq!(Law::meant("Newton's law").map(Law::name), Some("restitution"));
+    /// assert_eq!(Law::meant("colours"), None);
+    /// ```
+    pub fn meant(words: &str) -> Option<Law> {
+        let said = words.to_lowercase();
+        if let Some((_, name)) = LETTERS.iter().find(|(letters, _)| *letters == said.replace('.', "").trim()) {
+            return Law::ALL.iter().copied().find(|law| law.name() == *name);
+        }
+        // `Newtons` and `conserved` begin as `Newton's` and `conservation` do.
+        let stem = |word: &str| word.chars().take(6).collect::<String>();
+        let stems = |words: &str| -> Vec<String> {
+            let words = words.split(|sign: char| !sign.is_alphabetic()).filter(|word| word.chars().count() > 3);
+            words.map(stem).collect()
+        };
+        let said = stems(&said);
+        let weigh = |law: &Law| {
+            let (name, method) = (stems(law.name()), stems(&law.method().0.to_lowercase()));
+            let hits = said.iter().filter(|word| name.contains(word) || method.contains(word)).count();
+            let missing = name.iter().filter(|word| !said.contains(word)).count();
+            2 * hits as i64 - missing as i64
+        };
+        let weights = Law::ALL.iter().map(|law| (weigh(law), *law)).filter(|(weight, _)| *weight > 0);
+        weights.rev().max_by_key(|(weight, _)| *weight).map(|(_, law)| law)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_law_is_known_by_the_words_of_teachers() {
+        let table = [
+            ("NEL", "restitution"),
+            ("CLM", "momentum"),
+            ("conservation of momentum", "momentum"),
+            ("Newtons law", "restitution"),
+            ("Pythagoras", "speed"),
+            ("loss of kinetic energy", "energy"),
+            ("resolving", "resolve"),
+            ("solving the equations", "solve"),
+        ];
+        for (words, law) in table {
+            assert_eq!(Law::meant(words).map(Law::name), Some(law), "{words}");
+        }
+    }
+}
