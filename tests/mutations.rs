@@ -345,7 +345,7 @@ fn numbers_said_in_the_wrong_unit_and_formulas_without_a_value_are_named() {
             (
                 "few-figures",
                 &[("to 3 significant figures", "to 2 significant figures")],
-                "asks for 2 significant figures, and the rule of",
+                "asks for `2sf`, and the rule of",
             ),
             (
                 "no-speed",

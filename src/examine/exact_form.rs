@@ -4,6 +4,8 @@
 //! form') leaves the choice to the student.
 
 use super::finding::Finding;
+use super::sentence::{Token, says, sentences};
+use super::spoken_of::{is_of_all, spoken_of};
 use super::tally::Remark;
 use crate::answer::{Accept, Kind};
 use crate::bank::{Answer, Find, Question};
@@ -26,7 +28,7 @@ pub fn unkept(question: &Question) -> Vec<Finding> {
         for (text, answers) in before.chain(asked) {
             let may_be_rounded = |answer: &&&Answer| *answer.accept(style.name) != Accept::Exact;
             let unkept = sentences(text).into_iter().filter(|sentence| demands(sentence)).find_map(|sentence| {
-                let meant = meant(&sentence, &answers);
+                let meant = spoken_of(&sentence, &answers);
                 let rounded: Vec<&&Answer> = meant.iter().filter(may_be_rounded).collect();
                 let is_kept = rounded.len() < meant.len() && !is_of_all(&sentence);
                 rounded.first().filter(|_| !is_kept).map(|answer| **answer)
@@ -58,6 +60,10 @@ fn finding(text: &Text, answer: &Answer, styles: &[&str]) -> Finding {
 
 /// The words as they stand in the file, to the next formula on either side.
 fn place(text: &Text) -> String {
+    let asks = |words: &str| {
+        let mut each = words.split(|sign: char| !sign.is_alphanumeric());
+        each.any(|word| EXACT.contains(&word.to_lowercase().as_str()))
+    };
     let asking = text.0.iter().find_map(|piece| match piece {
         Piece::Words(words) if asks(words) => Some(words.trim().to_owned()),
         _ => None,
@@ -65,44 +71,16 @@ fn place(text: &Text) -> String {
     asking.unwrap_or_default()
 }
 
-pub(super) fn sentences(text: &Text) -> Vec<String> {
-    print::text_unicode(text).split(". ").map(str::to_lowercase).collect()
-}
+/// Words that speak of exact form.
+const EXACT: [&str; 3] = ["exact", "surd", "surds"];
 
-/// Do the words speak of exact form at all?
-fn asks(words: &str) -> bool {
-    has_word(words, "exact") || has_word(words, "surd") || has_word(words, "surds")
-}
-
-fn demands(sentence: &str) -> bool {
-    asks(sentence) && !has_word(sentence, "or")
-}
-
-fn has_word(words: &str, wanted: &str) -> bool {
-    words.split(|c: char| !c.is_alphanumeric()).any(|word| word.eq_ignore_ascii_case(wanted))
-}
-
-/// 'Your answers' are all of them; of 'the speeds' one is enough to see that the author has thought of it.
-fn is_of_all(sentence: &str) -> bool {
-    has_word(sentence, "answer") || has_word(sentence, "answers")
-}
-
-/// The answers of which a sentence speaks: those whose names begin with one of its words; all, if none does.
-pub(super) fn meant<'q>(sentence: &str, answers: &[&'q Answer]) -> Vec<&'q Answer> {
-    let open = answers.iter().copied().filter(|answer| answer.kind != Kind::Shown);
-    let asking = sentence.split_inclusive("exact").next().unwrap_or(sentence);
-    let is_named = |answer: &&Answer| {
-        let name = print::text_unicode(&answer.name).to_lowercase();
-        let first = name.split_whitespace().next().unwrap_or_default();
-        !is_of_all(sentence) && (has_word(asking, first) || has_word(asking, &format!("{first}s")))
-    };
-    let named: Vec<&Answer> = open.clone().filter(is_named).collect();
-    if named.is_empty() { open.collect() } else { named }
+fn demands(sentence: &[Token]) -> bool {
+    says(sentence, &EXACT) && !says(sentence, &["or"])
 }
 
 /// Answers of a variant that must be exact, are no decimals, and of which no words say so.
 pub fn unasked(question: &Question, variant: &Variant, words: &Words, remarks: &mut Vec<Remark>) {
-    let said = |text: &Text| asks(&print::text_unicode(text));
+    let said = |text: &Text| sentences(text).iter().any(|sentence| says(sentence, &EXACT));
     if words.stem.iter().any(said) {
         return;
     }

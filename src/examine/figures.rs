@@ -1,7 +1,8 @@
 //! Do the words ask for the figures to which answers are accepted? Whoever does as he is told must not lose a mark by it.
 
-use super::exact_form::{meant, sentences};
 use super::finding::Finding;
+use super::sentence::{Token, sentences};
+use super::spoken_of::spoken_of;
 use crate::answer::{Accept, Kind};
 use crate::bank::{Answer, Question, StyleName};
 use crate::expr::{Text, print};
@@ -24,8 +25,8 @@ pub fn otherwise(question: &Question) -> Vec<Finding> {
             };
             let name = print::text_unicode(&answer.name);
             let rule = answer.accept(style.name);
-            let asked = in_words(&places);
-            let message = format!("style `{}` asks for {asked}, and the rule of `{name}` is `{rule}`", style.name);
+            let asked = Accept::Rounded(places.clone());
+            let message = format!("style `{}` asks for `{asked}`, and the rule of `{name}` is `{rule}`", style.name);
             let help =
                 format!("write `accept = \"{}\"` at the answer, or ask for what it has", Accept::RoundsTo(places));
             let found = Finding::new(message, "", "who does as the words say may lose the mark").with_help(help);
@@ -52,7 +53,7 @@ fn unlike<'q>(
         let asked = asked(&sentence);
         let places = |answer: &Answer| answer.accept(style).places().cloned();
         let rounded: Vec<&Answer> =
-            meant(&sentence, &answers).into_iter().filter(|answer| places(answer).is_some()).collect();
+            spoken_of(&sentence, &answers).into_iter().filter(|answer| places(answer).is_some()).collect();
         let is_met = rounded.iter().any(|answer| asked.iter().any(|asked| places(answer).as_ref() == Some(asked)));
         let (first, wanted) = (rounded.first()?, asked.into_iter().next()?);
         (!is_met).then_some((wanted, *first))
@@ -60,13 +61,17 @@ fn unlike<'q>(
 }
 
 /// All figures that a sentence asks for: `to 3 significant figures`, `to the nearest degree`.
-fn asked(sentence: &str) -> Vec<Places> {
+fn asked(sentence: &[Token]) -> Vec<Places> {
     const COUNTS: [&str; 5] = ["one", "two", "three", "four", "five"];
-    let words: Vec<&str> =
-        sentence.split_whitespace().map(|word| word.trim_matches(['.', ',', ';', '(', ')'])).collect();
+    let word = |token: &Token| match token {
+        Token::Word(word) => word.clone(),
+        Token::Number(expr, ..) => print::unicode(expr),
+        Token::Sphere(_) | Token::Comma => String::new(),
+    };
+    let words: Vec<String> = sentence.iter().map(word).collect();
     let at = (0..words.len()).filter_map(|at| {
         let count = COUNTS.iter().position(|count| *count == words[at]).map(|count| (count + 1).to_string());
-        let first = count.as_deref().unwrap_or(words[at]);
+        let first = count.as_deref().unwrap_or(&words[at]);
         let is_rule = first == "nearest" || first.parse::<u32>().is_ok();
         let rest = |length: usize| words.get(at + 1..at + length).map(|rest| format!("{first} {}", rest.join(" ")));
         let said = |length| Accept::said(&rest(length)?).ok();
@@ -75,34 +80,33 @@ fn asked(sentence: &str) -> Vec<Places> {
     at.collect()
 }
 
-fn in_words(places: &Places) -> String {
-    let several = |count: u32, one: &str| format!("{count} {one}{}", if count == 1 { "" } else { "s" });
-    match places {
-        Places::SignificantFigures(count) => several(*count, "significant figure"),
-        Places::DecimalPlaces(count) => several(*count, "decimal place"),
-        Places::Nearest(_) => format!("the {}", Accept::Rounded(places.clone())),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::examine::edited;
+    use crate::expr::read_markup;
 
     #[test]
     fn figures_of_the_words_are_those_of_the_rule() {
         let id = "rest/speeds-and-directions";
         assert_eq!(otherwise(&edited(id, &[])), []);
         let table = [
-            ("significant figures", 2, "asks for 2 significant figures, and the rule of"),
-            ("decimal places", 1, "asks for 1 decimal place, and the rule of"),
+            ("significant figures", 2, "asks for `2sf`, and the rule of"),
+            ("decimal places", 1, "asks for `1dp`, and the rule of"),
         ];
         for (what, count, words) in table {
             let note = format!("to {count} {what}");
             let found = otherwise(&edited(id, &[("to 3 significant figures", &note)]));
             assert!(found.iter().any(|found| found.message.contains(words)), "{found:?}");
         }
-        assert_eq!(asked("give it to three significant figures, or to the nearest degree.").len(), 2);
-        assert_eq!(asked("the 3 spheres move with the nearest at 2 m s⁻¹ in 3 figures."), []);
+        let count = |words: &str| asked(&sentences(&read_markup(words).unwrap()[0])[0]).len();
+        let table = [
+            ("Give it to three significant figures, or to the nearest degree.", 2),
+            ("Give it to 3 s.f.", 1),
+            ("The 3 spheres move with the nearest at {2 m/s} in 3 figures.", 0),
+        ];
+        for (words, figures) in table {
+            assert_eq!(count(words), figures, "{words}");
+        }
     }
 }

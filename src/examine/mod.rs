@@ -25,6 +25,7 @@ mod scheme;
 mod sentence;
 mod sentences;
 mod shows;
+mod spoken_of;
 mod students;
 mod survey;
 mod tally;

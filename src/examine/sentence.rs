@@ -48,8 +48,11 @@ pub fn sentences(text: &Text) -> Vec<Sentence<'_>> {
         match piece {
             Piece::Words(words) => {
                 let mut word = String::new();
-                for sign in words.chars().chain([' ']) {
-                    if sign.is_alphanumeric() || sign == '\'' || sign == '-' {
+                let mut signs = words.chars().chain([' ']).peekable();
+                while let Some(sign) = signs.next() {
+                    // A point within a word ends no sentence: `22.5`, `s.f.`.
+                    let is_within = sign == '.' && signs.peek().is_some_and(|next| next.is_alphanumeric());
+                    if sign.is_alphanumeric() || sign == '\'' || sign == '-' || (is_within && !word.is_empty()) {
                         word.extend(sign.to_lowercase());
                         continue;
                     }
@@ -83,7 +86,7 @@ pub fn sentences(text: &Text) -> Vec<Sentence<'_>> {
 
 /// Is what a sentence says only supposed?
 pub fn is_supposed(sentence: &[Token]) -> bool {
-    sentence.iter().any(|token| is_one_of(token, &SUPPOSED))
+    says(sentence, &SUPPOSED)
 }
 
 fn sphere(name: &str) -> Option<Sphere> {
@@ -96,6 +99,11 @@ const SUPPOSED: [&str; 8] = ["if", "whether", "suppose", "instead", "were", "wou
 /// Is a token one of these words?
 pub fn is_one_of(token: &Token, words: &[&str]) -> bool {
     matches!(token, Word(word) if words.contains(&word.as_str()))
+}
+
+/// Does a sentence hold one of these words?
+pub fn says(sentence: &[Token], words: &[&str]) -> bool {
+    sentence.iter().any(|token| is_one_of(token, words))
 }
 
 /// Words that may stand between the name of a quantity and its number, beside names, numbers and commas.
