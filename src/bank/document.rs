@@ -17,6 +17,8 @@ pub struct Faults {
     pub source: Source,
     /// What is wrong with it.
     pub found: Vec<Diagnostic>,
+    /// The keys that are written before the first heading, and whose they are. Whatever stands below a heading belongs to it.
+    above: (&'static str, Vec<&'static str>),
     /// Is a table of it unread, since its key is misspelt? Then what lacks is no fault.
     pub is_unread: bool,
 }
@@ -24,7 +26,7 @@ pub struct Faults {
 impl Faults {
     /// None yet.
     pub fn new(source: Source) -> Faults {
-        Faults { source, found: Vec::new(), is_unread: false }
+        Faults { source, found: Vec::new(), above: ("", Vec::new()), is_unread: false }
     }
 
     /// A fault at a place in the file: what is wrong, what was expected, one thing to try.
@@ -61,6 +63,19 @@ impl Faults {
                 self.report(words.span(), message, "it was there before", "take one of the two out");
             }
         }
+    }
+
+    /// Is a key of the whole file written below the heading of something else? Then that is reported.
+    fn is_astray(&mut self, what: &str, key: &Spanned<impl AsRef<str>>) -> bool {
+        let name = key.get_ref().as_ref();
+        let (whose, above) = &self.above;
+        let is_astray = above.contains(&name);
+        if is_astray {
+            let label = format!("it is a key of {whose}");
+            let help = "write it above the first heading in brackets: what stands below a heading belongs to it";
+            self.report(key.span(), format!("`{name}` stands in {what}"), label, help);
+        }
+        is_astray
     }
 
     /// A fault of an expression, at its place inside a string of the file.
@@ -146,6 +161,11 @@ impl<'t, 'd> Keys<'t, 'd> {
         }
     }
 
+    /// Notes that the keys asked for so far are written before the first heading, and whose they are.
+    pub fn are_above_headings(&self, whose: &'static str, faults: &mut Faults) {
+        faults.above = (whose, self.known.clone());
+    }
+
     /// Where the table stands.
     pub fn span(&self) -> Range<usize> {
         self.span.clone()
@@ -212,7 +232,7 @@ impl<'t, 'd> Keys<'t, 'd> {
         let mut meant: Vec<&str> = Vec::new();
         for (key, value) in self.table.iter() {
             let name: &str = key.get_ref();
-            if !self.known.contains(&name) && !is_astray(self.what, key, faults) {
+            if !self.known.contains(&name) && !faults.is_astray(self.what, key) {
                 let near_one = near(name, self.known.iter().copied());
                 faults.is_unread |=
                     near_one.is_some_and(|meant| !self.table.contains_key(meant)) && holds_tables(value.get_ref());
@@ -243,20 +263,6 @@ fn holds_tables(value: &DeValue) -> bool {
     }
 }
 
-/// The keys of a question that are written before its first heading. Whatever stands below a heading belongs to it.
-const OF_THE_QUESTION: [&str; 7] = ["title", "mirrors", "topic", "stem", "require", "hidden", "alike"];
-
-/// Is a key of the question written below the heading of something else? Then that is reported.
-fn is_astray(what: &str, key: &Spanned<impl AsRef<str>>, faults: &mut Faults) -> bool {
-    let name = key.get_ref().as_ref();
-    let is_astray = OF_THE_QUESTION.contains(&name);
-    if is_astray {
-        let help = "write it above the first heading in brackets: what stands below a heading belongs to it";
-        faults.report(key.span(), format!("`{name}` stands in {what}"), "it is a key of the question", help);
-    }
-    is_astray
-}
-
 /// Names in backticks, with commas between.
 pub fn listed<S: AsRef<str>>(names: &[S]) -> String {
     names.iter().map(|name| format!("`{}`", name.as_ref())).collect::<Vec<_>>().join(", ")
@@ -272,7 +278,7 @@ pub fn pairs<'t, 'd>(
         wrong_type(what, "a table", value.get_ref(), value.span(), faults);
         return Vec::new();
     };
-    let own = table.iter().filter(|(key, _)| !is_astray(what, key, faults));
+    let own = table.iter().filter(|(key, _)| !faults.is_astray(what, key));
     own.map(|(key, value)| (Spanned::new(key.span(), key.get_ref().to_string()), value)).collect()
 }
 

@@ -147,10 +147,13 @@ pub fn read(faults: &mut Faults) -> Option<QuestionFile> {
         topic: keys.required("topic", "topic = \"B at rest\"", faults),
         stem: keys.required("stem", "stem = '''…'''", faults),
         require: keys.list("require", faults),
-        parameters: keys.get("parameters").map_or_else(Vec::new, |value| parameters(value, faults)),
-        lets: keys.get("let").map_or_else(Vec::new, |value| strings("`let`", value, faults)),
+        hidden: keys.list("hidden", faults),
+        alike: keys.list("alike", faults),
         ..QuestionFile::default()
     };
+    keys.are_above_headings("the question", faults);
+    file.parameters = keys.get("parameters").map_or_else(Vec::new, |value| parameters(value, faults));
+    file.lets = keys.get("let").map_or_else(Vec::new, |value| strings("`let`", value, faults));
     keys.demand("style", "[style.exact]");
     if let Some(value) = keys.get("style") {
         for (name, value) in document::pairs("`style`", value, faults) {
@@ -169,8 +172,6 @@ pub fn read(faults: &mut Faults) -> Option<QuestionFile> {
             file.erratum = Some(file.reference.remove(index).1);
         }
     }
-    file.hidden = keys.list("hidden", faults);
-    file.alike = keys.list("alike", faults);
     file.tests = keys.tables("test", "a test", faults).into_iter().map(|keys| test(keys, faults)).collect();
     keys.finish(faults);
     (!faults.is_unread).then_some(file)

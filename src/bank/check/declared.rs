@@ -20,23 +20,35 @@ pub struct Declared {
     pub tests: Vec<AuthorsTest>,
 }
 
-/// Checks what a file declares; `reference` are its reference numbers and the place of their style.
-pub fn declared(
-    file: &QuestionFile,
-    styles: &[Style],
-    parts: &[Part],
-    reference: (&[(String, Expr)], usize),
-    used: &mut NamesUsed,
-    faults: &mut Faults,
-) -> Declared {
+/// What the answers of a test are compared with.
+pub struct Asked<'q> {
+    /// The styles of the question.
+    pub styles: &'q [Style],
+    /// Its parts, as far as they could be read.
+    pub parts: &'q [Part],
+    /// Its reference numbers.
+    pub reference: &'q [(String, Expr)],
+    /// The place of their style.
+    pub reference_style: usize,
+}
+
+/// Checks what a file declares of a question.
+pub fn declared(file: &QuestionFile, question: &Asked, used: &mut NamesUsed, faults: &mut Faults) -> Declared {
     faults.twice("the slip", &[], &file.hidden);
     faults.twice("the pair", &[], &file.alike);
     let hidden = hidden(&file.hidden, faults);
     let alike = file.alike.iter().filter_map(|words| pair(words, faults)).collect();
+    let written: usize = file.parts.iter().map(|part| part.answers.len()).sum();
+    let read: usize = question.parts.iter().map(|part| part.answers.len()).sum();
     let mut tests = Vec::new();
-    for written in &file.tests {
-        let answers = file.parts.iter().map(|part| part.answers.len()).sum();
-        tests.extend(test(written, styles, (parts, answers), reference, used, faults));
+    for test in &file.tests {
+        let Some((style, numbers)) = numbers_of(test, question, used, faults) else { continue };
+        // Of an answer that cannot be read nothing is known.
+        if read == written {
+            strange_answers(test, question.parts, faults);
+        }
+        let answers = test.answers.iter().map(|(name, words)| (name.get_ref().clone(), words.get_ref().clone()));
+        tests.push(AuthorsTest { span: test.span.clone(), style, numbers, answers: answers.collect() });
     }
     Declared { hidden, alike, tests }
 }
@@ -96,16 +108,16 @@ fn pair(words: &Words, faults: &mut Faults) -> Option<(String, String)> {
     Some((one, other))
 }
 
-fn test(
+/// The place of the style of a test, and its numbers: its own, and those of the reference besides.
+fn numbers_of(
     written: &TestFile,
-    styles: &[Style],
-    (parts, file_answers): (&[Part], usize),
-    reference: (&[(String, Expr)], usize),
+    question: &Asked,
     used: &mut NamesUsed,
     faults: &mut Faults,
-) -> Option<AuthorsTest> {
+) -> Option<(usize, Vec<(String, Expr)>)> {
+    let Asked { styles, reference, reference_style, .. } = *question;
     let style = match &written.style {
-        None => reference.1,
+        None => reference_style,
         Some(words) => {
             let names: Vec<&str> = styles.iter().map(|style| style.name.name()).collect();
             match names.iter().position(|name| *name == words.get_ref().as_str()) {
@@ -137,11 +149,11 @@ fn test(
     }
     let mut numbers = Vec::new();
     for name in &names {
-        let known = own.iter().find(|(own, _)| own == name).or(reference.0.iter().find(|(own, _)| own == name));
+        let known = own.iter().chain(reference).find(|(own, _)| own == name);
         match known {
             Some(known) => numbers.push(known.clone()),
             // What the reference lacks is its own fault.
-            None if style == reference.1 => {}
+            None if style == reference_style => {}
             None => faults.report(
                 written.span.clone(),
                 format!("the test gives no number for `{name}`"),
@@ -150,12 +162,14 @@ fn test(
             ),
         }
     }
-    let asked: Vec<String> = parts.iter().flat_map(|part| &part.answers).map(|answer| answer.find.name()).collect();
-    // Of an answer that cannot be read nothing is known.
+    Some((style, numbers))
+}
+
+/// What a test answers, and nobody asks for.
+fn strange_answers(written: &TestFile, parts: &[Part], faults: &mut Faults) {
     let answers = || parts.iter().flat_map(|part| &part.answers);
-    let is_whole = answers().count() == file_answers;
-    let is_strange = |name: &String| is_whole && !asked.contains(name);
-    for (name, _) in written.answers.iter().filter(|(name, _)| is_strange(name.get_ref())) {
+    let asked: Vec<String> = answers().map(|answer| answer.find.name()).collect();
+    for (name, _) in written.answers.iter().filter(|(name, _)| !asked.contains(name.get_ref())) {
         let text = name.get_ref();
         let is_second = |find: &Find| matches!(find, Find::Vector(_, y) if y.to_string() == *text);
         if let Some(find) = answers().map(|answer| &answer.find).find(|find| is_second(find)) {
@@ -168,6 +182,4 @@ fn test(
         let known = asked.iter().map(String::as_str);
         faults.unknown(name.span(), format!("`{text}` is not asked for"), label, text, known);
     }
-    let answers = written.answers.iter().map(|(name, words)| (name.get_ref().clone(), words.get_ref().clone()));
-    Some(AuthorsTest { span: written.span.clone(), style, numbers, answers: answers.collect() })
 }

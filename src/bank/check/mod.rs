@@ -16,6 +16,7 @@ use super::document::Faults;
 use super::file::{self, QuestionFile};
 use super::question::Question;
 use crate::diagnostic::{Diagnostic, Severity, Source};
+use declared::Asked;
 use names::NamesUsed;
 
 /// Reads and checks a question file. `id` is its path in the bank without `.toml`.
@@ -47,7 +48,8 @@ fn check(id: &str, file: &QuestionFile, faults: &mut Faults) -> Option<Question>
     let parts = parts::parts(file, &mut used, faults);
     shown::shown(&parts, file, faults);
     let (reference, reference_style) = reference::reference(file, &styles, &mut used, faults);
-    let declared = declared::declared(file, &styles, &parts, (&reference, reference_style), &mut used, faults);
+    let asked = Asked { styles: &styles, parts: &parts, reference: &reference, reference_style };
+    let declared = declared::declared(file, &asked, &mut used, faults);
     let letters = file.scene.as_ref().map(|scene| scene.letters()).unwrap_or_default();
     used.resolve(&scopes, &letters, faults);
     if !faults.found.is_empty() {
