@@ -190,26 +190,7 @@ impl Seen<'_> {
         let Some(at) = sentence.iter().position(|token| is_one_of(token, &["through"])) else { return };
         let is_turned =
             sentence[..at].iter().any(|token| is_one_of(token, &["turn", "turns", "turned", "deflects", "deflected"]));
-        let said = match &sentence[at + 1..] {
-            [Token::Word(a), Token::Word(right), Token::Word(angle), ..]
-                if (a.as_str(), right.as_str(), angle.as_str()) == ("a", "right", "angle") =>
-            {
-                Some(90.0)
-            }
-            // `An acute angle of`, and no number of what comes later.
-            rest => {
-                let number = rest.iter().take(5).find_map(|token| match token {
-                    Token::Number(expr, unit, _) => {
-                        let value = if *unit == Unit::Degree { self.number(expr) } else { None };
-                        Some(value.and_then(|value| value.to_f64()))
-                    }
-                    // One that stands in the words without braces.
-                    Token::Word(word) => word.parse().ok().map(Some),
-                    _ => None,
-                });
-                number.flatten()
-            }
-        };
+        let said = self.angle_said(&sentence[at + 1..]);
         let (Some(said), true, true) = (said, is_turned, self.question.scene.then.is_empty()) else { return };
         // `more than a right angle` is no angle.
         let is_compared = sentence[at + 1..].iter().any(|token| is_one_of(token, &["than", "least", "most"]));
@@ -229,6 +210,27 @@ impl Seen<'_> {
             let message =
                 format!("the words say that `*{}*` is turned through {said}°, and it is not so", sphere.name());
             findings.push(self.finding(message, "through", "require the angle that is said, or say another"));
+        }
+    }
+
+    /// The angle in degrees that words begin with: `a right angle`, `an acute angle of 40°`. None if the first number is
+    /// of something else, or not known.
+    fn angle_said(&self, words: &[Token]) -> Option<f64> {
+        let is_word = |(token, word): (&Token, &str)| is_one_of(token, &[word]);
+        if words.len() > 2 && words.iter().zip(["a", "right", "angle"]).all(is_word) {
+            return Some(90.0);
+        }
+        // Some numbers stand in the words without braces.
+        let bare = |word: &String| word.parse().ok();
+        let is_number = |token: &&Token| match token {
+            Token::Number(..) => true,
+            Token::Word(word) => bare(word).is_some(),
+            _ => false,
+        };
+        match words.iter().take(5).find(is_number)? {
+            Token::Number(expr, Unit::Degree, _) => self.number(expr)?.to_f64(),
+            Token::Word(word) => bare(word),
+            _ => None,
         }
     }
 

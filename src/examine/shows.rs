@@ -161,68 +161,78 @@ fn are_one(one: f64, other: f64, accept: &Accept, is_exact: bool) -> bool {
     (one / unit).round() == (other / unit).round()
 }
 
-/// Slips that do not show, each with how many variants hide it and the first of these, against the list of the question:
-/// one finding, and with the list as it should be where several are amiss.
-fn undeclared(question: &Question, hidden: &[(&str, Vec<String>, String)]) -> Option<Finding> {
-    let is_declared = |tag: &str| question.hidden.iter().any(|known| known == tag);
-    let missing: Vec<_> = hidden.iter().filter(|(tag, ..)| !is_declared(tag)).collect();
-    let idle = |tag: &&String| !hidden.iter().any(|(hidden, ..)| hidden == tag);
-    let needless: Vec<&String> = question.hidden.iter().filter(idle).collect();
+/// A slip that does not show in some variants.
+struct Hidden {
+    tag: &'static str,
+    /// How many variants of each style hide it.
+    variants: Vec<String>,
+    /// The numbers of the first of these.
+    first: String,
+}
+
+/// Slips that do not show, against the list of the question: one finding, and with the list as it should be where several
+/// are amiss.
+fn undeclared(question: &Question, hidden: &[Hidden]) -> Option<Finding> {
+    let missing: Vec<&Hidden> =
+        hidden.iter().filter(|slip| !question.hidden.iter().any(|known| known == slip.tag)).collect();
+    let idle = |tag: &&str| !hidden.iter().any(|slip| slip.tag == *tag);
+    let needless: Vec<&str> = question.hidden.iter().map(String::as_str).filter(idle).collect();
     match (missing.as_slice(), needless.as_slice()) {
         ([], []) => None,
-        ([(tag, variants, first)], []) => {
-            let did = Slip::all().iter().find(|(_, slip)| slip.tag == *tag).map_or("", |(_, slip)| slip.did);
-            let message = format!("the slip `{tag}` does not show in {}, first with {first}", variants.join(", "));
-            let label = format!("a student who {did} is marked right");
-            let help =
-                format!("require other numbers, or add `\"{tag}\"` to the list `hidden = [ … ]` of the question");
-            Some(Finding::new(message, "[[part]]", label).with_help(help))
-        }
+        ([slip], []) => Some(one_undeclared(slip)),
         ([], [tag]) => {
             let message = format!("the slip `{tag}` is declared hidden, and shows in every variant");
             Some(Finding::new(message, format!("\"{tag}\""), "not needed").with_help("take it out of `hidden`"))
         }
-        (missing, needless) => {
-            let list = |tags: &[&str]| {
-                let names: Vec<String> = tags.iter().map(|tag| format!("`{tag}`")).collect();
-                format!("the {} {}", if tags.len() == 1 { "slip" } else { "slips" }, names.join(", "))
-            };
-            // The numbers that hide them say which requirement is wanted.
-            let mut groups: Vec<(&str, Vec<&str>)> = Vec::new();
-            for (tag, _, first) in missing {
-                match groups.iter_mut().find(|(known, _)| known == first) {
-                    Some((_, tags)) => tags.push(tag),
-                    None => groups.push((first, vec![tag])),
-                }
-            }
-            let mut said = Vec::new();
-            for (first, tags) in groups {
-                let verb = if tags.len() == 1 { "does" } else { "do" };
-                said.push(format!("{} {verb} not show in some variants, first with {first}", list(&tags)));
-            }
-            if !needless.is_empty() {
-                let tags: Vec<&str> = needless.iter().map(|tag| tag.as_str()).collect();
-                let verb =
-                    if tags.len() == 1 { "is declared hidden, and shows" } else { "are declared hidden, and show" };
-                said.push(format!("{} {verb} in every variant", list(&tags)));
-            }
-            let message = said.join("; ");
-            let is_kept = |tag: &&str| is_declared(tag);
-            let (kept, new): (Vec<&str>, Vec<&str>) = hidden.iter().map(|(tag, ..)| *tag).partition(is_kept);
-            let whole: Vec<String> = kept.into_iter().chain(new).map(|tag| format!("\"{tag}\"")).collect();
-            let list = format!("`hidden = [{}]`", whole.join(", "));
-            let (label, help) = match (missing.is_empty(), whole.is_empty()) {
-                (true, true) => ("not needed", "take the whole list out".to_owned()),
-                (true, false) => ("not all of it is needed", format!("write {list}")),
-                _ => (
-                    "a student who makes a hidden slip is marked right",
-                    format!("require other numbers, or write {list}"),
-                ),
-            };
-            let at = if question.hidden.is_empty() { "[[part]]" } else { "hidden" };
-            Some(Finding::new(message, at, label).with_help(help))
+        (missing, needless) => Some(several_amiss(question, hidden, missing, needless)),
+    }
+}
+
+fn one_undeclared(Hidden { tag, variants, first }: &Hidden) -> Finding {
+    let did = Slip::all().iter().find(|(_, slip)| slip.tag == *tag).map_or("", |(_, slip)| slip.did);
+    let message = format!("the slip `{tag}` does not show in {}, first with {first}", variants.join(", "));
+    let help = format!("require other numbers, or add `\"{tag}\"` to the list `hidden = [ … ]` of the question");
+    Finding::new(message, "[[part]]", format!("a student who {did} is marked right")).with_help(help)
+}
+
+/// All that is amiss with the list, and what it should be.
+fn several_amiss(question: &Question, hidden: &[Hidden], missing: &[&Hidden], needless: &[&str]) -> Finding {
+    let is_kept = |tag: &&str| question.hidden.iter().any(|known| known == tag);
+    let (kept, new): (Vec<&str>, Vec<&str>) = hidden.iter().map(|slip| slip.tag).partition(is_kept);
+    let whole: Vec<String> = kept.into_iter().chain(new).map(|tag| format!("\"{tag}\"")).collect();
+    let list = format!("`hidden = [{}]`", whole.join(", "));
+    let (label, help) = match (missing.is_empty(), whole.is_empty()) {
+        (true, true) => ("not needed", "take the whole list out".to_owned()),
+        (true, false) => ("not all of it is needed", format!("write {list}")),
+        _ => ("a student who makes a hidden slip is marked right", format!("require other numbers, or write {list}")),
+    };
+    let at = if question.hidden.is_empty() { "[[part]]" } else { "hidden" };
+    Finding::new(amiss_in_words(missing, needless), at, label).with_help(help)
+}
+
+/// The slips that are amiss; those that the same numbers hide together, since these say which requirement is wanted.
+fn amiss_in_words(missing: &[&Hidden], needless: &[&str]) -> String {
+    let list = |tags: &[&str]| {
+        let names: Vec<String> = tags.iter().map(|tag| format!("`{tag}`")).collect();
+        format!("the {} {}", if tags.len() == 1 { "slip" } else { "slips" }, names.join(", "))
+    };
+    let mut groups: Vec<(&str, Vec<&str>)> = Vec::new();
+    for slip in missing {
+        match groups.iter_mut().find(|(known, _)| *known == slip.first) {
+            Some((_, tags)) => tags.push(slip.tag),
+            None => groups.push((&slip.first, vec![slip.tag])),
         }
     }
+    let mut said = Vec::new();
+    for (first, tags) in groups {
+        let verb = if tags.len() == 1 { "does" } else { "do" };
+        said.push(format!("{} {verb} not show in some variants, first with {first}", list(&tags)));
+    }
+    if !needless.is_empty() {
+        let verb = if needless.len() == 1 { "is declared hidden, and shows" } else { "are declared hidden, and show" };
+        said.push(format!("{} {verb} in every variant", list(needless)));
+    }
+    said.join("; ")
 }
 
 /// What a question's numbers hide and do not say, and what it says without need.
@@ -237,13 +247,16 @@ pub fn findings(
         return Vec::new();
     }
     let mut findings = Vec::new();
-    let mut hidden: Vec<(&str, Vec<String>, String)> = Vec::new();
+    let mut hidden: Vec<Hidden> = Vec::new();
     for (place, slips) in styles.iter().enumerate() {
         for (tag, count, first) in slips.hidden(acting) {
             let of = format!("{count} of {} variants of style `{}`", slips.variants(), question.styles[place].name);
-            match hidden.iter_mut().find(|(known, ..)| *known == tag) {
-                Some((_, all, _)) => all.push(of),
-                None => hidden.push((tag, vec![of], first.map_or_else(String::new, |first| numbers(place, first)))),
+            match hidden.iter_mut().find(|slip| slip.tag == tag) {
+                Some(slip) => slip.variants.push(of),
+                None => {
+                    let first = first.map_or_else(String::new, |first| numbers(place, first));
+                    hidden.push(Hidden { tag, variants: vec![of], first });
+                }
             }
         }
     }
