@@ -58,6 +58,8 @@ fn line(mut line: WorkingLine) -> WorkingLine {
         if chain.len() > 1 && chain.iter().any(|(_, is_carried)| !is_carried) {
             chain.retain(|(_, is_carried)| !is_carried);
         }
+        // Two steps that come to one decimal are one.
+        chain.dedup_by(|next, last| next.0 == last.0);
         chain.sort_by_key(|(equation, _)| is_about(equation));
     }
     line.equations = chains.into_iter().flatten().map(|(equation, _)| equation).collect();
@@ -149,5 +151,13 @@ mod tests {
             vec![read_equation("v = sqrt(80 + 1)"), read_equation(&format!("v = {}", ones(9))), about("9.00")];
         let printed = line(WorkingLine { words: Text::default(), equations, label: None });
         assert_eq!(printed.equations.iter().map(print::unicode).collect::<Vec<_>>(), ["v = √(80 + 1)", "v ≈ 9.00"]);
+    }
+
+    #[test]
+    fn carom_says_the_same_decimal_once() {
+        let steps = [format!("5 - 5 + {}", ones(9)), ones(9)];
+        let equations = steps.map(|right| read_equation(&format!("cos(delta) = {right}")));
+        let printed = line(WorkingLine { words: Text::default(), equations: equations.to_vec(), label: None });
+        assert_eq!(printed.equations.iter().map(print::unicode).collect::<Vec<_>>(), ["cos δ ≈ 9.0000"]);
     }
 }
