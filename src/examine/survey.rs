@@ -10,7 +10,10 @@ use super::finding::Finding;
 use super::report::{Report, StyleReport};
 use super::shows;
 use super::tally::{Tally, numbers};
-use super::{again, asked, asked_for, author, exact_form, figures, given, lines, said, scheme, units};
+use super::{
+    again, asked, asked_for, asked_when, asked_whose, author, exact_form, figures, given, lines, said, scheme,
+};
+use super::units;
 use crate::bank::{Givens, Posed, Question, Requirement, Style, Unposed};
 use crate::diagnostic::Severity;
 use crate::generate::{Deal, MOST_SETS, Numbers, Sieve, Unfit, Variant, out_of, reference};
@@ -169,6 +172,8 @@ impl Done {
         findings.extend(figures::otherwise(question));
         findings.extend(asked::beside_the_point(question));
         findings.extend(asked_for::others(question));
+        findings.extend(asked_when::otherwise(question));
+        findings.extend(asked_whose::otherwise(question));
         findings.extend(lines::from_another_line(question));
         findings.extend(scheme::unrewarded(question));
         findings.extend(scheme::paid_twice(question));

@@ -1,0 +1,145 @@
+//! Do the words ask for a motion after the impact after which it is found, and not before it?
+//!
+//! `After it has struck the wall` and `before *C* strikes it` name an impact of a sphere. Where no impact is plain from the
+//! words, as in `after the second collision` where walls are struck between, nothing is said.
+
+use super::finding::Finding;
+use super::impacts::{impacts, ordinal};
+use super::sentence::{Sentence, Token, is_one_of, is_supposed, says, sentences};
+use crate::bank::{Answer, Question};
+use crate::expr::{Text, print};
+use crate::mechanics::{Moment, Quantity, Sphere};
+
+/// Answers that the words, or the names of the answers, place on the other side of an impact.
+pub fn otherwise(question: &Question) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    for (place, part) in question.parts.iter().enumerate() {
+        for (row, answer) in part.answers.iter().enumerate() {
+            let own = std::slice::from_ref(&answer.name);
+            let found = [own, part.ask.as_slice()].into_iter().find_map(|texts| misplaced(question, answer, texts));
+            findings.extend(found.map(|found| found.at_row(place, "answers", row).as_warning()));
+        }
+    }
+    findings
+}
+
+/// An answer that is on the wrong side of every impact that the words name.
+fn misplaced(question: &Question, answer: &Answer, texts: &[Text]) -> Option<Finding> {
+    let quantity = *answer.find.quantities().first()?;
+    let (sphere, moment) = match quantity.of_its_impact() {
+        Quantity::Speed(sphere, moment)
+        | Quantity::Velocity(sphere, moment, _)
+        | Quantity::AngleToLine(sphere, moment)
+        | Quantity::AngleToWall(sphere, moment) => (sphere, moment),
+        _ => return None,
+    };
+    let is_plain = |sentence: &Sentence| !is_supposed(sentence) && !says(sentence, &["given"]);
+    let all: Vec<Sentence> = texts.iter().flat_map(sentences).filter(is_plain).collect();
+    let named: Option<Vec<(u8, Moment)>> = all.iter().flat_map(|words| moments(question, sphere, words)).collect();
+    let found_at = (quantity.impact(), moment);
+    let is_wrong = |(impact, asked): &(u8, Moment)| match asked {
+        Moment::Before => found_at >= (*impact, Moment::After),
+        Moment::After => found_at <= (*impact, Moment::Before),
+    };
+    let named = named.filter(|named| named.iter().all(is_wrong))?;
+    let (impact, wanted) = *named.first()?;
+    let (asked, found) = match wanted {
+        Moment::Before => ("before", "after"),
+        Moment::After => ("after", "before"),
+    };
+    let there = answer.find.quantities().into_iter().filter_map(|quantity| at(quantity, impact, wanted));
+    let there: Vec<String> = there.map(|quantity| format!("`{quantity}`")).collect();
+    let help = format!("find {}, or ask for what is {found} the impact", there.join(" and "));
+    let name = print::text_unicode(&answer.name);
+    let message = format!("the words ask for what is {asked} an impact, and `{name}` is found {found} it");
+    Some(Finding::new(message, "", format!("found {found} the impact")).with_help(help))
+}
+
+/// The same quantity of another impact, before it or after it.
+fn at(quantity: Quantity, impact: u8, moment: Moment) -> Option<Quantity> {
+    let there = match quantity.of_its_impact() {
+        Quantity::Speed(sphere, _) => Quantity::Speed(sphere, moment),
+        Quantity::Velocity(sphere, _, axis) => Quantity::Velocity(sphere, moment, axis),
+        Quantity::AngleToLine(sphere, _) => Quantity::AngleToLine(sphere, moment),
+        Quantity::AngleToWall(sphere, _) => Quantity::AngleToWall(sphere, moment),
+        _ => return None,
+    };
+    there.in_impact(impact)
+}
+
+/// The impacts before or after which a sentence asks, each none if it is not plain which.
+fn moments(question: &Question, sphere: Sphere, sentence: &[Token]) -> Vec<Option<(u8, Moment)>> {
+    let at = |(place, token): (usize, &Token)| {
+        let moment = match token {
+            Token::Word(word) if word == "before" => Moment::Before,
+            Token::Word(word) if word == "after" => Moment::After,
+            _ => return None,
+        };
+        let rest = sentence[place + 1..].split(|token| *token == Token::Comma).next().unwrap_or_default();
+        Some(impact(question, sphere, rest).map(|impact| (impact, moment)))
+    };
+    sentence.iter().enumerate().filter_map(at).collect()
+}
+
+/// The impact of a sphere that words name first: with the only wall, with the second, with the sphere that is named.
+fn impact(question: &Question, sphere: Sphere, words: &[Token]) -> Option<u8> {
+    let scene = &question.scene;
+    if scene.then.is_empty() {
+        return Some(0);
+    }
+    let impacts = impacts(scene);
+    for (place, token) in words.iter().enumerate() {
+        let its: Vec<u8> = match token {
+            _ if is_one_of(token, &["wall"]) => {
+                impacts.iter().filter(|one| one.is_wall && one.has(sphere)).map(|one| one.number).collect()
+            }
+            Token::Sphere(other) if *other != sphere => {
+                impacts.iter().filter(|one| one.has(sphere) && one.has(*other)).map(|one| one.number).collect()
+            }
+            _ => continue,
+        };
+        let nth = place.checked_sub(1).and_then(|before| ordinal(&words[before]));
+        return match (its.as_slice(), nth) {
+            ([one], _) => Some(*one),
+            (several, Some(nth)) => several.get(nth).copied(),
+            _ => None,
+        };
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::examine::{Edits, edited};
+
+    #[test]
+    fn what_is_asked_after_an_impact_is_not_found_before_it() {
+        let (wall, corner) = ("successive/struck-onto-a-wall", "successive/corner");
+        let after = "immediately after *A* has struck it";
+        let table: [(&str, Edits, &str); 10] = [
+            (wall, &[], ""),
+            (wall, &[(after, "immediately after it has struck the wall")], "what is after an impact, and `speed of B`"),
+            (wall, &[(after, "before it strikes the wall")], ""),
+            (wall, &[(after, "before *A* strikes it")], "what is before an impact, and `speed of B` is found after it"),
+            (wall, &[(after, "before and after it strikes the wall")], ""),
+            (wall, &[(after, "after the second impact")], ""),
+            (corner, &[], ""),
+            (corner, &[("struck the first wall.\"", "struck the second wall.\"")], "`velocity after the first wall`"),
+            (
+                corner,
+                &[("\"second.A.after.x\", \"second.A.after.y\"", "\"A.after.x\", \"A.after.y\"")],
+                "after an impact, and `velocity after the second wall` is found before it",
+            ),
+            (
+                "rest/speeds-and-directions",
+                &[("immediately after", "immediately before")],
+                "what is before an impact, and `speed of A` is found after it",
+            ),
+        ];
+        for (id, edits, words) in table {
+            let said: String = otherwise(&edited(id, edits)).into_iter().map(|finding| finding.message).collect();
+            assert!(said.contains(words) && said.is_empty() == words.is_empty(), "{id}: {edits:?}: {said}");
+        }
+    }
+}

@@ -1,0 +1,114 @@
+//! Who strikes whom: impacts of which the words speak, and that the scene does not have.
+
+use super::finding::Finding;
+use super::impacts::{Impact, impacts};
+use super::sentence::{Sentence, Token, is_one_of, is_supposed, sentences};
+use crate::answer::Kind;
+use crate::bank::Question;
+use crate::expr::{Text, print};
+use crate::mechanics::{Quantity, Sphere};
+
+/// Impulses that are asked for between others than those between whom they are found, and spheres that are said to strike
+/// each other and never do.
+pub fn otherwise(question: &Question) -> Vec<Finding> {
+    let impacts = impacts(&question.scene);
+    let mut findings = Vec::new();
+    for (place, part) in question.parts.iter().enumerate() {
+        let asked = plain(part.ask.iter());
+        for (row, answer) in part.answers.iter().enumerate().filter(|(_, answer)| answer.kind != Kind::Shown) {
+            let Some(quantity) = answer.find.quantities().first().copied() else { continue };
+            let impact = impacts.iter().find(|impact| impact.number == quantity.impact());
+            let is_impulse = matches!(quantity.of_its_impact(), Quantity::ImpulseMagnitude | Quantity::Impulse(..));
+            let Some(impact) = impact.filter(|_| is_impulse && part.answers.len() == 1) else { continue };
+            if let Some(other) = asked.iter().find_map(|sentence| exerts_otherwise(sentence, impact)) {
+                let name = print::text_unicode(&answer.name);
+                let message =
+                    format!("the words ask for an impulse of {other}, and the answer `{name}` is of another impact");
+                let help =
+                    "find the impulse of the impact that is named, as in `second.impulse.magnitude`, or name another";
+                findings
+                    .push(Finding::new(message, "", "of another impact").with_help(help).at_row(place, "answers", row));
+            }
+        }
+    }
+    let stems = question.styles.iter().flat_map(|style| &style.stem);
+    let asks = question.parts.iter().flat_map(|part| &part.ask);
+    let mut told: Vec<[Sphere; 2]> = Vec::new();
+    for [one, other] in plain(stems.chain(asks)).iter().flat_map(|sentence| strikes(sentence)) {
+        let is_there = impacts.iter().any(|impact| impact.has(one) && impact.has(other));
+        if !is_there && !told.contains(&[one, other]) {
+            told.push([one, other]);
+            let (one, other) = (one.name(), other.name());
+            let message = format!("the words say that `*{one}*` strikes `*{other}*`, and in the scene it does not");
+            let help = "name in the words those that meet in `[scene]`, or let others meet there with `of`";
+            findings.push(Finding::new(message, format!("*{other}*"), "no impact of these").with_help(help));
+        }
+    }
+    findings.into_iter().map(Finding::as_warning).collect()
+}
+
+/// Sentences of what is so.
+fn plain<'t>(texts: impl Iterator<Item = &'t Text>) -> Vec<Sentence<'t>> {
+    let is_denied =
+        |sentence: &Sentence| sentence.iter().any(|token| is_one_of(token, &["not", "no", "whether", "never"]));
+    texts.flat_map(sentences).filter(|sentence| !is_supposed(sentence) && !is_denied(sentence)).collect()
+}
+
+/// `That A exerts on B`: who is named, where an impact is of others.
+fn exerts_otherwise(sentence: &[Token], impact: &Impact) -> Option<String> {
+    let at = sentence.windows(2).position(|pair| is_one_of(&pair[0], &["exerts"]) && is_one_of(&pair[1], &["on"]))?;
+    let beside = [at.checked_sub(1)?, at + 2].into_iter().filter_map(|place| sentence.get(place));
+    let is_strange = |token: &Token| match token {
+        Token::Sphere(sphere) => !impact.has(*sphere),
+        token => is_one_of(token, &["wall"]) && !impact.is_wall,
+    };
+    let name = |token: &Token| match token {
+        Token::Sphere(sphere) => format!("*{}*", sphere.name()),
+        _ => "the wall".to_owned(),
+    };
+    beside.into_iter().find(|token| is_strange(token)).map(name)
+}
+
+/// The pairs of spheres of which a sentence says that one strikes the other: `A strikes B`, `B collides with C`.
+fn strikes(sentence: &[Token]) -> Vec<[Sphere; 2]> {
+    const STRIKES: [&str; 4] = ["strikes", "hits", "struck", "meets"];
+    let pair = |words: &[Token]| match words {
+        [Token::Sphere(one), verb, Token::Sphere(other), ..] if is_one_of(verb, &STRIKES) => Some([*one, *other]),
+        [Token::Sphere(one), verb, with, Token::Sphere(other)]
+            if is_one_of(verb, &["collides"]) && is_one_of(with, &["with"]) =>
+        {
+            Some([*one, *other])
+        }
+        _ => None,
+    };
+    (0..sentence.len()).filter_map(|at| pair(&sentence[at..sentence.len().min(at + 4)])).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::examine::{Edits, edited};
+
+    #[test]
+    fn impacts_of_which_the_words_speak_are_those_of_the_scene() {
+        let (line, wall) = ("successive/three-in-a-line", "successive/sphere-wall-sphere");
+        let table: [(&str, Edits, &str); 8] = [
+            (line, &[], ""),
+            (wall, &[], ""),
+            ("direct/restitution-from-one-speed", &[], ""),
+            (line, &[("then *B* strikes *C*", "then *A* strikes *C*")], "that `*A*` strikes `*C*`"),
+            (line, &[("then *B* strikes *C*", "then *A* does not strike *C*, and *B* strikes *C*")], ""),
+            (
+                line,
+                &[("that *B* exerts on *C*", "that *A* exerts on *B*")],
+                "an impulse of *A*, and the answer `impulse on C`",
+            ),
+            (wall, &[("the wall exerts on *B*", "*A* exerts on *B*")], "an impulse of *A*"),
+            (wall, &[("second.impulse.magnitude", "third.impulse.magnitude")], "an impulse of the wall"),
+        ];
+        for (id, edits, words) in table {
+            let said: String = otherwise(&edited(id, edits)).into_iter().map(|finding| finding.message).collect();
+            assert!(said.contains(words) && said.is_empty() == words.is_empty(), "{id}: {edits:?}: {said}");
+        }
+    }
+}

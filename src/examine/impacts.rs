@@ -1,0 +1,39 @@
+//! The impacts of a scene, as words speak of them: who takes part, and whether a wall is struck.
+
+use super::sentence::{Token, is_one_of};
+use crate::mechanics::{SceneText, Sphere};
+
+/// One of them.
+pub struct Impact<'q> {
+    /// How many come before it.
+    pub number: u8,
+    /// Is it with a wall?
+    pub is_wall: bool,
+    of: Vec<&'q str>,
+}
+
+impl Impact<'_> {
+    /// Does a sphere take part?
+    pub fn has(&self, sphere: Sphere) -> bool {
+        self.of.contains(&sphere.name())
+    }
+
+    /// Is there no other sphere in it?
+    pub fn is_of_one(&self) -> bool {
+        self.of.len() == 1
+    }
+}
+
+/// All of them, in their order.
+pub fn impacts(scene: &SceneText) -> Vec<Impact<'_>> {
+    let is_alone = scene.wall.is_some() || scene.impulse.is_some();
+    let first = (scene.wall.is_some(), if is_alone { vec!["A"] } else { vec!["A", "B"] });
+    let later = scene.then.iter().map(|then| (then.wall.is_some(), then.of.iter().map(String::as_str).collect()));
+    let all = [first].into_iter().chain(later);
+    (0..).zip(all).map(|(number, (is_wall, of))| Impact { number, is_wall, of }).collect()
+}
+
+/// The place that a word gives in a row: `first` is 0.
+pub fn ordinal(token: &Token) -> Option<usize> {
+    ["first", "second", "third", "fourth"].iter().position(|nth| is_one_of(token, &[nth]))
+}
