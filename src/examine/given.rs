@@ -85,8 +85,8 @@ pub fn unit_of(expr: &Expr, scene: &SceneText) -> Unit {
     }
 }
 
-/// Every name in the formulas of the scene; its keys are no names.
-fn names_of_scene(question: &Question) -> BTreeSet<String> {
+/// Every name and number in the formulas of the scene; its keys are no names.
+pub(super) fn names_of_scene(question: &Question) -> BTreeSet<String> {
     let mut scene = question.scene.clone();
     scene.symbols.clear();
     let mut found = BTreeSet::new();
@@ -102,7 +102,7 @@ fn names_of_scene(question: &Question) -> BTreeSet<String> {
     found
 }
 
-fn names_in(text: &str) -> BTreeSet<String> {
+pub(super) fn names_in(text: &str) -> BTreeSet<String> {
     let is_name = |sign: char| sign.is_ascii_alphanumeric() || sign == '_';
     text.split(|sign| !is_name(sign)).filter(|name| !name.is_empty()).map(str::to_owned).collect()
 }

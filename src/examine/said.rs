@@ -19,9 +19,11 @@ pub fn contradicted(question: &Question, style: &Style, variant: &Variant) -> Ve
     for (text, is_asked) in stem.chain(asks) {
         let mut is_later = is_asked;
         for sentence in sentences(text).into_iter().filter(|sentence| !is_supposed(sentence)) {
+            let known = findings.len();
             seen.numbers(&sentence, &mut is_later, &mut findings);
             seen.parallel(&sentence, &mut findings);
             seen.equations(&sentence, &mut findings);
+            seen.coefficients(&sentence, &mut findings);
             seen.kind(&sentence, &mut findings);
             seen.turned_back(&sentence, &mut findings);
             seen.rebounding(&sentence, &mut findings);
@@ -30,15 +32,21 @@ pub fn contradicted(question: &Question, style: &Style, variant: &Variant) -> Ve
             if !is_later {
                 seen.moving(&sentence, &mut findings);
             }
+            // What is said otherwise than it is has been told.
+            if findings.len() == known {
+                seen.constants(&sentence, &mut findings);
+            }
         }
     }
+    let stem: Vec<Sentence> = seen.stem().flat_map(sentences).collect();
+    seen.resting(&stem, &mut findings);
     findings
 }
 
 /// A variant with all that follows from what is known of it.
 pub(super) struct Seen<'v> {
     pub(super) question: &'v Question,
-    style: &'v Style,
+    pub(super) style: &'v Style,
     pub(super) variant: &'v Variant,
     pub(super) known: Known<Value>,
 }
@@ -331,8 +339,8 @@ mod tests {
             (catches, "{mA kg} and {mB kg}", "{mB kg} and {mA kg}", "give `*A*` the mass `mB`"),
             (catches, "is {u m/s} and", "is {2*u m/s} and", "give `*A*` the speed `2*u`"),
             (catches, "in the same direction", "in opposite directions", "A and B move in opposite directions"),
-            (catches, "in the same direction", "towards each other", "B moves towards each other"),
-            (catches, "in the same direction", "away from each other", "A moves away from each other"),
+            (catches, "in the same direction", "towards each other", "B moves towards A"),
+            (catches, "in the same direction", "away from each other", "A moves away from B"),
             (catches, "collide directly.", "coalesce.", "the words say `coalesce`, for which e is 0"),
             (catches, "collide directly.", "collide obliquely.", "the words say `obliquely`"),
             (catches, "collide directly.", "collide. The direction of *A* is not reversed.", ""),
@@ -465,7 +473,7 @@ mod tests {
                 "rest/speeds-and-directions",
                 "is {e}.",
                 "is {e}. The path of *A* is turned through an angle and then makes another of {60 deg} with it.",
-                "",
+                "the words give `60 deg`, and nothing in the scene has it",
             ),
             ("rest-letters/distance-from-the-centre-of-b", "B = \"r\" }", "B = \"2*r\" }", ""),
             (
@@ -479,6 +487,55 @@ mod tests {
                 "Immediately after the collision the speed of *A* is",
                 "It rebounds and *A* leaves *B* with speed",
                 "",
+            ),
+            (
+                "rest-letters/turned-through-a-right-angle",
+                "turned through a right angle",
+                "turned through an angle of {60 deg}",
+                "`*A*` is turned through 60°",
+            ),
+            (
+                "walls/turned-through-a-right-angle",
+                "through a right angle",
+                "by {60 deg}",
+                "the words give `60 deg`, and nothing in the scene has it",
+            ),
+            (
+                "walls/rebound-speed-and-direction",
+                "is {e}.",
+                "is {1 - e}.",
+                "the coefficient of restitution `1 - e` where the scene gives it",
+            ),
+            (
+                "successive/three-in-a-line",
+                "*A* and *B* is {e}, and that between *B* and *C* is {f}",
+                "*A* and *B* is {f}, and that between *B* and *C* is {e}",
+                "the coefficient of restitution `f` where the scene gives it",
+            ),
+            (
+                "successive/corner",
+                "the first wall is {e}, and that between *A* and the second wall is {f}",
+                "the second wall is {f}, and that between *A* and the first wall is {e}",
+                "",
+            ),
+            (
+                "successive/corner",
+                "the first wall is {e}, and that between *A* and the second wall is {f}",
+                "the first wall is {f}, and that between *A* and the second wall is {e}",
+                "the coefficient of restitution `e` where the scene gives it",
+            ),
+            (
+                "successive/three-in-a-line",
+                "Spheres *B* and *C* are at rest",
+                "Sphere *B* is at rest",
+                "the words do not say that `*C*` is at rest",
+            ),
+            ("successive/three-in-a-line", "Spheres *B* and *C* are at rest", "The others are at rest", ""),
+            (
+                "rest/speeds-and-directions",
+                ", which is at rest on the plane",
+                " on the plane",
+                "the words do not say that `*B*` is at rest",
             ),
             ("ranges/mass-ratio-when-a-goes-on", "is not changed", "is reversed", "the direction of `*A*` is reversed"),
         ];

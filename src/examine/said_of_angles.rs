@@ -98,6 +98,7 @@ fn degrees_said(meaning: Meaning) -> Option<f64> {
     }
 }
 
-fn degrees(turn: &Turn) -> Option<f64> {
+/// The degrees of an angle, if no letter is in it.
+pub(super) fn degrees(turn: &Turn) -> Option<f64> {
     turn.enclose(64).map(|degrees| degrees.to_f64())
 }

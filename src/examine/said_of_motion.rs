@@ -3,8 +3,10 @@
 use std::cmp::Ordering;
 
 use super::finding::Finding;
+use super::impacts::impacts;
 use super::said::{Seen, moment};
-use super::sentence::{Sentence, Token, is_one_of, subject};
+use super::sentence::{Sentence, Token, is_one_of, says, subject};
+use super::truth::is_at_rest;
 use crate::expr::{Angles, Relation, print, read, written};
 use crate::mechanics::{Axis, Condition, Moment, Quantity, Setting, Sphere};
 use crate::number::Value;
@@ -96,6 +98,31 @@ impl Seen<'_> {
                 let help = "turn its velocity round in `[scene]`, or say which way it is";
                 findings.push(self.finding(message, &format!("{way} it"), help));
             }
+        }
+    }
+
+    /// A sphere that is at rest, and of which the words do not say so.
+    pub(super) fn resting(&self, sentences: &[Sentence], findings: &mut Vec<Finding>) {
+        // A wall stands still, and nobody says so.
+        let impacts = impacts(&self.question.scene);
+        let is_there = |sphere: Sphere| impacts.iter().any(|impact| impact.has(sphere));
+        let rests = |sphere: &Sphere| is_there(*sphere) && is_at_rest(self.variant, *sphere) == Some(true);
+        let resting: Vec<Sphere> = Sphere::ALL.into_iter().filter(rests).collect();
+        let said: Vec<&Sentence> =
+            sentences.iter().filter(|words| says(words, &["rest", "stationary", "motionless"])).collect();
+        let is_of_all = said.iter().any(|words| says(words, &["both", "they", "others", "all", "each", "spheres"]));
+        let is_said = |sphere: Sphere| {
+            let is_named = said.iter().any(|words| words.contains(&Token::Sphere(sphere)));
+            !said.is_empty() && (resting.len() == 1 || is_named)
+        };
+        for sphere in resting.iter().copied().filter(|sphere| !is_said(*sphere)) {
+            let names_any = said.iter().flat_map(|words| words.iter()).any(|token| matches!(token, Token::Sphere(_)));
+            if is_of_all && !names_any {
+                continue;
+            }
+            let message = format!("the words do not say that `*{}*` is at rest", sphere.name());
+            let help = "say that it is, or give it a velocity in `[scene]`";
+            findings.push(self.finding(message, "stem", help).as_warning());
         }
     }
 
@@ -202,14 +229,19 @@ impl Seen<'_> {
         let ([sphere], false) = (named.as_slice(), is_compared) else { return };
         let Some((dot, cross)) = self.products(*sphere) else { return };
         let is_so = match (said == 90.0, dot.to_f64(), cross.to_f64()) {
-            (true, ..) => dot.is_zero(),
+            (is_right, ..) if is_right || dot.is_zero() => is_right && dot.is_zero(),
             (false, Some(dot), Some(cross)) => (cross.abs().atan2(dot).to_degrees() - said).abs() < 1e-6,
             _ => return,
         };
         if !is_so {
             let message =
                 format!("the words say that `*{}*` is turned through {said}°, and it is not so", sphere.name());
-            findings.push(self.finding(message, "through", "require the angle that is said, or say another"));
+            let said = sentence[at + 1..].iter().map_while(|token| match token {
+                Token::Word(word) => Some(word.as_str()),
+                _ => None,
+            });
+            let at = ["through"].into_iter().chain(said.take(3)).collect::<Vec<_>>().join(" ");
+            findings.push(self.finding(message, &at, "require the angle that is said, or say another"));
         }
     }
 

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use super::sentence::{Token, is_one_of, is_supposed, sentences, subject};
-use super::sentences::{around, in_order, remark_at};
+use super::sentences::{around, in_order};
 use super::tally::Remark;
 use crate::expr::{Expr, Meaning, Piece, Text, Turn, evaluate};
 use crate::generate::Variant;
@@ -11,6 +11,11 @@ use crate::mechanics::{Axis, Moment, Quantity, Sphere};
 use crate::number::Value;
 use crate::paper::Words;
 use crate::unit::Unit;
+
+/// A remark on words of the author that are not so, at their place in the file.
+fn remark(what: &str, at: &str, shown: &str, help: &str) -> Remark {
+    Remark::new(what, at, "here", help).showing(shown)
+}
 
 /// What is said and is not so.
 pub fn untrue(words: &Words, variant: &Variant, remarks: &mut Vec<Remark>) {
@@ -25,7 +30,7 @@ pub fn untrue(words: &Words, variant: &Variant, remarks: &mut Vec<Remark>) {
 }
 
 /// Whether a sphere is at rest before its first impact; none where that is not known.
-fn is_at_rest(variant: &Variant, sphere: Sphere) -> Option<bool> {
+pub(super) fn is_at_rest(variant: &Variant, sphere: Sphere) -> Option<bool> {
     let mut first: Option<(u8, Vec<Value>)> = None;
     let known = variant.solution.known();
     for quantity in known.0.keys() {
@@ -83,7 +88,7 @@ fn resting(text: &Text, variant: &Variant, remarks: &mut Vec<Remark>) {
             let at = words.find(sentence).unwrap_or(0)
                 + sentence.find(" at rest").or(sentence.find(" mov")).unwrap_or(0)
                 + 1;
-            remarks.push(remark_at("a motion that is not so", around(words, at), &said, help));
+            remarks.push(remark("a motion that is not so", around(words, at), &said, help));
         }
     }
 }
@@ -140,7 +145,7 @@ fn beside_each_other(text: &Text, variant: &Variant, remarks: &mut Vec<Remark>) 
             if (&one_has - &other_has).sign().is_some_and(|sign| sign != *wanted) {
                 let shown = format!("{} is {said} than {}", one.name(), other.name());
                 let help = "require that it is so, or take the words out";
-                remarks.push(remark_at("a comparison that is not so", &format!("{said} than"), &shown, help));
+                remarks.push(remark("a comparison that is not so", &format!("{said} than"), &shown, help));
             }
         }
     }
@@ -160,7 +165,7 @@ fn angles(text: &Text, variant: &Variant, remarks: &mut Vec<Remark>) {
             let shown = crate::expr::print::text_unicode(&Text(vec![pair[1].clone()]));
             let help = "say `an angle`, or require that it is what is said";
             let at = around(words, before.len() - "angle".len());
-            remarks.push(remark_at("an angle that is not so", at, &format!("{said} angle {shown}"), help));
+            remarks.push(remark("an angle that is not so", at, &format!("{said} angle {shown}"), help));
         }
     }
 }
@@ -233,7 +238,7 @@ fn ways(text: &Text, variant: &Variant, remarks: &mut Vec<Remark>) {
                         Whom::Next(_) | Whom::Behind => format!("{way} *{next}*"),
                         _ => around(words, words.find(way).unwrap_or(0)).to_owned(),
                     };
-                    remarks.push(remark_at("a direction that is not so", &at, &said, help));
+                    remarks.push(remark("a direction that is not so", &at, &said, help));
                 }
             }
             is_after = is_after && !sentence.ends_with('.');
@@ -248,14 +253,15 @@ fn untrue_way(way: &str, whom: Whom, next: &str, variant: &Variant) -> Option<St
     let is_third = is_at_rest(variant, Sphere::C).is_some();
     let rests = |sphere: Sphere| !is_third && is_at_rest(variant, sphere) == Some(true);
     let wrong = |sphere: Sphere, sense: f64| rests(sphere) || along(sphere).is_some_and(|along| along * sense < 0.0);
-    let of_one = |sphere: Sphere, sense: f64, whom: &str| {
-        wrong(sphere, sense).then(|| format!("{} moves {way} {whom}", sphere.name()).trim_end().to_owned())
+    let of_one = |sphere: Sphere, sense: f64, other: &str| {
+        let way = if way.starts_with("away") { "away from" } else { "towards" };
+        wrong(sphere, sense).then(|| format!("{} moves {way} {other}", sphere.name()))
     };
     let of_both = |sense: f64| Some(along(Sphere::A)? * along(Sphere::B)? * sense < 0.0);
     match (whom, next) {
         (Whom::Next(sense), "A") => of_one(Sphere::B, -sense, next),
         (Whom::Next(sense), "B") => of_one(Sphere::A, sense, next),
-        (Whom::Both(a, b), _) => of_one(Sphere::A, a, "").or_else(|| of_one(Sphere::B, b, "")),
+        (Whom::Both(a, b), _) => of_one(Sphere::A, a, "B").or_else(|| of_one(Sphere::B, b, "A")),
         (Whom::Opposite(sense), _) if !is_third => of_both(sense)?.then(|| format!("A and B move {way}")),
         // Who is behind goes towards the other.
         (Whom::Behind, "A" | "B") => {

@@ -1,0 +1,49 @@
+//! Numbers that stand in the words as they are, without a name: does anything in the scene have them?
+
+use super::finding::Finding;
+use super::given::{names_in, names_of_scene};
+use super::said::Seen;
+use super::said_of_angles::degrees;
+use super::sentence::{Sentence, Token};
+use crate::expr::{Expr, Turn, print};
+use crate::unit::Unit;
+
+impl Seen<'_> {
+    /// A mass, speed or angle that the words give as a plain number, where no quantity of the scene has it: the number may
+    /// be that of another condition, or one that was changed in the scene alone.
+    pub(super) fn constants(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        for token in sentence {
+            let Token::Number(expr, unit @ (Unit::Kilogram | Unit::MetrePerSecond | Unit::Degree), lead) = token else {
+                continue;
+            };
+            let is_plain = expr.names().is_empty() && !matches!(expr, Expr::Vector(..));
+            let Some(said) = self.number(expr).and_then(|value| value.to_f64()).filter(|_| is_plain) else { continue };
+            if !self.stands_in_scene(expr) && !self.has(said, *unit) {
+                let shown = format!("{} {}", print::plain(expr), unit.plain());
+                let message = format!("the words give `{shown}`, and nothing in the scene has it");
+                let help =
+                    "say what the scene has, or give the number in `[scene]`: in a velocity, a mass or `conditions`";
+                findings.push(self.finding(message, lead, help).as_warning());
+            }
+        }
+    }
+
+    /// Do the scene and what is derived for it hold the same digits?
+    fn stands_in_scene(&self, expr: &Expr) -> bool {
+        let mut there = names_of_scene(self.question);
+        there.extend(self.style.lets.iter().flat_map(|(_, formula)| names_in(&print::plain(formula))));
+        names_in(&print::plain(expr)).is_subset(&there)
+    }
+
+    /// Does a quantity of the unit have this value? An angle may be measured from either end of a line, or across it.
+    fn has(&self, said: f64, unit: Unit) -> bool {
+        let solution = &self.variant.solution;
+        let quantities = solution.scene().quantities().into_iter().filter(|quantity| quantity.unit() == unit);
+        let mut values = quantities.filter_map(|quantity| match unit {
+            Unit::Degree => degrees(&Turn::of(solution.angle(quantity)?)),
+            _ => solution.number(quantity)?.to_f64(),
+        });
+        let turned = if unit == Unit::Degree { vec![said, 180.0 - said, 90.0 - said] } else { vec![said] };
+        values.any(|value| turned.iter().any(|said| (value.abs() - said).abs() < 1e-6))
+    }
+}

@@ -1,0 +1,58 @@
+//! What the words say of coefficients of restitution: between whom, and how large.
+
+use super::finding::Finding;
+use super::impacts::{impacts, ordinal};
+use super::said::Seen;
+use super::sentence::{Sentence, Token, is_one_of, says};
+use crate::expr::{Expr, print, written};
+use crate::mechanics::{Quantity, Sphere};
+use crate::number::Value;
+use crate::unit::Unit;
+
+impl Seen<'_> {
+    /// `The coefficient of restitution between A and B is 1/2, and that between B and the wall is 1/3`: each as the scene
+    /// has it.
+    pub(super) fn coefficients(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        let Some(start) = sentence.iter().position(|token| is_one_of(token, &["restitution"])) else { return };
+        for (place, token) in sentence.iter().enumerate().skip(start + 1) {
+            let Token::Number(expr, Unit::None, lead) = token else { continue };
+            let leads = is_one_of(&sentence[place - 1], &["is", "restitution"]);
+            if matches!(expr, Expr::Relation(..) | Expr::Vector(..)) || !leads {
+                continue;
+            }
+            let before = &sentence[start..place];
+            let between = before.iter().rposition(|token| is_one_of(token, &["between"])).unwrap_or(0);
+            let (Some(said), Some(has)) = (self.number(expr), self.coefficient_between(&before[between..])) else {
+                continue;
+            };
+            if !has.is_empty() && !has.iter().any(|has| has.equals(&said)) {
+                let shown = print::plain(expr);
+                let has = print::unicode(&written(&has[0]));
+                let message =
+                    format!("the words give the coefficient of restitution `{shown}` where the scene gives it {has}");
+                let help = "name in the words the `e` that `[scene]` has for this impact, or change it there";
+                findings.push(self.finding(message, lead, help));
+            }
+        }
+    }
+
+    /// The coefficients of the impacts between those that are named; none if one of them is not known.
+    fn coefficient_between(&self, words: &[Token]) -> Option<Vec<Value>> {
+        let mut all = impacts(&self.question.scene);
+        let is_named = |sphere: Sphere| words.contains(&Token::Sphere(sphere));
+        let is_wall = says(words, &["wall"]);
+        // What is said of no one in particular is said of the only impact.
+        if is_wall || says(words, &["spheres", "them"]) || Sphere::ALL.into_iter().any(is_named) {
+            all.retain(|impact| impact.is_wall == is_wall);
+        } else if all.len() > 1 {
+            return None;
+        }
+        all.retain(|impact| Sphere::ALL.into_iter().all(|sphere| !is_named(sphere) || impact.has(sphere)));
+        let nth = words.windows(2).find(|pair| is_one_of(&pair[1], &["wall"])).and_then(|pair| ordinal(&pair[0]));
+        if let Some(nth) = nth.filter(|_| all.len() > 1) {
+            all = all.into_iter().skip(nth).take(1).collect();
+        }
+        let of = |number| self.known.number(Quantity::Restitution.in_impact(number)?);
+        all.iter().map(|impact| of(impact.number)).collect()
+    }
+}
