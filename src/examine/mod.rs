@@ -32,6 +32,7 @@ mod sentences;
 mod shows;
 mod spoken_of;
 mod students;
+mod suggested;
 mod survey;
 mod tally;
 mod truth;

@@ -13,7 +13,7 @@ use super::tally::{Tally, numbers};
 use super::{
     again, asked, asked_for, asked_when, asked_whose, author, exact_form, figures, given, lines, said, scheme,
 };
-use super::units;
+use super::{suggested, units};
 use crate::bank::{Givens, Posed, Question, Requirement, Style, Unposed};
 use crate::diagnostic::Severity;
 use crate::generate::{Deal, MOST_SETS, Numbers, Sieve, Unfit, Variant, out_of, reference};
@@ -254,6 +254,7 @@ fn unposed(question: &Question, style: &Style, tally: &Tally) -> Vec<Finding> {
                 "require what makes the collision possible, in `require`",
             ),
         };
+        let help = suggested::help(question, style, &reason).unwrap_or_else(|| help.to_owned());
         let parameter = named.map(|name| (style.name, name));
         let found = Finding { parameter, ..Finding::new(message, at.as_str(), label) };
         findings.push(found.with_help(help).as_warning());
