@@ -418,6 +418,69 @@ fn words_that_the_scene_contradicts_are_named() {
 }
 
 #[test]
+fn what_is_asked_for_and_found_elsewhere_is_named() {
+    found(
+        "successive/corner",
+        &[(
+            "wall-before",
+            &[("find = [\"second.A.after.x\", \"second.A.after.y\"]", "find = [\"A.after.x\", \"A.after.y\"]")],
+            "find `second.A.after.x` and `second.A.after.y`, or ask for what is before the impact",
+        )],
+    );
+    found(
+        "direct/velocities-in-letters",
+        &[(
+            "too-few-letters",
+            &[("in terms of {m}, {u} and {e}, the kinetic", "in terms of {m} and {u}, the kinetic")],
+            "the answer `ke.lost` has the letter `e`, and is asked for in terms of `m`, `u`",
+        )],
+    );
+    found(
+        "walls/rebound-speed-and-direction",
+        &[(
+            "one-sphere",
+            &[("between *A* and the wall is", "between the spheres is")],
+            "speak of spheres, and the scene has one",
+        )],
+    );
+}
+
+#[test]
+fn parts_speak_of_parts_that_come_before_them() {
+    found(
+        "direct/restitution-from-one-speed",
+        &[
+            (
+                "hence",
+                &[("ask = \"Find the speed of *B*", "ask = \"Hence find the speed of *B*")],
+                "`Hence` begins the first part",
+            ),
+            (
+                "no-part",
+                &[("ask = \"Find the coefficient", "ask = \"Using your answer to part (d), find the coefficient")],
+                "the words speak of part (d), which does not come before",
+            ),
+        ],
+    );
+}
+
+#[test]
+fn a_requirement_that_is_wanted_is_named() {
+    found(
+        "walls/turned-through-a-right-angle",
+        &[(
+            "wanted",
+            &[("alpha = \"48..70\"", "alpha = \"40..70 step 2\"")],
+            "add `\"alpha >= 46\"` to `require`, which turns these away and no others",
+        )],
+    );
+    found(
+        "ranges/direction-reversed",
+        &[("wanted-pair", &[("require = [\"mA < mB\"]", "require = []")], "add `\"mB > mA\"` to `require`")],
+    );
+}
+
+#[test]
 fn a_direction_that_is_reversed_and_an_angle_without_braces_are_so_in_the_scene() {
     found(
         "successive/struck-onto-a-wall",

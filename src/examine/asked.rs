@@ -53,6 +53,7 @@ pub fn beside_the_point(question: &Question) -> Vec<Finding> {
             findings.push(found.with_help(help).at_row(place, "answers", 0).as_warning());
         }
     }
+    findings.extend(out_of_order(question));
     findings.extend(extremes(question));
     findings.extend(strangers(question));
     findings.extend(absent(question));
@@ -92,6 +93,32 @@ fn shown(words: &str, part: &Part) -> Option<Finding> {
         return Some(found.with_help(help).as_warning());
     }
     None
+}
+
+/// `Hence` where nothing comes before, and `part (c)` where there is none or it comes later.
+fn out_of_order(question: &Question) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    for (place, part) in question.parts.iter().enumerate() {
+        let said = part.ask.iter().map(print::text_unicode).collect::<Vec<_>>().join(" ");
+        let begins = said.split_whitespace().next().is_some_and(|word| word.trim_end_matches(',') == "Hence");
+        let is_earlier = |label: &str| question.parts[..place].iter().any(|earlier| earlier.label == label);
+        let label =
+            |rest: &str| rest.split_once(')').map(|(label, _)| label.to_owned()).filter(|label| label.len() == 1);
+        let strange = said.split("part (").skip(1).filter_map(label).find(|label| !is_earlier(label));
+        let (message, help) = match strange {
+            Some(label) => (
+                format!("the words speak of part ({label}), which does not come before"),
+                "name a part that comes before",
+            ),
+            None if begins && place == 0 => {
+                ("`Hence` begins the first part".to_owned(), "begin with what is to be found")
+            }
+            None => continue,
+        };
+        let found = Finding::new(message, "", "nothing was found before").with_help(help);
+        findings.push(found.at_row(place, "answers", 0).as_warning());
+    }
+    findings
 }
 
 /// Words for what is as large as it can be, and as small.
@@ -165,6 +192,7 @@ fn absent(question: &Question) -> Vec<Finding> {
             let bare = word.trim_matches(|sign: char| !sign.is_alphanumeric()).to_lowercase();
             let next = all.get(place + 1).copied().unwrap_or_default();
             let (message, label, help) = match bare.as_str() {
+                "spheres" | "balls" if !has_spheres => ("speak of spheres, and the scene has one", "one sphere", mend),
                 "wall" | "walls" if !has_wall => (wall, "no wall", mend),
                 "centres" if !has_spheres => (line, "no line of centres", name),
                 "rough" => ("say `rough`, and every impact here is smooth", "not smooth", "say `smooth`"),

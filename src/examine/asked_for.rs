@@ -1,10 +1,11 @@
 //! Do the words of a part ask for this very answer: of this sphere, this angle, one value or a set of them?
 
 use super::finding::Finding;
-use super::sentence::{Sentence, Token, is_one_of, is_supposed, sentences};
+use super::impacts::impacts;
+use super::sentence::{Sentence, Token, is_one_of, is_supposed, says, sentences};
 use crate::answer::Kind;
 use crate::bank::{Answer, Find, Part, Question};
-use crate::expr::print;
+use crate::expr::{Expr, print};
 use crate::mechanics::{Quantity, Sphere};
 
 /// Answers for which the words of their part do not ask, though they ask for something of the kind.
@@ -13,13 +14,127 @@ pub fn others(question: &Question) -> Vec<Finding> {
     for (place, part) in question.parts.iter().enumerate() {
         let all: Vec<Sentence> = part.ask.iter().flat_map(sentences).filter(|words| !is_supposed(words)).collect();
         for (row, answer) in part.answers.iter().enumerate() {
-            let found =
-                of_another(answer, part, &all).or_else(|| another_angle(answer, &all)).or_else(|| set(answer, &all));
+            let found = of_another_by_name(answer).or_else(|| of_another(answer, part, &all));
+            let found = found.or_else(|| energy_of_another(question, answer, &all));
+            let found = found.or_else(|| another_letter(answer, &all)).or_else(|| no_coefficient(answer, &all));
+            let found = found.or_else(|| another_angle(answer, &all)).or_else(|| set(answer, &all));
             let help = "ask for what `find` finds, or find what is asked for";
             findings.extend(found.map(|found| found.with_help(help).at_row(place, "answers", row).as_warning()));
         }
+        findings.extend(one_of_each(part, &all).map(|found| found.at_row(place, "answers", 0).as_warning()));
     }
     findings
+}
+
+/// The name of an answer has one sphere, and what is found is of another.
+fn of_another_by_name(answer: &Answer) -> Option<Finding> {
+    let own = sphere_of(&answer.find)?;
+    let name = sentences(&answer.name);
+    let is_named = |sphere: Sphere| name.iter().flatten().any(|token| *token == Token::Sphere(sphere));
+    let is_another = !is_named(own) && Sphere::ALL.into_iter().any(is_named);
+    let (name, own) = (print::text_unicode(&answer.name), own.name());
+    let found = || Finding::new(format!("the answer `{name}` is of *{own}*"), "", format!("found of {own}"));
+    is_another.then(found)
+}
+
+/// The words ask for the energy that both lose, and the answer is what one does, or the other way round.
+fn energy_of_another(question: &Question, answer: &Answer, asked: &[Sentence]) -> Option<Finding> {
+    let quantity = *answer.find.quantities().first()?;
+    let impacts = impacts(&question.scene);
+    let is_of_one = impacts.iter().any(|impact| impact.number == quantity.impact() && impact.is_of_one());
+    if is_of_one || answer.kind == Kind::Shown {
+        return None;
+    }
+    let mut named: Vec<Sphere> = Vec::new();
+    for token in asked.iter().flatten() {
+        if let Token::Sphere(sphere) = token
+            && !named.contains(sphere)
+        {
+            named.push(*sphere);
+        }
+    }
+    let is_lost_by = asked.iter().flat_map(|sentence| sentence.windows(3)).any(|words| match words {
+        [lost, by, Token::Sphere(_)] => is_one_of(lost, &["lost"]) && is_one_of(by, &["by"]),
+        [that, Token::Sphere(_), loses] => is_one_of(that, &["that"]) && is_one_of(loses, &["loses"]),
+        _ => false,
+    });
+    let (asks, has) = match (quantity.of_its_impact(), named.as_slice()) {
+        (Quantity::SphereEnergyLost(own), []) => {
+            ("all that is lost".to_owned(), format!("what *{}* loses", own.name()))
+        }
+        (Quantity::EnergyLost, [one]) if is_lost_by => {
+            (format!("what *{}* loses", one.name()), "all that is lost".to_owned())
+        }
+        _ => return None,
+    };
+    let name = print::text_unicode(&answer.name);
+    Some(Finding::new(format!("the words ask for {asks}, and the answer `{name}` is {has}"), "", "another energy"))
+}
+
+/// The words ask for a motion, and the answer is a coefficient of restitution.
+fn no_coefficient(answer: &Answer, asked: &[Sentence]) -> Option<Finding> {
+    let is_one = answer.find.quantities().first().is_some_and(|find| find.of_its_impact() == Quantity::Restitution);
+    let words = |list: &[&str]| asked.iter().any(|sentence| says(sentence, list));
+    let has_letter = asked.iter().flatten().any(|token| matches!(token, Token::Number(Expr::Name(_), ..)));
+    let is_asked = words(&["restitution", "coefficient"]) || has_letter;
+    if !is_one || is_asked || !words(&["speed", "velocity", "angle", "energy", "impulse", "mass", "direction"]) {
+        return None;
+    }
+    let name = print::text_unicode(&answer.name);
+    let message = format!("the words ask for no coefficient of restitution, and the answer `{name}` is one");
+    Some(Finding::new(message, "", "a coefficient of restitution"))
+}
+
+/// The words ask for the values of one letter, and the answer is another.
+fn another_letter(answer: &Answer, asked: &[Sentence]) -> Option<Finding> {
+    let is_letter = matches!(answer.find, Find::Unknown(_)) || answer.kind == Kind::Range;
+    let own = answer.find.name();
+    let names = |token: &Token| match token {
+        Token::Number(expr, ..) => expr.names().into_iter().map(|name| name.text.clone()).collect(),
+        _ => Vec::new(),
+    };
+    let is_named = asked.iter().flatten().any(|token| names(token).contains(&own));
+    let other = asked.iter().flat_map(|sentence| sentence.windows(3)).find_map(|words| match words {
+        [value, of, Token::Number(Expr::Name(name), ..)]
+            if is_one_of(value, &["value", "values"]) && is_one_of(of, &["of"]) =>
+        {
+            Some(&name.text)
+        }
+        _ => None,
+    });
+    let other = other.filter(|_| is_letter && !is_named)?;
+    let message = format!("the words ask for `{other}`, and the answer is `{own}`");
+    Some(Finding::new(message, "", "another letter"))
+}
+
+/// Of each sphere something is asked for, and of one there is no such answer.
+fn one_of_each(part: &Part, asked: &[Sentence]) -> Option<Finding> {
+    const MOTIONS: [&str; 6] = ["speed", "speeds", "velocity", "velocities", "direction", "directions"];
+    let of_each = |sentence: &Sentence| {
+        let at = sentence.windows(2).position(|pair| {
+            (is_one_of(&pair[0], &["each"]) && is_one_of(&pair[1], &["sphere"]))
+                || (is_one_of(&pair[0], &["both"]) && is_one_of(&pair[1], &["spheres"]))
+        });
+        at.is_some_and(|at| says(&sentence[..at], &MOTIONS)) && !says(sentence, &["given"])
+    };
+    if !asked.iter().any(of_each) || part.answers.iter().any(|answer| answer.kind == Kind::Shown) {
+        return None;
+    }
+    let kind = |answer: &Answer| match answer.find.quantities().first().map(|quantity| quantity.of_its_impact()) {
+        Some(Quantity::Speed(..)) => Some("speed"),
+        Some(Quantity::Velocity(..)) => Some("velocity"),
+        Some(Quantity::AngleToLine(..) | Quantity::AngleToWall(..)) => Some("direction"),
+        _ => None,
+    };
+    let lonely = part.answers.iter().find(|answer| {
+        let alike = part.answers.iter().filter(|other| kind(other) == kind(answer));
+        kind(answer).is_some()
+            && alike.map(|other| sphere_of(&other.find)).all(|other| other == sphere_of(&answer.find))
+    })?;
+    let (name, kind) = (print::text_unicode(&lonely.name), kind(lonely)?);
+    let message = format!("the words ask for the {kind} of each sphere, and only `{name}` is found");
+    let help = "find it of the other sphere too, or ask for it of one";
+    Some(Finding::new(message, "", "one sphere alone").with_help(help))
 }
 
 /// The words name one sphere, and the answer is of another.
@@ -96,9 +211,41 @@ mod tests {
 
     #[test]
     fn words_that_ask_for_another_answer_are_found() {
-        let table: [(&str, Edits, &str); 6] = [
+        let (rest, both) = ("rest/speeds-and-directions", "both-moving/energy-lost-and-impulse");
+        let direction = "  { name = \"direction of *B*\", find = \"B.after.angle_to_loc_deg\", accept = \"awrt 3sf\", phrase = \"to the line of centres\" },\n";
+        let table: [(&str, Edits, &str); 16] = [
             ("ranges/direction-reversed", &[], ""),
             ("ranges/direction-reversed", &[("set of possible values", "value")], "ask for one value"),
+            (
+                "ranges/direction-reversed",
+                &[("values of {e}.", "values of {u}.")],
+                "ask for `u`, and the answer is `e`",
+            ),
+            (rest, &[], ""),
+            (
+                "direct/restitution-from-one-speed",
+                &[("Find the coefficient of restitution between the spheres.", "Find the speed of *B*.")],
+                "no coefficient of restitution, and the answer",
+            ),
+            (
+                rest,
+                &[("name = \"direction of *A*\"", "name = \"direction of *C*\"")],
+                "the answer `direction of C` is of *A*",
+            ),
+            (rest, &[(direction, "")], "the direction of each sphere, and only `direction of A`"),
+            (
+                both,
+                &[("find = \"ke.lost\"", "find = \"B.ke_lost\"")],
+                "all that is lost, and the answer `kinetic energy lost` is what *B*",
+            ),
+            (
+                both,
+                &[("energy lost in", "energy lost by *A* in")],
+                "what *A* loses, and the answer `kinetic energy lost` is all",
+            ),
+            ("walls/rebound-speed-and-direction", &[("energy lost in", "energy lost by *A* in")], ""),
+            ("successive/corner", &[], ""),
+            ("direct/velocities-in-letters", &[], ""),
             ("rest-letters/direction-and-deflection", &[], ""),
             ("direct/restitution-from-one-speed", &[], ""),
             ("deflection/equal-masses", &[], ""),

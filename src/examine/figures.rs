@@ -2,7 +2,7 @@
 
 use super::finding::Finding;
 use super::sentence::{Token, sentences};
-use super::spoken_of::spoken_of;
+use super::spoken_of::{is_of_all, spoken_of};
 use crate::answer::{Accept, Kind};
 use crate::bank::{Answer, Question, StyleName};
 use crate::expr::{Text, print};
@@ -19,7 +19,12 @@ pub fn otherwise(question: &Question) -> Vec<Finding> {
         let asks = question.parts.iter().enumerate();
         let asks = asks.flat_map(|(place, part)| part.ask.iter().map(move |ask| (ask, Some(place))));
         for (text, part) in before.chain(asks) {
-            let answers: Vec<_> = all.iter().filter(|(own, ..)| part.is_none_or(|part| part == *own)).collect();
+            // What a part asks of its own answers goes before what is asked of all.
+            let has_own = |part: usize| {
+                question.parts[part].ask.iter().flat_map(sentences).any(|words| !asked(&words).is_empty())
+            };
+            let is_meant = |own: usize| part.map_or(!has_own(own), |part| part == own);
+            let answers: Vec<_> = all.iter().filter(|(own, ..)| is_meant(*own)).collect();
             let Some((places, answer)) = unlike(text, style.name, answers.iter().map(|(.., answer)| *answer)) else {
                 continue;
             };
@@ -54,9 +59,13 @@ fn unlike<'q>(
         let places = |answer: &Answer| answer.accept(style).places().cloned();
         let rounded: Vec<&Answer> =
             spoken_of(&sentence, &answers).into_iter().filter(|answer| places(answer).is_some()).collect();
-        let is_met = rounded.iter().any(|answer| asked.iter().any(|asked| places(answer).as_ref() == Some(asked)));
-        let (first, wanted) = (rounded.first()?, asked.into_iter().next()?);
-        (!is_met).then_some((wanted, *first))
+        let is_met = |answer: &&Answer| asked.iter().any(|asked| places(answer).as_ref() == Some(asked));
+        // Of `your answers` each must be as it says, of `the speeds` one.
+        let unmet = match is_of_all(&sentence) || !rounded.iter().any(is_met) {
+            true => rounded.iter().find(|answer| !is_met(answer)),
+            false => None,
+        };
+        Some((asked.first()?.clone(), *unmet?))
     })
 }
 
@@ -83,7 +92,7 @@ fn asked(sentence: &[Token]) -> Vec<Places> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::examine::edited;
+    use crate::examine::{Edits, edited};
     use crate::expr::read_markup;
 
     #[test]
@@ -99,6 +108,13 @@ mod tests {
             let found = otherwise(&edited(id, &[("to 3 significant figures", &note)]));
             assert!(found.iter().any(|found| found.message.contains(words)), "{found:?}");
         }
+        let wall = "walls/rebound-speed-and-direction";
+        let rule = ("find = \"ke.lost\", accept = \"awrt 3sf\"", "find = \"ke.lost\", accept = \"2dp\"");
+        let said =
+            |edits: Edits| otherwise(&edited(wall, edits)).into_iter().map(|found| found.message).collect::<String>();
+        assert!(said(&[rule]).contains("asks for `3sf`, and the rule of `kinetic energy lost` is `2dp`"));
+        let in_part = ("lost in the impact.", "lost in the impact, to 2 decimal places.");
+        assert_eq!(said(&[rule, in_part]), "");
         let count = |words: &str| asked(&sentences(&read_markup(words).unwrap()[0])[0]).len();
         let table = [
             ("Give it to three significant figures, or to the nearest degree.", 2),

@@ -26,7 +26,9 @@ pub fn broken(question: &Question, variant: &Variant, words: &Words, remarks: &m
         }
     }
     for (part, ask) in question.parts.iter().zip(&words.asks) {
-        in_terms(ask, &part.answers.iter().collect::<Vec<_>>(), variant, remarks);
+        let answers: Vec<&Answer> = part.answers.iter().collect();
+        let named = in_terms(ask, &answers, variant, remarks);
+        beyond(&named, &answers, variant, remarks);
     }
     let all: Vec<&Answer> = question.parts.iter().flat_map(|part| &part.answers).collect();
     for paragraph in &words.stem {
@@ -34,9 +36,10 @@ pub fn broken(question: &Question, variant: &Variant, words: &Words, remarks: &m
     }
 }
 
-/// A letter after 'in terms of' must stand in one of the answers at least.
-fn in_terms(text: &Text, answers: &[&Answer], variant: &Variant, remarks: &mut Vec<Remark>) {
+/// A letter after 'in terms of' must stand in one of the answers at least; all such letters.
+fn in_terms(text: &Text, answers: &[&Answer], variant: &Variant, remarks: &mut Vec<Remark>) -> Vec<String> {
     let mut is_listing = false;
+    let mut named = Vec::new();
     for piece in &text.0 {
         match piece {
             Piece::Words(words) => {
@@ -44,6 +47,7 @@ fn in_terms(text: &Text, answers: &[&Answer], variant: &Variant, remarks: &mut V
                 is_listing = words.trim_end().ends_with("in terms of") || (is_listing && goes_on);
             }
             Piece::Formula(Expr::Name(name)) if is_listing && !matches!(name.text.as_str(), "i" | "j") => {
+                named.push(name.text.clone());
                 let has = |answer: &&Answer| letters(answer, variant).contains(&name.text);
                 if !answers.iter().any(has) {
                     let what = format!("an answer is asked for in terms of `{}` and does not have it", name.text);
@@ -55,6 +59,23 @@ fn in_terms(text: &Text, answers: &[&Answer], variant: &Variant, remarks: &mut V
             _ => is_listing = false,
         }
     }
+    named
+}
+
+/// Where letters are named in which answers are asked for, these have no other.
+fn beyond(named: &[String], answers: &[&Answer], variant: &Variant, remarks: &mut Vec<Remark>) {
+    let open = answers.iter().filter(|answer| !matches!(answer.kind, Kind::Shown | Kind::Range));
+    for answer in open.filter(|_| !named.is_empty()) {
+        if let Some(other) = letters(answer, variant).into_iter().find(|letter| !named.contains(letter)) {
+            let find = answer.find.name();
+            let what = format!(
+                "the answer `{find}` has the letter `{other}`, and is asked for in terms of `{}`",
+                named.join("`, `")
+            );
+            let help = "name all letters that the answer has, or give the letter a value";
+            remarks.push(Remark::new(what, "in terms of", "not all letters are named", help));
+        }
+    }
 }
 
 /// The letters of an answer; of a letter that is to be found no more is known than that it has a value.
@@ -64,11 +85,12 @@ fn letters(answer: &Answer, variant: &Variant) -> Vec<String> {
     for quantity in answer.find.quantities() {
         let number = solution.number(quantity).map(|value| value.letters());
         let letters = number.or_else(|| solution.angle(quantity).map(|angle| angle.letters())).unwrap_or_default();
-        found.extend(letters.iter().map(|letter| letter.name().to_owned()));
+        found.extend(letters.iter().filter(|letter| !letter.is_constant()).map(|letter| letter.name().to_owned()));
     }
     if let crate::bank::Find::Unknown(name) = &answer.find {
         let values = solution.found().iter().filter(|(letter, _)| letter.name() == name);
-        found.extend(values.flat_map(|(_, value)| value.letters()).map(|letter| letter.name().to_owned()));
+        let letters = values.flat_map(|(_, value)| value.letters()).filter(|letter| !letter.is_constant());
+        found.extend(letters.map(|letter| letter.name().to_owned()));
     }
     found
 }
