@@ -7,36 +7,18 @@
 
 mod again;
 mod apart;
-mod asked;
-mod asked_for;
-mod asked_when;
-mod asked_whose;
 mod author;
 mod coverage;
-mod exact_form;
-mod figures;
 mod finding;
-mod given;
-mod impacts;
-mod lines;
 mod promise;
 mod report;
-mod said;
-mod said_of_angles;
-mod said_of_constants;
-mod said_of_motion;
-mod said_of_restitution;
 mod scheme;
-mod sentence;
-mod sentences;
 mod shows;
-mod spoken_of;
 mod students;
 mod suggested;
 mod survey;
 mod tally;
-mod truth;
-mod units;
+mod words;
 
 pub use coverage::{Coverage, MarkCount, coverage};
 pub use finding::Finding;

@@ -154,9 +154,9 @@ mod tests {
     use super::*;
     use crate::bank::{read_question, shipped};
     use crate::diagnostic::Source;
-    use crate::examine::{asked, asked_for, figures, said, sentences, truth, units};
+    use crate::examine::words;
     use crate::generate::Deal;
-    use crate::paper::words;
+    use crate::paper;
 
     #[test]
     fn the_numbers_words_and_marks_of_every_shipped_question_are_in_order() {
@@ -167,20 +167,16 @@ mod tests {
             let question = read_question(id, &Source::new(id, text)).unwrap();
             let mut found = unrewarded(&question);
             found.extend(unknown_exercise(&question, &exercises));
-            found.extend(units::astray(&question));
-            found.extend(asked::beside_the_point(&question));
-            found.extend(asked_for::others(&question));
-            found.extend(figures::otherwise(&question));
+            found.extend(words::of_question(&question));
             found.extend(paid_twice(&question));
             amiss.extend(found.into_iter().map(|finding| format!("{id}: {}", finding.message)));
             for style in &question.styles {
                 let mut remarks = Vec::new();
                 let variant = Deal::new(&question, style, 1).next().unwrap();
-                let words = words(&question, style, &variant);
-                sentences::unreadable(&words, &variant, &mut remarks);
-                truth::untrue(&words, &variant, &mut remarks);
+                let words = paper::words(&question, style, &variant);
+                words::of_variant(&question, &variant, &words, &mut remarks);
                 amiss.extend(
-                    said::contradicted(&question, style, &variant).iter().map(|found| format!("{id}: {found:?}")),
+                    words::contradicted(&question, style, &variant).iter().map(|found| format!("{id}: {found:?}")),
                 );
                 amiss.extend(remarks.iter().map(|remark| format!("{id}: {remark:?}")));
             }

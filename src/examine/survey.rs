@@ -10,10 +10,7 @@ use super::finding::Finding;
 use super::report::{Report, StyleReport};
 use super::shows;
 use super::tally::{Tally, numbers};
-use super::{
-    again, asked, asked_for, asked_when, asked_whose, author, exact_form, figures, given, lines, said, scheme,
-};
-use super::{suggested, units};
+use super::{again, author, scheme, suggested, words};
 use crate::bank::{Givens, Posed, Question, Requirement, Style, Unposed};
 use crate::diagnostic::Severity;
 use crate::generate::{Deal, MOST_SETS, Numbers, Sieve, Unfit, Variant, out_of, reference};
@@ -76,7 +73,7 @@ pub fn survey(questions: &[&Question], progress: &(dyn Fn(u64) + Sync)) -> Vec<R
                     let Some(variant) = dealt_variant(of, dealt) else { continue };
                     done[question].coverage.push((dealt, coverage(of, &variant)));
                     if let Some((style, _)) = dealt {
-                        done[question].said.push((dealt, said::contradicted(of, &of.styles[style], &variant)));
+                        done[question].said.push((dealt, words::contradicted(of, &of.styles[style], &variant)));
                     }
                 }
             }
@@ -166,15 +163,7 @@ impl Done {
     fn report(mut self, question: &Question, exercises: &[String]) -> Report {
         let mut findings = again::reference_faults(question);
         findings.extend(author::disagreements(question));
-        findings.extend(given::unsaid(question));
-        findings.extend(units::astray(question));
-        findings.extend(exact_form::unkept(question));
-        findings.extend(figures::otherwise(question));
-        findings.extend(asked::beside_the_point(question));
-        findings.extend(asked_for::others(question));
-        findings.extend(asked_when::otherwise(question));
-        findings.extend(asked_whose::otherwise(question));
-        findings.extend(lines::from_another_line(question));
+        findings.extend(words::of_question(question));
         findings.extend(scheme::unrewarded(question));
         findings.extend(scheme::paid_twice(question));
         findings.extend(scheme::unknown_exercise(question, exercises));

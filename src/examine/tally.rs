@@ -4,11 +4,11 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::finding::Finding;
 use super::shows::Slips;
-use super::{apart, exact_form, promise, sentences, truth};
+use super::{apart, promise, words};
 use crate::bank::Style;
 use crate::expr::print;
 use crate::generate::{Census, Numbers, Sieve};
-use crate::paper::words;
+use crate::paper;
 
 /// Something amiss with one variant; of others with the same words only the first is told, and how many there are.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -62,11 +62,9 @@ impl Tally {
         let Some(variant) = self.census.examine(sieve, numbers) else { return };
         let (question, style) = (sieve.question, sieve.style);
         let mut remarks = Vec::new();
-        let words = words(question, style, &variant);
-        sentences::unreadable(&words, &variant, &mut remarks);
-        truth::untrue(&words, &variant, &mut remarks);
+        let words = paper::words(question, style, &variant);
+        words::of_variant(question, &variant, &words, &mut remarks);
         promise::broken(question, &variant, &words, &mut remarks);
-        exact_form::unasked(question, &variant, &words, &mut remarks);
         apart::alike(question, &variant, &mut remarks);
         self.slips.follow(question, &variant);
         remarks.sort();

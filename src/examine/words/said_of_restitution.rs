@@ -1,9 +1,9 @@
 //! What the words say of coefficients of restitution: between whom, and how large.
 
-use super::finding::Finding;
 use super::impacts::{impacts, ordinal};
 use super::said::Seen;
 use super::sentence::{Sentence, Token, is_one_of, says};
+use crate::examine::Finding;
 use crate::expr::{Expr, print, written};
 use crate::mechanics::{Quantity, Sphere};
 use crate::number::Value;

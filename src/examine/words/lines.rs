@@ -1,8 +1,8 @@
 //! From which line the words measure an angle that is to be found, and from which the answer is measured.
 
-use super::finding::Finding;
 use super::sentence::{Noun, Sentence, Token, is_one_of, measured_from, noun_of, sentences};
 use crate::bank::{Answer, Find, Part, Question};
+use crate::examine::Finding;
 use crate::expr::{Expr, Text, print};
 use crate::mechanics::{Axis, Quantity};
 

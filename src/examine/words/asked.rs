@@ -1,9 +1,9 @@
 //! Do the words ask for what the answers are, and speak of what the scene has?
 
-use super::finding::Finding;
 use super::sentence::{Token, is_one_of, is_supposed, sentences};
 use crate::answer::Kind;
 use crate::bank::{Answer, Find, Part, Question};
+use crate::examine::Finding;
 use crate::expr::{Expr, Piece, Text, print};
 use crate::mechanics::{Sphere, VelocityText};
 use crate::unit::Unit;

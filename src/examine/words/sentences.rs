@@ -3,7 +3,7 @@
 //! What stands between the numbers is the author's; what goes wrong is mostly where the two meet: `2/4`, 'a 8 kg', 'masses
 //! m and m', '1 times', a sphere that is said to move towards the other and moves away.
 
-use super::tally::Remark;
+use crate::examine::tally::Remark;
 use crate::expr::{Expr, Meaning, Piece, Text, evaluate, print};
 use crate::generate::Variant;
 use crate::mechanics::Sphere;

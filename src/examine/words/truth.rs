@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use super::sentence::{Token, is_one_of, is_supposed, sentences, subject};
 use super::sentences::{around, in_order};
-use super::tally::Remark;
+use crate::examine::tally::Remark;
 use crate::expr::{Expr, Meaning, Piece, Text, Turn, evaluate};
 use crate::generate::Variant;
 use crate::mechanics::{Axis, Moment, Quantity, Sphere};

@@ -3,12 +3,12 @@
 //! Words that ask are sentences with 'exact' or 'surd' in them. One with 'or' in it ('to 3 significant figures, or in exact
 //! form') leaves the choice to the student.
 
-use super::finding::Finding;
 use super::sentence::{Token, says, sentences};
 use super::spoken_of::{is_of_all, spoken_of};
-use super::tally::Remark;
 use crate::answer::{Accept, Kind};
 use crate::bank::{Answer, Find, Question};
+use crate::examine::Finding;
+use crate::examine::tally::Remark;
 use crate::expr::{Piece, Text, print};
 use crate::generate::Variant;
 use crate::number::{Fraction, Places, Value};

@@ -3,10 +3,10 @@
 //! `After it has struck the wall` and `before *C* strikes it` name an impact of a sphere. Where no impact is plain from the
 //! words, as in `after the second collision` where walls are struck between, nothing is said.
 
-use super::finding::Finding;
 use super::impacts::{impacts, ordinal};
 use super::sentence::{Sentence, Token, is_one_of, is_supposed, says, sentences};
 use crate::bank::{Answer, Question};
+use crate::examine::Finding;
 use crate::expr::{Text, print};
 use crate::mechanics::{Moment, Quantity, Sphere};
 

@@ -1,10 +1,10 @@
 //! Who strikes whom: impacts of which the words speak, and that the scene does not have.
 
-use super::finding::Finding;
 use super::impacts::{Impact, impacts};
 use super::sentence::{Sentence, Token, is_one_of, is_supposed, sentences};
 use crate::answer::Kind;
 use crate::bank::Question;
+use crate::examine::Finding;
 use crate::expr::{Text, print};
 use crate::mechanics::{Quantity, Sphere};
 

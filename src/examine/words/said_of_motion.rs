@@ -2,11 +2,11 @@
 
 use std::cmp::Ordering;
 
-use super::finding::Finding;
 use super::impacts::impacts;
 use super::said::{Seen, moment};
 use super::sentence::{Sentence, Token, is_one_of, says, subject};
 use super::truth::is_at_rest;
+use crate::examine::Finding;
 use crate::expr::{Angles, Relation, print, read, written};
 use crate::mechanics::{Axis, Condition, Moment, Quantity, Setting, Sphere};
 use crate::number::Value;

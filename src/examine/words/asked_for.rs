@@ -1,10 +1,10 @@
 //! Do the words of a part ask for this very answer: of this sphere, this angle, one value or a set of them?
 
-use super::finding::Finding;
 use super::impacts::impacts;
 use super::sentence::{Sentence, Token, is_one_of, is_supposed, says, sentences};
 use crate::answer::Kind;
 use crate::bank::{Answer, Find, Part, Question};
+use crate::examine::Finding;
 use crate::expr::{Expr, print};
 use crate::mechanics::{Quantity, Sphere};
 

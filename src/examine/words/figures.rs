@@ -1,10 +1,10 @@
 //! Do the words ask for the figures to which answers are accepted? Whoever does as he is told must not lose a mark by it.
 
-use super::finding::Finding;
 use super::sentence::{Token, sentences};
 use super::spoken_of::{is_of_all, spoken_of};
 use crate::answer::{Accept, Kind};
 use crate::bank::{Answer, Question, StyleName};
+use crate::examine::Finding;
 use crate::expr::{Text, print};
 use crate::number::Places;
 

@@ -1,9 +1,9 @@
 //! Is what the words say what the scene has? Whose each mass and velocity is, and how walls and lines lie.
 
-use super::finding::Finding;
 use super::sentence::{Noun, Sentence, Token, is_one_of, is_supposed, noun_of, owner_of, sentences};
-use super::tally::numbers;
 use crate::bank::{Question, Style};
+use crate::examine::Finding;
+use crate::examine::tally::numbers;
 use crate::expr::{Angles, Expr, Meaning, Text, evaluate, print, read, written};
 use crate::generate::Variant;
 use crate::mechanics::{Axis, Derivation, Known, Moment, Quantity, Sphere};
@@ -310,8 +310,9 @@ pub(super) fn moment(sentence: &[Token], place: usize) -> Moment {
 
 #[cfg(test)]
 mod tests {
+    use super::super::truth;
     use super::*;
-    use crate::examine::{edited, truth};
+    use crate::examine::edited;
     use crate::generate::Deal;
     use crate::paper::words;
 

@@ -1,10 +1,10 @@
 //! Numbers that stand in the words as they are, without a name: does anything in the scene have them?
 
-use super::finding::Finding;
 use super::given::{names_in, names_of_scene};
 use super::said::Seen;
 use super::said_of_angles::degrees;
 use super::sentence::{Sentence, Token};
+use crate::examine::Finding;
 use crate::expr::{Expr, Turn, print};
 use crate::unit::Unit;
 

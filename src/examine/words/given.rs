@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 
 use serde_json::Value as Json;
 
-use super::finding::Finding;
 use crate::bank::{Question, Style};
+use crate::examine::Finding;
 use crate::expr::{Angles, Expr, Markup, Text, print, read};
 use crate::mechanics::{SceneText, VelocityText};
 use crate::unit::Unit;

@@ -1,9 +1,9 @@
 //! What the words say of angles: how large they are, from which line they are measured, and what their sine is.
 
-use super::finding::Finding;
 use super::said::Seen;
 use super::sentence::{Sentence, Token, measured_from};
 use crate::bank::names_in_degrees;
+use crate::examine::Finding;
 use crate::expr::{Expr, Function, Meaning, Piece, Relation, Turn, holds, print, written_angle};
 use crate::mechanics::{Axis, Moment, Quantity, Sphere};
 use crate::number::{Angle, Value};

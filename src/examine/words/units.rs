@@ -1,8 +1,8 @@
 //! Are the numbers that the scene takes said in their units?
 
-use super::finding::Finding;
 use super::given::unit_of;
 use crate::bank::{Question, Style};
+use crate::examine::Finding;
 use crate::expr::{Angles, Expr, Piece, Text, print, read};
 use crate::mechanics::VelocityText;
 use crate::unit::Unit;

@@ -1,0 +1,55 @@
+//! What the words of a question say, beside its scene, its answers and its numbers.
+//!
+//! Some things are seen in the words as the author wrote them ([`of_question`]), some in those of each variant
+//! ([`of_variant`]), and whether the scene contradicts them only where it has numbers ([`contradicted`]).
+
+mod asked;
+mod asked_for;
+mod asked_when;
+mod asked_whose;
+mod exact_form;
+mod figures;
+mod given;
+mod impacts;
+mod lines;
+mod said;
+mod said_of_angles;
+mod said_of_constants;
+mod said_of_motion;
+mod said_of_restitution;
+mod sentence;
+mod sentences;
+mod spoken_of;
+mod truth;
+mod units;
+
+pub use said::contradicted;
+
+use super::finding::Finding;
+use super::tally::Remark;
+use crate::bank::Question;
+use crate::generate::Variant;
+use crate::paper::Words;
+
+/// What is wrong with the words whatever the numbers are: what they give, and what they ask for.
+pub fn of_question(question: &Question) -> Vec<Finding> {
+    let checks = [
+        given::unsaid,
+        units::astray,
+        exact_form::unkept,
+        figures::otherwise,
+        asked::beside_the_point,
+        asked_for::others,
+        asked_when::otherwise,
+        asked_whose::otherwise,
+        lines::from_another_line,
+    ];
+    checks.into_iter().flat_map(|check| check(question)).collect()
+}
+
+/// What is wrong with the words of a variant: what reads badly, is not true of its numbers, or is not asked.
+pub fn of_variant(question: &Question, variant: &Variant, words: &Words, remarks: &mut Vec<Remark>) {
+    sentences::unreadable(words, variant, remarks);
+    truth::untrue(words, variant, remarks);
+    exact_form::unasked(question, variant, words, remarks);
+}
