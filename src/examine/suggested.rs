@@ -7,9 +7,12 @@ use crate::generate::{Further, Numbers, Sieve, Unfit};
 /// So many sets of numbers are looked at.
 const MOST: u64 = 600;
 
-/// A set of numbers, each as it is written and its size; can it be posed?
+/// A number as it is written, and its size.
+type Given = (String, f64);
+
+/// A set of numbers; can it be posed?
 struct Tried {
-    numbers: Vec<(String, f64)>,
+    numbers: Vec<Given>,
     is_possible: bool,
 }
 
@@ -25,7 +28,7 @@ pub fn help(question: &Question, style: &Style, reason: &Unfit) -> Option<String
 fn requirement(question: &Question, style: &Style, reason: &Unfit) -> Option<String> {
     let tried = tried(question, style, reason);
     let names: Vec<&str> = style.parameters.iter().map(|(name, _)| name.as_str()).collect();
-    let separates = |sides: &dyn Fn(&[(String, f64)]) -> [f64; 2], is_strict: bool| {
+    let separates = |sides: &dyn Fn(&[Given]) -> [f64; 2], is_strict: bool| {
         tried.iter().all(|set| {
             let [large, small] = sides(&set.numbers);
             let is_near = (large - small).abs() < 1e-9;
@@ -44,7 +47,7 @@ fn requirement(question: &Question, style: &Style, reason: &Unfit) -> Option<Str
     }
     let possible = || tried.iter().filter(|set| set.is_possible).map(|set| &set.numbers);
     for one in all() {
-        let by_size = |a: &&Vec<(String, f64)>, b: &&Vec<(String, f64)>| a[one].1.total_cmp(&b[one].1);
+        let by_size = |a: &&Vec<Given>, b: &&Vec<Given>| a[one].1.total_cmp(&b[one].1);
         let (least, most) = (possible().min_by(by_size)?, possible().max_by(by_size)?);
         if separates(&|set| [set[one].1, least[one].1], false) {
             return Some(format!("{} >= {}", names[one], least[one].0));
@@ -55,7 +58,7 @@ fn requirement(question: &Question, style: &Style, reason: &Unfit) -> Option<Str
     }
     for is_strict in [true, false] {
         for ((one, other), third) in pairs().flat_map(|pair| all().map(move |third| (pair, third))) {
-            let product = |set: &[(String, f64)]| set[one].1 * set[other].1;
+            let product = |set: &[Given]| set[one].1 * set[other].1;
             if one > other || third == one || third == other {
                 continue;
             }
