@@ -162,6 +162,7 @@ pub(super) fn examine_one(
     working.names = working.names(&|quantity| {
         working.theirs.0.get(&quantity).map(|(values, _)| values.clone()).or_else(|| sizes(&prepared.known, quantity))
     });
+    working.settle_doubts();
     evaluate(&mut working.lines, prepared, &working.names);
     let awards = part.scheme.iter().map(|mark| working.award(mark)).collect();
     let stated = part.blanks.iter().map(|blank| stated(&working.lines, blank)).collect();

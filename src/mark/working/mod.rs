@@ -15,6 +15,7 @@ mod components;
 mod condition;
 mod convention;
 mod departure;
+mod doubtful;
 mod elastic;
 mod energies;
 mod evidence;

@@ -11,15 +11,15 @@ use crate::mark::judging::{Model, Note, judge};
 use crate::mark::reading::{Form, Reading};
 
 /// Where equations are looked at: what letters and names stand for at one point.
-struct Spot {
-    points: Points,
-    point: usize,
-    names: Vec<(String, Vec<f64>)>,
+pub(super) struct Spot {
+    pub(super) points: Points,
+    pub(super) point: usize,
+    pub(super) names: Vec<(String, Vec<f64>)>,
 }
 
 /// What an equation is, wherever it can be worked out.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Truth {
+pub(super) enum Truth {
     True,
     False,
     Unknown,
@@ -81,13 +81,7 @@ impl Working<'_> {
                 let Some(reading) = &studied.reading else { return Truth::Unknown };
                 let (equations, name) = self.equations(reading, named.take().filter(|_| goes_on));
                 named = name;
-                let truth = |equation: &(Expr, Expr)| self.truth(equation, &everywhere, &where_found);
-                let all: Vec<Truth> = equations.iter().map(truth).collect();
-                match () {
-                    () if all.contains(&Truth::False) => Truth::False,
-                    () if all.contains(&Truth::True) => Truth::True,
-                    () => Truth::Unknown,
-                }
+                self.truth_of_all(&equations, &everywhere, &where_found)
             })
             .collect();
         (0..truths.len()).find(|place| truths[*place] == Truth::False && !self.is_put_right(*place, &truths))
@@ -116,7 +110,7 @@ impl Working<'_> {
 
     /// The equations of a line, with what is named as the result in its place; a line that begins with an equals sign goes
     /// on from the one before.
-    fn equations(&self, reading: &ReadLine, before: Option<Expr>) -> (Vec<(Expr, Expr)>, Option<Expr>) {
+    pub(super) fn equations(&self, reading: &ReadLine, before: Option<Expr>) -> (Vec<(Expr, Expr)>, Option<Expr>) {
         let mut equations = if reading.is_guessed { Vec::new() } else { reading.equations.clone() };
         let mut named = before;
         for statement in &reading.statements {
@@ -160,6 +154,17 @@ impl Working<'_> {
             Some(Spot { points: self.prepared.points.with(&self.prepared.found, point), point, names })
         };
         ((0..count).map(at).collect(), (0..count).filter_map(found).collect())
+    }
+
+    /// Are these equations true, as far as they can be worked out?
+    pub(super) fn truth_of_all(&self, equations: &[(Expr, Expr)], everywhere: &[Spot], where_found: &[Spot]) -> Truth {
+        let truth = |equation: &(Expr, Expr)| self.truth(equation, everywhere, where_found);
+        let all: Vec<Truth> = equations.iter().map(truth).collect();
+        match () {
+            () if all.contains(&Truth::False) => Truth::False,
+            () if all.contains(&Truth::True) => Truth::True,
+            () => Truth::Unknown,
+        }
     }
 
     /// Is an equation true: wherever it may be, or at least where the letters are what is to be found?

@@ -47,6 +47,11 @@ pub(super) fn turned_round(typed: &str) -> Option<String> {
 
 /// A line without what it says at its end of a component that stays as it is: `, which remains the same`.
 pub(super) fn without_remark(typed: &str) -> &str {
+    const AROUND: [char; 7] = [' ', ',', ';', '-', '–', '(', ':'];
+    let unstopped = typed.trim_end_matches([' ', '.', ')']);
+    if let Some(before) = NO_CHANGE.iter().find_map(|words| unstopped.strip_suffix(words)) {
+        return before.trim_end_matches(AROUND);
+    }
     let words = typed.rsplit(' ').take_while(|word| {
         let word = word.trim_matches(['(', ')', ',', '.', ';']);
         STAYS.contains(&word) || BESIDE_STAYS.contains(&word)
@@ -63,6 +68,17 @@ pub(super) fn without_remark(typed: &str) -> &str {
 /// Words that say of a component that it stays as it is, and others that stand with them.
 const STAYS: [&str; 8] = ["unchanged", "same", "stay", "stays", "remain", "remains", "unaffected", "constant"];
 const BESIDE_STAYS: [&str; 9] = ["is", "are", "the", "as", "before", "which", "both", "after", "impact"];
+/// The same by what it does not do.
+const NO_CHANGE: [&str; 8] = [
+    "doesn't change",
+    "doesn’t change",
+    "doesnt change",
+    "does not change",
+    "don't change",
+    "dont change",
+    "do not change",
+    "no change",
+];
 
 /// Is it a function or `sinθ`, which looks like a word?
 pub(super) fn is_formula(word: &str) -> bool {
