@@ -10,7 +10,7 @@ use crate::mechanics::Quantity;
 use crate::number::Places;
 use crate::unit::Unit;
 
-use super::called::words;
+use super::called::{Sort, sort, words};
 use super::selection::{holds, is_angular, order};
 use super::statements::is_rival;
 use super::{Model, angle, number, vector};
@@ -100,6 +100,12 @@ fn is_called_an_angle(statement: &Statement) -> bool {
     })
 }
 
+/// `46.1°, deflected by 16.1°`
+fn is_called_a_deflection(statement: &Statement) -> bool {
+    let label = statement.label.as_ref().map_or("", |label| &label.typed);
+    words(label).filter_map(sort).any(|sort| sort == Sort::Deflection)
+}
+
 /// `3.61 m/s at 56.3° to the line of centres`, where the speed or the direction is asked: the other is told besides. A
 /// direction in words goes with the one value that is left.
 pub(super) fn without_told_besides(model: &Model, statements: Vec<Statement>) -> Vec<Statement> {
@@ -109,11 +115,17 @@ pub(super) fn without_told_besides(model: &Model, statements: Vec<Statement>) ->
         Some(asked) => without_loss_or_share(asked, statements),
         None => statements,
     };
+    let is_deflection = matches!(
+        model.quantity,
+        Some(Quantity::Deflection(_) | Quantity::SignedDeflection(_) | Quantity::AngleBetween(_))
+    );
     let is_besides = |statement: &Statement| {
         let Some(said) = statement.said.last().filter(|said| !is_rival(said)) else { return false };
         match (&said.form, unit) {
             (_, Unit::None) => false,
-            (Form::Value(_), Unit::Degree) => said.unit.is_some() && !is_angular(said),
+            (Form::Value(_), Unit::Degree) => {
+                (said.unit.is_some() && !is_angular(said)) || (!is_deflection && is_called_a_deflection(statement))
+            }
             (_, Unit::Degree) => false,
             (Form::Value(_), _) => is_angular(said) || (said.unit.is_none() && is_called_an_angle(statement)),
             (Form::Direction, _) => true,

@@ -43,12 +43,18 @@ impl Sort {
 
 /// What was found of a value, if it is called what is asked for.
 pub(super) fn as_called(model: &Model, statement: &Statement, finding: Finding) -> Finding {
+    let is_of_one = model.quantity.is_some_and(|asked| sphere(asked).is_some());
+    if finding.is_credited() && is_of_one && spheres::is_of_several(statement) {
+        return Finding::unreadable(Note::NamedOtherwise);
+    }
     let Some(label) = statement.label.as_ref().filter(|_| finding.is_credited()) else { return finding };
     if label.expr.is_none() && spheres::words_without_commands(&label.typed).any(is_strange) {
         return Finding::unreadable(Note::NamedOtherwise);
     }
     let Some(asked) = model.quantity else {
-        let is_unasked = words(&label.typed).filter_map(sort).any(Sort::is_unasked);
+        let of_own = model.letter.as_deref().and_then(of_letter);
+        let is_else = |sort: Sort| sort.is_unasked() || label.expr.is_none() && of_own.is_some_and(|own| own != sort);
+        let is_unasked = words(&label.typed).filter_map(sort).any(is_else);
         return if is_unasked { Finding::unreadable(Note::NamedOtherwise) } else { finding };
     };
     let others = named_sphere(statement).is_some_and(|named| match sphere(asked) {

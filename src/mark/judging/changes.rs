@@ -10,6 +10,10 @@ pub(super) fn is_gain(label: &str) -> bool {
 
 /// Does the label speak of a change, after minus before?
 pub(super) fn is_change(label: &str) -> bool {
+    // The letter alone is that of an angle.
+    if matches!(label.trim(), "δ" | "delta" | "\\delta") {
+        return false;
+    }
     let label = label.trim().to_lowercase();
     let is_difference = |(of, other): (&str, &str)| is_of_end(of, &LATER, 'f') && is_of_end(other, &EARLIER, 'i');
     is_gain(&label)

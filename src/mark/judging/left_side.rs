@@ -114,7 +114,7 @@ fn is_deflection(asked: Option<Quantity>) -> bool {
 /// An angle by its letter, which the question has not given, or as a sum of such: `tan β`, `tan(β − α)`.
 fn names_an_angle(model: &Model, angle: &Expr) -> bool {
     match angle {
-        Expr::Name(name) => !is_given(model, &name.text),
+        Expr::Name(name) => !is_given(model, &name.text) && !letters::is_of_another_angle(model, &name.text),
         Expr::Sum(terms) => terms.len() == 2 && terms.iter().all(|term| matches!(unsigned(term), Expr::Name(_))),
         _ => false,
     }
@@ -182,7 +182,7 @@ fn is_made_of_others(asked: Option<Quantity>, expr: &Expr) -> bool {
 fn unknown(model: &Model, expr: &Expr) -> Option<Equation> {
     let own: Vec<String> = distinct(expr).into_iter().filter(|name| !is_given(model, name)).collect();
     let [unknown] = own.as_slice() else { return None };
-    let is_angle = is_tangent(model.quantity) && has_function(expr);
+    let is_angle = is_tangent(model.quantity) && has_function(expr) && !letters::is_of_another_angle(model, unknown);
     let fits = is_angle || letters::may_be_called(model, unknown, unknown);
     fits.then(|| Equation::of(expr.clone(), unknown.clone()))
 }

@@ -11,8 +11,13 @@ pub(super) fn may_be_called(model: &Model, name: &str, typed: &str) -> bool {
     let is_own = !left_side::is_given(model, name)
         // A capital that was typed for itself.
         || (typed.chars().count() == 1 && typed != name && typed.to_lowercase() == name);
+    if is_of_another_angle(model, name) {
+        return false;
+    }
     let Some(asked) = model.quantity else {
-        let is_unasked = is_own && of_letter(name).is_some_and(Sort::is_unasked);
+        let of_own = model.letter.as_deref().and_then(of_letter);
+        let is_else = |letter: Sort| letter.is_unasked() || of_own.is_some_and(|own| own != letter);
+        let is_unasked = is_own && of_letter(name).is_some_and(is_else);
         return !(is_product(name) || is_unasked);
     };
     // A capital, though the question has an e.
@@ -30,6 +35,16 @@ pub(super) fn may_be_called(model: &Model, name: &str, typed: &str) -> bool {
             matches!((asked, letter), (Quantity::Restitution, Some(Sort::Restitution)) | (Quantity::Alpha, Some(_)))
         }
     }
+}
+
+/// Is it a Greek letter that stands for another angle than the one that is asked? `θ` and `φ` are anybody's.
+pub(super) fn is_of_another_angle(model: &Model, name: &str) -> bool {
+    let is_angle = |name: &str| of_letter(name) == Some(Sort::Angle);
+    if !is_angle(name) || left_side::is_given(model, name) {
+        return false;
+    }
+    let is_other = |own: &String| is_angle(own) && own != name && !matches!(name, "theta" | "phi" | "θ" | "φ");
+    model.other_angles.iter().any(|other| other == name) || model.letter.iter().chain(&model.angle).any(is_other)
 }
 
 /// `mv`: two letters of quantities side by side, and no letter with its subscript.

@@ -54,7 +54,7 @@ fn compared(model: &Model, (right_x, right_y): (&Expr, &Expr), said: &Said, labe
     }
     let named = label.is_some_and(|label| {
         let typed = label.typed.trim().to_lowercase();
-        typed == "m" || typed.contains("gradient") || typed.contains("slope") || typed == "dy/dx"
+        typed == "m" || typed.contains("grad") || typed.contains("slope") || typed == "dy/dx"
     });
     match &said.form {
         Form::Value(gradient) if exact::unknown_letter(gradient, &model.vocabulary.letters).is_none() => {

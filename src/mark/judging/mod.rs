@@ -64,6 +64,10 @@ pub struct Model {
     pub quantity: Option<Quantity>,
     /// The letter that is to be found, where one is: another letter is then the name of something else.
     pub letter: Option<String>,
+    /// The Greek letter that the question has for what is asked, `θ` where tan θ is; another is then the name of another angle.
+    pub angle: Option<String>,
+    /// Greek letters that stand for other things which the question asks for.
+    pub other_angles: Vec<String>,
     /// Does the sphere move from B towards A? An angle measured from BA can be judged only where that is known.
     pub rebounds: Option<bool>,
     /// Of a speed: the acute angle between the path of the sphere and the line of centres. A direction told beside a speed
@@ -86,6 +90,8 @@ impl Model {
             vocabulary,
             quantity: None,
             letter: None,
+            angle: None,
+            other_angles: Vec::new(),
             rebounds: None,
             path: None,
             prepared: Prepared::default(),
@@ -216,8 +222,12 @@ fn one(model: &Model, reading: &Reading) -> Finding {
     if count_said(reading) > MOST_SAID {
         return Finding::unreadable(Note::TooLong);
     }
+    let reading = &*spheres::each_to_its_own(reading);
     let (reading, is_from_unknown) = &measured::from_named_lines(model, reading);
     let whole = &**reading;
+    if spheres::are_mixed_up(reading) {
+        return Finding::unreadable(Note::NamedOtherwise);
+    }
     let Some(reading) = &selection::counted(model, reading) else {
         return Finding::unreadable(Note::CannotBeCompared);
     };

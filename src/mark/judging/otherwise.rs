@@ -42,9 +42,16 @@ pub(super) fn remark_names_another(model: &Model, asked: Quantity, remarks: &[&S
     if !is_either && words(remark).any(of_relative_motion) {
         return true;
     }
+    if matches!(asked, Quantity::Mass(_)) && words(remark).any(|word| word == "total") {
+        return true;
+    }
     // `2.78 lost`
     if matches!(asked, Quantity::Speed(..) | Quantity::Velocity(..)) && tells_difference(remark) {
         return true;
+    }
+    // `2 m/s in the i direction`
+    if remark == "direction" {
+        return false;
     }
     let is_name = |word: &str| {
         let small = word.to_lowercase();
@@ -68,7 +75,7 @@ pub(super) fn remark_names_another(model: &Model, asked: Quantity, remarks: &[&S
 pub(super) fn spheres_in_remark(remark: &str) -> Vec<Sphere> {
     let words: Vec<&str> = words(remark).filter(|word| !word.is_empty()).collect();
     let named = words.iter().enumerate().filter_map(|(at, word)| match *word {
-        "a" => matches!(words.get(at + 1), None | Some(&("to" | "first"))).then_some(Sphere::A),
+        "a" => matches!(words.get(at + 1), None | Some(&("to" | "first" | "respectively"))).then_some(Sphere::A),
         "A" => Some(Sphere::A),
         "b" | "B" => Some(Sphere::B),
         "c" | "C" => Some(Sphere::C),
@@ -147,6 +154,7 @@ pub(super) fn is_another_of_its_sort(model: &Model, asked: Quantity, small: &str
             has(&PARTS) || is_directed || tells_difference(small)
         }
         Quantity::Velocity(..) => tells_difference(small),
+        Quantity::Mass(_) => has(&["total", "combined"]),
         Quantity::Impulse(..) | Quantity::ImpulseMagnitude => {
             let is_difference = || has(&["change", "difference", "lost", "loss", "gain", "gained", "minus"]);
             let is_state =

@@ -22,7 +22,7 @@ pub(super) fn counted<'r>(model: &Model, reading: &'r Reading) -> Option<Cow<'r,
     if kept.is_empty() && !reading.statements.is_empty() {
         return None;
     }
-    let kept = without_what_is_rooted(without_what_changes(model, without_other_moment(model, kept)));
+    let kept = without_what_is_rooted(model, without_what_changes(model, without_other_moment(model, kept)));
     let kept = match model.kind {
         Kind::Number | Kind::Expression => {
             let kept = compared_with_a_bound(model, kept);
@@ -116,18 +116,26 @@ pub(super) fn order(model: &Model, one: &Expr, other: &Expr) -> Option<Ordering>
 }
 
 /// `1.5² + 2² = 6.25, √6.25 = 2.5`: the square, of which the root is taken next.
-fn without_what_is_rooted(statements: Vec<Statement>) -> Vec<Statement> {
+///
+/// `v_B = i − 2j so speed = √5`: the vector, of which the size is taken.
+fn without_what_is_rooted(model: &Model, statements: Vec<Statement>) -> Vec<Statement> {
+    let is_of_size = matches!(model.kind, Kind::Number | Kind::Expression);
     if statements.len() < 2 {
         return statements;
     }
     let is_rooted = |at: usize| {
         let (square, root) = (statements[at].said.last(), statements.get(at + 1).and_then(|next| next.said.first()));
         match (square.map(|said| &said.form), root.map(|said| &said.form)) {
-            (Some(Form::Value(square)), Some(Form::Value(Expr::Call(Function::Sqrt, under)))) => square == &**under,
+            (Some(Form::Value(square)), Some(Form::Value(Expr::Call(Function::Sqrt, under)))) => {
+                statements[at].label.is_none() && square == &**under
+            }
+            (Some(Form::Vector(..)), Some(Form::Value(_))) => {
+                is_of_size && says(&statements[at + 1], &["speed", "magnitude", "mag"])
+            }
             _ => false,
         }
     };
-    let kept: Vec<bool> = (0..statements.len()).map(|at| statements[at].label.is_some() || !is_rooted(at)).collect();
+    let kept: Vec<bool> = (0..statements.len()).map(|at| !is_rooted(at)).collect();
     statements.into_iter().zip(kept).filter(|(_, kept)| *kept).map(|(statement, _)| statement).collect()
 }
 

@@ -1,11 +1,14 @@
 //! The spheres that names are the names of: `A`, `v_B`, `vb`, `speed of A`.
 
+use std::borrow::Cow;
+
 use crate::expr::Expr;
-use crate::mark::reading::{Label, Statement};
+use crate::mark::reading::{Label, Reading, Statement};
 use crate::mechanics::{Quantity, Sphere};
 
 use super::called::{Sort, sort, words};
 use super::letters::of_letter;
+use super::otherwise::spheres_in_remark;
 
 /// All that can take part in an impact.
 pub(super) const SPHERES: [Sphere; 3] = [Sphere::A, Sphere::B, Sphere::C];
@@ -39,6 +42,66 @@ pub(super) fn named_spheres(typed: &str) -> Vec<Sphere> {
         })
     });
     named.collect()
+}
+
+/// `A and B have speeds 2 and 3`, `2 and 3 for A and B respectively`: as many values as spheres, each of them its own.
+pub(super) fn each_to_its_own(reading: &Reading) -> Cow<'_, Reading> {
+    let statements = &reading.statements;
+    let Some(last) = statements.len().checked_sub(1).filter(|last| *last > 0) else { return Cow::Borrowed(reading) };
+    let named = |at: usize| together(&statements[at]).filter(|spheres| spheres.len() == statements.len());
+    let is_alone = |at: usize| statements.iter().enumerate().all(|(other, one)| other == at || one.label.is_none());
+    let Some(spheres) = [0, last].into_iter().filter(|at| is_alone(*at)).find_map(named) else {
+        return Cow::Borrowed(reading);
+    };
+    let mut shared = reading.clone();
+    for (statement, sphere) in shared.statements.iter_mut().zip(spheres) {
+        statement.label = Some(Label { typed: sphere.name().to_owned(), expr: None });
+        statement.said.iter_mut().for_each(|said| said.remarks.clear());
+    }
+    Cow::Owned(shared)
+}
+
+/// Is one value said of several spheres: `A and B both 2.78`, `2.78 each`?
+pub(super) fn is_of_several(statement: &Statement) -> bool {
+    const EACH: [&str; 8] = ["both", "each", "for", "of", "them", "the", "spheres", ""];
+    let says_each = |remark: &String| {
+        words(remark).any(|word| matches!(word, "both" | "each")) && words(remark).all(|word| EACH.contains(&word))
+    };
+    together(statement).is_some() || statement.said.iter().flat_map(|said| &said.remarks).any(says_each)
+}
+
+/// `A, B = 2.78, 3.08`: is one sphere the name of the first of two values, and another said beside the second?
+pub(super) fn are_mixed_up(reading: &Reading) -> bool {
+    let [first, second @ Statement { label: None, .. }] = reading.statements.as_slice() else { return false };
+    let Some(named) = named_sphere(first) else { return false };
+    let is_other = |remark: &String| {
+        let joins = |word: &str| matches!(word, "a" | "b" | "c" | "and" | "then" | "");
+        words(remark).all(joins)
+            && words(remark)
+                .any(|word| SPHERES.iter().any(|sphere| *sphere != named && sphere.name().to_lowercase() == word))
+    };
+    second.said.iter().flat_map(|said| &said.remarks).any(is_other)
+}
+
+/// The spheres that are named together, by the name of a value or by `for A and B` beside it.
+fn together(statement: &Statement) -> Option<Vec<Sphere>> {
+    let label = statement.label.as_ref()?;
+    let joined = |between: &str| matches!(between.trim(), "and" | "&" | ",");
+    let is_list = SPHERES.iter().any(|first| {
+        let parts = label.typed.split_once(first.name());
+        parts.is_some_and(|(_, after)| {
+            SPHERES.iter().filter_map(|next| after.split_once(next.name())).any(|(between, _)| joined(between))
+        })
+    });
+    let remarks = || statement.said.iter().flat_map(|said| &said.remarks);
+    let is_for = || remarks().any(|remark| remark.starts_with("for "));
+    let spheres = match is_list {
+        true => named_spheres(&label.typed),
+        false if is_for() => remarks().flat_map(|remark| spheres_in_remark(remark)).collect(),
+        false => return None,
+    };
+    let is_once = |sphere: &Sphere| spheres.iter().filter(|other| *other == sphere).count() == 1;
+    (spheres.len() > 1 && spheres.iter().all(is_once)).then_some(spheres)
 }
 
 /// A small letter names a sphere after the name of a quantity, as in `v_b`, or after words such as `of`. An `a` with a word

@@ -243,6 +243,7 @@ impl KeyedQuestion {
             parts.push(KeyedPart::read(part, &scene, &mut known).map_err(below)?);
         }
         part::with_unit_vectors_throughout(&mut parts);
+        part::with_the_letters_of_angles(&mut parts, &scene.unknowns);
         let (id, number, mirrors) = (question.id.clone(), question.number, question.mirrors.clone());
         let (decimals, angles) = (decimals(question), angles(question));
         let given_letters = given_letters(question, &letters);

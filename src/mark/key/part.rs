@@ -10,7 +10,7 @@ use crate::expr::{Angles, Expr, Function, read_range, written};
 use crate::mark::judging::{Model, ModelOptions};
 use crate::mark::slips::Asked;
 use crate::mechanics::{Axis, Derivation, Known, Meeting, Quantity, Scene, Sphere};
-use crate::number::Value;
+use crate::number::{Letter, Value};
 use crate::paper::{Blank, KeyMark, KeyPart};
 
 impl KeyedPart {
@@ -129,6 +129,25 @@ pub(super) fn with_unit_vectors_throughout(parts: &mut [KeyedPart]) {
     for model in numbers.filter(|model| matches!(model.kind, Kind::Number | Kind::Angle)) {
         model.vocabulary.vectors |= vectors;
     }
+}
+
+/// The Greek letters by which the question calls what each blank asks, and what the others ask.
+pub(super) fn with_the_letters_of_angles(parts: &mut [KeyedPart], unknowns: &[Letter]) {
+    let mut blanks: Vec<&mut KeyedBlank> = parts.iter_mut().flat_map(|part| &mut part.blanks).collect();
+    let letters: Vec<Option<String>> = blanks.iter().map(|blank| greek_letter(&blank.name)).collect();
+    for (blank, own) in blanks.iter_mut().zip(&letters) {
+        blank.model.angle.clone_from(own);
+        let unknowns = unknowns.iter().map(|letter| letter.name().to_owned());
+        let others = letters.iter().flatten().cloned().chain(unknowns);
+        blank.model.other_angles = others.filter(|other| Some(other) != own.as_ref()).collect();
+    }
+}
+
+/// The Greek letter in the name of a blank: `value of tan β`.
+fn greek_letter(name: &str) -> Option<String> {
+    let letters =
+        [('α', "alpha"), ('β', "beta"), ('γ', "gamma"), ('δ', "delta"), ('θ', "theta"), ('φ', "phi"), ('ψ', "psi")];
+    letters.into_iter().find(|(letter, _)| name.contains(*letter)).map(|(_, spelt)| spelt.to_owned())
 }
 
 /// Does the sphere whose direction or speed is asked move from B towards A?

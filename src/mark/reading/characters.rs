@@ -182,7 +182,7 @@ fn plain(character: char, before: Option<char>) -> Option<&'static str> {
         '∶' | 'ː' => ":",
         '⟨' => "(",
         '⟩' => ")",
-        'ı' | 'î' | 'Î' => "i",
+        'ı' | 'î' | 'Î' | 'ĩ' => "i",
         'ȷ' | 'ĵ' | 'Ĵ' => "j",
         'ℓ' => "l",
         'ℎ' => "h",
@@ -196,7 +196,7 @@ fn plain(character: char, before: Option<char>) -> Option<&'static str> {
         '\u{335}' | '\u{336}' => "\u{336}",
         '\u{304}' | '\u{305}' if before.is_some_and(|sign| sign.is_ascii_digit()) => "\u{307}",
         '\u{307}' if before.is_some_and(|sign| sign.is_ascii_digit()) => "\u{307}",
-        '\u{302}' | '\u{20d7}' | '\u{332}' | '\u{331}' | '\u{330}' | '\u{20d1}'
+        '\u{302}' | '\u{303}' | '\u{20d7}' | '\u{332}' | '\u{331}' | '\u{330}' | '\u{20d1}'
             if before.is_some_and(|sign| sign.is_ascii_alphabetic()) =>
         {
             ""

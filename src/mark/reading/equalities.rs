@@ -96,7 +96,8 @@ impl Statements<'_> {
             return self.alone(&last[value.len()..]);
         }
         let mut label = label;
-        let gradient = label.as_ref().is_some_and(|label| matches!(&*label.typed.to_lowercase(), "gradient" | "slope"));
+        let gradient =
+            label.as_ref().is_some_and(|label| matches!(&*label.typed.to_lowercase(), "gradient" | "grad" | "slope"));
         let mut said = Vec::new();
         let mut more = Vec::new();
         let mut remarks = Vec::new();

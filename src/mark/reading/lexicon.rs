@@ -47,6 +47,10 @@ pub(super) const OTHERS: [&str; 13] = [
     "parallel",
 ];
 
+/// Words that may turn a value round, but not from within a reason for it.
+pub(super) const COMPARISONS: [&str; 9] =
+    ["than", "less", "more", "under", "over", "negative", "opposite", "zero", "nought"];
+
 /// Single words, by what they do.
 const SINGLE: [(Sort, &str); 9] = [
     (
@@ -59,12 +63,12 @@ const SINGLE: [(Sort, &str); 9] = [
     (
         Sort::Noun,
         "speed speeds velocity velocities vel angle angles direction directions dir deflection deflected impulse ke \
-         kinetic energy loss lost change gain fraction percentage magnitude mag component components momentum ratio \
+         kinetic energy loss lost change gain fraction percentage magnitude mag mod modulus component components momentum ratio \
          mass coefficient restitution turned bearing increase increases increased gained gains decrease decreases \
          decreased loses reduced reduces reduction falls fell drop drops dropped slows slowed rises rose answer ans tangent separation approach difference acceleration work distance force time",
     ),
     (Sort::Is, "is are was be becomes being equal must lies"),
-    (Sort::Gradient, "gradient slope"),
+    (Sort::Gradient, "gradient grad slope"),
     (
         Sort::Negation,
         "impossible wrong incorrect not never no isn't isnt aren't doesn't doesnt don't dont cannot can't cant won't wasn't neither nor unless \

@@ -218,6 +218,9 @@ impl Walk<'_> {
             return Ok(Some((Phrase::Remark, at + 3)));
         }
         if let Some(Sort::Negation) = sort {
+            if lexicon::COMPARISONS.contains(&word) && self.is_in_a_reason(at) {
+                return Ok(Some((Phrase::Remark, at + 1)));
+            }
             return Err(Unreadable::Sign(placed.start, format!("`{word}` may turn the answer round")));
         }
         if !lexicon::stands_for_itself(word, sort) && names::is_made_of_letters(self.typed(at), self.vocabulary) {
@@ -247,6 +250,13 @@ impl Walk<'_> {
             }
         };
         Ok(Some((phrase, at + 1)))
+    }
+
+    /// `since it must be faster than A`: after `because`, and without figures, words say why and not what.
+    fn is_in_a_reason(&self, at: usize) -> bool {
+        let is_reason = |before: &usize| matches!(self.word(*before), Some("because" | "since"));
+        let Some(reason) = (1..at).rev().find(is_reason) else { return false };
+        !self.tokens[reason..].iter().any(|placed| matches!(placed.token, Token::Number(_) | Token::Root { .. }))
     }
 
     /// `or less`, after which nothing more is said; `but not including`.

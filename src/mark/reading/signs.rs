@@ -10,8 +10,9 @@ use super::tokens::{Placed, Token};
 use crate::expr::Expr;
 
 /// Words that stand for signs or functions, and these.
-const SIGNS: [(&str, &str); 80] = [
+const SIGNS: [(&str, &str); 87] = [
     ("times", "*"),
+    ("lots of", "*"),
     ("multiplied by", "*"),
     ("over", "/"),
     ("divided by", "÷"),
@@ -72,6 +73,12 @@ const SIGNS: [(&str, &str); 80] = [
     ("no more than", "≤"),
     ("not more than", "≤"),
     ("no greater than", "≤"),
+    ("no bigger than", "≤"),
+    ("no larger than", "≤"),
+    ("no higher than", "≤"),
+    ("no smaller than", "≥"),
+    ("no lower than", "≥"),
+    ("not smaller than", "≥"),
     ("not greater than", "≤"),
     ("less than or equal to", "≤"),
     ("exceeds", ">"),
