@@ -1,6 +1,6 @@
 //! Are the answers of a variant told apart? Of two that share a value nobody can see which of them a student has found.
 
-use super::tally::Remark;
+use super::remark::Remark;
 use crate::bank::{Answer, Question};
 use crate::generate::Variant;
 use crate::number::{Places, Value};

@@ -11,6 +11,7 @@ mod author;
 mod coverage;
 mod finding;
 mod promise;
+mod remark;
 mod report;
 mod scheme;
 mod shows;

@@ -3,7 +3,7 @@
 //! A friendly or exact style promises numbers that can be written down exactly; so does the rule `exact` in every style.
 //! 'In terms of *m*' promises an answer with that letter in it.
 
-use super::tally::Remark;
+use super::remark::Remark;
 use crate::answer::{Accept, Kind};
 use crate::bank::{Answer, Question, StyleName};
 use crate::expr::{Expr, Piece, Text};

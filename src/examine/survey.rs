@@ -7,9 +7,10 @@ use std::thread;
 
 use super::coverage::{Coverage, Fault as CoverageFault, MarkCount, coverage};
 use super::finding::Finding;
+use super::remark::numbers;
 use super::report::{Report, StyleReport};
 use super::shows;
-use super::tally::{Tally, numbers};
+use super::tally::Tally;
 use super::{again, author, scheme, suggested, words};
 use crate::bank::{Givens, Posed, Question, Requirement, Style, Unposed};
 use crate::diagnostic::Severity;

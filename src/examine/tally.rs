@@ -3,35 +3,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::finding::Finding;
+use super::remark::{Remark, numbers};
 use super::shows::Slips;
 use super::{apart, promise, words};
 use crate::bank::Style;
-use crate::expr::print;
 use crate::generate::{Census, Numbers, Sieve};
 use crate::paper;
-
-/// Something amiss with one variant; of others with the same words only the first is told, and how many there are.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Remark {
-    what: String,
-    at: String,
-    label: String,
-    help: String,
-    shown: String,
-}
-
-impl Remark {
-    /// What it is; what stands in the file at its place; what was expected there; one thing to try.
-    pub fn new(what: impl Into<String>, at: impl Into<String>, label: &str, help: impl Into<String>) -> Remark {
-        let (what, at, help) = (what.into(), at.into(), help.into());
-        Remark { what, at, label: label.to_owned(), help, shown: String::new() }
-    }
-
-    /// With what stands on the page of this variant.
-    pub fn showing(self, shown: &str) -> Remark {
-        Remark { shown: shown.to_owned(), ..self }
-    }
-}
 
 /// A remark in how many variants, and what the first of them shows.
 #[derive(Clone, Debug)]
@@ -119,13 +96,6 @@ impl Tally {
         };
         self.seen.values().filter(is_new).map(found).collect()
     }
-}
-
-/// The numbers of a set: `mA = 1, mB = 2`.
-pub fn numbers(style: &Style, index: u64) -> String {
-    let all = style.parameters_at(index);
-    let each = all.iter().map(|(name, value)| format!("{name} = {}", print::plain(value)));
-    each.collect::<Vec<_>>().join(", ")
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use super::spoken_of::{is_of_all, spoken_of};
 use crate::answer::{Accept, Kind};
 use crate::bank::{Answer, Find, Question};
 use crate::examine::Finding;
-use crate::examine::tally::Remark;
+use crate::examine::remark::Remark;
 use crate::expr::{Piece, Text, print};
 use crate::generate::Variant;
 use crate::number::{Fraction, Places, Value};

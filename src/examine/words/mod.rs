@@ -26,7 +26,7 @@ mod units;
 pub use said::contradicted;
 
 use super::finding::Finding;
-use super::tally::Remark;
+use super::remark::Remark;
 use crate::bank::Question;
 use crate::generate::Variant;
 use crate::paper::Words;

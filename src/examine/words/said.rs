@@ -3,7 +3,7 @@
 use super::sentence::{Noun, Sentence, Token, is_one_of, is_supposed, noun_of, owner_of, sentences};
 use crate::bank::{Question, Style};
 use crate::examine::Finding;
-use crate::examine::tally::numbers;
+use crate::examine::remark::numbers;
 use crate::expr::{Angles, Expr, Meaning, Text, evaluate, print, read, written};
 use crate::generate::Variant;
 use crate::mechanics::{Axis, Derivation, Known, Moment, Quantity, Sphere};

@@ -4,8 +4,6 @@ use crate::expr::{Expr, Piece, Text};
 use crate::mechanics::{Axis, Sphere};
 use crate::unit::Unit;
 
-use super::sentences::in_order;
-
 /// What a sentence is made of.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Token<'t> {
@@ -276,6 +274,16 @@ pub fn subject(before: &[Token]) -> Option<Sphere> {
         }
     }
     None
+}
+
+/// Pieces in the order in which they are read, those in italics among them.
+pub(super) fn in_order<'t>(pieces: &'t [Piece], found: &mut Vec<&'t Piece>) {
+    for piece in pieces {
+        match piece {
+            Piece::Italic(inner) => in_order(inner, found),
+            piece => found.push(piece),
+        }
+    }
 }
 
 #[cfg(test)]

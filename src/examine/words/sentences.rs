@@ -3,7 +3,8 @@
 //! What stands between the numbers is the author's; what goes wrong is mostly where the two meet: `2/4`, 'a 8 kg', 'masses
 //! m and m', '1 times', a sphere that is said to move towards the other and moves away.
 
-use crate::examine::tally::Remark;
+use super::sentence::in_order;
+use crate::examine::remark::Remark;
 use crate::expr::{Expr, Meaning, Piece, Text, evaluate, print};
 use crate::generate::Variant;
 use crate::mechanics::Sphere;
@@ -57,16 +58,6 @@ pub(super) fn around(words: &str, at: usize) -> &str {
     let start = before.rmatch_indices(char::is_whitespace).nth(2).map_or(0, |(space, _)| space);
     let end = after.match_indices(char::is_whitespace).nth(3).map_or(words.len(), |(space, _)| at + space);
     words[start..end].trim()
-}
-
-/// Pieces in the order in which they are read, those in italics among them.
-pub(super) fn in_order<'t>(pieces: &'t [Piece], found: &mut Vec<&'t Piece>) {
-    for piece in pieces {
-        match piece {
-            Piece::Italic(inner) => in_order(inner, found),
-            piece => found.push(piece),
-        }
-    }
 }
 
 fn of_text(text: &Text, remarks: &mut Vec<Remark>) {

@@ -2,9 +2,9 @@
 
 use std::cmp::Ordering;
 
-use super::sentence::{Token, is_one_of, is_supposed, sentences, subject};
-use super::sentences::{around, in_order};
-use crate::examine::tally::Remark;
+use super::sentence::{Token, in_order, is_one_of, is_supposed, sentences, subject};
+use super::sentences::around;
+use crate::examine::remark::Remark;
 use crate::expr::{Expr, Meaning, Piece, Text, Turn, evaluate};
 use crate::generate::Variant;
 use crate::mechanics::{Axis, Moment, Quantity, Sphere};
