@@ -234,8 +234,10 @@ impl<'t, 'd> Keys<'t, 'd> {
             let name: &str = key.get_ref();
             if !self.known.contains(&name) && !faults.is_astray(self.what, key) {
                 let near_one = near(name, self.known.iter().copied());
-                faults.is_unread |=
-                    near_one.is_some_and(|meant| !self.table.contains_key(meant)) && holds_tables(value.get_ref());
+                // A heading that is misspelt beside one that is not stands for a table of its own.
+                let is_heading = faults.source.text[..key.span().start].ends_with('[');
+                faults.is_unread |= near_one.is_some_and(|meant| is_heading || !self.table.contains_key(meant))
+                    && holds_tables(value.get_ref());
                 meant.extend(near_one);
                 let message = format!("unknown key `{name}`");
                 let known = self.known.iter().copied();

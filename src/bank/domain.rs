@@ -37,6 +37,11 @@ impl Domain {
         }
     }
 
+    /// Is a text meant for a range, and not for one value?
+    pub fn is_range(text: &str) -> bool {
+        text.contains("..") || between_dashes(text).is_some()
+    }
+
     /// Reads `2..12`, `10..80 step 5`, `1/4..3/4 step 1/4`, or one expression.
     ///
     /// # Errors
@@ -48,6 +53,11 @@ impl Domain {
             let meant = format!("{}..{}", text[..start].trim_end(), text[end..].trim_start());
             return Err(Fault::new("more than two dots in a range", Span { start, end }, "expected `..`")
                 .try_this(format!("write `{meant}`")));
+        }
+        if let Some((first, last)) = between_dashes(text) {
+            let whole = trimmed(text, 0, text.len());
+            return Err(Fault::new("a difference where values are expected", whole, "a range has two dots")
+                .try_this(format!("write `{first}..{last}`")));
         }
         let Some(dots) = text.find("..") else {
             return Ok(Domain::List(vec![read_as_written(text, Angles::Degrees)?]));
@@ -119,6 +129,13 @@ impl Domain {
             }),
         }
     }
+}
+
+/// The two whole numbers of `4-12`, which nobody writes for the value −8.
+fn between_dashes(text: &str) -> Option<(&str, &str)> {
+    let (first, last) = text.split_once(['-', '–'])?;
+    let is_whole = |end: &str| !end.is_empty() && end.bytes().all(|sign| sign.is_ascii_digit());
+    Some((first.trim(), last.trim())).filter(|(first, last)| is_whole(first) && is_whole(last))
 }
 
 /// With a decimal point, if it has finitely many decimals.
@@ -208,6 +225,7 @@ mod tests {
         let table = [
             ("6..1", "the range runs backwards", "6..1"),
             ("4...12", "more than two dots in a range", "..."),
+            ("4-12", "a difference where values are expected", "4-12"),
             ("1..6 step 0", "the step is not above nought", "0"),
             ("1..", "an end of the range is missing", ""),
             ("1..sqrt(2)", "`sqrt(2)` is no plain number", "sqrt(2)"),

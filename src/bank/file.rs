@@ -215,8 +215,11 @@ fn parameters(value: &Spanned<DeValue>, faults: &mut Faults) -> Vec<(Words, Doma
     for (name, value) in document::pairs("`parameters`", value, faults) {
         let what = format!("parameter `{}`", name.get_ref());
         let domain = match value.get_ref() {
-            DeValue::Array(_) => {
-                DomainFile::List(document::list(&format!("a value of {what}"), value, faults), value.span())
+            DeValue::Array(items) => {
+                let values = document::list(&format!("a value of {what}"), value, faults);
+                // A list of which no value can be read has been told of, and is not empty.
+                let values = if values.is_empty() && !items.is_empty() { vec![one(value)] } else { values };
+                DomainFile::List(values, value.span())
             }
             _ => DomainFile::Range(document::words(&what, value, faults).unwrap_or_else(|| one(value))),
         };

@@ -118,7 +118,18 @@ fn told(text: &str, span: Range<usize>, message: &str) -> Told {
         let label = if curly { "expected straight quotes" } else { "expected text in quotes" };
         return Told { span: value, ..one(message, label, &format!("write `\"{written}\"`")) };
     }
+    let line = text[text[..span.start].rfind('\n').map_or(0, |before| before + 1)..].lines().next().unwrap_or_default();
+    let sign = text[span.start..].chars().next().unwrap_or_default();
     match what {
+        _ if line.trim_start().starts_with("//") => {
+            one("a note that begins with `//`", "a note begins with `#`", "write `#` in place of `//`")
+        }
+        "invalid unquoted key" if sign == ':' => {
+            one("a `:` after a key", "expected `=`", "write `=` in place of `:`, as in `{ A = \"u\", B = \"w\" }`")
+        }
+        "unexpected key or value" if matches!(sign, ';' | ',' | '.') => {
+            one(&format!("`{sign}` after a value"), "expected the end of the line", &format!("take the `{sign}` out"))
+        }
         "extra `=`" => one("a second `=`", "expected a value", "write one `=` between a key and its value"),
         "key with no value" => Told {
             is_last: true,
@@ -149,16 +160,19 @@ fn column(text: &str, at: usize) -> usize {
     text[..at].rsplit('\n').next().unwrap_or_default().chars().count() + 1
 }
 
-/// A heading in one pair of brackets before others of its name in two.
+/// A heading in one pair of brackets before others of its name in two, or after them.
 fn one_pair_of_brackets(text: &str, at: usize) -> Option<Told> {
     let from = text[..at].rfind('\n').map_or(0, |before| before + 1);
-    let heading = text[from..].lines().next()?.trim().strip_prefix("[[")?.strip_suffix("]]")?;
-    let single = format!("[{heading}]");
+    let second = text[from..].lines().next()?.trim_end();
+    let heading = second.trim_matches(['[', ']']);
+    let (single, double) = (format!("[{heading}]"), format!("[[{heading}]]"));
+    let (own, other) = if second == single { (&single, &double) } else { (&double, &single) };
     let mut lines = text[..from].split_inclusive('\n').scan(0, |end, line| {
         *end += line.len();
         Some((*end - line.len(), line))
     });
-    let (start, _) = lines.find(|(_, line)| line.trim_end() == single)?;
+    let (before, _) = lines.find(|(_, line)| second == own && line.trim_end() == other)?;
+    let start = if *own == single { from } else { before };
     Some(Told {
         span: start..start + single.len(),
         message: format!("`{single}` in one pair of brackets"),

@@ -209,7 +209,7 @@ fn read_domain(
         Some(expr)
     };
     match domain {
-        DomainFile::Range(words) if words.get_ref().contains("..") => {
+        DomainFile::Range(words) if Domain::is_range(words.get_ref()) => {
             Domain::range(words.get_ref()).map_err(|fault| faults.expression(words, fault)).ok()
         }
         DomainFile::Range(words) => Some(Domain::List(vec![read_value(words, used, faults)?])),
