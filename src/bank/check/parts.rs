@@ -1,23 +1,29 @@
 //! Parts and answers checked: what is asked, what is found, of which kind, and how it is accepted.
 
 use super::super::document::{Faults, listed};
-use super::super::file::{AnswerFile, PartFile, QuestionFile};
+use super::super::file::{AnswerFile, MarkFile, PartFile, QuestionFile};
 use super::super::literal::Words;
-use super::super::question::{Answer, Find, Part, StyleName};
+use super::super::question::{Answer, Code, Find, Mark, Part, StyleName};
 use super::marks::marks;
 use super::names::{Also, NamesUsed};
 use super::quantities;
+use super::shown::is_tangent;
 use super::styles::line;
 use crate::answer::{Accept, Kind};
 use crate::expr::{Angles, Expr, Markup, Name, Piece, Text, read, read_markup};
 use crate::mechanics::Quantity;
 use crate::number::Places;
 
+/// The letters that are to be found, whether others stay letters, and which are angles.
+type Letters<'s> = (&'s [String], bool, &'s dyn Fn(&str) -> bool);
+
 /// Every part of a file.
 pub fn parts(file: &QuestionFile, used: &mut NamesUsed, faults: &mut Faults) -> Vec<Part> {
     let scene = file.scene.as_ref().map(|scene| &scene.text);
     let unknowns = scene.map(|scene| scene.unknowns.clone()).unwrap_or_default();
     let lettered = scene.is_some_and(|scene| scene.symbols.keys().any(|symbol| !unknowns.contains(symbol)));
+    let is_angle =
+        |letter: &str| scene.is_some_and(|scene| scene.symbols.get(letter).is_some_and(|kind| kind == "acute"));
     let mut found = Vec::new();
     for (index, part) in file.parts.iter().enumerate() {
         let label = match file.parts.len() {
@@ -27,7 +33,7 @@ pub fn parts(file: &QuestionFile, used: &mut NamesUsed, faults: &mut Faults) -> 
                 .map(String::from)
                 .unwrap_or_else(|| (index + 1).to_string()),
         };
-        let answers = answers(part, file, (&unknowns, lettered), used, faults);
+        let answers = answers(part, file, (&unknowns, lettered, &is_angle), used, faults);
         let ask = part.ask.as_ref().and_then(|ask| read_ask(ask, &answers, used, faults)).unwrap_or_default();
         if part.answers.is_empty() {
             let help = "add `answers = [{ name = \"speed of *A*\", find = \"A.after.speed\" }]`";
@@ -38,10 +44,34 @@ pub fn parts(file: &QuestionFile, used: &mut NamesUsed, faults: &mut Faults) -> 
             faults.report(part.span.clone(), "a part without marks", "nothing is earned here", help);
         }
         let marks = marks(&part.marks, &unknowns, used, faults);
+        starred(part, &answers, &marks, faults);
         found.push(Part { label, ask, answers, marks });
     }
     exact_names(file, faults);
     found
+}
+
+/// A result that is printed earns nothing by itself, which its mark says, `A1*`; another answer has no such mark.
+fn starred(part: &PartFile, answers: &[Answer], marks: &[Mark], faults: &mut Faults) {
+    let place = |mark: &MarkFile| mark.code.as_ref().map_or(mark.span.clone(), |code| code.span());
+    let is_shown = answers.iter().any(|answer| answer.kind == Kind::Shown);
+    let rows = || part.marks.iter().zip(marks);
+    if !is_shown && answers.len() == part.answers.len() {
+        for (row, _) in rows().filter(|(_, mark)| mark.code == Code::A1Shown) {
+            let help =
+                "write `A1`; or give the answer `kind = \"shown\"`, and print its result with `{display: result}`";
+            faults.report(place(row), "`A1*` where nothing is to be shown", "it is for a result that is printed", help);
+        }
+    }
+    let last = rows().rev().find(|(_, mark)| mark.code.is_accuracy());
+    let are_shown = is_shown && answers.iter().all(|answer| answer.kind == Kind::Shown);
+    if let (true, Some((row, mark))) = (are_shown, last)
+        && marks.iter().all(|mark| mark.code != Code::A1Shown)
+    {
+        let message = format!("`{}` for a result that is printed", mark.code.name());
+        let label = "whoever copies it would earn this";
+        faults.report(place(row), message, label, "write `A1*`, which is for the way to the result");
+    }
 }
 
 /// The words of a part; `{result}` and `{display: result}` stand for what is to be shown.
@@ -105,7 +135,7 @@ fn formulas(pieces: &[Piece]) -> Vec<&Expr> {
 fn answers(
     part: &PartFile,
     file: &QuestionFile,
-    (unknowns, lettered): (&[String], bool),
+    letters: Letters,
     used: &mut NamesUsed,
     faults: &mut Faults,
 ) -> Vec<Answer> {
@@ -127,7 +157,7 @@ fn answers(
             }
             names.push(name.get_ref());
         }
-        let checked = one_answer(answer, unknowns, lettered, used, faults);
+        let checked = one_answer(answer, letters, used, faults);
         found.extend(checked.map(|checked| Answer { exact_in: exact_in(answer, file), ..checked }));
     }
     found
@@ -162,8 +192,7 @@ fn exact_names(file: &QuestionFile, faults: &mut Faults) {
 
 fn one_answer(
     answer: &AnswerFile,
-    unknowns: &[String],
-    lettered: bool,
+    (unknowns, lettered, is_angle): Letters,
     used: &mut NamesUsed,
     faults: &mut Faults,
 ) -> Option<Answer> {
@@ -177,20 +206,22 @@ fn one_answer(
     let kind = match kind {
         Some(kind) => kind?,
         None if show.is_some() => Kind::Shown,
-        None => inferred(&find, lettered),
+        None => inferred(&find, lettered, is_angle),
     };
     check_kind(answer, &find, kind, faults);
     let accept = match accept {
         Some(accept) => accept?,
-        None if lettered || kind == Kind::Shown => Accept::Exact,
+        // An angle is a number of degrees, whatever letters there are.
+        None if (lettered && kind != Kind::Angle) || kind == Kind::Shown => Accept::Exact,
         None => Accept::RoundsTo(Places::SignificantFigures(3)),
     };
     Some(Answer { name, find, kind, accept, exact_in: Vec::new(), phrase, show: show.flatten() })
 }
 
-fn inferred(find: &Find, lettered: bool) -> Kind {
+fn inferred(find: &Find, lettered: bool, is_angle: &dyn Fn(&str) -> bool) -> Kind {
     match find {
         Find::Vector(..) => Kind::Vector,
+        Find::Unknown(letter) if is_angle(letter) => Kind::Angle,
         Find::Quantity(quantity) if quantity.is_angle() => Kind::Angle,
         _ if lettered => Kind::Expression,
         _ => Kind::Number,
@@ -216,7 +247,12 @@ fn check_kind(answer: &AnswerFile, find: &Find, kind: Kind, faults: &mut Faults)
             faults.report(span, "kind `angle` for a quantity that is no angle", "expected a quantity in degrees", help);
         }
     } else if kind == Kind::Shown && answer.show.is_none() {
-        let help = "add `show = \"tan(beta)\"`, the left side of the result";
+        let help = match find {
+            Find::Quantity(quantity) if !is_tangent(quantity.of_its_impact()) => {
+                "add `show = \"v\"`, a letter for what is found, and declare it: `v = \"positive\"` in `[scene.symbols]`"
+            }
+            _ => "add `show = \"tan(beta)\"`, the left side of the result",
+        };
         faults.report(span, "nothing says what is to be shown", "expected `show` beside it", help);
     } else if kind != Kind::Shown
         && let Some(show) = &answer.show

@@ -71,7 +71,7 @@ fn has_name(expr: &Expr, letter: &str) -> bool {
 }
 
 /// Is it the tangent of an angle?
-fn is_tangent(quantity: Quantity) -> bool {
+pub(super) fn is_tangent(quantity: Quantity) -> bool {
     use Quantity::{TOverN, TanDeflection, TanToLine, TanToWall};
     matches!(quantity, TOverN(..) | TanDeflection(_) | TanToLine(..) | TanToWall(..))
 }
