@@ -3,11 +3,12 @@
 use serde_json::Value as Json;
 
 use super::finding::Finding;
+use crate::answer::{Accept, Kind};
 use crate::bank::{AuthorsTest, Question, Unposed};
 use crate::expr::{Angles, Expr, print, read_as_written};
 use crate::generate::with_numbers;
 use crate::mark::AnswerKey;
-use crate::mark::judging::{Verdict, judge};
+use crate::mark::judging::{Model, Verdict, judge};
 use crate::mark::reading::read_answer;
 use crate::number::{Fraction, Places, round};
 use crate::paper::{Key, compose, key_question};
@@ -39,10 +40,10 @@ fn of_test(question: &Question, place: usize, test: &AuthorsTest) -> Vec<Finding
         let Some(blank) = blanks().flat_map(|part| &part.blanks).find(|blank| blank.find.name() == *name) else {
             continue;
         };
-        let judged = judge(&blank.model, &read_answer(answer, &blank.model.vocabulary));
+        let is_right = worked_out(&blank.model, answer);
         let exact = keyed.parts.iter().flat_map(|part| &part.blanks).find(|own| first(&own.find) == Some(name));
         let is_near = exact.is_none_or(|exact| is_as_near_as_it_claims(answer, &exact.decimal));
-        if judged.verdict != Verdict::Correct || !is_near {
+        if !is_right || !is_near {
             let found = comes_to(&print::unicode(&blank.model.value), exact.and_then(|exact| exact.decimal.as_str()));
             let message = format!("test {} fails: `{name}` is `{answer}` in it, and comes to `{found}`", place + 1);
             let help = "work it out again: either the answer is wrong or the scene is not the one that was meant";
@@ -51,6 +52,20 @@ fn of_test(question: &Question, place: usize, test: &AuthorsTest) -> Vec<Finding
         }
     }
     findings
+}
+
+/// Is it what an author has worked out? Of a result that is printed, which earns a student nothing, the whole equation or its
+/// right side.
+fn worked_out(model: &Model, answer: &str) -> bool {
+    let is_right = |model: &Model| judge(model, &read_answer(answer, &model.vocabulary)).verdict == Verdict::Correct;
+    let as_asked = |value: &Expr, kind| Model::new(value.clone(), kind, Accept::Exact, model.vocabulary.clone());
+    match &model.value {
+        _ if model.kind != Kind::Shown => is_right(model),
+        Expr::Relation(_, _, right) => {
+            is_right(&as_asked(&model.value, Kind::Equation)) || is_right(&as_asked(right, Kind::Expression))
+        }
+        value => is_right(&as_asked(value, Kind::Expression)),
+    }
 }
 
 /// A value as it is shown to its author: with decimals beside a formula, and an angle in degrees.
@@ -110,6 +125,7 @@ fn decimals(expr: &Expr) -> Option<Vec<Option<&str>>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::examine::edited;
 
     #[test]
     fn a_number_of_the_author_is_what_its_digits_claim() {
@@ -129,5 +145,19 @@ mod tests {
         let vector = serde_json::json!(["2.25000000000000", "-1.33333333333333"]);
         assert!(is_as_near_as_it_claims("[2.25, -1.33]", &vector));
         assert!(!is_as_near_as_it_claims("[2.251, -1.33]", &vector));
+    }
+
+    #[test]
+    fn a_result_that_is_shown_is_the_equation_or_its_right_side() {
+        for (answer, is_it) in [
+            ("2tan(alpha)/(1-e)", true),
+            ("tan(beta) = 2tan(alpha)/(1-e)", true),
+            ("tan(alpha)/(1-e)", false),
+            ("tan(beta) = 2tan(alpha)/(1+e)", false),
+        ] {
+            let test = format!("[[test]]\nanswers = {{ \"A.after.t_over_n\" = \"{answer}\" }}\n\n[reference]");
+            let question = edited("rest-letters/direction-and-deflection", &[("[reference]", &test)]);
+            assert_eq!(disagreements(&question).is_empty(), is_it, "{answer}");
+        }
     }
 }

@@ -5,7 +5,7 @@ use crate::expr::{number, print};
 use crate::generate::{Further, Numbers, Sieve, Unfit};
 
 /// So many sets of numbers are looked at.
-const MOST: u64 = 600;
+const MOST: u64 = 20_000;
 
 /// A number as it is written, and its size.
 type Given = (String, f64);

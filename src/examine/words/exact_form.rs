@@ -91,7 +91,9 @@ pub fn unasked(question: &Question, variant: &Variant, words: &Words, remarks: &
                 let what = format!("the answer `{}` must be exact, and no words say so", answer.find.name());
                 let label = "a student who rounds it loses the mark";
                 let help = "ask for exact form in the words, or leave `accept` out";
-                remarks.push(Remark::new(what, format!("\"{}\"", answer.find.name()), label, help));
+                // The scene may name the letter too.
+                let key = if matches!(answer.find, Find::Unknown(_)) { "find = " } else { "" };
+                remarks.push(Remark::new(what, format!("{key}\"{}\"", answer.find.name()), label, help));
             }
         }
     }
