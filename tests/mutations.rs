@@ -529,6 +529,44 @@ fn marks_that_are_paid_twice_or_not_at_all_are_named() {
 }
 
 #[test]
+fn what_does_not_agree_with_what_stands_beside_it_is_named() {
+    let speed = "{ code = \"A1\", for = \"A.after.speed\" }";
+    found(
+        "direct/velocities-after-impact",
+        &[
+            ("counted", &[("Two small smooth", "Three small smooth")], "three of which 2 are named"),
+            ("one-of-several", &[("Two small smooth", "A small smooth")], "one of several: `a … spheres`"),
+            ("verb", &[("are moving towards", "is moving towards")], "a verb of one for several"),
+            (
+                "text-of-another",
+                &[(speed, "{ code = \"A1\", for = \"A.after.speed\", text = \"speed of *B*\" }")],
+                "the text of the mark A1c names `*B*`",
+            ),
+            ("velocity", &[("Find the speed of each", "Find the velocity of each")], "is a speed alone"),
+            ("coefficient", &[("the spheres is {e}", "the spheres is {e m/s}")], "has no unit"),
+        ],
+    );
+    found(
+        "successive/second-collision",
+        &[
+            (
+                "denied",
+                &[("*B* collides with *A* again", "*B* does not collide with *A* again")],
+                "do not meet again, and with the conditions of the scene they meet",
+            ),
+            ("condition-turned", &[("second.B.after.n < A", "second.B.after.n > A")], "meet again, and with"),
+        ],
+    );
+}
+
+#[test]
+fn a_requirement_that_would_turn_others_away_too_is_not_suggested() {
+    let edits = [("  \"x*q + p*e*y > 0\",\n", "")];
+    let (_, said) = checked("no-suggestion", "successive/walls-at-an-angle", &edits);
+    assert!(said.contains("cannot happen") && !said.contains("`\"m > x\"`"), "{said}");
+}
+
+#[test]
 fn a_name_without_a_value_is_named_at_its_formula() {
     let edits = [("\"mA != mB\", ", ""), ("/(mA + mB)", "/(mA - mB)")];
     let (_, said) = checked("no-value", "direct/one-sphere-catches-the-other", &edits);

@@ -30,7 +30,7 @@ What was found sound is remembered until the file of the question, or carom, cha
 /// Reads every question, works out its reference answers and compares them with yours, tries every set of numbers that
 /// its styles allow, reads the words of every variant, sees whether each mistake that students make would show in its
 /// numbers, and marks scripts of synthetic students, whose marks are known.
-/// Exits with 1 if anything is wrong.
+/// Exits with 1 if anything must be mended; a warning stops nothing.
 #[derive(Args)]
 #[command(after_help = AFTER)]
 pub struct CheckArguments {

@@ -46,11 +46,15 @@ pub fn beside_the_point(question: &Question) -> Vec<Finding> {
             )
         });
         findings.extend(names);
-        if let Some((said, unit)) = misnamed(&asked, &part.answers.iter().collect::<Vec<_>>()) {
-            let message = format!("the words ask for what is stated in {said}, and the answer is in {unit}");
+        for (row, answer) in part.answers.iter().enumerate() {
+            let Some((said, unit)) = misnamed(&asked, &[answer]).filter(|_| !is_beside(&asked, answer)) else {
+                continue;
+            };
+            let name = print::text_unicode(&answer.name);
+            let message = format!("the words ask for what is stated in {said}, and the answer `{name}` is in {unit}");
             let found = Finding::new(message, "", "found here");
             let help = "ask for what `find` finds, or find what is asked for";
-            findings.push(found.with_help(help).at_row(place, "answers", 0).as_warning());
+            findings.push(found.with_help(help).at_row(place, "answers", row).as_warning());
         }
     }
     findings.extend(out_of_order(question));
@@ -75,6 +79,13 @@ fn misnamed(words: &str, answers: &[&Answer]) -> Option<(&'static str, &'static 
     let is_other = |answer: &&Answer| !matches!(unit(answer), Unit::None) && !said.contains(&unit(answer));
     let (first, is_beside) = (said.first()?, answers.iter().all(is_other));
     is_beside.then(|| Some((first.plain(), unit(answers.first()?).plain()))).flatten()
+}
+
+/// Is an angle asked for beside what has a unit, as the direction of a velocity or a deflection is?
+fn is_beside(asked: &str, answer: &Answer) -> bool {
+    const ANGLES: [&str; 7] = ["velocit", "deflect", "inclin", "bearing", "turn", "theta", "alpha"];
+    let is_angle = matches!(&answer.find, Find::Quantity(quantity) if quantity.unit() == Unit::Degree);
+    is_angle && ANGLES.iter().any(|word| asked.contains(word))
 }
 
 /// A result that is printed and to be found, or to be shown and of no answer.
@@ -132,11 +143,24 @@ fn extremes(question: &Question) -> Option<Finding> {
     let word = |words: &[&str]| {
         sentences.iter().find_map(|sentence| {
             // `At least` is a bound, and `the greatest of the three` one of several.
+            // `As small as possible` is the least.
+            let is_as_possible = |place: usize| {
+                let is_between = |words: [&str; 2]| {
+                    let [before, after] = [place.checked_sub(1), place.checked_add(1)];
+                    [before, after].into_iter().zip(words).all(|(at, word)| {
+                        at.and_then(|at| sentence.get(at)).is_some_and(|token| is_one_of(token, &[word]))
+                    })
+                };
+                let size: &[&str] =
+                    if words.contains(&LEAST[0]) { &["small", "low"] } else { &["large", "great", "high"] };
+                is_one_of(&sentence[place], size) && is_between(["as", "as"])
+            };
             let is_extreme = |place: &usize| {
                 let before = place.checked_sub(1).map(|before| &sentence[before]);
-                is_one_of(&sentence[*place], words)
-                    && !before.is_some_and(|token| is_one_of(token, &["at"]))
-                    && !sentence.get(place + 1).is_some_and(|token| is_one_of(token, &["of"]))
+                is_as_possible(*place)
+                    || is_one_of(&sentence[*place], words)
+                        && !before.is_some_and(|token| is_one_of(token, &["at"]))
+                        && !sentence.get(place + 1).is_some_and(|token| is_one_of(token, &["of"]))
             };
             (0..sentence.len()).find(is_extreme).and_then(|place| match &sentence[place] {
                 Token::Word(word) => Some(word.clone()),
@@ -234,9 +258,10 @@ fn words(piece: &Piece) -> Option<&str> {
 /// Names of spheres in the words that stand for nothing in the scene.
 fn strangers(question: &Question) -> Vec<Finding> {
     let scene = &question.scene;
+    let has_other = [&scene.before.b, &scene.after.b].into_iter().any(Option::is_some) || scene.masses.b.is_some();
     let is_there = |sphere: Sphere| match sphere {
         Sphere::A => true,
-        Sphere::B if scene.wall.is_none() && scene.impulse.is_none() => true,
+        Sphere::B if has_other => true,
         _ => scene.then.iter().any(|then| then.of.iter().any(|name| name == sphere.name())),
     };
     let texts: Vec<&Text> = texts(question).collect();
@@ -272,8 +297,10 @@ mod tests {
     fn what_is_as_large_as_can_be_is_so_in_the_scene() {
         let greatest = "deflection/greatest-deflection";
         let range = "ranges/direction-reversed";
-        let table: [(&str, Edits, &str); 8] = [
+        let table: [(&str, Edits, &str); 10] = [
             (greatest, &[], ""),
+            ("deflection/equal-masses", &[], ""),
+            ("deflection/equal-masses", &[("as large as possible", "as small as possible")], "speak of the small"),
             (greatest, &[("greatest", "least")], "speak of the least, and the scene makes `A.tan_deflection` as large"),
             (greatest, &[("*A* is greatest", "*A* is smallest")], "speak of the smallest"),
             ("deflection/elastic", &[("greatest angle", "minimum angle")], "speak of the minimum"),
@@ -288,6 +315,26 @@ mod tests {
         ];
         for (id, edits, words) in table {
             let said = extremes(&edited(id, edits)).map_or_else(String::new, |finding| finding.message);
+            assert!(said.contains(words) && said.is_empty() == words.is_empty(), "{id}: {edits:?}: {said}");
+        }
+    }
+
+    #[test]
+    fn each_answer_is_of_what_is_asked_for() {
+        let rest = "rest/speeds-and-directions";
+        let table: [(&str, Edits, &str); 4] = [
+            (rest, &[], ""),
+            (rest, &[("the speed and the direction of motion of each", "the speed of each")], "`direction of A` is in"),
+            (rest, &[("the speed and the direction of motion of each", "the velocity of each")], ""),
+            (
+                "vector-impulse/impulse-from-two-velocities",
+                &[("impulse on *A*.\"", "impulse on *B*.\"")],
+                "speak of `*B*`",
+            ),
+        ];
+        for (id, edits, words) in table {
+            let said: String =
+                beside_the_point(&edited(id, edits)).into_iter().map(|finding| finding.message).collect();
             assert!(said.contains(words) && said.is_empty() == words.is_empty(), "{id}: {edits:?}: {said}");
         }
     }

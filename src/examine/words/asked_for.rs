@@ -5,7 +5,7 @@ use super::sentence::{Sentence, Token, is_one_of, is_supposed, says, sentences};
 use crate::answer::Kind;
 use crate::bank::{Answer, Find, Part, Question};
 use crate::examine::Finding;
-use crate::expr::{Expr, print};
+use crate::expr::{Expr, Function, print};
 use crate::mechanics::{Quantity, Sphere};
 
 /// Answers for which the words of their part do not ask, though they ask for something of the kind.
@@ -18,6 +18,8 @@ pub fn others(question: &Question) -> Vec<Finding> {
             let found = found.or_else(|| energy_of_another(question, answer, &all));
             let found = found.or_else(|| another_letter(answer, &all)).or_else(|| no_coefficient(answer, &all));
             let found = found.or_else(|| another_angle(answer, &all)).or_else(|| set(answer, &all));
+            let found = found.or_else(|| another_function(answer, &all)).or_else(|| other_energy(answer, &all));
+            let found = found.or_else(|| size_alone(answer, part, &all));
             let help = "ask for what `find` finds, or find what is asked for";
             findings.extend(found.map(|found| found.with_help(help).at_row(place, "answers", row).as_warning()));
         }
@@ -154,7 +156,12 @@ fn of_another(answer: &Answer, part: &Part, asked: &[Sentence]) -> Option<Findin
 
 /// The sphere whose speed, velocity, angle or energy is to be found.
 fn sphere_of(find: &Find) -> Option<Sphere> {
-    match find.quantities().first()?.of_its_impact() {
+    whose(*find.quantities().first()?)
+}
+
+/// The sphere that a speed, velocity, angle or energy is of.
+pub(super) fn whose(quantity: Quantity) -> Option<Sphere> {
+    match quantity.of_its_impact() {
         Quantity::Speed(sphere, _)
         | Quantity::Velocity(sphere, ..)
         | Quantity::AngleToLine(sphere, _)
@@ -191,6 +198,74 @@ fn another_angle(answer: &Answer, asked: &[Sentence]) -> Option<Finding> {
     Some(Finding::new(message, "", "another angle"))
 }
 
+/// The words ask for the sine of an angle, and the answer is its tangent.
+fn another_function(answer: &Answer, asked: &[Sentence]) -> Option<Finding> {
+    let is_function = |expr: &&Expr| {
+        matches!(expr, Expr::Call(Function::Sin | Function::Cos | Function::Tan, _)) && !expr.names().is_empty()
+    };
+    let own: Vec<&Expr> = answer.name.formulas().into_iter().filter(is_function).collect();
+    let said = asked.iter().flatten().filter_map(|token| match token {
+        Token::Number(expr, ..) => Some(*expr),
+        _ => None,
+    });
+    let said: Vec<&Expr> = said.filter(is_function).collect();
+    let is_asked = |own: &&Expr| said.iter().any(|said| print::plain(said) == print::plain(own));
+    if own.is_empty() || answer.kind == Kind::Shown || own.iter().any(is_asked) {
+        return None;
+    }
+    let (said, own) = (print::unicode(said.first()?), print::unicode(own.first()?));
+    let message = format!("the words ask for `{said}`, and the answer is `{own}`");
+    Some(Finding::new(message, "", "another function of the angle"))
+}
+
+/// The words, or the name of the answer, speak of what is gained or left, or of a fraction, and the answer is what is lost,
+/// or the reverse.
+fn other_energy(answer: &Answer, asked: &[Sentence]) -> Option<Finding> {
+    const LOST: [&str; 7] = ["lost", "loss", "lose", "loses", "losing", "decrease", "reduction"];
+    const OTHER: [&str; 9] =
+        ["gained", "gain", "gains", "increase", "remaining", "remains", "left", "retained", "kept"];
+    const PART: [&str; 6] = ["fraction", "proportion", "percentage", "ratio", "share", "part"];
+    let Find::Quantity(quantity) = answer.find else { return None };
+    let is_fraction = match quantity.of_its_impact() {
+        Quantity::EnergyLost | Quantity::SphereEnergyLost(_) => false,
+        Quantity::FractionLost => true,
+        _ => return None,
+    };
+    if matches!(answer.kind, Kind::Shown | Kind::Range) {
+        return None;
+    }
+    let name = sentences(&answer.name);
+    let of = |words: &[&str]| asked.iter().chain(&name).any(|sentence| says(sentence, words));
+    let is_energy = asked.iter().any(|sentence| says(sentence, &["energy", "energies"]));
+    let other = asked.iter().chain(&name).flatten().find(|token| is_one_of(token, &OTHER));
+    let shown = print::text_unicode(&answer.name);
+    let said = asked.iter().any(|sentence| says(sentence, &PART));
+    let (asks, has) = match (other, is_fraction) {
+        (Some(Token::Word(word)), _) if !of(&LOST) => (format!("what is `{word}`"), "is what is lost"),
+        (_, true) if is_energy && !said => ("an energy".to_owned(), "is a fraction of one"),
+        (_, false) if asked.iter().any(|words| says(words, &["fraction", "percentage", "proportion"])) => {
+            ("a fraction".to_owned(), "is the energy itself")
+        }
+        _ => return None,
+    };
+    Some(Finding::new(format!("the words ask for {asks}, and the answer `{shown}` {has}"), "", "found here"))
+}
+
+/// The words ask for a velocity, and no answer says its direction.
+fn size_alone(answer: &Answer, part: &Part, asked: &[Sentence]) -> Option<Finding> {
+    let says = |words: &[&str]| asked.iter().any(|sentence| says(sentence, words));
+    let is_speed = |answer: &Answer| match answer.find {
+        Find::Quantity(quantity) => matches!(quantity.of_its_impact(), Quantity::Speed(..)),
+        _ => false,
+    };
+    let is_asked = says(&["velocity", "velocities"])
+        && !says(&["speed", "speeds", "magnitude", "magnitudes", "component", "components", "size"]);
+    let are_all = part.answers.iter().all(is_speed);
+    let name = print::text_unicode(&answer.name);
+    let message = format!("the words ask for a velocity, and the answer `{name}` is a speed alone");
+    (is_asked && are_all).then(|| Finding::new(message, "", "without its direction"))
+}
+
 /// The words ask for one value, and the answer is a set of values.
 fn set(answer: &Answer, asked: &[Sentence]) -> Option<Finding> {
     const OF_SETS: [&str; 9] =
@@ -213,7 +288,7 @@ mod tests {
     fn words_that_ask_for_another_answer_are_found() {
         let (rest, both) = ("rest/speeds-and-directions", "both-moving/energy-lost-and-impulse");
         let direction = "  { name = \"direction of *B*\", find = \"B.after.angle_to_loc_deg\", accept = \"awrt 3sf\", phrase = \"to the line of centres\" },\n";
-        let table: [(&str, Edits, &str); 16] = [
+        let table: [(&str, Edits, &str); 24] = [
             ("ranges/direction-reversed", &[], ""),
             ("ranges/direction-reversed", &[("set of possible values", "value")], "ask for one value"),
             (
@@ -244,6 +319,34 @@ mod tests {
                 "what *A* loses, and the answer `kinetic energy lost` is all",
             ),
             ("walls/rebound-speed-and-direction", &[("energy lost in", "energy lost by *A* in")], ""),
+            (
+                "rest-letters/distance-from-the-centre-of-b",
+                &[("value of {tan(theta)}.", "value of {sin(theta)}.")],
+                "ask for `sin θ`, and the answer is `tan θ`",
+            ),
+            (
+                "successive/tangents-at-two-walls",
+                &[("Find {tan(beta)} in", "Find {cos(beta)} in")],
+                "ask for `cos β`, and the answer is `tan β`",
+            ),
+            (both, &[("energy lost in", "energy gained in"), ("energy lost\"", "energy gained\"")], "what is `gained`"),
+            (
+                "walls/rebound-speed-and-direction",
+                &[("the kinetic energy lost in", "the increase in kinetic energy in"), ("energy lost\"", "energy\"")],
+                "what is `increase`",
+            ),
+            (
+                "both-moving/speeds-and-fraction-of-energy-lost",
+                &[("the fraction of the total", "the total")],
+                "ask for an energy, and the answer `fraction lost` is a fraction",
+            ),
+            (both, &[("Find the total kinetic", "Find the fraction of the kinetic")], "is the energy itself"),
+            (
+                "direct/velocities-after-impact",
+                &[("Find the speed of each sphere", "Find the velocity of each sphere")],
+                "ask for a velocity, and the answer `speed of A` is a speed alone",
+            ),
+            ("direct/velocities-after-impact", &[], ""),
             ("successive/corner", &[], ""),
             ("direct/velocities-in-letters", &[], ""),
             ("rest-letters/direction-and-deflection", &[], ""),

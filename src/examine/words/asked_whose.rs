@@ -1,9 +1,10 @@
 //! Who strikes whom: impacts of which the words speak, and that the scene does not have.
 
+use super::asked_for::whose;
 use super::impacts::{Impact, impacts};
 use super::sentence::{Sentence, Token, is_one_of, is_supposed, sentences};
 use crate::answer::Kind;
-use crate::bank::Question;
+use crate::bank::{EarnedFor, Question};
 use crate::examine::Finding;
 use crate::expr::{Text, print};
 use crate::mechanics::{Quantity, Sphere};
@@ -84,6 +85,36 @@ fn strikes(sentence: &[Token]) -> Vec<[Sphere; 2]> {
     (0..sentence.len()).filter_map(|at| pair(&sentence[at..sentence.len().min(at + 4)])).collect()
 }
 
+/// Marks whose text names one sphere, and that are for a step or value of another.
+pub fn marked_otherwise(question: &Question) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    for (place, part) in question.parts.iter().enumerate() {
+        for (row, mark) in part.marks.iter().enumerate() {
+            let own = match &mark.earned_for {
+                EarnedFor::Quantity(quantity) => whose(*quantity),
+                EarnedFor::Law(_, sphere) => *sphere,
+                _ => None,
+            };
+            let (Some(own), Some(text)) = (own, &mark.text) else { continue };
+            let words: Vec<Token> = sentences(text).into_iter().flatten().collect();
+            let names = |sphere: Sphere| words.contains(&Token::Sphere(sphere));
+            let other = Sphere::ALL.into_iter().find(|sphere| names(*sphere)).filter(|_| !names(own));
+            if let Some(other) = other {
+                let (other, own, step) = (other.name(), own.name(), &mark.earned_for);
+                let message = format!("the text of the mark {} names `*{other}*`, and it is for `{step}`", mark.id);
+                let found = Finding::new(message, "", format!("of {own}"));
+                findings.push(
+                    found
+                        .with_help(format!("name `*{own}*` in its `text`, or mend `for`"))
+                        .at_row(place, "marks", row)
+                        .as_warning(),
+                );
+            }
+        }
+    }
+    findings
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -108,6 +139,30 @@ mod tests {
         ];
         for (id, edits, words) in table {
             let said: String = otherwise(&edited(id, edits)).into_iter().map(|finding| finding.message).collect();
+            assert!(said.contains(words) && said.is_empty() == words.is_empty(), "{id}: {edits:?}: {said}");
+        }
+    }
+
+    #[test]
+    fn the_text_of_a_mark_names_the_sphere_for_which_it_is() {
+        let direct = "direct/velocities-after-impact";
+        let table: [(&str, Edits, &str); 4] = [
+            (direct, &[], ""),
+            (
+                direct,
+                &[("for = \"A.after.speed\" }", "for = \"A.after.speed\", text = \"speed of *B*\" }")],
+                "the mark A1c names `*B*`, and it is for `A.after.speed`",
+            ),
+            (direct, &[("for = \"A.after.speed\" }", "for = \"A.after.speed\", text = \"speed of *A*\" }")], ""),
+            (
+                "rest/speeds-and-directions",
+                &[("two components of *A*: Pyth", "two components of *B*: Pyth")],
+                "names `*B*`, and it is for `speed A`",
+            ),
+        ];
+        for (id, edits, words) in table {
+            let said: String =
+                marked_otherwise(&edited(id, edits)).into_iter().map(|finding| finding.message).collect();
             assert!(said.contains(words) && said.is_empty() == words.is_empty(), "{id}: {edits:?}: {said}");
         }
     }

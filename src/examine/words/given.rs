@@ -7,7 +7,7 @@ use serde_json::Value as Json;
 use crate::bank::{Question, Style};
 use crate::examine::Finding;
 use crate::expr::{Angles, Expr, Markup, Text, print, read};
-use crate::mechanics::{SceneText, VelocityText};
+use crate::mechanics::{Quantity, SceneText, VelocityText};
 use crate::unit::Unit;
 
 /// Numbers that are never said or never taken, and letters that are never used.
@@ -40,9 +40,10 @@ pub fn unsaid(question: &Question) -> Vec<Finding> {
             }
         }
     }
-    findings.extend(question.scene.symbols.keys().filter(|name| !is_used(name, question)).map(|name| {
+    findings.extend(question.scene.symbols.iter().filter(|(name, _)| !is_used(name, question)).map(|(name, range)| {
         let message = format!("nothing uses the letter `{name}`");
-        Finding::new(message, "[scene.symbols]", "declared here").with_help("take it out, or use it in the scene")
+        let found = Finding::new(message, format!("{name} = \"{range}\""), "declared here");
+        found.with_help("take it out, or use it in the scene")
     }));
     findings
 }
@@ -72,7 +73,11 @@ pub fn unit_of(expr: &Expr, scene: &SceneText) -> Unit {
     }
     if !matches!(expr, Expr::Name(_) | Expr::Vector(..)) {
         Unit::None
-    } else if given(scene.masses.a.as_ref()) || given(scene.masses.b.as_ref()) {
+    } else if [&scene.masses.a, &scene.masses.b]
+        .into_iter()
+        .chain(scene.then.iter().map(|then| &then.mass))
+        .any(|mass| given(mass.as_ref()))
+    {
         Unit::Kilogram
     } else if speed {
         Unit::MetrePerSecond
@@ -81,8 +86,16 @@ pub fn unit_of(expr: &Expr, scene: &SceneText) -> Unit {
     } else if scene.impulse.as_ref().is_some_and(is_vector) {
         Unit::NewtonSecond
     } else {
-        Unit::None
+        scene.conditions.iter().find_map(|condition| compared(condition, expr)).unwrap_or(Unit::None)
     }
+}
+
+/// The unit of a number that a condition demands of a quantity: `A.after.speed = v`.
+fn compared(condition: &str, expr: &Expr) -> Option<Unit> {
+    let (quantity, value) = condition.split_once(['=', '<', '>'])?;
+    let value = value.trim_start_matches('=').trim();
+    let is_it = matches!(expr, Expr::Name(name) if name.text == value);
+    quantity.trim().parse::<Quantity>().ok().filter(|_| is_it).map(Quantity::unit)
 }
 
 /// Every name and number in the formulas of the scene; its keys are no names.

@@ -12,8 +12,8 @@ pub fn from_another_line(question: &Question) -> Vec<Finding> {
     for (place, part) in question.parts.iter().enumerate() {
         for (row, answer) in part.answers.iter().enumerate() {
             let Some((axis, of_wall)) = axis(question, answer) else { continue };
-            let said = of_answer(answer).or_else(|| of_letter(question, answer)).or_else(|| of_part(part, axis));
-            let Some(other) = said.filter(|said| *said != axis) else { continue };
+            let said = [of_answer(answer), of_letter(question, answer), of_part(part, axis)];
+            let Some(other) = said.into_iter().flatten().find(|said| *said != axis) else { continue };
             let [said, found] = [other, axis].map(|axis| line(axis, of_wall));
             let message = format!(
                 "the words measure `{}` from {said}, and `{}` is measured from {found}",
@@ -30,8 +30,36 @@ pub fn from_another_line(question: &Question) -> Vec<Finding> {
             let found = Finding::new(message, "", "found here").with_help(help);
             findings.push(found.at_row(place, "answers", row));
         }
+        findings.extend(from_another_vector(place, part));
     }
     findings
+}
+
+/// Angles with **i** for which the words name **j** alone.
+fn from_another_vector(place: usize, part: &Part) -> Vec<Finding> {
+    let is_of_i = |answer: &Answer| match &answer.find {
+        Find::Quantity(quantity) => {
+            matches!(quantity.of_its_impact(), Quantity::ImpulseAngle | Quantity::AngleFromI(..))
+        }
+        _ => false,
+    };
+    let names = |text: &Text, vector: &str| {
+        text.formulas().into_iter().any(|expr| matches!(expr, Expr::Name(name) if name.text == vector))
+    };
+    // Both may be named for a vector in terms of them.
+    let is_other =
+        |texts: &[&Text]| texts.iter().any(|text| names(text, "j")) && !texts.iter().any(|text| names(text, "i"));
+    let own = part.answers.iter().enumerate().filter(|(_, answer)| is_of_i(answer));
+    let wrong = own.filter(|(_, answer)| {
+        is_other(&[&answer.phrase, &answer.name]) || is_other(&part.ask.iter().collect::<Vec<_>>())
+    });
+    wrong
+        .map(|(row, answer)| {
+            let (name, find) = (print::text_unicode(&answer.name), answer.find.name());
+            let message = format!("the words measure `{name}` from j, and `{find}` is measured from i");
+            Finding::new(message, "", "found here").with_help("say `with {i}`").at_row(place, "answers", row)
+        })
+        .collect()
 }
 
 fn line(axis: Axis, of_wall: bool) -> &'static str {
@@ -99,8 +127,9 @@ mod tests {
     #[test]
     fn an_angle_is_asked_for_from_the_line_from_which_it_is_found() {
         let wall = "walls/rebound-speed-and-direction";
+        let vector = "vector-impulse/impulse-from-two-velocities";
         let (rest, letters) = ("rest/speeds-and-directions", "rest-letters/direction-and-deflection");
-        let table: [(&str, Edits, &str); 8] = [
+        let table: [(&str, Edits, &str); 13] = [
             (
                 wall,
                 &[("phrase = \"with the wall\"", "phrase = \"with the normal to the wall\"")],
@@ -131,6 +160,11 @@ mod tests {
             (rest, &[("phrase = \"to the line of centres\"", "phrase = \"to the common tangent\"")], "direction of A"),
             (letters, &[("beta} with the line of centres", "beta} with the common tangent")], "measure `tan β`"),
             (letters, &[], ""),
+            (wall, &[("then makes with the wall", "then makes with the normal to the wall")], "from the normal"),
+            (rest, &[("of motion of each sphere", "of motion of each sphere, from the line of centres,")], ""),
+            (vector, &[], ""),
+            (vector, &[("phrase = \"with {i}\"", "phrase = \"with {j}\"")], "measure `angle` from j"),
+            (vector, &[("direction makes with {i}", "direction makes with {j}")], "measure `angle` from j"),
         ];
         for (id, edits, words) in table {
             let said: String =

@@ -3,6 +3,7 @@
 //! Some things are seen in the words as the author wrote them ([`of_question`]), some in those of each variant
 //! ([`of_variant`]), and whether the scene contradicts them only where it has numbers ([`contradicted`]).
 
+mod agreement;
 mod asked;
 mod asked_for;
 mod asked_when;
@@ -14,6 +15,8 @@ mod impacts;
 mod lines;
 mod said;
 mod said_of_angles;
+mod said_of_components;
+mod said_of_conditions;
 mod said_of_constants;
 mod said_of_motion;
 mod said_of_restitution;
@@ -42,6 +45,7 @@ pub fn of_question(question: &Question) -> Vec<Finding> {
         asked_for::others,
         asked_when::otherwise,
         asked_whose::otherwise,
+        asked_whose::marked_otherwise,
         lines::from_another_line,
     ];
     checks.into_iter().flat_map(|check| check(question)).collect()

@@ -29,8 +29,18 @@ pub fn contradicted(question: &Question, style: &Style, variant: &Variant) -> Ve
             seen.rebounding(&sentence, &mut findings);
             seen.turned_through(&sentence, &mut findings);
             seen.radii(&sentence, &mut findings);
+            seen.lengths(&sentence, &mut findings);
+            seen.heavier(&sentence, &mut findings);
+            seen.impulses(&sentence, &mut findings);
+            seen.meeting_again(&sentence, &mut findings);
+            seen.directed(&sentence, &mut findings);
+            seen.same_way(&sentence, &mut findings);
+            seen.growing(&sentence, &mut findings);
+            seen.declared(&sentence, &mut findings);
             if !is_later {
                 seen.moving(&sentence, &mut findings);
+                seen.components(&sentence, &mut findings);
+                seen.lines_of_motion(&sentence, &mut findings);
             }
             // What is said otherwise than it is has been told.
             if findings.len() == known {
@@ -188,7 +198,12 @@ impl<'v> Seen<'v> {
                             subject = Some(Lies::Wall(nth));
                         }
                     }
-                    "wall" => (subject, nth) = (Some(Lies::Wall(nth)), None),
+                    "wall" => {
+                        if let (Some(Lies::Line), Some(is_parallel)) = (subject, is_parallel) {
+                            self.line_beside_wall(is_parallel, nth, findings);
+                        }
+                        (subject, nth) = (Some(Lies::Wall(nth)), None);
+                    }
                     "centres" => subject = Some(Lies::Line),
                     "parallel" | "along" => is_parallel = Some(true),
                     "perpendicular" | "normal" => is_parallel = Some(false),
@@ -217,6 +232,18 @@ impl<'v> Seen<'v> {
                 }
                 _ => {}
             }
+        }
+    }
+
+    /// A line of centres that is parallel to a wall, or perpendicular to it.
+    fn line_beside_wall(&self, is_parallel: bool, nth: Option<usize>, findings: &mut Vec<Finding>) {
+        let (Some([x, y]), Some([p, q])) = (self.lies(Lies::Line), self.lies(Lies::Wall(nth))) else { return };
+        let turned = if is_parallel { &(&x * &q) - &(&y * &p) } else { &(&x * &p) + &(&y * &q) };
+        if !turned.is_zero() {
+            let how = if is_parallel { "parallel" } else { "perpendicular" };
+            let message = format!("the words say that the line of centres is {how} to the wall, and it is not");
+            let help = "say how they lie in `[scene]`, or turn one of them there";
+            findings.push(self.finding(message, &format!("{how} to the wall"), help));
         }
     }
 
@@ -476,7 +503,130 @@ mod tests {
                 "is {e}. The path of *A* is turned through an angle and then makes another of {60 deg} with it.",
                 "the words give `60 deg`, and nothing in the scene has it",
             ),
-            ("rest-letters/distance-from-the-centre-of-b", "B = \"r\" }", "B = \"2*r\" }", ""),
+            (
+                "rest-letters/distance-from-the-centre-of-b",
+                "B = \"r\" }",
+                "B = \"2*r\" }",
+                "give the radius `r`, where the scene gives it 2r",
+            ),
+            (
+                "rest-letters/distance-from-the-centre-of-b",
+                "impact_parameter = \"-d\"",
+                "impact_parameter = \"-d/2\"",
+                "give the distance `d`",
+            ),
+            (
+                "ranges/turned-through-more-than-a-right-angle",
+                "more than a right angle by",
+                "less than a right angle by",
+                "turned through less than a right angle, and it is not so",
+            ),
+            (
+                "ranges/turned-through-more-than-a-right-angle",
+                "through more than a right angle by",
+                "through an obtuse angle by",
+                "",
+            ),
+            (
+                "rest-letters/turned-through-a-right-angle",
+                "turned through a right angle",
+                "turned through an acute angle",
+                "turned through an acute angle, and it is not so",
+            ),
+            (
+                "ranges/turned-back-by-an-oblique-impact",
+                "directed away from *B*",
+                "directed towards *B*",
+                "`*A*` then moves towards *B*",
+            ),
+            (
+                "successive/second-collision",
+                "*B* collides with *A* again",
+                "*B* does not collide with *A* again",
+                "do not meet again, and with the conditions of the scene they meet",
+            ),
+            (
+                "successive/no-more-collisions",
+                "does not strike *B* again",
+                "strikes *B* again",
+                "meet again, and with the conditions of the scene they do not meet",
+            ),
+            (
+                "successive/no-more-collisions",
+                "second.B.after.n >= A.after.n",
+                "A.after.n > second.B.after.n",
+                "do not meet again",
+            ),
+            (
+                "ranges/mass-ratio-that-can-be",
+                "with speed {vA}.",
+                "with speed {vA}. After it *A* moves in the opposite direction.",
+                "`*A*` moves in the opposite direction, and it is not so",
+            ),
+            (
+                catches,
+                "collide directly.",
+                "collide directly. The speed of *A* increases.",
+                "say `increases` of the speed of `*A*`",
+            ),
+            (catches, "collide directly.", "collide directly. The speed of *B* is increased.", ""),
+            (
+                "direct/mass-from-the-velocities",
+                "are moving towards each other",
+                "are moving in the same direction",
+                "A and B move in the same direction",
+            ),
+            (
+                "both-moving/components-given",
+                "{p m/s} perpendicular to the line",
+                "{p m/s} parallel to the line",
+                "give `*A*` the component `p` along the line of centres",
+            ),
+            (
+                "both-moving/components-given",
+                "A = [\"a\", \"p\"]",
+                "A = [\"p\", \"a\"]",
+                "give `*A*` the component `a` along",
+            ),
+            (
+                "both-moving/paths-at-right-angles",
+                "{uA} perpendicular to the line",
+                "{uA} along the line",
+                "`*A*` moves along the line of centres",
+            ),
+            (
+                "both-moving/paths-at-right-angles",
+                "centres, towards *A*",
+                "centres, towards *B*",
+                "have `*B*` move towards itself",
+            ),
+            (
+                "successive/struck-onto-a-wall",
+                "which is perpendicular to the wall",
+                "which is parallel to the wall",
+                "the line of centres is parallel to the wall",
+            ),
+            (
+                "vector-impulse/velocity-after-an-impulse",
+                "impulse = [\"p\", \"q\"]",
+                "impulse = [\"-p\", \"-q\"]",
+                "give the impulse `[p, q]`",
+            ),
+            ("deflection/elastic", "perfectly elastic", "inelastic", "say `inelastic`, and in the scene e is 1"),
+            (
+                "rest/heavier-sphere-struck",
+                "respectively. Sphere *B* is",
+                "respectively. Sphere *B*, the lighter, is",
+                "`*B*` is the lighter sphere",
+            ),
+            (
+                "rest/heavier-sphere-struck",
+                "respectively. Sphere *B* is",
+                "respectively. The heavier sphere *B* is",
+                "",
+            ),
+            ("deflection/equal-masses", "{e < 1}", "{e > 1}", "say that `e > 1`, and the scene declares it `unit`"),
+            ("vector-impulse/size-of-the-impulse", "is a positive constant", "is a negative constant", "k is negative"),
             (
                 "rest-letters/distance-from-the-centre-of-b",
                 "*A* and *B* each have radius {r}",

@@ -3,9 +3,9 @@
 use super::given::{names_in, names_of_scene};
 use super::said::Seen;
 use super::said_of_angles::degrees;
-use super::sentence::{Sentence, Token};
+use super::sentence::{Sentence, Token, is_one_of};
 use crate::examine::Finding;
-use crate::expr::{Expr, Turn, print};
+use crate::expr::{Expr, Relation, Turn, print};
 use crate::unit::Unit;
 
 impl Seen<'_> {
@@ -24,6 +24,50 @@ impl Seen<'_> {
                 let help =
                     "say what the scene has, or give the number in `[scene]`: in a velocity, a mass or `conditions`";
                 findings.push(self.finding(message, lead, help).as_warning());
+            }
+        }
+    }
+
+    /// Letters that the words place outside the range for which the scene declares them: `{k} is a negative constant`,
+    /// `{e > 1}`.
+    pub(super) fn declared(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        let range = |name: &str| self.question.scene.symbols.get(name).map(String::as_str);
+        for (place, token) in sentence.iter().enumerate() {
+            let Token::Number(expr, Unit::None, lead) = token else { continue };
+            let (name, is_outside) = match expr {
+                Expr::Name(name) => {
+                    let next = sentence[place + 1..].iter().take(3);
+                    (
+                        name,
+                        range(&name.text) != Some("real")
+                            && next.into_iter().any(|token| is_one_of(token, &["negative"])),
+                    )
+                }
+                Expr::Relation(left, relation, right) => {
+                    let (Expr::Name(name), Some(bound)) =
+                        (&**left, self.number(right).and_then(|value| value.to_f64()))
+                    else {
+                        continue;
+                    };
+                    let is_below = matches!(relation, Relation::Less | Relation::LessOrEqual) && bound <= 0.0;
+                    let is_above = matches!(relation, Relation::Greater | Relation::GreaterOrEqual) && bound >= 1.0;
+                    let is_outside = match range(&name.text) {
+                        Some("unit") => is_below || is_above,
+                        Some("positive" | "acute") => is_below,
+                        _ => false,
+                    };
+                    (name, is_outside)
+                }
+                _ => continue,
+            };
+            if let (true, Some(range)) = (is_outside, range(&name.text)) {
+                let said = match expr {
+                    Expr::Name(_) => format!("{} is negative", name.text),
+                    relation => print::plain(relation),
+                };
+                let message = format!("the words say that `{said}`, and the scene declares it `{range}`");
+                let help = format!("say what `[scene.symbols]` has for `{}`, or declare it otherwise", name.text);
+                findings.push(self.finding(message, lead, &help));
             }
         }
     }

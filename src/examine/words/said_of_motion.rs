@@ -28,12 +28,19 @@ impl Seen<'_> {
         const TOGETHER: [&str; 4] = ["coalesce", "coalesces", "coalesced", "inelastic"];
         let scene = &self.question.scene;
         let given = scene.e.as_ref().and_then(|e| read(e, Angles::Degrees).ok());
-        let is_open = given.is_none_or(|e| e.names().iter().any(|name| scene.unknowns.contains(&name.text)));
+        let is_open = given.as_ref().is_none_or(|e| e.names().iter().any(|name| scene.unknowns.contains(&name.text)));
         for (place, token) in sentence.iter().enumerate() {
             let is_perfectly = place > 0 && is_one_of(&sentence[place - 1], &["perfectly"]);
             let coefficient = match token {
                 Token::Word(word) if is_perfectly && ["elastic", "elastically"].contains(&word.as_str()) => Value::ONE,
-                Token::Word(word) if word == "inelastic" && !is_perfectly => continue,
+                Token::Word(word) if word == "inelastic" && !is_perfectly => {
+                    if given.as_ref().is_some_and(|e| self.number(e).is_some_and(|e| e.equals(&Value::ONE))) {
+                        let message = "the words say `inelastic`, and in the scene e is 1".to_owned();
+                        let help = "say `perfectly elastic`, or give another `e` in `[scene]`";
+                        findings.push(self.finding(message, word, help));
+                    }
+                    continue;
+                }
                 _ if is_one_of(token, &TOGETHER) => Value::ZERO,
                 _ => continue,
             };
@@ -165,7 +172,7 @@ impl Seen<'_> {
     }
 
     /// Is the component of a sphere's velocity along the line of centres turned round?
-    fn turns_round(&self, sphere: Sphere) -> Option<bool> {
+    pub(super) fn turns_round(&self, sphere: Sphere) -> Option<bool> {
         let along = |moment| self.known.number(Quantity::Velocity(sphere, moment, Axis::N))?.sign();
         let before = along(Moment::Before)?;
         let after = along(Moment::After).or_else(|| self.required(sphere))?;
@@ -217,6 +224,9 @@ impl Seen<'_> {
         let Some(at) = sentence.iter().position(|token| is_one_of(token, &["through"])) else { return };
         let is_turned =
             sentence[..at].iter().any(|token| is_one_of(token, &["turn", "turns", "turned", "deflects", "deflected"]));
+        if is_turned && self.question.scene.then.is_empty() {
+            self.turned_further(sentence, at, findings);
+        }
         let said = self.angle_said(&sentence[at + 1..]);
         let (Some(said), true, true) = (said, is_turned, self.question.scene.then.is_empty()) else { return };
         // `more than a right angle` is no angle.
@@ -245,6 +255,40 @@ impl Seen<'_> {
         }
     }
 
+    /// A path that is said to be turned through more than a right angle, or less; through an acute angle, or an obtuse one.
+    fn turned_further(&self, sentence: &Sentence, at: usize, findings: &mut Vec<Finding>) {
+        let words = &sentence[at + 1..];
+        let says_first = |list: &[&str]| words.iter().take(3).any(|token| is_one_of(token, list));
+        let is_right = words.iter().take(5).any(|token| is_one_of(token, &["right"]));
+        let (said, wanted) = match is_right {
+            true if says_first(&["more", "greater"]) => ("more than a right angle", Ordering::Less),
+            true if says_first(&["less", "smaller"]) => ("less than a right angle", Ordering::Greater),
+            false if says_first(&["obtuse"]) => ("an obtuse angle", Ordering::Less),
+            false if says_first(&["acute"]) => ("an acute angle", Ordering::Greater),
+            _ => return,
+        };
+        let named =
+            sentence.iter().filter_map(|token| if let Token::Sphere(sphere) = token { Some(*sphere) } else { None });
+        let named: Vec<Sphere> = named.collect();
+        let [sphere] = named.as_slice() else { return };
+        let dot = Quantity::DeflectionDot(*sphere).to_string();
+        let is_of_it = |condition: &&Condition| print::plain(&condition.left) == dot && condition.right.is_zero();
+        let required =
+            self.variant.scene.conditions.iter().find(is_of_it).and_then(|condition| match condition.relation {
+                Relation::Less | Relation::LessOrEqual => Some(Ordering::Less),
+                Relation::Greater | Relation::GreaterOrEqual => Some(Ordering::Greater),
+                Relation::Equal => Some(Ordering::Equal),
+                _ => None,
+            });
+        let known = || self.products(*sphere)?.0.sign();
+        if required.or_else(known).is_some_and(|has| has != wanted) {
+            let message =
+                format!("the words say that `*{}*` is turned through {said}, and it is not so", sphere.name());
+            let at = format!("through {}", said.split(' ').take(2).collect::<Vec<_>>().join(" "));
+            findings.push(self.finding(message, &at, "require the angle that is said, or say another"));
+        }
+    }
+
     /// The angle in degrees that words begin with: `a right angle`, `an acute angle of 40°`. None if the first number is
     /// of something else, or not known.
     fn angle_said(&self, words: &[Token]) -> Option<f64> {
@@ -267,7 +311,7 @@ impl Seen<'_> {
     }
 
     /// The sign that a condition gives to the velocity of a sphere afterwards.
-    fn required(&self, sphere: Sphere) -> Option<Ordering> {
+    pub(super) fn required(&self, sphere: Sphere) -> Option<Ordering> {
         let after = [Axis::X, Axis::N].map(|axis| Quantity::Velocity(sphere, Moment::After, axis).to_string());
         let of_it =
             |condition: &&Condition| after.contains(&print::plain(&condition.left)) && condition.right.is_zero();

@@ -3,6 +3,7 @@
 //! What stands between the numbers is the author's; what goes wrong is mostly where the two meet: `2/4`, 'a 8 kg', 'masses
 //! m and m', '1 times', a sphere that is said to move towards the other and moves away.
 
+use super::agreement::disagreeing;
 use super::sentence::in_order;
 use crate::examine::remark::Remark;
 use crate::expr::{Expr, Meaning, Piece, Text, evaluate, print};
@@ -22,6 +23,7 @@ pub fn unreadable(words: &Words, variant: &Variant, remarks: &mut Vec<Remark>) {
         }
     }
     for text in words.stem.iter().chain(&words.asks) {
+        disagreeing(text, remarks);
         let ends = match text.0.last() {
             Some(Piece::Words(words)) => words.trim_end().ends_with(['.', '?', '!', ':', ']', ')']),
             Some(Piece::Formula(_) | Piece::Quantity(..)) => false,

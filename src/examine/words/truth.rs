@@ -273,11 +273,11 @@ fn untrue_way(way: &str, whom: Whom, next: &str, variant: &Variant) -> Option<St
     }
 }
 
-/// The component of a velocity before along the line of centres from A to B, roughly; none where it has letters.
+/// The component of a velocity before along the line of centres from A to B, roughly; of letters its sign, if they have one.
 fn component(variant: &Variant, sphere: Sphere) -> Option<f64> {
     let known = variant.solution.known();
     if let Some(value) = known.number(Quantity::Velocity(sphere, Moment::Before, Axis::N)) {
-        return value.to_f64();
+        return value.to_f64().or_else(|| value.sign().map(|sign| f64::from(sign as i8)));
     }
     let number = |quantity| known.number(quantity)?.to_f64();
     let [x, y] = [Axis::X, Axis::Y].map(|axis| number(Quantity::Velocity(sphere, Moment::Before, axis)));

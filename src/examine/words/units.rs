@@ -42,6 +42,13 @@ fn of_text(pieces: &[Piece], question: &Question, style: &Style, findings: &mut 
             findings.push(beside(unit, &after, expr, said));
             continue;
         }
+        if said != Unit::None && is_coefficient(expr, question) {
+            let (name, said) = (print::plain(expr), said.plain());
+            let message = format!("`{name}` is said in {said}, and a coefficient of restitution has no unit");
+            let found = Finding::new(message, format!("{name} {said}}}"), "a number alone");
+            findings.push(found.with_help(format!("write `{{{name}}}`")));
+            continue;
+        }
         let own = match expr {
             Expr::Name(name) if is_in_degrees(&name.text, question) => Unit::Degree,
             _ => unit_of(expr, &question.scene),
@@ -120,6 +127,13 @@ fn is_stated(before: &[Piece], after: &str, style: &Style) -> bool {
                 .any(|next| after.starts_with(next)))
 }
 
+/// Is it what the scene has for the coefficient of restitution of an impact?
+fn is_coefficient(expr: &Expr, question: &Question) -> bool {
+    let scene = &question.scene;
+    let mut all = [&scene.e].into_iter().chain(scene.then.iter().map(|then| &then.e)).flatten();
+    matches!(expr, Expr::Name(name) if all.any(|e| *e == name.text))
+}
+
 /// Is it a parameter whose values are all plain numbers?
 fn is_number(name: &str, style: &Style) -> bool {
     let domain = style.parameters.iter().find(|(own, _)| own == name).map(|(_, domain)| domain);
@@ -143,5 +157,32 @@ fn has_term(expr: &Expr, name: &str) -> bool {
         Expr::Negative(inner) => has_term(inner, name),
         Expr::Sum(terms) => terms.iter().any(|term| has_term(term, name)),
         _ => false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::examine::{Edits, edited};
+
+    #[test]
+    fn each_number_is_said_in_its_unit() {
+        let (line, size) = ("successive/no-more-collisions", "vector-impulse/size-of-the-impulse");
+        let table: [(&str, Edits, &str); 6] = [
+            (line, &[], ""),
+            (line, &[("{mC kg}", "{mC N s}")], "`mC` is said in N s, and the scene takes it in kg"),
+            (size, &[], ""),
+            (size, &[("*A* is {v m/s}", "*A* is {v m}")], "`v` is said in m, and the scene takes it in m/s"),
+            (
+                "walls/rebound-speed-and-direction",
+                &[("the wall is {e}.", "the wall is {e m/s}.")],
+                "`e` is said in m/s, and a coefficient of restitution has no unit",
+            ),
+            ("walls/restitution-from-two-angles", &[], ""),
+        ];
+        for (id, edits, words) in table {
+            let said: String = astray(&edited(id, edits)).into_iter().map(|finding| finding.message).collect();
+            assert!(said.contains(words) && said.is_empty() == words.is_empty(), "{id}: {edits:?}: {said}");
+        }
     }
 }

@@ -1,0 +1,182 @@
+//! What the words say of components, impulses, distances and radii: each as the scene has it.
+
+use super::said::Seen;
+use super::sentence::{Noun, Sentence, Token, is_one_of, noun_of, says, subject};
+use crate::examine::Finding;
+use crate::expr::{Angles, Expr, Meaning, print, read, written};
+use crate::mechanics::{Axis, Moment, Quantity, Sphere};
+use crate::number::Value;
+use crate::unit::Unit;
+
+impl Seen<'_> {
+    /// `*A* has component {p m/s} along the line of centres`: so large, and along that line.
+    pub(super) fn components(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        for (place, token) in sentence.iter().enumerate() {
+            let Token::Number(expr, Unit::MetrePerSecond, lead) = token else { continue };
+            let is_component = place > 0 && is_one_of(&sentence[place - 1], &["component"]);
+            let owner = sentence[..place].iter().rev().find_map(|token| match token {
+                Token::Sphere(sphere) if !self.is_object(sentence, *sphere, place) => Some(*sphere),
+                _ => None,
+            });
+            let (true, Some(sphere), Some(axis)) = (is_component, owner, along_which(&sentence[place + 1..])) else {
+                continue;
+            };
+            let scene = self.known.number(Quantity::Velocity(sphere, Moment::Before, axis));
+            let (Some(said), Some(has)) = (self.number(expr), scene) else { continue };
+            if !(&said * &said).equals(&(&has * &has)) && self.question.scene.then.is_empty() {
+                let (sphere, shown) = (sphere.name(), print::plain(expr));
+                let line = if axis == Axis::N { "along" } else { "perpendicular to" };
+                let has = print::unicode(&written(&has));
+                let message = format!(
+                    "the words give `*{sphere}*` the component `{shown}` {line} the line of centres, where the scene gives it {has}"
+                );
+                let help = format!("name in the words what `[scene]` has for `{sphere}`, or change it there");
+                findings.push(self.finding(message, lead, &help));
+            }
+        }
+    }
+
+    /// Is a sphere named before a place only as that towards which another moves?
+    fn is_object(&self, sentence: &Sentence, sphere: Sphere, place: usize) -> bool {
+        let named = sentence[..place].iter().rposition(|token| *token == Token::Sphere(sphere));
+        named.is_some_and(|at| at > 0 && is_one_of(&sentence[at - 1], &["towards", "from"]))
+    }
+
+    /// A sphere that is said to move along the line of centres, or perpendicular to it, or towards itself.
+    pub(super) fn lines_of_motion(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        for (place, token) in sentence.iter().enumerate() {
+            if is_one_of(token, &["towards"])
+                && let (Some(own), Some(Token::Sphere(other))) = (subject(&sentence[..place]), sentence.get(place + 1))
+                && own == *other
+            {
+                let name = own.name();
+                let message = format!("the words have `*{name}*` move towards itself");
+                findings.push(self.finding(message, &format!("towards *{name}*"), "name the other sphere"));
+            }
+            if !is_one_of(token, &["moving", "moves"]) || !self.question.scene.then.is_empty() {
+                continue;
+            }
+            let clause =
+                sentence[place + 1..].iter().take_while(|token| !matches!(token, Token::Comma | Token::Sphere(_)));
+            let clause: Vec<Token> = clause.cloned().collect();
+            let is_of_velocity = !says(&clause, &["angle", "component", "when", "where", "which", "parallel"]);
+            let (Some(sphere), Some(axis), true) = (subject(&sentence[..place]), along_which(&clause), is_of_velocity)
+            else {
+                continue;
+            };
+            let across = if axis == Axis::N { Axis::T } else { Axis::N };
+            let beside = self.known.number(Quantity::Velocity(sphere, Moment::Before, across));
+            if beside.is_some_and(|beside| !beside.is_zero()) {
+                let line = if axis == Axis::N { "along" } else { "perpendicular to" };
+                let message = format!(
+                    "the words say that `*{}*` moves {line} the line of centres, and it is not so",
+                    sphere.name()
+                );
+                let help = "name in the words how it moves in `[scene]`, or change it there";
+                let at = if axis == Axis::N { "along the line of" } else { "perpendicular to the line of" };
+                findings.push(self.finding(message, at, help));
+            }
+        }
+    }
+
+    /// `An impulse of {[p, q] N s}`: that of the scene.
+    pub(super) fn impulses(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        let Some(impulse) = &self.question.scene.impulse else { return };
+        let component = |at: usize| self.number(&read(&impulse[at], Angles::Degrees).ok()?);
+        for token in sentence {
+            let Token::Number(expr, Unit::NewtonSecond, lead) = token else { continue };
+            let (Some(Meaning::Vector(x, y)), Some(i), Some(j)) = (self.meaning(expr), component(0), component(1))
+            else {
+                continue;
+            };
+            if !(x.equals(&i) && y.equals(&j)) {
+                let has = Expr::Vector(Box::new(written(&i)), Box::new(written(&j)));
+                let (shown, has) = (print::plain(expr), print::unicode(&has));
+                let message = format!("the words give the impulse `{shown}`, where the scene gives it {has}");
+                findings.push(self.finding(
+                    message,
+                    lead,
+                    "name in the words the `impulse` of `[scene]`, or change it there",
+                ));
+            }
+        }
+    }
+
+    /// Radii that each sphere is said to have, and how far the path of *A* is said to pass from the centre of *B*.
+    pub(super) fn lengths(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        let scene = &self.question.scene;
+        let given = |text: &Option<String>| self.number(&read(text.as_ref()?, Angles::Degrees).ok()?);
+        let aside = given(&scene.impact_parameter);
+        for (place, token) in sentence.iter().enumerate() {
+            let Token::Number(expr, Unit::None | Unit::Metre, lead) = token else { continue };
+            let is_of_each = says(sentence, &["each", "both"]);
+            let is_radius = noun_of(sentence, place).is_some_and(|(_, noun, _)| noun == Noun::Radius);
+            let is_distance = place > 0 && is_one_of(&sentence[place - 1], &["is"]) && says(sentence, &["distance"]);
+            let (what, has): (_, Vec<Option<Value>>) = match (is_radius && is_of_each, is_distance) {
+                (true, _) => ("radius", vec![given(&scene.radii.a), given(&scene.radii.b)]),
+                (false, true) if says(sentence, &["centre"]) => ("distance", vec![aside.clone()]),
+                _ => continue,
+            };
+            let Some(said) = self.number(expr) else { continue };
+            let other = has.into_iter().flatten().find(|has| !(&said * &said).equals(&(has * has)));
+            if let Some(other) = other {
+                let (shown, has) = (print::plain(expr), print::unicode(&written(&other)));
+                let message = format!("the words give the {what} `{shown}`, where the scene gives it {has}");
+                let key = if what == "radius" { "radii" } else { "impact_parameter" };
+                findings.push(self.finding(
+                    message,
+                    lead,
+                    &format!("name in the words the `{key}` of `[scene]`, or change it there"),
+                ));
+            }
+        }
+    }
+
+    /// Which sphere is the lighter, or the heavier.
+    pub(super) fn heavier(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        let Some(at) = sentence.iter().position(|token| is_one_of(token, &["lighter", "heavier"])) else { return };
+        let is_named = at > 0 && is_one_of(&sentence[at - 1], &["the"]);
+        if !is_named || says(sentence, &["than"]) || !self.question.scene.then.is_empty() || self.is_alone() {
+            return;
+        }
+        let beside = sentence[at + 1..].iter().take(2).chain(sentence[..at].iter().rev().take(3));
+        let sphere = beside.into_iter().find_map(|token| match token {
+            Token::Sphere(sphere) => Some(*sphere),
+            _ => None,
+        });
+        let (Some(one), Token::Word(word)) = (sphere, &sentence[at]) else { return };
+        let other = if one == Sphere::A { Sphere::B } else { Sphere::A };
+        let mass = |sphere| self.known.number(Quantity::Mass(sphere));
+        let (Some(own), Some(its)) = (mass(one), mass(other)) else { return };
+        let sign = (&own - &its).sign();
+        if sign.is_some_and(|sign| if word == "lighter" { !sign.is_lt() } else { !sign.is_gt() }) {
+            let message = format!("the words say that `*{}*` is the {word} sphere, and it is not so", one.name());
+            findings.push(self.finding(
+                message,
+                &format!("the {word}"),
+                "require that it is so, or take the words out",
+            ));
+        }
+    }
+}
+
+/// Along which line words go on: along the line of centres, or perpendicular to it; what is next to another number is not
+/// asked.
+fn along_which(words: &[Token]) -> Option<Axis> {
+    let own = words.iter().take_while(|token| !matches!(token, Token::Sphere(_))).take(12);
+    let mut is_across = None;
+    for token in own {
+        match token {
+            Token::Word(word) => match word.as_str() {
+                "perpendicular" => is_across = Some(true),
+                "along" | "parallel" => is_across = Some(false),
+                "centres" => return is_across.map(|across| if across { Axis::T } else { Axis::N }),
+                "wall" | "and" | "component" => return None,
+                _ => {}
+            },
+            Token::Number(..) | Token::Comma if is_across.is_some() => return None,
+            _ => {}
+        }
+    }
+    None
+}

@@ -1,0 +1,134 @@
+//! What the words say that happens where only a condition of the scene decides it: who meets again, which way a component
+//! points, who goes on in the old direction, whose speed grows.
+
+use std::cmp::Ordering;
+
+use super::said::{Seen, moment};
+use super::sentence::{Sentence, Token, is_one_of, says, subject};
+use crate::examine::Finding;
+use crate::expr::{Relation, print};
+use crate::mechanics::{Axis, Moment, Quantity};
+
+/// One thing to try where the words and the scene disagree on what happens.
+const MEND: &str = "mend the `conditions` or velocities of `[scene]`, or say what happens";
+
+impl Seen<'_> {
+    /// Two spheres that are said to meet again, or not to, where a condition compares their velocities: the one ahead is
+    /// slower than the one behind, or it is not.
+    pub(super) fn meeting_again(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        let Some(at) = sentence.iter().position(|token| is_one_of(token, &["again", "further", "more"])) else {
+            return;
+        };
+        let meets =
+            ["strike", "strikes", "collide", "collides", "hit", "hits", "meet", "meets", "collision", "collisions"];
+        if !says(sentence, &meets) {
+            return;
+        }
+        let is_denied = says(sentence, &["not", "no", "never"]);
+        let sphere = |quantity: Quantity| match quantity.of_its_impact() {
+            Quantity::Velocity(sphere, Moment::After, Axis::N | Axis::X) => Some(sphere),
+            _ => None,
+        };
+        for condition in &self.variant.scene.conditions {
+            let of = |side| print::plain(side).parse::<Quantity>().ok().and_then(sphere);
+            let (Some(left), Some(right)) = (of(&condition.left), of(&condition.right)) else { continue };
+            let is_slower = match condition.relation {
+                Relation::Less | Relation::LessOrEqual => true,
+                Relation::Greater | Relation::GreaterOrEqual => false,
+                _ => continue,
+            };
+            // The positive direction is from A towards the others.
+            let (ahead, behind) = if left > right { (left, right) } else { (right, left) };
+            let is_met = if left == ahead { is_slower } else { !is_slower };
+            let names_both = [ahead, behind].into_iter().all(|sphere| sentence.contains(&Token::Sphere(sphere)));
+            if left != right && names_both && is_met == is_denied {
+                let (said, other) = if is_denied { ("do not meet", "meet") } else { ("meet", "do not meet") };
+                let message = format!(
+                    "the words say that `*{}*` and `*{}*` {said} again, and with the conditions of the scene they {other}",
+                    behind.name(),
+                    ahead.name()
+                );
+                let Token::Word(word) = &sentence[at] else { continue };
+                findings.push(self.finding(message, word, MEND));
+            }
+        }
+    }
+
+    /// A component along the line of centres that is said to be directed towards the other sphere, or away from it.
+    pub(super) fn directed(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        let Some(at) = sentence.iter().position(|token| is_one_of(token, &["directed"])) else { return };
+        let (way, other) = match &sentence[at + 1..] {
+            [Token::Word(to), Token::Sphere(other), ..] if to == "towards" => (Ordering::Greater, *other),
+            [Token::Word(away), Token::Word(_), Token::Sphere(other), ..] if away == "away" => (Ordering::Less, *other),
+            _ => return,
+        };
+        let Some(Token::Sphere(own)) = sentence[..at].iter().rev().find(|token| matches!(token, Token::Sphere(_)))
+        else {
+            return;
+        };
+        if *own == other || !self.question.scene.then.is_empty() || moment(sentence, at) == Moment::Before {
+            return;
+        }
+        let known = self.known.number(Quantity::Velocity(*own, Moment::After, Axis::N)).and_then(|along| along.sign());
+        let Some(has) = known.or_else(|| self.required(*own)).filter(|has| has.is_ne()) else { return };
+        // The line of centres runs from A to B.
+        let wanted = if *own < other { way } else { way.reverse() };
+        if has != wanted {
+            let said = if way.is_gt() { "towards" } else { "away from" };
+            let (own, other) = (own.name(), other.name());
+            let message = format!("the words say that `*{own}*` then moves {said} *{other}*, and it is not so");
+            findings.push(self.finding(
+                message,
+                &format!("directed {}", said.split(' ').next().unwrap_or_default()),
+                MEND,
+            ));
+        }
+    }
+
+    /// A sphere that goes on in the same direction, or in the opposite one, after a direct impact.
+    pub(super) fn same_way(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        let at = (1..sentence.len()).find(|at| {
+            is_one_of(&sentence[*at], &["direction"]) && is_one_of(&sentence[at - 1], &["same", "opposite", "original"])
+        });
+        let Some(at) = at.filter(|at| moment(sentence, *at) == Moment::After) else { return };
+        let Token::Word(said) = &sentence[at - 1] else { return };
+        let Some(sphere) = subject(&sentence[..at - 1]) else { return };
+        let is_back = said == "opposite";
+        // The direction of another, or that opposite to its own, is told in other words.
+        let is_plain =
+            !sentence[at + 1..].iter().take(2).any(|token| is_one_of(token, &["to", "as", "of", "opposite"]));
+        if is_plain && self.question.scene.then.is_empty() && self.turns_round(sphere) == Some(!is_back) {
+            let message =
+                format!("the words say that `*{}*` moves in the {said} direction, and it is not so", sphere.name());
+            findings.push(self.finding(message, &format!("{said} direction"), MEND));
+        }
+    }
+
+    /// A speed that is said to increase or to decrease.
+    pub(super) fn growing(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        const MORE: [&str; 4] = ["increases", "increased", "greater", "grows"];
+        const LESS: [&str; 4] = ["decreases", "decreased", "reduced", "falls"];
+        for (at, four) in sentence.windows(3).enumerate() {
+            let [speed, of, Token::Sphere(sphere)] = four else { continue };
+            if !is_one_of(speed, &["speed"]) || !is_one_of(of, &["of"]) {
+                continue;
+            }
+            let next = sentence[at + 3..].iter().find(|token| !is_one_of(token, &["is", "was", "then"]));
+            let wanted = match next {
+                Some(token) if is_one_of(token, &MORE) => Ordering::Greater,
+                Some(token) if is_one_of(token, &LESS) => Ordering::Less,
+                _ => continue,
+            };
+            let has = |moment| self.known.number(Quantity::Speed(*sphere, moment)).map(|speed| &speed * &speed);
+            let (Some(before), Some(after), Some(Token::Word(word))) = (has(Moment::Before), has(Moment::After), next)
+            else {
+                continue;
+            };
+            let is_other = (&after - &before).sign().is_some_and(|sign| sign != wanted);
+            if is_other && self.question.scene.then.is_empty() && !says(sentence, &["not", "than"]) {
+                let message = format!("the words say `{word}` of the speed of `*{}*`, and it is not so", sphere.name());
+                findings.push(self.finding(message, word, MEND));
+            }
+        }
+    }
+}
