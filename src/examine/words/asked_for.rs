@@ -235,13 +235,16 @@ fn other_energy(answer: &Answer, asked: &[Sentence]) -> Option<Finding> {
         return None;
     }
     let name = sentences(&answer.name);
-    let of = |words: &[&str]| asked.iter().chain(&name).any(|sentence| says(sentence, words));
     let is_energy = asked.iter().any(|sentence| says(sentence, &["energy", "energies"]));
-    let other = asked.iter().chain(&name).flatten().find(|token| is_one_of(token, &OTHER));
+    // The name of an answer may be right where the words are not.
+    let other = [asked, &name].into_iter().find_map(|words| {
+        let speaks = !words.iter().any(|sentence| says(sentence, &LOST));
+        words.iter().flatten().find(|token| speaks && is_one_of(token, &OTHER))
+    });
     let shown = print::text_unicode(&answer.name);
     let said = asked.iter().any(|sentence| says(sentence, &PART));
     let (asks, has) = match (other, is_fraction) {
-        (Some(Token::Word(word)), _) if !of(&LOST) => (format!("what is `{word}`"), "is what is lost"),
+        (Some(Token::Word(word)), _) => (format!("what is `{word}`"), "is what is lost"),
         (_, true) if is_energy && !said => ("an energy".to_owned(), "is a fraction of one"),
         (_, false) if asked.iter().any(|words| says(words, &["fraction", "percentage", "proportion"])) => {
             ("a fraction".to_owned(), "is the energy itself")
@@ -329,10 +332,10 @@ mod tests {
                 &[("Find {tan(beta)} in", "Find {cos(beta)} in")],
                 "ask for `cos β`, and the answer is `tan β`",
             ),
-            (both, &[("energy lost in", "energy gained in"), ("energy lost\"", "energy gained\"")], "what is `gained`"),
+            (both, &[("energy lost in", "energy gained in")], "what is `gained`"),
             (
                 "walls/rebound-speed-and-direction",
-                &[("the kinetic energy lost in", "the increase in kinetic energy in"), ("energy lost\"", "energy\"")],
+                &[("the kinetic energy lost in", "the increase in kinetic energy in")],
                 "what is `increase`",
             ),
             (
