@@ -185,7 +185,7 @@ fn enclosed(solution: &Solution, computed: &Known<Interval>) -> Result<Quantitie
 
 fn turned_into<N: Number>(exact: &Known<Value>, into: impl Fn(&Value) -> Option<N>) -> Option<Known<N>> {
     let mut known = Known::default();
-    for (quantity, datum) in &exact.0 {
+    for (quantity, datum) in exact.0.iter() {
         let datum = match datum {
             Datum::Number(value) => Datum::Number(into(value)?),
             Datum::Direction { y, x } => Datum::Direction { y: into(y)?, x: into(x)? },

@@ -1,21 +1,27 @@
 //! A derivation carried out, and carried out again where something goes another way: with slips, or from a value of the
 //! student's own. Only what depends on that is worked out again.
 
-use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use super::derivation::{Derivation, Road};
 use super::law::{Datum, Known, Outcome};
-use super::{Law, Quantity, Slip};
+use super::plan::Plan;
+use super::{Law, Quantities, Quantity, Slip};
 use crate::number::Number;
 
 /// A derivation with all that it gave.
 #[derive(Clone, Debug)]
 pub struct Carried<N> {
-    derivation: Derivation,
+    plan: Arc<Plan>,
+    order: Arc<Order>,
     known: Known<N>,
-    missing: Vec<Quantity>,
+}
+
+/// Which steps of a derivation depend on which quantities, whatever the numbers are.
+#[derive(Debug)]
+pub(super) struct Order {
     /// All that is known, each with a place of its own.
-    places: BTreeMap<Quantity, usize>,
+    places: Quantities<usize>,
     /// What each step needs.
     needs: Vec<Set>,
     /// Of what each step gives the places, where it is entered: not what was given, or what an earlier step gave.
@@ -79,21 +85,19 @@ pub struct Trace {
     changed: Set,
 }
 
-impl<N: Number + PartialEq> Carried<N> {
-    /// Carries out the derivation of what is asked on a road, as far as there is one.
-    pub fn on(road: Road, given: &Known<N>, asked: &[Quantity]) -> Carried<N> {
-        let mut known = given.clone();
-        let (derivation, missing) = Derivation::carry_out_on(road, &mut known, asked);
-        let mut places: BTreeMap<Quantity, usize> = BTreeMap::new();
-        for quantity in given.0.keys() {
-            places.insert(*quantity, places.len());
+impl Order {
+    /// Of a derivation from what is given to what is asked.
+    pub(super) fn of(derivation: &Derivation, given: impl Iterator<Item = Quantity>, asked: &[Quantity]) -> Order {
+        let mut places: Quantities<usize> = Quantities::default();
+        for quantity in given {
+            places.insert(quantity, places.len());
         }
         let mut gives = Vec::new();
         for step in &derivation.steps {
             let mut new = |quantity: &Quantity| {
                 let place = places.len();
                 let is_new = !places.contains_key(quantity);
-                places.entry(*quantity).or_insert(place);
+                places.insert_new(*quantity, place);
                 is_new.then_some(place)
             };
             gives.push(step.gives.iter().map(&mut new).collect());
@@ -104,12 +108,22 @@ impl<N: Number + PartialEq> Carried<N> {
         let given = derivation.steps.iter().fold(Set::default(), |given, step| Set(given.0 | all(&step.gives).0));
         let needed = derivation.steps.iter().fold(all(asked), |needed, step| Set(needed.0 | all(&step.needs).0));
         let of_use = Set(given.0 & needed.0);
-        Carried { derivation, known, missing, places, needs, gives, of_use }
+        Order { places, needs, gives, of_use }
+    }
+}
+
+impl<N: Number + PartialEq> Carried<N> {
+    /// Carries out the derivation of what is asked on a road, as far as there is one.
+    pub fn on(road: Road, given: &Known<N>, asked: &[Quantity]) -> Carried<N> {
+        let mut known = given.clone();
+        let plan = Derivation::carry_out_by(road, &mut known, &Known::default(), asked);
+        let order = plan.order(given.0.keys().copied(), asked);
+        Carried { plan, order, known }
     }
 
     /// The steps.
     pub fn derivation(&self) -> &Derivation {
-        &self.derivation
+        &self.plan.derivation
     }
 
     /// All that is known.
@@ -119,12 +133,12 @@ impl<N: Number + PartialEq> Carried<N> {
 
     /// What was asked and does not follow.
     pub fn missing(&self) -> &[Quantity] {
-        &self.missing
+        &self.plan.missing
     }
 
     /// The laws of the derivation, each once.
     pub fn laws(&self) -> Vec<Law> {
-        let mut laws: Vec<Law> = self.derivation.steps.iter().map(|step| step.law).collect();
+        let mut laws: Vec<Law> = self.plan.derivation.steps.iter().map(|step| step.law).collect();
         laws.sort();
         laws.dedup();
         laws
@@ -132,17 +146,17 @@ impl<N: Number + PartialEq> Carried<N> {
 
     /// Has the quantity another value than before?
     pub fn is_changed(&self, quantity: Quantity, trace: Trace) -> bool {
-        self.places.get(&quantity).is_some_and(|place| trace.changed.has(*place))
+        self.order.places.get(&quantity).is_some_and(|place| trace.changed.has(*place))
     }
 
     /// Has anything that a step gives another value than before? Not what nobody needs.
     pub fn is_anything_changed(&self, trace: Trace) -> bool {
-        self.of_use.meets(trace.changed)
+        self.order.of_use.meets(trace.changed)
     }
 
     /// May the slip take the place of a law at some step?
     pub fn has_law_of(&self, (owner, slip): (Law, &Slip)) -> bool {
-        self.derivation.steps.iter().any(|step| step.law == owner || slip.also.contains(&step.law))
+        self.plan.derivation.steps.iter().any(|step| step.law == owner || slip.also.contains(&step.law))
     }
 
     /// Carries it out again with slips, each beside the law that owns it, and with other data in place of what was found or
@@ -158,22 +172,22 @@ impl<N: Number + PartialEq> Carried<N> {
         let mut trace = Trace::default();
         for (quantity, datum) in other {
             before.push((*quantity, self.known.0.insert(*quantity, datum.clone())));
-            trace.changed = self.places.get(quantity).map_or(trace.changed, |place| trace.changed.with(*place));
+            trace.changed = self.order.places.get(quantity).map_or(trace.changed, |place| trace.changed.with(*place));
         }
         let kept = trace.changed;
-        for (place, step) in self.derivation.steps.iter().enumerate() {
+        for (place, step) in self.plan.derivation.steps.iter().enumerate() {
             let mut tried = slips.iter().filter(|(law, slip)| *law == step.law || slip.also.contains(&step.law));
             let slipped: Outcome<N> = tried.find_map(|(_, slip)| step.slipped(slip.tag, &self.known));
             if slipped.is_some() {
                 trace.slipped = Steps(trace.slipped.0.with(place));
             }
-            if self.needs[place].meets(trace.changed) {
+            if self.order.needs[place].meets(trace.changed) {
                 trace.affected = Steps(trace.affected.0.with(place));
             } else if slipped.is_none() {
                 continue;
             }
             let mut found = slipped.or_else(|| step.evaluate(&self.known)).into_iter().flatten();
-            for (quantity, entered) in step.gives.iter().zip(&self.gives[place]) {
+            for (quantity, entered) in step.gives.iter().zip(&self.order.gives[place]) {
                 let datum = found.next();
                 let Some(entered) = entered.filter(|entered| !kept.has(*entered)) else { continue };
                 if self.known.0.get(quantity) != datum.as_ref() {
@@ -201,7 +215,7 @@ impl<N: Number + PartialEq> Carried<N> {
     pub fn marks(&self, trace: Trace, lost: Steps) -> Vec<(bool, bool)> {
         let mut spoilt: Vec<Quantity> = Vec::new();
         let mut marks = Vec::new();
-        for (place, step) in self.derivation.steps.iter().enumerate() {
+        for (place, step) in self.plan.derivation.steps.iter().enumerate() {
             let method = !lost.has(place) && !step.needs.iter().any(|need| spoilt.contains(need));
             if !method {
                 spoilt.extend(step.gives.iter().filter(|quantity| quantity.is_equation()));

@@ -4,13 +4,12 @@
 //! not exist; then it can be evaluated in any kind of number.
 
 use std::borrow::Cow;
-use std::cell::RefCell;
-use std::collections::{BTreeMap, BTreeSet, HashMap};
-
-use foldhash::fast::FixedState;
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 use super::later::Meeting;
 use super::law::{Known, Outcome, Rule, all_rules};
+use super::plan::Plan;
 use super::{Quantity, Sphere};
 use crate::number::Number;
 
@@ -24,9 +23,6 @@ pub struct Derivation {
 /// A step whose result does not exist for these numbers: its place in the derivation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct DeadEnd(pub usize);
-
-/// How many plans are remembered at once.
-const MOST_PLANS: usize = 1 << 11;
 
 /// A way that students go to what is asked: a slip may show on one of them and not on another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -58,35 +54,19 @@ impl Road {
 }
 
 impl Derivation {
-    /// The cheapest derivation of those asked quantities that follow from the given ones, without the
-    /// banned rules; and the asked quantities that do not follow.
-    pub fn plan(given: &BTreeSet<Quantity>, asked: &[Quantity], banned: &[Rule]) -> (Derivation, Vec<Quantity>) {
-        Derivation::plan_on(Road::Shortest, &given.iter().copied().collect::<Vec<_>>(), asked, banned)
+    /// The cheapest derivation of those asked quantities that follow from the given ones; and the asked quantities that do
+    /// not follow.
+    pub fn plan(given: &BTreeSet<Quantity>, asked: &[Quantity]) -> (Derivation, Vec<Quantity>) {
+        let plan = Plan::on(Road::Shortest, given.iter().copied(), asked, &[]);
+        (plan.derivation.clone(), plan.missing.clone())
     }
 
-    /// The same on a road.
-    ///
-    /// All variants of a question have one plan, so plans are remembered.
-    fn plan_on(road: Road, given: &[Quantity], asked: &[Quantity], banned: &[Rule]) -> (Derivation, Vec<Quantity>) {
-        type Key = (Road, Vec<Quantity>, Vec<Quantity>, Vec<Rule>);
-        type Plans = HashMap<Key, (Derivation, Vec<Quantity>), FixedState>;
-        thread_local!(static PLANS: RefCell<Plans> = RefCell::default());
-        let key = (road, given.to_vec(), asked.to_vec(), banned.to_vec());
-        PLANS.with_borrow_mut(|plans| {
-            // A stream of scenes of all kinds must not fill the memory.
-            if plans.len() >= MOST_PLANS {
-                plans.clear();
-            }
-            let planned = || Derivation::planned(road, &given.iter().copied().collect(), asked, banned);
-            plans.entry(key).or_insert_with(planned).clone()
-        })
-    }
-
-    fn planned(
+    /// The plan itself, made anew.
+    pub(super) fn planned(
         road: Road,
         given: &BTreeSet<Quantity>,
         asked: &[Quantity],
-        banned: &[Rule],
+        banned: &[&Rule],
     ) -> (Derivation, Vec<Quantity>) {
         let rules = all_rules(&Meeting::all(given));
         let mut best: BTreeMap<Quantity, (u32, Option<usize>)> =
@@ -101,7 +81,7 @@ impl Derivation {
                 let cost = costs.iter().sum::<u32>() + rule.cost;
                 for quantity in &rule.gives {
                     let better = best.get(quantity).is_none_or(|(known, _)| cost < *known);
-                    if better && !road.avoids(rule) && !banned.contains(rule) {
+                    if better && !road.avoids(rule) && !banned.contains(&rule) {
                         best.insert(*quantity, (cost, Some(index)));
                         changed = true;
                     }
@@ -162,7 +142,7 @@ impl Derivation {
     /// Plans and evaluates, going round steps whose results do not exist. Returns the derivation and
     /// the asked quantities that are not to be had.
     pub fn carry_out<N: Number>(known: &mut Known<N>, asked: &[Quantity]) -> (Derivation, Vec<Quantity>) {
-        Derivation::carry_out_by(Road::Shortest, known, &Known::default(), asked)
+        Derivation::carry_out_with(known, &Known::default(), asked)
     }
 
     /// The same, where some of the results have been computed already: see [`Derivation::evaluate_with`].
@@ -171,7 +151,8 @@ impl Derivation {
         computed: &Known<N>,
         asked: &[Quantity],
     ) -> (Derivation, Vec<Quantity>) {
-        Derivation::carry_out_by(Road::Shortest, known, computed, asked)
+        let plan = Derivation::carry_out_by(Road::Shortest, known, computed, asked);
+        (plan.derivation.clone(), plan.missing.clone())
     }
 
     /// The same on a road.
@@ -180,29 +161,31 @@ impl Derivation {
         known: &mut Known<N>,
         asked: &[Quantity],
     ) -> (Derivation, Vec<Quantity>) {
-        Derivation::carry_out_by(road, known, &Known::default(), asked)
+        let plan = Derivation::carry_out_by(road, known, &Known::default(), asked);
+        (plan.derivation.clone(), plan.missing.clone())
     }
 
-    fn carry_out_by<N: Number>(
+    /// The same, with all that is remembered of the plan.
+    pub(super) fn carry_out_by<N: Number>(
         road: Road,
         known: &mut Known<N>,
         computed: &Known<N>,
         asked: &[Quantity],
-    ) -> (Derivation, Vec<Quantity>) {
+    ) -> Arc<Plan> {
         let given: Vec<Quantity> = known.0.keys().copied().collect();
         let mut banned = Vec::new();
         // A step before a dead end stays what it is on the way round it, and is not taken twice.
         let mut computed = Cow::Borrowed(computed);
         loop {
-            let (plan, missing) = Derivation::plan_on(road, &given, asked, &banned);
-            let Err(DeadEnd(place)) = plan.evaluate_with(&computed, known) else { return (plan, missing) };
-            banned.push(plan.steps[place].clone());
+            let plan = Plan::on(road, given.iter().copied(), asked, &banned);
+            let Err(DeadEnd(place)) = plan.derivation.evaluate_with(&computed, known) else { return plan };
+            banned.push(plan.derivation.steps[place]);
             let there = computed.to_mut();
-            for (quantity, datum) in std::mem::take(&mut known.0) {
+            for (quantity, datum) in std::mem::take(&mut known.0).into_pairs() {
                 if given.contains(&quantity) {
                     known.0.insert(quantity, datum);
                 } else {
-                    there.0.entry(quantity).or_insert(datum);
+                    there.0.insert_new(quantity, datum);
                 }
             }
         }
@@ -212,7 +195,7 @@ impl Derivation {
 /// What a step gives is entered unless it is known already: a rule may give two things of which one is.
 fn enter<N: Number>(step: &Rule, found: Vec<super::law::Datum<N>>, known: &mut Known<N>) {
     for (quantity, datum) in step.gives.iter().zip(found) {
-        known.0.entry(*quantity).or_insert(datum);
+        known.0.insert_new(*quantity, datum);
     }
 }
 

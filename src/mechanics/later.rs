@@ -9,9 +9,8 @@ use std::collections::HashMap;
 use std::fmt;
 use std::sync::OnceLock;
 
-use foldhash::fast::FixedState;
-
 use super::law::Known;
+use super::place::OF_AN_IMPACT;
 use super::{Axis, Moment, Quantity, Sphere};
 use crate::number::Number;
 
@@ -33,39 +32,41 @@ pub struct Meeting {
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Later {
     number: u8,
-    /// The place of the quantity among those of an impact: so the whole is as small as a quantity of the first.
+    /// The place of the quantity in the first impact: so the whole is as small as a quantity of that.
     place: u8,
 }
 
-struct Table {
-    quantities: Vec<Quantity>,
-    places: HashMap<Quantity, u8, FixedState>,
-    names: HashMap<String, u8>,
+/// The quantities of one impact, each at its place.
+fn of_an_impact() -> &'static [Option<Quantity>; OF_AN_IMPACT as usize] {
+    static ALL: OnceLock<[Option<Quantity>; OF_AN_IMPACT as usize]> = OnceLock::new();
+    ALL.get_or_init(|| {
+        let mut all = [None; OF_AN_IMPACT as usize];
+        for quantity in Quantity::of_an_impact() {
+            all[usize::from(quantity.place())] = Some(quantity);
+        }
+        all
+    })
 }
 
-fn table() -> &'static Table {
-    static TABLE: OnceLock<Table> = OnceLock::new();
-    TABLE.get_or_init(|| {
-        let quantities = Quantity::of_an_impact();
-        let numbered = || quantities.iter().zip(0..=u8::MAX);
-        let places = numbered().map(|(quantity, place)| (*quantity, place)).collect();
-        let named = Quantity::named(&Sphere::ALL).len();
-        let names = numbered().take(named).map(|(quantity, place)| (quantity.to_string(), place)).collect();
-        Table { quantities, places, names }
-    })
+/// The quantities of one impact by their names.
+fn names() -> &'static HashMap<String, Quantity> {
+    static NAMES: OnceLock<HashMap<String, Quantity>> = OnceLock::new();
+    let named = || Quantity::named(&Sphere::ALL).into_iter().map(|quantity| (quantity.to_string(), quantity));
+    NAMES.get_or_init(|| named().collect())
 }
 
 impl Later {
     /// A quantity of one impact, said of a later one; `None` of what is no quantity of one impact.
     pub fn new(number: u8, quantity: Quantity) -> Option<Later> {
-        Some(Later { number, place: *table().places.get(&quantity)? })
+        let place = u8::try_from(quantity.place()).ok()?;
+        of_an_impact()[usize::from(place)].map(|_| Later { number, place })
     }
 
     /// By its name, `second.B.after.speed`.
     pub fn named(name: &str) -> Option<Later> {
         let (ordinal, rest) = name.split_once('.')?;
         let number = LATER.iter().position(|word| *word == ordinal)? as u8 + 1;
-        Some(Later { number, place: *table().names.get(rest)? })
+        Later::new(number, *names().get(rest)?)
     }
 
     /// How many impacts come before.
@@ -75,7 +76,12 @@ impl Later {
 
     /// The quantity, of the spheres by their own names.
     pub fn quantity(self) -> Quantity {
-        table().quantities[usize::from(self.place)]
+        of_an_impact()[usize::from(self.place)].expect("a later quantity has the place of one")
+    }
+
+    /// Its place among all quantities.
+    pub(super) fn place_among_all(self) -> u16 {
+        OF_AN_IMPACT * u16::from(self.number) + u16::from(self.place)
     }
 }
 

@@ -55,7 +55,7 @@ fn later(then: &Then, in_a_line: bool, known: &mut Known<Value>) -> Result<(), R
         }
     }
     known.0.insert(Quantity::Meeting(meeting), Datum::Number(Value::ONE));
-    known.0.extend(here.0.into_iter().map(|(quantity, datum)| (meeting.quantity(quantity), datum)));
+    known.0.extend(here.0.into_pairs().map(|(quantity, datum)| (meeting.quantity(quantity), datum)));
     Ok(())
 }
 

@@ -86,7 +86,7 @@ pub fn answers_of(mark: &Mark, here: &WorkedPart) -> Vec<usize> {
 }
 
 fn steps_to(asked: &[Quantity], given: &BTreeSet<Quantity>) -> Vec<Rule> {
-    Derivation::plan(given, asked, &[]).0.steps.into_iter().cloned().collect()
+    Derivation::plan(given, asked).0.steps.into_iter().cloned().collect()
 }
 
 fn is_of(rule: &Rule, step: &EarnedFor) -> bool {

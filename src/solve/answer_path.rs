@@ -47,7 +47,7 @@ pub(super) fn answer_path(given: &Known<Value>, derived: &Known<Value>) -> Optio
     let selection = Selection::of(&impact, Wanted::ExactForm);
     let Found::Exact(after) = selection.solve(&impact) else { return None };
     for (quantity, [along, _]) in ALONG[2..].iter().zip(after) {
-        computed.0.entry(*quantity).or_insert(Datum::Number(along));
+        computed.0.insert_new(*quantity, Datum::Number(along));
     }
     Some(AnswerPath { impact, selection, computed })
 }

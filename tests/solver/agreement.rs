@@ -16,7 +16,7 @@ use super::scenes::{AFTER, Forward, Kind, generator, random, read};
 /// What is known, in another kind of number; `None` where one has no such form.
 pub fn turned_into<N: Number>(known: &Known<Value>, into: impl Fn(&Value) -> Option<N>) -> Option<Known<N>> {
     let mut turned = Known::default();
-    for (quantity, datum) in &known.0 {
+    for (quantity, datum) in known.0.iter() {
         let datum = match datum {
             Datum::Number(value) => Datum::Number(into(value)?),
             Datum::Direction { y, x } => Datum::Direction { y: into(y)?, x: into(x)? },
@@ -41,7 +41,7 @@ pub fn agree(given: &Known<Value>, derivation: &Derivation, exact: &Known<Value>
     let _ = derivation.evaluate(&mut certified);
     derivation.evaluate(&mut float).unwrap_or_else(|end| panic!("{end:?} in floats\n{scene}"));
     let mut compared = 0;
-    for (quantity, datum) in &exact.0 {
+    for (quantity, datum) in exact.0.iter() {
         match datum {
             Datum::Number(value) => {
                 let truth = value.enclose_constant(256).unwrap();

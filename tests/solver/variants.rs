@@ -209,7 +209,7 @@ fn check(solution: &Solution, asked: &[(Quantity, Accept)], tally: &mut Tally) -
         found += 1;
     }
     tally.by_other_methods += u64::from(found > 0);
-    if known.0.values().all(is_constant) {
+    if known.0.iter().all(|(_, datum)| is_constant(datum)) {
         tally.agreed += agree(&given, &derivation, &known, &format!("{scene:?}"));
         in_numbers(solution, &case, asked, &|value| value.to_f64(), tally)
             .unwrap_or_else(|| Err("no doubles".to_owned()))?;

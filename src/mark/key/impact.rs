@@ -50,7 +50,7 @@ impl KeyedQuestion {
         let mut given = meeting.known(&known);
         for (quantity, later) in begins.into_iter().zip(&wanted) {
             if let Some(datum) = derived.0.get(later) {
-                given.0.entry(quantity).or_insert_with(|| datum.clone());
+                given.0.insert_new(quantity, datum.clone());
             }
         }
         Some(KeyedQuestion {

@@ -367,7 +367,7 @@ fn angle_of(answer: &[Quantity]) -> Option<Vec<Quantity>> {
 /// All that is given, at the points; `None` if a value does not exist there.
 fn sampled(given: &Known<Value>) -> Option<Known<Sample>> {
     let mut known = Known::default();
-    for (quantity, datum) in &given.0 {
+    for (quantity, datum) in given.0.iter() {
         let datum = match datum {
             Datum::Number(value) => Datum::Number(Sample::of(value)?),
             Datum::Direction { y, x } => Datum::Direction { y: Sample::of(y)?, x: Sample::of(x)? },

@@ -160,7 +160,7 @@ fn interval(value: f64) -> Interval {
 fn enclosed(given: &Known<Value>) -> Option<Known<Interval>> {
     let one = |value: &Value| value.enclose(BITS, &|_| Some(Interval::integer(1, BITS)));
     let mut known = Known::default();
-    for (quantity, datum) in &given.0 {
+    for (quantity, datum) in given.0.iter() {
         let datum = match datum {
             Datum::Number(value) => Datum::Number(one(value)?),
             Datum::Direction { y, x } => Datum::Direction { y: one(y)?, x: one(x)? },
@@ -201,7 +201,7 @@ fn rounding_each(
                 }
                 other => other,
             };
-            known.0.entry(*quantity).or_insert(datum);
+            known.0.insert_new(*quantity, datum);
         }
     }
     Some(known)

@@ -158,7 +158,7 @@ impl Prepared {
                     (true, datum) => changed(datum, results),
                     (false, datum) => datum,
                 };
-                wrong.0.entry(*quantity).or_insert(datum);
+                wrong.0.insert_new(*quantity, datum);
             }
         }
         let at = |known: &Known<f64>, quantity| sizes(std::slice::from_ref(known), quantity).map(|sizes| sizes[0]);

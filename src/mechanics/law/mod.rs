@@ -13,13 +13,11 @@ pub use rule::Rule;
 use std::collections::BTreeMap;
 use std::sync::{Mutex, OnceLock, PoisonError};
 
-use litemap::LiteMap;
-
 use super::later::Meeting;
 use super::line::Line;
 use super::seen::{Seen, Shape};
 use super::working::Show;
-use super::{Axis, Moment, Quantity, Sphere};
+use super::{Axis, Moment, Quantities, Quantity, Sphere};
 use crate::expr::Expr;
 use crate::number::Number;
 
@@ -41,11 +39,11 @@ pub enum Datum<N> {
 
 /// The quantities that are known so far.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Known<N>(pub LiteMap<Quantity, Datum<N>>);
+pub struct Known<N>(pub Quantities<Datum<N>>);
 
 impl<N> Default for Known<N> {
     fn default() -> Known<N> {
-        Known(LiteMap::new())
+        Known(Quantities::default())
     }
 }
 

@@ -1,0 +1,88 @@
+//! The place of a quantity among all quantities: a number, so that quantities can be looked up as numbers are.
+
+use super::{Axis, Moment, Quantity, Sphere};
+
+/// The first place that no quantity of the first impact has; each later impact has as many places.
+pub(super) const OF_AN_IMPACT: u16 = 256;
+
+/// The first place of meetings, after the quantities of all impacts.
+const MEETINGS: u16 = 4 * OF_AN_IMPACT;
+
+impl Quantity {
+    /// Its place. Places are in the order in which quantities are declared, and no two quantities share one.
+    pub(super) fn place(self) -> u16 {
+        use Quantity::*;
+        let of = |first: u16, sphere: Sphere| first + sphere as u16;
+        let at = |first: u16, sphere: Sphere, moment: Moment| first + 2 * sphere as u16 + moment as u16;
+        let along =
+            |first: u16, sphere: Sphere, moment: Moment, axis: Axis| first + 4 * at(0, sphere, moment) + axis as u16;
+        match self {
+            Mass(sphere) => of(0, sphere),
+            Velocity(sphere, moment, axis) => along(3, sphere, moment, axis),
+            Speed(sphere, moment) => at(27, sphere, moment),
+            KineticEnergy(sphere, moment) => at(33, sphere, moment),
+            SphereMomentum(sphere, moment, axis) => along(39, sphere, moment, axis),
+            AngleToLine(sphere, moment) => at(63, sphere, moment),
+            AngleFromN(sphere, moment) => at(69, sphere, moment),
+            AngleFromI(sphere, moment) => at(75, sphere, moment),
+            TanToLine(sphere, moment) => at(81, sphere, moment),
+            TOverN(sphere, moment) => at(87, sphere, moment),
+            AngleToWall(sphere, moment) => at(93, sphere, moment),
+            TanToWall(sphere, moment) => at(99, sphere, moment),
+            Deflection(sphere) => of(105, sphere),
+            SignedDeflection(sphere) => of(108, sphere),
+            DeflectionCross(sphere) => of(111, sphere),
+            DeflectionDot(sphere) => of(114, sphere),
+            TanDeflection(sphere) => of(117, sphere),
+            Impulse(sphere, axis) => 120 + 4 * sphere as u16 + axis as u16,
+            SphereEnergyLost(sphere) => of(132, sphere),
+            ImpulseMagnitude => 135,
+            ImpulseAngle => 136,
+            Approach => 137,
+            Separation => 138,
+            Restitution => 139,
+            MassRatio => 140,
+            Line(axis) => 141 + axis as u16,
+            Tangent(axis) => 145 + axis as u16,
+            TotalEnergy(moment) => 149 + moment as u16,
+            EnergyLost => 151,
+            FractionLost => 152,
+            TotalMomentum(axis) => 153 + axis as u16,
+            AngleBetween(moment) => 157 + moment as u16,
+            Alpha => 159,
+            GivenDirection(sphere, moment) => at(160, sphere, moment),
+            GivenImpulse(axis) => 166 + axis as u16,
+            ContactSine => 170,
+            MomentumEquation => 171,
+            RestitutionEquation => 172,
+            Later(later) => later.place_among_all(),
+            Meeting(meeting) => {
+                let [first, second] = meeting.of.map(|sphere| sphere as u16);
+                MEETINGS + 2 * (3 * (3 * u16::from(meeting.number) + first) + second) + u16::from(meeting.with_wall)
+            }
+            InALine => u16::MAX,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Meeting;
+    use super::*;
+
+    #[test]
+    fn places_are_in_the_order_of_the_quantities_and_no_two_are_one() {
+        let first = Quantity::of_an_impact();
+        let later = (1..4).flat_map(|number| first.iter().filter_map(move |quantity| quantity.in_impact(number)));
+        let pairs = Sphere::ALL.into_iter().flat_map(|one| Sphere::ALL.map(|other| [one, other]));
+        let walls = pairs.flat_map(|of| [false, true].map(|with_wall| (of, with_wall)));
+        let meetings = walls.flat_map(|(of, with_wall)| (1..4).map(move |number| Meeting { number, of, with_wall }));
+        let mut all: Vec<Quantity> = first.clone();
+        all.extend(later);
+        all.extend(meetings.map(Quantity::Meeting));
+        all.push(Quantity::InALine);
+        all.sort();
+        let places: Vec<u16> = all.iter().map(|quantity| quantity.place()).collect();
+        assert!(places.windows(2).all(|pair| pair[0] < pair[1]), "{places:?}");
+    }
+}
