@@ -139,6 +139,8 @@ enum Compared {
     Order(Ordering),
     /// Not equal; which is larger depends on letters, or has no meaning.
     Different,
+    /// Whether they are equal depends on letters, as far as can be seen.
+    Unknown,
 }
 
 fn compare(left: Meaning, right: Meaning) -> Result<Compared, Fault> {
@@ -163,8 +165,10 @@ fn compare(left: Meaning, right: Meaning) -> Result<Compared, Fault> {
             let both = angle(&left).zip(angle(&right));
             let (a, b) = both.ok_or_else(|| fault("a vector is compared with a number", "two of one kind"))?;
             let gap = a.plus(&b.reversed()).ok_or_else(too_fine)?;
-            if gap.is_degrees(&Fraction::ZERO) {
-                return Ok(Compared::Order(Ordering::Equal));
+            match gap.is_surely_degrees(&Fraction::ZERO) {
+                Some(true) => return Ok(Compared::Order(Ordering::Equal)),
+                Some(false) => {}
+                None => return Ok(Compared::Unknown),
             }
             for bits in [64, 256, 1024] {
                 let sign = gap.enclose(bits).as_ref().and_then(Interval::sign);

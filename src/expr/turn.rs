@@ -1,5 +1,7 @@
 //! Angles inside an expression: a rational number of degrees and the angle of a vector.
 
+use std::cmp::Ordering;
+
 use crate::number::{Angle, Direction, Fraction, Interval, Value};
 
 /// The longest number, in bits, in an angle that is multiplied: about 300 figures.
@@ -50,20 +52,37 @@ impl Turn {
         Turn { degrees: -self.degrees.clone(), rest }
     }
 
-    /// A multiple; the part known by its tangent can only be multiplied by a whole number, and not again and again until
-    /// nobody can wait for it.
+    /// A multiple; the part known by its tangent can only be multiplied by a whole number or halved, and not again and again
+    /// until nobody can wait for it.
     pub fn times(&self, factor: &Fraction) -> Option<Turn> {
         let degrees = &self.degrees * factor;
         if self.rest.is_none() {
             return Some(Turn::degrees(degrees));
         }
-        let (count, 1) = factor.as_small()? else { return None };
-        if count.abs() > 12 {
+        let (count, below) = factor.as_small()?;
+        if matches!(below, 2 | 4 | 8) {
+            let half = Turn { degrees: Fraction::ZERO, rest: self.rest.clone() }.halved()?;
+            let halves = half.times(&(factor * &Fraction::from(2)))?;
+            return Some(Turn { degrees, ..halves });
+        }
+        if below != 1 || count.abs() > 12 {
             return None;
         }
         let base = if count < 0 { self.reversed() } else { self.clone() };
         let rest = Turn { degrees: Fraction::ZERO, rest: base.rest };
         (0..count.abs()).try_fold(Turn::degrees(degrees), |sum, _| sum.plus(&rest).filter(Turn::is_short))
+    }
+
+    /// Half of the part known by its tangent, where that lies between -90 and 90 degrees: a sum of angles may have gone
+    /// further round than its vector tells.
+    fn halved(&self) -> Option<Turn> {
+        let angle = self.rest.as_ref()?;
+        let is_right = angle.x().sign().is_some_and(Ordering::is_gt);
+        if !is_right || !self.is_short() {
+            return None;
+        }
+        let size = (&(angle.x() * angle.x()) + &(angle.y() * angle.y())).square_root()?;
+        Some(Turn::of(Angle::of(angle.y(), &(angle.x() + &size))?))
     }
 
     /// Are its numbers such as can be worked with?
@@ -111,6 +130,21 @@ impl Turn {
             None => rest.is_zero(),
             Some(angle) => rest.abs() <= Fraction::from(180) && angle.is_degrees(&rest),
         }
+    }
+
+    /// Is it exactly so many degrees, whatever its letters stand for? `None` if that depends on them, as far as can be seen: it
+    /// may be half a turn from there for some.
+    pub fn is_surely_degrees(&self, degrees: &Fraction) -> Option<bool> {
+        let is = self.is_degrees(degrees);
+        let gap = || self.plus(&Turn::degrees(-degrees.clone()));
+        let is_open = || !self.is_constant() && gap().is_none_or(|gap| gap.is_level_somehow());
+        if !is && is_open() { None } else { Some(is) }
+    }
+
+    /// Is it nought or half a turn, and nobody knows which?
+    fn is_level_somehow(&self) -> bool {
+        let sign = |value: Option<Value>| value.and_then(|value| value.sign());
+        self.cross().is_none_or(|cross| cross.is_zero()) && sign(self.dot()).is_none()
     }
 
     /// The same multiple of the cosine as [`Turn::cross`] is of the sine.

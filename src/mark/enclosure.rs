@@ -23,17 +23,6 @@ pub(super) fn letter<'a>(letters: &'a [Letter], name: &str) -> Option<&'a Letter
     })
 }
 
-/// What a letter stands for at a point: for an angle its tangent.
-pub(super) fn at_point(letter: &Letter, point: u32) -> Fraction {
-    let seed = 7 + i64::from(point) * 41;
-    let spread = letter.name().bytes().fold(seed, |sum, byte| (sum * 31 + i64::from(byte)) % 97);
-    match letter.range() {
-        Range::Unit => Fraction::new(spread + 1, 101),
-        Range::Real => Fraction::new(2 * spread - 97, 29),
-        _ => Fraction::new(spread + 13, 29),
-    }
-}
-
 /// Beyond 2 to this power, up or down, nothing is enclosed: towers of powers grow without end.
 const LARGEST: usize = 600;
 
@@ -180,7 +169,7 @@ impl<N: Enclosure> At<'_, N> {
 
     fn letter(&self, name: &str) -> Option<N> {
         let letter = letter(self.letters, name)?;
-        let value = || self.of(&at_point(letter, self.point));
+        let value = || self.of(&letter.at(self.point));
         if letter.range() != Range::Acute {
             return Some(value());
         }
@@ -195,7 +184,7 @@ impl<N: Enclosure> At<'_, N> {
     fn of_acute(&self, function: Function, of: &Expr) -> Option<N> {
         let Expr::Name(name) = of else { return None };
         let letter = letter(self.letters, &name.text).filter(|letter| letter.range() == Range::Acute)?;
-        let tangent = at_point(letter, self.point);
+        let tangent = letter.at(self.point);
         let above = match function {
             Function::Tan => return Some(self.of(&tangent)),
             Function::Sin => self.of(&tangent),

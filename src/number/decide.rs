@@ -26,13 +26,16 @@ use super::{Fraction, Interval, Letter, Range};
 /// hundredths of a degree comes near it.
 const MOST_BITS: usize = 1 << 18;
 
+/// How many points are looked at where a formula may be nought here and another one there.
+const MOST_POINTS: u32 = 12;
+
 impl Value {
     /// Is it nought (for a formula: whatever its letters stand for)?
     pub fn is_zero(&self) -> bool {
         let Value::Compound(_) = self else { return self.is_written_zero() };
         if let Some(root @ Root::Nested { .. }) = self.roots().pop() {
             // Nearly always one point tells, and to square root after root is long.
-            return self.may_vanish_at_a_point(64) && self.is_zero_with(&root);
+            return self.may_vanish(0, 64) && self.is_zero_with(&root);
         }
         if !self.letters().iter().any(Letter::is_constant) {
             // No nested root and no given angle: the normal form is nought only as nought itself.
@@ -55,29 +58,22 @@ impl Value {
         if !(&(&a * &a) - &(&(&b * &b) * &root.square())).is_zero() {
             return false;
         }
-        // One of a + b root and a - b root is nought, and not both as b is not.
+        // At each point one of a + b root and a - b root is nought, and not both as b is not.
         match (a.sign(), b.sign()) {
             (Some(x), Some(y)) => x != y,
-            _ => self.vanishes_at_a_point(),
+            _ => self.vanishes_at_points(),
         }
     }
 
-    /// Of two formulas of which one is nought everywhere: is it this one? A point inside the letters'
-    /// ranges tells, as soon as an enclosure there keeps clear of nought.
-    fn vanishes_at_a_point(&self) -> bool {
-        (6..12).all(|power| self.may_vanish_at_a_point(1 << power))
+    /// Of two formulas of which at each point one is nought: is it this one at all of them? Points inside the letters'
+    /// ranges tell, as soon as an enclosure there keeps clear of nought.
+    fn vanishes_at_points(&self) -> bool {
+        (0..MOST_POINTS).all(|point| self.may_vanish(point, 64)) && (6..12).all(|power| self.may_vanish(0, 1 << power))
     }
 
-    /// Is nought not yet excluded there by so many bits?
-    fn may_vanish_at_a_point(&self, bits: usize) -> bool {
-        let at = |letter: Letter| {
-            let spread = letter.name().bytes().fold(7_i64, |sum, byte| (sum * 31 + i64::from(byte)) % 97);
-            Some(match letter.range() {
-                Range::Unit => Fraction::new(spread + 1, 101),
-                _ => Fraction::new(spread + 13, 29),
-            })
-        };
-        let enclosure = self.enclose(bits, &|letter| Some(Interval::from_fraction(&at(letter)?, bits)));
+    /// Is nought not yet excluded at a point by so many bits?
+    fn may_vanish(&self, point: u32, bits: usize) -> bool {
+        let enclosure = self.enclose(bits, &|letter| Some(Interval::from_fraction(&letter.at(point), bits)));
         enclosure.is_none_or(|interval| interval.contains_zero())
     }
 

@@ -15,7 +15,7 @@ use crate::mechanics::Quantity;
 use crate::number::{FloatInterval, Fraction, Interval, Letter, Places};
 
 use super::accuracy::{BITS, Coarsest, Nearly, Target, Written, decimal, places};
-use super::exact;
+use super::exact::{self, Equality};
 use super::finding::Finding;
 use super::{Model, Note, number, sense};
 
@@ -24,7 +24,10 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Findin
     let letters = &model.vocabulary.letters;
     let known = model.known();
     let Some(right) = known.turn() else {
-        return Finding::unreadable(Note::CannotBeCompared);
+        return match &said.form {
+            Form::Value(expr) if said.reference.is_none_or(|named| named == own_line(model)) => at_points(model, expr),
+            _ => Finding::unreadable(Note::CannotBeCompared),
+        };
     };
     let expr = match &said.form {
         Form::Value(expr) => expr,
@@ -112,10 +115,17 @@ impl Enclosed {
     }
 
     /// Is it exactly the other angle? Nearly always two enclosures tell that it is not.
-    fn equals(&self, other: &Enclosed) -> bool {
+    fn equals(&self, other: &Enclosed) -> Equality {
         let enclosures = self.enclosure().zip(other.enclosure());
-        enclosures.is_none_or(|(own, others)| own.finely.overlaps(&others.finely))
-            && self.turn.plus(&other.turn.reversed()).is_some_and(|gap| gap.is_degrees(&Fraction::ZERO))
+        if enclosures.is_some_and(|(own, others)| !own.finely.overlaps(&others.finely)) {
+            return Equality::Different;
+        }
+        let gap = self.turn.plus(&other.turn.reversed());
+        match gap.map(|gap| gap.is_surely_degrees(&Fraction::ZERO)) {
+            Some(Some(true)) => Equality::Equal,
+            Some(None) => Equality::Undecided,
+            Some(Some(false)) | None => Equality::Different,
+        }
     }
 
     /// In degrees; `None` while there are letters in it.
@@ -217,8 +227,8 @@ fn direction(model: &Model, right: &Turn, own: ReferenceLine, named: Option<Refe
 /// The model's value as an angle, of which sines can be taken.
 pub(super) fn in_turns(model: &Model) -> Expr {
     match model.known().meaning() {
-        Some(Meaning::Angle(_)) => model.value.clone(),
-        _ => Expr::degrees(model.value.clone()),
+        Some(Meaning::Number(_) | Meaning::Degrees(_)) => Expr::degrees(model.value.clone()),
+        _ => model.value.clone(),
     }
 }
 
@@ -233,17 +243,22 @@ fn ratio_of_angle(model: &Model, function: Function, value: &Expr) -> Finding {
 fn compare(model: &Model, stated: &Stated, right: &Enclosed, radians: bool) -> Finding {
     let expr = stated.expr;
     let constant = right.enclosure().is_some();
+    let is_own = || model.known().turn().is_some_and(|own| own.turn == right.turn);
     let number = match stated.meaning(&model.vocabulary.letters) {
         Some(Meaning::Angle(turn) | Meaning::Degrees(turn)) => {
             let found = Enclosed::of(turn.clone());
-            if right.equals(&found) {
-                return Finding::EXACT;
+            match right.equals(&found) {
+                Equality::Equal => return Finding::EXACT,
+                Equality::Undecided if is_own() => return at_points(model, expr),
+                Equality::Undecided => return Finding::unreadable(Note::CannotBeCompared),
+                Equality::Different => {}
             }
             return Coarsest::of(expr)
                 .filter(|_| constant)
                 .map_or(Finding::WRONG, |decimals| rounded(&found, &decimals, right, model));
         }
         Some(Meaning::Number(value)) => value,
+        None if !constant && is_own() => return at_points(model, expr),
         _ => return Finding::WRONG,
     };
     if !constant {
@@ -258,6 +273,15 @@ fn compare(model: &Model, stated: &Stated, right: &Enclosed, radians: bool) -> F
         Some(written) => decimal(&written, &target, &model.accept),
         None if number.as_fraction().is_some_and(|value| target.equals(value)) => Finding::EXACT,
         None => Finding::WRONG,
+    }
+}
+
+/// An angle in letters that is long to compare, or of which only the tangent is seen to agree, is compared at points.
+fn at_points(model: &Model, expr: &Expr) -> Finding {
+    match exact::same(&in_turns(model), expr, &model.vocabulary.letters) {
+        Equality::Equal => Finding::EXACT,
+        Equality::Different => Finding::WRONG,
+        Equality::Undecided => Finding::unreadable(Note::CannotBeCompared),
     }
 }
 

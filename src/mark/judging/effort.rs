@@ -32,8 +32,8 @@ enum Letters {
     Fractions,
 }
 
-/// The length of a fraction that stands in the place of a letter, in bits.
-const POINT: u64 = 16;
+/// The length of a fraction that stands in the place of a letter, or of the tangent of an angle, in bits.
+const POINT: u64 = 30;
 
 /// A root that can meet itself in a product, where what is under it takes its place.
 #[derive(Clone, PartialEq)]
@@ -126,14 +126,21 @@ impl Work {
         }
     }
 
-    /// A sine or cosine: the tangent of the angle is a letter, its cosine a root.
-    fn wave(&self, angle: &str) -> Size {
-        let (below, degree, bits) = match self.letters {
-            Letters::Kept => (2, 2, 1),
-            Letters::Fractions => (1, 0, 2 * POINT),
-        };
-        let root = Root { of: angle.to_owned(), nested: false, above: 1, below, degree, bits };
-        Size { roots: vec![root], ..self.letter(angle) }
+    /// A sine or cosine of a letter: its tangent is a letter and its cosine a root, or both are fractions.
+    fn wave(&self, angle: &Expr) -> Size {
+        let of = format!("{angle:?}");
+        match self.letters {
+            Letters::Fractions if matches!(angle, Expr::Name(_)) => Size::number(POINT),
+            Letters::Fractions => {
+                let root = Root { of, nested: false, above: 1, below: 1, degree: 0, bits: 2 * POINT };
+                Size { roots: vec![root], ..Size::number(POINT) }
+            }
+            Letters::Kept => {
+                let letter = self.letter(&of);
+                let root = Root { of, nested: false, above: 1, below: 2, degree: 2, bits: 1 };
+                Size { roots: vec![root], ..letter }
+            }
+        }
     }
 
     fn spend(&mut self, steps: u64) -> Option<()> {
@@ -261,6 +268,10 @@ impl Work {
             }
         }?;
         let mut size = self.size(base)?;
+        // The square of a root is what is under it.
+        if let (Expr::Call(Function::Sqrt, under), 2, false, false) = (base, count, half, inverse) {
+            return self.size(under);
+        }
         if half {
             size = self.root(base, size)?;
         }
@@ -305,13 +316,17 @@ impl Work {
     fn turned(&mut self, argument: &Expr, tangent: bool) -> Option<Size> {
         let mut turns = Turns::default();
         turns.count(argument, 1);
+        // Halves of angles are roots in roots, unless a fraction stands for the angle.
+        if self.letters == Letters::Kept && turns.angles.iter().any(|(angle, _)| is_halved(angle)) {
+            return None;
+        }
         let mut whole: Option<Size> = None;
         for (angle, times) in turns.angles {
             let one = match angle {
                 Expr::Call(Function::Atan, of) if tangent => self.size(of)?,
                 Expr::Call(..) => self.size(angle)?,
                 _ if tangent => self.letter(&format!("{angle:?}")),
-                _ => self.wave(&format!("{angle:?}")),
+                _ => self.wave(angle),
             };
             for _ in 0..times {
                 whole = Some(match whole {
@@ -346,6 +361,11 @@ fn is_angle(expr: &Expr) -> bool {
     }
 }
 
+/// Is it a letter over a number, such as α/2?
+fn is_halved(expr: &Expr) -> bool {
+    matches!(expr, Expr::Quotient(above, below) if matches!((&**above, &**below), (Expr::Name(_), Expr::Number(_))))
+}
+
 /// The angles of which an angle is put together, and how often each is taken.
 #[derive(Default)]
 struct Turns<'a> {
@@ -357,7 +377,7 @@ impl<'a> Turns<'a> {
         match expr {
             Expr::Sum(terms) => terms.iter().for_each(|term| self.count(term, times)),
             Expr::Negative(inner) => self.count(inner, times),
-            Expr::Quotient(above, _) => self.count(above, times),
+            Expr::Quotient(above, _) if !is_halved(expr) => self.count(above, times),
             Expr::Product(factors) if !expr.names().is_empty() || is_angle(expr) => {
                 let number = |factor: &Expr| match factor {
                     Expr::Number(number) => number.as_small().map_or(1, |(count, _)| count.unsigned_abs()),

@@ -1,7 +1,7 @@
 //! Is what a student wrote exactly equal to the model answer? Refuted by intervals, proved by the normal form.
 
 use crate::expr::{Expr, Function, Meaning, Turn, evaluate, holds};
-use crate::mark::enclosure::{POINTS, at_point, enclose, enclose_roughly, letter};
+use crate::mark::enclosure::{POINTS, enclose, enclose_roughly, letter};
 use crate::number::{Angle, FloatInterval, Fraction, Interval, Letter, Range, Value};
 
 use super::Model;
@@ -95,6 +95,9 @@ pub(super) fn equals(model: &Model, student: &Expr) -> Equality {
 
 /// By the normal form, or by exact values at fixed points, where a formula is short that would be long in letters.
 pub(super) fn proved(model: &Expr, student: &Expr, letters: &[Letter]) -> Equality {
+    if model == student {
+        return Equality::Equal;
+    }
     if !decidable(&[model, student]) {
         return Equality::Undecided;
     }
@@ -139,7 +142,7 @@ fn at_points(equation: &Expr, letters: &[Letter]) -> Equality {
     for point in 0..2 * POINTS {
         let names = |name: &str| {
             let letter = letter(letters, name)?;
-            let value = Value::from(at_point(letter, point));
+            let value = Value::from(letter.at(point));
             Some(match letter.range() {
                 Range::Acute => Meaning::Angle(Turn::of(Angle::of(&value, &Value::ONE)?)),
                 _ => Meaning::Number(value),
