@@ -115,22 +115,38 @@ impl Change {
 
     /// The numbers of `p x + q y = r` at a point; `None` if that is no change there.
     pub(super) fn numbers(&self, at: &Inputs) -> Option<[f64; 3]> {
-        let (a, b) = (self.component(at, 0)?, self.component(at, 1)?);
-        let mass = |place: usize| at.masses.get(self.masses[place]).copied().unwrap_or(1.0);
-        let (p, q, r) = match self.equation {
-            Quantity::MomentumEquation => (mass(2), mass(3), mass(0) * a + mass(1) * b),
-            _ => {
-                let factor = match self.factor {
-                    Factor::One => 1.0,
-                    Factor::E => at.e,
-                    Factor::OverE if at.e == 0.0 => return None,
-                    Factor::OverE => 1.0 / at.e,
-                    Factor::Nought => 0.0,
-                };
-                (-1.0, 1.0, factor * (a - b))
-            }
+        let [p, q] = match self.equation {
+            Quantity::MomentumEquation => [self.mass(at, 2), self.mass(at, 3)],
+            _ => [-1.0, 1.0],
         };
-        Some([p * self.after[0], q * self.after[1], r])
+        let [a, b] = self.before_of_each(at)?;
+        Some([p * self.after[0], q * self.after[1], a + b])
+    }
+
+    /// What the law has of each sphere before the impact; `None` if that is no change at this point.
+    pub(super) fn before_of_each(&self, at: &Inputs) -> Option<[f64; 2]> {
+        self.of_each(at, [self.component(at, 0)?, self.component(at, 1)?])
+    }
+
+    /// The same if the components before the impact are as they should be.
+    pub(super) fn unchanged_of_each(&self, at: &Inputs) -> Option<[f64; 2]> {
+        self.of_each(at, at.along)
+    }
+
+    fn of_each(&self, at: &Inputs, [a, b]: [f64; 2]) -> Option<[f64; 2]> {
+        let factor = match (self.equation, self.factor) {
+            (Quantity::MomentumEquation, _) => return Some([self.mass(at, 0) * a, self.mass(at, 1) * b]),
+            (_, Factor::One) => 1.0,
+            (_, Factor::E) => at.e,
+            (_, Factor::OverE) if at.e == 0.0 => return None,
+            (_, Factor::OverE) => 1.0 / at.e,
+            (_, Factor::Nought) => 0.0,
+        };
+        Some([factor * a, -factor * b])
+    }
+
+    fn mass(&self, at: &Inputs, place: usize) -> f64 {
+        at.masses.get(self.masses[place]).copied().unwrap_or(1.0)
     }
 }
 

@@ -191,7 +191,8 @@ impl Working<'_> {
     }
 }
 
-/// A difference of kinetic energies: squares of velocities added and subtracted, none of them of a difference.
+/// A difference of kinetic energies: squares of velocities added and subtracted, none of them of a difference. Squares that
+/// multiply a sum of others, as in `(1 - e²)(½m u² + ½m w²)`, are not added to them.
 pub(super) fn is_energy_difference(expr: &Expr) -> bool {
     let mut signs = [0, 0];
     count_squares(expr, false, &mut signs);
@@ -212,6 +213,14 @@ fn count_squares(expr: &Expr, negative: bool, signs: &mut [usize; 2]) {
     match expr {
         Expr::Power(_, exponent) if **exponent == Expr::integer(2) => signs[usize::from(negative)] += 1,
         Expr::Negative(inner) => count_squares(inner, !negative, signs),
+        Expr::Product(factors) if is_multiplied_by_squares(factors) => {}
         _ => expr.children().into_iter().for_each(|child| count_squares(child, negative, signs)),
     }
+}
+
+/// Is one of the factors a sum with squares in it, and are there squares in another?
+fn is_multiplied_by_squares(factors: &[Expr]) -> bool {
+    let is_square = |expr: &Expr| matches!(expr, Expr::Power(_, exponent) if **exponent == Expr::integer(2));
+    let with_squares: Vec<&Expr> = factors.iter().filter(|factor| any_within(factor, &is_square)).collect();
+    with_squares.len() > 1 && with_squares.iter().any(|factor| matches!(factor, Expr::Sum(_)))
 }

@@ -3,6 +3,7 @@
 
 use std::borrow::Cow;
 
+use super::apiece::Apiece;
 use super::energies::ToBeSubtracted;
 use super::examine::{Examined, Value, Working, value};
 use super::linear::Linear;
@@ -210,7 +211,10 @@ impl<'a> Working<'a> {
         let (convention, laws) = (self.convention.as_ref()?, self.prepared.laws.as_ref()?);
         let is_law = |linear: &Vec<Linear>, law: Quantity| {
             let another = || laws.with_another_restitution(linear, convention);
-            laws.either(linear, convention, false).into_iter().chain(another()).any(|matched| matched.equation == law)
+            laws.either(linear, &Apiece::default(), convention, false)
+                .into_iter()
+                .chain(another())
+                .any(|matched| matched.equation == law)
         };
         let equation = |law: Quantity| {
             let own = self.lines.iter().filter_map(|studied| {

@@ -137,6 +137,54 @@ pub(super) fn sum(expr: &Expr, context: &Context) -> Option<Sum> {
     }
 }
 
+/// The numbers without an unknown that are added up in a formula, brackets multiplied out; `None` if it is no sum of this
+/// kind or has a vector in it.
+pub(super) fn constants(expr: &Expr, context: &Context) -> Option<Vec<Spread>> {
+    let pieces = pieces(expr, context)?.into_iter();
+    Some(
+        pieces
+            .filter(|piece| piece.is_number() && !piece.constant.may_be_nought(0.0))
+            .map(|piece| piece.constant)
+            .collect(),
+    )
+}
+
+/// What is added up in a formula, brackets multiplied out.
+fn pieces(expr: &Expr, context: &Context) -> Option<Vec<Linear>> {
+    let times = |pieces: Vec<Linear>, factor: Spread| pieces.into_iter().map(|piece| piece.times(factor)).collect();
+    Some(match expr {
+        Expr::Sum(terms) => {
+            let each: Option<Vec<Vec<Linear>>> = terms.iter().map(|term| pieces(term, context)).collect();
+            each?.concat()
+        }
+        Expr::Negative(inner) => times(pieces(inner, context)?, Spread::exactly(-1.0)),
+        Expr::Quotient(above, below) => {
+            times(pieces(above, context)?, Spread::exactly(1.0).over(constant(below, context)?)?)
+        }
+        Expr::Product(factors) => {
+            let mut product = vec![Linear::number(Spread::exactly(1.0))];
+            for factor in factors {
+                let factor = pieces(factor, context)?;
+                let both = product.iter().flat_map(|one| factor.iter().map(move |other| (one, other)));
+                let multiplied = |(one, other): (&Linear, &Linear)| match (one.is_number(), other.is_number()) {
+                    (true, _) => Some(other.clone().times(one.constant)),
+                    (_, true) => Some(one.clone().times(other.constant)),
+                    _ => None,
+                };
+                product = both.take(MOST_PIECES).map(multiplied).collect::<Option<_>>()?;
+            }
+            (product.len() < MOST_PIECES).then_some(product)?
+        }
+        other => match sum(other, context)? {
+            Sum::Number(linear) => vec![linear],
+            Sum::Vector(..) => return None,
+        },
+    })
+}
+
+/// Nobody multiplies out so many terms.
+const MOST_PIECES: usize = 16;
+
 /// What a formula without unknowns comes to.
 pub(super) fn constant(expr: &Expr, context: &Context) -> Option<Spread> {
     match sum(expr, context)? {

@@ -7,6 +7,7 @@
 mod agreement;
 mod angle_letters;
 mod angles;
+mod apiece;
 mod by_components;
 mod by_law;
 mod changed;

@@ -1,5 +1,6 @@
 //! An equation of a student that may be momentum or restitution, and what it may be.
 
+use super::apiece::Apiece;
 use super::compare::any_within;
 use super::convention::shows_e;
 use super::examine::{context, value};
@@ -21,6 +22,8 @@ pub(super) struct Offered {
     pub(super) which: usize,
     /// Left minus right at every point.
     pub(super) linear: Vec<Linear>,
+    /// What it has of each sphere before the impact.
+    apiece: Apiece,
     /// The same with decimals of two figures taken as rounded, where it has such.
     rough: Option<Vec<Linear>>,
     /// Does the speed of approach stand in it?
@@ -43,14 +46,26 @@ impl Offered {
         let (shows_approach, says_equal) = (shows_approach(equation, prepared), says_equal(equation, &linear[0]));
         let shows_e = [&equation.0, &equation.1].iter().any(|side| shows_e(side, prepared));
         let rough = roughly(equation, &linear, prepared);
+        let apiece = if has_weights { Apiece::default() } else { Apiece::of(equation, prepared) };
         let mut names = [&equation.0, &equation.1].into_iter().flat_map(|side| side.names());
         let shows_mass = names.any(|name| matches!(name.text.split('_').next(), Some("m" | "M")));
-        Some(Offered { place, which, linear, rough, shows_approach, shows_e, says_equal, has_weights, shows_mass })
+        Some(Offered {
+            place,
+            which,
+            linear,
+            apiece,
+            rough,
+            shows_approach,
+            shows_e,
+            says_equal,
+            has_weights,
+            shows_mass,
+        })
     }
 
     /// The same equation with something eliminated.
     pub(super) fn with(&self, linear: Vec<Linear>) -> Offered {
-        Offered { linear, rough: None, shows_approach: false, says_equal: false, ..*self }
+        Offered { linear, apiece: Apiece::default(), rough: None, shows_approach: false, says_equal: false, ..*self }
     }
 
     /// Are its unknowns velocities, one or two of them?
@@ -61,7 +76,7 @@ impl Offered {
 
     /// All that it may be in this convention, as the equation of this number.
     pub(super) fn found(&self, number: usize, laws: &Laws, convention: &Convention) -> Vec<Found> {
-        let (matched, alone) = match laws.moving_on_together(&self.linear, convention) {
+        let (matched, alone) = match laws.moving_on_together(&self.linear, &self.apiece, convention) {
             Some(both) => (both.to_vec(), None),
             None => (self.matched(laws, convention), Some(number)),
         };
@@ -75,7 +90,7 @@ impl Offered {
 
     /// What it may be in this convention: one of the laws as it stands, or each of them with the least change.
     pub(super) fn matched(&self, laws: &Laws, convention: &Convention) -> Vec<Matched> {
-        let mut either = laws.either(&self.linear, convention, self.shows_e);
+        let mut either = laws.either(&self.linear, &self.apiece, convention, self.shows_e);
         // An approach that comes to nought by a wrong sign is restitution; no approach at all is not.
         if self.says_equal && !either.is_empty() {
             return vec![Matched::with(Quantity::RestitutionEquation, Departure::Coalesced)];
@@ -87,10 +102,12 @@ impl Offered {
             either.retain(|one| one.equation == Quantity::MomentumEquation);
             either.iter_mut().for_each(|one| one.departures.push(Departure::WeightsForMasses));
         }
-        // A number alone may be anything: e is another only where it stands with the speed of approach.
-        let another = laws.with_another_restitution(&self.linear, convention).filter(|_| self.shows_approach);
+        // A number alone may be anything: e is another only where it stands with the speed of approach, and e itself does not.
+        let is_another = self.shows_approach && !self.shows_e;
+        let another = laws.with_another_restitution(&self.linear, convention).filter(|_| is_another);
         // Two figures of a number are few, and show what it was.
-        let rough = self.rough.iter().flat_map(|rough| laws.either(rough, convention, self.shows_e));
+        let rough =
+            self.rough.iter().flat_map(|rough| laws.either(rough, &Apiece::default(), convention, self.shows_e));
         let rough = rough.filter(|one| one.departures.is_empty() || one.departures == [Departure::Sign]);
         let rough =
             rough.map(|one| Matched { departures: [one.departures, vec![Departure::Inaccurate]].concat(), ..one });

@@ -6,6 +6,7 @@
 //! of them. A line that is not the law is compared with the law evaluated from inputs changed as students change them,
 //! one or several at once, and the least change counts.
 
+use super::apiece::Apiece;
 use super::changed::{Change, changes};
 pub(super) use super::departure::Departure;
 use super::linear::Linear;
@@ -140,8 +141,14 @@ impl Laws {
     /// change; nothing if it is neither, however changed.
     ///
     /// The line is its left minus its right side at every point. Where e is seen to stand in it, it was not left out.
-    pub(super) fn either(&self, line: &[Linear], convention: &Convention, shows_e: bool) -> Vec<Matched> {
-        let as_it_stands = self.as_it_stands(line, convention, shows_e);
+    pub(super) fn either(
+        &self,
+        line: &[Linear],
+        apiece: &Apiece,
+        convention: &Convention,
+        shows_e: bool,
+    ) -> Vec<Matched> {
+        let as_it_stands = self.as_it_stands(line, apiece, convention, shows_e);
         if !as_it_stands.is_empty() {
             return as_it_stands;
         }
@@ -156,13 +163,13 @@ impl Laws {
             Linear { constant, size: linear.size * letter.max(1.0), ..linear.clone() }
         };
         let whole: Vec<Linear> = line.iter().zip(letter).map(put).collect();
-        let mut found = self.as_it_stands(&whole, convention, shows_e);
+        let mut found = self.as_it_stands(&whole, &Apiece::default(), convention, shows_e);
         found.retain(|one| one.is_method() && !one.departures.contains(&Departure::AnotherRestitution));
         found.iter_mut().for_each(|one| one.departures.insert(0, Departure::LetterMissing));
         found
     }
 
-    fn as_it_stands(&self, line: &[Linear], convention: &Convention, shows_e: bool) -> Vec<Matched> {
+    fn as_it_stands(&self, line: &[Linear], apiece: &Apiece, convention: &Convention, shows_e: bool) -> Vec<Matched> {
         let others = |line: &Linear| line.unknowns.iter().any(|(name, _)| !convention.letters.contains(name));
         if line.iter().any(others) {
             return Vec::new();
@@ -171,11 +178,16 @@ impl Laws {
         let has = |unknowns: &Vec<[f64; 2]>| unknowns.iter().zip(&sides).all(|(numbers, side)| side.has(*numbers));
         let in_proportion: Vec<bool> = self.unknowns.iter().map(has).collect();
         let is_line = |changed: &&Changed| {
-            let Change { tolerance, departures, .. } = &changes()[changed.change];
+            let change @ Change { tolerance, departures, .. } = &changes()[changed.change];
+            let factors = || -> Vec<Spread> {
+                let each = changed.numbers.iter().zip(&sides);
+                each.map(|([p, q, _], side)| side.factor([*p, *q])).collect()
+            };
             let is_without_e = departures.contains(&Departure::RestitutionMissing);
             in_proportion[changed.unknowns]
                 && !(shows_e && is_without_e)
                 && changed.numbers.iter().zip(&sides).all(|(numbers, side)| side.is_law(*numbers, *tolerance))
+                && apiece.may_be(change, &self.inputs, &factors())
         };
         let in_components = self.inputs[0].in_components;
         let named = |departure: &Departure| match departure {
@@ -220,7 +232,12 @@ impl Laws {
     }
 
     /// Momentum with one velocity for both spheres, `16 cos 30° = (4 + 2)v`: that they move on together stands in it too.
-    pub(super) fn moving_on_together(&self, line: &[Linear], convention: &Convention) -> Option<[Matched; 2]> {
+    pub(super) fn moving_on_together(
+        &self,
+        line: &[Linear],
+        apiece: &Apiece,
+        convention: &Convention,
+    ) -> Option<[Matched; 2]> {
         let is = |(at, line): (&Inputs, &Linear)| {
             let [(name, number)] = line.unknowns.as_slice() else { return false };
             let Some(place) = convention.letters.iter().position(|letter| letter == name) else { return false };
@@ -235,7 +252,14 @@ impl Laws {
         let momentum = Matched { equation: Quantity::MomentumEquation, departures: Vec::new() };
         let together = || Matched::with(Quantity::RestitutionEquation, Departure::Coalesced);
         // With one velocity given there is but one to be found.
-        let is_together = !self.is_after_given && self.inputs.iter().zip(line).all(is);
+        let factor = |(at, line): (&Inputs, &Linear)| {
+            let side = Side::of(line, convention).unknowns;
+            (side[0] + side[1]).times(1.0 / (at.masses[0] + at.masses[1]))
+        };
+        let each = || self.inputs.iter().zip(line);
+        let is_together = !self.is_after_given
+            && each().all(is)
+            && apiece.may_be_momentum(&self.inputs, &each().map(factor).collect::<Vec<_>>());
         is_together.then(|| [momentum, together()])
     }
 
@@ -280,6 +304,12 @@ impl Side {
         let [v, w] = self.unknowns;
         self.are_there == [p != 0.0, q != 0.0]
             && (v.times(q) - w.times(p)).may_be_nought(self.size.max(1e-300) * p.abs().max(q.abs()))
+    }
+
+    /// What this law is multiplied by, of which it has the unknowns.
+    fn factor(&self, [p, q]: [f64; 2]) -> Spread {
+        let [v, w] = self.unknowns;
+        if p != 0.0 { v.times(1.0 / p) } else { w.times(1.0 / q) }
     }
 
     /// Is it this law, up to a factor that the unknowns have?
