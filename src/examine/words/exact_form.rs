@@ -80,21 +80,27 @@ fn demands(sentence: &[Token]) -> bool {
 
 /// Answers of a variant that must be exact, are no decimals, and of which no words say so.
 pub fn unasked(question: &Question, variant: &Variant, words: &Words, remarks: &mut Vec<Remark>) {
+    let is_to_be_exact = |answer: &&Answer| {
+        let by_itself = matches!(answer.kind, Kind::Shown | Kind::Line | Kind::Range);
+        !by_itself && *answer.accept(variant.style) == Accept::Exact
+    };
+    // Few questions have such answers, and reading words costs more than to see that there are none.
+    if !question.parts.iter().flat_map(|part| &part.answers).any(|answer| is_to_be_exact(&answer)) {
+        return;
+    }
     let said = |text: &Text| sentences(text).iter().any(|sentence| says(sentence, &EXACT));
     if words.stem.iter().any(said) {
         return;
     }
     for (part, _) in question.parts.iter().zip(&words.asks).filter(|(_, ask)| !said(ask)) {
-        for answer in &part.answers {
-            let by_itself = matches!(answer.kind, Kind::Shown | Kind::Line | Kind::Range);
-            if !by_itself && *answer.accept(variant.style) == Accept::Exact && invites_rounding(answer, variant) {
-                let what = format!("the answer `{}` must be exact, and no words say so", answer.find.name());
-                let label = "a student who rounds it loses the mark";
-                let help = "ask for exact form in the words, or leave `accept` out";
-                // The scene may name the letter too.
-                let key = if matches!(answer.find, Find::Unknown(_)) { "find = " } else { "" };
-                remarks.push(Remark::new(what, format!("{key}\"{}\"", answer.find.name()), label, help));
-            }
+        let exact = part.answers.iter().filter(is_to_be_exact);
+        for answer in exact.filter(|answer| invites_rounding(answer, variant)) {
+            let what = format!("the answer `{}` must be exact, and no words say so", answer.find.name());
+            let label = "a student who rounds it loses the mark";
+            let help = "ask for exact form in the words, or leave `accept` out";
+            // The scene may name the letter too.
+            let key = if matches!(answer.find, Find::Unknown(_)) { "find = " } else { "" };
+            remarks.push(Remark::new(what, format!("{key}\"{}\"", answer.find.name()), label, help));
         }
     }
 }

@@ -12,6 +12,8 @@
 //! 6. Anything else is wrong; one significant figure is evidence of nothing. A whole number is no other that was rounded:
 //!    10 for 12 is simply wrong.
 
+use std::cmp::Ordering;
+
 use crate::answer::Accept;
 use crate::expr::Expr;
 use crate::mark::enclosure::enclose;
@@ -271,8 +273,15 @@ pub(super) fn decimal(written: &Written, target: &Target, accept: &Accept) -> Fi
     let last = last_place(written, target);
     let coarse = Written { places: -i64::from(written.noughts), ..written.clone() };
     let to_noughts = written.noughts > 0 && last_place(&coarse, target) == LastPlace::Rounded;
+    // What rounds to nought may come from either side of it.
+    let has_other_sign = match written.value.sign() {
+        Ordering::Less => roughly.is_some_and(|exact| exact.lower > 0.0),
+        Ordering::Equal => false,
+        Ordering::Greater => roughly.is_some_and(|exact| exact.upper < 0.0),
+    };
+    let rounds_alike = !has_other_sign && round(&written.value, &wanted).to_fraction() == model.to_fraction();
     // 2.745 for 2.7446 is right to the figures that it has, though it would be rounded to 2.75 again.
-    if enough && (last == LastPlace::Rounded || round(&written.value, &wanted).to_fraction() == model.to_fraction()) {
+    if enough && (last == LastPlace::Rounded || rounds_alike) {
         let later = last == LastPlace::Neither && !to_noughts && !written.worked_out;
         let right = Finding::correct(later.then_some(Note::LaterFigures));
         return if *accept == Accept::Exact { right.at_most_partial(Note::ExactWanted) } else { right };
