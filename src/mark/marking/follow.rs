@@ -74,8 +74,18 @@ pub(super) fn answers(
             Accept::Exact => Accept::RoundsTo(Places::SignificantFigures(3)),
             rule => rule.clone(),
         };
-        let model = Model { quantity: blank.model.quantity, accept, ..blank.model.of_value(value) };
-        let judgement = judge(&model, &Ok(judged.readings.clone()?));
+        let readings = judged.readings.clone()?;
+        let judged_by = |value: Expr| {
+            let model = Model { quantity: blank.model.quantity, accept: accept.clone(), ..blank.model.of_value(value) };
+            judge(&model, &Ok(readings.clone()))
+        };
+        let mut judgement = judged_by(value);
+        if judgement.verdict != Verdict::Correct
+            && let Some(written) = formula(&readings)
+            && let Some(unrounded) = examined.followed_unrounded(question, (quantity, values[0]), written)
+        {
+            judgement = judged_by(Expr::Decimal(format!("{unrounded:.12}")));
+        }
         let is_in_figures = !is_marked && judgement.note == Some(Note::UnderAccurate.tag());
         let follows = judgement.verdict == Verdict::Correct || is_in_figures;
         follows.then(|| Followed { judgement: judgement.in_setting(part.setting), is_marked })

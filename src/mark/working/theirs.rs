@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::by_components::momentum_by_components;
-use super::examine::{Studied, Value, value};
+use super::examine::{Examined, Studied, Value, value};
 use super::pair::{Convention, sphere};
 use super::points::sizes;
 use super::prepared::{Prepared, complete};
@@ -267,4 +267,60 @@ pub(super) fn follow_to(prepared: &Prepared, theirs: &Theirs, quantity: Quantity
     let mut start = start(prepared, theirs);
     start.iter_mut().for_each(|known| drop(Derivation::carry_out(known, &[quantity])));
     sizes(&start, quantity)
+}
+
+/// By no more than this part of it do figures that were dropped move what follows, or nothing can be said.
+const NEAR: f64 = 0.05;
+
+/// The most values of the student's own that are taken as rounded at once.
+const MOST_ROUNDED: usize = 4;
+
+/// What may follow for a quantity where the student's own decimals are what they were before they were rounded: who writes
+/// 3.05 and goes on with what the calculator holds has something from 3.045 to 3.055. Only where nothing is a letter.
+fn follow_unrounded(prepared: &Prepared, theirs: &Theirs, quantity: Quantity) -> Option<Spread> {
+    let width = |written: &Expr| rounded(written, prepared);
+    let own = theirs.0.iter().filter_map(|(quantity, (_, written))| Some((*quantity, width(written)?)));
+    let own: Vec<(Quantity, Spread)> = own.take(MOST_ROUNDED).collect();
+    let mut found: Option<Spread> = None;
+    for corner in 0..1_u32 << own.len() {
+        let mut theirs = theirs.clone();
+        for (place, (quantity, spread)) in own.iter().enumerate() {
+            let end = if corner >> place & 1 == 0 { spread.low } else { spread.high };
+            if let Some((values, _)) = theirs.0.get_mut(quantity) {
+                *values = vec![end];
+            }
+        }
+        let [end] = follow_to(prepared, &theirs, quantity)?.as_slice().try_into().ok()?;
+        let (low, high) = found.map_or((end, end), |found| (found.low.min(end), found.high.max(end)));
+        found = Some(Spread::of(low, high)?);
+    }
+    found
+}
+
+/// What a decimal was before it was rounded; nothing of what is exact, or has too few figures to be taken as rounded.
+fn rounded(written: &Expr, prepared: &Prepared) -> Option<Spread> {
+    match value(written, prepared, &prepared.names)?.as_slice() {
+        [Value::Number(spread)] if spread.low < spread.high => Some(*spread),
+        _ => None,
+    }
+}
+
+impl Examined {
+    /// The size nearest to an answer that follows for a quantity from the student's own values as they may have been
+    /// before they were rounded; `as_written` is what follows from them as they stand. Nothing for an answer far from that.
+    pub(crate) fn followed_unrounded(
+        &self,
+        question: &KeyedQuestion,
+        (quantity, as_written): (Quantity, f64),
+        answer: &Expr,
+    ) -> Option<f64> {
+        let prepared = question.prepared();
+        let answer = rounded(answer, prepared)?.middle().abs();
+        if (answer - as_written.abs()).abs() > NEAR * answer {
+            return None;
+        }
+        let Spread { low, high } = follow_unrounded(prepared, &self.theirs, quantity)?;
+        let (least, greatest) = (low.abs().min(high.abs()), low.abs().max(high.abs()));
+        (low * high > 0.0).then(|| answer.clamp(least, greatest))
+    }
 }
