@@ -11,7 +11,7 @@ use carom::expr::Angles;
 use carom::mark::reading::{Vocabulary, read_answer};
 use carom::mark::slips::{self, Asked, Mistakes};
 use carom::mechanics::{
-    Axis, Carried, Datum, Derivation, Known, Moment, Quantity, Road, Scene, SceneText, Setting, Slip, Sphere, pose,
+    Axis, Carried, Datum, Known, Moment, Quantity, Road, Scene, SceneText, Setting, Slip, Sphere, pose,
 };
 use carom::number::{Angle, Interval, Letter, Number, Range, Value};
 use serde_json::Value as Json;
@@ -314,9 +314,9 @@ fn asked(quantity: Quantity) -> Vec<Quantity> {
 
 /// The value under slips, on the road by full speeds, where every slip can show.
 fn slipped(given: &Known<Value>, tags: &[&str], quantity: Quantity) -> Option<f64> {
-    let (derivation, _) = Derivation::carry_out_on(Road::BySpeeds, &mut given.clone(), &asked(quantity));
+    let carried = Carried::on(Road::BySpeeds, given, &asked(quantity));
     let mut known = given.clone();
-    derivation.evaluate_slipped(tags, &mut known).ok()?;
+    carried.derivation().evaluate_slipped(tags, &mut known).ok()?;
     measured(&known, quantity)
 }
 

@@ -155,17 +155,7 @@ impl Derivation {
         (plan.derivation.clone(), plan.missing.clone())
     }
 
-    /// The same on a road.
-    pub fn carry_out_on<N: Number>(
-        road: Road,
-        known: &mut Known<N>,
-        asked: &[Quantity],
-    ) -> (Derivation, Vec<Quantity>) {
-        let plan = Derivation::carry_out_by(road, known, &Known::default(), asked);
-        (plan.derivation.clone(), plan.missing.clone())
-    }
-
-    /// The same, with all that is remembered of the plan.
+    /// The same on a road, with all that is remembered of the plan.
     pub(super) fn carry_out_by<N: Number>(
         road: Road,
         known: &mut Known<N>,

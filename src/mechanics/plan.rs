@@ -24,9 +24,9 @@ pub(super) struct Plan {
     order: OnceLock<Arc<Order>>,
 }
 
-/// All on which a plan depends, as a row of numbers that can be looked up without being copied. A rule stands at one
-/// address as long as the program runs.
-fn row(
+/// Enters all on which a plan depends as a row of numbers, which can be looked up without being copied. A rule stands at
+/// one address as long as the program runs.
+fn enter(
     road: Road,
     given: impl Iterator<Item = Quantity>,
     asked: &[Quantity],
@@ -52,12 +52,13 @@ impl Plan {
         #[derive(Default)]
         struct Plans {
             known: HashMap<Vec<usize>, Arc<Plan>, FixedState>,
+            /// Room for the row that is looked up.
             row: Vec<usize>,
         }
         thread_local!(static PLANS: RefCell<Plans> = RefCell::default());
-        PLANS.with_borrow_mut(|Plans { known, row: asked_for }| {
-            row(road, given.clone(), asked, banned, asked_for);
-            if let Some(plan) = known.get(asked_for.as_slice()) {
+        PLANS.with_borrow_mut(|Plans { known, row }| {
+            enter(road, given.clone(), asked, banned, row);
+            if let Some(plan) = known.get(row.as_slice()) {
                 return plan.clone();
             }
             // A stream of scenes of all kinds must not fill the memory.
@@ -66,7 +67,7 @@ impl Plan {
             }
             let (derivation, missing) = Derivation::planned(road, &given.collect(), asked, banned);
             let plan = Arc::new(Plan { derivation, missing, order: OnceLock::new() });
-            known.insert(asked_for.clone(), plan.clone());
+            known.insert(row.clone(), plan.clone());
             plan
         })
     }
