@@ -174,7 +174,7 @@ mod tests {
                 let mut remarks = Vec::new();
                 let variant = Deal::new(&question, style, 1).next().unwrap();
                 let words = paper::words(&question, style, &variant);
-                words::of_variant(&question, &variant, &words, &mut remarks);
+                words::of_variant(&question, &variant, &words, &mut words::Heard::default(), &mut remarks);
                 amiss.extend(
                     words::contradicted(&question, style, &variant).iter().map(|found| format!("{id}: {found:?}")),
                 );

@@ -26,6 +26,7 @@ pub struct Tally {
     /// Slips followed.
     pub slips: Slips,
     seen: BTreeMap<String, Seen>,
+    heard: words::Heard,
 }
 
 impl Tally {
@@ -40,7 +41,7 @@ impl Tally {
         let (question, style) = (sieve.question, sieve.style);
         let mut remarks = Vec::new();
         let words = paper::words(question, style, &variant);
-        words::of_variant(question, &variant, &words, &mut remarks);
+        words::of_variant(question, &variant, &words, &mut self.heard, &mut remarks);
         promise::broken(question, &variant, &words, &mut remarks);
         apart::alike(question, &variant, &mut remarks);
         self.slips.follow(question, &variant);

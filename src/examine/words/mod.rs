@@ -13,19 +13,24 @@ mod figures;
 mod given;
 mod impacts;
 mod lines;
+mod own_words;
 mod said;
 mod said_of_angles;
 mod said_of_components;
 mod said_of_conditions;
 mod said_of_constants;
+mod said_of_lines;
 mod said_of_motion;
 mod said_of_restitution;
+#[cfg(test)]
+mod said_tests;
 mod sentence;
 mod sentences;
 mod spoken_of;
 mod truth;
 mod units;
 
+pub use own_words::Heard;
 pub use said::contradicted;
 
 use super::finding::Finding;
@@ -52,8 +57,8 @@ pub fn of_question(question: &Question) -> Vec<Finding> {
 }
 
 /// What is wrong with the words of a variant: what reads badly, is not true of its numbers, or is not asked.
-pub fn of_variant(question: &Question, variant: &Variant, words: &Words, remarks: &mut Vec<Remark>) {
-    sentences::unreadable(words, variant, remarks);
+pub fn of_variant(question: &Question, variant: &Variant, words: &Words, heard: &mut Heard, remarks: &mut Vec<Remark>) {
+    sentences::unreadable(words, variant, heard, remarks);
     truth::untrue(words, variant, remarks);
     exact_form::unasked(question, variant, words, remarks);
 }

@@ -3,19 +3,19 @@
 //! What stands between the numbers is the author's; what goes wrong is mostly where the two meet: `2/4`, 'a 8 kg', 'masses
 //! m and m', '1 times', a sphere that is said to move towards the other and moves away.
 
-use super::agreement::disagreeing;
+use super::own_words::Heard;
 use super::sentence::in_order;
 use crate::examine::remark::Remark;
 use crate::expr::{Expr, Meaning, Piece, Text, evaluate, print};
 use crate::generate::Variant;
-use crate::mechanics::Sphere;
 use crate::number::Fraction;
 use crate::paper::Words;
 use crate::unit::Unit;
 
-/// What does not read well.
-pub fn unreadable(words: &Words, variant: &Variant, remarks: &mut Vec<Remark>) {
+/// What does not read well; of the author's own words what was heard of them in other variants.
+pub fn unreadable(words: &Words, variant: &Variant, heard: &mut Heard, remarks: &mut Vec<Remark>) {
     for text in words.stem.iter().chain(&words.asks).chain(&words.said) {
+        heard.unreadable(text, remarks);
         of_text(text, remarks);
         for expr in text.formulas().into_iter().filter(|expr| divides_by_nought(expr, variant)) {
             let help = "require that what stands below the line is not nought";
@@ -23,7 +23,6 @@ pub fn unreadable(words: &Words, variant: &Variant, remarks: &mut Vec<Remark>) {
         }
     }
     for text in words.stem.iter().chain(&words.asks) {
-        disagreeing(text, remarks);
         let ends = match text.0.last() {
             Some(Piece::Words(words)) => words.trim_end().ends_with(['.', '?', '!', ':', ']', ')']),
             Some(Piece::Formula(_) | Piece::Quantity(..)) => false,
@@ -71,10 +70,6 @@ fn of_text(text: &Text, remarks: &mut Vec<Remark>) {
             _ => "",
         };
         match piece {
-            Piece::Words(words) => {
-                let before = place.checked_sub(1).and_then(|place| pieces.get(place));
-                of_words(words, before.map_or("", |piece| closing(piece)), remarks);
-            }
             Piece::Formula(expr) | Piece::Quantity(expr, _) | Piece::Display(expr) => {
                 let before = match place.checked_sub(1).and_then(|place| pieces.get(place)) {
                     Some(Piece::Words(words)) => words.as_str(),
@@ -87,7 +82,7 @@ fn of_text(text: &Text, remarks: &mut Vec<Remark>) {
                     remarks.push(remark("the same thing said twice", &format!("{one} and {one}"), help));
                 }
             }
-            Piece::Italic(_) => {}
+            Piece::Words(_) | Piece::Italic(_) => {}
         }
     }
 }
@@ -101,89 +96,6 @@ fn tail(text: &Text) -> String {
     let whole = print::text_unicode(text);
     let words: Vec<&str> = whole.split(' ').collect();
     words[words.len().saturating_sub(6)..].join(" ")
-}
-
-/// The sign with which a formula closes in the file.
-fn closing(piece: &Piece) -> &'static str {
-    match piece {
-        Piece::Formula(Expr::Name(name)) if name.text.starts_with(|first: char| first.is_ascii_uppercase()) => "*",
-        _ => "}",
-    }
-}
-
-/// Words alone: punctuation and doubled words; `before` is the sign that stands before them in the file.
-fn of_words(words: &str, before: &str, remarks: &mut Vec<Remark>) {
-    for sign in [" .", " ,", " ;", "..", ",,", "( ", " )", "$", "\\", "*", "_", "{", "}"] {
-        if let Some(at) = words.find(sign).filter(|_| !words.contains("...")) {
-            let place = around(words, at);
-            // Signs alone stand everywhere; with what is before them they have a place.
-            let place = match place.contains(char::is_alphanumeric) {
-                true => place.to_owned(),
-                false => format!("{before}{}", words[..at + sign.len()].trim_end()),
-            };
-            remarks.push(remark_at("a stray sign", &place, words.trim(), &format!("mend `{sign}`")));
-        }
-    }
-    for close in ["mark)", "marks)", "mark]", "marks]"] {
-        let before = |at: usize| words[..at].trim_end().trim_end_matches(|sign: char| sign.is_ascii_digit());
-        let is_count =
-            |at: &usize| before(*at).ends_with(['(', '[']) && before(*at).len() < words[..*at].trim_end().len();
-        if let Some(at) = words.find(close).filter(is_count) {
-            let shown = &words[before(at).len() - 1..at + close.len()];
-            let help = "take it out: the sheet prints how many rows `marks` has";
-            remarks.push(remark_at("marks in words", shown, shown, help));
-        }
-    }
-    let mut before = "";
-    let mut at = 0;
-    for word in words.split_whitespace() {
-        at += words[at..].find(word).unwrap_or(0);
-        // A letter alone may stand twice as the name of something; `a` as an article may not.
-        let bare = word.trim_matches(|sign: char| sign.is_ascii_punctuation());
-        let begins = before.is_empty() || before.ends_with(['.', ':', '?', '!', ']']);
-        if Sphere::ALL.iter().any(|sphere| sphere.name() == bare) && !(bare == "A" && begins) {
-            let help = format!("write `*{bare}*`, which is set as a letter");
-            remarks.push(remark_at("the name of a sphere without its stars", around(words, at), word, &help));
-            at += word.len();
-            before = "";
-            continue;
-        }
-        let is_word = word.len() > 1 || word == "a";
-        if is_word && word.eq_ignore_ascii_case(before) && word.chars().all(char::is_alphabetic) && word != "that" {
-            let shown = format!("{before} {word}");
-            remarks.push(remark_at("a word said twice", around(words, at), &shown, "take one of them out"));
-        }
-        let is_counted = ["two", "three", "both"].iter().any(|count| word.eq_ignore_ascii_case(count));
-        if let Some(one) = words[at..].split(['.', ',', ';']).next().filter(|_| is_counted).and_then(one_of_several) {
-            let shown = format!("{word} … {one}");
-            remarks.push(remark_at("several of one", around(words, at), &shown, "write the word in the plural"));
-        }
-        if word.starts_with(|c: char| c.is_ascii_lowercase()) && takes_the_other_article(before, word) {
-            let (shown, help) = (format!("{before} {word}"), "write the other of the two");
-            remarks.push(remark_at("`a` or `an` before a word", around(words, at), &shown, help));
-        }
-        at += word.len();
-        before = word;
-    }
-}
-
-/// The word in the singular that comes after a count and what describes it, before any in the plural.
-fn one_of_several(counted: &str) -> Option<&str> {
-    const THINGS: [&str; 4] = ["sphere", "particle", "ball", "wall"];
-    const JOIN: [&str; 6] = ["of", "with", "the", "and", "to", "in"];
-    let described = counted.split_whitespace().skip(1).take(5);
-    let mut words = described.take_while(|word| !is_plural(word) && !JOIN.contains(word));
-    words.find(|word| THINGS.contains(word))
-}
-
-/// Before a sound of a vowel stands `an`, before any other `a`; words in which the sound is not that of the letter are left
-/// alone.
-fn takes_the_other_article(article: &str, word: &str) -> bool {
-    let has_another_sound = ["u", "eu", "h", "one", "once"].iter().any(|start| word.starts_with(start));
-    let is_vowel = word.starts_with(['a', 'e', 'i', 'o']);
-    let is_whole = word.chars().filter(|c| c.is_ascii_alphabetic()).count() > 1;
-    let wrong = if is_vowel { "a" } else { "an" };
-    is_whole && !has_another_sound && article.eq_ignore_ascii_case(wrong)
 }
 
 /// A number or formula, with the words before and after it.
@@ -246,7 +158,7 @@ const SINGULAR: [&str; 9] = ["second", "metre", "kilogram", "newton", "joule", "
 const NO_PLURALS: [&str; 12] =
     ["is", "was", "has", "as", "its", "this", "thus", "less", "makes", "across", "does", "gives"];
 
-fn is_plural(word: &str) -> bool {
+pub(super) fn is_plural(word: &str) -> bool {
     let ends = word.ends_with('s') && !word.ends_with("ss") && !word.ends_with("wards");
     ends && word.chars().all(char::is_lowercase) && !NO_PLURALS.contains(&word)
 }
@@ -351,6 +263,7 @@ mod tests {
         for (words, shown) in table {
             let mut remarks = Vec::new();
             for text in read_markup(words).unwrap() {
+                Heard::default().unreadable(&text, &mut remarks);
                 of_text(&text, &mut remarks);
             }
             let said = format!("{remarks:?}");

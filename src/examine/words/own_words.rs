@@ -1,0 +1,128 @@
+//! Do the author's own words read well, whatever the numbers between them are: punctuation, doubled words, articles?
+
+use std::collections::HashMap;
+
+use super::agreement::disagreeing;
+use super::sentence::in_order;
+use super::sentences::{around, is_plural, remark_at};
+use crate::examine::remark::Remark;
+use crate::expr::{Expr, Piece, Text};
+use crate::mechanics::Sphere;
+
+/// What has been said of texts that were looked at: they are the same in every variant but for their numbers, so each is
+/// looked at once.
+#[derive(Clone, Debug, Default)]
+pub struct Heard(HashMap<String, Vec<Remark>>);
+
+impl Heard {
+    /// What does not read well in the words of a text.
+    pub(super) fn unreadable(&mut self, text: &Text, remarks: &mut Vec<Remark>) {
+        let mut pieces = Vec::new();
+        in_order(&text.0, &mut pieces);
+        let words: String = pieces
+            .iter()
+            .map(|piece| match piece {
+                Piece::Words(words) => words.as_str(),
+                Piece::Formula(Expr::Name(name)) => name.text.as_str(),
+                _ => "{}",
+            })
+            .collect();
+        remarks.extend_from_slice(self.0.entry(words).or_insert_with(|| looked_at(text, &pieces)));
+    }
+}
+
+fn looked_at(text: &Text, pieces: &[&Piece]) -> Vec<Remark> {
+    let mut remarks = Vec::new();
+    let mut before = "";
+    for piece in pieces {
+        if let Piece::Words(words) = piece {
+            of_words(words, before, &mut remarks);
+        }
+        before = closing(piece);
+    }
+    disagreeing(text, &mut remarks);
+    remarks
+}
+
+/// The sign with which a formula closes in the file.
+fn closing(piece: &Piece) -> &'static str {
+    match piece {
+        Piece::Formula(Expr::Name(name)) if name.text.starts_with(|first: char| first.is_ascii_uppercase()) => "*",
+        _ => "}",
+    }
+}
+
+/// Words alone: punctuation and doubled words; `before` is the sign that stands before them in the file.
+fn of_words(words: &str, before: &str, remarks: &mut Vec<Remark>) {
+    for sign in [" .", " ,", " ;", "..", ",,", "( ", " )", "$", "\\", "*", "_", "{", "}"] {
+        if let Some(at) = words.find(sign).filter(|_| !words.contains("...")) {
+            let place = around(words, at);
+            // Signs alone stand everywhere; with what is before them they have a place.
+            let place = match place.contains(char::is_alphanumeric) {
+                true => place.to_owned(),
+                false => format!("{before}{}", words[..at + sign.len()].trim_end()),
+            };
+            remarks.push(remark_at("a stray sign", &place, words.trim(), &format!("mend `{sign}`")));
+        }
+    }
+    for close in ["mark)", "marks)", "mark]", "marks]"] {
+        let before = |at: usize| words[..at].trim_end().trim_end_matches(|sign: char| sign.is_ascii_digit());
+        let is_count =
+            |at: &usize| before(*at).ends_with(['(', '[']) && before(*at).len() < words[..*at].trim_end().len();
+        if let Some(at) = words.find(close).filter(is_count) {
+            let shown = &words[before(at).len() - 1..at + close.len()];
+            let help = "take it out: the sheet prints how many rows `marks` has";
+            remarks.push(remark_at("marks in words", shown, shown, help));
+        }
+    }
+    let mut before = "";
+    let mut at = 0;
+    for word in words.split_whitespace() {
+        at += words[at..].find(word).unwrap_or(0);
+        // A letter alone may stand twice as the name of something; `a` as an article may not.
+        let bare = word.trim_matches(|sign: char| sign.is_ascii_punctuation());
+        let begins = before.is_empty() || before.ends_with(['.', ':', '?', '!', ']']);
+        if Sphere::ALL.iter().any(|sphere| sphere.name() == bare) && !(bare == "A" && begins) {
+            let help = format!("write `*{bare}*`, which is set as a letter");
+            remarks.push(remark_at("the name of a sphere without its stars", around(words, at), word, &help));
+            at += word.len();
+            before = "";
+            continue;
+        }
+        let is_word = word.len() > 1 || word == "a";
+        if is_word && word.eq_ignore_ascii_case(before) && word.chars().all(char::is_alphabetic) && word != "that" {
+            let shown = format!("{before} {word}");
+            remarks.push(remark_at("a word said twice", around(words, at), &shown, "take one of them out"));
+        }
+        let is_counted = ["two", "three", "both"].iter().any(|count| word.eq_ignore_ascii_case(count));
+        if let Some(one) = words[at..].split(['.', ',', ';']).next().filter(|_| is_counted).and_then(one_of_several) {
+            let shown = format!("{word} … {one}");
+            remarks.push(remark_at("several of one", around(words, at), &shown, "write the word in the plural"));
+        }
+        if word.starts_with(|c: char| c.is_ascii_lowercase()) && takes_the_other_article(before, word) {
+            let (shown, help) = (format!("{before} {word}"), "write the other of the two");
+            remarks.push(remark_at("`a` or `an` before a word", around(words, at), &shown, help));
+        }
+        at += word.len();
+        before = word;
+    }
+}
+
+/// The word in the singular that comes after a count and what describes it, before any in the plural.
+fn one_of_several(counted: &str) -> Option<&str> {
+    const THINGS: [&str; 4] = ["sphere", "particle", "ball", "wall"];
+    const JOIN: [&str; 6] = ["of", "with", "the", "and", "to", "in"];
+    let described = counted.split_whitespace().skip(1).take(5);
+    let mut words = described.take_while(|word| !is_plural(word) && !JOIN.contains(word));
+    words.find(|word| THINGS.contains(word))
+}
+
+/// Before a sound of a vowel stands `an`, before any other `a`; words in which the sound is not that of the letter are left
+/// alone.
+fn takes_the_other_article(article: &str, word: &str) -> bool {
+    let has_another_sound = ["u", "eu", "h", "one", "once"].iter().any(|start| word.starts_with(start));
+    let is_vowel = word.starts_with(['a', 'e', 'i', 'o']);
+    let is_whole = word.chars().filter(|c| c.is_ascii_alphabetic()).count() > 1;
+    let wrong = if is_vowel { "a" } else { "an" };
+    is_whole && !has_another_sound && article.eq_ignore_ascii_case(wrong)
+}

@@ -1,0 +1,109 @@
+//! What the words say of how walls and the line of centres lie: parallel to a vector or to each other, or perpendicular.
+
+use super::said::Seen;
+use super::sentence::{Sentence, Token, is_one_of};
+use crate::examine::Finding;
+use crate::expr::{Angles, Meaning, print, read};
+use crate::mechanics::{Axis, Quantity};
+use crate::number::Value;
+use crate::unit::Unit;
+
+/// What lies in a direction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Lies {
+    /// The line of centres.
+    Line,
+    /// A wall, or which of several.
+    Wall(Option<usize>),
+}
+
+/// Are two directions parallel, or else perpendicular?
+fn do_lie([x, y]: [Value; 2], [p, q]: [Value; 2], are_parallel: bool) -> bool {
+    let turned = if are_parallel { &(&x * &q) - &(&y * &p) } else { &(&x * &p) + &(&y * &q) };
+    turned.is_zero()
+}
+
+impl Seen<'_> {
+    /// Walls and lines of centres that are parallel to a vector, or perpendicular to it.
+    pub(super) fn parallel(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        let (mut subject, mut nth, mut is_parallel) = (None, None, None);
+        for (place, token) in sentence.iter().enumerate() {
+            match token {
+                Token::Word(word) => match word.as_str() {
+                    "first" | "second" | "third" => {
+                        nth = ["first", "second", "third"].iter().position(|ordinal| ordinal == word);
+                        // `The first wall is parallel to i and the second to j.`
+                        if let (Some(Lies::Wall(_)), Some(_)) = (subject, is_parallel) {
+                            subject = Some(Lies::Wall(nth));
+                        }
+                    }
+                    "wall" => {
+                        if let (Some(Lies::Line), Some(is_parallel)) = (subject, is_parallel) {
+                            self.line_beside_wall(is_parallel, nth, findings);
+                        }
+                        (subject, nth) = (Some(Lies::Wall(nth)), None);
+                    }
+                    "centres" => subject = Some(Lies::Line),
+                    "parallel" | "along" => is_parallel = Some(true),
+                    "perpendicular" | "normal" => is_parallel = Some(false),
+                    "walls" | "velocity" | "component" | "components" | "plane" | "path" | "direction" | "impulse"
+                    | "speed" | "moving" | "moves" => (subject, is_parallel) = (None, None),
+                    _ => {}
+                },
+                Token::Number(expr, Unit::None, lead) => {
+                    let leads = place.checked_sub(1).map(|before| &sentence[before]);
+                    let is_to = leads.is_some_and(|token| is_one_of(token, &["to", "vector", "along"]));
+                    let (Some(Meaning::Vector(x, y)), Some(lies), Some(is_parallel), true) =
+                        (self.meaning(expr), subject, is_parallel, is_to)
+                    else {
+                        continue;
+                    };
+                    let Some([p, q]) = self.lies(lies) else { continue };
+                    if !do_lie([x, y], [p, q], is_parallel) {
+                        let what = if lies == Lies::Line { "line of centres" } else { "wall" };
+                        let how = if is_parallel { "parallel" } else { "perpendicular" };
+                        let shown = print::unicode(expr);
+                        let message = format!("the words say that the {what} is {how} to {shown}, and it is not");
+                        let help = format!("say what `[scene]` has for the {what}, or turn it there");
+                        findings.push(self.finding(message, lead, &help));
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// A line of centres that is parallel to a wall, or perpendicular to it.
+    fn line_beside_wall(&self, is_parallel: bool, nth: Option<usize>, findings: &mut Vec<Finding>) {
+        let (Some(line), Some(wall)) = (self.lies(Lies::Line), self.lies(Lies::Wall(nth))) else { return };
+        if !do_lie(line, wall, is_parallel) {
+            let how = if is_parallel { "parallel" } else { "perpendicular" };
+            let message = format!("the words say that the line of centres is {how} to the wall, and it is not");
+            let help = "say how they lie in `[scene]`, or turn one of them there";
+            findings.push(self.finding(message, &format!("{how} to the wall"), help));
+        }
+    }
+
+    /// How a wall or the line of centres lies.
+    fn lies(&self, what: Lies) -> Option<[Value; 2]> {
+        let scene = &self.question.scene;
+        match what {
+            Lies::Line if scene.then.iter().any(|then| then.line_of_centres.is_some()) => None,
+            Lies::Line if scene.wall.is_some() => None,
+            Lies::Line => {
+                let [x, y] = [Axis::X, Axis::Y].map(|axis| self.known.number(Quantity::Line(axis)));
+                Some([x?, y?])
+            }
+            Lies::Wall(nth) => {
+                let walls: Vec<_> =
+                    scene.wall.iter().chain(scene.then.iter().filter_map(|then| then.wall.as_ref())).collect();
+                let wall = match (walls.as_slice(), nth) {
+                    ([one], None) => one,
+                    (several, nth) => several.get(nth?)?,
+                };
+                let [x, y] = [0, 1].map(|at| self.number(&read(&wall[at], Angles::Degrees).ok()?));
+                Some([x?, y?])
+            }
+        }
+    }
+}

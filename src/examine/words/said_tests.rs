@@ -1,0 +1,320 @@
+//! What is said in the words and is not so in the scene, edit by edit.
+
+use super::said::contradicted;
+use super::truth;
+use crate::examine::edited;
+use crate::generate::Deal;
+use crate::paper::words;
+
+/// What is said of the first variant of a shipped question after an edit.
+fn said(id: &str, from: &str, to: &str) -> String {
+    let question = edited(id, &[(from, to)]);
+    let style = &question.styles[0];
+    let variant = Deal::new(&question, style, 1).next().unwrap();
+    let mut remarks = Vec::new();
+    truth::untrue(&words(&question, style, &variant), &variant, &mut remarks);
+    let found = contradicted(&question, style, &variant);
+    found.into_iter().map(|finding| finding.message).chain(remarks.iter().map(|remark| format!("{remark:?}"))).collect()
+}
+
+#[test]
+fn words_that_the_scene_contradicts_are_found() {
+    let catches = "direct/one-sphere-catches-the-other";
+    let moving = "both-moving/energy-lost-and-impulse";
+    let table = [
+        (catches, "*B* is {w m/s}", "*B* is {w m/s}", ""),
+        (catches, "{mA kg} and {mB kg}", "{mB kg} and {mA kg}", "give `*A*` the mass `mB`"),
+        (catches, "is {u m/s} and", "is {2*u m/s} and", "give `*A*` the speed `2*u`"),
+        (catches, "in the same direction", "in opposite directions", "A and B move in opposite directions"),
+        (catches, "in the same direction", "towards each other", "B moves towards A"),
+        (catches, "in the same direction", "away from each other", "A moves away from B"),
+        (catches, "collide directly.", "coalesce.", "the words say `coalesce`, for which e is 0"),
+        (catches, "collide directly.", "collide obliquely.", "the words say `obliquely`"),
+        (catches, "collide directly.", "collide. The direction of *A* is not reversed.", ""),
+        (catches, "collide directly.", "collide. The direction of *B* is reversed.", "direction of `*B*` is reversed"),
+        (moving, "collide.\n\nImm", "collide directly.\n\nImm", "the words say `directly`"),
+        (moving, "acute angle of {alpha deg}", "acute angle of {beta deg}", "give `*A*` the angle `beta`"),
+        (moving, "moving towards the other", "moving in the same direction", "A and B move in the same direction"),
+        ("both-moving/components-given", "centres, towards *A*", "centres, away from *A*", "B moves away from A"),
+        (
+            "deflection/elastic",
+            "perfectly elastic",
+            "perfectly inelastic",
+            "for which e is 0, and in the scene it is 1",
+        ),
+        (
+            "walls/velocity-in-i-and-j",
+            "wall is parallel to {i}",
+            "wall is parallel to {j}",
+            "the wall is parallel to j",
+        ),
+        ("walls/velocity-in-i-and-j", "wall is parallel to {i}", "wall is perpendicular to {j}", ""),
+        ("successive/corner", "and the second to {j}", "and the second to {i}", "the wall is parallel to i"),
+        ("i-j/energy-lost", "is parallel to {i}", "is perpendicular to {i}", "line of centres is perpendicular to i"),
+        ("i-j/energy-lost", "{[bx, by] m/s}", "{[by, bx] m/s}", "give `*B*` the velocity"),
+        (
+            "ranges/direction-reversed",
+            "A.after.x < 0",
+            "A.after.x > 0",
+            "the direction of `*A*` is reversed, and it is not",
+        ),
+        ("ranges/direction-reversed", "of *A* is reversed", "of *B* is reversed", "the direction of `*B*` is reversed"),
+        ("ranges/direction-reversed", "moving towards it", "moving away from it", "`*A*` moves away from the other"),
+        (
+            "rest/speeds-and-directions",
+            "which is at rest",
+            "which is moving",
+            "`*B*` is moving, and in the scene it is",
+        ),
+        ("walls/rebound-speed-and-direction", "{alpha deg} with the wall", "{alpha deg} to the wall", ""),
+        (
+            "walls/rebound-speed-and-direction",
+            "{alpha deg} with the wall",
+            "{alpha deg} with the normal to the wall",
+            "give `*A*` the angle `alpha`",
+        ),
+        (
+            "walls/rebound-speed-and-direction",
+            "{e}.\n",
+            "{e}. The direction of *A* is reversed.\n",
+            "direction of `*A*` is reversed",
+        ),
+        (
+            "walls/rebound-speed-and-direction",
+            "{e}.\n",
+            "{e}. The path of *A* is turned through a right angle.\n",
+            "`*A*` is turned through 90°",
+        ),
+        ("walls/turned-through-a-right-angle", "through a right angle", "through an angle of {80 deg}", "through 80°"),
+        (
+            "ranges/turned-back-by-an-oblique-impact",
+            "{tan(alpha) = t}",
+            "{sin(alpha) = t}",
+            "give `*A*` the angle `alpha`",
+        ),
+        ("ranges/turned-back-by-an-oblique-impact", "{tan(alpha) = t}", "{sin(alpha) = t/sqrt(1 + t^2)}", ""),
+        (
+            "ranges/turned-through-more-than-a-right-angle",
+            "angle {alpha} with the wall",
+            "angle {alpha} with the normal to the wall",
+            "give `*A*` the angle `alpha`",
+        ),
+        (
+            "rest-letters/direction-and-deflection",
+            "acute angle {alpha} with the line of centres",
+            "acute angle {alpha} with the common tangent",
+            "give `*A*` the angle `alpha`",
+        ),
+        (
+            "rest/speeds-and-directions",
+            "spheres is {e}.",
+            "spheres is {e}, and {sin(alpha) = 5/7}.",
+            "the words say that `sin(alpha) = 5/7`",
+        ),
+        ("rest/speeds-and-directions", "is {e}.", "is {e}. Sphere *A* rebounds.", "`*A*` rebounds, and it is not so"),
+        ("rest/speeds-and-directions", "have equal radii", "have different radii", "the radii are different"),
+        (
+            "rest/speeds-and-directions",
+            "The spheres have equal radii",
+            "The radius of *A* is twice that of *B*",
+            "the radii are different",
+        ),
+        ("rest/speeds-and-directions", "have equal radii", "have equal radii, and one mass is twice the other", ""),
+        ("rest/speeds-and-directions", "have equal radii", "have radius {5} and one has mass twice that of {4}", ""),
+        (
+            "rest/speeds-and-directions",
+            "is {e}.",
+            "is {e}. The path of *A* is turned through an angle and then makes another of {60 deg} with it.",
+            "the words give `60 deg`, and nothing in the scene has it",
+        ),
+        (
+            "rest-letters/distance-from-the-centre-of-b",
+            "B = \"r\" }",
+            "B = \"2*r\" }",
+            "give the radius `r`, where the scene gives it 2r",
+        ),
+        (
+            "rest-letters/distance-from-the-centre-of-b",
+            "impact_parameter = \"-d\"",
+            "impact_parameter = \"-d/2\"",
+            "give the distance `d`",
+        ),
+        (
+            "ranges/turned-through-more-than-a-right-angle",
+            "more than a right angle by",
+            "less than a right angle by",
+            "turned through less than a right angle, and it is not so",
+        ),
+        (
+            "ranges/turned-through-more-than-a-right-angle",
+            "through more than a right angle by",
+            "through an obtuse angle by",
+            "",
+        ),
+        (
+            "rest-letters/turned-through-a-right-angle",
+            "turned through a right angle",
+            "turned through an acute angle",
+            "turned through an acute angle, and it is not so",
+        ),
+        (
+            "ranges/turned-back-by-an-oblique-impact",
+            "directed away from *B*",
+            "directed towards *B*",
+            "`*A*` then moves towards *B*",
+        ),
+        (
+            "successive/second-collision",
+            "*B* collides with *A* again",
+            "*B* does not collide with *A* again",
+            "do not meet again, and with the conditions of the scene they meet",
+        ),
+        (
+            "successive/no-more-collisions",
+            "does not strike *B* again",
+            "strikes *B* again",
+            "meet again, and with the conditions of the scene they do not meet",
+        ),
+        (
+            "successive/no-more-collisions",
+            "second.B.after.n >= A.after.n",
+            "A.after.n > second.B.after.n",
+            "do not meet again",
+        ),
+        (
+            "ranges/mass-ratio-that-can-be",
+            "with speed {vA}.",
+            "with speed {vA}. After it *A* moves in the opposite direction.",
+            "`*A*` moves in the opposite direction, and it is not so",
+        ),
+        (
+            catches,
+            "collide directly.",
+            "collide directly. The speed of *A* increases.",
+            "say `increases` of the speed of `*A*`",
+        ),
+        (catches, "collide directly.", "collide directly. The speed of *B* is increased.", ""),
+        (
+            "direct/mass-from-the-velocities",
+            "are moving towards each other",
+            "are moving in the same direction",
+            "A and B move in the same direction",
+        ),
+        (
+            "both-moving/components-given",
+            "{p m/s} perpendicular to the line",
+            "{p m/s} parallel to the line",
+            "give `*A*` the component `p` along the line of centres",
+        ),
+        (
+            "both-moving/components-given",
+            "A = [\"a\", \"p\"]",
+            "A = [\"p\", \"a\"]",
+            "give `*A*` the component `a` along",
+        ),
+        (
+            "both-moving/paths-at-right-angles",
+            "{uA} perpendicular to the line",
+            "{uA} along the line",
+            "`*A*` moves along the line of centres",
+        ),
+        (
+            "both-moving/paths-at-right-angles",
+            "centres, towards *A*",
+            "centres, towards *B*",
+            "have `*B*` move towards itself",
+        ),
+        (
+            "successive/struck-onto-a-wall",
+            "which is perpendicular to the wall",
+            "which is parallel to the wall",
+            "the line of centres is parallel to the wall",
+        ),
+        (
+            "vector-impulse/velocity-after-an-impulse",
+            "impulse = [\"p\", \"q\"]",
+            "impulse = [\"-p\", \"-q\"]",
+            "give the impulse `[p, q]`",
+        ),
+        ("deflection/elastic", "perfectly elastic", "inelastic", "say `inelastic`, and in the scene e is 1"),
+        (
+            "rest/heavier-sphere-struck",
+            "respectively. Sphere *B* is",
+            "respectively. Sphere *B*, the lighter, is",
+            "`*B*` is the lighter sphere",
+        ),
+        ("rest/heavier-sphere-struck", "respectively. Sphere *B* is", "respectively. The heavier sphere *B* is", ""),
+        ("deflection/equal-masses", "{e < 1}", "{e > 1}", "say that `e > 1`, and the scene declares it `unit`"),
+        ("vector-impulse/size-of-the-impulse", "is a positive constant", "is a negative constant", "k is negative"),
+        (
+            "rest-letters/distance-from-the-centre-of-b",
+            "*A* and *B* each have radius {r}",
+            "*A* and *B* have radii {r} and {2*r}",
+            "give `*B*` the radius `2*r`",
+        ),
+        (
+            "direct/restitution-from-one-speed",
+            "Immediately after the collision the speed of *A* is",
+            "It rebounds and *A* leaves *B* with speed",
+            "",
+        ),
+        (
+            "rest-letters/turned-through-a-right-angle",
+            "turned through a right angle",
+            "turned through an angle of {60 deg}",
+            "`*A*` is turned through 60°",
+        ),
+        (
+            "walls/turned-through-a-right-angle",
+            "through a right angle",
+            "by {60 deg}",
+            "the words give `60 deg`, and nothing in the scene has it",
+        ),
+        (
+            "walls/rebound-speed-and-direction",
+            "is {e}.",
+            "is {1 - e}.",
+            "the coefficient of restitution `1 - e` where the scene gives it",
+        ),
+        (
+            "successive/three-in-a-line",
+            "*A* and *B* is {e}, and that between *B* and *C* is {f}",
+            "*A* and *B* is {f}, and that between *B* and *C* is {e}",
+            "the coefficient of restitution `f` where the scene gives it",
+        ),
+        (
+            "successive/corner",
+            "the first wall is {e}, and that between *A* and the second wall is {f}",
+            "the second wall is {f}, and that between *A* and the first wall is {e}",
+            "",
+        ),
+        (
+            "successive/corner",
+            "the first wall is {e}, and that between *A* and the second wall is {f}",
+            "the first wall is {f}, and that between *A* and the second wall is {e}",
+            "the coefficient of restitution `e` where the scene gives it",
+        ),
+        (
+            "successive/three-in-a-line",
+            "Spheres *B* and *C* are at rest",
+            "Sphere *B* is at rest",
+            "the words do not say that `*C*` is at rest",
+        ),
+        ("successive/three-in-a-line", "Spheres *B* and *C* are at rest", "The others are at rest", ""),
+        (
+            "rest/speeds-and-directions",
+            ", which is at rest on the plane",
+            " on the plane",
+            "the words do not say that `*B*` is at rest",
+        ),
+        ("ranges/mass-ratio-when-a-goes-on", "is not changed", "is reversed", "the direction of `*A*` is reversed"),
+    ];
+    let mut wrong = Vec::new();
+    for (id, from, to, words) in table {
+        let said = said(id, from, to);
+        if !said.contains(words) || said.is_empty() != words.is_empty() {
+            wrong.push(format!("{id}: {to}: {said}"));
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
