@@ -1,4 +1,4 @@
-//! `--format pdf` with whatever the machine has: engines that are a few lines of shell, and under `external` the real ones.
+//! `--format pdf` with whatever the machine has: engines that are a few lines of shell, and, where `.ci/run` has installed them, the real ones.
 #![cfg(unix)]
 
 use std::fs;
@@ -406,7 +406,6 @@ fn a_pdf_of_an_earlier_sheet_is_told_where_there_is_no_new_one() {
     assert!(said(&output).contains(words), "{}", said(&output));
 }
 
-#[cfg(feature = "external")]
 mod real {
     use super::*;
 
@@ -451,11 +450,13 @@ mod real {
     }
 
     #[test]
+    #[ignore = "needs TeX, poppler and Chromium, which `.ci/run` installs"]
     fn pdflatex_prints_a_sheet() {
         prints("pdflatex", [("CAROM_TEX", "pdflatex")]);
     }
 
     #[test]
+    #[ignore = "needs TeX, poppler and Chromium, which `.ci/run` installs"]
     fn lualatex_and_xelatex_print_a_sheet_where_they_are() {
         for engine in ["lualatex", "xelatex"] {
             if Command::new(engine).arg("--version").output().is_ok() {
@@ -465,6 +466,7 @@ mod real {
     }
 
     #[test]
+    #[ignore = "needs TeX, poppler and Chromium, which `.ci/run` installs"]
     fn a_browser_prints_a_sheet() {
         prints("browser", [("CAROM_TEX", "none")]);
     }
@@ -481,6 +483,7 @@ mod real {
     }
 
     #[test]
+    #[ignore = "needs TeX, poppler and Chromium, which `.ci/run` installs"]
     fn pdflatex_is_understood() {
         let cases = [
             ("", r"Find \vectr{v}.", "unknown command `\\vectr`", "4:6", "`mine/latex/sheet.tex`, line 4"),
@@ -501,6 +504,7 @@ mod real {
     }
 
     #[test]
+    #[ignore = "needs TeX, poppler and Chromium, which `.ci/run` installs"]
     fn pdflatex_writes_no_file_but_its_own() {
         for path in ["../outside.txt", "/tmp/carom-outside.txt"] {
             let (machine, told) = told("outside", "", &format!("\\newwrite\\w\\immediate\\openout\\w={path} x"));

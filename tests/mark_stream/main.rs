@@ -6,7 +6,6 @@ mod memory;
 #[cfg(unix)] // Its commands are for a shell.
 mod page;
 mod resume;
-#[cfg(feature = "external")]
 mod spark;
 
 use std::fs;

@@ -78,8 +78,8 @@ fn ten_times_as_many_students_take_no_more_memory() {
 }
 
 /// What `docs/marking-in-bulk.md` says of a million; it takes as long as all the others together.
-#[cfg(feature = "external")]
 #[test]
+#[ignore = "takes as long as all the others together; `.ci/run` runs it"]
 fn a_million_answers_are_marked_in_less_than_two_hundred_megabytes() {
     let folder = folder("million");
     let right = [("speed of A", 2.78), ("direction of A", 46.1), ("speed of B", 3.08), ("direction of B", 0.0)];

@@ -10,6 +10,7 @@ use std::process::Command;
 use super::{carom, folder, table, text};
 
 #[test]
+#[ignore = "needs Java and Apache Spark, which `.ci/run` installs"]
 fn spark_gives_the_marks_of_a_direct_run() {
     let folder = folder("spark");
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));

@@ -2,7 +2,6 @@
 //!
 //! `CAROM_ACCEPT=1 cargo test --test pages` writes the files anew; read them before you commit them.
 
-#[cfg(feature = "external")]
 mod accessibility;
 mod class;
 mod families;

@@ -205,14 +205,22 @@ fn methods_agree(case: &Judged, values: &[Value; 4]) {
     }
 }
 
-/// So many scenes in each of two threads: all 100,000 with the checks that take their time.
-const SCENES: usize = if cfg!(feature = "external") { 50_000 } else { 7_500 };
+/// So many scenes in each of two threads.
+fn impacts_before_a_judge(scenes: usize) {
+    thread::scope(|scope| {
+        for seed in [31, 32] {
+            scope.spawn(move || judge_many(seed, scenes));
+        }
+    });
+}
 
 #[test]
 fn carom_knows_thousands_of_impacts_as_an_independent_judge_does() {
-    thread::scope(|scope| {
-        for seed in [31, 32] {
-            scope.spawn(move || judge_many(seed, SCENES));
-        }
-    });
+    impacts_before_a_judge(7_500);
+}
+
+#[test]
+#[ignore = "takes half a minute; `.ci/run` runs it"]
+fn carom_knows_a_hundred_thousand_impacts_as_an_independent_judge_does() {
+    impacts_before_a_judge(50_000);
 }

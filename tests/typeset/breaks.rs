@@ -128,6 +128,7 @@ fn set_and_torn(name: &str, document: &RenderedFile, paper: &Paper) -> Vec<Strin
 }
 
 #[test]
+#[ignore = "needs TeX, poppler and Chromium, which `.ci/run` installs"]
 fn carom_knows_where_pages_break() {
     let bank = marked(whole_bank());
     let mut work = Vec::new();
@@ -146,6 +147,7 @@ fn carom_knows_where_pages_break() {
 
 /// Where a page is hardly large enough for one question and its pictures.
 #[test]
+#[ignore = "needs TeX, poppler and Chromium, which `.ci/run` installs"]
 fn carom_knows_papers_whose_heading_and_total_do_not_stand_by_themselves() {
     let bank = reference_set();
     let large = Edition { large_print: true, ..Edition::default() };
@@ -164,6 +166,7 @@ fn carom_knows_papers_whose_heading_and_total_do_not_stand_by_themselves() {
 }
 
 #[test]
+#[ignore = "needs TeX, poppler and Chromium, which `.ci/run` installs"]
 fn what_is_torn_apart_is_seen() {
     let lines = |count: usize| r"a line\\".repeat(count);
     let (three, many) = (lines(3), lines(5));

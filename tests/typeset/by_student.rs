@@ -6,6 +6,7 @@ use std::process::Command;
 use super::{folder, said};
 
 #[test]
+#[ignore = "needs TeX, poppler and Chromium, which `.ci/run` installs"]
 fn a_class_of_thirty_is_one_print_job_with_a_key_of_one_page() {
     let folder = folder("class");
     let list = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/class.csv");

@@ -88,6 +88,7 @@ pub fn on_paper(name: &str, edition: Edition, drawings: &[&Drawing]) -> Vec<(usi
 }
 
 #[test]
+#[ignore = "needs TeX, poppler and Chromium, which `.ci/run` installs"]
 fn carom_knows_diagrams_that_are_clear_on_paper() {
     let bank = whole_bank();
     let mut diagrams = diagrams(&bank, |question| question.diagrams.iter().collect());
@@ -158,6 +159,7 @@ pub fn planted() -> Vec<(Drawing, &'static str)> {
 }
 
 #[test]
+#[ignore = "needs TeX, poppler and Chromium, which `.ci/run` installs"]
 fn what_is_not_clear_on_paper_is_seen() {
     assert_eq!(on_paper("diagrams-right", Edition::default(), &[&sphere()]), []);
     assert_eq!(faults(&sphere(), &as_meant(&sphere())), [""; 0]);
@@ -175,6 +177,7 @@ fn what_is_not_clear_on_paper_is_seen() {
 }
 
 #[test]
+#[ignore = "needs TeX, poppler and Chromium, which `.ci/run` installs"]
 fn a_picture_that_is_not_its_drawing_is_seen() {
     let drawing = sphere();
     let (pdf, em) = pages("diagrams-other", Edition::default(), &[&drawing]);

@@ -15,6 +15,7 @@ use super::{folder, on_both, rendered, run, said};
 const ENGINES: [&str; 3] = [PDFLATEX, "lualatex", "xelatex"];
 
 #[test]
+#[ignore = "needs TeX, poppler and Chromium, which `.ci/run` installs"]
 fn carom_knows_latex_for_three_engines() {
     let mut work = Vec::new();
     for engine in ENGINES {
@@ -65,6 +66,7 @@ fn packages(folder: &Path, sheet: &Sheet) -> BTreeSet<String> {
 }
 
 #[test]
+#[ignore = "needs TeX, poppler and Chromium, which `.ci/run` installs"]
 fn carom_knows_latex_that_needs_two_packages() {
     let (folder, promised) = (folder("two-packages"), promised());
     for document in rendered("latex", &reference_set()) {
@@ -76,6 +78,7 @@ fn carom_knows_latex_that_needs_two_packages() {
 }
 
 #[test]
+#[ignore = "needs TeX, poppler and Chromium, which `.ci/run` installs"]
 fn a_package_that_is_not_promised_is_seen() {
     let folder = folder("one-package-more");
     let mut document = rendered("latex", &reference_set()).remove(0);

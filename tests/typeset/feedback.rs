@@ -20,6 +20,7 @@ fn rendered(format: &str) -> Vec<RenderedFile> {
 }
 
 #[test]
+#[ignore = "needs TeX, poppler and Chromium, which `.ci/run` installs"]
 fn carom_knows_feedback_for_three_engines() {
     let documents = rendered("latex");
     let engines = [PDFLATEX, "lualatex", "xelatex"];
@@ -33,6 +34,7 @@ fn carom_knows_feedback_for_three_engines() {
 }
 
 #[test]
+#[ignore = "needs TeX, poppler and Chromium, which `.ci/run` installs"]
 fn carom_knows_feedback_that_fits_on_a_phone() {
     for page in rendered("html") {
         for seen in seen(&folder(&format!("feedback/{}", page.name)), &page) {
@@ -56,6 +58,7 @@ fn with_questions(class: &ClassReport, count: usize) -> ClassReport {
 }
 
 #[test]
+#[ignore = "needs TeX, poppler and Chromium, which `.ci/run` installs"]
 fn carom_knows_a_report_that_fits_on_a_phone_a_desk_and_a_sheet_of_paper() {
     for names in [Names::Shown, Names::LeftOut] {
         for count in [2, 12, 18, 19, 60] {

@@ -1,7 +1,7 @@
 //! What is really on paper and on screen: pages set by TeX engines and by a browser, then measured.
 //!
 //! Each file holds one promise and shows that its check can fail. `.ci/run` installs what they need; alone they run by
-//! `cargo test --features external --test typeset`, and `-- --show-output` says how much was set.
+//! `cargo test --test typeset -- --ignored`, and `--show-output` says how much was set.
 
 #[path = "../pages/paper.rs"]
 mod by_hand;

@@ -89,6 +89,7 @@ fn faults(name: &str, document: &RenderedFile) -> Vec<String> {
 }
 
 #[test]
+#[ignore = "needs TeX, poppler and Chromium, which `.ci/run` installs"]
 fn carom_knows_pages_within_their_margins() {
     let mut work = Vec::new();
     for (edition, how) in editions() {
@@ -105,6 +106,7 @@ fn carom_knows_pages_within_their_margins() {
 }
 
 #[test]
+#[ignore = "needs TeX, poppler and Chromium, which `.ci/run` installs"]
 fn what_stands_in_a_margin_is_seen() {
     let document = rendered("latex", &reference_set()).remove(0);
     let planted = |before: &str, place: &str| {
@@ -127,6 +129,7 @@ fn what_stands_in_a_margin_is_seen() {
 }
 
 #[test]
+#[ignore = "needs TeX, poppler and Chromium, which `.ci/run` installs"]
 fn a_font_of_dots_is_seen() {
     let told = "name                                 type              encoding         emb sub uni object ID\n\
                 ------------------------------------ ----------------- ---------------- --- --- --- ---------\n\

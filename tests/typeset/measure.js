@@ -85,11 +85,7 @@ function ink(svg) {
   const share = (x, y) => [(x - whole.left) / whole.width, (y - whole.top) / whole.width];
   const strokes = [...svg.querySelectorAll('path, line, circle, ellipse, rect, polyline, polygon')];
   const lines = strokes.filter(stroke => !stroke.closest('defs')).map(stroke => {
-    const [length, turned] = [stroke.getTotalLength(), stroke.getScreenCTM()];
-    return Array.from({ length: 257 }, (_, step) => {
-      const at = stroke.getPointAtLength(length * step / 256).matrixTransform(turned);
-      return share(at.x, at.y);
-    });
+    return along(stroke).map(([x, y]) => share(x, y));
   });
   const letters = [];
   const walker = svg.ownerDocument.createTreeWalker(svg, NodeFilter.SHOW_TEXT);
@@ -98,6 +94,49 @@ function ink(svg) {
     for (const filled of inked(node)) letters.push([share(filled[0], filled[1]), share(filled[2], filled[3])]);
   }
   return { lines, letters, width: whole.width };
+}
+
+// Points along a stroke, a pixel from each other at most. A browser that is asked for points at lengths begins anew at
+// every one, so the lines and curves of a path are followed here; any other stroke is asked.
+function along(stroke) {
+  const { a, b, c, d, e, f } = stroke.getScreenCTM();
+  const shown = ([x, y]) => [a * x + c * y + e, b * x + d * y + f];
+  const sections = followed(stroke.getAttribute('d') ?? '');
+  if (!sections) {
+    const length = stroke.getTotalLength();
+    return Array.from({ length: 257 }, (_, step) => {
+      const { x, y } = stroke.getPointAtLength(length * step / 256);
+      return shown([x, y]);
+    });
+  }
+  return sections.flatMap(section => {
+    const corners = section.map(shown);
+    const far = corners.slice(1).reduce((sum, [x, y], at) => sum + Math.hypot(x - corners[at][0], y - corners[at][1]), 0);
+    const steps = Math.max(8, Math.ceil(far));
+    return Array.from({ length: steps + 1 }, (_, step) => between(corners, step / steps));
+  });
+}
+
+// The lines and curves of a path, each by its corners; nothing if there is more to it.
+function followed(path) {
+  const sections = [];
+  let at;
+  for (const [whole, command, numbers] of path.matchAll(/([a-z])([^a-z]*)/gi)) {
+    const values = numbers.match(/-?[\d.]+/g)?.map(Number) ?? [];
+    const points = Array.from({ length: values.length / 2 }, (_, place) => [values[2 * place], values[2 * place + 1]]);
+    if (command === 'Z') continue; // the sides are there already
+    const count = { M: 1, L: 1, C: 3 }[command];
+    if (!count || points.length !== count) return undefined;
+    if (command !== 'M') sections.push([at, ...points]);
+    at = points.at(-1);
+  }
+  return sections.length ? sections : undefined;
+}
+
+// The place on a line or a Bézier curve after a share of it: the corners drawn together, by de Casteljau.
+function between(corners, share) {
+  if (corners.length === 1) return corners[0];
+  return between(corners.slice(1).map((to, place) => to.map((end, axis) => corners[place][axis] * (1 - share) + end * share)), share);
 }
 
 // What each letter of a run really fills: as wide as it is set, as high as its ink.

@@ -8,7 +8,7 @@ use super::browser::{Picture, Seen, printed, seen};
 use super::clear::faults;
 use super::diagrams::{diagrams, of_solution, planted, sphere};
 use super::ink::{Area, Ink};
-use super::papers::{empty, strained, whole_bank};
+use super::papers::{empty, in_pieces, strained, whole_bank};
 use super::words::{Word, words};
 use super::{folder, on_both, rendered};
 
@@ -87,10 +87,14 @@ pub fn on_a4(name: &str, page: &RenderedFile, margins: &[String; 4]) -> Vec<Stri
 }
 
 #[test]
+#[ignore = "needs TeX, poppler and Chromium, which `.ci/run` installs"]
 fn carom_knows_pages_that_a_browser_shows_as_they_are_meant() {
     let mut work = Vec::new();
     for (name, paper) in papers() {
-        work.extend(rendered("html", &paper).into_iter().map(|page| (name, paper.clone(), page)));
+        for (piece, paper) in in_pieces(&paper).into_iter().enumerate() {
+            let name = format!("{name}-{piece}");
+            work.extend(rendered("html", &paper).into_iter().map(|page| (name.clone(), paper.clone(), page)));
+        }
     }
     let found = on_both(&work, |(name, paper, page)| {
         let folder = format!("screen/{name}/{}", page.name);
@@ -106,16 +110,19 @@ fn carom_knows_pages_that_a_browser_shows_as_they_are_meant() {
 }
 
 #[test]
+#[ignore = "needs TeX, poppler and Chromium, which `.ci/run` installs"]
 fn carom_knows_diagrams_that_are_clear_in_the_letters_that_a_page_falls_back_to() {
-    let paper = whole_bank();
-    let mut pages = rendered("html", &paper);
-    pages.retain(|page| page.contents.contains("<svg"));
-    assert!(pages.len() > 1);
-    let found = on_both(&pages, |page| {
+    let mut work = Vec::new();
+    for (piece, paper) in in_pieces(&whole_bank()).into_iter().enumerate() {
+        let pages = rendered("html", &paper).into_iter().filter(|page| page.contents.contains("<svg"));
+        work.extend(pages.map(|page| (piece, paper.clone(), page)));
+    }
+    assert!(work.len() > 1);
+    let found = on_both(&work, |(piece, paper, page)| {
         let page = in_fallback(page);
         // no phone has these letters
-        let on_desk = seen(&folder(&format!("screen/fallback/{}", page.name)), &page).remove(0);
-        on_screen(&paper, &page, &[on_desk])
+        let on_desk = seen(&folder(&format!("screen/fallback-{piece}/{}", page.name)), &page).remove(0);
+        on_screen(paper, &page, &[on_desk])
     });
     assert!(found.iter().all(Vec::is_empty), "\n{}", found.concat().join("\n"));
 }
@@ -134,6 +141,7 @@ fn page(body: &str) -> RenderedFile {
 }
 
 #[test]
+#[ignore = "needs TeX, poppler and Chromium, which `.ci/run` installs"]
 fn a_formula_that_is_not_as_it_is_meant_is_seen() {
     let fraction = "<math><mfrac><mi>a</mi><mi>b</mi></mfrac></math>";
     let long = format!("<math><mrow>{}</mrow></math>", "<mi>x</mi><mo>+</mo>".repeat(300));
@@ -163,6 +171,7 @@ fn a_formula_that_is_not_as_it_is_meant_is_seen() {
 }
 
 #[test]
+#[ignore = "needs TeX, poppler and Chromium, which `.ci/run` installs"]
 fn what_is_not_clear_on_screen_is_seen() {
     let planted: Vec<(Drawing, &str)> = [(sphere(), "")].into_iter().chain(planted()).collect();
     let element = |drawing: &Drawing| {
@@ -185,6 +194,7 @@ fn what_is_not_clear_on_screen_is_seen() {
 }
 
 #[test]
+#[ignore = "needs TeX, poppler and Chromium, which `.ci/run` installs"]
 fn a_printed_word_in_a_margin_is_seen() {
     let body = |style: &str| page(&format!("<p style=\"{style}\">astray</p>"));
     let margins = ["18mm", "18mm", "20mm", "18mm"].map(str::to_owned);
