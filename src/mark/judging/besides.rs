@@ -45,8 +45,7 @@ pub(super) fn without_its_name(statements: Vec<Statement>) -> Vec<Statement> {
 /// `4i + j (speed √17)`, `4i + j at 14.0° to i`: the size of the vector and its direction, told besides, where they are
 /// right as far as they go.
 pub(super) fn without_size_and_direction(model: &Model, statements: Vec<Statement>) -> Vec<Statement> {
-    let is_vector =
-        |statement: &Statement| statement.said.last().is_some_and(|said| matches!(said.form, Form::Vector(..)));
+    let is_vector = |statement: &Statement| statement.said.iter().any(|said| matches!(said.form, Form::Vector(..)));
     if statements.len() < 2 || !statements.iter().any(is_vector) {
         return statements;
     }

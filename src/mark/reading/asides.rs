@@ -28,12 +28,12 @@ impl Walk<'_> {
         }
     }
 
-    /// `(3 s.f.)`, `to 2 dp`: how far a value is rounded; the token after it.
+    /// `(3 s.f.)`, `[3sf]`, `to 2 dp`: how far a value is rounded; the token after it.
     pub(super) fn accuracy(&self, at: usize) -> Option<usize> {
         if let Some(end) = self.nearest_degree(at) {
             return Some(end);
         }
-        let open = self.tokens[at].is('(');
+        let open = self.tokens[at].is('(') || self.tokens[at].is('[');
         let start = at + usize::from(open);
         let words = ["correct to", "rounded to", "to"];
         let number = self.any(start, &words).unwrap_or(start);
@@ -62,7 +62,7 @@ impl Walk<'_> {
         let end = self.any(kind, &kinds)?;
         let end = end + usize::from(self.tokens.get(end).is_some_and(|token| token.is('.')));
         match open {
-            true => self.tokens.get(end).is_some_and(|token| token.is(')')).then_some(end + 1),
+            true => self.tokens.get(end).is_some_and(|token| token.is(')') || token.is(']')).then_some(end + 1),
             false => Some(end),
         }
     }

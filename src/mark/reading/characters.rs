@@ -4,6 +4,7 @@
 //! of its own. Groups stand between `⟦` and `⟧`, which nobody types. A recurring digit has a combining dot after it.
 
 use super::Unreadable;
+use super::markup::{self, Sign, Typed};
 
 /// A sign of the small alphabet, and where it came from.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,48 +27,52 @@ pub(super) const RECURS: char = '\u{307}';
 /// The text in the small alphabet.
 pub(super) fn glyphs(text: &str) -> Result<Vec<Glyph>, Unreadable> {
     let mut out = Vec::with_capacity(text.len());
-    let characters: Vec<(usize, char)> = text.char_indices().collect();
+    let typed = markup::signs(text);
     let mut at = 0;
-    while let Some((place, character)) = characters.get(at).copied() {
-        let end = place + character.len_utf8();
-        let mut put = |sign: char| out.push(Glyph { sign, place, end });
+    while let Some(&Typed { sign, place, end }) = typed.get(at) {
+        let character = match sign {
+            Sign::Character(character) => character,
+            Sign::Tag(signs) => {
+                out.extend(signs.chars().map(|sign| Glyph { sign, place, end }));
+                at += 1;
+                continue;
+            }
+        };
         if superscript(character).is_some() {
-            let raised: String = characters[at..].iter().map_while(|(_, c)| superscript(*c)).collect();
+            let raised: String = typed[at..].iter().map_while(|typed| superscript(typed.character()?)).collect();
             let length = raised.chars().count();
-            let (last, signs) = (characters[at + length - 1], raised.chars());
-            let end = last.0 + last.1.len_utf8();
+            let end = typed[at + length - 1].end;
+            let is_power_of_ten = ends_with_times_ten(&out);
             let mut put = |sign: char| out.push(Glyph { sign, place, end });
-            if let Some((below, length)) =
-                lowered_after_stroke(&characters[at + length..]).filter(|_| is_whole(&raised))
-            {
+            if let Some((below, length)) = lowered_after_stroke(&typed[at + length..]).filter(|_| is_whole(&raised)) {
                 // `¹⁰⁄₄₃` is a fraction.
-                let last = characters[at + raised.chars().count() + length - 1];
-                let end = last.0 + last.1.len_utf8();
+                let end = typed[at + raised.chars().count() + length - 1].end;
                 let mut put = |sign: char| out.push(Glyph { sign, place, end });
                 put(OPEN);
-                signs.for_each(&mut put);
+                raised.chars().for_each(&mut put);
                 put('/');
                 below.chars().for_each(&mut put);
                 put(CLOSE);
                 at += length;
-            } else if raised == "0" {
+            } else if raised == "0" && !is_power_of_ten {
                 // One raised nought or circle is how degrees are often typed.
                 put('°');
             } else {
                 put('^');
                 put(OPEN);
-                signs.for_each(&mut put);
+                raised.chars().for_each(&mut put);
                 put(CLOSE);
             }
             at += length;
             continue;
         }
-        if let Some(digit) = subscript(character) {
-            let again = at > 0 && subscript(characters[at - 1].1).is_some();
+        let mut put = |sign: char| out.push(Glyph { sign, place, end });
+        if let Some(lowered) = subscript(character) {
+            let again = at > 0 && typed[at - 1].character().and_then(subscript).is_some();
             if !again {
                 put('_');
             }
-            put(digit);
+            put(lowered);
         } else if let Some((above, below)) = vulgar(character) {
             put(OPEN);
             [above, '/', below].into_iter().for_each(&mut put);
@@ -87,15 +92,23 @@ pub(super) fn glyphs(text: &str) -> Result<Vec<Glyph>, Unreadable> {
     Ok(out)
 }
 
+/// Do the glyphs end with a number times ten, as before its power?
+fn ends_with_times_ten(glyphs: &[Glyph]) -> bool {
+    let mut back = glyphs.iter().rev().map(|glyph| glyph.sign).filter(|sign| *sign != ' ');
+    let ten = [back.next(), back.next()] == [Some('0'), Some('1')];
+    ten && matches!(back.next(), Some('*' | '⋅' | '·' | 'x')) && back.next().is_some_and(|sign| sign.is_ascii_digit())
+}
+
 fn is_whole(digits: &str) -> bool {
     digits.chars().all(|digit| digit.is_ascii_digit())
 }
 
 /// The digits of `/₄₃`, and how many characters they take with the stroke.
-fn lowered_after_stroke(rest: &[(usize, char)]) -> Option<(String, usize)> {
-    let ((_, stroke), below) = rest.split_first()?;
-    let below: String = below.iter().map_while(|(_, character)| subscript(*character)).collect();
-    (matches!(stroke, '/' | '⁄' | '∕') && !below.is_empty()).then(|| (below.clone(), below.len() + 1))
+fn lowered_after_stroke(rest: &[Typed]) -> Option<(String, usize)> {
+    let (stroke, below) = rest.split_first()?;
+    let lowered = |typed: &Typed| subscript(typed.character()?).filter(char::is_ascii_digit);
+    let below: String = below.iter().map_while(lowered).collect();
+    (matches!(stroke.character(), Some('/' | '⁄' | '∕')) && !below.is_empty()).then(|| (below.clone(), below.len() + 1))
 }
 
 /// `<4,1>` with its brackets as those of coordinates.
@@ -152,13 +165,16 @@ fn plain(character: char, before: Option<char>) -> Option<&'static str> {
         '➕' | '＋' => "+",
         '×' | '✕' | '✖' | '∗' | '⨯' => "*",
         '⋅' | '∙' | '•' => "⋅",
+        '‧' | '⸱' | '・' => "·",
+        '٫' => ".",
         '÷' | '➗' => "÷",
         '∕' | '⁄' => "/",
         '√' => "√",
         '∛' => "∛",
         'ᶜ' => " rad ",
         '°' | 'º' | '˚' | '∘' => "°",
-        '≈' | '≃' | '≅' | '≒' => "≈",
+        '≈' | '≃' | '≅' | '≒' | '≐' => "≈",
+        '≡' | '＝' => "=",
         '⩽' | '≦' => "≤",
         '⩾' | '≧' => "≥",
         '⇒' | '⟹' | '→' | '⟶' | '∴' => "⇒",
@@ -170,6 +186,9 @@ fn plain(character: char, before: Option<char>) -> Option<&'static str> {
         '∥' => " parallel to ",
         '∠' => " angle ",
         '∝' => " proportional to ",
+        '‖' => "|",
+        '㎧' => " m/s ",
+        '㎏' => " kg ",
         '✓' | '✔' | '☑' => " ",
         // The number of an equation.
         '①'..='⑳' | '❶'..='❿' => " ",
@@ -252,6 +271,13 @@ fn superscript(character: char) -> Option<char> {
 fn subscript(character: char) -> Option<char> {
     match character {
         '₀'..='₉' => char::from_digit(character as u32 - '₀' as u32, 10),
+        // There are few others, and no capitals.
+        'ₐ' => Some('a'),
+        'ₓ' => Some('x'),
+        'ₙ' => Some('n'),
+        'ₜ' => Some('t'),
+        'ᵢ' => Some('i'),
+        'ⱼ' => Some('j'),
         _ => None,
     }
 }

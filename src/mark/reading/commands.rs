@@ -4,7 +4,7 @@ use super::characters::Glyph;
 
 /// Has it two arguments, one above the other?
 pub(super) fn is_fraction(command: &str) -> bool {
-    matches!(command, "frac" | "dfrac" | "tfrac" | "cfrac")
+    matches!(command, "frac" | "dfrac" | "tfrac" | "cfrac" | "nicefrac" | "sfrac")
 }
 
 /// The letters with which the glyphs begin.
@@ -58,6 +58,18 @@ pub(super) fn simple(command: &str) -> Option<&'static str> {
         "imath" => "i",
         "jmath" => "j",
         "percent" => "%",
+        // siunitx
+        "metre" | "meter" => " m ",
+        "second" => " s ",
+        "kilogram" => " kg ",
+        "newton" => " N ",
+        "joule" => " J ",
+        "radian" => " rad ",
+        "per" => "/",
+        "squared" => "^2",
+        "equiv" => "=",
+        "doteq" => "≈",
+        "lVert" | "rVert" | "Vert" => "|",
         "sin" => " sin ",
         "cot" => " cot ",
         "sec" => " sec ",

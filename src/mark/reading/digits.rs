@@ -152,8 +152,10 @@ impl Digits<'_> {
         let place = self.place();
         let digit_after = self.sign(1).is_ascii_digit() || (self.sign(1) == '(' && self.sign(0) == '.');
         let raised = self.sign(0) == '·' && digit_after;
+        // `4·39^½` is rather a product than a power of a decimal
+        let may_multiply = !self.whole.is_empty() && (self.run(1) == 1 || self.sign(1 + self.run(1)) == '^');
         let point = self.sign(0) == '.' && digit_after
-            || raised && (self.whole.is_empty() || self.run(1) != 1 || !choices.otherwise(Doubt::RaisedPoint, place))
+            || raised && (!may_multiply || !choices.otherwise(Doubt::RaisedPoint, place))
             || self.sign(0) == '⋅' && digit_after && choices.otherwise(Doubt::RaisedPoint, place);
         let comma = self.sign(0) == ',' && self.sign(1).is_ascii_digit() && self.comma_is_decimal(depth, choices);
         if !point && !comma {

@@ -119,10 +119,18 @@ impl Rewriter<'_> {
 
     /// `{…}` as a group.
     fn group(&mut self) -> Result<(), Unreadable> {
-        let from = self.here();
+        let (from, start) = (self.here(), self.out.len());
         self.put(OPEN, from);
         self.inside()?;
         self.put(CLOSE, self.just_read());
+        // `{4 \over 7}` is one group and not two, so that it can be part of a mixed number; `{}` is none.
+        let inner = &self.out[start + 1..self.out.len() - 1];
+        if inner.iter().all(|glyph| glyph.sign == ' ') {
+            self.out.truncate(start);
+        } else if is_one_group(inner) {
+            self.out.remove(start);
+            self.out.pop();
+        }
         Ok(())
     }
 
@@ -254,6 +262,20 @@ impl Rewriter<'_> {
                 self.put(')', from);
                 Ok(())
             }
+            // siunitx: a number, an angle, and a number with its unit
+            "num" | "ang" | "SI" | "qty" | "unit" | "si" => {
+                let inside = self.argument(&letters)?;
+                self.out.extend(inside);
+                if letters == "ang" {
+                    self.put('°', from);
+                } else if matches!(letters.as_str(), "SI" | "qty") {
+                    let unit = self.argument(&letters)?;
+                    self.put(' ', from);
+                    self.out.extend(unit);
+                    self.put(' ', from);
+                }
+                Ok(())
+            }
             "dot" | "overline" | "bar" => self.recurring(&letters, from),
             "begin" => self.environment(from),
             "end" => Err(self.fault(from.place, "`\\end` without its `\\begin`")),
@@ -263,6 +285,11 @@ impl Rewriter<'_> {
 
     fn fraction(&mut self, command: &str, from: Glyph) -> Result<(), Unreadable> {
         let (above, below) = (self.argument(command)?, self.argument(command)?);
+        if [letters(&above), letters(&below)] == ["m", "s"] {
+            // a unit after its number, which has no brackets
+            self.put_all(" m/s ", Glyph { end: self.just_read().end, ..from });
+            return Ok(());
+        }
         self.put(OPEN, from);
         for (place, part) in [above, below].into_iter().enumerate() {
             if place == 1 {
@@ -393,4 +420,19 @@ impl Rewriter<'_> {
             _ => Err(self.fault(from.place, "the name of an environment is missing")),
         }
     }
+}
+
+/// Is it a group, and nothing beside it?
+fn is_one_group(glyphs: &[Glyph]) -> bool {
+    let mut depth = 0;
+    let closes = glyphs.iter().position(|glyph| {
+        depth += i32::from(glyph.sign == OPEN) - i32::from(glyph.sign == CLOSE);
+        depth == 0
+    });
+    glyphs.first().is_some_and(|first| first.sign == OPEN) && closes == Some(glyphs.len() - 1)
+}
+
+/// The signs of an argument without blanks.
+fn letters(glyphs: &[Glyph]) -> String {
+    glyphs.iter().map(|glyph| glyph.sign).filter(|sign| *sign != ' ').collect()
 }

@@ -22,6 +22,7 @@ mod infix_fraction;
 mod latex;
 mod lexicon;
 mod line;
+mod markup;
 mod named_line;
 mod names;
 mod number_words;
