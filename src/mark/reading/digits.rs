@@ -277,7 +277,20 @@ impl Digits<'_> {
             Some(sign) => matches!(sign, '*' | '/' | '÷' | '⋅' | '·' | '√' | ')' | CLOSE),
             None => false,
         };
-        joined || after.is_some_and(is_operation)
+        joined || after.is_some_and(is_operation) || self.equals_letters()
+    }
+
+    /// `w - v = 0.5(7)`: what a sum of letters equals is rather a law with its numbers in it than a result.
+    fn equals_letters(&self) -> bool {
+        let mut signs = self.glyphs.iter().map(|glyph| glyph.sign).filter(|sign| *sign != ' ').peekable();
+        let (mut is_equation, mut has_sum, mut before) = (false, false, ' ');
+        while let Some(sign) = signs.next() {
+            is_equation |= sign == '=';
+            let joins = matches!(sign, '+' | '-') && before.is_ascii_alphabetic();
+            has_sum |= joins && signs.peek().is_some_and(|after| after.is_ascii_alphanumeric());
+            before = sign;
+        }
+        is_equation && has_sum
     }
 
     /// The fraction of a whole part, decimals that do not recur and a block that does.
