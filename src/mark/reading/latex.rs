@@ -6,7 +6,7 @@ use super::commands::{bare_fraction, is_fraction, is_mathematics, simple, spelt}
 use super::infix_fraction;
 
 /// Deeper nesting than any answer has.
-const DEEPEST: usize = 40;
+pub(super) const DEEPEST: usize = 40;
 
 /// The glyphs without commands, dollars and braces.
 pub(super) fn without_latex(glyphs: &[Glyph]) -> Result<Vec<Glyph>, Unreadable> {
@@ -24,17 +24,17 @@ pub(super) fn without_latex(glyphs: &[Glyph]) -> Result<Vec<Glyph>, Unreadable> 
     }
 }
 
-struct Rewriter<'a> {
-    glyphs: &'a [Glyph],
-    at: usize,
-    out: Vec<Glyph>,
-    depth: usize,
+pub(super) struct Rewriter<'a> {
+    pub(super) glyphs: &'a [Glyph],
+    pub(super) at: usize,
+    pub(super) out: Vec<Glyph>,
+    pub(super) depth: usize,
     /// How many column vectors stand open.
-    columns: usize,
+    pub(super) columns: usize,
 }
 
 impl Rewriter<'_> {
-    fn sign(&self) -> Option<char> {
+    pub(super) fn sign(&self) -> Option<char> {
         self.glyphs.get(self.at).map(|glyph| glyph.sign)
     }
 
@@ -44,16 +44,16 @@ impl Rewriter<'_> {
         self.glyphs.get(self.at).copied().unwrap_or(Glyph { place: last.end, ..last })
     }
 
-    fn fault(&self, place: usize, message: impl Into<String>) -> Unreadable {
+    pub(super) fn fault(&self, place: usize, message: impl Into<String>) -> Unreadable {
         Unreadable::Sign(place, message.into())
     }
 
-    fn put(&mut self, sign: char, from: Glyph) {
+    pub(super) fn put(&mut self, sign: char, from: Glyph) {
         self.out.push(Glyph { sign, ..from });
     }
 
     /// The last glyph that was passed.
-    fn just_read(&self) -> Glyph {
+    pub(super) fn just_read(&self) -> Glyph {
         self.glyphs[self.at.clamp(1, self.glyphs.len()) - 1]
     }
 
@@ -62,7 +62,7 @@ impl Rewriter<'_> {
     }
 
     /// One sign, command or group.
-    fn one(&mut self) -> Result<(), Unreadable> {
+    pub(super) fn one(&mut self) -> Result<(), Unreadable> {
         let from = self.here();
         if let Some(command) = bare_fraction(self.glyphs, self.at) {
             self.at += command.len();
@@ -353,72 +353,6 @@ impl Rewriter<'_> {
             }
         }
         Ok(())
-    }
-
-    /// A column vector, or lines below one another.
-    fn environment(&mut self, from: Glyph) -> Result<(), Unreadable> {
-        let name = self.words_in_braces(from)?;
-        let column = matches!(
-            name.trim_end_matches('*'),
-            "pmatrix" | "bmatrix" | "matrix" | "array" | "smallmatrix" | "Bmatrix" | "psmallmatrix"
-        );
-        let lines = matches!(
-            name.trim_end_matches('*'),
-            "align" | "aligned" | "equation" | "gather" | "gathered" | "split" | "math" | "displaymath"
-        );
-        if !column && !lines {
-            return Err(self.fault(from.place, format!("unknown environment `{name}`")));
-        }
-        if name == "array" && self.sign() == Some('{') {
-            self.words_in_braces(from)?;
-        }
-        self.depth += 1;
-        if self.depth > DEEPEST {
-            return Err(self.fault(from.place, "the answer is nested too deeply"));
-        }
-        self.columns += usize::from(column);
-        if column {
-            self.put(OPEN, from);
-        }
-        let start = self.out.len();
-        loop {
-            let rest: String = self.glyphs[self.at..].iter().take(5).map(|glyph| glyph.sign).collect();
-            if rest.starts_with("\\end{") {
-                self.at += 4;
-                break;
-            }
-            match self.sign() {
-                None => return Err(self.fault(from.place, format!("`\\begin{{{name}}}` is never ended"))),
-                Some('&') if !column => self.at += 1,
-                Some(_) => self.one()?,
-            }
-        }
-        if self.words_in_braces(from)? != name {
-            return Err(self.fault(from.place, format!("`\\begin{{{name}}}` is ended by another name")));
-        }
-        if column {
-            // `4\\1\\` has no third row.
-            while self.out.len() > start && matches!(self.out.last().map(|last| last.sign), Some(';' | ' ' | '\n')) {
-                self.out.pop();
-            }
-            self.put(CLOSE, self.just_read());
-        }
-        self.columns -= usize::from(column);
-        self.depth -= 1;
-        Ok(())
-    }
-
-    /// The text of `{name}`, which it passes over.
-    fn words_in_braces(&mut self, from: Glyph) -> Result<String, Unreadable> {
-        let rest = &self.glyphs[self.at.min(self.glyphs.len())..];
-        let closed = rest.iter().position(|glyph| glyph.sign == '}');
-        match (rest.first().map(|glyph| glyph.sign), closed) {
-            (Some('{'), Some(length)) => {
-                self.at += length + 1;
-                Ok(rest[1..length].iter().map(|glyph| glyph.sign).collect())
-            }
-            _ => Err(self.fault(from.place, "the name of an environment is missing")),
-        }
     }
 }
 

@@ -12,6 +12,7 @@ mod commands;
 mod crossed_out;
 mod digits;
 mod directions;
+mod environments;
 mod equalities;
 mod equation_number;
 mod functions;
