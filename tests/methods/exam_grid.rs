@@ -5,9 +5,6 @@
 use carom::method::{Found, Geometry, Impact, Numbers, figures};
 use carom::number::{Fraction, Places, Value, round};
 
-/// One of so many is tried where the whole grid would take too long.
-const SHARE: usize = 60;
-
 fn coprime(mut a: i64, mut b: i64) -> bool {
     while b != 0 {
         (a, b) = (b, a % b);
@@ -57,10 +54,10 @@ fn is_tie(value: &Fraction, three: &Places) -> bool {
     rounded != *value && round(&next, three).to_fraction() == next
 }
 
-/// Of every so-manieth impact: how many velocities a certified float leaves open, each of them a tie or nought.
-fn left_open(share: usize) -> usize {
+#[test]
+fn carom_knows_what_a_certified_float_leaves_open() {
     let three = Places::SignificantFigures(3);
-    let cases: Vec<_> = grid().into_iter().step_by(share).collect();
+    let cases: Vec<_> = grid();
     let impacts: Vec<Impact<Value>> = cases.iter().map(|(masses, e, speeds)| impact(*masses, *e, *speeds)).collect();
     let mut batch = Numbers::CertifiedFloat.prepare(&impacts, Geometry::HeadOn).unwrap();
     batch.run();
@@ -74,44 +71,22 @@ fn left_open(share: usize) -> usize {
             open += usize::from(!settled);
         }
     }
-    let part = open as f64 / (2 * cases.len()) as f64;
-    assert!((0.03..0.05).contains(&part), "{part} of all are left open");
-    open
-}
-
-#[test]
-fn carom_knows_what_a_certified_float_leaves_open() {
-    assert!(left_open(SHARE) > 0);
-}
-
-#[test]
-#[ignore = "takes a few seconds; `.ci/run` runs it"]
-fn carom_knows_how_many_velocities_a_certified_float_leaves_open_of_the_whole_grid() {
+    let share = open as f64 / (2 * cases.len()) as f64;
+    assert!((0.03..0.05).contains(&share), "{share} of all are left open");
     // All ties and all noughts of the grid.
-    assert_eq!(left_open(1), 22_890 + 2_104);
+    assert_eq!(open, 22_890 + 2_104);
 }
 
-/// The three figures of every so-manieth impact, by whole numbers and by the method that `figures` chooses.
-fn three_figures(share: usize) {
+#[test]
+fn carom_knows_three_figures_of_every_exam_impact() {
     let grid = grid();
     assert_eq!(grid.len(), 310_365);
     let three = Places::SignificantFigures(3);
-    for (masses, e, speeds) in grid.into_iter().step_by(share) {
+    for (masses, e, speeds) in grid {
         let impact = impact(masses, e, speeds);
         let expected = truth(masses, e, speeds).map(|value| round(&value, &three));
         let (after, tier) = figures(&impact, &three).unwrap();
         assert_eq!((&after[0][0], &after[1][0]), (&expected[0], &expected[1]), "{impact:?}");
         assert_eq!(tier, Numbers::Integers);
     }
-}
-
-#[test]
-fn carom_knows_three_figures_of_exam_impacts() {
-    three_figures(SHARE);
-}
-
-#[test]
-#[ignore = "takes a few seconds; `.ci/run` runs it"]
-fn carom_knows_three_figures_of_every_exam_impact() {
-    three_figures(1);
 }

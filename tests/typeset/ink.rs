@@ -173,7 +173,6 @@ fn path(told: &str) -> Vec<Vec<Point>> {
 }
 
 #[test]
-#[ignore = "needs TeX, poppler and Chromium, which `.ci/run` installs"]
 fn a_page_is_read_as_poppler_draws_it() {
     let svg = r##"<defs><g><symbol overflow="visible" id="glyph0-1"><path d="M 0 0 L 2 -6 L 4 0 Z M 0 0 "/></symbol></g>
         <clipPath id="clip1"><path d="M 0 0 L 90 90 Z"/></clipPath></defs><g id="surface1">

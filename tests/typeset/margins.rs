@@ -129,7 +129,6 @@ fn what_stands_in_a_margin_is_seen() {
 }
 
 #[test]
-#[ignore = "needs TeX, poppler and Chromium, which `.ci/run` installs"]
 fn a_font_of_dots_is_seen() {
     let told = "name                                 type              encoding         emb sub uni object ID\n\
                 ------------------------------------ ----------------- ---------------- --- --- --- ---------\n\

@@ -47,13 +47,6 @@ pub fn whole_bank() -> Paper {
     paper
 }
 
-/// A paper in several, of a few questions each: a browser takes far longer over one long page than over short ones.
-pub fn in_pieces(paper: &Paper) -> Vec<Paper> {
-    const ON_A_PAGE: usize = 25;
-    let piece = |questions: &[_]| Paper { questions: questions.to_vec(), ..paper.clone() };
-    paper.questions.chunks(ON_A_PAGE).map(piece).collect()
-}
-
 /// The ways in which a paper can be set.
 pub fn editions() -> [(&'static str, Edition); 3] {
     let plain = Edition::default();

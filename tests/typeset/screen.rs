@@ -8,7 +8,7 @@ use super::browser::{Picture, Seen, printed, seen};
 use super::clear::faults;
 use super::diagrams::{diagrams, of_solution, planted, sphere};
 use super::ink::{Area, Ink};
-use super::papers::{empty, in_pieces, strained, whole_bank};
+use super::papers::{empty, strained, whole_bank};
 use super::words::{Word, words};
 use super::{folder, on_both, rendered};
 
@@ -91,10 +91,7 @@ pub fn on_a4(name: &str, page: &RenderedFile, margins: &[String; 4]) -> Vec<Stri
 fn carom_knows_pages_that_a_browser_shows_as_they_are_meant() {
     let mut work = Vec::new();
     for (name, paper) in papers() {
-        for (piece, paper) in in_pieces(&paper).into_iter().enumerate() {
-            let name = format!("{name}-{piece}");
-            work.extend(rendered("html", &paper).into_iter().map(|page| (name.clone(), paper.clone(), page)));
-        }
+        work.extend(rendered("html", &paper).into_iter().map(|page| (name, paper.clone(), page)));
     }
     let found = on_both(&work, |(name, paper, page)| {
         let folder = format!("screen/{name}/{}", page.name);
@@ -112,17 +109,15 @@ fn carom_knows_pages_that_a_browser_shows_as_they_are_meant() {
 #[test]
 #[ignore = "needs TeX, poppler and Chromium, which `.ci/run` installs"]
 fn carom_knows_diagrams_that_are_clear_in_the_letters_that_a_page_falls_back_to() {
-    let mut work = Vec::new();
-    for (piece, paper) in in_pieces(&whole_bank()).into_iter().enumerate() {
-        let pages = rendered("html", &paper).into_iter().filter(|page| page.contents.contains("<svg"));
-        work.extend(pages.map(|page| (piece, paper.clone(), page)));
-    }
-    assert!(work.len() > 1);
-    let found = on_both(&work, |(piece, paper, page)| {
+    let paper = whole_bank();
+    let mut pages = rendered("html", &paper);
+    pages.retain(|page| page.contents.contains("<svg"));
+    assert!(pages.len() > 1);
+    let found = on_both(&pages, |page| {
         let page = in_fallback(page);
         // no phone has these letters
-        let on_desk = seen(&folder(&format!("screen/fallback-{piece}/{}", page.name)), &page).remove(0);
-        on_screen(paper, &page, &[on_desk])
+        let on_desk = seen(&folder(&format!("screen/fallback/{}", page.name)), &page).remove(0);
+        on_screen(&paper, &page, &[on_desk])
     });
     assert!(found.iter().all(Vec::is_empty), "\n{}", found.concat().join("\n"));
 }

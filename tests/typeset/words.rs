@@ -53,7 +53,6 @@ pub fn lines(words: &[&Word]) -> usize {
 }
 
 #[test]
-#[ignore = "needs TeX, poppler and Chromium, which `.ci/run` installs"]
 fn the_words_of_a_page_are_read() {
     let told = "<page width=\"595\" height=\"841\">\n\
                 <word xMin=\"10\" yMin=\"20.5\" xMax=\"30\" yMax=\"30\">A</word>\n\
