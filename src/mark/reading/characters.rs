@@ -39,7 +39,12 @@ pub(super) fn glyphs(text: &str) -> Result<Vec<Glyph>, Unreadable> {
             }
         };
         if superscript(character).is_some() {
-            let raised: String = typed[at..].iter().map_while(|typed| superscript(typed.character()?)).collect();
+            let mut raised: String = typed[at..].iter().map_while(|typed| superscript(typed.character()?)).collect();
+            if raised == "-" {
+                // `s⁻1`: a keyboard with a raised minus and no raised digits
+                let digit = |typed: &Typed| typed.character().filter(char::is_ascii_digit);
+                raised.extend(typed[at + 1..].iter().map_while(digit));
+            }
             let length = raised.chars().count();
             let end = typed[at + length - 1].end;
             let is_power_of_ten = ends_with_times_ten(&out);
@@ -201,8 +206,8 @@ fn plain(character: char, before: Option<char>) -> Option<&'static str> {
         '∶' | 'ː' => ":",
         '⟨' => "(",
         '⟩' => ")",
-        'ı' | 'î' | 'Î' | 'ĩ' => "i",
-        'ȷ' | 'ĵ' | 'Ĵ' => "j",
+        'ı' | 'î' | 'Î' | 'ĩ' | 'ⅈ' => "i",
+        'ȷ' | 'ĵ' | 'Ĵ' | 'ⅉ' => "j",
         'ℓ' => "l",
         'ℎ' => "h",
         'ɑ' | '⍺' => "α",

@@ -247,6 +247,10 @@ impl Rewriter<'_> {
                 self.out.extend(inside);
                 Ok(())
             }
+            "cr" => {
+                self.put(if self.columns > 0 { ';' } else { '\n' }, from);
+                Ok(())
+            }
             "left" | "right" => {
                 if self.sign() == Some('.') {
                     self.at += 1;
