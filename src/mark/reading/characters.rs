@@ -129,6 +129,25 @@ pub(super) fn without_pointed_brackets(mut glyphs: Vec<Glyph>) -> Vec<Glyph> {
     glyphs
 }
 
+/// Is there nothing but blanks, or a dash where somebody has no answer?
+pub(super) fn say_nothing(glyphs: &[Glyph]) -> bool {
+    glyphs.iter().all(|glyph| glyph.sign.is_whitespace() || glyph.sign == '-')
+}
+
+/// `_2.78_`, `*2.78*`: an answer without the marks of Markdown around all of it.
+pub(super) fn without_emphasis(mut glyphs: Vec<Glyph>) -> Vec<Glyph> {
+    let is_blank = |glyph: &Glyph| glyph.sign.is_whitespace();
+    while let Some(first) = glyphs.iter().position(|glyph| !is_blank(glyph)).filter(|at| glyphs.len() > at + 2)
+        && let Some(last) = glyphs.iter().rposition(|glyph| !is_blank(glyph))
+        && matches!(glyphs[first].sign, '*' | '_')
+        && glyphs[first].sign == glyphs[last].sign
+    {
+        glyphs.remove(last);
+        glyphs.remove(first);
+    }
+    glyphs
+}
+
 /// `4**i** + **j**`, `**2.78**`: bold letters of Markdown without its stars. Between a base and a bare exponent two stars
 /// are a power.
 pub(super) fn without_bold(mut glyphs: Vec<Glyph>) -> Vec<Glyph> {

@@ -1,5 +1,6 @@
 //! Inequalities: two in a row, `or` between them, `more than 3` without a letter, and ends that are infinite.
 
+use super::lexicon::is_rejection;
 use super::phrases::Phrase;
 use super::ranges::{is_any, is_infinite, said};
 use super::sides::Side;
@@ -126,7 +127,11 @@ impl Statements<'_> {
         if self.is_of_multiplier(sides, relations) {
             return Ok(());
         }
-        let values: Vec<Expr> = sides.iter().map(|side| self.bounded(side)).collect::<Result<_, _>>()?;
+        let remarks = self.rejections(sides);
+        let is_phrase = |placed: &&Placed| matches!(placed.token, Token::Phrase(_));
+        let lead = if remarks.is_empty() { 0 } else { sides[0].iter().take_while(is_phrase).count() };
+        let values = std::iter::once(&sides[0][lead..]).chain(sides[1..].iter().copied());
+        let values: Vec<Expr> = values.map(|side| self.bounded(side)).collect::<Result<_, _>>()?;
         let said = values.windows(2).zip(relations).map(|(pair, (sign, _))| {
             let relation = match sign {
                 '<' => Relation::Less,
@@ -137,10 +142,17 @@ impl Statements<'_> {
                 _ => Relation::Equal,
             };
             let form = Form::Equation(Expr::Relation(Box::new(pair[0].clone()), relation, Box::new(pair[1].clone())));
-            Said { form, unit: None, reference: None, remarks: Vec::new() }
+            Said { form, unit: None, reference: None, remarks: remarks.clone() }
         });
         self.found.push(Statement { label: None, said: said.collect() });
         Ok(())
+    }
+
+    /// The words beside an inequality by which it is taken back: `reject k < -2`.
+    fn rejections(&self, sides: &[&[Placed]]) -> Vec<String> {
+        let words = sides.iter().copied().flatten().filter(|placed| matches!(placed.token, Token::Phrase(_)));
+        let words = words.map(|placed| self.slice(std::slice::from_ref(placed)).to_lowercase());
+        words.filter(|word| is_rejection(word)).collect()
     }
 
     /// The value of `e = 5/7 < 1` or `v = u(1-e)/2 > 0`, which its end bounds.

@@ -49,6 +49,7 @@ mod tokens;
 mod units;
 mod values;
 mod vectors;
+mod word;
 mod wording;
 
 pub(crate) use lexicon::{is_never_letters, is_rejection, is_strange};
@@ -138,11 +139,12 @@ fn counted(text: &str, vocabulary: &Vocabulary, passes_over: bool) -> (Result<Ve
         return (Err(Unreadable::TooLong), 0);
     }
     let glyphs = match characters::glyphs(text)
+        .map(characters::without_emphasis)
         .map(characters::without_bold)
         .map(without_crossed_out)
         .and_then(|glyphs| latex::without_latex(&glyphs))
     {
-        Ok(glyphs) if glyphs.iter().all(|glyph| glyph.sign.is_whitespace()) => return (Err(Unreadable::Blank), 0),
+        Ok(glyphs) if characters::say_nothing(&glyphs) => return (Err(Unreadable::Blank), 0),
         Ok(glyphs) if vocabulary.vectors => characters::without_pointed_brackets(glyphs),
         Ok(glyphs) => glyphs,
         Err(reason) => return (Err(reason), 0),

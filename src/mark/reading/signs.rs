@@ -7,6 +7,7 @@ use super::digits::{recurring_value, repeated};
 use super::names;
 use super::number_words::{added_fraction, number_in_words};
 use super::tokens::{Placed, Token};
+use super::units::is_unit_word;
 use crate::expr::Expr;
 
 /// Words that stand for signs or functions, and these.
@@ -189,6 +190,13 @@ pub(super) fn with_signs(tokens: &[Placed], vocabulary: &Vocabulary, choices: &m
             out.insert(start, place(OPEN));
             out.extend([place(CLOSE), place('/')]);
             at += 2;
+            continue;
+        }
+        // `metres a second`
+        let is_rate = ["a", "each", "every"].iter().any(|word| is(at, word)) && is(at + 1, "second");
+        if is_rate && matches!(out.last(), Some(Placed { token: Token::Word(unit), .. }) if is_unit_word(unit)) {
+            out.push(Placed { token: Token::Word("per".to_owned()), ..placed.clone() });
+            at += 1;
             continue;
         }
         // `2 times the square root of 13`

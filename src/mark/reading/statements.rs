@@ -3,6 +3,7 @@
 use super::choices::Choices;
 use super::equation_number::without_number;
 use super::inequalities::is_inequality;
+use super::lexicon::is_rejection;
 use super::line;
 use super::part_label::{without_arrow, without_part_label};
 use super::phrases::Phrase;
@@ -193,7 +194,11 @@ impl Statements<'_> {
                     let words = side.iter().rev().take_while(says_nothing).count();
                     let side = if words < side.len() { &side[..side.len() - words] } else { side };
                     // `values of e greater than 3`, `the set of values is 0 < e < 1`
-                    let is_remark = |placed: &&Placed| placed.token == Token::Phrase(Phrase::Remark);
+                    let is_remark = |placed: &&Placed| {
+                        // `reject k < -2` says something of it.
+                        placed.token == Token::Phrase(Phrase::Remark)
+                            && !is_rejection(&self.slice(std::slice::from_ref(*placed)).to_lowercase())
+                    };
                     let lead = if is_inequality(sign) { side.iter().take_while(is_remark).count() } else { 0 };
                     let is =
                         side.get(lead).filter(|_| lead > 0).is_some_and(|next| next.token == Token::Phrase(Phrase::Is));

@@ -5,7 +5,6 @@ use super::characters::{CLOSE, Glyph, OPEN};
 use super::choices::Choices;
 use super::digits::{self, number};
 use super::phrases::Phrase;
-use super::spelling::mended;
 use crate::expr::{Expr, Function};
 use crate::number::Letter;
 
@@ -98,17 +97,8 @@ pub(super) fn is_greek(word: &str) -> bool {
     GREEK.iter().any(|(_, name)| name.eq_ignore_ascii_case(word))
 }
 
-/// Abbreviations that are written with full stops.
-const DOTTED: [&str; 14] = [
-    "s.f", "d.p", "l.o.c", "i.e", "e.g", "w.r.t", "k.e", "c.o.r", "c.o.m", "p.c.l.m", "c.l.m", "n.e.l", "n.l.r",
-    "n.l.i",
-];
-
 /// The most tokens that an answer may have.
 const MOST_TOKENS: usize = 400;
-
-/// The longest run of letters that is read as one word.
-const LONGEST_WORD: usize = 40;
 
 /// Every token of the glyphs.
 pub(super) fn tokens(glyphs: &[Glyph], letters: &[Letter], choices: &mut Choices) -> Result<Vec<Placed>, Unreadable> {
@@ -134,21 +124,21 @@ pub(super) fn excerpt(text: &str, start: usize, end: usize) -> &str {
     text.get(start..end + closing).unwrap_or_default().trim()
 }
 
-struct Lexer<'a> {
-    glyphs: &'a [Glyph],
-    letters: &'a [Letter],
-    at: usize,
+pub(super) struct Lexer<'a> {
+    pub(super) glyphs: &'a [Glyph],
+    pub(super) letters: &'a [Letter],
+    pub(super) at: usize,
     /// How many brackets stand open: in `(4,1)` the comma is none of a number's.
     depth: usize,
-    out: Vec<Placed>,
+    pub(super) out: Vec<Placed>,
 }
 
 impl Lexer<'_> {
-    fn sign(&self, ahead: usize) -> Option<char> {
+    pub(super) fn sign(&self, ahead: usize) -> Option<char> {
         self.glyphs.get(self.at + ahead).map(|glyph| glyph.sign)
     }
 
-    fn put(&mut self, token: Token, length: usize) {
+    pub(super) fn put(&mut self, token: Token, length: usize) {
         let (first, last) = (self.glyphs[self.at], self.glyphs[self.at + length - 1]);
         let spaced = self.at > 0 && matches!(self.glyphs[self.at - 1].sign, ' ' | '\n');
         self.out.push(Placed { token, start: first.place, end: last.end, spaced });
@@ -197,6 +187,11 @@ impl Lexer<'_> {
             // Radians as a raised letter.
             ('^', 'c') if ends_word && !self.is_letter("c") => {
                 self.put(Token::Word("rad".to_owned()), 2);
+                return Ok(());
+            }
+            // The hat of a unit vector.
+            ('^', _) if self.follows_unit_vector() => {
+                self.at += 1;
                 return Ok(());
             }
             ('*', '*') => ('^', 2),
@@ -256,6 +251,18 @@ impl Lexer<'_> {
         Ok(())
     }
 
+    /// `4i^ + j^`: does it stand straight behind an i or j, with no exponent after it?
+    fn follows_unit_vector(&self) -> bool {
+        let back = |count: usize| self.at.checked_sub(count).map(|at| self.glyphs[at].sign);
+        let is_letter = |sign: Option<char>| sign.is_some_and(char::is_alphabetic);
+        let ends = !self.sign(1).is_some_and(|next| next.is_alphanumeric() || "(-{[.√".contains(next) || next == OPEN);
+        matches!(back(1), Some('i' | 'j'))
+            && !is_letter(back(2))
+            && ends
+            && !self.is_letter("i")
+            && !self.is_letter("j")
+    }
+
     /// Does a letter stand straight before it?
     fn follows_letter(&self) -> bool {
         self.at > 0 && self.glyphs[self.at - 1].sign.is_alphabetic()
@@ -281,111 +288,13 @@ impl Lexer<'_> {
             && (self.sign(1).is_some_and(is_one) || ["sin", "cos", "tan"].iter().any(|name| is_function(name)))
     }
 
-    /// Letters, and a subscript if there is one.
-    fn word(&mut self) -> Result<(), Unreadable> {
-        let rest = || self.glyphs[self.at..].iter().map(|glyph| glyph.sign);
-        let start: String = rest().take(8).collect::<String>().to_ascii_lowercase();
-        if let Some(dotted) = DOTTED.iter().find(|dotted| start.starts_with(**dotted)) {
-            let whole = dotted.len() + usize::from(start[dotted.len()..].starts_with('.'));
-            self.put(Token::Word(dotted.replace('.', "")), whole);
-            return Ok(());
-        }
-        let mut word: String = rest().take_while(char::is_ascii_alphabetic).collect();
-        if word.len() > LONGEST_WORD {
-            let place = self.glyphs[self.at].place;
-            return Err(Unreadable::Sign(place, format!("a word of more than {LONGEST_WORD} letters")));
-        }
-        // `1/3rd`
-        let after_digit = self.at > 0 && self.glyphs[self.at - 1].sign.is_ascii_digit();
-        let is_below = matches!(self.out.as_slice(), [.., stroke, _] if stroke.is('/'));
-        if after_digit && is_below && matches!(word.as_str(), "rd" | "rds" | "th" | "ths") {
-            self.at += word.len();
-            return Ok(());
-        }
-        // The apostrophe of `doesn't`.
-        if self.sign(word.len()) == Some('\'') && self.sign(word.len() + 1) == Some('t') {
-            word.push_str("'t");
-        }
-        let mut length = word.len();
-        // `A's speed`
-        let apart = |sign: Option<char>| sign.is_none_or(|sign| !sign.is_alphanumeric());
-        if self.sign(length) == Some('\'') && self.sign(length + 1) == Some('s') && apart(self.sign(length + 2)) {
-            self.put(Token::Word(word), length + 2);
-            return Ok(());
-        }
-        if let Some(mended) = mended(&word) {
-            word = mended.to_owned();
-        }
-        let digits: String = rest().skip(length).take_while(char::is_ascii_digit).collect();
-        if self.sign(length) == Some('_') {
-            let below: String = rest().skip(length + 1).take_while(|sign| sign.is_alphanumeric()).collect();
-            let below = self.subscript(&word, below);
-            length += 1 + below.chars().count();
-            word = format!("{word}_{below}");
-        } else if !digits.is_empty() && self.ends_with_letter(&word, &digits) {
-            length += digits.len();
-            word.push_str(&digits);
-        }
-        let mut whole = length;
-        // `perp.` and `approx.` end in a stop that ends no sentence.
-        if self.sign(length) == Some('.') && ABBREVIATED.contains(&word.to_ascii_lowercase().as_str()) {
-            whole += 1;
-        }
-        // `4surd39`
-        let figure_next = self.sign(whole).is_some_and(|next| next.is_ascii_digit() || next == '(');
-        match word.to_ascii_lowercase().as_str() {
-            "surd" if figure_next => self.put(Token::Root { cube: false }, whole),
-            "deg" | "degs" | "degree" | "degrees" => self.put(Token::Sign('°'), whole),
-            _ => self.put(Token::Word(word), whole),
-        }
-        Ok(())
-    }
-
-    /// The subscript of a letter of the question, where more letters follow it: `v_Au`; else all of it.
-    fn subscript(&self, word: &str, below: String) -> String {
-        let known = self.letters.iter().filter_map(|letter| {
-            let (base, own) = letter.name().split_once('_')?;
-            (word.ends_with(base) && below.starts_with(own)).then(|| own.to_owned())
-        });
-        known.max_by_key(String::len).unwrap_or(below)
-    }
-
-    /// A Greek letter, with its subscript.
-    fn greek(&mut self, name: &'static str) {
-        if self.sign(1) != Some('_') {
-            self.put(Token::Greek(name), 1);
-            return;
-        }
-        let below: String = self.glyphs[self.at + 2..]
-            .iter()
-            .map(|glyph| glyph.sign)
-            .take_while(|sign| sign.is_alphanumeric())
-            .collect();
-        let length = 2 + below.chars().count();
-        self.put(Token::Word(format!("{name}_{below}")), length);
-    }
-
-    /// Do a word and figures end with a letter of the question, and is the rest made of others: `mv1`?
-    fn ends_with_letter(&self, word: &str, digits: &str) -> bool {
-        let is_one = |sign: char| self.letters.iter().any(|letter| letter.name().chars().eq([sign]));
-        let front = |letter: &Letter| {
-            let base = base(letter);
-            let has_digits = letter.name()[base.len()..].trim_start_matches('_') == digits;
-            word.strip_suffix(base).filter(|_| has_digits)
-        };
-        self.letters.iter().filter_map(front).any(|front| front.chars().all(is_one))
-    }
-
-    fn is_letter(&self, name: &str) -> bool {
+    pub(super) fn is_letter(&self, name: &str) -> bool {
         self.letters.iter().any(|letter| letter.name().bytes().filter(|sign| *sign != b'_').eq(name.bytes()))
     }
 }
 
 /// A letter of the question without its index.
-fn base(letter: &Letter) -> &str {
+pub(super) fn base(letter: &Letter) -> &str {
     let name = letter.name();
     name.split_once('_').map_or(name.trim_end_matches(|sign: char| sign.is_ascii_digit()), |(base, _)| base)
 }
-
-/// Words that are cut short by a full stop.
-const ABBREVIATED: [&str; 10] = ["perp", "approx", "deg", "ans", "vel", "dir", "cor", "ke", "mag", "loc"];
