@@ -162,6 +162,17 @@ fn suffices(figures: u32, places: i64, wanted: &Places) -> bool {
     }
 }
 
+/// Is a last figure of that place no coarser than the rule asks? `2 kJ` is not 1923 J to the nearest joule.
+fn is_as_fine_as(places: i64, wanted: &Places) -> bool {
+    match wanted {
+        Places::Nearest(step) => {
+            let unit = Fraction::new(1, 10).power(places.clamp(-MOST_PLACES, MOST_PLACES) as i32);
+            unit.is_none_or(|unit| unit <= step.decimal().to_fraction())
+        }
+        _ => true,
+    }
+}
+
 /// Enclosures of one number: to [`BITS`], and between doubles.
 #[derive(Clone)]
 pub(super) struct Nearly {
@@ -270,6 +281,7 @@ pub(super) fn decimal(written: &Written, target: &Target, accept: &Accept) -> Fi
     }
     let Ok(model) = target.rounded(&wanted) else { return Finding::unreadable(Note::CannotBeCompared) };
     let enough = suffices(written.figures, written.places, &wanted);
+    let is_fine = is_as_fine_as(written.places, &wanted);
     let last = last_place(written, target);
     let coarse = Written { places: -i64::from(written.noughts), ..written.clone() };
     let to_noughts = written.noughts > 0 && last_place(&coarse, target) == LastPlace::Rounded;
@@ -281,7 +293,7 @@ pub(super) fn decimal(written: &Written, target: &Target, accept: &Accept) -> Fi
     };
     let rounds_alike = !has_other_sign && round(&written.value, &wanted).to_fraction() == model.to_fraction();
     // 2.745 for 2.7446 is right to the figures that it has, though it would be rounded to 2.75 again.
-    if enough && (last == LastPlace::Rounded || rounds_alike) {
+    if enough && (last == LastPlace::Rounded && is_fine || rounds_alike) {
         let later = last == LastPlace::Neither && !to_noughts && !written.worked_out;
         let right = Finding::correct(later.then_some(Note::LaterFigures));
         return if *accept == Accept::Exact { right.at_most_partial(Note::ExactWanted) } else { right };

@@ -18,6 +18,7 @@ use super::accuracy::{BITS, Coarsest, Nearly, Target, Written, decimal, places};
 use super::exact::{self, Equality};
 use super::finding::Finding;
 use super::{Model, Note, number, sense};
+use crate::answer::Accept;
 
 /// Judges one value against an angle.
 pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
@@ -253,12 +254,17 @@ fn compare(model: &Model, stated: &Stated, right: &Enclosed, radians: bool) -> F
                 Equality::Undecided => return Finding::unreadable(Note::CannotBeCompared),
                 Equality::Different => {}
             }
-            return Coarsest::of(expr)
-                .filter(|_| constant)
-                .map_or(Finding::WRONG, |decimals| rounded(&found, &decimals, right, model));
+            return match Coarsest::of(expr).filter(|_| constant) {
+                Some(decimals) => rounded(&found, &decimals, right, model),
+                None if constant && number::rounds_to_model(model, |places| Target::Degrees(&found).rounded(places)) => {
+                    Finding::correct(None)
+                }
+                None => Finding::WRONG,
+            };
         }
         Some(Meaning::Number(value)) => value,
-        None if !constant && is_own() => return at_points(model, expr),
+        // What is too long to be worked out may be it all the same.
+        None if is_own() => return at_points(model, expr),
         _ => return Finding::WRONG,
     };
     if !constant {
@@ -270,10 +276,27 @@ fn compare(model: &Model, stated: &Stated, right: &Enclosed, radians: bool) -> F
         Some(Written::worked_out(value.clone(), &Coarsest::of(expr)?))
     });
     match written {
+        Some(written) if radians => {
+            let degrees = right.enclosure().map(|nearly| nearly.roughly);
+            let accept = degrees.map_or_else(|| model.accept.clone(), |degrees| in_radians(&model.accept, degrees));
+            decimal(&written, &target, &accept)
+        }
         Some(written) => decimal(&written, &target, &model.accept),
         None if number.as_fraction().is_some_and(|value| target.equals(value)) => Finding::EXACT,
         None => Finding::WRONG,
     }
+}
+
+/// The rule of an angle in degrees where it is stated in radians: as many significant figures as the degrees would have,
+/// since a step or a place of degrees is none of radians.
+fn in_radians(accept: &Accept, degrees: FloatInterval) -> Accept {
+    let step = match accept.places() {
+        Some(Places::DecimalPlaces(places)) => 0.1_f64.powi((*places).min(60).cast_signed()),
+        Some(Places::Nearest(step)) => step.decimal().to_fraction().to_f64(),
+        _ => return accept.clone(),
+    };
+    let figures = (degrees.abs().upper.log10().floor() - step.log10().floor() + 1.0).clamp(1.0, 20.0);
+    Accept::RoundsTo(Places::SignificantFigures(figures as u32))
 }
 
 /// An angle in letters that is long to compare, or of which only the tangent is seen to agree, is compared at points.

@@ -5,12 +5,16 @@
 //! roots. What would be more work than any answer of an exam goes to a person.
 
 use crate::expr::{Expr, Function};
+use crate::mark::enclosure::enclose_roughly;
 
 /// The most work that one exact value may be. A long answer of an exam takes some hundreds.
 pub(super) const MOST_EFFORT: u64 = 20_000;
 
 /// The longest number in an exact calculation, in bits: about 300 figures.
 const LONGEST_NUMBER: u64 = 1_000;
+
+/// The numbers in the tangent of an angle that is one of degrees are no longer than that, in bits.
+const SHORT: u64 = 24;
 
 /// The most different roots, sines and the like; each doubles the number of terms.
 const MOST_ROOTS: usize = 12;
@@ -178,7 +182,7 @@ impl Work {
                 let join = if matches!(expr, Expr::Sum(_)) { Work::sum } else { Work::product };
                 let size = self.all(parts, join)?;
                 // Angles are added by their tangents.
-                if is_angle(expr) { self.turned(expr, true) } else { Some(size) }
+                if is_angle(expr) { self.added_up(expr) } else { Some(size) }
             }
             Expr::Quotient(above, below) => {
                 let (above, below) = (self.size(above)?, self.size(below)?);
@@ -316,6 +320,37 @@ impl Work {
     fn turned(&mut self, argument: &Expr, tangent: bool) -> Option<Size> {
         let mut turns = Turns::default();
         turns.count(argument, 1);
+        self.of_turns(turns, tangent)
+    }
+
+    /// A sum of angles: degrees are added up by themselves.
+    fn added_up(&mut self, sum: &Expr) -> Option<Size> {
+        let mut turns = Turns::default();
+        turns.count(sum, 1);
+        let mut open = Vec::new();
+        for (angle, times) in turns.angles {
+            if !self.is_of_degrees(angle)? {
+                open.push((angle, times));
+            }
+        }
+        self.of_turns(Turns { angles: open }, true)
+    }
+
+    /// Is it a number of degrees, as `30°` is, or `arctan √3`, or too near to one to be anything else?
+    fn is_of_degrees(&mut self, angle: &Expr) -> Option<bool> {
+        Some(match angle {
+            Expr::Degrees(inner) => inner.names().is_empty(),
+            Expr::Number(_) | Expr::Decimal(_) | Expr::Pi => true,
+            Expr::Call(_, argument) if angle.names().is_empty() => {
+                let is_short = self.size(argument)?.bits <= SHORT;
+                let halves = enclose_roughly(angle, &[], 0).map(|radians| 2.0 * radians.upper.to_degrees());
+                is_short && halves.is_some_and(|halves| (halves - halves.round()).abs() < 1e-9)
+            }
+            _ => false,
+        })
+    }
+
+    fn of_turns(&mut self, turns: Turns, tangent: bool) -> Option<Size> {
         // Halves of angles are roots in roots, unless a fraction stands for the angle.
         if self.letters == Letters::Kept && turns.angles.iter().any(|(angle, _)| is_halved(angle)) {
             return None;

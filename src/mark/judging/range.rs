@@ -17,7 +17,7 @@ use crate::number::{Letter, Span, Value};
 use super::accuracy::Written;
 use super::exact::{self, meaning_of};
 use super::finding::Finding;
-use super::statements::is_rival;
+use super::statements::{is_concluded, is_rival};
 use super::{Model, Note, called, number};
 
 /// One inequality, solved for the letter: the letter lies on this side of the bound.
@@ -117,6 +117,8 @@ fn one(model: &Model, right: &[Bound], letter: Letter, statements: &[Statement])
     let finding = against(model, &ends, &own, letter);
     match bare.is_empty() {
         true => finding,
+        // `e = 1/3, so e > 1/3`: the critical value, and what is concluded from it.
+        false if all_are(&ends) && is_concluded(&statements.iter().collect::<Vec<_>>()) => finding,
         // `k > 2, k = 2`: whether that is a step on the way or counts the end in, nobody can tell.
         false if all_are(&ends) => finding.spoilt_by(Note::RangeEnd),
         false if finding.is_credited() => Finding::wrong(Note::RivalAnswers),

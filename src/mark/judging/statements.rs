@@ -114,7 +114,9 @@ fn links(statement: &Statement, one: One) -> Finding {
     if rivals && findings.len() > 1 && findings.iter().enumerate().any(|(at, f)| is_bare(at) && f.is_correct()) {
         return Finding::wrong(Note::RivalAnswers);
     }
-    if let Some(at) = findings.iter().position(|finding| finding.exact) {
+    // `98 + 2 - 92.5 = 8.5`: with a sum still to be worked out the answer is what it is worked out to be.
+    let counts = |at: &usize| findings[*at].exact && !(spoilt_after(*at) && is_unfinished(&statement.said[*at]));
+    if let Some(at) = (0..findings.len()).find(counts) {
         let right = findings[at];
         return if spoilt_after(at) { right.remarked(Note::IgnoredAfter) } else { right };
     }
@@ -126,6 +128,45 @@ fn links(statement: &Statement, one: One) -> Finding {
         Some(at) if !spoilt_after(at) => findings[at],
         Some(at) if only_rounded_after(at) => findings[at].remarked(Note::IgnoredAfter),
         _ => last,
+    }
+}
+
+/// Is arithmetic with plain numbers left to be done in it?
+fn is_unfinished(said: &Said) -> bool {
+    match &said.form {
+        Form::Value(expr) => has_arithmetic(expr),
+        Form::Vector(x, y, _) => has_arithmetic(x) || has_arithmetic(y),
+        _ => false,
+    }
+}
+
+/// `98 + 2`, `½ × 4 × 7²`, `16/2`; no `25/7`, and no `4√39/9`.
+fn has_arithmetic(expr: &Expr) -> bool {
+    let is_number = |expr: &&Expr| is_plain(expr);
+    match expr {
+        Expr::Sum(terms) | Expr::Product(terms) if terms.iter().filter(is_number).count() > 1 => true,
+        Expr::Quotient(above, below) => match (&**above, &**below) {
+            (Expr::Number(above), Expr::Number(below)) => {
+                let quotient = below.reciprocal().map(|share| above * &share);
+                !above.is_integer() || quotient.is_none_or(|quotient| quotient.is_integer())
+            }
+            (above, below) if is_plain(above) && is_plain(below) => true,
+            _ => has_arithmetic(above) || has_arithmetic(below),
+        },
+        Expr::Power(base, exponent) if is_plain(base) && is_plain(exponent) => true,
+        _ => expr.children().into_iter().any(has_arithmetic),
+    }
+}
+
+/// Is it a number, or made of numbers alone?
+fn is_plain(expr: &Expr) -> bool {
+    match expr {
+        Expr::Number(_) | Expr::Decimal(_) => true,
+        Expr::Negative(_) | Expr::Sum(_) | Expr::Product(_) | Expr::Quotient(..) => {
+            expr.children().into_iter().all(is_plain)
+        }
+        Expr::Power(base, exponent) => is_plain(base) && matches!(&**exponent, Expr::Number(power) if power.is_integer()),
+        _ => false,
     }
 }
 
@@ -254,8 +295,11 @@ fn last_or_rivals(model: &Model, statements: &[&Statement], one: One) -> Finding
         return Finding::partial(Note::SeveralAnswers);
     }
     // `-4 m/s, speed = 4`: the velocity, and then its size.
-    let is_size = |label: &Option<String>| label.as_ref().is_some_and(|label| label.contains("speed"));
+    let is_size = |label: &Option<String>| label.as_ref().is_some_and(|label| label.contains("speed") || label.contains('|'));
     let (before, of_last) = (&findings[..findings.len() - 1], labels.last());
+    if last.note == Some(Note::Sign) && of_last.is_some_and(is_size) && before.iter().all(Finding::is_correct) {
+        return before.first().copied().unwrap_or(last);
+    }
     if matches!(model.quantity, Some(Quantity::Speed(..)))
         && last.is_correct()
         && of_last.is_some_and(is_size)
@@ -290,7 +334,7 @@ fn is_called_by_a_letter(statement: &Statement) -> bool {
 }
 
 /// Is the last of them drawn from the others, as after `so`?
-fn is_concluded(statements: &[&Statement]) -> bool {
+pub(super) fn is_concluded(statements: &[&Statement]) -> bool {
     let first = statements.last().and_then(|last| last.said.first());
     first.is_some_and(|said| said.remarks.iter().any(|remark| remark == "so") && !is_rival(said))
 }

@@ -4,6 +4,7 @@ use super::characters::{CLOSE, OPEN};
 use super::choices::{Choices, Doubt};
 use super::tokens::{Placed, Token, excerpt};
 use super::units;
+use super::vectors::rational;
 use super::{SaidUnit, Unreadable, Vocabulary};
 use crate::expr::{Expr, Function};
 use crate::number::{Fraction, Places, round};
@@ -349,6 +350,13 @@ fn with_degrees_throughout(terms: Vec<Expr>) -> Vec<Expr> {
         match expr {
             Expr::Degrees(_) | Expr::Call(Function::Asin | Function::Acos | Function::Atan, _) => true,
             Expr::Negative(inner) => is_angle(inner),
+            // `180 - 2 arctan 2`, `180 - (arctan 2 + 45)`; in `180/pi * arctan 2` it is a number of degrees.
+            Expr::Product(factors) => {
+                let (angles, others): (Vec<&Expr>, Vec<&Expr>) = factors.iter().partition(|factor| is_angle(factor));
+                angles.len() == 1 && others.into_iter().all(|factor| rational(factor).is_some())
+            }
+            Expr::Quotient(above, below) => is_angle(above) && rational(below).is_some(),
+            Expr::Sum(terms) => terms.iter().any(is_angle),
             _ => false,
         }
     }
