@@ -4,7 +4,7 @@
 use std::fs;
 use std::path::Path;
 
-use carom::answer::Kind;
+use carom::answer::{Accept, Kind};
 use carom::mark::judging::{Model, ModelOptions, judge};
 use carom::mark::reading::read_answer;
 use carom::number::{Letter, Range};
@@ -21,6 +21,7 @@ struct Question {
     model: String,
     kind: Option<String>,
     find: Option<String>,
+    accept: Option<String>,
     #[serde(default)]
     letters: Vec<String>,
     answers: Vec<(String, String)>,
@@ -34,7 +35,7 @@ fn model(question: &Question) -> Model {
     };
     let options = ModelOptions {
         kind: question.kind.as_ref().map(|name| Kind::ALL.iter().copied().find(|kind| kind.name() == name).unwrap()),
-        accept: None,
+        accept: question.accept.as_ref().map(|rule| Accept::said(rule).unwrap()),
         letters: question.letters.iter().map(|name| Letter::new(name, range(name)).unwrap()).collect(),
         quantity: question.find.as_ref().map(|name| name.parse().unwrap()),
     };

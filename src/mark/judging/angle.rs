@@ -254,13 +254,9 @@ fn compare(model: &Model, stated: &Stated, right: &Enclosed, radians: bool) -> F
                 Equality::Undecided => return Finding::unreadable(Note::CannotBeCompared),
                 Equality::Different => {}
             }
-            return match Coarsest::of(expr).filter(|_| constant) {
-                Some(decimals) => rounded(&found, &decimals, right, model),
-                None if constant && number::rounds_to_model(model, |places| Target::Degrees(&found).rounded(places)) => {
-                    Finding::correct(None)
-                }
-                None => Finding::WRONG,
-            };
+            return Coarsest::of(expr)
+                .filter(|_| constant)
+                .map_or(Finding::WRONG, |decimals| rounded(&found, &decimals, right, model));
         }
         Some(Meaning::Number(value)) => value,
         // What is too long to be worked out may be it all the same.

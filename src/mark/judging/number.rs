@@ -7,7 +7,7 @@ use crate::expr::{Expr, Function, Meaning, Relation};
 use crate::mark::enclosure::enclose_roughly;
 use crate::mark::reading::{Form, Label, Notation, Said};
 use crate::mechanics::Quantity;
-use crate::number::{Decimal, FloatInterval, Fraction, Places, Range, Uncertain, Value, round};
+use crate::number::{FloatInterval, Fraction, Places, Range, Value};
 use crate::unit::Unit;
 
 use super::accuracy::{Coarsest, Target, Written, decimal, is_far, places};
@@ -113,6 +113,7 @@ fn said_twice(model: &Model, said: &Said, sides: [&Expr; 2]) -> Finding {
     let is_one = same(sides[0], sides[1], &model.vocabulary.letters) == Equality::Equal;
     match () {
         () if is_one || (left.is_correct() && right.is_correct()) => right,
+        () if right.exact && left.is_credited() => right,
         // `√7u/4 = 0.66u`: what comes after the exact value is its decimal.
         () if left.exact && Coarsest::of(sides[1]).is_some() => left.remarked(Note::IgnoredAfter),
         () => Finding::WRONG,
@@ -227,8 +228,6 @@ pub(super) fn value(model: &Model, expr: &Expr, written: &Option<Written>) -> Fi
         }
     } else if equality == Equality::Undecided {
         return Finding::unreadable(Note::CannotBeCompared);
-    } else if exact::value(expr, letters).is_some_and(|found| rounds_to_model(model, |places| found.rounded(places))) {
-        return Finding::correct(None);
     }
     if known.written().is_some_and(|right| is_broken_off(model, right, expr)) {
         return Finding::unreadable(Note::BrokenOff);
@@ -241,16 +240,6 @@ pub(super) fn value(model: &Model, expr: &Expr, written: &Option<Written>) -> Fi
         return Finding::wrong(Note::Inverted);
     }
     finding
-}
-
-/// Where the model is itself a decimal, an exact value is right that comes to its figures: `25/7` for 3.57.
-pub(super) fn rounds_to_model(
-    model: &Model,
-    rounded: impl Fn(&Places) -> Result<Decimal, Uncertain>,
-) -> bool {
-    let Some((written, places)) = Written::of(&model.value).zip(model.accept.places()) else { return false };
-    let is_decimal = !written.value.is_integer();
-    is_decimal && rounded(places).is_ok_and(|found| found.to_fraction() == round(&written.value, places).to_fraction())
 }
 
 /// Is it all that stands above the line of the answer, roots and all? Nobody gets there by chance.

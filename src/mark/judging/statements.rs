@@ -165,7 +165,9 @@ fn is_plain(expr: &Expr) -> bool {
         Expr::Negative(_) | Expr::Sum(_) | Expr::Product(_) | Expr::Quotient(..) => {
             expr.children().into_iter().all(is_plain)
         }
-        Expr::Power(base, exponent) => is_plain(base) && matches!(&**exponent, Expr::Number(power) if power.is_integer()),
+        Expr::Power(base, exponent) => {
+            is_plain(base) && matches!(&**exponent, Expr::Number(power) if power.is_integer())
+        }
         _ => false,
     }
 }
@@ -295,7 +297,8 @@ fn last_or_rivals(model: &Model, statements: &[&Statement], one: One) -> Finding
         return Finding::partial(Note::SeveralAnswers);
     }
     // `-4 m/s, speed = 4`: the velocity, and then its size.
-    let is_size = |label: &Option<String>| label.as_ref().is_some_and(|label| label.contains("speed") || label.contains('|'));
+    let is_size =
+        |label: &Option<String>| label.as_ref().is_some_and(|label| label.contains("speed") || label.contains('|'));
     let (before, of_last) = (&findings[..findings.len() - 1], labels.last());
     if last.note == Some(Note::Sign) && of_last.is_some_and(is_size) && before.iter().all(Finding::is_correct) {
         return before.first().copied().unwrap_or(last);
