@@ -10,11 +10,11 @@ use super::decide::own_blank;
 use super::memory::{Judged, Lines};
 use crate::answer::Kind;
 use crate::bank::{Code, Find};
-use crate::expr::Expr;
+use crate::expr::{Expr, Function};
 use crate::mark::award::{Award, Place};
 use crate::mark::judging::{Judgement, Note, Verdict, is_named};
 use crate::mark::key::{KeyedBlank, KeyedPart};
-use crate::mark::reading::Statement;
+use crate::mark::reading::{Form, Said, Statement};
 use crate::mark::script::PartScript;
 use crate::mark::working::Examined;
 use crate::mechanics::{Moment, Quantity};
@@ -72,10 +72,15 @@ impl<'s> Left<'s> {
             let Ok(readings) = readings.as_ref() else { return None };
             let statements = readings.first().map(|one| &one.statements)?;
             // `v = 3, w = 5` is for two blanks, and not the second value for either; `w − v = 3` is for none.
-            let is_alone = self.part.blanks.len() == 1 || statements.len() == 1;
+            // `tan β = 1/2, β = 26.6°` and `63.4° to the normal, so 26.6° to the wall` are about one angle.
+            let is_of_one_angle = || self.is_only_angle(place) && statements.iter().all(is_of_angle);
+            let is_alone = self.part.blanks.len() == 1 || statements.len() == 1 || is_of_one_angle();
             let mut labels = statements.iter().filter_map(|one| one.label.as_ref());
             let is_result = labels.all(|label| !is_formula(&label.typed));
-            let is_answer = || has_method || statements.iter().any(|statement| self.is_called(blank, statement));
+            let is_found = |statement: &Statement| self.is_only_angle(place) && statement.said.iter().any(is_inverse);
+            let is_answer = || {
+                has_method || statements.iter().any(|statement| self.is_called(blank, statement) || is_found(statement))
+            };
             let is_of_other = || statements.iter().any(|statement| self.is_of_other(blank, statement));
             if !(is_alone && is_result && is_answer()) || is_of_other() {
                 return None;
@@ -83,6 +88,12 @@ impl<'s> Left<'s> {
             let found = judged(line);
             (found.judgement.verdict == Verdict::Correct).then_some((line, found))
         })
+    }
+
+    /// Does the part ask for this angle and for no other?
+    fn is_only_angle(&self, place: usize) -> bool {
+        let angles = self.part.blanks.iter().enumerate().filter(|(_, blank)| blank.model.kind == Kind::Angle);
+        angles.map(|(own, _)| own).eq([place])
     }
 
     /// The last line, if it ends with the result that is to be shown, and no line on the way to it is false.
@@ -140,6 +151,18 @@ impl<'s> Left<'s> {
             }
         }
     }
+}
+
+/// Is it an angle in degrees, or the tangent, sine or cosine of one?
+fn is_of_angle(statement: &Statement) -> bool {
+    let name = statement.label.as_ref().and_then(|label| label.expr.as_ref());
+    let is_ratio = matches!(name, Some(Expr::Call(Function::Tan | Function::Sin | Function::Cos, _)));
+    is_ratio || statement.said.last().is_some_and(|said| said.unit.as_ref().is_some_and(|unit| unit.degrees))
+}
+
+/// Is it found by an inverse tangent, sine or cosine?
+fn is_inverse(said: &Said) -> bool {
+    matches!(&said.form, Form::Value(Expr::Call(Function::Atan | Function::Asin | Function::Acos, _)))
 }
 
 /// May a line call its value by a name, or is it an inequality? That can be seen before it is read.

@@ -61,6 +61,8 @@ impl Working<'_> {
                 }
                 let found = self.by_value(law, &quantities, code).or_else(|| self.by_shape(law, shape, sphere, code));
                 let found = found.or_else(|| if code.is_accuracy() { None } else { self.fraction_of_energies(law) });
+                let is_of_wall = shape == Shape::ChangeOfMomentum && self.prepared.setting == Setting::Wall;
+                let found = found.or_else(|| if is_of_wall { self.change_in_vectors(law.name()) } else { None });
                 let found = found.or_else(|| self.energies_apart(law, code));
                 let found = found.or_else(|| self.without_a_letter(law, &quantities, code));
                 found.or_else(|| self.compound_angle(law).filter(|_| code == Code::M1 && is_of_deflection))
@@ -148,7 +150,10 @@ impl Working<'_> {
         // The tangent after the impact has the component in it.
         let is_shown = self.part.blanks.iter().any(|blank| blank.model.kind == Kind::Shown);
         let angle = Quantity::AngleToLine(Sphere::A, Moment::After);
-        let by_tangent = || self.line_that_is(&self.prepared.known, angle).filter(|_| !is_shown && !is_nought(angle));
+        let speaks = |line: &usize| self.speaks_of_angle(&self.lines[*line]);
+        let by_tangent = || {
+            self.line_that_is(&self.prepared.known, angle).filter(|line| !is_shown && !is_nought(angle) && speaks(line))
+        };
         let right = self.line_that_is(&self.prepared.known, after).or_else(by_tangent);
         let right = right.or_else(|| self.inequality_with(&sizes(&self.prepared.known, after)?));
         let line = right.or_else(|| if is_condoned { exchanged() } else { None })?;
@@ -315,7 +320,7 @@ impl Working<'_> {
         let formulas = reading.members.iter().filter(is_open);
         let mut components = formulas.clone().flat_map(|member| components_in(&member.expr, is_tangent(member)));
         components.any(|expr| self.values_of(&expr).is_some_and(|values| is_right(&values)))
-            || formulas.into_iter().any(|member| self.has_sum_of_squares(&member.expr, sphere))
+            || formulas.into_iter().any(|member| self.has_sum_of_squares(&member.expr, sphere, right))
     }
 
     /// Is a value one that the student takes for a component along the line of centres: because it is said to be, or because it

@@ -44,10 +44,15 @@ impl Working<'_> {
         is(across, &self.sizes_of(sphere, Axis::T)) && is(along, &known)
     }
 
-    /// Is there a sum of two squares that were worked out, both of them right: `√(4 + 3.7)`?
-    pub(super) fn has_sum_of_squares(&self, expr: &Expr, sphere: Sphere) -> bool {
+    /// Is there a sum of two squares that were worked out, both of them right, and one that of this component: `√(4 + 3.7)`?
+    pub(super) fn has_sum_of_squares(&self, expr: &Expr, sphere: Sphere, across: &[f64]) -> bool {
+        let square = vec![across.iter().map(|size| size * size).collect::<Vec<f64>>()];
+        let has_own = |terms: &[Expr]| {
+            terms.iter().any(|term| self.is_one_of(term, &square) || self.is_near_one_of(term, &square))
+        };
         any_within(expr, &|inner| {
-            matches!(inner, Expr::Sum(terms) if are_bare(terms)) && self.is_pythagoras(inner, Some(sphere))
+            matches!(inner, Expr::Sum(terms) if are_bare(terms) && has_own(terms))
+                && self.is_pythagoras(inner, Some(sphere))
         })
     }
 }

@@ -76,6 +76,20 @@ impl Working<'_> {
         }
     }
 
+    /// The momentum of a sphere before an impact with a wall taken from that after it, as vectors.
+    pub(super) fn change_in_vectors(&self, role: &'static str) -> Option<Evidence> {
+        let [Some(x), Some(y)] = [Axis::X, Axis::Y].map(|axis| self.along(axis)) else { return None };
+        let changes = |along: &Along| -> Vec<f64> {
+            along.others[1].iter().zip(&along.others[0]).map(|(after, before)| after - before).collect()
+        };
+        let (x, y) = (changes(&x), changes(&y));
+        let is_change = |values: &[Value]| [1.0, -1.0].into_iter().any(|sign| is_vector(values, &x, &y, sign));
+        let line = self.lines.iter().position(|studied| {
+            self.members(studied).any(|(member, values)| is_worked(&member.expr) && is_change(values))
+        })?;
+        Some(Evidence::given(line, role))
+    }
+
     fn along(&self, axis: Axis) -> Option<Along> {
         let known = |quantity| sizes(&self.prepared.known, quantity);
         let mass = known(Quantity::Mass(Sphere::A))?;
@@ -151,6 +165,12 @@ impl Along {
         self.is_sum_of_others(linear.constant, scale, point).then_some(Agrees::ButForSigns)
     }
 
+    /// Is it the other two terms added up, and not their difference?
+    fn is_total(&self, value: Spread, point: usize) -> bool {
+        let [one, other] = [&self.others[0], &self.others[1]].map(|term| term[point]);
+        value.may_be(one + other) && ![one - other, other - one].into_iter().any(|change| value.may_be(change))
+    }
+
     /// Is it the sum of the other two terms, whatever their signs?
     fn is_sum_of_others(&self, value: Spread, scale: f64, point: usize) -> bool {
         let [one, other] = [&self.others[0], &self.others[1]].map(|term| scale * term[point]);
@@ -164,7 +184,12 @@ fn impulse_but_for_signs(values: &[Value], x: &Along, y: &Along) -> Option<Agree
         Value::Vector(i, j) => x.is_sum_of_others(*i, 1.0, point) && y.is_sum_of_others(*j, 1.0, point),
         Value::Number(_) => false,
     });
-    (x.is_impulse && fits).then_some(Agrees::ButForSigns)
+    // Momenta that are added up are no change of momentum.
+    let is_total = values.iter().enumerate().all(|(point, value)| match value {
+        Value::Vector(i, j) => x.is_total(*i, point) && y.is_total(*j, point),
+        Value::Number(_) => false,
+    });
+    (x.is_impulse && fits && !is_total).then_some(Agrees::ButForSigns)
 }
 
 /// Is it more than a vector as it stands?

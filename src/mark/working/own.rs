@@ -208,7 +208,7 @@ impl Working<'_> {
             return None;
         }
         let before = sizes(&self.prepared.known, Quantity::KineticEnergy(Sphere::A, Moment::Before))?;
-        let along = self.energy_along_before();
+        let along = self.energy_along(Moment::Before);
         let line = self.lines.iter().position(|studied| {
             let members = studied.reading.as_ref().map(|reading| reading.members.as_slice()).unwrap_or_default();
             members.iter().any(|member| {
@@ -219,10 +219,10 @@ impl Working<'_> {
         Some(Evidence::given(line, law.name()))
     }
 
-    /// The energy before an impact of the motion along the line of centres alone, where a wall leaves the rest as it is.
-    fn energy_along_before(&self) -> Option<Vec<f64>> {
+    /// The energy of the motion along the line of centres alone, where a wall leaves the rest as it is.
+    fn energy_along(&self, moment: Moment) -> Option<Vec<f64>> {
         let known = |quantity| sizes(&self.prepared.known, quantity);
-        let along = known(Quantity::Velocity(Sphere::A, Moment::Before, Axis::N))?;
+        let along = known(Quantity::Velocity(Sphere::A, moment, Axis::N))?;
         let mass = known(Quantity::Mass(Sphere::A)).filter(|_| self.prepared.setting == Setting::Wall)?;
         Some(along.iter().zip(mass).map(|(along, mass)| mass * along * along / 2.0).collect())
     }
@@ -241,8 +241,13 @@ impl Working<'_> {
         });
         let totals = [&self.prepared.known, &self.followed]
             .map(|known| sizes(known, Quantity::KineticEnergy(Sphere::A, Moment::After)));
-        let is_total =
-            self.is_near_one_of(&product(&factors, other), &totals.into_iter().flatten().collect::<Vec<_>>());
+        let second = product(&factors, other);
+        let is_total = self.is_near_one_of(&second, &totals.into_iter().flatten().collect::<Vec<_>>());
+        // All the energy less that of one component is no difference: what is unchanged is left out on both sides or neither.
+        let part = self.energy_along(Moment::After).filter(|_| !is_along && !is_total);
+        if part.is_some_and(|part| self.is_near_one_of(&second, &[part])) {
+            return false;
+        }
         let is_squared = || any_within(other, &is_square);
         let counts = if is_along { is_squared() && !is_total } else { is_squared() || is_total };
         is_before && is_another && counts
