@@ -24,6 +24,8 @@ pub(super) struct Left<'s> {
     part: &'s KeyedPart,
     /// Each with its number in the working; the last line first.
     lines: Vec<(usize, &'s str)>,
+    /// What stands left of the equals sign in the line that the last one goes on from, with an equals sign in front.
+    begun: Option<&'s str>,
     /// What the lines earn, a mark each.
     by_lines: &'s [Option<Award>],
     examined: &'s Examined,
@@ -34,8 +36,11 @@ impl<'s> Left<'s> {
         let lines = script.working.iter().flat_map(|cell| cell.lines()).map(str::trim).filter(|line| !line.is_empty());
         let mut lines: Vec<(usize, &str)> = lines.enumerate().map(|(place, line)| (place + 1, line)).collect();
         lines.reverse();
+        let goes_on = |(_, line): &&(usize, &str)| line.starts_with(['=', '≈']);
+        let begun = lines.first().filter(goes_on).and_then(|_| lines.iter().find(|line| !goes_on(line)));
+        let begun = begun.and_then(|(_, line)| line.split_once('=')).map(|(name, _)| name);
         lines.truncate(part.blanks.len());
-        Left { part, lines, by_lines: &examined.awards, examined }
+        Left { part, lines, begun, by_lines: &examined.awards, examined }
     }
 
     /// The last line, if it has the right answers to all of several blanks: `v = 3, w = 5`.
@@ -65,7 +70,7 @@ impl<'s> Left<'s> {
         self.lines.iter().find_map(|(number, line)| {
             let line = if is_range { concluded(line) } else { line };
             let has_method = self.has_method(place, *number);
-            if !has_method && !calls_something(line) {
+            if !has_method && !calls_something(line) && self.begun.is_none() {
                 return None;
             }
             let readings = lines.read(line, &blank.model.vocabulary);
@@ -78,9 +83,14 @@ impl<'s> Left<'s> {
             let mut labels = statements.iter().filter_map(|one| one.label.as_ref());
             let is_result = labels.all(|label| !is_formula(&label.typed));
             let is_found = |statement: &Statement| self.is_only_angle(place) && statement.said.iter().any(is_inverse);
-            let is_answer = || {
-                has_method || statements.iter().any(|statement| self.is_called(blank, statement) || is_found(statement))
+            let is_called = |statement: &Statement| self.is_called(blank, statement) || is_found(statement);
+            let begun = self.begun.filter(|_| self.lines[0].0 == *number).map(|name| format!("{name} {line}"));
+            let is_begun = || {
+                let read = begun.as_ref().map(|whole| lines.read(whole, &blank.model.vocabulary));
+                let statements = read.as_ref().and_then(|read| Some(&read.as_ref().as_ref().ok()?.first()?.statements));
+                statements.is_some_and(|statements| statements.iter().any(is_called))
             };
+            let is_answer = || has_method || statements.iter().any(is_called) || is_begun();
             let is_of_other = || statements.iter().any(|statement| self.is_of_other(blank, statement));
             if !(is_alone && is_result && is_answer()) || is_of_other() {
                 return None;

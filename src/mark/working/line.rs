@@ -259,11 +259,13 @@ fn candidates(typed: &str) -> Vec<(Option<&str>, String)> {
         let before = before.trim_end().trim_end_matches("which is").trim_end_matches([' ', ',']);
         all.push((None, format!("{before}, {}", after.trim())));
     }
-    // A scalar product is worked out on its right: `(2i + 5j).(i - j) = 2 - 5`.
-    if let Some((product, after)) = typed.split_once('=')
-        && SCALAR_PRODUCTS.iter().any(|sign| product.contains(sign))
-    {
-        all.push((None, after.trim().to_owned()));
+    // A scalar product is worked out on its right: `(2i + 5j).(i - j) = 2 - 5`, `p = (2i + 5j).(i - j) = -3`.
+    let sides: Vec<&str> = typed.split('=').collect();
+    let is_product = |side: &&str| SCALAR_PRODUCTS.iter().any(|sign| side.contains(sign));
+    if let Some(product) = sides.iter().rposition(|side| is_product(&side)).filter(|at| at + 1 < sides.len()) {
+        let after = sides[product + 1..].join("=").trim().to_owned();
+        all.extend((product > 0).then(|| (None, format!("{} = {after}", sides[0].trim()))));
+        all.push((None, after));
     }
     let is_word = |word: &str| {
         let letters = word.trim_matches(['(', ')', '.', ',', ':']);

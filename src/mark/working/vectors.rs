@@ -179,6 +179,11 @@ impl Working<'_> {
         let evidence = Evidence::given(place, "components along the line of centres");
         match code.is_accuracy() {
             false => is_method.then_some(evidence),
+            // Two of one size, of which one is shown: at a wall signs do not matter.
+            true if is_complete && !each && is_wall => {
+                let feedback = "only one of the two components is there".to_owned();
+                Some(Evidence { given: false, feedback, ..evidence })
+            }
             true if is_complete && !each => {
                 let sign = Departure::Sign;
                 let (note, feedback) = (Some(sign.tag()), sign.sentence().to_owned());
