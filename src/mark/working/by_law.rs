@@ -65,7 +65,8 @@ impl Working<'_> {
                 let found = found.or_else(|| if is_of_wall { self.change_in_vectors(law.name()) } else { None });
                 let found = found.or_else(|| self.energies_apart(law, code));
                 let found = found.or_else(|| self.without_a_letter(law, &quantities, code));
-                found.or_else(|| self.compound_angle(law).filter(|_| code == Code::M1 && is_of_deflection))
+                let of_deflection = || self.compound_angle(law).or_else(|| self.scalar_quotient(law));
+                found.or_else(|| if code == Code::M1 && is_of_deflection { of_deflection() } else { None })
             }
             Seen::AlongLine | Seen::Unknown => None,
         }

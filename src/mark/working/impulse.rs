@@ -114,7 +114,12 @@ impl Working<'_> {
     /// An equation of vectors in what is sought.
     fn of_vectors(&self, (left, right): &(Expr, Expr), x: &Along, y: &Along) -> Option<Agrees> {
         let at = |point| match difference(left, right, &context(self.prepared, point))? {
-            Sum::Vector(along_i, along_j) => Some(x.of(&along_i, point)?.min(y.of(&along_j, point)?)),
+            Sum::Vector(along_i, along_j) => {
+                let is_total = x.is_impulse
+                    && x.is_total(along_i.constant, point)
+                    && y.is_total(along_j.constant, point);
+                Some(x.of(&along_i, point)?.min(y.of(&along_j, point)?)).filter(|_| !is_total)
+            }
             Sum::Number(_) => None,
         };
         let found = self.at_every_point(&at)?;
@@ -168,7 +173,8 @@ impl Along {
     /// Is it the other two terms added up, and not their difference?
     fn is_total(&self, value: Spread, point: usize) -> bool {
         let [one, other] = [&self.others[0], &self.others[1]].map(|term| term[point]);
-        value.may_be(one + other) && ![one - other, other - one].into_iter().any(|change| value.may_be(change))
+        let is_one_of = |sums: [f64; 2]| sums.into_iter().any(|sum| value.may_be(sum));
+        is_one_of([one + other, -one - other]) && !is_one_of([one - other, other - one])
     }
 
     /// Is it the sum of the other two terms, whatever their signs?

@@ -248,7 +248,7 @@ fn candidates(typed: &str) -> Vec<(Option<&str>, String)> {
     all.extend(after_remark(typed).map(|formula| (None, formula.to_owned())));
     all.push((None, typed.to_owned()));
     if let Some((before, after)) = typed.split_once(':')
-        && after.contains('=')
+        && after.contains(['=', '<', '>', '≤', '≥'])
         && !before.contains('=')
     {
         all.push((Some(before.trim()), after.trim().to_owned()));

@@ -190,6 +190,29 @@ impl Working<'_> {
         })
     }
 
+    /// The cosine of a deflection by a scalar product: something over the product of the speeds before and after.
+    pub(super) fn scalar_quotient(&self, law: Law) -> Option<Evidence> {
+        let speeds: Vec<Vec<f64>> = Sphere::BOTH
+            .into_iter()
+            .filter_map(|sphere| {
+                let of = |moment| sizes(&self.prepared.known, Quantity::Speed(sphere, moment));
+                let (before, after) = of(Moment::Before).zip(of(Moment::After))?;
+                Some(before.iter().zip(after).map(|(before, after)| before * after).collect())
+            })
+            .collect();
+        let is_quotient =
+            |inner: &Expr| matches!(inner, Expr::Quotient(_, below) if self.is_near_one_of(below, &speeds));
+        let line = self.lines.iter().position(|studied| {
+            self.members(studied).any(|(member, _)| {
+                let is_cosine = member.label.as_ref().is_some_and(|label| label.trim_start().starts_with("cos"));
+                let has_inverse =
+                    |inner: &Expr| matches!(inner, Expr::Call(Function::Acos, of) if any_within(of, &is_quotient));
+                is_cosine && any_within(&member.expr, &is_quotient) || any_within(&member.expr, &has_inverse)
+            })
+        })?;
+        Some(Evidence::given(line, law.name()))
+    }
+
     /// The tangent of a difference of two angles, expanded: `(tan β - tan α)/(1 + tan α tan β)`.
     pub(super) fn compound_angle(&self, law: Law) -> Option<Evidence> {
         let line = self.lines.iter().position(|studied| {
