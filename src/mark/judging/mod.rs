@@ -30,6 +30,7 @@ mod shown;
 mod spheres;
 mod statements;
 mod together;
+mod turns;
 mod units;
 mod vector;
 mod velocity;

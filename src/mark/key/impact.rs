@@ -20,24 +20,35 @@ impl KeyedQuestion {
     /// A later impact as the student comes to it, with the velocities that the student has found for what came before; and
     /// the question's parts as far as they are about it, in the words of the laws.
     pub(in crate::mark) fn impact(&self, meeting: Meeting, own: &Theirs) -> Option<Cow<'_, KeyedQuestion>> {
-        if own.wrong(self).any(|(quantity, _)| quantity.impact() < meeting.number) {
-            return self.begun_with(meeting, own).map(Cow::Owned);
+        let wrong: Vec<(Quantity, &Expr)> =
+            own.wrong(self).filter(|(quantity, _)| quantity.impact() < meeting.number).collect();
+        if !wrong.is_empty() {
+            return self.begun_with(meeting, &wrong).map(Cow::Owned);
         }
         // Most students come to it with what is right.
         let right = self.later.get_or_init(|| {
-            let right = |then: &Then| self.begun_with(then.meeting, &Theirs::default());
+            let right = |then: &Then| self.begun_with(then.meeting, &[]);
             self.scene.then.iter().map(right).collect()
         });
         let place = self.scene.then.iter().position(|then| then.meeting == meeting)?;
         right[place].as_ref().map(Cow::Borrowed)
     }
 
-    fn begun_with(&self, meeting: Meeting, own: &Theirs) -> Option<KeyedQuestion> {
+    /// The same where the student goes on with values as they were rounded, if some were: `7.2` for 7.17.
+    pub(in crate::mark) fn impact_as_rounded(&self, meeting: Meeting, own: &Theirs) -> Option<KeyedQuestion> {
+        let is_earlier = |(quantity, _): &(Quantity, &Expr)| quantity.impact() < meeting.number;
+        let rounded: Vec<(Quantity, &Expr)> = own.rounded(self).filter(is_earlier).collect();
+        let wrong = own.wrong(self).filter(is_earlier);
+        (!rounded.is_empty())
+            .then(|| self.begun_with(meeting, &rounded.iter().copied().chain(wrong).collect::<Vec<_>>()))?
+    }
+
+    fn begun_with(&self, meeting: Meeting, own: &[(Quantity, &Expr)]) -> Option<KeyedQuestion> {
         let then = self.scene.then.iter().find(|then| then.meeting == meeting)?;
         let mut known = self.given.clone();
-        for (quantity, written) in own.wrong(self).filter(|(quantity, _)| quantity.impact() < meeting.number) {
+        for (quantity, written) in own {
             if let Some(value) = self.exact(written) {
-                known.0.insert(quantity, Datum::Number(value));
+                known.0.insert(*quantity, Datum::Number(value));
             }
         }
         let in_a_line = known.0.contains_key(&Quantity::InALine);

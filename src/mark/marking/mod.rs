@@ -20,13 +20,13 @@ pub use overrule::{Word, overrule};
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use super::award::{MarkedAnswer, MarkedLine, MarkedPart};
+use super::award::{Award, MarkedAnswer, MarkedLine, MarkedPart};
 use super::judging::Verdict;
 use super::key::{KeyedMark, KeyedPart, KeyedQuestion};
 use super::profile::Profile;
 use super::script::{PartScript, Script};
 use super::working::{Theirs, examine};
-use crate::bank::{EarnedFor, Find};
+use crate::bank::{Code, EarnedFor, Find};
 use crate::mechanics::Quantity;
 
 /// Marks what a student handed in for a question: a [`MarkedPart`] for each part, in the order of the key.
@@ -128,6 +128,7 @@ fn looked_through(
         };
         let found = decide::awards(part, found, profile, &mut charged);
         let awards = decide::settled(part, &answers, &found);
+        say_shown(part, &awards, &mut answers);
         let all_right = awards.iter().all(|award| award.given);
         let solution = match solutions {
             Solutions::Written if !all_right => follow::solution(question, part, &examined),
@@ -142,6 +143,19 @@ fn looked_through(
         marked.push(MarkedPart { label, answers, lines, awards, found, followed: solution });
     }
     marked
+}
+
+/// Who has shown a result is not told that it is only the printed line written once more.
+fn say_shown(part: &KeyedPart, awards: &[Award], answers: &mut [MarkedAnswer]) {
+    let shown = part.scheme.iter().zip(awards).filter(|(mark, award)| mark.code == Code::A1Shown && award.given);
+    for place in shown.flat_map(|(mark, _)| mark.blanks.iter().copied()) {
+        if answers::is_shown(&part.blanks[place]) {
+            let judgement = &mut answers[place].judgement;
+            (judgement.verdict, judgement.note) = (Verdict::Correct, None);
+            judgement.feedback = "Right.".to_owned();
+            answers[place].causes.clear();
+        }
+    }
 }
 
 /// For each mark: does the working of this part state another value than the one that it is for? Then no answer implies it.

@@ -59,6 +59,10 @@ impl Lexer<'_> {
             let below = self.subscript(&word, below);
             length += 1 + below.chars().count();
             word = format!("{word}_{below}");
+        } else if word == "E" && digits.len() == 1 && !after_digit && !self.is_letter("E") {
+            // `E1 − E2`: energies, and no powers of e.
+            length += 1;
+            word = format!("E_{digits}");
         } else if !digits.is_empty() && self.ends_with_letter(&word, &digits) {
             length += digits.len();
             word.push_str(&digits);

@@ -46,14 +46,29 @@ fn examine_later(
     before: &Examined,
     meeting: Meeting,
 ) -> Option<Examined> {
+    let examined = |impact: &KeyedQuestion| examine_as_begun(impact, part, working, before, meeting);
+    let right = examined(&*question.impact(meeting, &before.theirs)?)?;
+    // Who goes on with what was rounded has used the same laws.
+    let rounded = question.impact_as_rounded(meeting, &before.theirs).and_then(|impact| examined(&impact));
+    let earned = |examined: &Examined| examined.awards.iter().flatten().filter(|award| award.given).count();
+    Some(rounded.filter(|rounded| earned(rounded) > earned(&right)).unwrap_or(right))
+}
+
+/// The same, where the later impact begins with these velocities.
+fn examine_as_begun(
+    impact: &KeyedQuestion,
+    part: &KeyedPart,
+    working: &[String],
+    before: &Examined,
+    meeting: Meeting,
+) -> Option<Examined> {
     let (before, of_others) = (&before.theirs, before.short_of_law.as_slice());
-    let impact = question.impact(meeting, before)?;
     // `V_B'` after `V_B`: the stroke says that it is of a later impact, and here all is.
     let plain = |line: &String| meeting.in_law_names(&line.replace(['\'', '’', '′'], ""));
     let typed: Vec<String> = working.iter().map(plain).collect();
     let here = before.0.iter().filter_map(|(quantity, own)| Some((meeting.in_law(*quantity)?, own.clone())));
     let part = impact.parts.iter().find(|other| other.label == part.label)?;
-    let examined = examine_one(&impact, part, &typed, &Theirs(here.collect()), of_others);
+    let examined = examine_one(impact, part, &typed, &Theirs(here.collect()), of_others);
     let own = examined.theirs.0.into_iter().map(|(quantity, own)| (meeting.quantity(quantity), own));
     let theirs = Theirs(before.0.clone().into_iter().chain(own).collect());
     let lines = examined.lines.into_iter().zip(working).map(|(line, typed)| MarkedLine {

@@ -115,9 +115,8 @@ impl Working<'_> {
     fn of_vectors(&self, (left, right): &(Expr, Expr), x: &Along, y: &Along) -> Option<Agrees> {
         let at = |point| match difference(left, right, &context(self.prepared, point))? {
             Sum::Vector(along_i, along_j) => {
-                let is_total = x.is_impulse
-                    && x.is_total(along_i.constant, point)
-                    && y.is_total(along_j.constant, point);
+                let is_total =
+                    x.is_impulse && x.is_total(along_i.constant, point) && y.is_total(along_j.constant, point);
                 Some(x.of(&along_i, point)?.min(y.of(&along_j, point)?)).filter(|_| !is_total)
             }
             Sum::Number(_) => None,

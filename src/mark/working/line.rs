@@ -262,7 +262,7 @@ fn candidates(typed: &str) -> Vec<(Option<&str>, String)> {
     // A scalar product is worked out on its right: `(2i + 5j).(i - j) = 2 - 5`, `p = (2i + 5j).(i - j) = -3`.
     let sides: Vec<&str> = typed.split('=').collect();
     let is_product = |side: &&str| SCALAR_PRODUCTS.iter().any(|sign| side.contains(sign));
-    if let Some(product) = sides.iter().rposition(|side| is_product(&side)).filter(|at| at + 1 < sides.len()) {
+    if let Some(product) = sides.iter().rposition(is_product).filter(|at| at + 1 < sides.len()) {
         let after = sides[product + 1..].join("=").trim().to_owned();
         all.extend((product > 0).then(|| (None, format!("{} = {after}", sides[0].trim()))));
         all.push((None, after));

@@ -14,6 +14,9 @@ use crate::mark::key::{KeyedPart, KeyedQuestion};
 use crate::mark::reading::{Form, Reading};
 use crate::mechanics::{Axis, Datum, Derivation, Known, Moment, Quantity, Setting, Sphere};
 
+/// A value that is off by no more than that part of it is right, but perhaps for its figures.
+const NEARLY_RIGHT: f64 = 0.01;
+
 /// A student's own values, by quantity: at every point, and as they were written.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Theirs(pub(crate) BTreeMap<Quantity, (Vec<f64>, Expr)>);
@@ -21,8 +24,22 @@ pub(crate) struct Theirs(pub(crate) BTreeMap<Quantity, (Vec<f64>, Expr)>);
 impl Theirs {
     /// Those that are not right, as they were written.
     pub(crate) fn wrong<'t>(&'t self, question: &'t KeyedQuestion) -> impl Iterator<Item = (Quantity, &'t Expr)> {
+        self.off_by_more_than(NEARLY_RIGHT, question)
+    }
+
+    /// Those that are right but for their figures.
+    pub(crate) fn rounded<'t>(&'t self, question: &'t KeyedQuestion) -> impl Iterator<Item = (Quantity, &'t Expr)> {
+        let wrong: Vec<Quantity> = self.wrong(question).map(|(quantity, _)| quantity).collect();
+        self.off_by_more_than(1e-9, question).filter(move |(quantity, _)| !wrong.contains(quantity))
+    }
+
+    fn off_by_more_than<'t>(
+        &'t self,
+        share: f64,
+        question: &'t KeyedQuestion,
+    ) -> impl Iterator<Item = (Quantity, &'t Expr)> {
         let right = |quantity: &Quantity| sizes(&question.prepared().known, *quantity).unwrap_or_default();
-        let near = |(own, right): (&f64, &f64)| (own - right).abs() <= 0.01 * right.abs();
+        let near = move |(own, right): (&f64, &f64)| (own - right).abs() <= share * right.abs();
         self.0.iter().filter_map(move |(quantity, (values, written))| {
             let is_right = values.iter().zip(&right(quantity)).all(near);
             (!is_right).then_some((*quantity, written))
