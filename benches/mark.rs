@@ -7,7 +7,7 @@ use carom::bank::{read_question, shipped};
 use carom::diagnostic::Source;
 use carom::examine::{Expected, students};
 use carom::generate::reference;
-use carom::mark::{AnswerKey, KeyedQuestion, PartScript, Profile, Script, mark};
+use carom::mark::{AnswerKey, KeyedQuestion, PartScript, Profile, Script, from_own_values, mark};
 use carom::paper::{Key, compose, key_question};
 use divan::Bencher;
 use divan::counter::ItemsCount;
@@ -154,6 +154,24 @@ fn ten_lines(bencher: Bencher, kind: &str) {
     let script = typed(if kind == "right" { RIGHT } else { WITH_SLIPS });
     let profile = Profile::default();
     bencher.bench(|| mark(&sheet.question, &script, &profile));
+}
+
+/// The rest solved again from the wrong values of what is followed through, and written out: only a page that shows it
+/// needs it.
+#[divan::bench]
+fn solved_again(bencher: Bencher) {
+    let sheets = sheets();
+    let mut followed = Vec::new();
+    for sheet in &sheets {
+        let scripts = sheet.scripts.iter().filter(|(kind, _)| *kind == "followed");
+        followed.extend(scripts.map(|(_, script)| (sheet, mark(&sheet.question, script, &Profile::default()))));
+    }
+    bencher.counter(ItemsCount::new(followed.len())).bench(|| {
+        for (sheet, marked) in &followed {
+            let each = sheet.question.parts.iter().zip(marked);
+            each.for_each(|(part, marked)| drop(black_box(from_own_values(&sheet.question, part, &marked.own))));
+        }
+    });
 }
 
 /// A question prepared: its key read, and everything worked out that marking looks up.

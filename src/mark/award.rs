@@ -2,7 +2,8 @@
 
 use super::judging::Judgement;
 use crate::bank::Code;
-use crate::paper::WorkingLine;
+use crate::expr::Expr;
+use crate::mechanics::Quantity;
 
 /// A part marked.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,8 +18,9 @@ pub struct MarkedPart {
     pub awards: Vec<Award>,
     /// The same before marks fell with those on which they depend.
     pub found: Vec<Award>,
-    /// Where marks were followed through: the solution of the rest from the student's own values.
-    pub followed: Vec<WorkingLine>,
+    /// Where marks were lost and values are wrong: what the student had found, as it was written. The solution of the rest
+    /// from there is [`from_own_values`](super::from_own_values).
+    pub own: Vec<(Quantity, Expr)>,
 }
 
 /// A blank as it was answered.

@@ -20,6 +20,6 @@ mod working;
 
 pub use award::{Award, Cause, Evidence, Examiner, MarkedAnswer, MarkedLine, MarkedPart, Place};
 pub use key::{AnswerKey, KeyFault, KeyedBlank, KeyedMark, KeyedPaper, KeyedPart, KeyedQuestion};
-pub use marking::{Word, mark, overrule};
+pub use marking::{Word, from_own_values, mark, overrule};
 pub use profile::{Charge, Profile};
 pub use script::{PartScript, Script};

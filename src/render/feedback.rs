@@ -43,11 +43,11 @@ impl Printer<'_> {
             .with("id", || plain(&script.question.id))
             .with("marks", || script.marks().into())
             .with("available", || script.available().into())
-            .with("replies", || list(&script.parts, |part| self.reply(part)))
+            .with("replies", || list(&script.parts, |part| self.reply(script, part)))
             .value()
     }
 
-    fn reply(self, part: &MarkedUnder) -> Value {
+    fn reply(self, script: &MarkedScript, part: &MarkedUnder) -> Value {
         let marked = &part.marked;
         let scheme: Vec<(&Award, Option<&KeyedMark>)> =
             marked.awards.iter().enumerate().map(|(place, award)| (award, part.keyed.scheme.get(place))).collect();
@@ -60,7 +60,7 @@ impl Printer<'_> {
             .with("responses", || list(&marked.answers, |answer| self.response(marked, answer)))
             .with("lines", || list(&lines, |(number, line)| self.written(*number, line)))
             .with("awards", || list(&scheme, |(award, mark)| self.award(award, *mark, part.keyed.setting)))
-            .with("followed", || list(&marked.followed, |line| self.line(line)))
+            .with("followed", || list(&script.from_own_values(part), |line| self.line(line)))
             .value()
     }
 
@@ -176,15 +176,15 @@ mod tests {
     use super::super::names::tests::{below, gather};
     use super::*;
     use crate::diagnostic::Source;
-    use crate::expr::{Expr, Text};
+    use crate::expr::Expr;
     use crate::mark::report::MarkReport;
     use crate::mark::submissions::{read_rows, sort};
     use crate::mark::{AnswerKey, Profile};
-    use crate::paper::{Key, WorkingLine, compose, key_question};
+    use crate::paper::{Key, compose, key_question};
 
     /// The key of a shipped question.
     fn key() -> AnswerKey {
-        let (id, text) = crate::bank::shipped().next().unwrap();
+        let (id, text) = crate::bank::shipped().find(|(id, _)| *id == "rest/speeds-and-directions").unwrap();
         let question = crate::bank::read_question(id, &Source::new(id, text)).unwrap();
         let variant = crate::generate::reference(&question).unwrap();
         let question = key_question(&question, &variant, &compose(&question, &variant, 1));
@@ -203,8 +203,7 @@ mod tests {
         marked.answers[0].causes =
             vec![Cause { tag: "sign".into(), sentence: "A sign is wrong.".into(), probable: vec!["M1a".into()] }];
         marked.lines = vec![MarkedLine { typed: "v = 1".into(), reading: None, role: String::new() }];
-        let equations = vec![Expr::equation(Expr::name("v"), Expr::integer(2))];
-        marked.followed = vec![WorkingLine { words: Text::default(), equations, label: None }];
+        marked.own = vec![("A.after.n".parse().unwrap(), Expr::integer(2))];
         let pages = Feedback::of(&report);
         let context = page(&pages[0], Notation::Html, &Wanted::new(None));
         let mut found = BTreeMap::new();

@@ -1,10 +1,10 @@
 //! A small class, marked: a script with a mistake of each kind, explained and followed through, and one as nasty as they come.
 
-use carom::expr::{Angles, Text, read};
+use carom::expr::Expr;
 use carom::mark::report::{ClassReport, Feedback, MarkReport, Names};
 use carom::mark::submissions::{read_overrides, read_rows, sort};
 use carom::mark::{AnswerKey, Award, Cause, Evidence, Examiner, MarkedLine, MarkedPart, Place, Profile};
-use carom::paper::{Key, WorkingLine, compose, key_question};
+use carom::paper::{Key, compose, key_question};
 use carom::{bank, diagnostic::Source, generate};
 
 /// The key of two shipped questions, one of them in parts.
@@ -32,10 +32,6 @@ Ada Lovelace,2,b,,,
 }\\input{/etc/passwd}<script>alert(1)</script>$&#_^~%,1,,speed of A,\"\\end{document}<b>√39</b> 中文\",
 }\\input{/etc/passwd}<script>alert(1)</script>$&#_^~%,1,,speed of B,LONG,
 ";
-
-fn words(text: &str) -> Text {
-    Text::words(text)
-}
 
 /// Lines, causes and a mark that was followed through, as the marker sets them.
 fn explained(part: &mut MarkedPart) {
@@ -65,15 +61,7 @@ fn explained(part: &mut MarkedPart) {
     award.note = Some("follow-through");
     award.feedback = "right from their own component of A".into();
     award.evidence = Some(Evidence { place: Place::Line(1), reading: "v = 4 sin 30°".into() });
-    let equation = |text: &str| read(text, Angles::Degrees).unwrap();
-    part.followed = vec![
-        WorkingLine {
-            words: words("Conservation of momentum with your component:"),
-            equations: vec![equation("4*4*cos(30) = 4*2 + 2*w")],
-            label: Some(1),
-        },
-        WorkingLine { words: words("The speed of B:"), equations: vec![equation("w = 8*sqrt(3) - 4")], label: None },
-    ];
+    part.own = vec![("A.after.n".parse().unwrap(), Expr::integer(2))];
 }
 
 /// Calls with each page of a small class.
@@ -99,7 +87,7 @@ fn marked(look: impl FnOnce(&MarkReport)) {
         // What the marker finds is tested elsewhere; here a page has to hold it.
         part.marked.answers.iter_mut().for_each(|answer| answer.causes.clear());
         part.marked.lines.clear();
-        part.marked.followed.clear();
+        part.marked.own.clear();
         for award in part.marked.awards.iter_mut().filter(|award| award.by == Examiner::Marker) {
             (award.given, award.note, award.evidence) = (false, None, None);
             award.feedback.clear();

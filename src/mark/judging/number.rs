@@ -111,12 +111,13 @@ fn said_twice(model: &Model, said: &Said, sides: [&Expr; 2]) -> Finding {
     let [left, right] =
         sides.map(|side| as_it_stands(model, &Said { form: Form::Value(side.clone()), ..said.clone() }, None));
     let is_one = same(sides[0], sides[1], &model.vocabulary.letters) == Equality::Equal;
-    match () {
-        () if is_one || (left.is_correct() && right.is_correct()) => right,
-        () if right.exact && left.is_credited() => right,
+    if is_one || (left.is_correct() && right.is_correct()) || (right.exact && left.is_credited()) {
+        right
+    } else if left.exact && Coarsest::of(sides[1]).is_some() {
         // `√7u/4 = 0.66u`: what comes after the exact value is its decimal.
-        () if left.exact && Coarsest::of(sides[1]).is_some() => left.remarked(Note::IgnoredAfter),
-        () => Finding::WRONG,
+        left.remarked(Note::IgnoredAfter)
+    } else {
+        Finding::WRONG
     }
 }
 

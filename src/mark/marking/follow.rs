@@ -12,8 +12,8 @@ use crate::mark::judging::{Judgement, Model, Note, Verdict, judge};
 use crate::mark::key::{KeyedPart, KeyedQuestion};
 use crate::mark::reading::{Form, Reading};
 use crate::mark::working::{Examined, has_these_sizes};
-use crate::mechanics::{Datum, Derivation, Line, Moment, Quantity, Show};
-use crate::number::{Fraction, Places, round};
+use crate::mechanics::{Datum, Derivation, Line, Quantity, Show};
+use crate::number::{Fraction, Places, Value, round};
 use crate::paper::WorkingLine;
 
 /// An answer that is right for what the student had found before.
@@ -145,29 +145,17 @@ pub(super) fn say_of(answer: &mut MarkedAnswer) {
     answer.judgement.feedback = "Right for the values that you had found before.".to_owned();
 }
 
-/// The solution of the rest of a part from the values that the student found, as it would be written on paper. Nothing if
-/// they are right, or if the rest does not need them.
-pub(super) fn solution(question: &KeyedQuestion, part: &KeyedPart, examined: &Examined) -> Vec<WorkingLine> {
+/// The solution of the rest of a part from the values that the student found, the `own` of a
+/// [`MarkedPart`](crate::mark::MarkedPart), as it would be written on paper. Nothing if the rest does not need them.
+pub fn from_own_values(question: &KeyedQuestion, part: &KeyedPart, own: &[(Quantity, Expr)]) -> Vec<WorkingLine> {
     let mut known = question.given.clone();
-    let mut own = Vec::new();
-    // The velocity along the one line says what the speed says.
-    let is_said =
-        |quantity| question.along_its_line(quantity).is_some_and(|(along, _)| examined.theirs.0.contains_key(&along));
-    let wrong: Vec<Quantity> = examined.theirs.wrong(question).map(|(quantity, _)| quantity).collect();
-    if wrong.is_empty() {
+    let exact = |(quantity, written): &(Quantity, Expr)| Some((*quantity, question.exact(written)?, written.clone()));
+    let own: Vec<(Quantity, Value, Expr)> = own.iter().filter_map(exact).collect();
+    if own.is_empty() {
         return Vec::new();
     }
-    // Beside a wrong velocity a right one is not found again from it.
-    let is_kept = |quantity: &Quantity| {
-        wrong.contains(quantity) || matches!(quantity.of_its_impact(), Quantity::Velocity(_, Moment::After, _))
-    };
-    let theirs = examined.theirs.0.iter().filter(|(quantity, _)| is_kept(quantity) && !is_said(**quantity));
-    for (quantity, (_, written)) in theirs {
-        let Some(value) = question.exact(written) else { continue };
-        known.0.insert(*quantity, Datum::Number(value));
-        own.push((*quantity, written.clone()));
-    }
-    let mut reached: BTreeSet<Quantity> = own.iter().map(|(quantity, _)| *quantity).collect();
+    known.0.extend(own.iter().map(|(quantity, value, _)| (*quantity, Datum::Number(value.clone()))));
+    let mut reached: BTreeSet<Quantity> = own.iter().map(|(quantity, ..)| *quantity).collect();
     let asked: Vec<Quantity> = part.blanks.iter().flat_map(|blank| blank.find.quantities()).collect();
     let asked: Vec<Quantity> = asked.into_iter().filter(|quantity| !reached.contains(quantity)).collect();
     let (derivation, _) = Derivation::carry_out(&mut known, &asked);
@@ -186,7 +174,7 @@ pub(super) fn solution(question: &KeyedQuestion, part: &KeyedPart, examined: &Ex
     if lines.is_empty() {
         return lines;
     }
-    let equation = |(quantity, written): (Quantity, Expr)| {
+    let equation = |(quantity, _, written): (Quantity, Value, Expr)| {
         let symbol = match Show::new(&question.scene, &known, &asked).of(quantity) {
             Some((show, in_law)) => show.named(&show.symbol(in_law)),
             None => show.symbol(quantity),

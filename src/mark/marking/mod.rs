@@ -15,6 +15,7 @@ mod memory;
 mod overrule;
 mod withhold;
 
+pub use follow::from_own_values;
 pub(super) use memory::Memory;
 pub use overrule::{Word, overrule};
 
@@ -33,16 +34,7 @@ use crate::mechanics::Quantity;
 ///
 /// What the script has under a label that the question does not have is not looked at.
 pub fn mark(question: &KeyedQuestion, script: &Script, profile: &Profile) -> Vec<MarkedPart> {
-    mark_remembering(question, script, profile, &mut Memory::default(), Solutions::Written)
-}
-
-/// Is the rest written out as it follows from the student's own values, where marks are followed through?
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Solutions {
-    /// For whoever reads a page about it.
-    Written,
-    /// A table of marks has no place for them.
-    LeftOut,
+    mark_remembering(question, script, profile, &mut Memory::default())
 }
 
 /// The same by one who remembers what was found of the answers before, all of them by this profile.
@@ -51,9 +43,8 @@ pub(super) fn mark_remembering(
     script: &Script,
     profile: &Profile,
     memory: &mut Memory,
-    solutions: Solutions,
 ) -> Vec<MarkedPart> {
-    or_for_a_person(script, |script| looked_through(question, script, profile, memory, solutions))
+    or_for_a_person(script, |script| looked_through(question, script, profile, memory))
 }
 
 /// Marks a script, or what stands in its place if the marker itself breaks: that is a fault of Carom, and for one answer
@@ -91,7 +82,6 @@ fn looked_through(
     script: &Script,
     profile: &Profile,
     memory: &mut Memory,
-    solutions: Solutions,
 ) -> Vec<MarkedPart> {
     let mut charged = decide::Charged::default();
     let mut theirs = Theirs::default();
@@ -130,17 +120,14 @@ fn looked_through(
         let awards = decide::settled(part, &answers, &found);
         say_shown(part, &awards, &mut answers);
         let all_right = awards.iter().all(|award| award.given);
-        let solution = match solutions {
-            Solutions::Written if !all_right => follow::solution(question, part, &examined),
-            _ => Vec::new(),
-        };
+        let own = if all_right { Vec::new() } else { examined.theirs.to_go_on_from(question) };
         theirs = examined.theirs;
         // What is not filled in stands perhaps in the working.
         let stated = examined.stated.iter().map(|stated| stated.as_ref().map(std::slice::from_ref));
         let readings = judged.iter().zip(stated.chain(std::iter::repeat(None)));
         theirs.take_answers(question, part, readings.map(|(judged, stated)| judged.readings.as_deref().or(stated)));
         let (label, lines) = (part.label.clone(), examined.lines);
-        marked.push(MarkedPart { label, answers, lines, awards, found, followed: solution });
+        marked.push(MarkedPart { label, answers, lines, awards, found, own });
     }
     marked
 }

@@ -216,7 +216,10 @@ impl Units<'_> {
     /// Symbols and their exponent, which belongs to the last.
     fn term(&mut self, sense: i8) -> Option<()> {
         let word = self.word(0)?.to_owned();
-        let (first, last): (Vec<&Known>, &Known) = match whole(&word) {
+        // `cms` is a plural, but in `cms-1` there is a second.
+        let is_raised = matches!(self.sign(1), Some('^' | '-'));
+        let is_per_second = is_raised && matches!(word.as_str(), "cms" | "kms");
+        let (first, last): (Vec<&Known>, &Known) = match whole(&word).filter(|_| !is_per_second) {
             Some(known) => (Vec::new(), known),
             None => {
                 let mut all = symbols(&word)?;

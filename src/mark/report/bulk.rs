@@ -10,7 +10,7 @@ use serde_json::json;
 use super::json_lines::lines_of;
 use super::rows::cells_of;
 use super::{MARKS, marked};
-use crate::mark::marking::{Memory, Solutions};
+use crate::mark::marking::Memory;
 use crate::mark::profile::Profile;
 use crate::mark::submissions::{HandedIn, HandedRow, SetAside, Sorted};
 use crate::table::{append, one_line, push_cell};
@@ -104,8 +104,7 @@ impl<'p> Bulk<'p> {
 
 /// What follows the name in each row or line of a script.
 fn rests(script: &HandedIn, name: &str, profile: &Profile, as_table: bool, answers: &mut Memory) -> Box<[Box<str>]> {
-    let solutions = if as_table { Solutions::LeftOut } else { Solutions::Written };
-    let script = marked(script, profile, answers, solutions);
+    let script = marked(script, profile, answers);
     if as_table {
         let rest = |row: [String; MARKS.len()]| {
             let mut rest = String::new();

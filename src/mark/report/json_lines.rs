@@ -101,7 +101,7 @@ fn line<'r>(script: &'r MarkedScript, part: &'r MarkedUnder) -> PartLine<'r> {
         answers: marked.answers.iter().map(answer).collect(),
         lines: marked.lines.iter().map(read).collect(),
         awards: marked.awards.iter().map(|one| award(one, &marked.answers)).collect(),
-        followed: marked.followed.iter().map(followed).collect(),
+        followed: script.from_own_values(part).iter().map(followed).collect(),
     }
 }
 

@@ -21,9 +21,10 @@ pub use rows::{MARKS, MarkRow, marks_csv};
 
 use super::award::MarkedPart;
 use super::key::{KeyedPaper, KeyedPart, KeyedQuestion};
-use super::marking::{Memory, Solutions, Word, mark_remembering, overrule};
+use super::marking::{Memory, Word, from_own_values, mark_remembering, overrule};
 use super::profile::Profile;
 use super::submissions::{HandedIn, Override};
+use crate::paper::WorkingLine;
 
 /// Scripts marked, in the order in which they were handed in.
 #[derive(Clone, Debug)]
@@ -63,16 +64,16 @@ impl<'k> MarkReport<'k> {
     pub fn new(scripts: &[HandedIn<'k>], profile: &Profile, overrides: Vec<Override>) -> MarkReport<'k> {
         let mut memory = Memory::default();
         let mut scripts: Vec<MarkedScript<'k>> =
-            scripts.iter().map(|script| marked(script, profile, &mut memory, Solutions::Written)).collect();
+            scripts.iter().map(|script| marked(script, profile, &mut memory)).collect();
         let idle = overrides.iter().filter(|word| !obey(word, &overrides, &mut scripts)).cloned().collect();
         MarkReport { scripts, idle }
     }
 }
 
-fn marked<'k>(handed: &HandedIn<'k>, profile: &Profile, memory: &mut Memory, solutions: Solutions) -> MarkedScript<'k> {
+fn marked<'k>(handed: &HandedIn<'k>, profile: &Profile, memory: &mut Memory) -> MarkedScript<'k> {
     let (script, parts) = handed.script();
     let mut all: Vec<Option<MarkedPart>> =
-        mark_remembering(handed.question, &script, profile, memory, solutions).into_iter().map(Some).collect();
+        mark_remembering(handed.question, &script, profile, memory).into_iter().map(Some).collect();
     let each = parts.iter().filter_map(|part| {
         let marked = all.get_mut(part.place)?.take()?;
         Some(MarkedUnder { keyed: &handed.question.parts[part.place], named: part.named, marked })
@@ -105,5 +106,10 @@ impl MarkedScript<'_> {
     /// The marks that the question has, in all its parts.
     pub fn available(&self) -> usize {
         self.question.parts.iter().map(KeyedPart::available).sum()
+    }
+
+    /// The solution of the rest of a part from the student's own values, where they are wrong and marks were lost.
+    pub fn from_own_values(&self, part: &MarkedUnder) -> Vec<WorkingLine> {
+        from_own_values(self.question, part.keyed, &part.marked.own)
     }
 }

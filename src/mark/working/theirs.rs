@@ -33,6 +33,24 @@ impl Theirs {
         self.off_by_more_than(1e-9, question).filter(move |(quantity, _)| !wrong.contains(quantity))
     }
 
+    /// What the rest is solved again from, as it was written: nothing if all of it is right, and beside a wrong velocity
+    /// the right ones, which are not found again from it.
+    pub(crate) fn to_go_on_from(&self, question: &KeyedQuestion) -> Vec<(Quantity, Expr)> {
+        let wrong: Vec<Quantity> = self.wrong(question).map(|(quantity, _)| quantity).collect();
+        if wrong.is_empty() {
+            return Vec::new();
+        }
+        // The velocity along the one line says what the speed says.
+        let is_said =
+            |quantity| question.along_its_line(quantity).is_some_and(|(along, _)| self.0.contains_key(&along));
+        let is_kept = |quantity: &Quantity| {
+            let is_velocity_after = matches!(quantity.of_its_impact(), Quantity::Velocity(_, Moment::After, _));
+            (wrong.contains(quantity) || is_velocity_after) && !is_said(*quantity)
+        };
+        let kept = self.0.iter().filter(|(quantity, _)| is_kept(quantity));
+        kept.map(|(quantity, (_, written))| (*quantity, written.clone())).collect()
+    }
+
     fn off_by_more_than<'t>(
         &'t self,
         share: f64,
