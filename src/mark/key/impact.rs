@@ -1,5 +1,5 @@
-//! A later impact of a question by itself, with A and B for who meets in it: so its working is looked through as that of
-//! any impact is.
+//! A question as the student comes to it: a later impact by itself, with A and B for who meets in it, so that its working is
+//! looked through as that of any impact is; and a later part with the wrong values of earlier ones.
 
 use std::borrow::Cow;
 use std::cmp::Ordering;
@@ -8,7 +8,7 @@ use super::{KeyedMark, KeyedPart, KeyedQuestion};
 use crate::bank::{EarnedFor, Find};
 use crate::expr::{Expr, Meaning, evaluate};
 use crate::mark::working::Theirs;
-use crate::mechanics::{Axis, Datum, Derivation, Meeting, Moment, Quantity, Sphere, Then};
+use crate::mechanics::{Axis, Datum, Derivation, Known, Meeting, Moment, Quantity, Scene, Setting, Sphere, Then};
 use crate::number::Value;
 
 impl KeyedQuestion {
@@ -64,15 +64,43 @@ impl KeyedQuestion {
                 given.0.insert_new(quantity, datum.clone());
             }
         }
-        Some(KeyedQuestion {
+        let parts = self.parts.iter().map(|part| part.of_impact(meeting)).collect();
+        Some(self.of_scene(then.scene.clone(), given, parts))
+    }
+
+    /// The question as it is for who has these wrong values from earlier parts, as if they had been given: of one impact in
+    /// a straight line, where every velocity is a number of its own.
+    pub(in crate::mark) fn with_own(&self, own: &Theirs) -> Option<KeyedQuestion> {
+        if self.scene.setting != Setting::Direct || !self.scene.then.is_empty() {
+            return None;
+        }
+        let is_cause =
+            |quantity: &Quantity| matches!(quantity, Quantity::Velocity(_, Moment::After, Axis::N) | Quantity::Mass(_));
+        let wrong = own.wrong(self).filter(|(quantity, _)| is_cause(quantity));
+        let wrong: Vec<(Quantity, Value)> =
+            wrong.filter_map(|(quantity, written)| Some((quantity, self.exact(written)?))).collect();
+        if wrong.is_empty() {
+            return None;
+        }
+        let mut given = self.given.clone();
+        given.0.extend(wrong.into_iter().map(|(quantity, value)| (quantity, Datum::Number(value))));
+        let of_mark = |mark: &KeyedMark| KeyedMark { stated: Default::default(), ..mark.clone() };
+        let of_part =
+            |part: &KeyedPart| KeyedPart { scheme: part.scheme.iter().map(of_mark).collect(), ..part.clone() };
+        Some(self.of_scene(self.scene.clone(), given, self.parts.iter().map(of_part).collect()))
+    }
+
+    /// The same question about a scene with what is given there: nothing is prepared yet.
+    fn of_scene(&self, scene: Scene, given: Known<Value>, parts: Vec<KeyedPart>) -> KeyedQuestion {
+        KeyedQuestion {
             id: self.id.clone(),
             number: self.number,
             mirrors: self.mirrors.clone(),
-            scene: then.scene.clone(),
+            scene,
             given,
             letters: self.letters.clone(),
             given_letters: self.given_letters.clone(),
-            parts: self.parts.iter().map(|part| part.of_impact(meeting)).collect(),
+            parts,
             decimals: self.decimals.clone(),
             angles: self.angles.clone(),
             prepared: Default::default(),
@@ -80,21 +108,20 @@ impl KeyedQuestion {
             mistakes_where_found: Default::default(),
             needed: Default::default(),
             later: Default::default(),
-        })
+        }
     }
 
-    /// Where impacts follow, of a speed after one of a sphere that moves along the line of centres: the component there, from
-    /// which the next impact starts, and whether it is negative.
+    /// Where impacts follow or all is in a line, of a speed after an impact of a sphere that moves along the line of centres:
+    /// the component there, from which the student goes on, and whether it is negative.
     pub(in crate::mark) fn along_its_line(&self, quantity: Quantity) -> Option<(Quantity, bool)> {
         let is_speed_after = matches!(quantity.of_its_impact(), Quantity::Speed(_, Moment::After));
-        if self.scene.then.is_empty() || !is_speed_after {
+        let in_a_line = self.scene.setting == Setting::Direct || self.given.0.contains_key(&Quantity::InALine);
+        if (self.scene.then.is_empty() && !in_a_line) || !is_speed_after {
             return None;
         }
         let along = quantity.along_the_line()?;
         let right = |quantity: Quantity| self.parts.iter().find_map(|part| part.known.number(quantity));
-        let nothing_across = || {
-            self.given.0.contains_key(&Quantity::InALine) || right(along.along(Axis::T)).is_some_and(|t| t.is_zero())
-        };
+        let nothing_across = || in_a_line || right(along.along(Axis::T)).is_some_and(|t| t.is_zero());
         match right(along)?.sign()? {
             Ordering::Equal => None,
             sign => nothing_across().then_some((along, sign == Ordering::Less)),

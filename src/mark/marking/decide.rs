@@ -143,8 +143,10 @@ fn by_one_followed(mark: &KeyedMark, part: &KeyedPart, blank: usize, followed: &
         matches!(&mark.earned_for, EarnedFor::Quantity(q) if part.blanks[blank].find.quantities().contains(q));
     // The method that leads to it is implied, and what follows on the way; what stands before the student's own value is not.
     let is_on_the_way = matches!(mark.earned_for, EarnedFor::Law(law, _) if matches!(law.seen(), Seen::Value(..)));
+    // Nor is there another way to it where the scheme has one method alone.
+    let is_only_method = || part.scheme.iter().filter(|other| other.code.is_method()).count() == 1;
     let is_method = mark.code.is_method()
-        && (*is_marked || is_on_the_way)
+        && (*is_marked || is_on_the_way || is_only_method())
         && part.scheme.iter().any(|other| {
             let is_own =
                 if *is_marked { other.code == Code::A1FollowThrough } else { own_blank(other, part) == Some(blank) };

@@ -37,6 +37,43 @@ impl Working<'_> {
         (is_before(&taken) && is_after(&counted)) || (is_before(&counted) && is_after(&taken))
     }
 
+    /// The energies before the impact less those after it, where squares are worked out, as in `½ × 4(49 - 6.5²)`: some
+    /// two of its numbers, or squares, stand for the squares of the speeds after. What else there is must then be what each
+    /// sphere had before, and each of the two must count with half the mass of its sphere.
+    pub(super) fn is_difference_of_worked_out(&self, expr: &Expr) -> bool {
+        let known = |quantity| sizes(&self.prepared.known, quantity)?.first().copied();
+        let masses = Sphere::BOTH.map(|sphere| known(Quantity::Mass(sphere)));
+        let before = |quantity: fn(Sphere) -> Quantity| Sphere::BOTH.map(|sphere| known(quantity(sphere)));
+        let speeds = before(|sphere| Quantity::Speed(sphere, Moment::Before));
+        let along = before(|sphere| Quantity::Velocity(sphere, Moment::Before, Axis::N));
+        let mut squares = Vec::new();
+        collect_squares(expr, &mut squares);
+        squares.dedup();
+        let [Some(mass_a), Some(mass_b)] = masses else { return false };
+        if squares.len() > MOST_SQUARES || !expr.names().is_empty() {
+            return false;
+        }
+        let number = |expr: &Expr| numbers(&self.values_of(expr)?)?.first().copied();
+        let without = |gone: &[&Expr]| number(&without(expr, gone));
+        let is =
+            |one: Option<f64>, other: f64| one.is_some_and(|one| (one - other).abs() <= 1e-9 * other.abs().max(1.0));
+        let totals = [speeds, along].into_iter().filter_map(|[a, b]| Some((mass_a * a? * a? + mass_b * b? * b?) / 2.0));
+        let totals: Vec<f64> = totals.flat_map(|total| [total, -total]).collect();
+        squares.iter().any(|of_a| {
+            squares.iter().filter(|of_b| *of_b != of_a).any(|of_b| {
+                let (Some(a), Some(b)) = (number(of_a), number(of_b)) else { return false };
+                let total = without(&[of_a, of_b]);
+                totals.iter().filter(|known| is(total, **known)).any(|total| {
+                    let sense = total.signum();
+                    is(without(&[of_b]), total - sense * mass_a * a / 2.0)
+                        && is(without(&[of_a]), total - sense * mass_b * b / 2.0)
+                        && a > 0.0
+                        && b > 0.0
+                })
+            })
+        })
+    }
+
     /// A line with the square of a sum that no velocity is, where energies are looked for and none stands rightly.
     pub(super) fn squared_wrongly(&self, law: Law, shape: Shape) -> Option<Evidence> {
         if shape != Shape::DifferenceOfSquares {
@@ -197,6 +234,26 @@ pub(super) fn is_energy_difference(expr: &Expr) -> bool {
     let mut signs = [0, 0];
     count_squares(expr, false, &mut signs);
     signs[0] >= 1 && signs[1] >= 1 && signs[0] + signs[1] >= 4
+}
+
+/// Formulas of energies have no more numbers than that.
+const MOST_SQUARES: usize = 12;
+
+/// What may be the square of a speed: powers of two, and numbers that are in none.
+fn collect_squares<'e>(expr: &'e Expr, squares: &mut Vec<&'e Expr>) {
+    match expr {
+        Expr::Power(_, exponent) if **exponent == Expr::integer(2) => squares.push(expr),
+        Expr::Number(_) | Expr::Decimal(_) => squares.push(expr),
+        _ => expr.children().into_iter().for_each(|child| collect_squares(child, squares)),
+    }
+}
+
+/// With nought in place of these.
+fn without(expr: &Expr, gone: &[&Expr]) -> Expr {
+    match gone.contains(&expr) {
+        true => Expr::integer(0),
+        false => expr.map_children(&mut |child| without(child, gone)),
+    }
 }
 
 /// Of everything that is squared in a formula.

@@ -15,7 +15,9 @@ pub(crate) fn examine(question: &KeyedQuestion, part: &KeyedPart, working: &[Str
         return Examined::with(awards, Vec::new(), before);
     }
     if question.scene.then.is_empty() {
-        return examine_one(question, part, working, before, &[]);
+        let mut all = examine_one(question, part, working, before, &[]);
+        all.follow_laws(question, part, working, before);
+        return all;
     }
     let mut impacts = part.impacts();
     // A range is not derived in steps: every impact may have to do with it.
@@ -140,6 +142,32 @@ impl Examined {
         }
     }
 
+    /// With the methods that are seen where laws are used with wrong values of earlier parts, as if these had been given.
+    fn follow_laws(&mut self, question: &KeyedQuestion, part: &KeyedPart, working: &[String], before: &Theirs) {
+        let is_open = |(mark, award): (&KeyedMark, &Option<Award>)| {
+            is_method_of_law(mark) && !award.as_ref().is_some_and(|it| it.given)
+        };
+        if !part.scheme.iter().zip(&self.awards).any(is_open) {
+            return;
+        }
+        let Some(own) = question.with_own(before) else { return };
+        let Some(part) = own.parts.iter().find(|other| other.label == part.label) else { return };
+        let followed = examine_one(&own, part, working, before, &[]);
+        for ((mark, award), other) in part.scheme.iter().zip(&mut self.awards).zip(followed.awards) {
+            if is_open((mark, award))
+                && let Some(other) = other.filter(|other| other.given)
+            {
+                let (note, feedback) = (Some("follow-through"), "followed through from your own values".to_owned());
+                *award = Some(Award { note, feedback, ..other });
+            }
+        }
+        for (line, other) in self.lines.iter_mut().zip(followed.lines) {
+            if line.role.is_empty() {
+                *line = other;
+            }
+        }
+    }
+
     /// Without what was found of marks that are about another impact.
     fn keep_of(&mut self, number: u8, about: &[Option<u8>]) {
         for (award, _) in self.awards.iter_mut().zip(about).filter(|(_, own)| own.is_some_and(|own| own != number)) {
@@ -181,6 +209,10 @@ impl Examined {
             *own = [*own, other].into_iter().flatten().min();
         }
     }
+}
+
+fn is_method_of_law(mark: &KeyedMark) -> bool {
+    mark.code.is_method() && matches!(mark.earned_for, EarnedFor::Law(..))
 }
 
 /// What a line is short of one of the two equations, if it is one as far as a method goes.

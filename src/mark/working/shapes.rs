@@ -26,7 +26,9 @@ impl Working<'_> {
                 any_within(expr, &|inner| self.is_tangent(inner, sphere) || self.is_cotangent(inner, sphere))
             }
             Shape::DifferenceOfSquares => {
-                (is_energy_difference(expr) && self.has_both_spheres(expr)) || self.is_difference_of_totals(expr)
+                (is_energy_difference(expr) && self.has_both_spheres(expr))
+                    || self.is_difference_of_totals(expr)
+                    || self.is_difference_of_worked_out(expr)
             }
             Shape::ChangeOfMomentum => self.is_change_of_momentum(expr),
             Shape::Any => false,
@@ -172,13 +174,10 @@ impl Working<'_> {
 
     /// `m(v - u)` for one of the spheres: its own mass, and its own components along the line of centres.
     fn is_change_of_momentum(&self, expr: &Expr) -> bool {
-        let (mass, change) = match expr {
-            Expr::Negative(inner) => return self.is_change_of_momentum(inner),
-            Expr::Product(factors) if factors.len() == 2 => (&factors[0], &factors[1]),
-            _ => return false,
-        };
-        let Expr::Sum(terms) = change else { return false };
-        let [one, other] = terms.as_slice() else { return false };
+        if let Expr::Negative(inner) = expr {
+            return self.is_change_of_momentum(inner);
+        }
+        let Some((mass, [one, other])) = factored(expr) else { return false };
         Sphere::BOTH.into_iter().any(|sphere| {
             let own = |quantity| sizes(&self.prepared.known, quantity).into_iter().collect::<Vec<_>>();
             let before = own(Quantity::Velocity(sphere, Moment::Before, Axis::N));
@@ -298,4 +297,28 @@ fn is_compound_angle(expr: &Expr) -> bool {
 
 fn is_lettered(expr: &Expr) -> bool {
     !expr.names().is_empty()
+}
+
+/// `m(v - u)` or `mv - mu`: the mass, and what it multiplies.
+fn factored(expr: &Expr) -> Option<(&Expr, [&Expr; 2])> {
+    fn two(expr: &Expr) -> Option<[&Expr; 2]> {
+        match expr {
+            Expr::Product(factors) => <&[Expr; 2]>::try_from(factors.as_slice()).ok().map(|[one, other]| [one, other]),
+            Expr::Negative(inner) => two(inner),
+            _ => None,
+        }
+    }
+    match expr {
+        Expr::Sum(terms) => {
+            let [one, other] = <&[Expr; 2]>::try_from(terms.as_slice()).ok()?.each_ref().map(two);
+            let ([mass, before], [same, after]) = (one?, other?);
+            (mass == same).then_some((mass, [before, after]))
+        }
+        _ => {
+            let [mass, change] = two(expr)?;
+            let Expr::Sum(terms) = change else { return None };
+            let [one, other] = terms.as_slice() else { return None };
+            Some((mass, [one, other]))
+        }
+    }
 }
