@@ -56,7 +56,7 @@ pub(super) fn answers(
             return None;
         }
         let is_right_already = || right.as_deref().is_some_and(|right| are_near(right, &values, 1e-3));
-        if !is_marked && (is_stated(question, examined, &values) || is_right_already()) {
+        if !is_marked && (is_stated(question, examined, quantity, &values) || is_right_already()) {
             return None;
         }
         // A decimal may be rounded, but not before a letter.
@@ -112,8 +112,8 @@ pub(super) fn is_near_miss(judgement: &Judgement) -> bool {
     judgement.note == Some(Note::NearMiss.tag())
 }
 
-/// Is it one of the student's own wrong values itself, so that nothing follows?
-fn is_stated(question: &KeyedQuestion, examined: &Examined, values: &[f64]) -> bool {
+/// Is it one of the student's own wrong values of something else, so that nothing follows?
+fn is_stated(question: &KeyedQuestion, examined: &Examined, asked: Quantity, values: &[f64]) -> bool {
     let is_it = |quantity: Quantity| {
         examined
             .theirs
@@ -121,7 +121,7 @@ fn is_stated(question: &KeyedQuestion, examined: &Examined, values: &[f64]) -> b
             .get(&quantity)
             .is_some_and(|(own, _)| own.len() == values.len() && are_near(own, values, 1e-6))
     };
-    examined.theirs.wrong(question).any(|(quantity, _)| is_it(quantity))
+    examined.theirs.wrong(question).any(|(quantity, _)| quantity != asked && is_it(quantity))
 }
 
 /// Are they of one size at every point, but for such a part?

@@ -41,35 +41,44 @@ impl Working<'_> {
     /// two of its numbers, or squares, stand for the squares of the speeds after. What else there is must then be what each
     /// sphere had before, and each of the two must count with half the mass of its sphere.
     pub(super) fn is_difference_of_worked_out(&self, expr: &Expr) -> bool {
-        let known = |quantity| sizes(&self.prepared.known, quantity)?.first().copied();
-        let masses = Sphere::BOTH.map(|sphere| known(Quantity::Mass(sphere)));
-        let before = |quantity: fn(Sphere) -> Quantity| Sphere::BOTH.map(|sphere| known(quantity(sphere)));
-        let speeds = before(|sphere| Quantity::Speed(sphere, Moment::Before));
-        let along = before(|sphere| Quantity::Velocity(sphere, Moment::Before, Axis::N));
+        let known = |quantity| sizes(&self.prepared.known, quantity);
+        let of_both = |quantity: fn(Sphere) -> Quantity| -> Option<[Vec<f64>; 2]> {
+            Some([known(quantity(Sphere::A))?, known(quantity(Sphere::B))?])
+        };
         let mut squares = Vec::new();
         collect_squares(expr, &mut squares);
         squares.dedup();
-        let [Some(mass_a), Some(mass_b)] = masses else { return false };
-        if squares.len() > MOST_SQUARES || !expr.names().is_empty() {
+        let Some([mass_a, mass_b]) = of_both(Quantity::Mass).filter(|_| squares.len() <= MOST_SQUARES) else {
             return false;
-        }
-        let number = |expr: &Expr| numbers(&self.values_of(expr)?)?.first().copied();
-        let without = |gone: &[&Expr]| number(&without(expr, gone));
-        let is =
-            |one: Option<f64>, other: f64| one.is_some_and(|one| (one - other).abs() <= 1e-9 * other.abs().max(1.0));
-        let totals = [speeds, along].into_iter().filter_map(|[a, b]| Some((mass_a * a? * a? + mass_b * b? * b?) / 2.0));
-        let totals: Vec<f64> = totals.flat_map(|total| [total, -total]).collect();
+        };
+        let speeds = of_both(|sphere| Quantity::Speed(sphere, Moment::Before));
+        let along = of_both(|sphere| Quantity::Velocity(sphere, Moment::Before, Axis::N));
+        let energy = |mass: &f64, speed: &f64| mass * speed * speed / 2.0;
+        let totals = [speeds, along].into_iter().flatten().flat_map(|[a, b]| {
+            let both = mass_a.iter().zip(&a).zip(mass_b.iter().zip(&b));
+            let total: Vec<f64> = both.map(|((m, u), (n, w))| energy(m, u) + energy(n, w)).collect();
+            let negative = total.iter().map(|total| -total).collect();
+            [total, negative]
+        });
+        let totals: Vec<Vec<f64>> = totals.collect();
+        let number = |expr: &Expr| numbers(&self.values_of(expr)?);
+        let same = |one: &f64, other: &f64| (one - other).abs() <= 1e-9 * other.abs().max(1.0);
+        // What is there without one square is what was there before, less half the mass times the other.
+        let leaves = |gone: &Expr, total: &[f64], mass: &[f64], other: &Expr| {
+            let (Some(left), Some(square)) = (number(&without(expr, &[gone])), number(other)) else { return false };
+            let mut each = left.iter().zip(total).zip(mass.iter().zip(&square));
+            each.all(|((left, total), (mass, square))| {
+                *square > 0.0 && same(left, &(total - total.signum() * mass * square / 2.0))
+            })
+        };
         squares.iter().any(|of_a| {
             squares.iter().filter(|of_b| *of_b != of_a).any(|of_b| {
-                let (Some(a), Some(b)) = (number(of_a), number(of_b)) else { return false };
-                let total = without(&[of_a, of_b]);
-                totals.iter().filter(|known| is(total, **known)).any(|total| {
-                    let sense = total.signum();
-                    is(without(&[of_b]), total - sense * mass_a * a / 2.0)
-                        && is(without(&[of_a]), total - sense * mass_b * b / 2.0)
-                        && a > 0.0
-                        && b > 0.0
-                })
+                let Some(rest) = number(&without(expr, &[of_a, of_b])) else { return false };
+                let is_total = |total: &&Vec<f64>| rest.iter().zip(*total).all(|(one, other)| same(one, other));
+                totals
+                    .iter()
+                    .filter(is_total)
+                    .any(|total| leaves(of_b, total, &mass_a, of_a) && leaves(of_a, total, &mass_b, of_b))
             })
         })
     }

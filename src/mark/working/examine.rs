@@ -62,11 +62,16 @@ impl Examined {
         self.letters.as_ref().is_some_and(|letters| is_of_other(letters, letter, sphere))
     }
 
-    /// What follows for a quantity from the student's own values, at every point.
+    /// What follows for a quantity from the student's own other values, at every point.
     pub(crate) fn followed(&self, question: &KeyedQuestion, quantity: Quantity) -> Option<Vec<f64>> {
-        match self.followed.as_deref() {
+        let is_stated = self.theirs.0.contains_key(&quantity);
+        match self.followed.as_deref().filter(|_| !is_stated) {
             Some(known) => sizes(known, quantity),
-            None => follow_to(question.prepared(), &self.theirs, quantity),
+            None => {
+                let others = self.theirs.0.iter().filter(|(own, _)| **own != quantity);
+                let others = Theirs(others.map(|(own, value)| (*own, value.clone())).collect());
+                follow_to(question.prepared(), &others, quantity)
+            }
         }
     }
 }

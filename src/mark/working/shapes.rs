@@ -11,7 +11,7 @@ use crate::answer::Kind;
 use crate::bank::Code;
 use crate::expr::{Expr, Function};
 use crate::mark::judging::Note;
-use crate::mechanics::{Axis, Datum, Known, Law, Moment, Quantity, Shape, Sphere};
+use crate::mechanics::{Axis, Datum, Known, Law, Moment, Quantity, Setting, Shape, Sphere};
 use crate::number::Range;
 
 impl Working<'_> {
@@ -156,7 +156,23 @@ impl Working<'_> {
 
     /// `p/v`.
     fn is_tangent(&self, expr: &Expr, sphere: Option<Sphere>) -> bool {
-        matches!(expr, Expr::Quotient(above, below) if self.are_components(above, below, sphere))
+        let are = |above: &Expr, below: &Expr| {
+            self.are_components(above, below, sphere) || self.are_components_of_impulse(above, below)
+        };
+        matches!(expr, Expr::Quotient(above, below) if are(above, below))
+    }
+
+    /// Both components of the impulse on a particle, right or the student's own, in either order.
+    fn are_components_of_impulse(&self, one: &Expr, other: &Expr) -> bool {
+        let of = |axis| {
+            let quantity = Quantity::Impulse(Sphere::A, axis);
+            let own = self.theirs.0.get(&quantity).map(|(values, _)| values.clone());
+            let both = sizes(&self.prepared.known, quantity).into_iter().chain(own);
+            both.collect::<Vec<_>>()
+        };
+        let is = |expr: &Expr, axis| self.is_one_of(expr, &of(axis));
+        self.prepared.setting == Setting::Impulse
+            && (is(one, Axis::X) && is(other, Axis::Y) || is(one, Axis::Y) && is(other, Axis::X))
     }
 
     /// `v/p`.
@@ -194,10 +210,14 @@ impl Working<'_> {
         let speeds: Vec<Vec<f64>> = Sphere::BOTH
             .into_iter()
             .filter_map(|sphere| {
-                let of = |moment| sizes(&self.prepared.known, Quantity::Speed(sphere, moment));
-                let (before, after) = of(Moment::Before).zip(of(Moment::After))?;
-                Some(before.iter().zip(after).map(|(before, after)| before * after).collect())
+                let of = |known, moment| sizes(known, Quantity::Speed(sphere, moment));
+                let before = of(&self.prepared.known, Moment::Before)?;
+                let after = [&self.prepared.known, &self.followed].map(|known| of(known, Moment::After));
+                let product =
+                    |after: Vec<f64>| before.iter().zip(after).map(|(before, after)| before * after).collect();
+                Some(after.into_iter().flatten().map(product).collect::<Vec<Vec<f64>>>())
             })
+            .flatten()
             .collect();
         let is_quotient =
             |inner: &Expr| matches!(inner, Expr::Quotient(_, below) if self.is_near_one_of(below, &speeds));

@@ -286,7 +286,34 @@ fn start(prepared: &Prepared, theirs: &Theirs) -> Vec<Known<f64>> {
             }
         }
     }
+    for sphere in Sphere::BOTH {
+        let energies = energies_by_speed(prepared, theirs, sphere);
+        for (known, [after, lost]) in at_points.iter_mut().zip(energies.into_iter().flatten()) {
+            known.0.insert(Quantity::KineticEnergy(sphere, Moment::After), Datum::Number(after));
+            known.0.insert(Quantity::SphereEnergyLost(sphere), Datum::Number(lost));
+        }
+    }
     at_points
+}
+
+/// The energy of a sphere after the impact and what it has lost, at every point, where the student has a wrong speed for it
+/// and no wrong component from which that comes.
+fn energies_by_speed(prepared: &Prepared, theirs: &Theirs, sphere: Sphere) -> Option<Vec<[f64; 2]>> {
+    let right = |quantity| sizes(&prepared.known, quantity);
+    let own_if_wrong = |quantity: Quantity| {
+        let (own, _) = theirs.0.get(&quantity)?;
+        let near = |(own, right): (&f64, &f64)| (own.abs() - right.abs()).abs() <= NEARLY_RIGHT * right.abs();
+        (!own.iter().zip(&right(quantity)?).all(near)).then_some(own)
+    };
+    let speeds = own_if_wrong(Quantity::Speed(sphere, Moment::After))?;
+    let mut components =
+        [Axis::N, Axis::T, Axis::X, Axis::Y].into_iter().map(|axis| Quantity::Velocity(sphere, Moment::After, axis));
+    if components.any(|component| own_if_wrong(component).is_some()) {
+        return None;
+    }
+    let (masses, before) = (right(Quantity::Mass(sphere))?, right(Quantity::Speed(sphere, Moment::Before))?);
+    let each = speeds.iter().zip(masses).zip(before);
+    Some(each.map(|((own, mass), before)| [own * own, before * before - own * own].map(|it| mass * it / 2.0)).collect())
 }
 
 /// Everything that follows from what is given and from the student's own values.
