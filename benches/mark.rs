@@ -156,6 +156,20 @@ fn ten_lines(bencher: Bencher, kind: &str) {
     bencher.bench(|| mark(&sheet.question, &script, &profile));
 }
 
+/// A wrong answer, tried against every reading, slip and pair of slips, and the answer of the next part, which follows from it.
+fn carried() -> Script {
+    let part = |label: &str, blank: &str, answer: &str| PartScript {
+        label: label.to_owned(),
+        answers: vec![(Some(blank.to_owned()), answer.to_owned())],
+        working: Vec::new(),
+    };
+    let parts = vec![part("a", "speed of B", "5"), part("b", "coefficient of restitution", "0.778")];
+    Script { student: "Ann".to_owned(), question: 1, parts }
+}
+
+/// The question of these answers.
+const CARRIED: &str = "direct/restitution-from-one-speed";
+
 /// The rest solved again from the wrong values of what is followed through, and written out: only a page that shows it
 /// needs it.
 #[divan::bench]
@@ -218,6 +232,12 @@ fn worst_and_median() {
         let script = typed(text);
         row(name, vec![(time(|| drop(black_box(mark(&sheet.question, &script, &profile)))), sheet.id.to_owned())]);
     }
+    let sheet = sheets.iter().find(|sheet| sheet.id == CARRIED).expect("the question is shipped");
+    let script = carried();
+    let marked = mark(&sheet.question, &script, &profile);
+    assert_eq!(marked[1].answers[0].judgement.note, Some("follow-through"));
+    let took = time(|| drop(black_box(mark(&sheet.question, &script, &profile)))) / answers(&script) as f64;
+    row("carried, an answer", vec![(took, sheet.id.to_owned())]);
     let preparing = sheets.iter().map(|sheet| (time(|| drop(prepared(sheet))), sheet.id.to_owned()));
     row("preparing a question", preparing.collect());
 }

@@ -65,14 +65,12 @@ impl Examined {
     /// What follows for a quantity from the student's own other values, at every point.
     pub(crate) fn followed(&self, question: &KeyedQuestion, quantity: Quantity) -> Option<Vec<f64>> {
         let is_stated = self.theirs.0.contains_key(&quantity);
-        match self.followed.as_deref().filter(|_| !is_stated) {
-            Some(known) => sizes(known, quantity),
-            None => {
-                let others = self.theirs.0.iter().filter(|(own, _)| **own != quantity);
-                let others = Theirs(others.map(|(own, value)| (*own, value.clone())).collect());
-                follow_to(question.prepared(), &others, quantity)
-            }
-        }
+        let known = self.followed.as_deref().filter(|_| !is_stated).and_then(|known| sizes(known, quantity));
+        known.or_else(|| {
+            let others = self.theirs.0.iter().filter(|(own, _)| **own != quantity);
+            let others = Theirs(others.map(|(own, value)| (*own, value.clone())).collect());
+            follow_to(question.prepared(), &others, quantity)
+        })
     }
 }
 
