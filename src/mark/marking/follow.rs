@@ -6,10 +6,10 @@ use std::rc::Rc;
 use super::memory::Judged;
 use crate::answer::{Accept, Kind};
 use crate::bank::{Code, EarnedFor, Find};
-use crate::expr::{Expr, Text};
+use crate::expr::{Expr, Text, written};
 use crate::mark::award::MarkedAnswer;
 use crate::mark::judging::{Judgement, Model, Note, Verdict, judge};
-use crate::mark::key::{KeyedPart, KeyedQuestion};
+use crate::mark::key::{KeyedBlank, KeyedPart, KeyedQuestion};
 use crate::mark::reading::{Form, Reading};
 use crate::mark::working::{Examined, has_these_sizes};
 use crate::mechanics::{Datum, Derivation, Line, Quantity, Show};
@@ -34,7 +34,13 @@ pub(super) fn answers(
     let is_wrong_before = examined.theirs.wrong(question).next().is_some();
     let each = part.blanks.iter().zip(answers).zip(judged);
     each.map(|((blank, answer), judged)| {
-        let Find::Quantity(quantity) = blank.find else { return None };
+        let quantity = match blank.find {
+            Find::Quantity(quantity) => quantity,
+            Find::Vector(x, y) if is_wrong_before && answer.judgement.verdict == Verdict::Wrong => {
+                return vector(question, blank, [x, y], judged, examined);
+            }
+            _ => return None,
+        };
         let is_marked = part
             .scheme
             .iter()
@@ -69,11 +75,7 @@ pub(super) fn answers(
             None if !are_near(&vec![values[0]; values.len()], &values, SAME) => return None,
             None => Expr::Decimal(format!("{:.12}", values[0].abs())),
         };
-        // It is known in figures, so that nobody can be asked for more.
-        let accept = match &blank.model.accept {
-            Accept::Exact => Accept::RoundsTo(Places::SignificantFigures(3)),
-            rule => rule.clone(),
-        };
+        let accept = in_figures(&blank.model);
         let readings = judged.readings.clone()?;
         let judged_by = |value: Expr| {
             let model = Model { quantity: blank.model.quantity, accept: accept.clone(), ..blank.model.of_value(value) };
@@ -91,6 +93,34 @@ pub(super) fn answers(
         follows.then(|| Followed { judgement: judgement.in_setting(part.setting), is_marked })
     })
     .collect()
+}
+
+/// The verdict on a wrong vector against what follows for its components from the student's own values.
+fn vector(
+    question: &KeyedQuestion,
+    blank: &KeyedBlank,
+    components: [Quantity; 2],
+    judged: &Judged,
+    examined: &Examined,
+) -> Option<Followed> {
+    let own = examined.theirs.to_go_on_from(question);
+    let own = own.into_iter().filter(|(quantity, _)| !components.contains(quantity));
+    let mut known = question.given.clone();
+    known.0.extend(own.filter_map(|(quantity, written)| Some((quantity, Datum::Number(question.exact(&written)?)))));
+    Derivation::carry_out(&mut known, &components);
+    let [x, y] = components.map(|component| known.number(component));
+    let value = Expr::Vector(Box::new(written(&x?)), Box::new(written(&y?)));
+    let model = Model { accept: in_figures(&blank.model), ..blank.model.of_value(value) };
+    let judgement = judge(&model, &Ok(judged.readings.clone()?));
+    (judgement.verdict == Verdict::Correct).then_some(Followed { judgement, is_marked: false })
+}
+
+/// What is accepted of what follows: the student's own values are in figures, so that nobody can be asked for more.
+fn in_figures(model: &Model) -> Accept {
+    match &model.accept {
+        Accept::Exact => Accept::RoundsTo(Places::SignificantFigures(3)),
+        rule => rule.clone(),
+    }
 }
 
 /// How near a double comes to the exact value that it stands for, in parts of itself.
