@@ -133,7 +133,13 @@ impl Working<'_> {
     fn are_components(&self, across: &Expr, along: &Expr, sphere: Option<Sphere>) -> bool {
         self.spheres(sphere).into_iter().any(|of| {
             let own = self.theirs.0.contains_key(&Quantity::Velocity(of, Moment::After, Axis::N));
-            let in_i_j = [Axis::X, Axis::Y].map(|axis| self.sizes_of(of, axis));
+            // A velocity before that was to be found is the student's own too.
+            let own_before = |axis| self.theirs.0.get(&Quantity::Velocity(of, Moment::Before, axis));
+            let in_i_j = [Axis::X, Axis::Y].map(|axis| {
+                let mut all = self.sizes_of(of, axis);
+                all.extend(own_before(axis).map(|(values, _)| values.clone()));
+                all
+            });
             let is = |expr: &Expr, sizes: &[Vec<f64>]| self.is_one_of(expr, sizes) || self.rounds_one_of(expr, sizes);
             let along_fits = match own {
                 true => is(along, &self.sizes_of(of, Axis::N)),
