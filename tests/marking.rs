@@ -2,7 +2,7 @@
 
 use carom::bank::{StyleName, read_question, shipped};
 use carom::diagnostic::Source;
-use carom::expr::print;
+use carom::expr::{Angles, print, read};
 use carom::generate::{reference, with_numbers};
 use carom::mark::{AnswerKey, KeyedQuestion, MarkedPart, PartScript, Profile, Script, from_own_values, mark};
 use carom::paper::{Key, KeyQuestion, compose, key_question};
@@ -176,6 +176,20 @@ fn the_rest_is_solved_again_from_the_values_that_the_student_found() {
     assert!(lines.contains(&"s_A = sqrt(2.69^2 + 2^2)".to_owned()), "{lines:?}");
     assert!(lines.contains(&"s_A ~ 3.35".to_owned()), "{lines:?}");
     assert_eq!(gone_on_from(&Row { working: "v = 1.92".into(), ..row }), [""; 0]);
+}
+
+/// From nought, from the wrong way and from what no sphere can do: something is written, or nothing.
+#[test]
+fn the_rest_is_solved_again_from_values_that_cannot_be() {
+    let question = keyed("rest/speeds-and-directions", None);
+    for (written, is_solved) in [("0", true), ("-1", true), ("1000000", true), ("10^30", false), ("u", false)] {
+        let own = [("A.after.n".parse().unwrap(), read(written, Angles::Degrees).unwrap())];
+        let lines = from_own_values(&question, &question.parts[0], &own);
+        let begins = lines.first().map(|line| print::text_unicode(&line.words));
+        // What is too large to be worked out, or is no letter of the question, is gone on from by nobody.
+        let expected = is_solved.then(|| "You found:".to_owned());
+        assert_eq!(begins, expected, "{written}");
+    }
 }
 
 #[test]

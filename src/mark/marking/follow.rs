@@ -1,6 +1,7 @@
 //! Answers followed through: right for the values that the student found before.
 
 use std::collections::BTreeSet;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::rc::Rc;
 
 use super::memory::Judged;
@@ -178,6 +179,11 @@ pub(super) fn say_of(answer: &mut MarkedAnswer) {
 /// The solution of the rest of a part from the values that the student found, the `own` of a
 /// [`MarkedPart`](crate::mark::MarkedPart), as it would be written on paper. Nothing if the rest does not need them.
 pub fn from_own_values(question: &KeyedQuestion, part: &KeyedPart, own: &[(Quantity, Expr)]) -> Vec<WorkingLine> {
+    // A fault of Carom here costs this solution, and not a class its marks.
+    catch_unwind(AssertUnwindSafe(|| solved_again(question, part, own))).unwrap_or_default()
+}
+
+fn solved_again(question: &KeyedQuestion, part: &KeyedPart, own: &[(Quantity, Expr)]) -> Vec<WorkingLine> {
     let mut known = question.given.clone();
     let exact = |(quantity, written): &(Quantity, Expr)| Some((*quantity, question.exact(written)?, written.clone()));
     let own: Vec<(Quantity, Value, Expr)> = own.iter().filter_map(exact).collect();
