@@ -18,6 +18,7 @@ use super::accuracy::Written;
 use super::exact::{self, meaning_of};
 use super::finding::Finding;
 use super::statements::{is_concluded, is_rival};
+use super::units::{self, UnitCheck};
 use super::{Model, Note, called, number};
 
 /// One inequality, solved for the letter: the letter lies on this side of the bound.
@@ -114,7 +115,15 @@ fn one(model: &Model, right: &[Bound], letter: Letter, statements: &[Statement])
             (false, false) => Finding::wrong(Note::NotARange),
         };
     }
-    let finding = against(model, &ends, &own, letter);
+    let units =
+        statements.iter().flat_map(|statement| &statement.said).map(|said| units::check(model, said.unit.as_ref()));
+    let finding = units.fold(against(model, &ends, &own, letter), |finding, unit| match unit {
+        UnitCheck::Fine => finding,
+        UnitCheck::Condoned(note) => finding.remarked(note),
+        UnitCheck::Spoilt(note) => finding.spoilt_by(note),
+        // Ends are compared as they stand.
+        UnitCheck::Converted(_) => Finding::unreadable(Note::CannotBeCompared),
+    });
     match bare.is_empty() {
         true => finding,
         // `e = 1/3, so e > 1/3`: the critical value, and what is concluded from it.

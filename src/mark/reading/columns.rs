@@ -1,4 +1,4 @@
-//! Columns over two lines: `(4` above `1)`.
+//! Vectors over two lines: `(4` above `1)`, `4i` above `+ j`.
 
 use super::Vocabulary;
 use super::choices::{Choices, Doubt};
@@ -38,6 +38,28 @@ pub(super) fn on_two_lines(mut tokens: Vec<Placed>, vocabulary: &Vocabulary, cho
             tokens.insert(last + 1, close);
             tokens.insert(first, open);
         }
+    }
+    tokens
+}
+
+/// `4i` above `+ j`: one vector, whose second component has a line of its own.
+pub(super) fn with_joined_lines(mut tokens: Vec<Placed>, vocabulary: &Vocabulary) -> Vec<Placed> {
+    let has = |line: &[Placed], name: &str| {
+        line.iter().any(|placed| matches!(&placed.token, Token::Word(word) if word == name))
+    };
+    let goes_on = |above: &[Placed], below: &[Placed]| {
+        let is_split = |first: &str, second: &str| {
+            has(above, first) && !has(above, second) && has(below, second) && !has(below, first)
+        };
+        let is_sign = |placed: Option<&Placed>| placed.is_some_and(|placed| placed.is('+') || placed.is('-'));
+        let is_joined = is_sign(below.first()) || is_sign(above.last());
+        is_joined && (is_split("i", "j") || is_split("j", "i"))
+    };
+    let mut breaks = tokens.iter().enumerate().filter(|(_, placed)| placed.is('\n')).map(|(at, _)| at);
+    if let (true, Some(at), None) = (vocabulary.vectors, breaks.next(), breaks.next())
+        && goes_on(&tokens[..at], &tokens[at + 1..])
+    {
+        tokens.remove(at);
     }
     tokens
 }

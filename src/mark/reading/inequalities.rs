@@ -6,7 +6,7 @@ use super::ranges::{is_any, is_infinite, said};
 use super::sides::Side;
 use super::statements::Statements;
 use super::tokens::{Placed, Token};
-use super::{End, Form, Said, Statement, Unreadable};
+use super::{End, Form, Said, SaidUnit, Statement, Unreadable};
 use crate::expr::{Expr, Relation};
 
 /// Is it the sign of an inequality?
@@ -131,8 +131,9 @@ impl Statements<'_> {
         let is_phrase = |placed: &&Placed| matches!(placed.token, Token::Phrase(_));
         let lead = if remarks.is_empty() { 0 } else { sides[0].iter().take_while(is_phrase).count() };
         let values = std::iter::once(&sides[0][lead..]).chain(sides[1..].iter().copied());
-        let values: Vec<Expr> = values.map(|side| self.bounded(side)).collect::<Result<_, _>>()?;
-        let said = values.windows(2).zip(relations).map(|(pair, (sign, _))| {
+        let values: Vec<(Expr, Option<SaidUnit>)> = values.map(|side| self.bounded(side)).collect::<Result<_, _>>()?;
+        let pairs = values.iter().zip(&values[1..]).zip(relations);
+        let said = pairs.map(|(((left, before), (right, after)), (sign, _))| {
             let relation = match sign {
                 '<' => Relation::Less,
                 '>' => Relation::Greater,
@@ -141,8 +142,8 @@ impl Statements<'_> {
                 '≠' => Relation::NotEqual,
                 _ => Relation::Equal,
             };
-            let form = Form::Equation(Expr::Relation(Box::new(pair[0].clone()), relation, Box::new(pair[1].clone())));
-            Said { form, unit: None, reference: None, remarks: remarks.clone() }
+            let form = Form::Equation(Expr::Relation(Box::new(left.clone()), relation, Box::new(right.clone())));
+            Said { form, unit: before.clone().or(after.clone()), reference: None, remarks: remarks.clone() }
         });
         self.found.push(Statement { label: None, said: said.collect() });
         Ok(())
@@ -173,19 +174,21 @@ impl Statements<'_> {
     }
 
     /// A side of an inequality. After `e = 5/7` it may be an e that the question does not have.
-    fn bounded(&mut self, tokens: &[Placed]) -> Result<Expr, Unreadable> {
+    fn bounded(&mut self, tokens: &[Placed]) -> Result<(Expr, Option<SaidUnit>), Unreadable> {
         let tokens = self.without_what_happens(tokens);
         let typed = self.slice(tokens).to_owned();
         let is_name = self.found.iter().filter_map(|found| found.label.as_ref()).any(|label| label.typed == typed);
-        self.side(tokens).or_else(|fault| self.named(tokens).filter(|_| is_name).ok_or(fault))
+        self.side_with_unit(tokens).or_else(|fault| Ok((self.named(tokens).filter(|_| is_name).ok_or(fault)?, None)))
     }
 
     /// `> 3`, where words say or leave out what is: the range above it.
     pub(super) fn one_sided(&mut self, sign: char, tokens: &[Placed]) -> Result<Said, Unreadable> {
-        let end = Some(End { at: self.side(tokens)?, included: Some(matches!(sign, '≤' | '≥')) });
-        Ok(match sign {
+        let (at, unit) = self.side_with_unit(tokens)?;
+        let end = Some(End { at, included: Some(matches!(sign, '≤' | '≥')) });
+        let said = match sign {
             '>' | '≥' => said(end, None, Vec::new()),
             _ => said(None, end, Vec::new()),
-        })
+        };
+        Ok(Said { unit, ..said })
     }
 }

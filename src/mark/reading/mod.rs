@@ -155,6 +155,7 @@ fn counted(text: &str, vocabulary: &Vocabulary, passes_over: bool) -> (Result<Ve
             .map(|tokens| units::with_joules(tokens, vocabulary))
             .map(|tokens| part_label::without_question_number(tokens, vocabulary))
             .map(|tokens| columns::on_two_lines(tokens, vocabulary, &mut choices))
+            .map(|tokens| columns::with_joined_lines(tokens, vocabulary))
             .and_then(|tokens| phrases::with_phrases(&tokens, vocabulary, &mut choices))
             .and_then(|tokens| statements::statements(tokens, text, vocabulary, &mut choices, passes_over));
         (statements, choices)

@@ -121,12 +121,17 @@ impl Statements<'_> {
         }
         let words: Vec<String> = tokens.iter().map(word).collect();
         let excluding = tokens.iter().position(|placed| placed.token == Token::Phrase(Phrase::Excluding));
-        if let [up, to, ..] = words.as_slice()
+        let name = tokens.iter().take_while(is_letter).count();
+        // `e up to 3/4`, `e can be up to 3/4`
+        let before_up = name + words[name..].iter().take_while(|word| !word.is_empty() && *word != "up").count();
+        if let [up, to, ..] = &words[before_up..]
             && (&**up, &**to) == ("up", "to")
         {
-            let start = if excluding == Some(2) { 3 } else { 2 };
-            let high = End { at: self.side(&tokens[start..])?, included: (start == 3).then_some(false) };
-            return Ok(Some((None, said(None, Some(high), Vec::new()))));
+            let included = (excluding == Some(before_up + 2)).then_some(false);
+            let start = before_up + 2 + usize::from(included.is_some());
+            let high = End { at: self.side(&tokens[start..])?, included };
+            let beside = words[name..before_up].to_vec();
+            return Ok(Some((self.called(&tokens[..name]), said(None, Some(high), beside))));
         }
         let Some(lead) = words.iter().position(|word| matches!(&**word, "between" | "from")) else {
             return Ok(self.one_to_another(tokens, &words));
@@ -150,8 +155,7 @@ impl Statements<'_> {
         if tokens[name..lead].iter().any(|placed| !is_word(&placed)) {
             return Ok(None);
         }
-        let label = (name > 0)
-            .then(|| Label { typed: self.slice(&tokens[..name]).to_owned(), expr: self.named(&tokens[..name]) });
+        let label = self.called(&tokens[..name]);
         let beside = [&words[name..lead], &words[after..whole]].concat();
         // Where one end is left out, the other is not.
         let end = |at: Expr| {
@@ -159,6 +163,11 @@ impl Statements<'_> {
             Some(End { at, included })
         };
         Ok(Some((label, said(end(low), end(high), beside))))
+    }
+
+    /// What a range is called by the letters before it, if any are.
+    fn called(&mut self, name: &[Placed]) -> Option<Label> {
+        (!name.is_empty()).then(|| Label { typed: self.slice(name).to_owned(), expr: self.named(name) })
     }
 
     /// `2/3 to 1`, `e = 2/3 to 1`: numbers alone, which may be two values as well.
@@ -176,7 +185,7 @@ impl Statements<'_> {
         }
         let (low, high) = (self.scalar(low).ok()?, self.scalar(high).ok()?);
         let end = |at: Expr| Some(End { at, included: None });
-        let label = (!name.is_empty()).then(|| Label { typed: self.slice(name).to_owned(), expr: self.named(name) });
+        let label = self.called(name);
         Some((label, said(end(low), end(high), words[after..].to_vec())))
     }
 
@@ -186,8 +195,7 @@ impl Statements<'_> {
         let is_lead = |placed: &&Placed| matches!(placed.token, Token::Phrase(_) | Token::Sign('='));
         let lead = tokens[name..].iter().take_while(is_lead).count();
         let (name, lead) = if lead > 0 { (name, name + lead) } else { (0, 0) };
-        let label = (name > 0)
-            .then(|| Label { typed: self.slice(&tokens[..name]).to_owned(), expr: self.named(&tokens[..name]) });
+        let label = self.called(&tokens[..name]);
         let end = Some(End { at: self.scalar(&tokens[lead..])?, included: Some(true) });
         let remarks = if lead > name { vec![self.slice(&tokens[name..lead]).to_lowercase()] } else { Vec::new() };
         let (low, high) = if above { (end, None) } else { (None, end) };

@@ -1,6 +1,7 @@
 //! Statements with nothing but a blank between them: `v = 4 w = 6`, `A = 3 B = 5`.
 
 use super::choices::Doubt;
+use super::lexicon::is_rejection;
 use super::names;
 use super::phrases::Phrase;
 use super::ranges::is_any;
@@ -15,7 +16,9 @@ impl Statements<'_> {
     /// read as a name if numbers stand on both sides, and otherwise in a further reading.
     pub(super) fn next_statement(&mut self, tokens: &[Placed]) -> Option<usize> {
         if let Some(at) = next_inequality(tokens) {
-            return Some(at);
+            // `k > 2 reject k < -2`: which of the two is meant, a person sees.
+            let is_rejection = |word: &Placed| is_rejection(&self.slice(std::slice::from_ref(word)).to_lowercase());
+            return (!tokens[..at].iter().any(is_rejection)).then_some(at);
         }
         let equals = outer_equals(tokens);
         let first = *equals.first()?;
@@ -147,7 +150,6 @@ fn is_sign_of_sum(placed: &Placed) -> bool {
     placed.is('+') || placed.is('-')
 }
 
-/// The places of the equals signs outside brackets; none where other relations stand among them.
 /// Where the second of two inequalities for one letter begins, that bound it from both sides: `e > 1/3 e < 1`.
 fn next_inequality(tokens: &[Placed]) -> Option<usize> {
     let is_above = |placed: &Placed| is_any(placed, &['>', '≥']);
@@ -160,6 +162,7 @@ fn next_inequality(tokens: &[Placed]) -> Option<usize> {
     (turns && is_again && tokens[name].spaced && name > first + 1).then_some(name)
 }
 
+/// The places of the equals signs outside brackets.
 fn outer_equals(tokens: &[Placed]) -> Vec<usize> {
     let mut depth = 0_usize;
     let mut found = Vec::new();

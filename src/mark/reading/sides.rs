@@ -8,7 +8,7 @@ use super::tokens::{Placed, Token};
 use super::units::is_unit_word;
 use super::values::formula;
 use super::vectors::{Shape, shape};
-use super::{Form, Label};
+use super::{Form, Label, SaidUnit};
 use crate::expr::{Expr, Function};
 
 /// What one side of an equals sign is.
@@ -144,6 +144,11 @@ impl Statements<'_> {
 
     /// One side of an equation, whose names must be known.
     pub(super) fn side(&mut self, tokens: &[Placed]) -> Result<Expr, Unreadable> {
+        Ok(self.side_with_unit(tokens)?.0)
+    }
+
+    /// One side of an equation or of an inequality, and its unit.
+    pub(super) fn side_with_unit(&mut self, tokens: &[Placed]) -> Result<(Expr, Option<SaidUnit>), Unreadable> {
         let place = tokens.first().map_or(self.text.len(), |first| first.start);
         let read = formula(tokens.to_vec(), 0, self.text, self.vocabulary, self.choices)?;
         let rest = &read.tokens[read.next..];
@@ -151,8 +156,8 @@ impl Statements<'_> {
             matches!(placed.token, Token::Phrase(Phrase::Remark | Phrase::Joiner | Phrase::Noun) | Token::Sign('.'))
         });
         match read.form {
-            Form::Value(value) if words => Ok(value),
-            Form::Vector(x, y, _) if words => Ok(Expr::Vector(Box::new(x), Box::new(y))),
+            Form::Value(value) if words => Ok((value, read.unit)),
+            Form::Vector(x, y, _) if words => Ok((Expr::Vector(Box::new(x), Box::new(y)), read.unit)),
             _ => Err(Unreadable::Sign(place, "one side of the equation is no formula".to_owned())),
         }
     }

@@ -42,17 +42,22 @@ impl Values<'_> {
                     lead.clear();
                     at = tokens.len();
                 }
+                // `41 grad`: gradians, or a gradient?
+                Token::Phrase(Phrase::Gradient)
+                    if is_after_number(&tokens, at) && self.slice(&tokens, at, at + 1) == "grad" =>
+                {
+                    return Err(Unreadable::Sign(tokens[at].start, "`grad` after a number".to_owned()));
+                }
                 Token::Phrase(phrase) => {
                     at = self.word(&tokens, at, phrase, &mut lead, &mut found)?;
                 }
                 // `81.9'`: minutes, without their degrees?
-                Token::Sign('\'')
-                    if at > 0
-                        && matches!(tokens[at - 1].token, Token::Number(_))
+                Token::Sign(mark @ ('\'' | '"'))
+                    if is_after_number(&tokens, at)
                         && !tokens[at].spaced
-                        && !tokens[..at].iter().any(|placed| placed.is('\'')) =>
+                        && !tokens[..at].iter().any(|placed| placed.is(mark)) =>
                 {
-                    return Err(Unreadable::Sign(tokens[at].start, "`'` after a number".to_owned()));
+                    return Err(Unreadable::Sign(tokens[at].start, format!("`{mark}` after a number")));
                 }
                 Token::Sign('.' | '!' | '?' | '"' | '\'') => at += 1,
                 Token::Sign('≈') if found.values.is_empty() || !lead.is_empty() => at += 1,
@@ -295,6 +300,10 @@ fn phrase_at(tokens: &[Placed], at: usize) -> Option<Phrase> {
         Token::Phrase(phrase) => Some(phrase),
         _ => None,
     }
+}
+
+fn is_after_number(tokens: &[Placed], at: usize) -> bool {
+    at > 0 && matches!(tokens[at - 1].token, Token::Number(_))
 }
 
 /// Does a word name a quantity or a sphere?
