@@ -187,7 +187,7 @@ fn the_rest_is_solved_again_from_values_that_cannot_be() {
         let lines = from_own_values(&question, &question.parts[0], &own);
         let begins = lines.first().map(|line| print::text_unicode(&line.words));
         // What is too large to be worked out, or is no letter of the question, is gone on from by nobody.
-        let expected = is_solved.then(|| "You found:".to_owned());
+        let expected = is_solved.then(|| "You have:".to_owned());
         assert_eq!(begins, expected, "{written}");
     }
 }

@@ -45,12 +45,7 @@ impl KeyedQuestion {
 
     fn begun_with(&self, meeting: Meeting, own: &[(Quantity, &Expr)]) -> Option<KeyedQuestion> {
         let then = self.scene.then.iter().find(|then| then.meeting == meeting)?;
-        let mut known = self.given.clone();
-        for (quantity, written) in own {
-            if let Some(value) = self.exact(written) {
-                known.0.insert(*quantity, Datum::Number(value));
-            }
-        }
+        let known = self.given_with(own.iter().copied());
         let in_a_line = known.0.contains_key(&Quantity::InALine);
         let axes: &[Axis] = if in_a_line { &[Axis::N] } else { &[Axis::X, Axis::Y] };
         let begins = |part| axes.iter().map(move |axis| Quantity::Velocity(part, Moment::Before, *axis));
@@ -76,18 +71,20 @@ impl KeyedQuestion {
         }
         let is_cause =
             |quantity: &Quantity| matches!(quantity, Quantity::Velocity(_, Moment::After, Axis::N) | Quantity::Mass(_));
-        let wrong = own.wrong(self).filter(|(quantity, _)| is_cause(quantity));
-        let wrong: Vec<(Quantity, Value)> =
-            wrong.filter_map(|(quantity, written)| Some((quantity, self.exact(written)?))).collect();
-        if wrong.is_empty() {
-            return None;
-        }
-        let mut given = self.given.clone();
-        given.0.extend(wrong.into_iter().map(|(quantity, value)| (quantity, Datum::Number(value))));
+        let mut wrong = own.wrong(self).filter(|(quantity, _)| is_cause(quantity)).peekable();
+        wrong.peek()?;
+        let given = self.given_with(wrong);
         let of_mark = |mark: &KeyedMark| KeyedMark { stated: Default::default(), ..mark.clone() };
         let of_part =
             |part: &KeyedPart| KeyedPart { scheme: part.scheme.iter().map(of_mark).collect(), ..part.clone() };
         Some(self.of_scene(self.scene.clone(), given, self.parts.iter().map(of_part).collect()))
+    }
+
+    /// What is given, and these values of the student's own as if they were given too.
+    pub(in crate::mark) fn given_with<'e>(&self, own: impl Iterator<Item = (Quantity, &'e Expr)>) -> Known<Value> {
+        let mut known = self.given.clone();
+        known.0.extend(own.filter_map(|(quantity, written)| Some((quantity, Datum::Number(self.exact(written)?)))));
+        known
     }
 
     /// The same question about a scene with what is given there: nothing is prepared yet.

@@ -13,8 +13,8 @@ use crate::mark::judging::{Judgement, Model, Note, Verdict, judge};
 use crate::mark::key::{KeyedBlank, KeyedPart, KeyedQuestion};
 use crate::mark::reading::{Form, Reading};
 use crate::mark::working::{Examined, has_these_sizes};
-use crate::mechanics::{Datum, Derivation, Line, Quantity, Show};
-use crate::number::{Fraction, Places, Value, round};
+use crate::mechanics::{Derivation, Line, Quantity, Show};
+use crate::number::{Fraction, Places, round};
 use crate::paper::WorkingLine;
 
 /// An answer that is right for what the student had found before.
@@ -105,9 +105,8 @@ fn vector(
     examined: &Examined,
 ) -> Option<Followed> {
     let own = examined.theirs.to_go_on_from(question);
-    let own = own.into_iter().filter(|(quantity, _)| !components.contains(quantity));
-    let mut known = question.given.clone();
-    known.0.extend(own.filter_map(|(quantity, written)| Some((quantity, Datum::Number(question.exact(&written)?)))));
+    let own = own.iter().filter(|(quantity, _)| !components.contains(quantity));
+    let mut known = question.given_with(own.map(|(quantity, written)| (*quantity, written)));
     Derivation::carry_out(&mut known, &components);
     let [x, y] = components.map(|component| known.number(component));
     let value = Expr::Vector(Box::new(written(&x?)), Box::new(written(&y?)));
@@ -184,14 +183,9 @@ pub fn from_own_values(question: &KeyedQuestion, part: &KeyedPart, own: &[(Quant
 }
 
 fn solved_again(question: &KeyedQuestion, part: &KeyedPart, own: &[(Quantity, Expr)]) -> Vec<WorkingLine> {
-    let mut known = question.given.clone();
-    let exact = |(quantity, written): &(Quantity, Expr)| Some((*quantity, question.exact(written)?, written.clone()));
-    let own: Vec<(Quantity, Value, Expr)> = own.iter().filter_map(exact).collect();
-    if own.is_empty() {
-        return Vec::new();
-    }
-    known.0.extend(own.iter().map(|(quantity, value, _)| (*quantity, Datum::Number(value.clone()))));
-    let mut reached: BTreeSet<Quantity> = own.iter().map(|(quantity, ..)| *quantity).collect();
+    let own: Vec<&(Quantity, Expr)> = own.iter().filter(|(_, written)| question.exact(written).is_some()).collect();
+    let mut known = question.given_with(own.iter().map(|(quantity, written)| (*quantity, written)));
+    let mut reached: BTreeSet<Quantity> = own.iter().map(|(quantity, _)| *quantity).collect();
     let asked: Vec<Quantity> = part.blanks.iter().flat_map(|blank| blank.find.quantities()).collect();
     let asked: Vec<Quantity> = asked.into_iter().filter(|quantity| !reached.contains(quantity)).collect();
     let (derivation, _) = Derivation::carry_out(&mut known, &asked);
@@ -210,15 +204,15 @@ fn solved_again(question: &KeyedQuestion, part: &KeyedPart, own: &[(Quantity, Ex
     if lines.is_empty() {
         return lines;
     }
-    let equation = |(quantity, _, written): (Quantity, Value, Expr)| {
-        let symbol = match Show::new(&question.scene, &known, &asked).of(quantity) {
+    let equation = |(quantity, written): &(Quantity, Expr)| {
+        let symbol = match Show::new(&question.scene, &known, &asked).of(*quantity) {
             Some((show, in_law)) => show.named(&show.symbol(in_law)),
-            None => show.symbol(quantity),
+            None => show.symbol(*quantity),
         };
-        Expr::equation(symbol, written)
+        Expr::equation(symbol, written.clone())
     };
     let equations = own.into_iter().map(equation);
-    let words = Text::words("You found:");
+    let words = Text::words("You have:");
     lines.insert(0, WorkingLine { words, equations: equations.collect(), label: None });
     lines
 }

@@ -15,6 +15,7 @@ mod directions;
 mod environments;
 mod equalities;
 mod equation_number;
+mod formula;
 mod functions;
 mod grammar;
 mod in_letters;

@@ -1,12 +1,12 @@
 //! What stands on one side of an equals sign: a name, a number, a formula, or words.
 
 use super::Unreadable;
+use super::formula::formula;
 use super::grammar::Parser;
 use super::phrases::Phrase;
 use super::statements::Statements;
 use super::tokens::{Placed, Token};
 use super::units::is_unit_word;
-use super::values::formula;
 use super::vectors::{Shape, shape};
 use super::{Form, Label, SaidUnit};
 use crate::expr::{Expr, Function};

@@ -2,6 +2,7 @@
 
 use super::choices::Choices;
 use super::equation_number::without_number;
+use super::formula::formula;
 use super::inequalities::is_inequality;
 use super::lexicon::is_rejection;
 use super::line;
@@ -11,7 +12,7 @@ use super::ranges;
 use super::segments::{outside, segments, unquoted};
 use super::sides::is_called;
 use super::tokens::{Placed, Token, excerpt};
-use super::values::{Values, formula};
+use super::values::Values;
 use super::{Form, Label, Said, Statement, Unreadable, Vocabulary};
 use crate::expr::Expr;
 

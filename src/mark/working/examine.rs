@@ -3,6 +3,7 @@
 use super::convention::{shows_e, take_as_laws};
 use super::energies::ToBeSubtracted;
 use super::evidence::Evidence as Shown;
+use super::going_on::{follow, follow_to};
 use super::impacts::{set_aside_of_others, short_of_law};
 use super::line::{self, Line, ReadLine};
 use super::linear::{Context, Sum};
@@ -12,7 +13,7 @@ use super::points::sizes;
 use super::prepared::Prepared;
 use super::spread::Spread;
 use super::terms::ByNumbers;
-use super::theirs::{Theirs, follow, follow_to, numbers, own_values};
+use super::theirs::{Theirs, numbers, own_values};
 use super::{angle_letters, angles};
 use crate::bank::{Code, EarnedFor};
 use crate::expr::Expr;

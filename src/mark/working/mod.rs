@@ -22,6 +22,7 @@ mod energies;
 mod evidence;
 mod examine;
 mod figures;
+mod going_on;
 mod impacts;
 mod impulse;
 mod in_answers;
