@@ -37,12 +37,6 @@ struct Row {
 const DISAGREEMENTS: &[(&str, &str, &str, &str)] = &[
     (
         "Q6",
-        "tan b = 2 tan a/(1-e)",
-        "unreadable",
-        "the question has neither an a nor a b; a person sees that they are alpha and beta",
-    ),
-    (
-        "Q6",
         "deflection = α+β so tan(α+β)=...",
         "unreadable",
         "the line breaks off; that it began wrongly is for a person to say",
@@ -83,8 +77,8 @@ fn carom_judges_as_a_careful_examiner_does() {
         }
         let known = DISAGREEMENTS.iter().find(|known| known.0 == row.question && known.1 == row.answer);
         match known {
-            _ if verdict.name() == row.verdict => agreed += 1,
-            Some(known) if known.2 == verdict.name() => {}
+            None if verdict.name() == row.verdict => agreed += 1,
+            Some(known) if known.2 == verdict.name() && known.2 != row.verdict => {}
             _ => faults.push(described(row, &judgements)),
         }
     }

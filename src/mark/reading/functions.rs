@@ -164,7 +164,7 @@ impl Parser<'_> {
         let pi = factors.contains(&Expr::Pi);
         let mut argument = if factors.len() == 1 { factors.remove(0) } else { Expr::Product(factors) };
         while self.eat('°') {
-            argument = Expr::degrees(argument);
+            argument = self.in_degrees(argument);
         }
         if self.sign(0) == Some('/') && !self.spaced(0) && matches!(self.token(1), Some(Token::Number(_))) {
             let place = self.place();
@@ -202,7 +202,7 @@ impl Parser<'_> {
     }
 
     /// May it be an angle? Masses, speeds and coefficients of restitution are none.
-    fn is_angle(&self, name: &str) -> bool {
+    pub(super) fn is_angle(&self, name: &str) -> bool {
         let letter = self.vocabulary.letters.iter().find(|letter| letter.name() == name);
         letter.is_none_or(|letter| !matches!(letter.range(), Range::Positive | Range::Unit))
     }

@@ -240,10 +240,16 @@ impl<'a> Parser<'a> {
         small && !more
     }
 
+    /// A formula with a sign of degrees behind it; in `α°` the letter is the angle already.
+    pub(super) fn in_degrees(&self, expr: Expr) -> Expr {
+        let is_angle = matches!(&expr, Expr::Name(name) if self.is_angle(&name.text));
+        if is_angle { expr } else { Expr::degrees(expr) }
+    }
+
     /// So many degrees, with minutes and seconds of arc if they follow: `46°6′7″`. A minute is measured about as finely as
     /// two decimals are, a second as four.
     fn minutes(&mut self, degrees: Expr) -> Parsed {
-        let Expr::Number(mut total) = degrees else { return Ok(Expr::degrees(degrees)) };
+        let Expr::Number(mut total) = degrees else { return Ok(self.in_degrees(degrees)) };
         let mut places = None;
         for (mark, share, decimals) in [('\'', 60, 2), ('"', 3600, 4)] {
             let is_mark = match self.token(1) {

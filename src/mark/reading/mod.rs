@@ -4,6 +4,7 @@
 //! left is formulas, read by a grammar that is a student's and not a programmer's. Where notation is open to doubt, the
 //! likely reading comes first and the other follows; a report says which was used.
 
+mod angle_names;
 mod asides;
 mod characters;
 mod choices;
@@ -157,6 +158,7 @@ fn counted(text: &str, vocabulary: &Vocabulary, passes_over: bool) -> (Result<Ve
             .map(|tokens| part_label::without_question_number(tokens, vocabulary))
             .map(|tokens| columns::on_two_lines(tokens, vocabulary, &mut choices))
             .map(|tokens| columns::with_joined_lines(tokens, vocabulary))
+            .map(|tokens| angle_names::with_angles(tokens, vocabulary, &mut choices))
             .and_then(|tokens| phrases::with_phrases(&tokens, vocabulary, &mut choices))
             .and_then(|tokens| statements::statements(tokens, text, vocabulary, &mut choices, passes_over));
         (statements, choices)

@@ -158,7 +158,7 @@ impl Walk<'_> {
         }
     }
 
-    /// `A + 2`, `v = B - 2`: is a number added to what stands before it, or taken off, and no sign of its own? At the
+    /// `A + 2`, `v = B - 2`, `a + arctan(e)`: is a number or formula added to what stands before it, or taken off, and no sign of its own? At the
     /// beginning a minus may be a dash, but not after an article.
     fn is_added(&self, at: usize, before: &[Placed]) -> bool {
         let (Some(sign), Some(next)) = (self.tokens.get(at), self.tokens.get(at + 1)) else { return false };
@@ -166,7 +166,12 @@ impl Walk<'_> {
         let is_side = || before.iter().rev().take_while(ends).any(|placed| placed.is('=') || placed.is('≈'));
         let is_article = || at > 0 && self.article(at - 1) == at;
         let is_sign = sign.is('+') || sign.is('-') && (is_side() || is_article());
-        is_sign && sign.spaced == next.spaced && matches!(next.token, Token::Number(_) | Token::Root { .. })
+        let is_term = match &next.token {
+            Token::Number(_) | Token::Root { .. } | Token::Greek(_) | Token::Sign('(') => true,
+            Token::Word(_) => self.word(at + 1).is_some_and(|word| lexicon::sort(word).is_none()),
+            _ => false,
+        };
+        is_sign && sign.spaced == next.spaced && is_term
     }
 
     /// The phrase that begins at a token.

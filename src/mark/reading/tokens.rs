@@ -92,6 +92,11 @@ const GREEK: [(char, &str); 34] = [
     ('Ω', "Omega"),
 ];
 
+/// The Greek letter of this name, and its name.
+pub(super) fn greek(name: &str) -> Option<(char, &'static str)> {
+    GREEK.iter().copied().find(|(_, known)| *known == name)
+}
+
 /// Is it the name of a Greek letter, in any case?
 pub(super) fn is_greek(word: &str) -> bool {
     GREEK.iter().any(|(_, name)| name.eq_ignore_ascii_case(word))
