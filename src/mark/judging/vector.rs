@@ -172,8 +172,8 @@ pub(super) fn judge(model: &Model, said: &Said) -> Finding {
     let mut finding = both(model, (&right_x, &x), (&right_y, &y));
     // `6 left and 2.4 down`: signs in words, on a page that nobody has drawn.
     let says = |side: &[&str]| said.remarks.iter().flat_map(|remark| words(remark)).any(|word| side.contains(&word));
-    let is_turned = notation == Notation::Coordinates && says(&["left", "down"]);
-    if is_turned || !finding.is_credited() && says(&["right", "up"]) {
+    let is_turned = notation == Notation::Coordinates && says(&["left", "down", "west", "south"]);
+    if is_turned || !finding.is_credited() && says(&["left", "down", "right", "up", "east", "west", "north", "south"]) {
         return Finding::unreadable(Note::DirectionUnchecked);
     }
     if !finding.is_credited() {

@@ -6,7 +6,7 @@ use super::examine::context;
 use super::line::{Line, Member, ReadLine};
 use super::linear::constant;
 use super::prepared::Prepared;
-use crate::expr::{Expr, Function};
+use crate::expr::{Expr, Function, Relation};
 use crate::mark::reading::Form;
 
 /// Letters for angles that are still to be found: nobody calls a given one so, unless the question does.
@@ -118,8 +118,8 @@ pub(super) fn put_everywhere(reading: &mut ReadLine, put: &dyn Fn(&Expr) -> Expr
         member.expr = put(&member.expr);
     }
     for said in reading.statements.iter_mut().flat_map(|statement| &mut statement.said) {
-        if let Form::Value(value) = &mut said.form {
-            *value = put(value);
+        if let Form::Value(formula) | Form::Equation(formula) = &mut said.form {
+            *formula = put(formula);
         }
     }
 }
@@ -173,7 +173,14 @@ pub(super) fn used(reading: &ReadLine) -> Vec<String> {
 
 pub(super) fn sides(reading: &ReadLine) -> impl Iterator<Item = &Expr> {
     let of_equations = reading.equations.iter().flat_map(|(left, right)| [left, right]);
-    of_equations.chain(reading.members.iter().map(|member| &member.expr))
+    let said = reading.statements.iter().flat_map(|statement| &statement.said);
+    let of_inequalities = said.filter_map(|said| match &said.form {
+        Form::Equation(Expr::Relation(left, relation, right)) if *relation != Relation::Equal => {
+            Some([&**left, &**right])
+        }
+        _ => None,
+    });
+    of_equations.chain(of_inequalities.flatten()).chain(reading.members.iter().map(|member| &member.expr))
 }
 
 fn collect(expr: &Expr, found: &mut Vec<String>) {

@@ -65,7 +65,8 @@ impl Working<'_> {
                 let found = found.or_else(|| if is_of_wall { self.change_in_vectors(law.name()) } else { None });
                 let found = found.or_else(|| self.energies_apart(law, code));
                 let found = found.or_else(|| self.without_a_letter(law, &quantities, code));
-                let of_deflection = || self.compound_angle(law).or_else(|| self.scalar_quotient(law));
+                let by_angle = || self.compound_angle(law).or_else(|| self.scalar_quotient(law));
+                let of_deflection = || self.demanded_of_turn(law).or_else(by_angle);
                 found.or_else(|| if code == Code::M1 && is_of_deflection { of_deflection() } else { None })
             }
             Seen::AlongLine | Seen::Unknown => None,
@@ -157,6 +158,7 @@ impl Working<'_> {
         };
         let right = self.line_that_is(&self.prepared.known, after).or_else(by_tangent);
         let right = right.or_else(|| self.inequality_with(&sizes(&self.prepared.known, after)?));
+        let right = right.or_else(|| self.rebound_as_vector());
         let line = right.or_else(|| if is_condoned { exchanged() } else { None })?;
         Some(Evidence::given(line, "restitution"))
     }
@@ -164,11 +166,13 @@ impl Working<'_> {
     /// A line that comes to what the law gives: from right values, or from the student's own.
     fn by_value(&self, law: Law, quantities: &[Quantity], code: Code) -> Option<Evidence> {
         let follows = !code.is_accuracy() || code == Code::A1FollowThrough;
-        for (known, own) in [(&self.prepared.known, false), (&self.followed, true)] {
+        let found = self.prepared.all_where_found().unwrap_or_default();
+        for (known, own) in [(&self.prepared.known, false), (&found, false), (&self.followed, true)] {
             if own && !follows {
                 continue;
             }
-            for quantity in quantities.iter().filter(|quantity| !own || !self.is_trivial(**quantity)) {
+            let counts = |quantity: &&Quantity| !known.is_empty() && (!own || !self.is_trivial(**quantity));
+            for quantity in quantities.iter().filter(counts) {
                 if let Some(line) = self.line_that_is(known, *quantity) {
                     let role = law.name();
                     return Some(if own { Evidence::followed(line, role) } else { Evidence::given(line, role) });

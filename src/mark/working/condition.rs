@@ -3,6 +3,7 @@
 use super::compare::{comes_to, is_composite};
 use super::evidence::Evidence;
 use super::examine::Working;
+use super::line::ReadLine;
 use super::points::sizes;
 use super::theirs::numbers;
 use crate::expr::{Expr, Relation};
@@ -20,7 +21,8 @@ impl Working<'_> {
             let studied = &self.lines[*place];
             let Some(reading) = &studied.reading else { return false };
             let statements = || reading.statements.iter().flat_map(|statement| &statement.said);
-            let is_inequality = || statements().any(|said| self.is_demanded(&said.form, mark, *place));
+            let is_demanded = |form: &Form| self.is_demanded(form, mark, *place) || self.is_of_angles(form);
+            let is_inequality = || statements().any(|said| is_demanded(&said.form));
             let mut worked = reading.equations.iter().filter(|(_, right)| !self.is_printed_value(right));
             let mut holds = || worked.any(|equation| self.holds_only_where_found(equation));
             !self.is_printed_result(studied) && studied.matched.is_empty() && (holds() || is_inequality())
@@ -62,13 +64,30 @@ impl Working<'_> {
         if is_sought(left) || is_sought(right) || !self.is_of_stated(left) || !self.is_of_stated(right) {
             return false;
         }
-        let Some(stated) = self.excess(left, *relation, right) else { return false };
-        let of_scheme = || {
-            let Some(Expr::Relation(left, relation, right)) = &mark.equation else { return None };
-            self.excess(left, *relation, right)
-        };
+        let [left, right] = [left, right].map(|side| self.with_stated_tangents(side, place));
+        let Some(stated) = self.excess(&left, *relation, &right) else { return false };
         let is = |demanded: &Vec<f64>| self.is_positive_multiple(&stated, demanded);
-        of_scheme().as_ref().is_some_and(is) || self.demanded_of_own(place).iter().any(is)
+        self.demanded_by_scheme(mark).as_ref().is_some_and(is) || self.demanded_of_own(place).iter().any(is)
+    }
+
+    /// By how much one side of the scheme's inequality is to be the greater.
+    fn demanded_by_scheme(&self, mark: &KeyedMark) -> Option<Vec<f64>> {
+        let Some(Expr::Relation(left, relation, right)) = &mark.equation else { return None };
+        self.excess(left, *relation, right)
+    }
+
+    /// The line of the equation that the inequality of a mark is at the end of the range: `4 - 9e = 0`.
+    pub(super) fn critical_line(&self, mark: &KeyedMark) -> Option<usize> {
+        let demanded = self.demanded_by_scheme(mark)?;
+        let is_it = |(left, right): &(Expr, Expr)| {
+            let both = [(left, right), (right, left)];
+            let mut stated = both.into_iter().filter_map(|(one, other)| self.excess(one, Relation::Greater, other));
+            left.names().len() + right.names().len() > 0
+                && !matches!(left, Expr::Name(_))
+                && stated.any(|stated| self.is_positive_multiple(&stated, &demanded))
+        };
+        let equations = |reading: &ReadLine| reading.equations.iter().any(is_it);
+        self.lines.iter().position(|studied| studied.reading.as_ref().is_some_and(equations))
     }
 
     /// By how much one side is to be the greater with the student's own velocities: those that follow from what was found, or
@@ -182,7 +201,7 @@ impl Working<'_> {
         for letter in letters {
             let at = |point| self.prepared.points.letter(letter.name(), point).unwrap_or(1.0);
             let powers = factors.iter().flat_map(|factor| {
-                [-1, 0, 1].map(|power| {
+                [-2, -1, 0, 1, 2].map(|power| {
                     factor.iter().enumerate().map(|(point, one)| one * at(point).powi(power)).collect::<Vec<f64>>()
                 })
             });
@@ -208,7 +227,7 @@ impl Working<'_> {
 }
 
 /// A difference as what is to be greater less what is to be smaller; `None` of an equation.
-fn oriented(difference: f64, relation: Relation) -> Option<f64> {
+pub(super) fn oriented(difference: f64, relation: Relation) -> Option<f64> {
     match relation {
         Relation::Greater | Relation::GreaterOrEqual => Some(difference),
         Relation::Less | Relation::LessOrEqual => Some(-difference),

@@ -43,6 +43,7 @@ mod terms;
 mod theirs;
 mod told_apart;
 mod trials;
+mod turned;
 mod two_lines;
 mod values;
 mod vectors;

@@ -172,6 +172,11 @@ impl Prepared {
     pub(super) fn where_found(&self, point: usize) -> Option<&Known<f64>> {
         self.there[point].as_ref()
     }
+
+    /// The same at every point, if letters were to be found and have values everywhere.
+    pub(super) fn all_where_found(&self) -> Option<Vec<Known<f64>>> {
+        self.there.iter().cloned().collect()
+    }
 }
 
 /// Something else, by a few hundredths; each result by another part, so that none cancels another.

@@ -374,3 +374,20 @@ fn sums_in(expr: &Expr) -> Vec<&Expr> {
         _ => Vec::new(),
     }
 }
+
+impl Working<'_> {
+    /// The line of a vector with both components after an impact with a wall, whichever way the student's axes along the
+    /// wall and across it point.
+    pub(super) fn rebound_as_vector(&self) -> Option<usize> {
+        let after = |axis| sizes(&self.prepared.known, Quantity::Velocity(Sphere::A, Moment::After, axis));
+        let [along, across] = [after(Axis::N)?, after(Axis::T)?];
+        let turned: Vec<f64> = across.iter().map(|across| -across).collect();
+        let is_it = |values: &[Value]| {
+            [1.0, -1.0].into_iter().any(|sign| {
+                let is = |x: &[f64], y: &[f64]| is_vector(values, x, y, sign);
+                [&across, &turned].into_iter().any(|across| is(&along, across) || is(across, &along))
+            })
+        };
+        self.lines.iter().position(|studied| self.members(studied).any(|(_, values)| is_it(values)))
+    }
+}
