@@ -446,6 +446,24 @@ fn what_is_asked_for_and_found_elsewhere_is_named() {
 }
 
 #[test]
+fn what_students_earn_is_told_with_their_numbers_and_what_to_try() {
+    let edits = [("\"B.after.x != 0\"", "\"B.after.x = 0\"")];
+    let (_, said) = checked("nought", "direct/restitution-from-one-speed", &edits);
+    for words in
+        ["the mark A1a of part (a) is not given for right answers in exact form: `0 |", "`speed of B` is nought there"]
+    {
+        assert!(said.contains(words), "no `{words}` in\n{said}");
+    }
+    let edits = [("A.after.x < 0", "A.after.x > 0"), ("is reversed", "is not changed"), ("mA < mB", "mA = mB")];
+    let (_, said) = checked("end", "ranges/direction-reversed", &edits);
+    for words in
+        ["full credit is given for the range with its ends counted otherwise", "with which the range ends elsewhere"]
+    {
+        assert!(said.contains(words), "no `{words}` in\n{said}");
+    }
+}
+
+#[test]
 fn parts_speak_of_parts_that_come_before_them() {
     found(
         "direct/restitution-from-one-speed",
@@ -577,7 +595,7 @@ fn a_name_without_a_value_is_named_at_its_formula() {
 fn what_every_student_loses_is_told_once_and_at_its_row() {
     let edits = [("{ code = \"A1\", for = \"ke.lost\" }", "{ code = \"A1\", for = \"A.ke_lost\" }")];
     let (_, said) = checked("once", "direct/one-sphere-catches-the-other", &edits);
-    assert!(said.matches("a student who writes").count() <= 2, "{said}");
+    assert!(said.matches(" is not given for ").count() <= 2, "{said}");
 }
 
 #[test]

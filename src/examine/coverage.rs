@@ -6,11 +6,12 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-use super::students::{Expected, Student, students};
+use super::students::{ENDS_COUNTED, Expected, Student, students};
 use crate::bank::Question;
+use crate::expr::print;
 use crate::generate::Variant;
 use crate::mark::judging::{Note, Verdict};
-use crate::mark::{AnswerKey, KeyedQuestion, MarkedPart, Profile, mark};
+use crate::mark::{AnswerKey, Award, KeyedQuestion, MarkedPart, Profile, mark};
 use crate::paper::{Key, compose, key_question};
 
 /// How often each mark of a question was won and lost, and what was marked otherwise than it must be.
@@ -27,19 +28,27 @@ pub struct Coverage {
 /// A script that was not marked as it must be.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fault {
-    /// Who wrote it.
-    pub who: String,
-    /// What is amiss with its marks.
+    /// What is amiss with its marks: `the mark A1a of part (a) is not given`.
     pub what: String,
+    /// Whose it is: `a right answer in exact form`.
+    pub who: String,
     /// What stands in it.
     pub wrote: String,
-    /// The part and the row of the first mark that is amiss, if one is.
-    pub mark: Option<(usize, usize)>,
+    /// The numbers of the variant in which it was written.
+    pub with: String,
+    /// The part, its list and the row there of what is amiss.
+    pub row: Option<(usize, &'static str, usize)>,
+    /// One thing to try, where the answers tell it.
+    pub help: Option<String>,
 }
 
 impl fmt::Display for Fault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} {}: {}", self.who, self.what, self.wrote)
+        write!(f, "{} for {}", self.what, self.who)?;
+        if !self.wrote.is_empty() {
+            write!(f, ": `{}`", self.wrote)?;
+        }
+        if self.with.is_empty() { Ok(()) } else { write!(f, ", with {}", self.with) }
     }
 }
 
@@ -80,6 +89,8 @@ impl Coverage {
 
 /// Marks every student of one variant of a question.
 pub fn coverage(question: &Question, variant: &Variant) -> Coverage {
+    let with = variant.parameters.iter().map(|(name, value)| format!("{name} = {}", print::plain(value)));
+    let with = with.collect::<Vec<_>>().join(", ");
     let printed = compose(question, variant, 1);
     let keyed = key_question(question, variant, &printed);
     let text = serde_json::to_string(&Key::new(String::new(), None, vec![keyed.clone()])).unwrap_or_default();
@@ -88,21 +99,23 @@ pub fn coverage(question: &Question, variant: &Variant) -> Coverage {
         Err(faults) => {
             let faults = faults.into_iter().map(|fault| Fault {
                 who: "anything".to_owned(),
-                what: "meets a key that cannot be read back".to_owned(),
-                wrote: fault.message,
-                mark: None,
+                what: "no mark can be given".to_owned(),
+                wrote: format!("the key cannot be read back, {}", fault.message),
+                with: with.clone(),
+                row: None,
+                help: None,
             });
             return Coverage { faults: faults.collect(), ..Coverage::default() };
         }
     };
     let mut coverage = Coverage::default();
     for keyed_question in key.papers.iter().flat_map(|paper| &paper.questions) {
-        coverage.add(of_question(keyed_question, &students(&printed, &keyed, keyed_question)));
+        coverage.add(of_question(keyed_question, &students(&printed, &keyed, keyed_question), &with));
     }
     coverage
 }
 
-fn of_question(question: &KeyedQuestion, students: &[Student]) -> Coverage {
+fn of_question(question: &KeyedQuestion, students: &[Student], with: &str) -> Coverage {
     let profile = Profile::default();
     let mut coverage = Coverage::default();
     for part in &question.parts {
@@ -121,75 +134,102 @@ fn of_question(question: &KeyedQuestion, students: &[Student]) -> Coverage {
             *(if award.given { &mut count.won } else { &mut count.lost }) += 1;
         }
         coverage.scripts += 1;
-        coverage.faults.extend(fault(student, &marked));
+        coverage.faults.extend(fault(question, student, &marked, with));
     }
     coverage
 }
 
 /// Is it marked as it must be?
-fn fault(student: &Student, marked: &[MarkedPart]) -> Option<Fault> {
-    let awards = || marked.iter().flat_map(|part| part.awards.iter().map(move |award| (part, award)));
-    let name = |part: &MarkedPart, id: &str| {
-        if part.label.is_empty() { id.to_owned() } else { format!("({}) {id}", part.label) }
+fn fault(question: &KeyedQuestion, student: &Student, marked: &[MarkedPart], with: &str) -> Option<Fault> {
+    let unlike = |is_due: bool, skips: &dyn Fn(&MarkedPart) -> bool| {
+        let parts = marked.iter().enumerate().filter(|(_, part)| !skips(part));
+        let rows = parts.flat_map(|(at, part)| (0..part.awards.len()).map(move |row| (at, row)));
+        rows.filter(|(part, row)| marked[*part].awards[*row].given != is_due).collect::<Vec<_>>()
     };
-    let found = match &student.expected {
-        Expected::Everything => {
-            let lost: Vec<String> =
-                awards().filter(|(_, award)| !award.given).map(|(part, award)| name(part, &award.id)).collect();
-            (!lost.is_empty()).then(|| format!("does not earn {}", lost.join(", ")))
-        }
-        Expected::AllButShown => {
-            let lost: Vec<String> = awards()
-                .filter(|(part, award)| !award.given && !is_about_shown(part))
-                .map(|(part, award)| name(part, &award.id))
-                .collect();
-            (!lost.is_empty()).then(|| format!("does not earn {}", lost.join(", ")))
+    let name = |(part, row): (usize, usize)| of_part(&marked[part].awards[row].id, &marked[part].label);
+    let marks = |rows: &[(usize, usize)]| {
+        let names: Vec<String> = rows.iter().copied().map(name).collect();
+        format!("the mark{} {}", if rows.len() > 1 { "s" } else { "" }, names.join(", "))
+    };
+    let answer = |part: usize, blank: usize| &marked[part].answers[blank];
+    let (rows, what) = match &student.expected {
+        Expected::Everything | Expected::AllButShown => {
+            let is_everything = student.expected == Expected::Everything;
+            let lost = unlike(true, &|part| !is_everything && is_about_shown(part));
+            let what = (!lost.is_empty()).then(|| format!("{} is not given", marks(&lost)));
+            (lost, what)
         }
         Expected::Nothing => {
-            let won: Vec<String> =
-                awards().filter(|(_, award)| award.given).map(|(part, award)| name(part, &award.id)).collect();
-            (!won.is_empty()).then(|| format!("earns {}", won.join(", ")))
+            let won = unlike(false, &|_| false);
+            let what = (!won.is_empty()).then(|| format!("{} is given", marks(&won)));
+            (won, what)
         }
         Expected::Mistake { part, blank, tag } => {
-            let answer = &marked[*part].answers[*blank];
+            let answer = answer(*part, *blank);
             // A note says it too: of a wrong sign, or of an angle in radians.
             let named = answer.causes.iter().any(|cause| cause.tag == *tag) || answer.judgement.note.is_some();
-            match answer.judgement.verdict {
-                Verdict::Correct => Some("is taken for right".to_owned()),
-                _ if !named => Some("is not recognised".to_owned()),
+            let what = match answer.judgement.verdict {
+                Verdict::Correct => Some(RIGHT.to_owned()),
+                _ if !named => Some("no mistake is named".to_owned()),
                 _ => None,
-            }
+            };
+            (Vec::new(), what)
         }
         Expected::Wrong { part, blank } => {
-            let won = |part: &MarkedPart| part.awards.iter().any(|award| award.given && award.code.is_accuracy());
-            match marked[*part].answers[*blank].judgement.verdict {
-                Verdict::Correct => Some("is taken for right".to_owned()),
-                _ => won(&marked[*part]).then(|| "earns an accuracy mark".to_owned()),
-            }
+            let won = |award: &Award| award.given && award.code.is_accuracy();
+            let what = match answer(*part, *blank).judgement.verdict {
+                Verdict::Correct => Some(RIGHT.to_owned()),
+                _ => marked[*part].awards.iter().any(won).then(|| "an accuracy mark is given".to_owned()),
+            };
+            (Vec::new(), what)
         }
         Expected::ExactWanted { part, blank } => {
-            let judgement = &marked[*part].answers[*blank].judgement;
-            (judgement.note != Some(Note::ExactWanted.tag())).then(|| "is not told that it must be exact".to_owned())
+            let is_told = answer(*part, *blank).judgement.note == Some(Note::ExactWanted.tag());
+            (Vec::new(), (!is_told).then(|| "no demand of exact form is made".to_owned()))
         }
         Expected::FollowThrough { part, id } => {
-            let award = marked[*part].awards.iter().find(|award| award.id == *id);
-            award.is_none_or(|award| !award.given).then(|| format!("does not earn {id}"))
+            let row = marked[*part].awards.iter().position(|award| award.id == *id && !award.given);
+            let what = format!("the mark {} is not given", of_part(id, &marked[*part].label));
+            (row.map(|row| (*part, row)).into_iter().collect(), row.map(|_| what))
         }
     };
-    found.map(|what| Fault { mark: amiss(student, marked), who: student.who.clone(), what, wrote: student.wrote() })
+    let row = match &student.expected {
+        Expected::Wrong { part, blank } | Expected::Mistake { part, blank, .. } => Some((*part, "answers", *blank)),
+        _ => rows.first().map(|(part, row)| (*part, "marks", *row)),
+    };
+    // The lines of the model solution are many, and `carom preview` shows them.
+    let wrote = if student.expected == Expected::Everything { String::new() } else { student.wrote() };
+    let (who, with) = (student.who.clone(), with.to_owned());
+    what.map(|what| Fault { help: help(question, student, &what), what, who, wrote, with, row })
 }
 
-/// The place of the first mark that was lost and must be won, or the other way round.
-fn amiss(student: &Student, marked: &[MarkedPart]) -> Option<(usize, usize)> {
-    let is_due = match student.expected {
-        Expected::Everything | Expected::AllButShown => true,
-        Expected::Nothing => false,
-        _ => return None,
-    };
-    let skips = |part: &MarkedPart| matches!(student.expected, Expected::AllButShown) && is_about_shown(part);
-    let parts = marked.iter().enumerate().filter(|(_, part)| !skips(part));
-    let place = |part: &MarkedPart| part.awards.iter().position(|award| award.given != is_due);
-    parts.filter_map(|(at, part)| Some((at, place(part)?))).next()
+/// What is amiss where a wrong answer earns what a right one does.
+const RIGHT: &str = "full credit is given";
+
+/// A mark, and of which part if there are several.
+fn of_part(id: &str, label: &str) -> String {
+    if label.is_empty() { id.to_owned() } else { format!("{id} of part ({label})") }
+}
+
+/// What an author can do, where what the student wrote tells it.
+fn help(question: &KeyedQuestion, student: &Student, what: &str) -> Option<String> {
+    let is_right = matches!(student.expected, Expected::Everything | Expected::AllButShown);
+    let answers = student.script.parts.iter().flat_map(|part| &part.answers);
+    let nought = answers.into_iter().find(|(_, written)| written == "0").and_then(|(name, _)| name.as_ref());
+    match (nought, &student.expected) {
+        (Some(name), _) if is_right => Some(format!(
+            "`{name}` is nought there, which may leave a step of the scheme without a line of its own: require that it is \
+             not, in `require`, or name another step in `for`"
+        )),
+        (_, Expected::Wrong { part, blank }) if what == RIGHT && student.who == ENDS_COUNTED => {
+            let letter = question.parts.get(*part)?.blanks.get(*blank)?.find.name();
+            Some(format!(
+                "whether an end of all that `{letter}` can be is counted costs nobody a mark: require numbers with which the \
+                 range ends elsewhere"
+            ))
+        }
+        _ => None,
+    }
 }
 
 /// Is the part one whose result is printed? Its marks are for the working.

@@ -11,7 +11,7 @@ use crate::paper::{Blank, KeyPart, KeyQuestion, PrintedAnswer, PrintedPart, Prin
 /// A student with what must come of the script.
 #[derive(Clone, Debug)]
 pub struct Student {
-    /// What kind of student it is, for reports: `right in LaTeX`.
+    /// What kind of student it is, for reports: `right answers in LaTeX`.
     pub who: String,
     /// What is handed in.
     pub script: Script,
@@ -76,22 +76,24 @@ type Notation = (&'static str, fn(&PrintedAnswer, &str) -> Option<String>);
 
 /// The notations, each of one printed answer and its decimal to fifteen figures.
 const NOTATIONS: [Notation; 9] = [
-    ("right, exact", |answer, _| answer.exact.as_ref().map(print::unicode)),
-    ("right in plain letters", |answer, _| answer.exact.as_ref().filter(|exact| is_plain(exact)).map(print::plain)),
-    ("right in LaTeX", |answer, _| answer.exact.as_ref().map(|exact| format!("${}$", print::latex(exact)))),
-    ("right, rounded", |answer, _| answer.rounded.as_ref().map(print::unicode)),
-    ("right, rounded, with its unit", |answer, _| {
+    ("right answers in exact form", |answer, _| answer.exact.as_ref().map(print::unicode)),
+    ("right answers in plain letters", |answer, _| {
+        answer.exact.as_ref().filter(|exact| is_plain(exact)).map(print::plain)
+    }),
+    ("right answers in LaTeX", |answer, _| answer.exact.as_ref().map(|exact| format!("${}$", print::latex(exact)))),
+    ("right answers in figures", |answer, _| answer.rounded.as_ref().map(print::unicode)),
+    ("right answers in figures, with their units", |answer, _| {
         let rounded = answer.rounded.as_ref().or(answer.exact.as_ref())?;
         Some(format!("{} {}", print::unicode(rounded), answer.unit.plain()).trim().to_owned())
     }),
-    ("right, exact and then rounded", |answer, _| {
+    ("right answers in exact form and then in figures", |answer, _| {
         Some(format!("{} = {}", print::unicode(answer.exact.as_ref()?), print::unicode(answer.rounded.as_ref()?)))
     }),
-    ("right, approximately", |answer, _| {
+    ("right answers after ≈", |answer, _| {
         answer.rounded.as_ref().map(|rounded| format!("≈ {}", print::unicode(rounded)))
     }),
-    ("right with more figures", |_, decimal| longer(decimal, 5)),
-    ("right from a calculator", |_, decimal| longer(decimal, 10)),
+    ("right answers with five figures", |_, decimal| longer(decimal, 5)),
+    ("right answers with ten figures", |_, decimal| longer(decimal, 10)),
 ];
 
 /// What is no answer to anything.
@@ -104,7 +106,7 @@ pub fn students(printed: &PrintedQuestion, key: &KeyQuestion, question: &KeyedQu
         all.extend(right(who, notation, printed, key));
     }
     all.push(worked(printed, question));
-    all.push(Student { who: "nothing".to_owned(), script: script(Vec::new()), expected: Expected::Nothing });
+    all.push(Student { who: "an empty script".to_owned(), script: script(Vec::new()), expected: Expected::Nothing });
     for junk in JUNK {
         let parts = key.parts.iter().map(|part| PartScript {
             label: part.label.clone(),
@@ -174,6 +176,9 @@ fn in_figures(place: usize, part: &KeyPart) -> Vec<Student> {
 /// How a range is written wrongly: its signs, one after another, and the numbers or letters that stand between them.
 type WrongRange = (&'static str, fn(&str) -> String);
 
+/// A range that is right but for whether its ends belong to it.
+pub(super) const ENDS_COUNTED: &str = "the range with its ends counted otherwise";
+
 /// The wrong ranges, each of a token of the right one.
 const WRONG_RANGES: [WrongRange; 4] = [
     ("the range the wrong way round", |token| match token {
@@ -184,7 +189,7 @@ const WRONG_RANGES: [WrongRange; 4] = [
         "<" | "<=" | ">" | ">=" => "=".to_owned(),
         _ => token.to_owned(),
     }),
-    ("the range with its ends counted otherwise", |token| match token {
+    (ENDS_COUNTED, |token| match token {
         "<" | ">" => format!("{token}="),
         _ => token.trim_end_matches('=').to_owned(),
     }),
@@ -280,7 +285,7 @@ fn mistaken(place: usize, part: &KeyPart, keyed: &KeyedPart, question: &KeyedQue
             let answers = vec![(Some(printed.name.clone()), written)];
             let parts = vec![PartScript { label: part.label.clone(), answers, working: Vec::new() }];
             let expected = Expected::Mistake { part: place, blank, tag: (*tag).to_owned() };
-            all.push(Student { who: format!("the mistake {tag}"), script: script(parts), expected });
+            all.push(Student { who: format!("the mistake `{tag}`"), script: script(parts), expected });
         }
     }
     all

@@ -321,10 +321,10 @@ fn idle(question: &Question, coverage: &Coverage) -> Vec<Finding> {
             1 => "; one other fares the same".to_owned(),
             more => format!("; {more} others fare the same"),
         };
-        let message = format!("a student who writes {fault}{more}");
-        let found = Finding::new(message, "marks", "not as this scheme is meant").with_help(look.as_str());
-        match &fault.mark {
-            Some((part, row)) => found.at_row(*part, "marks", *row),
+        let found = Finding::new(format!("{fault}{more}"), "marks", "not as this scheme is meant");
+        let found = found.with_help(fault.help.as_deref().unwrap_or(look.as_str()));
+        match fault.row {
+            Some((part, list, row)) => found.at_row(part, list, row),
             None => found,
         }
     });
