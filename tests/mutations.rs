@@ -446,6 +446,19 @@ fn what_is_asked_for_and_found_elsewhere_is_named() {
 }
 
 #[test]
+fn an_answer_for_which_nobody_asks_is_named() {
+    let asked = "Find the value of {alpha} for which the deflection of *A* is greatest, and the greatest deflection.";
+    found(
+        "deflection/greatest-deflection",
+        &[("second-answer", &[(asked, "Find the greatest deflection of *A*.")], "1 answer in deg, and the part has 2")],
+    );
+    found(
+        "deflection/equal-masses",
+        &[("small", &[("as large as possible", "as small as possible")], "the words say `as small as possible`")],
+    );
+}
+
+#[test]
 fn what_students_earn_is_told_with_their_numbers_and_what_to_try() {
     let edits = [("\"B.after.x != 0\"", "\"B.after.x = 0\"")];
     let (_, said) = checked("nought", "direct/restitution-from-one-speed", &edits);

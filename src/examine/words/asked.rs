@@ -163,6 +163,7 @@ fn extremes(question: &Question) -> Option<Finding> {
                         && !sentence.get(place + 1).is_some_and(|token| is_one_of(token, &["of"]))
             };
             (0..sentence.len()).find(is_extreme).and_then(|place| match &sentence[place] {
+                Token::Word(word) if is_as_possible(place) => Some(format!("as {word} as possible")),
                 Token::Word(word) => Some(word.clone()),
                 _ => None,
             })
@@ -170,8 +171,10 @@ fn extremes(question: &Question) -> Option<Finding> {
     };
     if let Some(maximise) = &scene.maximise {
         let said = word(&LEAST)?;
-        let message = format!("the words speak of the {said}, and the scene makes `{maximise}` as large as possible");
-        let found = Finding::new(message, said, "the greatest in the scene").with_help("say `greatest`");
+        let message = format!("the words say `{said}`, and the scene makes `{maximise}` as large as possible");
+        let other = if said.starts_with("as ") { "as large as possible" } else { "greatest" };
+        let help = format!("say `{other}`: what `maximise` names in `[scene]` is made as large as it can be");
+        let found = Finding::new(message, said, "the greatest in the scene").with_help(help);
         // Beside the greatest there may be a least of something else.
         return Some(if word(&GREATEST).is_none() { found } else { found.as_warning() });
     }
@@ -179,11 +182,11 @@ fn extremes(question: &Question) -> Option<Finding> {
     let is_range = question.parts.iter().flat_map(|part| &part.answers).any(|answer| answer.kind == Kind::Range);
     let (message, label, help) = match (is_range, scene.conditions.is_empty()) {
         (true, _) => {
-            let message = format!("the words speak of the {said}, and the answer is a set of values");
+            let message = format!("the words say `{said}`, and the answer is a set of values");
             (message, "one value", "ask for the set of possible values")
         }
         (false, true) => {
-            let message = format!("the words speak of the {said}, and nothing in the scene makes it so");
+            let message = format!("the words say `{said}`, and nothing in the scene makes it so");
             (message, "no `maximise`", "name it in `maximise` of `[scene]`, or ask for what is found")
         }
         // The least for which something happens may be that for which it just does.
@@ -300,10 +303,14 @@ mod tests {
         let table: [(&str, Edits, &str); 10] = [
             (greatest, &[], ""),
             ("deflection/equal-masses", &[], ""),
-            ("deflection/equal-masses", &[("as large as possible", "as small as possible")], "speak of the small"),
-            (greatest, &[("greatest", "least")], "speak of the least, and the scene makes `A.tan_deflection` as large"),
-            (greatest, &[("*A* is greatest", "*A* is smallest")], "speak of the smallest"),
-            ("deflection/elastic", &[("greatest angle", "minimum angle")], "speak of the minimum"),
+            (
+                "deflection/equal-masses",
+                &[("as large as possible", "as small as possible")],
+                "say `as small as possible`, and the scene",
+            ),
+            (greatest, &[("greatest", "least")], "say `least`, and the scene makes `A.tan_deflection` as large"),
+            (greatest, &[("*A* is greatest", "*A* is smallest")], "say `smallest`"),
+            ("deflection/elastic", &[("greatest angle", "minimum angle")], "say `minimum`"),
             (range, &[("set of possible values", "greatest possible value")], "the answer is a set of values"),
             (range, &[("possible values of {e}.", "possible values of {e}, in lowest terms.")], ""),
             (range, &[("{e}.\"", "{e}, at least in words.\"")], ""),

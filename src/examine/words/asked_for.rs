@@ -7,6 +7,7 @@ use crate::bank::{Answer, Find, Part, Question};
 use crate::examine::Finding;
 use crate::expr::{Expr, Function, print};
 use crate::mechanics::{Quantity, Sphere};
+use crate::unit::Unit;
 
 /// Answers for which the words of their part do not ask, though they ask for something of the kind.
 pub fn others(question: &Question) -> Vec<Finding> {
@@ -24,6 +25,8 @@ pub fn others(question: &Question) -> Vec<Finding> {
             findings.extend(found.map(|found| found.with_help(help).at_row(place, "answers", row).as_warning()));
         }
         findings.extend(one_of_each(part, &all).map(|found| found.at_row(place, "answers", 0).as_warning()));
+        let more = more_than_asked(part, &all).into_iter();
+        findings.extend(more.map(|(row, found)| found.at_row(place, "answers", row).as_warning()));
     }
     findings
 }
@@ -107,6 +110,54 @@ fn another_letter(answer: &Answer, asked: &[Sentence]) -> Option<Finding> {
     let other = other.filter(|_| is_letter && !is_named)?;
     let message = format!("the words ask for `{other}`, and the answer is `{own}`");
     Some(Finding::new(message, "", "another letter"))
+}
+
+/// Words for what is stated in a unit, each in the singular and in the plural.
+const STATED: [(Unit, &[&str], &[&str]); 5] = [
+    (Unit::MetrePerSecond, &["speed", "velocity", "component"], &["speeds", "velocities", "components"]),
+    (
+        Unit::Degree,
+        &["angle", "direction", "deflection", "inclination", "bearing"],
+        &["angles", "directions", "deflections"],
+    ),
+    (Unit::Joule, &["energy", "loss"], &["energies", "losses"]),
+    (Unit::NewtonSecond, &["impulse", "momentum"], &["impulses", "momenta"]),
+    (Unit::Kilogram, &["mass"], &["masses"]),
+];
+
+/// One thing is asked for, and several answers are such things: the last of them is in nobody's mind.
+fn more_than_asked(part: &Part, asked: &[Sentence]) -> Option<(usize, Finding)> {
+    const OF_SEVERAL: [&str; 7] = ["each", "both", "their", "respectively", "all", "two", "other"];
+    let all = || asked.iter().flatten();
+    let spheres = Sphere::ALL.into_iter().filter(|sphere| all().any(|token| *token == Token::Sphere(*sphere))).count();
+    let are_two_times = ["before", "after"].iter().all(|time| all().any(|token| is_one_of(token, &[time])));
+    if spheres > 1 || are_two_times || all().any(|token| is_one_of(token, &OF_SEVERAL)) {
+        return None;
+    }
+    let unit = |answer: &Answer| match &answer.find {
+        _ if answer.kind == Kind::Shown => Unit::None,
+        Find::Quantity(quantity) => quantity.unit(),
+        _ if answer.kind == Kind::Angle => Unit::Degree,
+        _ => Unit::None,
+    };
+    STATED.iter().find_map(|(stated, one, several)| {
+        let count = |words: &[&str]| all().filter(|token| is_one_of(token, words)).count();
+        let is_letter = |token: &&Token| matches!(token, Token::Number(Expr::Name(_) | Expr::Call(..), ..));
+        let letters = all().filter(is_letter).count();
+        let own = part.answers.iter().enumerate().filter(|(_, answer)| unit(answer) == *stated);
+        let own: Vec<(usize, &Answer)> = own.collect();
+        let is_more = count(one) > 0 && own.len() > count(one) + letters && count(several) == 0;
+        let (row, last) = own.last().filter(|_| is_more)?;
+        let (name, stated) = (print::text_unicode(&last.name), stated.plain());
+        let asked = count(one) + letters;
+        let plural = if asked == 1 { "" } else { "s" };
+        let message = format!(
+            "the words ask for {asked} answer{plural} in {stated}, and the part has {}, `{name}` the last of them",
+            own.len()
+        );
+        let help = "ask for it in words of its own, or take the answer out";
+        Some((*row, Finding::new(message, "", "nobody is asked for it").with_help(help)))
+    })
 }
 
 /// Of each sphere something is asked for, and of one there is no such answer.
