@@ -13,6 +13,7 @@ mod figures;
 mod given;
 mod impacts;
 mod lines;
+mod marked_lines;
 mod own_words;
 mod said;
 mod said_of_angles;
@@ -52,6 +53,7 @@ pub fn of_question(question: &Question) -> Vec<Finding> {
         asked_whose::otherwise,
         asked_whose::marked_otherwise,
         lines::from_another_line,
+        marked_lines::of_another_line,
     ];
     checks.into_iter().flat_map(|check| check(question)).collect()
 }
