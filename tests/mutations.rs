@@ -446,6 +446,42 @@ fn what_is_asked_for_and_found_elsewhere_is_named() {
 }
 
 #[test]
+fn texts_of_marks_are_of_the_component_and_the_impact_of_the_mark() {
+    found(
+        "i-j/velocities-after-impact",
+        &[(
+            "i-for-j",
+            &[("parallel to {i} unchanged", "parallel to {j} unchanged")],
+            "the text of the mark B1a is of a component",
+        )],
+    );
+    found(
+        "successive/corner",
+        &[
+            (
+                "energy",
+                &[("loses at the second wall", "loses at the first wall")],
+                "speak of the first impact, and the answer `kinetic energy lost` is of the second",
+            ),
+            (
+                "name",
+                &[("\"velocity after the second wall\", find", "\"velocity after the first wall\", find")],
+                "`velocity after the first wall` is found after a later one",
+            ),
+            (
+                "mark",
+                &[("text = \"velocity after the second wall\"", "text = \"velocity after the first wall\"")],
+                "the text of the mark A1a speaks of what is after an impact",
+            ),
+        ],
+    );
+    found(
+        "successive/tangents-at-two-walls",
+        &[("impulse", &[("impulse that the second wall", "impulse that the first wall")], "speak of the first impact")],
+    );
+}
+
+#[test]
 fn an_answer_for_which_nobody_asks_is_named() {
     let asked = "Find the value of {alpha} for which the deflection of *A* is greatest, and the greatest deflection.";
     found(

@@ -5,7 +5,7 @@
 
 use super::impacts::{impacts, ordinal};
 use super::sentence::{Sentence, Token, is_one_of, is_supposed, says, sentences};
-use crate::bank::{Answer, Question};
+use crate::bank::{EarnedFor, Question};
 use crate::examine::Finding;
 use crate::expr::{Text, print};
 use crate::mechanics::{Moment, Quantity, Sphere};
@@ -16,16 +16,38 @@ pub fn otherwise(question: &Question) -> Vec<Finding> {
     for (place, part) in question.parts.iter().enumerate() {
         for (row, answer) in part.answers.iter().enumerate() {
             let own = std::slice::from_ref(&answer.name);
-            let found = [own, part.ask.as_slice()].into_iter().find_map(|texts| misplaced(question, answer, texts));
+            let (quantities, name) = (answer.find.quantities(), print::text_unicode(&answer.name));
+            let mut texts = [own, part.ask.as_slice()].into_iter();
+            let found = texts.find_map(|texts| misplaced(question, &quantities, ("the words ask for", &name), texts));
             findings.extend(found.map(|found| found.at_row(place, "answers", row).as_warning()));
         }
     }
     findings
 }
 
-/// An answer that is on the wrong side of every impact that the words name.
-fn misplaced(question: &Question, answer: &Answer, texts: &[Text]) -> Option<Finding> {
-    let quantity = *answer.find.quantities().first()?;
+/// Marks whose text places what they are for on the other side of an impact.
+pub fn marked_otherwise(question: &Question) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    for (place, part) in question.parts.iter().enumerate() {
+        for (row, mark) in part.marks.iter().enumerate() {
+            let (EarnedFor::Quantity(quantity), Some(text)) = (&mark.earned_for, &mark.text) else { continue };
+            let who = format!("the text of the mark {} speaks of", mark.id);
+            let found = misplaced(question, &[*quantity], (&who, &quantity.to_string()), std::slice::from_ref(text));
+            let help = format!("say in the `text` of the mark {} what it is for, or mend `for`", mark.id);
+            findings.extend(found.map(|found| found.with_help(help).at_row(place, "marks", row).as_warning()));
+        }
+    }
+    findings
+}
+
+/// What is found on the wrong side of every impact that the words name, or after a later one.
+fn misplaced(
+    question: &Question,
+    quantities: &[Quantity],
+    (who, name): (&str, &str),
+    texts: &[Text],
+) -> Option<Finding> {
+    let quantity = *quantities.first()?;
     let (sphere, moment) = match quantity.of_its_impact() {
         Quantity::Speed(sphere, moment)
         | Quantity::Velocity(sphere, moment, _)
@@ -37,21 +59,24 @@ fn misplaced(question: &Question, answer: &Answer, texts: &[Text]) -> Option<Fin
     let all: Vec<Sentence> = texts.iter().flat_map(sentences).filter(is_plain).collect();
     let named: Option<Vec<(u8, Moment)>> = all.iter().flat_map(|words| moments(question, sphere, words)).collect();
     let found_at = (quantity.impact(), moment);
+    // `After it has struck the wall and met *A* again` names more than one.
+    let is_one = !all.iter().any(|words| says(words, &["and", "again", "then", "finally", "final", "eventually"]));
+    let is_later = |impact: u8| is_one && quantity.impact() > impact && moment == Moment::After;
     let is_wrong = |(impact, asked): &(u8, Moment)| match asked {
         Moment::Before => found_at >= (*impact, Moment::After),
-        Moment::After => found_at <= (*impact, Moment::Before),
+        Moment::After => found_at <= (*impact, Moment::Before) || is_later(*impact),
     };
     let named = named.filter(|named| named.iter().all(is_wrong))?;
     let (impact, wanted) = *named.first()?;
     let (asked, found) = match wanted {
         Moment::Before => ("before", "after"),
+        Moment::After if quantity.impact() > impact => ("after", "after a later one than"),
         Moment::After => ("after", "before"),
     };
-    let there = answer.find.quantities().into_iter().filter_map(|quantity| at(quantity, impact, wanted));
+    let there = quantities.iter().filter_map(|quantity| at(*quantity, impact, wanted));
     let there: Vec<String> = there.map(|quantity| format!("`{quantity}`")).collect();
     let help = format!("find {}, or ask for what is {found} the impact", there.join(" and "));
-    let name = print::text_unicode(&answer.name);
-    let message = format!("the words ask for what is {asked} an impact, and `{name}` is found {found} it");
+    let message = format!("{who} what is {asked} an impact, and `{name}` is found {found} it");
     Some(Finding::new(message, "", format!("found {found} the impact")).with_help(help))
 }
 
@@ -82,7 +107,7 @@ fn moments(question: &Question, sphere: Sphere, sentence: &[Token]) -> Vec<Optio
 }
 
 /// The impact of a sphere that words name first: with the only wall, with the second, with the sphere that is named.
-fn impact(question: &Question, sphere: Sphere, words: &[Token]) -> Option<u8> {
+pub(super) fn impact(question: &Question, sphere: Sphere, words: &[Token]) -> Option<u8> {
     let scene = &question.scene;
     if scene.then.is_empty() {
         return Some(0);

@@ -33,6 +33,18 @@ pub fn impacts(scene: &SceneText) -> Vec<Impact<'_>> {
     (0..).zip(all).map(|(number, (is_wall, of))| Impact { number, is_wall, of }).collect()
 }
 
+/// The impact with the wall that words begin with: `the wall`, if there is one alone, or `the second wall`.
+pub fn wall_named(scene: &SceneText, words: &[Token]) -> Option<u8> {
+    const DESCRIBED: [&str; 8] = ["the", "a", "this", "that", "smooth", "fixed", "vertical", "plane"];
+    let described = words.iter().take_while(|token| is_one_of(token, &DESCRIBED) || ordinal(token).is_some()).count();
+    words.get(described).filter(|token| is_one_of(token, &["wall"]))?;
+    let walls: Vec<u8> = impacts(scene).iter().filter(|impact| impact.is_wall).map(|impact| impact.number).collect();
+    match (walls.as_slice(), words[..described].iter().find_map(ordinal)) {
+        ([one], None) => Some(*one),
+        (several, nth) => several.get(nth?).copied(),
+    }
+}
+
 /// The place that a word gives in a row: `first` is 0.
 pub fn ordinal(token: &Token) -> Option<usize> {
     ["first", "second", "third", "fourth"].iter().position(|nth| is_one_of(token, &[nth]))

@@ -7,6 +7,7 @@ mod agreement;
 mod asked;
 mod asked_for;
 mod asked_when;
+mod asked_where;
 mod asked_whose;
 mod exact_form;
 mod figures;
@@ -50,6 +51,8 @@ pub fn of_question(question: &Question) -> Vec<Finding> {
         asked::beside_the_point,
         asked_for::others,
         asked_when::otherwise,
+        asked_when::marked_otherwise,
+        asked_where::otherwise,
         asked_whose::otherwise,
         asked_whose::marked_otherwise,
         lines::from_another_line,
