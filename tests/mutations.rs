@@ -446,6 +446,126 @@ fn what_is_asked_for_and_found_elsewhere_is_named() {
 }
 
 #[test]
+fn a_letter_is_of_one_angle_at_one_time() {
+    found(
+        "walls/restitution-from-two-angles",
+        &[
+            ("sine", &[("{tan(beta) = after}", "{sin(beta) = after}")], "give `*A*` the angle `beta`"),
+            (
+                "one-letter",
+                &[("angle {beta} with", "angle {alpha} with")],
+                "call the angle after the impact `alpha`, and `alpha` is the angle before the impact",
+            ),
+        ],
+    );
+    found(
+        "rest-letters/direction-and-deflection",
+        &[
+            (
+                "it-before",
+                &[("Immediately after the collision it makes", "Immediately before the collision it makes")],
+                "call the angle before the impact `beta`, and `beta` is the angle after the impact",
+            ),
+            (
+                "a-after",
+                &[("Immediately before the collision the direction", "Immediately after the collision the direction")],
+                "call the angle after the impact `alpha`, and `alpha` is the angle before the impact",
+            ),
+            ("unknown", &[("angle {delta}", "angle {alpha}")], "the words never say what `delta` is"),
+        ],
+    );
+    found(
+        "successive/tangents-at-two-walls",
+        &[("second-wall", &[("angle {gamma} to", "angle {beta} to")], "after the second impact `beta`")],
+    );
+}
+
+#[test]
+fn who_moves_towards_a_wall_and_who_turns_back_is_so_in_the_scene() {
+    let letters = "walls/tangents-in-letters";
+    found(
+        letters,
+        &[
+            (
+                "away-from-wall",
+                &[("plane towards a smooth", "plane away from a smooth")],
+                "`*A*` moves away from the wall at first, and it is not so",
+            ),
+            (
+                "towards-wall",
+                &[(
+                    "Immediately after the impact it is",
+                    "Immediately after the impact *A* is moving towards the wall and is",
+                )],
+                "`*A*` moves towards the wall after the impact",
+            ),
+        ],
+    );
+    found(
+        "successive/second-collision",
+        &[(
+            "away-from-far-wall",
+            &[("{u m/s} along", "{u m/s} away from the wall along")],
+            "away from the wall at first",
+        )],
+    );
+    found(
+        "direct/mass-from-the-velocities",
+        &[
+            (
+                "old-one",
+                &[("in the direction opposite to\nits old one", "in the direction of its old one")],
+                "`*A*` then moves in its old direction, and it is not so",
+            ),
+            (
+                "as-before",
+                &[("in the direction opposite to\nits old one", "in the same direction as before")],
+                "`*A*` then moves in its old direction, and it is not so",
+            ),
+        ],
+    );
+    found(
+        "ranges/mass-ratio-that-can-be",
+        &[(
+            "back",
+            &[("in the\nsame direction", "in the direction opposite to its original one")],
+            "against its old direction",
+        )],
+    );
+}
+
+#[test]
+fn numbers_that_were_typed_and_letters_that_are_not_said_are_named() {
+    found(
+        "rest/speeds-and-directions",
+        &[
+            ("typed", &[("of mass {mA kg}", "of mass 2 kg")], "write `{mA kg}` in the place of `2 kg`"),
+            ("typed-more", &[("on the plane. The", "on the plane, 3 kg of it. The")], "give `3 kg` in plain digits"),
+        ],
+    );
+    found(
+        "walls/restitution-from-two-angles",
+        &[("no-braces", &[("of mass {m} is", "of mass m is")], "the words give `m` without braces")],
+    );
+    found(
+        "successive/tangents-at-two-walls",
+        &[("no-letter", &[(" at an acute angle {alpha} to the first wall", "")], "an answer has the letter `alpha`")],
+    );
+    found(
+        "ranges/mass-ratio-that-can-be",
+        &[("no-factor", &[("masses {k*m} and", "masses {k} and")], "`*A*` the mass `k` where the scene gives it")],
+    );
+    found(
+        "vector-impulse/size-of-the-impulse",
+        &[("parent", &[("{[k*f, k*g] N s}", "{[f, g] N s}")], "give the impulse `[f, g]`")],
+    );
+    found(
+        "rest-letters/direction-and-deflection",
+        &[("derived", &[("*A* of mass {mA}", "*A* of mass {m}")], "write it into the stem, as in `{mA}`")],
+    );
+}
+
+#[test]
 fn texts_of_marks_are_of_the_component_and_the_impact_of_the_mark() {
     found(
         "i-j/velocities-after-impact",

@@ -2,8 +2,10 @@
 
 use std::collections::BTreeSet;
 
+use serde::Serialize;
 use serde_json::Value as Json;
 
+use super::typed::quantities;
 use crate::bank::{Question, Style};
 use crate::examine::Finding;
 use crate::expr::{Angles, Expr, Markup, Text, print, read};
@@ -27,10 +29,7 @@ pub fn unsaid(question: &Question) -> Vec<Finding> {
                 let message = format!("the words of style `{}` never give `{name}`", style.name);
                 let label = "the scene takes it, so a student must be told";
                 let found = Finding::at_parameter(message, style.name, name, label);
-                let unit = unit_of(&Expr::name(name), &question.scene).plain();
-                let space = if unit.is_empty() { "" } else { " " };
-                let help = format!("write it into the stem, as in `{{{name}{space}{unit}}}`");
-                findings.push(found.with_help(help));
+                findings.push(found.with_help(help_to_say(name, question, style, &scene, &words)));
             }
             if domain.size() > 1 && !taken.contains(name) && said.contains(name) {
                 let message = format!("nothing in the scene takes `{name}`, which style `{}` gives", style.name);
@@ -46,6 +45,53 @@ pub fn unsaid(question: &Question) -> Vec<Finding> {
         found.with_help("take it out, or use it in the scene")
     }));
     findings
+}
+
+/// How a name is said: in the place of a number of its unit that was typed, or by what is derived from it for the scene.
+fn help_to_say(
+    name: &str,
+    question: &Question,
+    style: &Style,
+    scene: &BTreeSet<String>,
+    said: &BTreeSet<String>,
+) -> String {
+    let in_braces = |name: &str| {
+        // A letter brings its unit with it.
+        let has_letter = |name: &String| question.scene.symbols.contains_key(name);
+        let is_number = !with_letters(&BTreeSet::from([name.to_owned()]), style).iter().any(has_letter);
+        let unit = if is_number { unit_of(&Expr::name(name), &question.scene).plain() } else { "" };
+        let space = if unit.is_empty() { "" } else { " " };
+        (format!("`{{{name}{space}{unit}}}`"), unit)
+    };
+    let derived = style.lets.iter().map(|(own, _)| own).filter(|own| scene.contains(*own) && !said.contains(*own));
+    let comes_of_it = |own: &&String| origins(&BTreeSet::from([(*own).clone()]), style).contains(name);
+    let (shown, unit) = match derived.into_iter().find(comes_of_it).filter(|_| !scene.contains(name)) {
+        Some(own) => in_braces(own),
+        None => in_braces(name),
+    };
+    let typed = style.stem.iter().flat_map(quantities).find(|typed| typed.unit == unit);
+    match typed {
+        Some(typed) => format!("write {shown} in the place of `{}`", typed.shown),
+        None => format!("write it into the stem, as in {shown}"),
+    }
+}
+
+/// The names with those from which they are derived, and the letters in their values.
+fn with_letters(names: &BTreeSet<String>, style: &Style) -> BTreeSet<String> {
+    let mut all = origins(names, style);
+    let domains = style.parameters.iter().filter(|(name, _)| all.contains(name)).map(|(_, domain)| domain);
+    let values = domains.flat_map(|domain| (0..domain.size().min(100)).map(|place| domain.value(place)));
+    let letters: Vec<String> = values.flat_map(|value| names_of_expr(&value).collect::<Vec<_>>()).collect();
+    all.extend(letters);
+    all
+}
+
+/// The names and letters that the words of a style give, with those from which they are derived.
+pub(super) fn said_in(question: &Question, style: &Style) -> BTreeSet<String> {
+    let mut words = names_of(&style.stem);
+    words.extend(of_text(&style.note));
+    words.extend(question.parts.iter().flat_map(|part| names_of(&part.ask)));
+    with_letters(&words, style)
 }
 
 /// The unit of a number or vector that the scene takes as it is; of one that stands in a formula there it is open.
@@ -102,8 +148,13 @@ fn compared(condition: &str, expr: &Expr) -> Option<Unit> {
 pub(super) fn names_of_scene(question: &Question) -> BTreeSet<String> {
     let mut scene = question.scene.clone();
     scene.symbols.clear();
+    names_of_given(&scene)
+}
+
+/// The same, in the formulas of a part of the scene.
+pub(super) fn names_of_given(given: &impl Serialize) -> BTreeSet<String> {
     let mut found = BTreeSet::new();
-    let mut open: Vec<Json> = serde_json::to_value(&scene).into_iter().collect();
+    let mut open: Vec<Json> = serde_json::to_value(given).into_iter().collect();
     while let Some(value) = open.pop() {
         match value {
             Json::String(text) => found.extend(names_in(&text)),

@@ -13,6 +13,7 @@ mod exact_form;
 mod figures;
 mod given;
 mod impacts;
+mod letters;
 mod lines;
 mod marked_lines;
 mod own_words;
@@ -24,12 +25,14 @@ mod said_of_constants;
 mod said_of_lines;
 mod said_of_motion;
 mod said_of_restitution;
+mod said_of_walls;
 #[cfg(test)]
 mod said_tests;
 mod sentence;
 mod sentences;
 mod spoken_of;
 mod truth;
+mod typed;
 mod units;
 
 pub use own_words::Heard;
@@ -45,6 +48,8 @@ use crate::paper::Words;
 pub fn of_question(question: &Question) -> Vec<Finding> {
     let checks = [
         given::unsaid,
+        letters::of_other_angles,
+        typed::beside_the_scene,
         units::astray,
         exact_form::unkept,
         figures::otherwise,

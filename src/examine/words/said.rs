@@ -1,6 +1,7 @@
 //! Is what the words say what the scene has? Whose each mass and velocity is, and how walls and lines lie.
 
-use super::sentence::{Noun, Sentence, Token, is_one_of, is_supposed, noun_of, owner_of, sentences};
+use super::said_of_walls::STRUCK;
+use super::sentence::{Noun, Sentence, Token, is_one_of, is_supposed, noun_of, owner_of, says, sentences, subject};
 use crate::bank::{Question, Style};
 use crate::examine::Finding;
 use crate::examine::remark::numbers;
@@ -16,10 +17,11 @@ pub fn contradicted(question: &Question, style: &Style, variant: &Variant) -> Ve
     let asks = question.parts.iter().flat_map(|part| &part.ask).map(|text| (text, true));
     let mut findings = Vec::new();
     for (text, is_asked) in stem.chain(asks) {
-        let mut is_later = is_asked;
+        let (mut is_later, mut is_struck, mut before) = (is_asked, is_asked, None);
         for sentence in sentences(text).into_iter().filter(|sentence| !is_supposed(sentence)) {
             let known = findings.len();
-            seen.numbers(&sentence, &mut is_later, &mut findings);
+            seen.numbers(&sentence, before, &mut is_later, &mut findings);
+            before = only_subject(&sentence).or(before.filter(|_| speaks_of_it(&sentence)));
             seen.parallel(&sentence, &mut findings);
             seen.equations(&sentence, &mut findings);
             seen.coefficients(&sentence, &mut findings);
@@ -34,6 +36,9 @@ pub fn contradicted(question: &Question, style: &Style, variant: &Variant) -> Ve
             seen.meeting_again(&sentence, &mut findings);
             seen.directed(&sentence, &mut findings);
             seen.same_way(&sentence, &mut findings);
+            seen.old_way(&sentence, &mut findings);
+            seen.about_a_wall(&sentence, is_struck, &mut findings);
+            is_struck |= says(&sentence, &STRUCK);
             seen.growing(&sentence, &mut findings);
             seen.declared(&sentence, &mut findings);
             if !is_later {
@@ -49,6 +54,7 @@ pub fn contradicted(question: &Question, style: &Style, variant: &Variant) -> Ve
     }
     let stem: Vec<Sentence> = seen.stem().flat_map(sentences).collect();
     seen.resting(&stem, &mut findings);
+    seen.letters_unsaid(&mut findings);
     findings
 }
 
@@ -112,14 +118,14 @@ impl<'v> Seen<'v> {
         Finding::new(message, at, "the scene has it otherwise").with_help(help)
     }
 
-    /// Masses, speeds, velocities and angles of spheres that are named.
-    fn numbers(&self, sentence: &Sentence, is_later: &mut bool, findings: &mut Vec<Finding>) {
+    /// Masses, speeds, velocities and angles of spheres that are named, or of `it`: the sphere of which alone the sentence
+    /// before has spoken.
+    fn numbers(&self, sentence: &Sentence, before: Option<Sphere>, is_later: &mut bool, findings: &mut Vec<Finding>) {
         for (place, token) in sentence.iter().enumerate() {
             *is_later |= is_one_of(token, &["later", "then", "second", "subsequently", "after"]);
             let Token::Number(expr, _, lead) = token else { continue };
-            let Some((noun, sphere)) = owner_of(sentence, place).or_else(|| self.only_owner(sentence, place)) else {
-                continue;
-            };
+            let owner = owner_of(sentence, place).or_else(|| self.only_owner(sentence, place));
+            let Some((noun, sphere)) = owner.or_else(|| of_it(sentence, place, before?)) else { continue };
             // What has gone before an impact that comes later is not asked.
             if noun != Noun::Mass && *is_later && !self.question.scene.then.is_empty() {
                 continue;
@@ -153,6 +159,18 @@ impl<'v> Seen<'v> {
         }
     }
 
+    /// What a text of the scene and a formula of the words come to while what is to be found has no value: `k*m` and `k`.
+    /// None where neither has a letter that is to be found, and the values tell more.
+    pub(super) fn while_open(&self, scene: Option<&String>, expr: &Expr) -> Option<(Value, Value)> {
+        let scene = read(scene?, Angles::Degrees).ok()?;
+        let is_open = |expr: &Expr| expr.names().iter().any(|name| self.question.scene.unknowns.contains(&name.text));
+        let value = |expr: &Expr| match evaluate(expr, &|name| self.variant.givens.meaning(name)) {
+            Ok(Meaning::Number(value)) => Some(value),
+            _ => None,
+        };
+        if is_open(&scene) || is_open(expr) { Some((value(expr)?, value(&scene)?)) } else { None }
+    }
+
     /// What is said of a sphere and what it has, where the two differ.
     fn compared(
         &self,
@@ -166,7 +184,14 @@ impl<'v> Seen<'v> {
         let shown = |value: &Value| print::unicode(&written(value));
         let differ = |said: Value, has: Value| (!said.equals(&has)).then(|| (shown(&said), shown(&has)));
         match noun {
-            Noun::Mass => differ(self.number(expr)?, scene(Quantity::Mass(sphere))?),
+            Noun::Mass => {
+                let masses = &self.question.scene.masses;
+                let given = [(Sphere::A, &masses.a), (Sphere::B, &masses.b)].into_iter().find(|(of, _)| *of == sphere);
+                match self.while_open(given.and_then(|(_, mass)| mass.as_ref()), expr) {
+                    Some((said, has)) => differ(said, has),
+                    None => differ(self.number(expr)?, scene(Quantity::Mass(sphere))?),
+                }
+            }
             Noun::Radius => differ(self.number(expr)?, self.radius(sphere)?),
             Noun::Speed => {
                 let (said, has) = (self.number(expr)?, scene(Quantity::Speed(sphere, moment))?);
@@ -225,17 +250,66 @@ impl Seen<'_> {
     }
 }
 
+/// The sphere that a sentence is about, if it names no other.
+pub(super) fn only_subject(sentence: &[Token]) -> Option<Sphere> {
+    let is_another = |own: Sphere| sentence.iter().any(|token| matches!(token, Token::Sphere(other) if *other != own));
+    // `The line of centres of the spheres` comes after what it is about.
+    let last = sentence.iter().rposition(|token| matches!(token, Token::Sphere(_)))?;
+    subject(&sentence[..=last]).filter(|own| !is_another(*own))
+}
+
+/// Does a sentence name no sphere, and speak of `it`?
+fn speaks_of_it(sentence: &[Token]) -> bool {
+    let names_any = sentence.iter().any(|token| matches!(token, Token::Sphere(_)));
+    !names_any && says(sentence, &["it", "its"])
+}
+
+/// What a number is of that belongs to `it`, named in the sentence before.
+fn of_it(sentence: &[Token], place: usize, it: Sphere) -> Option<(Noun, Sphere)> {
+    let (at, noun, is_plural) = noun_of(sentence, place)?;
+    (is_of_motion(sentence, place) && !is_plural && speaks_of_it(&sentence[..at])).then_some((noun, it))
+}
+
 /// Words of what happens once the impact is over.
 const AFTERWARDS: [&str; 6] = ["after", "afterwards", "rebounds", "rebounding", "leaves", "leaving"];
 
 /// Is a number of a sentence of the time before the impact, or after it?
 pub(super) fn moment(sentence: &[Token], place: usize) -> Moment {
-    let told = |token: &Token| match token {
-        Token::Word(word) if word == "before" => Some(Moment::Before),
-        Token::Word(word) if AFTERWARDS.contains(&word.as_str()) => Some(Moment::After),
-        _ => None,
+    told(sentence, place).map_or(Moment::Before, |(_, moment)| moment)
+}
+
+/// The word that says of which time a number is, and that time: before the number, or after it in a sentence that has its
+/// first so, `makes an angle {a} with the wall before the impact and an angle {b} after it`.
+pub(super) fn told(sentence: &[Token], place: usize) -> Option<(usize, Moment)> {
+    let next = || {
+        let next = (place + 1..sentence.len()).take_while(|at| !matches!(sentence[*at], Token::Number(..)));
+        next.filter_map(|at| time(sentence, at)).next()
     };
-    let next = sentence[place + 1..].iter().take_while(|token| !matches!(token, Token::Number(..)));
-    let before = sentence[..place].iter().rev().find_map(told);
-    before.or_else(|| next.filter_map(told).next()).unwrap_or(Moment::Before)
+    let is_of_motion = |at: &usize| matches!(sentence[*at], Token::Number(..)) && is_of_motion(sentence, *at);
+    let first = (0..place).find(is_of_motion).unwrap_or(place);
+    match told_before(sentence, first) {
+        Some(_) => told_before(sentence, place),
+        None => next().or_else(|| told_before(sentence, place)),
+    }
+}
+
+/// Is a number a speed, a velocity or an angle?
+fn is_of_motion(sentence: &[Token], place: usize) -> bool {
+    let noun = noun_of(sentence, place).map(|(_, noun, _)| noun);
+    matches!(noun, Some(Noun::Speed | Noun::Velocity | Noun::Angle))
+}
+
+/// The same, by the words before it alone.
+pub(super) fn told_before(sentence: &[Token], place: usize) -> Option<(usize, Moment)> {
+    (0..place).rev().find_map(|at| time(sentence, at))
+}
+
+/// The time of which a word tells. `As before` and `than before` tell of none.
+fn time(sentence: &[Token], at: usize) -> Option<(usize, Moment)> {
+    let is_compared = at > 0 && is_one_of(&sentence[at - 1], &["as", "than"]);
+    match &sentence[at] {
+        Token::Word(word) if word == "before" && !is_compared => Some((at, Moment::Before)),
+        Token::Word(word) if AFTERWARDS.contains(&word.as_str()) => Some((at, Moment::After)),
+        _ => None,
+    }
 }

@@ -26,13 +26,11 @@ impl Seen<'_> {
             let is_apart = (said - has).abs() > 1e-6 && said < 90.0;
             return is_apart.then(|| (format!("{said:.4}"), format!("{has:.4}")));
         }
-        // Of letters only what goes before is given; what comes after is to be found.
+        // Of letters only what goes before is given; what comes after is to be found, unless an equation gives it.
         let is_in = |value: &Value, name: &str| value.letters().iter().any(|letter| letter.name() == name);
         let Expr::Name(letter) = expr else { return None };
         let is_given = is_in(&y, &letter.text) || is_in(&x, &letter.text);
-        if moment == Moment::After {
-            return None;
-        }
+        let is_given = is_given && moment == Moment::Before;
         let (y, x) = (&y * &y, &x * &x);
         let is_so = |tangent: &Value| y.equals(&(tangent * &x));
         let by_itself = || {

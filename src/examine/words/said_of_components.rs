@@ -85,21 +85,30 @@ impl Seen<'_> {
         let component = |at: usize| self.number(&read(&impulse[at], Angles::Degrees).ok()?);
         for token in sentence {
             let Token::Number(expr, Unit::NewtonSecond, lead) = token else { continue };
+            if let Expr::Vector(x, y) = expr
+                && let (Some((i, has_i)), Some((j, has_j))) =
+                    (self.while_open(Some(&impulse[0]), x), self.while_open(Some(&impulse[1]), y))
+            {
+                if !(i.equals(&has_i) && j.equals(&has_j)) {
+                    self.another_impulse(expr, [has_i, has_j], lead, findings);
+                }
+                continue;
+            }
             let (Some(Meaning::Vector(x, y)), Some(i), Some(j)) = (self.meaning(expr), component(0), component(1))
             else {
                 continue;
             };
             if !(x.equals(&i) && y.equals(&j)) {
-                let has = Expr::Vector(Box::new(written(&i)), Box::new(written(&j)));
-                let (shown, has) = (print::plain(expr), print::unicode(&has));
-                let message = format!("the words give the impulse `{shown}`, where the scene gives it {has}");
-                findings.push(self.finding(
-                    message,
-                    lead,
-                    "name in the words the `impulse` of `[scene]`, or change it there",
-                ));
+                self.another_impulse(expr, [i, j], lead, findings);
             }
         }
+    }
+
+    fn another_impulse(&self, said: &Expr, [i, j]: [Value; 2], lead: &str, findings: &mut Vec<Finding>) {
+        let has = Expr::Vector(Box::new(written(&i)), Box::new(written(&j)));
+        let (shown, has) = (print::plain(said), print::unicode(&has));
+        let message = format!("the words give the impulse `{shown}`, where the scene gives it {has}");
+        findings.push(self.finding(message, lead, "name in the words the `impulse` of `[scene]`, or change it there"));
     }
 
     /// Radii that each sphere is said to have, and how far the path of *A* is said to pass from the centre of *B*.

@@ -7,7 +7,7 @@ use super::said::{Seen, moment};
 use super::sentence::{Sentence, Token, is_one_of, says, subject};
 use crate::examine::Finding;
 use crate::expr::{Relation, print};
-use crate::mechanics::{Axis, Moment, Quantity};
+use crate::mechanics::{Axis, Moment, Quantity, Sphere};
 
 /// One thing to try where the words and the scene disagree on what happens.
 const MEND: &str = "mend the `conditions` or velocities of `[scene]`, or say what happens";
@@ -88,7 +88,7 @@ impl Seen<'_> {
     /// A sphere that goes on in the same direction, or in the opposite one, after a direct impact.
     pub(super) fn same_way(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
         let at = (1..sentence.len()).find(|at| {
-            is_one_of(&sentence[*at], &["direction"]) && is_one_of(&sentence[at - 1], &["same", "opposite", "original"])
+            is_one_of(&sentence[*at], &["direction"]) && is_one_of(&sentence[at - 1], &["same", "opposite"])
         });
         let Some(at) = at.filter(|at| moment(sentence, *at) == Moment::After) else { return };
         let Token::Word(said) = &sentence[at - 1] else { return };
@@ -101,6 +101,50 @@ impl Seen<'_> {
             let message =
                 format!("the words say that `*{}*` moves in the {said} direction, and it is not so", sphere.name());
             findings.push(self.finding(message, &format!("{said} direction"), MEND));
+        }
+    }
+
+    /// Spheres that are said to move in their old direction after the impact, or against it: `in the direction opposite to
+    /// its old one`, `in its original direction`, `in the same direction as before`.
+    pub(super) fn old_way(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        // Such sentences speak of another direction as well.
+        const OTHERWISE: [&str; 14] = [
+            "not",
+            "no",
+            "neither",
+            "component",
+            "components",
+            "angle",
+            "perpendicular",
+            "parallel",
+            "turned",
+            "deflected",
+            "through",
+            "reversed",
+            "changed",
+            "unchanged",
+        ];
+        const OLD: [&str; 6] = ["old", "original", "previous", "initial", "former", "earlier"];
+        let Some(at) = sentence.iter().position(|token| is_one_of(token, &["direction", "directions"])) else { return };
+        let near = &sentence[at.saturating_sub(4)..sentence.len().min(at + 7)];
+        let is_as_before = near.windows(2).any(|pair| is_one_of(&pair[0], &["as"]) && is_one_of(&pair[1], &["before"]));
+        let is_other = says(sentence, &OTHERWISE);
+        let is_after = moment(sentence, at) == Moment::After;
+        if is_other || !is_after || !(is_as_before || says(near, &OLD)) || !self.question.scene.then.is_empty() {
+            return;
+        }
+        let is_back = says(near, &["opposite", "reverse", "against"]);
+        let of_both = says(&sentence[..at], &["each", "both", "they", "spheres"]) && !self.is_alone();
+        let of: Vec<Sphere> =
+            if of_both { Sphere::BOTH.to_vec() } else { subject(&sentence[..at]).into_iter().collect() };
+        if let Some(sphere) = of.into_iter().find(|sphere| self.goes_on(*sphere, is_back) == Some(false)) {
+            let way = if is_back { "against its old direction" } else { "in its old direction" };
+            let message = format!("the words say that `*{}*` then moves {way}, and it is not so", sphere.name());
+            let words = sentence[at..].iter().map_while(|token| match token {
+                Token::Word(word) => Some(word.as_str()),
+                _ => None,
+            });
+            findings.push(self.finding(message, &words.take(3).collect::<Vec<_>>().join(" "), MEND));
         }
     }
 

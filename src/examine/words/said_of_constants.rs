@@ -1,9 +1,12 @@
 //! Numbers that stand in the words as they are, without a name: does anything in the scene have them?
 
-use super::given::{names_in, names_of_scene};
+use std::collections::BTreeSet;
+
+use super::given::{names_in, names_of_scene, said_in};
 use super::said::Seen;
 use super::said_of_angles::degrees;
 use super::sentence::{Sentence, Token, is_one_of};
+use crate::answer::Kind;
 use crate::examine::Finding;
 use crate::expr::{Expr, Relation, Turn, print};
 use crate::unit::Unit;
@@ -69,6 +72,27 @@ impl Seen<'_> {
                 let help = format!("say what `[scene.symbols]` has for `{}`, or declare it otherwise", name.text);
                 findings.push(self.finding(message, lead, &help));
             }
+        }
+    }
+
+    /// Letters that an answer has, and that the words never give.
+    pub(super) fn letters_unsaid(&self, findings: &mut Vec<Finding>) {
+        let scene = &self.question.scene;
+        let said = said_in(self.question, self.style);
+        let answers =
+            self.question.parts.iter().flat_map(|part| &part.answers).filter(|answer| answer.kind != Kind::Shown);
+        let quantities = answers.flat_map(|answer| answer.find.quantities());
+        let values = quantities.filter_map(|quantity| self.variant.solution.number(quantity));
+        let letters: BTreeSet<String> =
+            values.flat_map(|value| value.letters()).map(|letter| letter.name().to_owned()).collect();
+        let is_unsaid = |letter: &&String| !said.contains(*letter) && !scene.unknowns.contains(letter);
+        for letter in letters.iter().filter(is_unsaid) {
+            // The sine of an angle in degrees has a name of its own.
+            let Some(range) = scene.symbols.get(letter) else { continue };
+            let message = format!("an answer has the letter `{letter}`, and the words never give it");
+            let at = format!("{letter} = \"{range}\"");
+            let help = format!("write `{{{letter}}}` into the stem, with its braces, where it is given");
+            findings.push(self.finding(message, &at, &help));
         }
     }
 

@@ -158,12 +158,7 @@ impl Seen<'_> {
         if met.map(|mass| mass.impact()).ne([0]) {
             return;
         }
-        let is_so = match self.is_direct() {
-            // What is at rest before or after has not turned back.
-            true => self.turns_round(*of).map(|turns| turns == is_back),
-            false => self.keeps_its_line(*of, is_back),
-        };
-        if is_so == Some(false) {
+        if self.goes_on(*of, is_back) == Some(false) {
             let said = if is_back { "reversed" } else { "not changed" };
             let message = format!("the words say that the direction of `*{}*` is {said}, and it is not so", of.name());
             let help = "mend the `conditions` or velocities of `[scene]`, or say what happens";
@@ -177,6 +172,15 @@ impl Seen<'_> {
         let before = along(Moment::Before)?;
         let after = along(Moment::After).or_else(|| self.required(sphere))?;
         Some(before.is_ne() && before == after.reverse())
+    }
+
+    /// Does a sphere go on in its old direction, or else back against it?
+    pub(super) fn goes_on(&self, sphere: Sphere, is_back: bool) -> Option<bool> {
+        match self.is_direct() {
+            // What is at rest before or after has not turned back.
+            true => self.turns_round(sphere).map(|turns| turns == is_back),
+            false => self.keeps_its_line(sphere, is_back),
+        }
     }
 
     /// The scalar product of a sphere's velocities before and after in the plane, and their cross product.

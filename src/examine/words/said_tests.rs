@@ -32,6 +32,43 @@ fn words_that_the_scene_contradicts_are_found() {
         (catches, "collide directly.", "collide obliquely.", "the words say `obliquely`"),
         (catches, "collide directly.", "collide. The direction of *A* is not reversed.", ""),
         (catches, "collide directly.", "collide. The direction of *B* is reversed.", "direction of `*B*` is reversed"),
+        (
+            "direct/mass-from-the-velocities",
+            "opposite to\nits old one",
+            "of its old one",
+            "`*A*` then moves in its old",
+        ),
+        ("direct/mass-from-the-velocities", "to\nits old one", "to that of its former motion", ""),
+        (
+            "direct/mass-from-the-velocities",
+            "opposite to\nits old one",
+            "that it had, as before",
+            "in its old direction",
+        ),
+        ("walls/tangents-in-letters", "towards a smooth", "away from a smooth", "away from the wall at first"),
+        ("walls/tangents-in-letters", "rebounds from it", "rebounds, moving away from the wall", ""),
+        (
+            "walls/restitution-from-two-angles",
+            "Before the collision the path of *A* makes an acute angle {alpha} with the wall, where {tan(alpha) = before}. After \
+             the collision\nits path makes an acute angle {beta} with the wall, where {tan(beta) = after}.",
+            "The path of *A* makes an acute angle {alpha} with the wall before the collision and an acute angle {beta} with \
+             the wall after it, where {tan(alpha) = before} and {tan(beta) = after}.",
+            "",
+        ),
+        (
+            "walls/restitution-from-two-angles",
+            "Before the collision the path of *A* makes an acute angle {alpha} with the wall, where {tan(alpha) = before}. After \
+             the collision\nits path makes an acute angle {beta} with the wall, where {tan(beta) = after}.",
+            "The path of *A* makes an acute angle {alpha} with the wall after the collision and an acute angle {beta} with \
+             the wall before it, where {tan(alpha) = before} and {tan(beta) = after}.",
+            "give `*A*` the angle `alpha`",
+        ),
+        ("walls/restitution-from-two-angles", "{tan(beta) = after}", "{sin(beta) = after}", "the angle `beta`"),
+        ("walls/restitution-from-two-angles", "{beta} with the wall", "{beta} with the normal to the wall", "`beta`"),
+        ("successive/second-collision", "{u m/s} along", "{u m/s} towards the wall along", ""),
+        ("successive/second-collision", "{u m/s} along", "{u m/s} away from the wall along", "away from the wall"),
+        ("ranges/mass-ratio-that-can-be", "{k*m} and", "{k} and", "give `*A*` the mass `k` where the scene gives it"),
+        ("vector-impulse/size-of-the-impulse", "{[k*f, k*g] N s}", "{[f, g] N s}", "give the impulse `[f, g]`"),
         (moving, "collide.\n\nImm", "collide directly.\n\nImm", "the words say `directly`"),
         (moving, "acute angle of {alpha deg}", "acute angle of {beta deg}", "give `*A*` the angle `beta`"),
         (moving, "moving towards the other", "moving in the same direction", "A and B move in the same direction"),

@@ -165,7 +165,8 @@ pub fn noun_of(sentence: &[Token], place: usize) -> Option<(usize, Noun, bool)> 
 /// The axis from which an angle is measured for which these words come next: along the line of centres and the normal to a
 /// wall, or across it.
 pub fn measured_from(after: &[Token]) -> Option<Axis> {
-    const DESCRIBED: [&str; 8] = ["the", "a", "this", "that", "smooth", "fixed", "vertical", "first"];
+    const DESCRIBED: [&str; 10] =
+        ["the", "a", "this", "that", "smooth", "fixed", "vertical", "first", "second", "third"];
     let (mut is_across, mut is_normal) = (false, false);
     for (place, token) in after.iter().enumerate().take(10).take_while(|(_, token)| !is_value(token)) {
         let Word(word) = token else { continue };

@@ -38,7 +38,7 @@ fn of_text(pieces: &[Piece], question: &Question, style: &Style, findings: &mut 
             _ => String::new(),
         };
         let after = words(pieces.get(place + 1));
-        if let Some(unit) = unit_beside(&after) {
+        if let Some(unit) = typed_unit(&after) {
             findings.push(beside(unit, &after, expr, said));
             continue;
         }
@@ -77,7 +77,7 @@ fn of_text(pieces: &[Piece], question: &Question, style: &Style, findings: &mut 
 }
 
 /// How units are written by hand.
-const BY_HAND: [(&str, Unit); 12] = [
+const BY_HAND: [(&str, Unit); 13] = [
     ("m/s", Unit::MetrePerSecond),
     ("m s^-1", Unit::MetrePerSecond),
     ("ms^-1", Unit::MetrePerSecond),
@@ -90,10 +90,11 @@ const BY_HAND: [(&str, Unit); 12] = [
     ("Ns", Unit::NewtonSecond),
     ("J", Unit::Joule),
     ("°", Unit::Degree),
+    ("degrees", Unit::Degree),
 ];
 
 /// A unit that stands in the words after a number, as it is written there.
-fn unit_beside(after: &str) -> Option<(&'static str, Unit)> {
+pub(super) fn typed_unit(after: &str) -> Option<(&'static str, Unit)> {
     let after = after.strip_prefix(' ').unwrap_or(after);
     let ends = |rest: &str| !rest.starts_with(|sign: char| sign.is_alphanumeric() || sign == '^');
     BY_HAND.into_iter().find(|(written, _)| after.strip_prefix(written).is_some_and(ends))

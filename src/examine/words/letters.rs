@@ -1,0 +1,242 @@
+//! Of which angle each letter is: of one alone, and of that which the scene or an answer calls by it.
+
+use super::asked_when::impact;
+use super::given::{names_in, names_of_given};
+use super::impacts::impacts;
+use super::said::{only_subject, told};
+use super::sentence::{
+    Noun, Sentence, Token, is_one_of, is_supposed, measured_from, noun_of, says, sentences, subject,
+};
+use crate::answer::Kind;
+use crate::bank::{Find, Question, Style};
+use crate::examine::Finding;
+use crate::expr::{Expr, Text};
+use crate::mechanics::{Axis, Moment, Quantity, Sphere};
+
+/// An angle that has a letter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Called {
+    /// Of a path with a line; after how many impacts, and on which side of the next, if that is said.
+    WithLine(Option<(u8, Moment)>),
+    /// That through which a path is turned.
+    Turned,
+}
+
+/// A place in the words where an angle is called by a letter.
+struct Call {
+    letter: String,
+    angle: Called,
+    /// The line from which it is measured.
+    from: Option<Axis>,
+    /// The words that lead to it.
+    at: String,
+}
+
+/// Letters that the words give to two angles, or to another than the scene and the answers do; and letters of what is to
+/// be shown of which the words never say what they are.
+pub fn of_other_angles(question: &Question) -> Vec<Finding> {
+    let mut findings: Vec<Finding> = Vec::new();
+    for style in &question.styles {
+        let calls = calls(question, style);
+        for (place, call) in calls.iter().enumerate() {
+            let letter = &call.letter;
+            let own = own_angles(question, letter);
+            let other = match own.first() {
+                Some(first) if !own.iter().any(|own| agree(*own, call.angle)) => Some(*first),
+                Some(_) => None,
+                None => {
+                    let is_other = |first: &&Call| first.letter == *letter && differ(first, call);
+                    calls[..place].iter().find(is_other).map(|first| first.angle)
+                }
+            };
+            let Some(other) = other else { continue };
+            let (said, has) = (shown(question, call.angle), shown(question, other));
+            let message = match said == has {
+                true => format!("the words call two angles `{letter}`, which are measured from different lines"),
+                false => format!("the words call the angle {said} `{letter}`, and `{letter}` is the angle {has}"),
+            };
+            let help = "give it a letter of its own, or say the time and the line of the angle that is meant";
+            findings.push(Finding::new(message, call.at.clone(), "another angle").with_help(help).as_warning());
+        }
+    }
+    // Styles share most of their words.
+    findings.sort_by(|one, other| (&one.message, &one.at).cmp(&(&other.message, &other.at)));
+    findings.dedup();
+    findings.extend(unknown(question));
+    findings
+}
+
+/// Letters on the left of what is to be shown that stand nowhere else.
+fn unknown(question: &Question) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    for (place, part) in question.parts.iter().enumerate() {
+        for (row, answer) in part.answers.iter().enumerate().filter(|(_, answer)| answer.kind == Kind::Shown) {
+            let letters = answer.show.iter().flat_map(Expr::names).map(|name| &name.text);
+            let letters = letters.filter(|letter| question.scene.symbols.contains_key(*letter));
+            let has = |text: &Text, letter: &str| text.names().iter().any(|name| name.text == letter);
+            let is_said = |letter: &&String| {
+                let asks = question.parts[..=place].iter().flat_map(|part| &part.ask);
+                let is_asked = asks.into_iter().any(|text| has(text, letter));
+                is_asked || question.styles.iter().all(|style| style.stem.iter().any(|text| has(text, letter)))
+            };
+            findings.extend(letters.filter(|letter| !is_said(letter)).map(|letter| {
+                let message = format!("the words never say what `{letter}` is, and ask to show what it comes to");
+                let help = format!("say it in the stem, as in `makes an acute angle {{{letter}}} with …`");
+                let found = Finding::new(message, "", "a student cannot know it");
+                found.with_help(help).at_row(place, "answers", row).as_warning()
+            }));
+        }
+    }
+    findings
+}
+
+fn shown(question: &Question, angle: Called) -> String {
+    match angle {
+        Called::Turned => "through which a path is turned".to_owned(),
+        Called::WithLine(None) => "of a path with a line".to_owned(),
+        Called::WithLine(Some((impact, moment))) => {
+            let all = if question.scene.then.is_empty() {
+                [""].as_slice()
+            } else {
+                &["first ", "second ", "third ", "fourth "]
+            };
+            let nth = all.get(usize::from(impact)).copied().unwrap_or_default();
+            format!("{} the {nth}impact", if moment == Moment::Before { "before" } else { "after" })
+        }
+    }
+}
+
+/// May two be one angle? What is not said may be either.
+fn agree(one: Called, other: Called) -> bool {
+    match (one, other) {
+        (Called::WithLine(Some(one)), Called::WithLine(Some(other))) => one == other,
+        (Called::WithLine(_), Called::WithLine(_)) | (Called::Turned, Called::Turned) => true,
+        _ => false,
+    }
+}
+
+fn differ(one: &Call, other: &Call) -> bool {
+    !agree(one.angle, other.angle) || matches!((one.from, other.from), (Some(one), Some(other)) if one != other)
+}
+
+/// The angles that the scene gives by a letter, that a condition compares with it, or that an answer finds by it.
+fn own_angles(question: &Question, letter: &str) -> Vec<Called> {
+    let scene = &question.scene;
+    let mut own = Vec::new();
+    if names_of_given(&scene.before).contains(letter) {
+        own.push(Called::WithLine(Some((0, Moment::Before))));
+    }
+    if names_of_given(&scene.after).contains(letter) {
+        own.push(Called::WithLine(Some((0, Moment::After))));
+    }
+    for condition in scene.conditions.iter().filter(|condition| names_in(condition).contains(letter)) {
+        let words = condition.split(|sign: char| !(sign.is_ascii_alphanumeric() || "._".contains(sign)));
+        own.extend(words.filter_map(|word| word.parse().ok()).filter_map(angle_of));
+    }
+    for answer in question.parts.iter().flat_map(|part| &part.answers) {
+        let names = answer.show.iter().chain(answer.name.formulas()).flat_map(Expr::names);
+        let is_its = names.into_iter().any(|name| name.text == letter);
+        if let (Find::Quantity(quantity), true) = (&answer.find, is_its) {
+            own.extend(angle_of(*quantity));
+        }
+    }
+    own
+}
+
+fn angle_of(quantity: Quantity) -> Option<Called> {
+    match quantity.of_its_impact() {
+        Quantity::AngleToLine(_, moment)
+        | Quantity::AngleToWall(_, moment)
+        | Quantity::TanToLine(_, moment)
+        | Quantity::TanToWall(_, moment)
+        | Quantity::TOverN(_, moment) => Some(Called::WithLine(Some((quantity.impact(), moment)))),
+        Quantity::Deflection(_) | Quantity::TanDeflection(_) | Quantity::DeflectionDot(_) => Some(Called::Turned),
+        _ => None,
+    }
+}
+
+/// Every place where the words of a style call an angle by a letter that the scene declares.
+fn calls(question: &Question, style: &Style) -> Vec<Call> {
+    let stem = style.stem.iter().chain([&style.note]);
+    let asks = question.parts.iter().flat_map(|part| &part.ask);
+    let mut found = Vec::new();
+    for text in stem.chain(asks) {
+        let mut named = None;
+        for sentence in sentences(text).into_iter().filter(|sentence| !is_supposed(sentence)) {
+            // `At the same angle` may be another.
+            if !says(&sentence, &["same", "also", "again", "equal", "still"]) {
+                found.extend((0..sentence.len()).filter_map(|place| call(question, &sentence, place, named)));
+            }
+            named = only_subject(&sentence).or(named);
+        }
+    }
+    found
+}
+
+fn call(question: &Question, sentence: &Sentence, place: usize, named: Option<Sphere>) -> Option<Call> {
+    let Token::Number(Expr::Name(name), _, lead) = &sentence[place] else { return None };
+    let letter = Some(&name.text).filter(|letter| question.scene.symbols.contains_key(*letter))?;
+    let (at, ..) = noun_of(sentence, place).filter(|(_, noun, _)| *noun == Noun::Angle)?;
+    let is_turned = sentence[at.saturating_sub(3)..at].iter().any(|token| is_one_of(token, &["through"]));
+    let from = measured_from(&sentence[place + 1..]);
+    let angle = match (is_turned, from) {
+        (true, _) => Called::Turned,
+        (false, Some(_)) => Called::WithLine(time(question, sentence, place, named)),
+        (false, None) => return None,
+    };
+    let words: Vec<&str> = lead.split_whitespace().collect();
+    let at = words[words.len().saturating_sub(8)..].join(" ");
+    Some(Call { letter: letter.clone(), angle, from: from.filter(|_| !is_turned), at })
+}
+
+/// The time of which an angle is said to be; none where no word tells, or where it is not plain of which impact.
+fn time(question: &Question, sentence: &Sentence, place: usize, named: Option<Sphere>) -> Option<(u8, Moment)> {
+    let (at, moment) = told(sentence, place)?;
+    let impacts = impacts(&question.scene);
+    let is_plain = impacts.len() == 1 || impacts.iter().all(|impact| impact.is_of_one());
+    let only = is_plain.then_some(Sphere::A);
+    let sphere = subject(&sentence[..place]).or(only).or(named)?;
+    let rest = &sentence[at + 1..];
+    let clause = rest.split(|token| *token == Token::Comma).next().unwrap_or_default();
+    impact(question, sphere, clause).map(|impact| (impact, moment))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::examine::{Edits, edited};
+
+    #[test]
+    fn a_letter_is_of_one_angle() {
+        let (two, letters) = ("walls/restitution-from-two-angles", "rest-letters/direction-and-deflection");
+        let (corner, distance) = ("successive/tangents-at-two-walls", "rest-letters/distance-from-the-centre-of-b");
+        let table: [(&str, Edits, &str); 10] = [
+            (two, &[], ""),
+            (
+                two,
+                &[("{beta} with", "{alpha} with")],
+                "after the impact `alpha`, and `alpha` is the angle before the impact",
+            ),
+            (two, &[("an acute angle {beta} with", "the same angle {alpha} with")], ""),
+            (letters, &[], ""),
+            (letters, &[("Immediately after", "Immediately before")], "before the impact `beta`, and `beta` is"),
+            (
+                letters,
+                &[("an angle {delta}", "an angle {beta}")],
+                "a path is turned `beta`, and `beta` is the angle after",
+            ),
+            (letters, &[("an angle {delta}", "an angle")], "the words never say what `delta` is"),
+            (corner, &[], ""),
+            (
+                corner,
+                &[("{gamma} to", "{beta} to")],
+                "after the second impact `beta`, and `beta` is the angle after the first",
+            ),
+            (distance, &[("a straight line and", "a line at an angle {theta} to the line of centres and")], "`theta`"),
+        ];
+        for (id, edits, words) in table {
+            let said: String = of_other_angles(&edited(id, edits)).into_iter().map(|finding| finding.message).collect();
+            assert!(said.contains(words) && said.is_empty() == words.is_empty(), "{id}: {edits:?}: {said}");
+        }
+    }
+}

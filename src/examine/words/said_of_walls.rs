@@ -1,0 +1,103 @@
+//! What the words say of who moves towards a wall, or away from it.
+
+use super::impacts::{impacts, wall_named};
+use super::said::{Seen, told_before};
+use super::sentence::{Sentence, Token, is_one_of, says, subject};
+use crate::examine::Finding;
+use crate::expr::{Angles, read};
+use crate::mechanics::{Axis, Moment, Quantity, Sphere};
+
+/// Words of an impact.
+pub(super) const STRUCK: [&str; 14] = [
+    "strikes",
+    "strike",
+    "struck",
+    "hits",
+    "hit",
+    "collides",
+    "collide",
+    "collided",
+    "collision",
+    "impact",
+    "rebounds",
+    "rebound",
+    "bounces",
+    "then",
+];
+
+impl Seen<'_> {
+    /// A sphere that is said to move towards a wall and moves away from it, or the other way round; whether something has
+    /// been struck in the sentences before.
+    pub(super) fn about_a_wall(&self, sentence: &Sentence, is_struck: bool, findings: &mut Vec<Finding>) {
+        for place in 0..sentence.len() {
+            let (way, is_towards, rest) = match &sentence[place..] {
+                [towards, rest @ ..] if is_one_of(towards, &["towards", "toward"]) => ("towards", true, rest),
+                [away, from, rest @ ..] if is_one_of(away, &["away"]) && is_one_of(from, &["from"]) => {
+                    ("away from", false, rest)
+                }
+                _ => continue,
+            };
+            let Some(wall) = wall_named(&self.question.scene, rest) else { continue };
+            let moment = told_before(sentence, place).map_or(Moment::Before, |(_, moment)| moment);
+            let is_alone = impacts(&self.question.scene).iter().all(|impact| impact.is_of_one());
+            let only = is_alone.then_some(Sphere::A);
+            let Some(sphere) = subject(&sentence[..place]).or(only) else { continue };
+            // With several impacts it is not plain after which, or before which.
+            let is_open = !self.question.scene.then.is_empty();
+            let is_struck = is_struck || says(&sentence[..place], &STRUCK);
+            let approaches = match moment {
+                // Who has struck something may be on the way back.
+                Moment::Before if is_struck && (is_open || told_before(sentence, place).is_none()) => continue,
+                _ if says(sentence, &["not", "no", "never", "neither", "impulse", "force"]) => continue,
+                Moment::After if is_open => continue,
+                // Whoever has struck it leaves it.
+                Moment::After => Some(false),
+                Moment::Before => self.approaches(sphere, wall),
+            };
+            if approaches == Some(!is_towards) {
+                let time = if moment == Moment::After { "after the impact" } else { "at first" };
+                let name = sphere.name();
+                let message = format!("the words say that `*{name}*` moves {way} the wall {time}, and it is not so");
+                let help = "say which way it moves, or turn its velocity round in `[scene]`";
+                let words = sentence[place..].iter().map_while(|token| match token {
+                    Token::Word(word) => Some(word.as_str()),
+                    _ => None,
+                });
+                let words: Vec<&str> = words.take(way.split(' ').count() + 2).collect();
+                findings.push(self.finding(message, &words.join(" "), help).as_warning());
+            }
+        }
+    }
+
+    /// Does a sphere, before it takes part in anything, move towards the wall of an impact? The wall lies where it is
+    /// struck from.
+    fn approaches(&self, sphere: Sphere, wall: u8) -> Option<bool> {
+        let scene = &self.question.scene;
+        let impacts = impacts(scene);
+        let first = impacts.iter().find(|impact| impact.has(sphere))?.number;
+        let striker = *Sphere::ALL.iter().find(|sphere| impacts[usize::from(wall)].has(**sphere))?;
+        let along = match wall.checked_sub(1) {
+            None => scene.wall.as_ref(),
+            Some(later) => scene.then.get(usize::from(later))?.wall.as_ref(),
+        };
+        let [x, y] = [0, 1].map(|at| self.number(&read(&along?[at], Angles::Degrees).ok()?)?.to_f64());
+        let (x, y) = (x?, y?);
+        let across = |sphere: Sphere, impact: u8| {
+            // What it has before one impact it has from the last.
+            let last = impacts.iter().rfind(|last| last.number < impact && last.has(sphere));
+            let (moment, impact) = last.map_or((Moment::Before, impact), |last| (Moment::After, last.number));
+            let of = |axis| {
+                let quantity = Quantity::Velocity(sphere, moment, axis).in_impact(impact)?;
+                let number = self.known.number(quantity).or_else(|| self.variant.solution.number(quantity))?;
+                number.to_f64()
+            };
+            // In a line across the wall there is no other component.
+            Some(of(Axis::X)? * -y + of(Axis::Y).unwrap_or(0.0) * x)
+        };
+        if (sphere, first) == (striker, wall) {
+            return Some(true);
+        }
+        let (own, towards) = (across(sphere, first)?, across(striker, wall)?);
+        (own.abs() > 1e-9 && towards.abs() > 1e-9).then_some(own * towards > 0.0)
+    }
+}

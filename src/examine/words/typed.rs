@@ -1,0 +1,129 @@
+//! Numbers that stand in the words as they were typed, without braces: they are the same in every variant.
+
+use super::given::{names_in, names_of_scene};
+use super::sentence::in_order;
+use super::units::typed_unit;
+use crate::bank::Question;
+use crate::examine::Finding;
+use crate::expr::{Piece, Text, print};
+use crate::unit::Unit;
+
+/// Masses, speeds and angles that the words give in plain digits, where no formula of the scene has them.
+pub fn beside_the_scene(question: &Question) -> Vec<Finding> {
+    let mut findings: Vec<Finding> = Vec::new();
+    for style in &question.styles {
+        let mut there = names_of_scene(question);
+        there.extend(style.lets.iter().flat_map(|(_, formula)| names_in(&print::plain(formula))));
+        let asks = question.parts.iter().flat_map(|part| &part.ask);
+        for text in style.stem.iter().chain([&style.note]).chain(asks) {
+            findings.extend(letters(text, question));
+            for typed in quantities(text).into_iter().filter(|typed| !there.contains(&typed.digits)) {
+                let Typed { shown, digits, unit } = typed;
+                let message = format!("the words give `{shown}` in plain digits, and nothing in the scene has it");
+                let help = format!(
+                    "write the name that `[scene]` has, as in `{{u {unit}}}`; or `{{{digits} {unit}}}`, and `{digits}` in `[scene]`"
+                );
+                let found = Finding::new(message, shown, "the same in every variant");
+                findings.push(found.with_help(help).as_warning());
+            }
+        }
+    }
+    findings.sort_by(|one, other| one.message.cmp(&other.message));
+    findings.dedup();
+    findings
+}
+
+/// Letters of the scene that stand in the words without braces, alone or after a number: `of mass m`, `2u`.
+fn letters(text: &Text, question: &Question) -> Vec<Finding> {
+    let symbols = &question.scene.symbols;
+    // `A` and `I` are words too.
+    let is_letter = |word: &str| {
+        let is_short = word.len() == 1 && !["a", "i"].contains(&word);
+        symbols.get(word).is_some_and(|range| is_short || range == "acute")
+    };
+    let mut pieces = Vec::new();
+    in_order(&text.0, &mut pieces);
+    let mut findings = Vec::new();
+    for piece in pieces {
+        let Piece::Words(words) = piece else { continue };
+        let mut before = "";
+        for word in words.split_whitespace() {
+            let bare = word.trim_matches(|sign: char| !sign.is_alphanumeric());
+            let letter = bare.trim_start_matches(|sign: char| sign.is_ascii_digit());
+            // `2 m` is a length.
+            let is_unit = before.ends_with(|sign: char| sign.is_ascii_digit());
+            if is_letter(letter) && !is_unit {
+                let factor = bare.strip_suffix(letter).filter(|factor| !factor.is_empty());
+                let times = factor.map_or_else(String::new, |factor| format!("{factor}*"));
+                let message =
+                    format!("the words give `{bare}` without braces, and `{letter}` is a letter of the scene");
+                let found = Finding::new(message, format!("{before} {word}"), "no formula");
+                findings.push(found.with_help(format!("write `{{{times}{letter}}}`")).as_warning());
+            }
+            before = word;
+        }
+    }
+    findings
+}
+
+/// A number with its unit that was typed.
+pub struct Typed {
+    /// As it stands.
+    pub shown: String,
+    /// The number.
+    pub digits: String,
+    /// The name of its unit.
+    pub unit: &'static str,
+}
+
+/// The numbers of a text that were typed with a unit; of right angles nothing is said.
+pub fn quantities(text: &Text) -> Vec<Typed> {
+    let mut found = Vec::new();
+    for words in text.0.iter().filter_map(|piece| if let Piece::Words(words) = piece { Some(words) } else { None }) {
+        let mut rest = words.as_str();
+        while let Some(start) = rest.find(|sign: char| sign.is_ascii_digit()) {
+            let is_within = rest[..start].ends_with(|sign: char| sign.is_alphanumeric() || "./".contains(sign));
+            let number = &rest[start..];
+            let end = number.find(|sign: char| !(sign.is_ascii_digit() || sign == '.')).unwrap_or(number.len());
+            let (digits, after) = number.split_at(end);
+            // A right angle and a straight one are the same in every variant, and may be.
+            let is_turn = ["90", "180", "360"].contains(&digits);
+            if let Some((written, unit)) =
+                typed_unit(after).filter(|(_, unit)| !is_within && (!is_turn || *unit != Unit::Degree))
+            {
+                let length = after.find(written).unwrap_or(0) + written.len();
+                let shown = number[..end + length].to_owned();
+                found.push(Typed { shown, digits: digits.to_owned(), unit: unit.plain() });
+            }
+            rest = after;
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::examine::{Edits, edited};
+
+    #[test]
+    fn numbers_and_letters_stand_in_braces() {
+        let (rest, wall) = ("rest/speeds-and-directions", "walls/restitution-from-two-angles");
+        let table: [(&str, Edits, &str); 9] = [
+            (rest, &[], ""),
+            (rest, &[("{u m/s} and", "4 m/s and")], "give `4 m/s` in plain digits"),
+            (rest, &[("{alpha deg} with", "30 degrees with")], "give `30 degrees` in plain digits"),
+            (rest, &[("the plane.", "the plane, on which a right angle has 90°.")], ""),
+            (rest, &[("the plane.", "the plane, in 3 parts of 2 m.")], ""),
+            (wall, &[], ""),
+            (wall, &[("mass {m} is", "mass m is")], "give `m` without braces"),
+            (wall, &[("mass {m} is", "mass 2m is")], "give `2m` without braces"),
+            (wall, &[("angle {alpha} with", "angle alpha with")], "give `alpha` without braces"),
+        ];
+        for (id, edits, words) in table {
+            let said: String =
+                beside_the_scene(&edited(id, edits)).into_iter().map(|finding| finding.message).collect();
+            assert!(said.contains(words) && said.is_empty() == words.is_empty(), "{id}: {edits:?}: {said}");
+        }
+    }
+}
