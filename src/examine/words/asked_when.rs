@@ -68,16 +68,16 @@ fn misplaced(
     };
     let named = named.filter(|named| named.iter().all(is_wrong))?;
     let (impact, wanted) = *named.first()?;
-    let (asked, found) = match wanted {
-        Moment::Before => ("before", "after"),
-        Moment::After if quantity.impact() > impact => ("after", "after a later one than"),
-        Moment::After => ("after", "before"),
+    let (asked, found, found_where) = match wanted {
+        Moment::Before => ("before", "after it", "after the impact"),
+        Moment::After if quantity.impact() > impact => ("after", "after a later one", "after the later impact"),
+        Moment::After => ("after", "before it", "before the impact"),
     };
     let there = quantities.iter().filter_map(|quantity| at(*quantity, impact, wanted));
     let there: Vec<String> = there.map(|quantity| format!("`{quantity}`")).collect();
-    let help = format!("find {}, or ask for what is {found} the impact", there.join(" and "));
-    let message = format!("{who} what is {asked} an impact, and `{name}` is found {found} it");
-    Some(Finding::new(message, "", format!("found {found} the impact")).with_help(help))
+    let help = format!("find {}, or ask for what is {found_where}", there.join(" and "));
+    let message = format!("{who} what is {asked} an impact, and `{name}` is found {found}");
+    Some(Finding::new(message, "", format!("found {found_where}")).with_help(help))
 }
 
 /// The same quantity of another impact, before it or after it.
