@@ -253,6 +253,7 @@ fn candidates(typed: &str) -> Vec<(Option<&str>, String)> {
     {
         all.push((Some(before.trim()), after.trim().to_owned()));
     }
+    all.extend(after_stationary(typed).map(|formula| (None, formula.to_owned())));
     // `v - u = 2i - 2j, which is parallel to i - j`: the vector, and one along it.
     let along = ["parallel to", "parallel", "∥"].into_iter().find_map(|word| typed.split_once(word));
     if let Some((before, after)) = along.filter(|(before, _)| before.contains('=')) {
@@ -281,6 +282,17 @@ fn candidates(typed: &str) -> Vec<(Option<&str>, String)> {
         all.push((None, without_lead_in(&words[last + 1..].join(" ")).to_owned()));
     }
     all
+}
+
+/// What follows from it that something is stationary: `d/dt = 0 gives 1 - e = 2tan²t`.
+fn after_stationary(typed: &str) -> Option<&str> {
+    let (derivative, after) = typed.split_once('=')?;
+    let after = after.trim_start().strip_prefix('0')?;
+    let is_derivative = derivative.trim_start().starts_with('d') && derivative.contains("/d");
+    let after = after.trim_start_matches([' ', ',', ';', ':', '⇒', '→', '∴', '=', '>']);
+    let words = ["gives", "when", "so", "if", "where", "hence"];
+    let after = words.into_iter().find_map(|word| after.strip_prefix(word)).unwrap_or(after);
+    (is_derivative && after.contains('=')).then(|| after.trim())
 }
 
 /// How the sign of a scalar product stands before a vector: `(2i + 5j).(i - j)`, `u_A·(1, -1)`.
