@@ -377,8 +377,11 @@ fn sums_in(expr: &Expr) -> Vec<&Expr> {
 
 impl Working<'_> {
     /// The line of a vector with both components after an impact with a wall, whichever way the student's axes along the
-    /// wall and across it point.
+    /// wall and across it point. Where the question has axes, they are those of the student.
     pub(super) fn rebound_as_vector(&self) -> Option<usize> {
+        if self.prepared.in_components {
+            return None;
+        }
         let after = |axis| sizes(&self.prepared.known, Quantity::Velocity(Sphere::A, Moment::After, axis));
         let [along, across] = [after(Axis::N)?, after(Axis::T)?];
         let turned: Vec<f64> = across.iter().map(|across| -across).collect();
