@@ -1,6 +1,8 @@
 //! Square roots of exact values, as simple as they come: squares taken out, nested roots undone.
 
+use std::cell::RefCell;
 use std::cmp::Ordering;
+use std::collections::VecDeque;
 use std::sync::LazyLock;
 
 use dashu_int::IBig;
@@ -173,7 +175,35 @@ fn root_of_fraction(number: &Fraction) -> Option<Value> {
 }
 
 /// `s`, distinct primes and what is too large to be one of them, in `number = s² * primes * rest`.
-fn square_part(number: IBig) -> (IBig, Vec<u128>, Option<IBig>) {
+type SquarePart = (IBig, Vec<u128>, Option<IBig>);
+
+/// Shorter numbers, in bits, are taken apart quicker than they are looked up.
+const SHORT: usize = 24;
+
+/// How many numbers are remembered.
+const REMEMBERED: usize = 16;
+
+thread_local! {
+    /// The numbers taken apart last: what stands in an answer is worked out again for everything that it may be.
+    static LAST: RefCell<VecDeque<(IBig, SquarePart)>> = RefCell::default();
+}
+
+fn square_part(number: IBig) -> SquarePart {
+    if number.bit_len() <= SHORT {
+        return taken_apart(number);
+    }
+    LAST.with_borrow_mut(|last| {
+        if let Some((_, part)) = last.iter().find(|(known, _)| *known == number) {
+            return part.clone();
+        }
+        let part = taken_apart(number.clone());
+        last.truncate(REMEMBERED - 1);
+        last.push_front((number, part.clone()));
+        part
+    })
+}
+
+fn taken_apart(number: IBig) -> SquarePart {
     let (mut rest, mut square, mut primes) = (number, IBig::ONE, Vec::new());
     // Machine integers where they suffice: there are many divisions.
     let mut small = u64::try_from(&rest).ok();
@@ -188,7 +218,9 @@ fn square_part(number: IBig) -> (IBig, Vec<u128>, Option<IBig>) {
             small = u64::try_from(&rest).ok();
             power += 1;
         }
-        square *= IBig::from(prime).pow(power / 2);
+        if power > 1 {
+            square *= IBig::from(prime).pow(power / 2);
+        }
         if power % 2 == 1 {
             primes.push(prime.into());
         }

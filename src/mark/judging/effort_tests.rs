@@ -23,7 +23,10 @@ const MODELS: [(&str, Option<Kind>); 14] = [
 ];
 
 /// Formulas that are short to write and long to work out.
-const LABORIOUS: [&str; 62] = [
+const LABORIOUS: [&str; 64] = [
+    // A long trial for factors, of a value that has no reciprocal.
+    "0√100100000000090000",
+    "0/⅓abssqrtabs100100000000090000",
     "((2^16)^16)^16",
     "(((((((9^16)^16)^16)^16)^16)^16)^16)^16",
     "((1.23456789^16)^16)^16",
