@@ -7,6 +7,10 @@ use crate::number::{Angle, Direction, Fraction, Interval, Value};
 /// The longest number, in bits, in an angle that is multiplied: about 300 figures.
 const LONGEST: usize = 1_000;
 
+/// The most nested roots inside each other in an angle that is halved: every halving puts a root around the last, so that an
+/// eighth of an acute letter has two.
+const DEEPEST: u32 = 1;
+
 /// An angle that can be added to others: so many degrees, and the angle of a vector.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Turn {
@@ -74,11 +78,12 @@ impl Turn {
     }
 
     /// Half of the part known by its tangent, where that lies between -90 and 90 degrees: a sum of angles may have gone
-    /// further round than its vector tells.
+    /// further round than its vector tells. Not where it has been halved often enough.
     fn halved(&self) -> Option<Turn> {
         let angle = self.rest.as_ref()?;
         let is_right = angle.x().sign().is_some_and(Ordering::is_gt);
-        if !is_right || !self.is_short() {
+        let is_deep = angle.y().depth().max(angle.x().depth()) > DEEPEST;
+        if !is_right || is_deep || !self.is_short() {
             return None;
         }
         let size = (&(angle.x() * angle.x()) + &(angle.y() * angle.y())).square_root()?;
@@ -165,6 +170,7 @@ impl Turn {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::number::{Letter, Range};
 
     #[test]
     fn an_angle_is_not_multiplied_until_nobody_can_wait_for_it() {
@@ -174,5 +180,16 @@ mod tests {
         let often = (0..40).try_fold(Turn::of(angle.clone()), |turn, _| turn.times(&three));
         assert_eq!(often, None);
         assert!(Turn::of(angle).times(&three).and_then(|turn| turn.times(&three)).is_some());
+    }
+
+    #[test]
+    fn an_eighth_of_a_letter_is_an_angle_and_halves_of_halves_have_an_end() {
+        let theta =
+            Turn::of(Angle::of(&Value::letter(Letter::new("theta", Range::Acute).unwrap()), &Value::ONE).unwrap());
+        let half = Fraction::new(1, 2);
+        let eighth = (0..3).try_fold(theta.clone(), |turn, _| turn.times(&half));
+        assert!(eighth.is_some());
+        assert_eq!(eighth, theta.times(&Fraction::new(1, 8)));
+        assert_eq!((0..17).try_fold(theta, |turn, _| turn.times(&half)), None);
     }
 }

@@ -119,8 +119,13 @@ impl Value {
 
     /// A nested root of a value that is no square.
     pub(crate) fn nested(radicand: Value) -> Value {
-        let depth = 1 + radicand.roots().iter().map(Root::depth).max().unwrap_or(0);
+        let depth = 1 + radicand.depth();
         Value::root(Root::Nested { depth, radicand })
+    }
+
+    /// How many nested roots stand inside each other in it.
+    pub(crate) fn depth(&self) -> u32 {
+        self.roots().iter().map(Root::depth).max().unwrap_or(0)
     }
 
     /// A quotient of two polynomials, the second not nought.

@@ -23,7 +23,11 @@ const MODELS: [(&str, Option<Kind>); 14] = [
 ];
 
 /// Formulas that are short to write and long to work out.
-const LABORIOUS: [&str; 64] = [
+const LABORIOUS: [&str; 67] = [
+    // Halves of halves: a root in a root for each.
+    "θ½½½½½½",
+    "tan(θ/2/2/2/2/2/2)",
+    "sin(α½½+β½½½)",
     // A long trial for factors, of a value that has no reciprocal.
     "0√100100000000090000",
     "0/⅓abssqrtabs100100000000090000",
@@ -92,7 +96,8 @@ const LABORIOUS: [&str; 64] = [
 ];
 
 /// Pieces that are repeated until the answer is as long as any that is read.
-const REPEATED: [&str; 41] = [
+const REPEATED: [&str; 42] = [
+    "½",
     "(",
     "√",
     "√2+",

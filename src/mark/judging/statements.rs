@@ -110,13 +110,16 @@ fn links(statement: &Statement, one: One) -> Finding {
         Verdict::Wrong => findings[at].note != Some(Note::TooFewFigures),
         _ => findings[at].note == Some(Note::NearMiss),
     };
-    let rivals = (0..findings.len()).any(|at| is_bare(at) && is_other(at));
-    if rivals && findings.len() > 1 && findings.iter().enumerate().any(|(at, f)| is_bare(at) && f.is_correct()) {
+    let all = 0..findings.len();
+    // `4√39/9 = 2.78 = 2.87`: with the exact value it does not matter by how many figures a decimal is right.
+    let is_settled = all.clone().any(|at| findings[at].exact && !is_bare(at) && !is_unfinished(&statement.said[at]));
+    let any_other = all.clone().any(|at| is_bare(at) && is_other(at));
+    if !is_settled && any_other && all.clone().any(|at| is_bare(at) && findings[at].is_correct()) {
         return Finding::wrong(Note::RivalAnswers);
     }
     // `98 + 2 - 92.5 = 8.5`: with a sum still to be worked out the answer is what it is worked out to be.
     let counts = |at: &usize| findings[*at].exact && !(spoilt_after(*at) && is_unfinished(&statement.said[*at]));
-    if let Some(at) = (0..findings.len()).find(counts) {
+    if let Some(at) = all.clone().find(counts) {
         let right = findings[at];
         return if spoilt_after(at) { right.remarked(Note::IgnoredAfter) } else { right };
     }

@@ -12,9 +12,21 @@ pub(super) fn is_angle(expr: &Expr) -> bool {
     }
 }
 
-/// Is it a letter over a number, such as α/2?
+/// Is it a part of a letter, such as α/2 or ½ α?
 pub(super) fn is_halved(expr: &Expr) -> bool {
-    matches!(expr, Expr::Quotient(above, below) if matches!((&**above, &**below), (Expr::Name(_), Expr::Number(_))))
+    match expr {
+        Expr::Quotient(above, below) => matches!((&**above, &**below), (Expr::Name(_), Expr::Number(_))),
+        Expr::Product(factors) => !expr.names().is_empty() && !is_angle(expr) && factors.iter().any(is_fraction),
+        _ => false,
+    }
+}
+
+fn is_fraction(expr: &Expr) -> bool {
+    match expr {
+        Expr::Number(number) => !number.is_integer(),
+        Expr::Quotient(..) => expr.names().is_empty(),
+        _ => false,
+    }
 }
 
 /// The angles of which an angle is put together, and how often each is taken.
@@ -29,7 +41,7 @@ impl<'a> Turns<'a> {
             Expr::Sum(terms) => terms.iter().for_each(|term| self.count(term, times)),
             Expr::Negative(inner) => self.count(inner, times),
             Expr::Quotient(above, _) if !is_halved(expr) => self.count(above, times),
-            Expr::Product(factors) if !expr.names().is_empty() || is_angle(expr) => {
+            Expr::Product(factors) if !is_halved(expr) && (!expr.names().is_empty() || is_angle(expr)) => {
                 let number = |factor: &Expr| match factor {
                     Expr::Number(number) => number.as_small().map_or(1, |(count, _)| count.unsigned_abs()),
                     _ => 1,
