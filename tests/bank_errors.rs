@@ -1,4 +1,5 @@
-//! Every fault of a question file as a teacher sees it: `tests/errors/NAME.toml` gives `tests/errors/NAME.txt`.
+//! Every fault of a question file as a teacher sees it: `tests/errors/NAME.toml` gives `tests/errors/NAME.txt`; and of a
+//! profile for marking, in `tests/errors/profiles`.
 //!
 //! `CAROM_ACCEPT=1 cargo test --test bank_errors` writes the expected texts anew; read them before you keep them.
 
@@ -7,9 +8,14 @@ use std::path::{Path, PathBuf};
 
 use carom::bank::{read_question, read_source};
 use carom::diagnostic::{Source, render_all};
+use carom::mark::Profile;
 
 fn files() -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/errors");
+    files_in("tests/errors")
+}
+
+fn files_in(folder: &str) -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
     let mut files: Vec<PathBuf> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
     files.retain(|path| path.extension().is_some_and(|extension| extension == "toml"));
     files.sort();
@@ -29,16 +35,28 @@ fn faults_of(path: &Path) -> String {
 
 #[test]
 fn carom_tells_a_teacher_what_is_wrong_with_a_question_file() {
-    let accept = std::env::var_os("CAROM_ACCEPT").is_some();
-    for path in files() {
-        let shown = faults_of(&path);
-        let expected = path.with_extension("txt");
-        if accept {
-            fs::write(&expected, &shown).unwrap();
-        }
-        let wanted = fs::read_to_string(&expected).unwrap_or_default();
-        assert_eq!(shown, wanted, "{} differs; see the head of this file", path.display());
+    files().iter().for_each(|path| is_as_accepted(path, &faults_of(path)));
+}
+
+#[test]
+fn carom_tells_a_teacher_what_is_wrong_with_a_profile() {
+    let files = files_in("tests/errors/profiles");
+    assert!(files.len() >= 10);
+    for path in files {
+        let name = path.file_name().unwrap().to_string_lossy().into_owned();
+        let faults = Profile::read(&Source::new(name, fs::read_to_string(&path).unwrap())).unwrap_err();
+        assert!(faults.iter().all(|fault| fault.help.is_some() && !fault.label.is_empty()), "{}", path.display());
+        is_as_accepted(&path, &render_all(&faults, false));
     }
+}
+
+fn is_as_accepted(path: &Path, shown: &str) {
+    let expected = path.with_extension("txt");
+    if std::env::var_os("CAROM_ACCEPT").is_some() {
+        fs::write(&expected, shown).unwrap();
+    }
+    let wanted = fs::read_to_string(&expected).unwrap_or_default();
+    assert_eq!(shown, wanted, "{} differs; see the head of this file", path.display());
 }
 
 #[test]

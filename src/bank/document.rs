@@ -21,12 +21,15 @@ pub struct Faults {
     above: (&'static str, Vec<&'static str>),
     /// Is a table of it unread, since its key is misspelt? Then what lacks is no fault.
     pub is_unread: bool,
+    /// What to compare the file with, where nothing better is known.
+    pub model: &'static str,
 }
 
 impl Faults {
     /// None yet.
     pub fn new(source: Source) -> Faults {
-        Faults { source, found: Vec::new(), above: ("", Vec::new()), is_unread: false }
+        let model = "compare with a question that works, as `carom new-question` writes one";
+        Faults { source, found: Vec::new(), above: ("", Vec::new()), is_unread: false, model }
     }
 
     /// A fault at a place in the file: what is wrong, what was expected, one thing to try.
@@ -103,12 +106,18 @@ impl Faults {
 
 /// The document as a table; `None`, and the faults reported, if it is no TOML.
 pub fn parse<'a>(text: &'a str, faults: &mut Faults) -> Option<Spanned<DeTable<'a>>> {
-    let (table, errors) = DeTable::parse_recoverable(text);
-    if errors.is_empty() && table.get_ref().is_empty() {
+    let table = parse_even_empty(text, faults)?;
+    if table.get_ref().is_empty() {
         let help = "`carom new-question FILE` writes one to begin with";
         faults.report(0..0, "nothing stands in this file", "expected a question", help);
         return None;
     }
+    Some(table)
+}
+
+/// The same of a file in which nothing need stand.
+pub fn parse_even_empty<'a>(text: &'a str, faults: &mut Faults) -> Option<Spanned<DeTable<'a>>> {
+    let (table, errors) = DeTable::parse_recoverable(text);
     syntax::report(&errors, faults);
     errors.is_empty().then_some(table)
 }
@@ -308,14 +317,7 @@ pub fn list(what: &str, value: &Spanned<DeValue>, faults: &mut Faults) -> Vec<Wo
 
 /// What was found where something else was expected.
 pub fn wrong_type(what: &str, expected: &str, found: &DeValue, span: Range<usize>, faults: &mut Faults) {
-    let kind = match found {
-        DeValue::String(_) => "a text",
-        DeValue::Integer(_) | DeValue::Float(_) => "a bare number",
-        DeValue::Boolean(_) => "true or false",
-        DeValue::Datetime(_) => "a date",
-        DeValue::Array(_) => "a list",
-        DeValue::Table(_) => "a table",
-    };
+    let kind = kind(found);
     let written = faults.source.text.get(span.clone()).unwrap_or_default().to_owned();
     let message = format!("{what} is {kind}");
     let label = format!("expected {expected}");
@@ -340,5 +342,17 @@ pub fn wrong_type(what: &str, expected: &str, found: &DeValue, span: Range<usize
             faults.report(span, message, label, help);
         }
         _ => faults.report(span, message, label, "write it as the README of the bank shows it"),
+    }
+}
+
+/// What a value is to a person.
+pub fn kind(value: &DeValue) -> &'static str {
+    match value {
+        DeValue::String(_) => "a text",
+        DeValue::Integer(_) | DeValue::Float(_) => "a bare number",
+        DeValue::Boolean(_) => "true or false",
+        DeValue::Datetime(_) => "a date",
+        DeValue::Array(_) => "a list",
+        DeValue::Table(_) => "a table",
     }
 }

@@ -23,6 +23,7 @@ mod syntax;
 
 pub use check::read_question;
 pub use contents::{Contents, Heading};
+pub(crate) use document::{Faults, Keys, kind, parse_even_empty};
 pub use document::{parameter_span, row_span};
 pub use domain::Domain;
 pub use folder::{Bank, read_source};

@@ -36,6 +36,7 @@ pub struct SceneFile {
 /// Every fault of the file, each with its place.
 pub fn read_scene(source: &Source) -> Result<Scene, Vec<Diagnostic>> {
     let mut faults = Faults::new(source.clone());
+    faults.model = "`carom solve --help` shows a scene";
     let text = source.text.clone();
     let file = document::parse(&text, &mut faults).and_then(|document| {
         let span = document.span();

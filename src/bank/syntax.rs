@@ -36,7 +36,7 @@ pub fn report(errors: &[Error], faults: &mut Faults) {
             continue;
         }
         last_line = Some(line);
-        let told = told(&text, span, error.message());
+        let told = told(&text, span, error.message(), faults.model);
         faults.report(told.span, told.message, told.label, told.help);
         if told.is_last || faults.found.len() >= MOST {
             return;
@@ -44,7 +44,7 @@ pub fn report(errors: &[Error], faults: &mut Faults) {
     }
 }
 
-fn told(text: &str, span: Range<usize>, message: &str) -> Told {
+fn told(text: &str, span: Range<usize>, message: &str, model: &str) -> Told {
     let (what, expected) = message.split_once(", expected ").unwrap_or((message, "readable TOML"));
     let one = |message: &str, label: &str, help: &str| Told {
         span: span.clone(),
@@ -142,11 +142,7 @@ fn told(text: &str, span: Range<usize>, message: &str) -> Told {
         _ => {
             let label =
                 if expected == "nothing" { "expected nothing here".to_owned() } else { format!("expected {expected}") };
-            one(
-                &format!("the file cannot be read from here on: {what}"),
-                &label,
-                "compare with a question that works, as `carom new-question` writes one",
-            )
+            one(&format!("the file cannot be read from here on: {what}"), &label, model)
         }
     }
 }

