@@ -1,6 +1,7 @@
 //! A fault in a person's file: what is wrong, where, what was expected, and one thing to try.
 
 use std::fmt;
+use std::io;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -152,6 +153,73 @@ pub fn render_all(diagnostics: &[Diagnostic], colour: bool) -> String {
         text.push('\n');
     }
     text
+}
+
+/// Why a file cannot be read, in words of a person.
+///
+/// ```
+/// let error = std::fs::read("no/such/file").unwrap_err();
+/// assert_eq!(carom::diagnostic::why_unread(&error), "there is no such file");
+/// ```
+pub fn why_unread(error: &io::Error) -> String {
+    let why = match error.kind() {
+        io::ErrorKind::NotFound => "there is no such file",
+        io::ErrorKind::PermissionDenied => "you may not open it",
+        io::ErrorKind::IsADirectory => "it is a folder",
+        io::ErrorKind::NotADirectory => "a file is where a folder should be",
+        io::ErrorKind::InvalidFilename => "the name is too long",
+        io::ErrorKind::InvalidData => "it is not in UTF-8",
+        _ => return error.to_string(),
+    };
+    why.to_owned()
+}
+
+/// What is wrong with a text that should be JSON, or holds other values than it should, in words of a person and without
+/// the place.
+///
+/// ```
+/// use carom::diagnostic::why_no_json;
+/// let why = |text: &str| why_no_json(&serde_json::from_str::<Vec<usize>>(text).unwrap_err());
+/// assert_eq!(why("[1,"), "it ends too early");
+/// assert_eq!(why("3"), "it has the number `3`, expected a list");
+/// assert_eq!(why("[-3]"), "it has the number `-3`, expected a whole number");
+/// ```
+pub fn why_no_json(error: &serde_json::Error) -> String {
+    if error.is_eof() {
+        return "it ends too early".to_owned();
+    }
+    let said = error.to_string();
+    let said = said.split(" at line ").next().unwrap_or_default();
+    match of_another_kind(said) {
+        Some((found, expected)) => format!("it has {found}, expected {expected}"),
+        None => said.to_owned(),
+    }
+}
+
+/// What was found and what was expected, in words of a person, if a reader of JSON or TOML says that it found a value of
+/// another kind.
+pub fn of_another_kind(said: &str) -> Option<(String, String)> {
+    let of_value = ["invalid type: ", "invalid value: "].iter().find_map(|kind| said.strip_prefix(kind));
+    let (found, expected) = of_value?.split_once(", expected ")?;
+    let found = match found.split_once(' ') {
+        Some(("integer", number)) => format!("the number {number}"),
+        Some(("floating", rest)) => format!("the number {}", rest.trim_start_matches("point ")),
+        Some(("string", text)) => format!("the text {text}"),
+        Some(("boolean", value)) => value.to_owned(),
+        _ if found == "map" => "an object".to_owned(),
+        _ if found == "sequence" => "a list".to_owned(),
+        _ => found.to_owned(),
+    };
+    let expected = match expected {
+        "a sequence" => "a list",
+        "a map" => "an object",
+        "a string" => "a text in quotes",
+        "a boolean" => "true or false",
+        "usize" | "u64" | "u32" | "u16" | "u8" => "a whole number",
+        _ if expected.starts_with("struct ") => "an object",
+        _ => expected,
+    };
+    Some((found, expected.to_owned()))
 }
 
 /// The candidate that was probably meant: the nearest, if few letters differ.

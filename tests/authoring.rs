@@ -200,7 +200,7 @@ fn nothing_is_written_over_and_every_refusal_names_one_thing_to_try() {
         (&["new-bank", "my-bank"], "there are things in the folder `my-bank` already", "carom new-question my-bank/"),
         (&["new-bank", "file"], "`file` is a file", "`carom new-bank file.bank`"),
         (&["new-bank", "no/such/bank"], "there is no folder `no/such`", "`mkdir no/such`"),
-        (&["new-bank", "file/bank"], "there is no folder `file`", "help:"),
+        (&["new-bank", "file/bank"], "`file` is a file, and `file/bank` cannot be made", "choose another folder"),
         (
             &["new-question", "my-bank/b-at-rest/speeds.toml"],
             "is there already",

@@ -62,12 +62,76 @@ const MARK: [&str; 3] = ["mark", "sheet/key.json", "rows.csv"];
 fn a_folder_in_place_of_a_file_is_named() {
     let folder = folder("folders");
     fs::create_dir(folder.join("empty")).unwrap();
-    let words = ["`empty` cannot be read: it is a folder"];
+    let words = ["`empty` cannot be read: it is a folder\nhelp: give the file in it"];
     refused(&folder, &["mark", "empty", "rows.csv"], &words);
     refused(&folder, &["mark", "sheet/key.json", "empty"], &words);
     refused(&folder, &["mark", "sheet/key.json", "empty", "--stream"], &["`empty` cannot be read"]);
     refused(&folder, &["mark", "sheet/key.json", "rows.csv", "--overrides", "empty"], &words);
     refused(&folder, &["sheet", "--class", "empty"], &words);
+    refused(&folder, &["solve", "empty"], &words);
+    // In the folder of a sheet each has its file.
+    refused(&folder, &["mark", "sheet", "rows.csv"], &["it is a folder\nhelp: did you mean `sheet/key.json`?"]);
+    refused(&folder, &["mark", "sheet/key.json", "sheet"], &["help: did you mean `sheet/submissions.csv`?"]);
+    refused(&folder, &["solve", "sheet"], &["it is a folder\nhelp: give the file in it"]);
+    // And a file in place of a folder.
+    refused(
+        &folder,
+        &["new-bank", "rows.csv/bank"],
+        &["`rows.csv` is a file, and `rows.csv/bank` cannot be made in it"],
+    );
+    refused(&folder, &["check", "rows.csv"], &["a bank is a folder", "help: name the folder in which it is\n"]);
+}
+
+#[test]
+fn what_is_wrong_with_a_whole_file_is_said_with_one_thing_to_try() {
+    let folder = folder("whole");
+    let key = fs::read_to_string(folder.join("sheet/key.json")).unwrap();
+    let half = &key[..key.floor_char_boundary(key.len() / 2)];
+    let mark: &[&str] = &["mark", "bad", "rows.csv"];
+    let handed_in: &[&str] = &["mark", "sheet/key.json", "bad"];
+    let class: &[&str] = &["sheet", "--class", "bad"];
+    let solve: &[&str] = &["solve", "bad"];
+    for (command, text, said, help) in [
+        (mark, half, "this is no key: it ends too early", "copy the file again, whole"),
+        (mark, "", "this is no key: nothing stands in `bad`", "`carom sheet` writes"),
+        (mark, r#"{"questions": 3}"#, "it has the number `3`, expected a list", "takes the key first"),
+        (mark, r#"{"questions": [{"number": -1}]}"#, "`-1`, expected a whole number", "takes the key first"),
+        (mark, r#"{"name": "another", "version": 3}"#, "a key has `questions`", "takes the key first"),
+        (handed_in, "Ada,2,2.78\n", "no columns `student`, `question`, `answer`", "in the first line, above the rows"),
+        (handed_in, "student,answer\nAda,1\n", "no column `question`", "write `question` in the first line"),
+        (handed_in, "student,questoin,answer\n", "no column `question`", "write `question` for `questoin`"),
+        (handed_in, "student,question,answer,answer\n", "two columns `answer`", "give one of them another name"),
+        (handed_in, "student | question | answer\n", "no columns `student`", "in the first line, above the rows"),
+        (handed_in, &key, "nothing in `bad` could be marked", "is this the key of that sheet?"),
+        (handed_in, "PK\u{3}\u{4}", "`bad` is a workbook of a spreadsheet program", "`CSV UTF-8`"),
+        (handed_in, "%PDF-1.7", "`bad` is a PDF, and no text", "save it as UTF-8"),
+        (class, "student\nAda\nAda\n", "`Ada` is in the list twice", "each student has one"),
+        (class, "student\n", "nobody is in this class", "a number or a name for each"),
+        (class, &key, "no column `student`", "write `student` in the first line"),
+        (solve, "{\"masses\": {", "this is no JSON: it ends too early", "`carom solve --help` shows a scene"),
+        (solve, &key, "unknown field `carom`", "`carom solve --help` shows a scene"),
+        (solve, "§ 1", "cannot be read from here on", "`carom solve --help` shows a scene"),
+    ] {
+        fs::write(folder.join("bad"), text).unwrap();
+        refused(&folder, command, &[said, "help: ", help]);
+    }
+    // What is typed is repeated without what commands a terminal.
+    for arguments in
+        [&["explain", "\u{1b}[31mred"][..], &["sheet", "--topic", "\u{1b}[31mred"], &["solve", "\u{1b}[31mred"]]
+    {
+        let output = carom(&folder, arguments);
+        assert!(stderr(&output).contains("`[31mred`"), "{}", stderr(&output));
+    }
+    refused(&folder, &["mark", "-", "-"], &["cannot both come from stdin", "help: "]);
+    refused(&folder, &["preview", "none.toml"], &["`none.toml` cannot be read: there is no such file"]);
+    let words = "student,question,mark,given,comment\n";
+    for (text, said) in [
+        (format!("{words}Ada,2,M9,1,\n"), "no mark `M9`"),
+        (words.replace("comment", "coment") + "Ada,2,M1a,1,x\n", "error: nobody looks at the column `coment`"),
+    ] {
+        fs::write(folder.join("words.csv"), text).unwrap();
+        refused(&folder, &[&MARK[..], &["--overrides", "words.csv"]].concat(), &[said, "help: "]);
+    }
 }
 
 #[test]

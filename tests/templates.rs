@@ -32,7 +32,7 @@ const MANIFEST: &str =
 type Folder = &'static [(&'static str, &'static str)];
 
 /// Folders with something wrong in them, by the name of the file that says what a teacher is told.
-const CASES: [(&str, Folder); 30] = [
+const CASES: [(&str, Folder); 32] = [
     ("unknown-name", &[("html/question-sheet.html", "<h1>{{ title }}</h1>\n<p>{{ scool }}</p>\n")]),
     (
         "unknown-name-where-no-paper-goes",
@@ -92,6 +92,8 @@ const CASES: [(&str, Folder); 30] = [
     ("wrong-kind", &[("html/question-sheet.html", "{{ title }}\n{{ questions | upper }}")]),
     ("unknown-key", &[("latex/format.toml", "about = 'x'\nnotatoin = 'latex'\n")]),
     ("unknown-notation", &[("latex/format.toml", "about = 'x'\nnotation = 'latx'\ndocuments = []\n")]),
+    ("number-for-a-list", &[("latex/format.toml", "about = 'x'\nnotation = 'latex'\ndocuments = 3\n")]),
+    ("no-key", &[("latex/format.toml", "latex\n")]),
     ("missing-key", &[("latex/format.toml", "notation = 'latex'\ndocuments = []\n")]),
     (
         "unfit-documents",

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::question::Question;
 use super::{read_question, shipped};
-use crate::diagnostic::{Diagnostic, Source, near};
+use crate::diagnostic::{Diagnostic, Source, near, why_unread};
 
 /// Questions that have been checked, sorted by id.
 #[derive(Clone, Debug, Default)]
@@ -89,7 +89,9 @@ pub(super) fn read_files(folder: &Path) -> Result<Files, Vec<Diagnostic>> {
     };
     if folder.is_file() {
         let message = format!("`{shown}` is a file, and a bank is a folder");
-        let help = format!("name the folder in which it is, or look at this one question: `carom preview {shown}`");
+        let is_question = folder.extension().is_some_and(|ending| ending == "toml");
+        let look = format!(", or look at this one question: `carom preview {shown}`");
+        let help = format!("name the folder in which it is{}", if is_question { &look } else { "" });
         return Err(nowhere(message, help));
     }
     if !folder.exists() {
@@ -97,7 +99,7 @@ pub(super) fn read_files(folder: &Path) -> Result<Files, Vec<Diagnostic>> {
         return Err(nowhere(message, format!("`carom new-bank {shown}` starts a bank there")));
     }
     let files = question_files(folder).map_err(|error| {
-        nowhere(format!("`{shown}` cannot be read: {error}"), "may you read this folder?".to_owned())
+        nowhere(format!("`{shown}` cannot be read: {}", why_unread(&error)), "may you read this folder?".to_owned())
     })?;
     if files.is_empty() {
         let help = format!(
@@ -124,7 +126,7 @@ pub fn read_source(path: &Path) -> Result<Source, Vec<Diagnostic>> {
     let shown = path.display().to_string();
     let fault = |message: String| Diagnostic::new(message, &Source::new(shown.as_str(), ""), 0..0, "");
     let unreadable = |error: io::Error| {
-        let fault = fault(format!("`{shown}` cannot be read: {error}"));
+        let fault = fault(format!("`{shown}` cannot be read: {}", why_unread(&error)));
         let help = match error.kind() {
             io::ErrorKind::NotFound if path.is_symlink() => {
                 "it is a link to a file that is not there: take it out, or put the file back".to_owned()

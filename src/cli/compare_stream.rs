@@ -2,11 +2,13 @@
 
 use std::collections::VecDeque;
 use std::io::{self, BufRead, BufReader, BufWriter, Read, Write};
+use std::path::Path;
 
 use serde_json::{Map, Value as Json, json};
 
 use super::compare::{accept, as_json, declared, kind, quantity};
 use super::failure::Failure;
+use super::text_file::unread;
 use crate::mark::judging::{Model, ModelOptions, judge};
 use crate::mark::reading::read_answer;
 
@@ -20,7 +22,8 @@ pub fn run(input: impl Read, output: impl Write) -> Result<(), Failure> {
     let mut line = Vec::new();
     let mut number = 0_u64;
     let mut models = Models::default();
-    while read_line(&mut input, &mut line)? {
+    let unread = |error: io::Error| unread(Path::new("-"), &error);
+    while read_line(&mut input, &mut line).map_err(unread)? {
         number += 1;
         let verdict = verdict(&line, &mut models).unwrap_or_else(|reason| {
             let feedback = format!("line {number}: {reason}");

@@ -40,11 +40,16 @@ impl Failure {
     pub fn in_words(&self, colour: bool) -> String {
         match self {
             Failure::ReaderGone | Failure::Found => String::new(),
-            Failure::Said(message, None) => format!("error: {message}\n"),
-            Failure::Said(message, Some(help)) => format!("error: {message}\nhelp: {help}\n"),
+            Failure::Said(message, None) => format!("error: {}\n", harmless(message)),
+            Failure::Said(message, Some(help)) => format!("error: {}\nhelp: {}\n", harmless(message), harmless(help)),
             Failure::Faults(faults) => render_all(faults, colour),
         }
     }
+}
+
+/// A name that was typed is repeated without what commands a terminal.
+fn harmless(words: &str) -> String {
+    words.chars().filter(|c| !c.is_control() || *c == '\n').collect()
 }
 
 /// Tells of what was hardly meant, but stops nothing.

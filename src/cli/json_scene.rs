@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use super::json_places::{offset, places};
 use crate::bank::scene_names;
-use crate::diagnostic::{Diagnostic, Source, near};
+use crate::diagnostic::{Diagnostic, Source, near, why_no_json};
 use crate::expr::{Angles, Fault, Span};
 use crate::mechanics::{Scene, SceneFault, SceneText};
 
@@ -91,7 +91,9 @@ fn not_a_scene(source: &Source, places: &[(String, Range<usize>)], error: &serde
     let said = error.to_string();
     let said = said.split(" at line ").next().unwrap_or_default();
     if !error.is_data() {
-        return Diagnostic::new(format!("this is no JSON: {said}"), source, at..at + 1, "expected readable JSON");
+        let message = format!("this is no JSON: {}", why_no_json(error));
+        let fault = Diagnostic::new(message, source, at..at + 1, "expected readable JSON");
+        return fault.with_help("`carom solve --help` shows a scene");
     }
     // It is told of once the value has been read: the place of its last byte, or just behind it.
     let ends = |(_, place): &&(String, Range<usize>)| place.end == at + 1 || place.end == at;
@@ -129,7 +131,8 @@ fn not_a_scene(source: &Source, places: &[(String, Range<usize>)], error: &serde
     if let Some((what, known)) = said.split_once(", expected ") {
         let name = what.split('`').nth(1).unwrap_or_default();
         let near = near(name, known.split('`').skip(1).step_by(2));
-        return Diagnostic::new(what, source, span, format!("expected {known}")).with_near(near);
+        let fault = Diagnostic::new(what, source, span, format!("expected {known}"));
+        return fault.with_help("`carom solve --help` shows a scene").with_near(near);
     }
     Diagnostic::new(said, source, span, "not as a scene has it")
 }

@@ -69,6 +69,10 @@ fn free(folder: &Path) -> Result<bool, Failure> {
             let parent = folder.parent().filter(|parent| !parent.as_os_str().is_empty());
             match parent.filter(|parent| !parent.is_dir()) {
                 None => Ok(true),
+                Some(parent) if parent.exists() => Err(Failure::with_help(
+                    format!("`{}` is a file, and `{shown}` cannot be made in it", parent.display()),
+                    "choose another folder for it",
+                )),
                 Some(parent) => Err(Failure::with_help(
                     format!("there is no folder `{}` in which to make `{shown}`", parent.display()),
                     format!("make it first: `mkdir {}`", typed(parent)),

@@ -17,7 +17,8 @@ pub fn scene(path: &Path) -> Result<Scene, Failure> {
     let name = name_of(path);
     let bytes = bytes(path, LONGEST)?;
     if bytes.len() as u64 > LONGEST {
-        return Err(Failure::said(format!("`{name}` is too long for a scene: more than {LONGEST} bytes")));
+        let message = format!("`{name}` is too long for a scene: more than {LONGEST} bytes");
+        return Err(Failure::with_help(message, "is it another file? `carom solve --help` shows a scene"));
     }
     let text = String::from_utf8(bytes)
         .map_err(|_| Failure::with_help(format!("`{name}` is no text"), "a scene is a file in TOML or JSON"))?;

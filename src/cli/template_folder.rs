@@ -5,13 +5,16 @@ use std::io;
 use std::path::Path;
 
 use super::failure::Failure;
+use crate::diagnostic::why_unread;
 use crate::render::TemplateFile;
 
 /// The templates in the folder that the arguments name; none if they name none.
 pub fn own_templates(folder: Option<&Path>) -> Result<Vec<TemplateFile>, Failure> {
     let Some(folder) = folder else { return Ok(Vec::new()) };
-    let unreadable = |error| format!("the templates in `{}` cannot be read: {error}", folder.display());
-    read_templates(folder).map_err(|error| Failure::said(unreadable(error)))
+    read_templates(folder).map_err(|error| {
+        let message = format!("the templates in `{}` cannot be read: {error}", folder.display());
+        Failure::with_help(message, "name a folder of templates; `templates/README.md` says what stands in one")
+    })
 }
 
 /// Every file below a folder, in the order of their paths; hidden ones are left alone.
@@ -25,7 +28,9 @@ pub fn read_templates(folder: &Path) -> io::Result<Vec<TemplateFile>> {
 }
 
 fn collect(folder: &Path, prefix: &str, files: &mut Vec<TemplateFile>) -> io::Result<()> {
-    let named = |fault: io::Error, path: &Path| io::Error::new(fault.kind(), format!("{}: {fault}", path.display()));
+    let named = |fault: io::Error, path: &Path| {
+        io::Error::new(fault.kind(), format!("`{}`: {}", path.display(), why_unread(&fault)))
+    };
     for entry in fs::read_dir(folder).map_err(|fault| named(fault, folder))? {
         let path = entry.map_err(|fault| named(fault, folder))?.path();
         let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();

@@ -5,11 +5,21 @@ use std::io::{self, Read};
 use std::path::Path;
 
 use super::failure::Failure;
-use crate::diagnostic::{Source, near};
+use crate::diagnostic::{Source, near, why_unread};
 use crate::table::decode;
 
 /// No class writes more than this, nor a list of one.
 const LONGEST: u64 = 1 << 28;
+
+/// The text of a file that is usually called so: if a folder is named, that is the one in it which was meant.
+pub fn usually(path: &Path, called: &str) -> Result<Source, Failure> {
+    let within = path.join(called);
+    if path.is_dir() && within.is_file() {
+        let message = format!("`{}` cannot be read: it is a folder", name_of(path));
+        return Err(Failure::with_help(message, format!("did you mean `{}`?", within.display())));
+    }
+    text(path)
+}
 
 /// The text of a file, or of stdin if it is called `-`.
 pub fn text(path: &Path) -> Result<Source, Failure> {
@@ -54,16 +64,16 @@ pub fn name_of(path: &Path) -> String {
 /// A file that cannot be read, why not, and which may have been meant.
 pub fn unread(path: &Path, error: &io::Error) -> Failure {
     let name = name_of(path);
-    if path.is_dir() {
-        let key = path.join("key.json");
-        let help = match key.is_file() {
-            true => format!("did you mean `{}`?", key.display()),
-            false => "give the file in it that you mean".to_owned(),
+    let why = if path.is_dir() { "it is a folder".to_owned() } else { why_unread(error) };
+    if error.kind() != io::ErrorKind::NotFound || is_stdin(path) {
+        let help = match error.kind() {
+            _ if path.is_dir() => "give the file in it that you mean",
+            io::ErrorKind::PermissionDenied => "put a copy of it in a folder of your own",
+            io::ErrorKind::IsADirectory => "give the file in it that you mean",
+            io::ErrorKind::NotADirectory => "look at the path",
+            _ => "look at its name, and whether you may open it",
         };
-        return Failure::with_help(format!("`{name}` cannot be read: it is a folder"), help);
-    }
-    if error.kind() != io::ErrorKind::NotFound {
-        return Failure::with_help(format!("`{name}` cannot be read: {error}"), "look whether you may open it");
+        return Failure::with_help(format!("`{name}` cannot be read: {why}"), help);
     }
     let folder = path.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
     let there: Vec<String> =
@@ -73,7 +83,7 @@ pub fn unread(path: &Path, error: &io::Error) -> Failure {
         None if !folder.is_dir() => format!("there is no folder `{}` either: look at the path", folder.display()),
         None => "look at its name, and in which folder you are".to_owned(),
     };
-    Failure::with_help(format!("`{name}` cannot be read: there is no such file"), help)
+    Failure::with_help(format!("`{name}` cannot be read: {why}"), help)
 }
 
 fn last_of(path: &Path) -> String {

@@ -57,7 +57,8 @@ impl ClassList {
         let warnings = table::read(source, &COLUMNS, &needed, |record| {
             let end = record.start + source.text[record.start..].lines().next().map_or(0, str::len);
             let mut fault = |message: String, label: &str| {
-                faults.push(Diagnostic::new(message, source, record.start..end, label));
+                let help = "mend the row, or take it out: each student has one";
+                faults.push(Diagnostic::new(message, source, record.start..end, label).with_help(help));
             };
             let [student, name] = record.cells.map(|cell| table::visible(table::meant(cell.trim())));
             let id = if student.is_empty() && needed == ["name"] { name.clone() } else { student };
@@ -76,7 +77,8 @@ impl ClassList {
         if faults.is_empty() && students.is_empty() {
             let end = source.text.len().min(1);
             let label = "below the names of the columns a line for each student is expected";
-            faults.push(Diagnostic::new("nobody is in this class", source, 0..end, label));
+            let fault = Diagnostic::new("nobody is in this class", source, 0..end, label);
+            faults.push(fault.with_help("write a number or a name for each, and save it"));
         }
         if faults.is_empty() { Ok(ClassList { students, warnings }) } else { Err(faults) }
     }

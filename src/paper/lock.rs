@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::bank::{Question, StyleName};
+use crate::diagnostic::why_no_json;
 use crate::generate::{Variant, examine};
 
 /// Who got which sheet.
@@ -59,10 +60,9 @@ impl Lock {
     ///
     /// What is wrong with the text, and where.
     pub fn read(text: &str) -> Result<Lock, LockFault> {
-        serde_json::from_str(text).map_err(|error| {
-            let said = error.to_string();
-            let message = said.split(" at line ").next().unwrap_or_default().to_owned();
-            LockFault { message, place: (error.line().max(1), error.column().max(1)) }
+        serde_json::from_str(text).map_err(|error| LockFault {
+            message: why_no_json(&error),
+            place: (error.line().max(1), error.column().max(1)),
         })
     }
 

@@ -9,7 +9,7 @@ use toml::Spanned;
 
 use super::Notation;
 use super::fault::listed;
-use crate::diagnostic::{Diagnostic, Source, near};
+use crate::diagnostic::{Diagnostic, Source, near, of_another_kind};
 
 /// What a `format.toml` says.
 #[derive(Clone, Debug, Deserialize)]
@@ -160,12 +160,17 @@ fn unread(source: &Source, fault: &toml::de::Error) -> Diagnostic {
     let message =
         fault.message().replace("unknown field", "unknown key").replace("unknown variant", "unknown notation");
     let message = message.replace("missing field", "missing key");
-    let (found, expected) = message.split_once(", ").unwrap_or((message.as_str(), ""));
+    let message = message.lines().next().unwrap_or_default();
+    let span = fault.span().unwrap_or(0..0);
+    let help = "`templates/README.md` says what stands in a `format.toml`";
+    if let Some((found, expected)) = of_another_kind(message) {
+        let label = format!("expected {expected}");
+        return Diagnostic::new(format!("{found} where it cannot stand"), source, span, label).with_help(help);
+    }
+    let (found, expected) = message.split_once(", ").unwrap_or((message, ""));
     let between = |text: &str| text.split('`').skip(1).step_by(2).map(str::to_owned).collect::<Vec<_>>();
     let (name, known) = (between(found), between(expected));
-    let label = if expected.is_empty() { "see `templates/README.md`" } else { expected };
     let near = name.first().and_then(|name| near(name, known.iter().map(String::as_str)));
-    let found = found.lines().next().unwrap_or_default();
-    Diagnostic::new(found, source, fault.span().unwrap_or(0..0), label.lines().next().unwrap_or_default())
-        .with_near(near)
+    let label = if expected.is_empty() { "not as a format has it" } else { expected };
+    Diagnostic::new(found, source, span, label).with_help(help).with_near(near)
 }

@@ -15,11 +15,15 @@ pub struct Undecoded {
 /// use carom::table::decode;
 /// assert_eq!(decode(b"\xef\xbb\xbfstudent"), Ok("student"));
 /// assert!(decode(b"\xff\xfes\0t\0").unwrap_err().message.contains("UTF-16"));
+/// assert!(decode(b"PK\x03\x04...").unwrap_err().message.contains("a workbook"));
 /// assert!(decode(b"Zo\xeb").unwrap_err().message.contains("line 1"));
 /// ```
 pub fn decode(bytes: &[u8]) -> Result<&str, Undecoded> {
     let help = "save it as UTF-8: in Excel as `CSV UTF-8`, in LibreOffice with the character set `Unicode (UTF-8)`";
     let undecoded = |message: String| Undecoded { message, help: help.to_owned() };
+    if let Some((_, kind)) = NO_TEXT.iter().find(|(begins, _)| bytes.starts_with(begins)) {
+        return Err(undecoded(format!("is {kind}, and no text")));
+    }
     if is_utf_16(bytes) {
         return Err(undecoded("is in UTF-16, not in UTF-8".to_owned()));
     }
@@ -31,6 +35,13 @@ pub fn decode(bytes: &[u8]) -> Result<&str, Undecoded> {
         }
     }
 }
+
+/// How files begin that people give in place of the text they were to save, and what they are.
+const NO_TEXT: [(&[u8], &str); 3] = [
+    (b"PK\x03\x04", "a workbook of a spreadsheet program, or something else that is packed"),
+    (b"\xd0\xcf\x11\xe0", "a workbook of a spreadsheet program"),
+    (b"%PDF-", "a PDF"),
+];
 
 /// By its mark, or since every other byte of its beginning is nought.
 fn is_utf_16(bytes: &[u8]) -> bool {

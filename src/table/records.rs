@@ -113,17 +113,22 @@ impl<const N: usize> Header<N> {
             };
             let label = format!("the first line names the columns: {}", columns.join(","));
             let fault = Diagnostic::new(message, source, start..end, label);
-            let near = near(first, strangers());
+            // A whole line that begins with a name has other signs between its cells, and is no misspelling of it.
+            let near = near(first, strangers()).filter(|near| near.len() < 2 * first.len());
             faults.push(match near {
-                Some(near) => Diagnostic { span: at(near), label: format!("`{first}` is meant, perhaps"), ..fault },
+                Some(near) => {
+                    let label = format!("`{first}` is meant, perhaps");
+                    Diagnostic { span: at(near), label, ..fault }.with_help(format!("write `{first}` for `{near}`"))
+                }
                 None if start == end => fault.with_help("the file is empty: was it saved?"),
-                None => fault,
+                None => fault.with_help(format!("write {} in the first line, above the rows", quoted(&missing))),
             });
         }
         for (place, name) in names.iter().enumerate() {
             if columns.contains(&name.as_str()) && names[..place].contains(name) {
                 let label = "which of them counts?";
-                faults.push(Diagnostic::new(format!("two columns `{name}`"), source, at(name), label));
+                let fault = Diagnostic::new(format!("two columns `{name}`"), source, at(name), label);
+                faults.push(fault.with_help("give one of them another name, or take it out"));
             }
         }
         for name in strangers() {

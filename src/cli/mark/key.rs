@@ -21,7 +21,11 @@ pub fn read(path: &Path, bank: Option<&Path>) -> Result<(AnswerKey, Digest), Fai
         let unread = |faults: Vec<KeyFault>| Failure::said(faults.first().map_or("", |fault| &fault.message));
         return AnswerKey::read(&json).map(|key| (key, Digest::of(json.as_bytes()))).map_err(unread);
     }
-    let source = text_file::text(path)?;
+    let source = text_file::usually(path, "key.json")?;
+    if source.text.trim().is_empty() {
+        let message = format!("this is no key: nothing stands in `{}`", source.file);
+        return Err(Failure::with_help(message, "`carom sheet` writes a `key.json` beside its sheets"));
+    }
     AnswerKey::read(&source.text)
         .map(|key| (key, Digest::of(source.text.as_bytes())))
         .map_err(|faults| Failure::Faults(faults.into_iter().map(|fault| located(&source, fault)).collect()))

@@ -109,7 +109,7 @@ pub fn run(arguments: &MarkArguments) -> Result<(), Failure> {
     }
     let feedback = FeedbackAsked::new(&arguments.feedback, arguments.templates.as_deref())?;
     let out = arguments.out.as_deref().unwrap_or(Path::new("marks"));
-    let submissions = text_file::text(&arguments.submissions)?;
+    let submissions = text_file::usually(&arguments.submissions, "submissions.csv")?;
     let rows = read_rows(&submissions)?;
     warn(&rows.warnings);
     let Sorted { scripts, set_aside, unfilled } = sort(&key, Rows { warnings: Vec::new(), ..rows });

@@ -80,7 +80,7 @@ impl<R: BufRead> Submissions<R> {
     /// Reads the names of the columns, or the first line of JSON.
     fn begin(input: R, name: &str, is_entered: bool) -> Result<Submissions<R>, Failure> {
         let mut pieces = Pieces::new(input);
-        let first = pieces.first().map_err(|error| Failure::said(format!("`{name}` cannot be read: {error}")))?;
+        let first = pieces.first().map_err(|error| unread(Path::new(name), &error))?;
         let First { line, bytes, is_whole } = first;
         if has_lone_returns(&bytes) {
             let message =
@@ -134,7 +134,7 @@ impl<R: BufRead> Submissions<R> {
         let mut done = Done { blocks: 0, last: Entry::default() };
         let mut is_changed = false;
         for entry in unfinished.entries() {
-            let next = self.next().map_err(|error| Failure::said(format!("`{name}` cannot be read: {error}")))?;
+            let next = self.next().map_err(|error| unread(Path::new(name), &error))?;
             let piece = match next {
                 Some((piece, digest)) if so_far(&digest) == entry.submissions => {
                     self.digest = digest;
@@ -241,7 +241,7 @@ impl Marking<'_> {
         done: Entry,
         mut write: impl FnMut(&str, Option<Entry>) -> Result<(), Failure>,
     ) -> Result<Entry, Failure> {
-        let unread = |error: io::Error| Failure::said(format!("`{}` cannot be read: {error}", self.name));
+        let unread = |error: io::Error| unread(Path::new(self.name), &error);
         let worker = || {
             let mut bulk = Bulk::new(self.profile, self.as_table);
             move |block: Block| {

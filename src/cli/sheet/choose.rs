@@ -36,7 +36,7 @@ pub(super) fn choose<'c>(
     }
     offered.retain(has_style);
     if offered.is_empty() {
-        return Err(Failure::said("no question has this style"));
+        return Err(Failure::with_help("no question has this style", "leave out `--style`, or name other questions"));
     }
     if arguments.reference {
         // Of all questions those with an exercise behind them; of questions that are named, their own numbers.
@@ -52,7 +52,8 @@ pub(super) fn choose<'c>(
             let chosen = choose_marks(&offered, usize::from(marks), seed);
             if chosen.is_empty() {
                 let least = offered.iter().map(|heading| heading.marks).min().unwrap_or(0);
-                return Err(Failure::said(format!("no question has so few marks: the shortest has {least}")));
+                let message = format!("no question has so few marks: the shortest has {least}");
+                return Err(Failure::with_help(message, format!("ask for as many at least: `--marks {least}`")));
             }
             Ok(chosen)
         }

@@ -167,7 +167,7 @@ impl OldLock {
     }
 
     fn read(path: PathBuf) -> Result<OldLock, Failure> {
-        let source = text_file::text(&path)?;
+        let source = text_file::usually(&path, LOCK)?;
         match Lock::read(&source.text) {
             Ok(lock) if lock.is_later() => {
                 let (path, own) = (path.display(), env!("CARGO_PKG_VERSION"));

@@ -143,7 +143,11 @@ pub fn run(arguments: &SheetArguments) -> Result<(), Failure> {
 /// The sheet that a code holds.
 pub fn from_code(code: &str, contents: &Contents) -> Result<Sheet, Failure> {
     let found = SheetCode::read(code).and_then(|code| Sheet::from_code(contents, &code));
-    found.map_err(|fault| Failure::with_help(format!("`{}`: {fault}", code.escape_debug()), fault.help()))
+    // No more of what was pasted than one reads.
+    const SHOWN: usize = 60;
+    let rest = if code.chars().count() > SHOWN { "…" } else { "" };
+    let begins: String = code.chars().take(SHOWN).collect();
+    found.map_err(|fault| Failure::with_help(format!("`{}{rest}`: {fault}", begins.escape_debug()), fault.help()))
 }
 
 /// Writes a sheet and says what became of it.

@@ -1,5 +1,7 @@
 //! What is wrong with a key, and in which words it is said.
 
+use crate::diagnostic::why_no_json;
+
 /// What is wrong with a key.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct KeyFault {
@@ -27,12 +29,18 @@ impl KeyFault {
     }
 
     pub(super) fn unreadable(error: &serde_json::Error) -> KeyFault {
-        let said = error.to_string();
-        let said = said.split(" at line ").next().unwrap_or_default();
+        let help = match error.is_eof() {
+            true => "copy the file again, whole, or mark by the code of the sheet: `carom mark CODE SUBMISSIONS`",
+            false => "",
+        };
         let place = (error.line() > 0).then(|| (error.line(), error.column()));
         KeyFault {
             place,
-            ..KeyFault::new(format!("this is no key: {said}"), "the `key.json` that `carom sheet` writes")
+            help: help.to_owned(),
+            ..KeyFault::new(
+                format!("this is no key: {}", why_no_json(error)),
+                "the `key.json` that `carom sheet` writes",
+            )
         }
     }
 

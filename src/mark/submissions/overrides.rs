@@ -1,7 +1,7 @@
 //! A person's word on single marks, from a table.
 
 use super::lookup;
-use crate::diagnostic::{Diagnostic, Source};
+use crate::diagnostic::{Diagnostic, Severity, Source};
 use crate::mark::key::AnswerKey;
 use crate::table;
 
@@ -30,8 +30,8 @@ pub struct Override {
 ///
 /// # Errors
 ///
-/// Every row that says something else than `1` or `0`, or speaks of what is not in the key: a person's word is not to get
-/// lost.
+/// Every row that says something else than `1` or `0`, or speaks of what is not in the key, and a column whose name is
+/// misspelt: a person's word is not to get lost.
 pub fn read_overrides(source: &Source, key: &AnswerKey) -> Result<Vec<Override>, Vec<Diagnostic>> {
     let mut faults = Vec::new();
     let mut overrides = Vec::new();
@@ -49,11 +49,13 @@ pub fn read_overrides(source: &Source, key: &AnswerKey) -> Result<Vec<Override>,
                     4 => "expected 1 for a mark that is given, or 0",
                     _ => "this row cannot be obeyed",
                 };
-                faults.push(Diagnostic::new(message, source, start..end, label));
+                let help = "mend the row, or take it out: nothing is marked until each can be obeyed";
+                faults.push(Diagnostic::new(message, source, start..end, label).with_help(help));
             }
         }
     })?;
-    faults.splice(0..0, warnings);
+    // A comment under a name that nobody looks at would get lost.
+    faults.splice(0..0, warnings.into_iter().map(|fault| Diagnostic { severity: Severity::Error, ..fault }));
     if faults.is_empty() { Ok(overrides) } else { Err(faults) }
 }
 
