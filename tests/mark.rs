@@ -180,12 +180,19 @@ fn json_lines_are_marked_as_the_same_table_is() {
         line("Ada", "direction of B", "along the line of centres", json!(null)),
         line("Ben", "speed of A", "2.8", json!(["4*4cos30 = 4v + 2w", "w - v = 1/3*4cos30"])),
     ];
-    let output = mark(&folder, lines.join("\n"), &[]);
-    assert!(output.status.success(), "{}", stderr(&output));
-    assert!(fs::read(folder.join("marks/marks.jsonl")).unwrap() == expected);
+    // One array of them is the same, however it is laid out.
+    let array = format!("[{}]", lines.join(","));
+    let spread = serde_json::to_string_pretty(&serde_json::from_str::<Json>(&array).unwrap()).unwrap();
+    for rows in [lines.join("\n"), array, format!("\n{spread}\n"), format!("[\n{}\n]", lines.join(",\n"))] {
+        let output = mark(&folder, &rows, &[]);
+        assert!(output.status.success(), "{rows}: {}", stderr(&output));
+        assert!(fs::read(folder.join("marks/marks.jsonl")).unwrap() == expected, "{rows}");
+    }
 
+    let layout = "each object stands on one line, without commas between them, or all in one list `[{…}, {…}]`";
     let broken = [
-        ("{\"student\": \"Ada\"", "this is no JSON: EOF while parsing an object"),
+        ("{\"student\": \"Ada\"", &*format!("this is no JSON: it ends too early; {layout}")),
+        ("{\"student\": \"Ada\"},", &*format!("something follows the object on its line; {layout}")),
         ("[1]", "this is no JSON object: write one for each answer, a line each"),
         (
             r#"{"student": "Ada", "question": 2, "answer": 2.80}"#,
@@ -443,6 +450,35 @@ fn a_numeral_keeps_its_sign_and_a_formula_does_not_run_in_what_was_not_marked() 
     let found = table(folder.join("marks/not-marked.csv"));
     let found: Vec<&str> = found.iter().skip(1).map(|row| row[6].as_str()).collect();
     assert_eq!(found, ["-1.92", "'=1+1", "'-u/2", "+3"]);
+}
+
+#[test]
+fn a_json_array_is_read_whole_or_refused_at_its_place() {
+    let folder = folder("json-array");
+    let ada = r#"{"student": "Ada", "question": 2, "blank": "speed of A", "answer": "4√39/9"}"#;
+    for (rows, place, message) in [
+        (format!("[{ada}"), "submissions.csv:1:", "the list is not closed"),
+        (format!("[{ada},\n"), "submissions.csv:1:", "the list is not closed"),
+        (format!("[{ada}\n{ada}]"), "submissions.csv:2:1", "two answers without a comma between them"),
+        (format!("[{ada},\n]"), "submissions.csv:1:", "a comma without an answer after it"),
+        (format!("[{ada}]\n{ada}"), "submissions.csv:2:1", "something follows the list"),
+        ("[{\"student\":\n  Ada}]".to_owned(), "submissions.csv:2:3", "this is no JSON: expected value"),
+        (format!("[{ada},\n{{\"student"), "submissions.csv:2:", "the list is not closed"),
+        ("[".repeat(100_000), "submissions.csv:1:", "this is no JSON: recursion limit exceeded"),
+    ] {
+        let output = mark(&folder, &rows, &[]);
+        let said = stderr(&output);
+        assert_eq!(output.status.code(), Some(1), "{said}");
+        assert!(said.contains(place) && said.contains(message) && said.contains("help: "), "{message}: {said}");
+        assert!(!folder.join("marks").exists());
+    }
+    // Of what is JSON each answer that cannot be read is set aside by itself, with its line.
+    let output = mark(&folder, format!("[\n{ada},\n7,\n{{\"question\": 2,\n\"answer\": \"1\"}}]"), &[]);
+    assert!(output.status.success(), "{}", stderr(&output));
+    let rows = table(folder.join("marks/not-marked.csv"));
+    assert_eq!((&rows[1][0], &rows[2][0]), (&"3".to_owned(), &"4".to_owned()), "{rows:?}");
+    let output = mark(&folder, "[]", &[]);
+    assert!(stderr(&output).contains("`submissions.csv` has no answers"), "{}", stderr(&output));
 }
 
 #[test]

@@ -151,6 +151,8 @@ fn a_stream_that_is_wrong_as_a_whole_is_refused() {
         (&utf_16, "UTF-16"),
         (returns.as_bytes(), "carriage returns alone"),
         (long.as_bytes(), "carriage returns alone"),
+        (b"[{\"student\": \"Ada\", \"question\": 2, \"answer\": \"1\"}]\n", "a JSON array in place of JSON lines"),
+        (b"[\n{\"student\": \"Ada\"}\n]\n", "mark it without `--stream`"),
     ] {
         let output = carom(&folder, &STREAM, input);
         assert_eq!(output.status.code(), Some(1), "{said}");

@@ -47,7 +47,7 @@ UTF-8:
 
 `part`, `blank` and `working` may be left out. Without a blank an answer says all that its part
 asks. Working has one line of it a line of the cell. Or each line is a JSON object with these
-fields.
+fields, or all are in one JSON array.
 
 Written are `marks.csv`, `marks.jsonl` with every reading and reason, a page for each student in
 `feedback`, and `not-marked.csv` with what has no place in the key. `report.html` says how the
@@ -67,7 +67,7 @@ pub struct MarkArguments {
     /// The `key.json` that was written with the sheet, or the code on its pages
     #[arg(value_name = "KEY.json|CODE")]
     key: PathBuf,
-    /// What was handed in, a table or JSON lines; `-` for stdin
+    /// What was handed in, a table, JSON lines or a JSON array; `-` for stdin
     #[arg(value_name = "SUBMISSIONS")]
     submissions: PathBuf,
     /// The folder for the files; `marks` if you do not say

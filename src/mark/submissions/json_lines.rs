@@ -2,8 +2,8 @@
 
 use serde_json::{Map, Value as Json};
 
-use super::{COLUMNS, Row, Rows, SetAside};
-use crate::diagnostic::near;
+use super::{COLUMNS, Row, Rows};
+use crate::diagnostic::{near, why_no_json};
 
 /// Reads every line that is not empty.
 pub(super) fn read(text: &str) -> Rows {
@@ -12,21 +12,23 @@ pub(super) fn read(text: &str) -> Rows {
         if text.trim().is_empty() {
             continue;
         }
-        match row(line, text) {
-            Ok(row) => rows.rows.push(row),
-            Err(reason) => {
-                rows.set_aside.push(SetAside { row: Row::unread(line, text), reason });
-            }
-        }
+        let fields = serde_json::from_str(text).map_err(|error| reason(&error));
+        rows.place(fields.and_then(|fields| row(line, &fields)), line, text);
     }
     rows
 }
 
-fn row(line: usize, text: &str) -> Result<Row, String> {
-    let fields: Json = serde_json::from_str(text).map_err(|error| {
-        let said = error.to_string();
-        format!("this is no JSON: {}", said.split(" at line ").next().unwrap_or_default())
-    })?;
+fn reason(error: &serde_json::Error) -> String {
+    let layout = "each object stands on one line, without commas between them, or all in one list `[{…}, {…}]`";
+    match why_no_json(error).as_str() {
+        "trailing characters" => format!("something follows the object on its line; {layout}"),
+        why if error.is_eof() => format!("this is no JSON: {why}; {layout}"),
+        why => format!("this is no JSON: {why}"),
+    }
+}
+
+/// An object as a row.
+pub(super) fn row(line: usize, fields: &Json) -> Result<Row, String> {
     let fields = fields.as_object().ok_or("this is no JSON object: write one for each answer, a line each")?;
     let question = match fields.get("question") {
         Some(Json::Number(number)) => number.to_string(),

@@ -1,10 +1,11 @@
 //! Submissions: what students handed in, read from a file and sorted into scripts.
 //!
-//! Two steps. [`read_rows`] reads a table or JSON lines into [`Row`]s; [`sort`] looks each of them up in the key and
+//! Two steps. [`read_rows`] reads a table or JSON into [`Row`]s; [`sort`] looks each of them up in the key and
 //! gathers what belongs together. Nothing is dropped: what cannot be read or has no place in the key is [`SetAside`] with
 //! its line and the reason, and everything else goes on.
 
 mod empty;
+mod json_array;
 mod json_lines;
 mod lookup;
 mod overrides;
@@ -55,11 +56,11 @@ pub struct Rows {
     pub warnings: Vec<Diagnostic>,
 }
 
-/// Reads the rows of a table, or of JSON lines if the text begins with a brace.
+/// Reads the rows of a table, of JSON lines if the text begins with a brace, or of a JSON array if with a bracket.
 ///
 /// # Errors
 ///
-/// Only what is wrong with the whole: a table without a column for the answers, say.
+/// Only what is wrong with the whole: a table without a column for the answers, say, or an array that is not closed.
 ///
 /// ```
 /// use carom::diagnostic::Source;
@@ -73,6 +74,9 @@ pub struct Rows {
 pub fn read_rows(source: &Source) -> Result<Rows, Vec<Diagnostic>> {
     if source.text.trim_start().starts_with('{') {
         return Ok(json_lines::read(&source.text));
+    }
+    if is_array(&source.text) {
+        return json_array::read(source);
     }
     let needed = ["student", "question", "answer"];
     let mut rows = Rows::default();
@@ -88,6 +92,22 @@ pub fn read_rows(source: &Source) -> Result<Rows, Vec<Diagnostic>> {
         }
     })?;
     Ok(Rows { warnings, ..rows })
+}
+
+/// Is it one JSON array? No table begins with a bracket and what may follow it there.
+fn is_array(text: &str) -> bool {
+    let inside = text.trim_start().strip_prefix('[');
+    inside.is_some_and(|inside| inside.trim_start().is_empty() || inside.trim_start().starts_with(['{', ']', '[', '"']))
+}
+
+impl Rows {
+    /// Adds a row that has been read; what stood there is set aside if it could not be.
+    fn place(&mut self, row: Result<Row, String>, line: usize, text: &str) {
+        match row {
+            Ok(row) => self.rows.push(row),
+            Err(reason) => self.set_aside.push(SetAside { row: Row::unread(line, text), reason }),
+        }
+    }
 }
 
 impl Row {

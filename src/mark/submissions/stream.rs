@@ -7,7 +7,7 @@
 use std::collections::HashSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
-use super::{Row, Rows, SetAside, json_lines, read_rows};
+use super::{Row, Rows, SetAside, is_array, json_lines, read_rows};
 use crate::diagnostic::{Diagnostic, Source};
 
 /// More rows of one student are set aside: no sheet has so many answers.
@@ -36,7 +36,7 @@ impl Stream {
     ///
     /// # Errors
     ///
-    /// What is wrong with the names of the columns.
+    /// What is wrong with the names of the columns; a JSON array, which is not read line by line.
     ///
     /// ```
     /// use carom::diagnostic::Source;
@@ -47,6 +47,14 @@ impl Stream {
     /// assert!(rows.set_aside[0].reason.contains("stand together"));
     /// ```
     pub fn new(first: &Source) -> Result<Stream, Vec<Diagnostic>> {
+        if is_array(&first.text) {
+            let at = first.text.find('[').unwrap_or(0);
+            let label = "a stream is read line by line: expected one object a line, as `{\"student\": \"Ada\", …}`";
+            let fault = Diagnostic::new("a JSON array in place of JSON lines", first, at..at + 1, label);
+            return Err(vec![
+                fault.with_help("mark it without `--stream`, or write each object of it on a line of its own"),
+            ]);
+        }
         let is_table = !first.text.trim_start().starts_with('{');
         let warnings = if is_table { read_rows(first)?.warnings } else { Vec::new() };
         let header = is_table.then(|| Source::new(first.file.clone(), format!("{}\n", first.text.trim())));
