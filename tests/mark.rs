@@ -524,6 +524,29 @@ fn the_word_of_a_person_is_the_last_and_the_marks_that_depend_on_it_follow() {
 }
 
 #[test]
+fn two_words_of_a_person_that_contradict_each_other_are_told_of() {
+    let folder = folder("contradictions");
+    let header = "student,question,part,mark,given,comment\n";
+    for (words, said) in [
+        ("Ada,2,,M1a,1,\nAda,Q2,,m1a,0,\n", Some("`words.csv` contradicts itself on lines 2 and 3, about a mark")),
+        ("Ada,2,,M1a,0,\nBen,2,,M1a,1,\nAda,2,,M1a,0,\nAda,2,,M1a,1,\n", Some("on lines 2, 4 and 5, about")),
+        ("Ada,2,,M1a,1,\nAda,2,,M1a,1,seen\nAda,2,,M1b,0,\nBen,2,,M1a,0,\n", None),
+    ] {
+        fs::write(folder.join("words.csv"), format!("{header}{words}")).unwrap();
+        for (option, who) in [("--json", "question 2 of Ada"), ("--without-names", "question 2 of a student")] {
+            let output = mark(&folder, format!("{ADA}Ben,2,,speed of A,1,\n"), &["--overrides", "words.csv", option]);
+            let told = stderr(&output);
+            assert!(output.status.success(), "{told}");
+            assert_eq!(told.contains("contradicts itself"), said.is_some(), "{told}");
+            assert!(
+                said.is_none_or(|said| told.contains(said) && told.contains(who) && told.contains("help: ")),
+                "{told}"
+            );
+        }
+    }
+}
+
+#[test]
 fn a_profile_is_a_name_or_a_file() {
     let folder = folder("profiles");
     let rows = ADA.replace("4√39/9", "2.8");

@@ -23,7 +23,9 @@ use super::text_file;
 use super::write::{OutputFile, spares, write_all};
 use crate::diagnostic::near;
 use crate::mark::report::{ClassReport, MARKS, MarkReport, Names, marks_csv, marks_jsonl, not_marked_csv};
-use crate::mark::submissions::{HandedIn, Rows, SetAside, Sorted, read_overrides, read_rows, sort};
+use crate::mark::submissions::{
+    HandedIn, Override, Rows, SetAside, Sorted, contradictions, read_overrides, read_rows, sort,
+};
 use crate::mark::{AnswerKey, Profile};
 
 const AFTER: &str = "Examples:
@@ -122,8 +124,9 @@ pub fn run(arguments: &MarkArguments) -> Result<(), Failure> {
         tell_of_one_sheet(&scripts);
     }
     let overrides = overrides(arguments.overrides.as_deref(), &key)?;
-    let report = MarkReport::new(&scripts, &profile, overrides);
     let file = arguments.overrides.as_deref().map(|path| path.display().to_string()).unwrap_or_default();
+    tell_of_contradictions(&overrides, &file, arguments.without_names);
+    let report = MarkReport::new(&scripts, &profile, overrides);
     for word in &report.idle {
         let who = if arguments.without_names { "a student" } else { word.student.as_str() };
         say(&format!(
@@ -229,6 +232,24 @@ fn tell_of_blanks(scripts: &[HandedIn], file: &str) {
     }
 }
 
+/// Says where a person gives a mark in one row and takes it away in another: a row that was forgotten, most likely.
+fn tell_of_contradictions(overrides: &[Override], file: &str, without_names: bool) {
+    for words in contradictions(overrides) {
+        let [before @ .., last] = words.as_slice() else { continue };
+        let who = if without_names { "a student" } else { last.student.as_str() };
+        let before: Vec<String> = before.iter().map(|word| word.line.to_string()).collect();
+        say(&format!(
+            "warning: `{file}` contradicts itself on lines {} and {}, about a mark of question {} of {who}: the last counts, \
+             so that the mark is {}\n\
+             help: take out the row that you do not mean",
+            before.join(", "),
+            last.line,
+            last.question,
+            if last.given { "given" } else { "not given" }
+        ));
+    }
+}
+
 /// Says that all are marked on the numbers of one sheet: in a class each may have a sheet of another code.
 fn tell_of_one_sheet(scripts: &[HandedIn]) {
     if let (several @ 2.., Some(script)) = (students(scripts), scripts.first()) {
@@ -275,7 +296,7 @@ fn profile(name: &str) -> Result<Profile, Failure> {
     Err(Failure::with_help(format!("unknown profile `{name}`"), help))
 }
 
-fn overrides(path: Option<&Path>, key: &AnswerKey) -> Result<Vec<crate::mark::submissions::Override>, Failure> {
+fn overrides(path: Option<&Path>, key: &AnswerKey) -> Result<Vec<Override>, Failure> {
     match path {
         Some(path) => Ok(read_overrides(&text_file::text(path)?, key)?),
         None => Ok(Vec::new()),

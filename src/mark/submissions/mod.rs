@@ -13,7 +13,7 @@ mod sort;
 mod stream;
 
 pub use empty::{empty_submissions, empty_submissions_of_class, is_filled_in};
-pub use overrides::{Override, read_overrides};
+pub use overrides::{Override, contradictions, read_overrides};
 pub use sort::{HandedIn, HandedPart, HandedRow, Sorted, sort};
 pub use stream::Stream;
 

@@ -1,5 +1,7 @@
 //! A person's word on single marks, from a table.
 
+use std::collections::BTreeMap;
+
 use super::lookup;
 use crate::diagnostic::{Diagnostic, Severity, Source};
 use crate::mark::key::AnswerKey;
@@ -57,6 +59,18 @@ pub fn read_overrides(source: &Source, key: &AnswerKey) -> Result<Vec<Override>,
     // A comment under a name that nobody looks at would get lost.
     faults.splice(0..0, warnings.into_iter().map(|fault| Diagnostic { severity: Severity::Error, ..fault }));
     if faults.is_empty() { Ok(overrides) } else { Err(faults) }
+}
+
+/// The words on each mark of which some give it and some do not, in the order of their lines; the last of them counts.
+pub fn contradictions(words: &[Override]) -> Vec<Vec<&Override>> {
+    let mut on_each: BTreeMap<_, Vec<&Override>> = BTreeMap::new();
+    for word in words {
+        on_each.entry((&word.student, word.question, word.part, word.mark)).or_default().push(word);
+    }
+    let mut contradictions: Vec<Vec<&Override>> = on_each.into_values().collect();
+    contradictions.retain(|words| words.iter().any(|word| word.given != words[0].given));
+    contradictions.sort_by_key(|words| words[0].line);
+    contradictions
 }
 
 /// A row; what is wrong with it and in which cell.
