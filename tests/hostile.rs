@@ -138,9 +138,28 @@ fn what_is_wrong_with_a_whole_file_is_said_with_one_thing_to_try() {
 fn an_output_folder_that_cannot_be_is_named_and_what_stands_in_its_place_is_kept() {
     let folder = folder("output");
     fs::write(folder.join("file"), "mine").unwrap();
-    for out in ["file", "file/below", "rows.csv/marks"] {
-        refused(&folder, &[&MARK[..], &["--out", out]].concat(), &[&format!("the folder `{out}` cannot be made")]);
-        refused(&folder, &["sheet", "5C-2", "--class", "class.csv", "--out", out], &[out, "cannot be"]);
+    let study = ["study", "--quick", "--out"];
+    let sheet = ["sheet", "5C-2", "--format", "text", "--out"];
+    let of_class = ["sheet", "5C-2", "--class", "class.csv", "--out"];
+    let mark = [&MARK[..], &["--out"]].concat();
+    let stream = [&MARK[..], &["--stream", "--out"]].concat();
+    for command in [&["man", "--out"][..], &study, &sheet, &of_class, &mark, &stream] {
+        for (out, file) in [("file", "file"), ("file/below", "file"), ("rows.csv/marks", "rows.csv")] {
+            let said =
+                format!("error: the folder `{out}` cannot be made: `{file}` is a file\nhelp: name another folder");
+            refused(&folder, &[command, &[out]].concat(), &[&said]);
+        }
+        let (long, below) = ("x".repeat(300), format!("new/{}", "x".repeat(300)));
+        for out in [&long, &below] {
+            refused(
+                &folder,
+                &[command, &[out]].concat(),
+                &["cannot be made: the name is too long, or no name", "help: "],
+            );
+        }
+        if cfg!(target_os = "linux") {
+            refused(&folder, &[command, &["/proc/new/sheet"]].concat(), &["cannot be made: nothing can be made there"]);
+        }
     }
     assert_eq!(fs::read_to_string(folder.join("file")).unwrap(), "mine");
     // A folder where one of the files is to be: none of the others is written either.
@@ -148,7 +167,60 @@ fn an_output_folder_that_cannot_be_is_named_and_what_stands_in_its_place_is_kept
     refused(&folder, &MARK, &["`marks/report.html` cannot be written: it is a folder"]);
     fs::create_dir_all(folder.join("other")).unwrap();
     fs::write(folder.join("other/feedback"), "mine").unwrap();
-    refused(&folder, &[&MARK[..], &["--out", "other"]].concat(), &["feedback/ada.html` cannot be written"]);
+    refused(&folder, &[&MARK[..], &["--out", "other"]].concat(), &["`other/feedback` is a file"]);
+}
+
+#[test]
+fn where_one_may_not_write_or_the_disk_is_full_it_is_said_and_no_folder_is_left() {
+    let folder = folder("may-not");
+    let sheet = ["sheet", "5C-2", "--format", "text", "--out"];
+    // The page of a preview goes into a file that is named.
+    for (out, said) in [("/", "`/` is not the name of a file"), ("rows.csv/page.html", "is a file")] {
+        refused(&folder, &["preview", "5C-2", "--open", "--out", out], &[said, "help: "]);
+    }
+    refused(&folder, &["new-question", "rows.csv/new.toml"], &["`rows.csv` is a file and no folder", "help: "]);
+    let preview = ["preview", "5C-2", "--open"];
+    let output = Command::new(env!("CARGO_BIN_EXE_carom")).args(preview).env("TMPDIR", "/no/such").output();
+    let said = stderr(&output.unwrap());
+    assert!(cfg!(windows) || said.contains("in `/no/such`: nothing can be made there\nhelp: name a folder"), "{said}");
+    // Whoever is root may write anywhere, but not here.
+    #[cfg(target_os = "linux")]
+    {
+        let full = fs::File::options().write(true).open("/dev/full").unwrap();
+        for arguments in [&["list"][..], &["schema", "key"], &["explain", "5C-2"], &["completions", "bash"]] {
+            let command = Command::new(env!("CARGO_BIN_EXE_carom"))
+                .args(arguments)
+                .stdout(full.try_clone().unwrap())
+                .stderr(std::process::Stdio::piped())
+                .output()
+                .unwrap();
+            let said = stderr(&command);
+            assert_eq!(command.status.code(), Some(1), "{said}");
+            assert!(said.contains("what is printed cannot be written: the disk is full\nhelp: "), "{said}");
+        }
+        let stdin = fs::File::open(&folder).unwrap();
+        let command = [&MARK[..2], &["-", "--stream"]].concat();
+        let output = Command::new(env!("CARGO_BIN_EXE_carom")).current_dir(&folder).args(command).stdin(stdin).output();
+        assert!(stderr(&output.unwrap()).contains("cannot be read: it is a folder\nhelp: "));
+    }
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        let closed = folder.join("closed");
+        fs::create_dir(&closed).unwrap();
+        fs::set_permissions(&closed, fs::Permissions::from_mode(0o555)).unwrap();
+        let is_root = fs::write(closed.join("probe"), "").is_ok();
+        if !is_root {
+            for out in ["closed", "closed/new/sheet"] {
+                refused(
+                    &folder,
+                    &[&sheet[..], &[out]].concat(),
+                    &["you may not write there", "help: name another folder"],
+                );
+            }
+        }
+        fs::set_permissions(&closed, fs::Permissions::from_mode(0o755)).unwrap();
+    }
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 
+use super::write::refusal;
 use crate::diagnostic::{Diagnostic, render_all};
 use crate::mechanics::Refusal;
 use crate::render::RenderFault;
@@ -84,11 +85,13 @@ impl From<Refusal> for Failure {
     }
 }
 
+/// What is printed does not arrive.
 impl From<io::Error> for Failure {
     fn from(error: io::Error) -> Failure {
         if error.kind() == io::ErrorKind::BrokenPipe {
             return Failure::ReaderGone;
         }
-        Failure::said(error.to_string())
+        let (why, help) = refusal(&error);
+        Failure::with_help(format!("what is printed cannot be written: {why}"), help)
     }
 }

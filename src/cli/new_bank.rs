@@ -33,16 +33,11 @@ const FIRST: &str = "b-at-rest/speeds.toml";
 /// Makes the folder.
 pub fn run(arguments: &NewBankArguments) -> Result<(), Failure> {
     let folder = arguments.folder.as_path();
-    let is_new = free(folder)?;
+    free(folder)?;
     let question = start_without_example(&format!("../{SCHEMA_FILE}"));
     let file = |name: &str, text: String| OutputFile { name: name.to_owned(), contents: text.into_bytes() };
     let files = [file(FIRST, question), file(SCHEMA_FILE, schema::of_questions())];
-    let written = write_all(folder, &files).inspect_err(|_| {
-        if is_new {
-            // Empty folders of ours are all that can be left.
-            let _ = fs::remove_dir(folder.join("b-at-rest")).and_then(|()| fs::remove_dir(folder));
-        }
-    })?;
+    let written = write_all(folder, &files)?;
     let paths: String = written.iter().map(|path| format!("{}\n", path.display())).collect();
     print(&paths)?;
     let (bank, first) = (typed(folder), typed(&folder.join(FIRST)));
@@ -51,15 +46,15 @@ pub fn run(arguments: &NewBankArguments) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Can the bank be made there, and has its folder to be made? Only if nothing is there that could be lost.
-fn free(folder: &Path) -> Result<bool, Failure> {
+/// Can the bank be made there? Only if nothing is there that could be lost.
+fn free(folder: &Path) -> Result<(), Failure> {
     let shown = folder.display();
     if folder.is_file() {
         let help = format!("choose another name: `carom new-bank {}`", typed(&folder.with_extension("bank")));
         return Err(Failure::with_help(format!("`{shown}` is a file, and a bank is a folder"), help));
     }
     match fs::read_dir(folder).map(|mut things| things.next().is_none()) {
-        Ok(true) => Ok(false),
+        Ok(true) => Ok(()),
         Ok(false) => {
             let question = typed(&folder.join("my-question.toml"));
             let help = format!("choose another name, or add a question to it: `carom new-question {question}`");
@@ -68,7 +63,7 @@ fn free(folder: &Path) -> Result<bool, Failure> {
         Err(_) => {
             let parent = folder.parent().filter(|parent| !parent.as_os_str().is_empty());
             match parent.filter(|parent| !parent.is_dir()) {
-                None => Ok(true),
+                None => Ok(()),
                 Some(parent) if parent.exists() => Err(Failure::with_help(
                     format!("`{}` is a file, and `{shown}` cannot be made in it", parent.display()),
                     "choose another folder for it",

@@ -9,6 +9,7 @@ use clap::Args;
 use super::bank;
 use super::failure::Failure;
 use super::output::{print, say};
+use super::write::{make_folder, remove, unwritten};
 use crate::bank::Contents;
 
 const AFTER: &str = "Examples:
@@ -50,11 +51,8 @@ pub fn run(arguments: &NewQuestionArguments) -> Result<(), Failure> {
         Some((steps, _)) => format!("#:schema {}{SCHEMA_FILE}\n{text}", "../".repeat(*steps)),
         None => text,
     };
-    fs::create_dir_all(folder).map_err(|error| {
-        let help = format!("may you write in `{}`?", there.display());
-        Failure::with_help(format!("the folder `{}` cannot be made: {error}", folder.display()), help)
-    })?;
-    create(file, &text)?;
+    let made = make_folder(folder)?;
+    create(file, &text).inspect_err(|_| remove(&made))?;
     print(&format!("{}\n", file.display()))?;
     let bank = schema.map_or(folder.to_path_buf(), |(_, bank)| bank);
     say(&format!(
@@ -150,11 +148,11 @@ fn create(file: &Path, text: &str) -> Result<(), Failure> {
             format!("`{shown}` is there already, and is left as it is"),
             format!("choose another name, or look at it: `carom preview {}`", typed(file)),
         ),
-        _ => Failure::said(format!("`{shown}` cannot be written: {error}")),
+        _ => unwritten(file, &error),
     })?;
     opened.write_all(text.as_bytes()).map_err(|error| {
         // Half a file is worse than none.
         let _ = fs::remove_file(file);
-        Failure::said(format!("`{shown}` cannot be written: {error}"))
+        unwritten(file, &error)
     })
 }

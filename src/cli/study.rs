@@ -8,8 +8,8 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use super::failure::Failure;
 use super::output::{count, say};
-use super::write::{OutputFile, write_all};
-use crate::diagnostic::Source;
+use super::text_file;
+use super::write::{OutputFile, make_folder, remove, write_all};
 use crate::study::{Cost, Effort, Plan, Study, length, read_times, run as carry_out};
 
 const AFTER: &str = "Examples:
@@ -47,6 +47,8 @@ pub fn run(arguments: &StudyArguments) -> Result<(), Failure> {
         times: arguments.times.as_deref().map(table).transpose()?,
         peers: arguments.peers.as_deref().map(table).transpose()?.unwrap_or_default(),
     };
+    // Minutes of work are not to end with a folder that cannot be made.
+    let made = make_folder(&arguments.out)?;
     let bar = ProgressBar::new(length(&plan));
     if let Ok(style) = ProgressStyle::with_template("{bar:40} {percent}%, {msg}") {
         bar.set_style(style);
@@ -58,10 +60,12 @@ pub fn run(arguments: &StudyArguments) -> Result<(), Failure> {
         bar.inc(1);
     });
     bar.finish_and_clear();
-    let study = study.map_err(Failure::said)?;
-    let files = study.files().map_err(Failure::said)?;
-    let files: Vec<OutputFile> = files.into_iter().map(OutputFile::from).collect();
-    let written = write_all(&arguments.out, &files)?;
+    let written = study.and_then(|study| Ok((study.files()?, study))).map_err(Failure::said);
+    let written = written.and_then(|(files, study)| {
+        let files: Vec<OutputFile> = files.into_iter().map(OutputFile::from).collect();
+        Ok((study, write_all(&arguments.out, &files)?))
+    });
+    let (study, written) = written.inspect_err(|_| remove(&made))?;
     told(&study, &arguments.out, written.len())
 }
 
@@ -81,12 +85,5 @@ fn told(study: &Study, folder: &Path, files: usize) -> Result<(), Failure> {
 
 /// A table of times from the disk.
 fn table(path: &Path) -> Result<Vec<Cost>, Failure> {
-    let name = path.display().to_string();
-    let text = std::fs::read_to_string(path).map_err(|error| {
-        Failure::with_help(
-            format!("`{name}` cannot be read: {error}"),
-            "`carom study --out DIR` writes such a table to DIR/methods/times.csv, and benches/peers.py another",
-        )
-    })?;
-    Ok(read_times(&Source::new(name, text))?)
+    Ok(read_times(&text_file::text(path)?)?)
 }

@@ -2,6 +2,7 @@
 
 use std::collections::HashSet;
 use std::fs;
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 use super::failure::Failure;
@@ -24,20 +25,92 @@ impl From<RenderedFile> for OutputFile {
 
 /// Writes files into a folder, which is made if need be, and returns their paths.
 ///
-/// Until every file has been written whole, none of those that stood there before is touched.
+/// Until every file has been written whole, none of those that stood there before is touched; and no folder is left that was
+/// made for nothing.
 pub fn write_all(folder: &Path, files: &[OutputFile]) -> Result<Vec<PathBuf>, Failure> {
-    fs::create_dir_all(folder)
-        .map_err(|error| Failure::said(format!("the folder `{}` cannot be made: {error}", folder.display())))?;
+    let mut made = make_folder(folder)?;
     let mut waiting: Vec<(PathBuf, PathBuf)> = Vec::new();
-    let outcome = place(folder, files, &mut waiting);
+    let outcome = place(folder, files, &mut waiting, &mut made);
     if outcome.is_err() {
         for (temporary, _) in &waiting {
             // What is left over is only our own half-written file.
             let _ = fs::remove_file(temporary);
         }
+        remove(&made);
     }
     outcome?;
     Ok(waiting.into_iter().map(|(_, path)| path).collect())
+}
+
+/// Makes a folder and those above it, all or none; those that were not there before.
+///
+/// # Errors
+///
+/// What [`can_be`] finds, or whatever else the disk has against it.
+pub fn make_folder(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+    can_be(folder)?;
+    let above = folder.ancestors().filter(|above| !above.as_os_str().is_empty());
+    let mut missing: Vec<PathBuf> = above.take_while(|above| !above.exists()).map(Path::to_owned).collect();
+    missing.reverse();
+    match fs::create_dir_all(folder) {
+        Ok(()) => Ok(missing),
+        Err(error) => {
+            remove(&missing);
+            let (why, help) = refusal(&error);
+            Err(Failure::with_help(format!("the folder `{}` cannot be made: {why}", folder.display()), help))
+        }
+    }
+}
+
+/// Takes folders away that were made for nothing, the innermost of which is the last. One in which something stands stays.
+pub fn remove(made: &[PathBuf]) {
+    made.iter().rev().for_each(|folder| drop(fs::remove_dir(folder)));
+}
+
+/// Looks whether a folder may be there or be made, before much work is done for what is to stand in it.
+///
+/// # Errors
+///
+/// A file in its place or above it.
+pub fn can_be(folder: &Path) -> Result<(), Failure> {
+    match folder.ancestors().find(|above| above.exists()) {
+        Some(there) if !there.is_dir() => Err(Failure::with_help(
+            format!("the folder `{}` cannot be made: `{}` is a file", folder.display(), there.display()),
+            "name another folder, or move the file away",
+        )),
+        _ => Ok(()),
+    }
+}
+
+/// That a file cannot be written, and why.
+pub fn unwritten(path: &Path, error: &io::Error) -> Failure {
+    let (why, help) = refusal(error);
+    Failure::with_help(format!("`{}` cannot be written: {why}", path.display()), help)
+}
+
+/// That no folder for the work of a moment can be made where the machine keeps such things.
+pub fn no_scratch(message: &str, error: &io::Error) -> Failure {
+    let place = std::env::temp_dir();
+    let help = "name a folder in which you may write in the variable TMPDIR (TEMP on Windows)";
+    Failure::with_help(format!("{message}, in `{}`: {}", place.display(), refusal(error).0), help)
+}
+
+/// What the disk has against it in words of a person, and one thing to try.
+pub fn refusal(error: &io::Error) -> (String, &'static str) {
+    let (why, help) = match error.kind() {
+        ErrorKind::PermissionDenied => ("you may not write there", "name another folder, such as one in your own"),
+        ErrorKind::ReadOnlyFilesystem => ("what is there can be read and not written", "name a folder on another disk"),
+        ErrorKind::StorageFull | ErrorKind::QuotaExceeded => {
+            ("the disk is full", "make room on it, or name a folder on another disk")
+        }
+        ErrorKind::NotFound => ("nothing can be made there", "name another folder"),
+        ErrorKind::InvalidFilename => ("the name is too long, or no name", "name a shorter one"),
+        ErrorKind::NotADirectory => {
+            ("a file is where a folder should be", "name another folder, or move the file away")
+        }
+        _ => return (error.to_string(), "name another folder"),
+    };
+    (why.to_owned(), help)
 }
 
 /// Makes sure that none of the files stands there already, in a folder where `nothing_says` that they are Carom's.
@@ -51,13 +124,18 @@ pub fn spares(folder: &Path, files: &[OutputFile], nothing_says: &str) -> Result
     }
 }
 
-fn place(folder: &Path, files: &[OutputFile], waiting: &mut Vec<(PathBuf, PathBuf)>) -> Result<(), Failure> {
-    let cannot = |path: &Path, error| Failure::said(format!("`{}` cannot be written: {error}", path.display()));
+fn place(
+    folder: &Path,
+    files: &[OutputFile],
+    waiting: &mut Vec<(PathBuf, PathBuf)>,
+    made: &mut Vec<PathBuf>,
+) -> Result<(), Failure> {
     let mut names = HashSet::new();
     for file in files {
         let path = folder.join(&file.name);
         if path.is_dir() {
-            return Err(Failure::said(format!("`{}` cannot be written: it is a folder", path.display())));
+            let help = "name another folder, or move this one away";
+            return Err(Failure::with_help(format!("`{}` cannot be written: it is a folder", path.display()), help));
         }
         if !names.insert(&file.name) {
             return Err(Failure::with_help(
@@ -65,15 +143,19 @@ fn place(folder: &Path, files: &[OutputFile], waiting: &mut Vec<(PathBuf, PathBu
                 "ask for one of them, or give the file another name in one `format.toml`",
             ));
         }
-        let (inner, name) = file.name.rsplit_once('/').unwrap_or(("", &file.name));
-        let inner = folder.join(inner);
-        fs::create_dir_all(&inner).map_err(|error| cannot(&path, error))?;
+        let (inner, name) = match file.name.rsplit_once('/') {
+            None => (folder.to_owned(), &*file.name),
+            Some((inner, name)) => (folder.join(inner), name),
+        };
+        if !inner.is_dir() {
+            made.extend(make_folder(&inner)?);
+        }
         let temporary = inner.join(format!(".{name}.{}", std::process::id()));
         waiting.push((temporary.clone(), path.clone()));
-        fs::write(&temporary, &file.contents).map_err(|error| cannot(&path, error))?;
+        fs::write(&temporary, &file.contents).map_err(|error| unwritten(&path, &error))?;
     }
     for (temporary, path) in waiting.iter() {
-        fs::rename(temporary, path).map_err(|error| cannot(path, error))?;
+        fs::rename(temporary, path).map_err(|error| unwritten(path, &error))?;
     }
     Ok(())
 }

@@ -20,7 +20,7 @@ use feedback::FeedbackAsked;
 use super::failure::{Failure, warn};
 use super::output::{count, listed, print, print_json, say};
 use super::text_file;
-use super::write::{OutputFile, spares, write_all};
+use super::write::{OutputFile, can_be, spares, write_all};
 use crate::diagnostic::near;
 use crate::mark::report::{ClassReport, MARKS, MarkReport, Names, marks_csv, marks_jsonl, not_marked_csv};
 use crate::mark::submissions::{
@@ -104,6 +104,13 @@ pub struct MarkArguments {
 
 /// Marks.
 pub fn run(arguments: &MarkArguments) -> Result<(), Failure> {
+    if let Some(out) = &arguments.out {
+        can_be(out)?;
+    }
+    if text_file::is_stdin(&arguments.key) && text_file::is_stdin(&arguments.submissions) {
+        let help = "name the file of the key: `carom mark key.json - < SUBMISSIONS`";
+        return Err(Failure::with_help("the key and the submissions cannot both come from stdin", help));
+    }
     let profile = profile(&arguments.profile)?;
     let (key, digest) = key::read(&arguments.key, arguments.bank.as_deref())?;
     if arguments.stream {

@@ -11,6 +11,7 @@ use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use super::super::failure::Failure;
+use super::super::write::{make_folder, refusal, unwritten};
 
 /// The folder within that of the marks.
 const UNFINISHED: &str = "unfinished";
@@ -93,14 +94,14 @@ impl Unfinished {
     /// What cannot be written, or another run that is writing it.
     pub fn open(folder: &Path, name: &'static str, of: u64) -> Result<Unfinished, Failure> {
         let within = folder.join(UNFINISHED);
-        let cannot =
-            |path: &Path, error: io::Error| Failure::said(format!("`{}` cannot be written: {error}", path.display()));
+        let cannot = |path: &Path, error: io::Error| unwritten(path, &error);
         let target = folder.join(name);
         if target.is_dir() {
-            return Err(Failure::said(format!("`{}` cannot be written: it is a folder", target.display())));
+            let help = "name another folder with `--out`, or move this one away";
+            return Err(Failure::with_help(format!("`{}` cannot be written: it is a folder", target.display()), help));
         }
         let is_new = !folder.exists();
-        fs::create_dir_all(&within).map_err(|error| cannot(&within, error))?;
+        make_folder(&within)?;
         let open = |path: PathBuf| {
             let file = File::options().read(true).write(true).create(true).truncate(false).open(&path);
             file.map_err(|error| cannot(&path, error))
@@ -198,7 +199,7 @@ impl Unfinished {
     }
 
     fn cannot(&self, error: io::Error) -> Failure {
-        let message = format!("`{}` cannot be written: {error}", self.folder.join(UNFINISHED).display());
+        let message = format!("`{}` cannot be written: {}", self.folder.join(UNFINISHED).display(), refusal(&error).0);
         Failure::with_help(message, "what has been marked is kept: the same command goes on from there")
     }
 
@@ -207,8 +208,7 @@ impl Unfinished {
         let within = self.folder.join(UNFINISHED);
         let place = self.folder.join(self.name);
         self.marks.sync_all().map_err(|error| self.cannot(error))?;
-        fs::rename(within.join(self.name), &place)
-            .map_err(|error| Failure::said(format!("`{}` cannot be written: {error}", place.display())))?;
+        fs::rename(within.join(self.name), &place).map_err(|error| unwritten(&place, &error))?;
         // What is left over is of no use any more, and in nobody's way.
         let _ = fs::remove_file(within.join("journal"));
         drop(self);

@@ -20,7 +20,7 @@ use std::path::Path;
 use std::time::Duration;
 
 use super::failure::Failure;
-use super::write::OutputFile;
+use super::write::{OutputFile, no_scratch};
 use crate::render::RenderedFile;
 
 pub use machine::{Engine, Letters, engines, nothing};
@@ -40,8 +40,8 @@ impl Engine {
     /// Faults point into the files as they are called in the folder `out`.
     pub fn print(&self, files: &[RenderedFile], out: &Path, own: &OwnTemplates) -> Result<Vec<OutputFile>, Failure> {
         let limit = time_limit()?;
-        let scratch = scratch::Scratch::new()
-            .map_err(|error| Failure::said(format!("no folder can be made to print in: {error}")))?;
+        let scratch =
+            scratch::Scratch::new().map_err(|error| no_scratch("no folder can be made to print in", &error))?;
         match self {
             Engine::Tex(program) => tex::Press { program, scratch: &scratch, limit, out, own }.print(files),
             Engine::Browser(program) => browser::print(program, files, &scratch, limit),

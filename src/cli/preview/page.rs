@@ -9,7 +9,7 @@ use std::thread;
 use std::time::Duration;
 
 use crate::cli::failure::Failure;
-use crate::cli::write::{OutputFile, write_all};
+use crate::cli::write::{OutputFile, no_scratch, write_all};
 use crate::expr::print::words_html;
 
 /// A file that a browser shows.
@@ -24,10 +24,12 @@ impl Page {
             Some(path) => path.to_owned(),
             None => private_folder()?.join("preview.html"),
         };
-        let path = std::path::absolute(&path)?;
-        match path.file_name() {
-            Some(_) => Ok(Page { path }),
-            None => Err(Failure::said(format!("`{}` is not the name of a file", path.display()))),
+        match std::path::absolute(&path) {
+            Ok(whole) if whole.file_name().is_some() => Ok(Page { path: whole }),
+            _ => Err(Failure::with_help(
+                format!("`{}` is not the name of a file", path.display()),
+                "name the file of the page, such as `--out preview.html`",
+            )),
         }
     }
 
@@ -64,12 +66,7 @@ fn private_folder() -> Result<PathBuf, Failure> {
             Ok(()) => return Ok(folder),
             // Somebody else's: not ours to write into.
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
-            Err(error) => {
-                return Err(Failure::with_help(
-                    format!("the folder `{}` cannot be made: {error}", folder.display()),
-                    "name a file of your own with `--out FILE`",
-                ));
-            }
+            Err(error) => return Err(no_scratch("no folder can be made for the page", &error)),
         }
     }
     Err(Failure::with_help("no temporary folder can be made", "name a file of your own with `--out FILE`"))
