@@ -558,6 +558,18 @@ fn usage_is_two_and_help_is_nought() {
             assert!(stdout(&output).contains("Example"), "{arguments:?}");
         }
     }
+    for (arguments, expected) in [
+        (["--count", "-3"], "invalid value '-3' for '--count <N>': expected a whole number from 1 to 1000"),
+        (["--count", "0"], "from 1 to 1000"),
+        (["--count", "1e3"], "from 1 to 1000"),
+        (["--count", "99999999999999999999"], "from 1 to 1000"),
+        (["--marks", "1.5"], "expected a whole number from 1 to 2000"),
+        (["--seed", "-1"], "expected a whole number from 0 to 18446744073709551615"),
+        (["--seed", "today"], "such as 2027"),
+    ] {
+        let output = carom(&[&["sheet"][..], &arguments].concat());
+        assert!(code(&output) == 2 && stderr(&output).contains(expected), "{arguments:?}: {}", stderr(&output));
+    }
     assert_eq!(code(&carom(&["explain", "5C-99"])), 1);
     assert_eq!(code(&carom(&["check", "no/such/bank"])), 1);
 }

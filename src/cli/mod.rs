@@ -58,6 +58,7 @@ struct Arguments {
     command: Command,
     /// Colours in messages; `auto` has them on a terminal, unless the variable NO_COLOR is set
     #[arg(long, value_name = "WHEN", global = true, default_value = "auto", alias = "colour", hide_short_help = true)]
+    #[arg(display_order = 1000)]
     color: Colour,
 }
 

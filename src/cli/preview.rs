@@ -11,7 +11,7 @@ use clap::Args;
 
 use super::failure::{Failure, warn};
 use super::output::{line_length, listed, print, say};
-use super::sheet::fresh_seed;
+use super::sheet::{fresh_seed, seed};
 use crate::bank::{Question, StyleName, read_question};
 use crate::diagnostic::render_all;
 use crate::generate::{Variant, reference};
@@ -39,7 +39,7 @@ pub struct PreviewArguments {
     #[arg(long, value_name = "STYLE", value_parser = ["friendly", "exact", "calculator"])]
     style: Option<String>,
     /// The number that decides all choices; without it the clock does
-    #[arg(long, value_name = "SEED")]
+    #[arg(long, value_name = "SEED", value_parser = seed, allow_negative_numbers = true)]
     seed: Option<u64>,
     /// The numbers of the exercise itself, in place of fresh ones
     #[arg(long, conflicts_with_all = ["seed", "style"])]

@@ -55,16 +55,16 @@ pub struct SheetArguments {
     #[arg(value_name = "QUESTION")]
     questions: Vec<String>,
     /// How many questions; past those there are they repeat, with other numbers
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1000))]
+    #[arg(long, value_name = "N", value_parser = up_to::<1000>, allow_negative_numbers = true)]
     count: Option<u16>,
     /// As many questions as make up this many marks, or as nearly as can be had without going over
-    #[arg(long, value_name = "M", conflicts_with = "count", value_parser = clap::value_parser!(u16).range(1..=2000))]
+    #[arg(long, value_name = "M", conflicts_with = "count", value_parser = up_to::<2000>, allow_negative_numbers = true)]
     marks: Option<u16>,
     /// Only questions of this topic
     #[arg(long, value_name = "TOPIC")]
     topic: Option<String>,
     /// The number that decides all choices; without it the clock does
-    #[arg(long, value_name = "SEED")]
+    #[arg(long, value_name = "SEED", value_parser = seed, allow_negative_numbers = true)]
     seed: Option<u64>,
     /// The manner of the numbers; without it each question has one that the seed chooses
     #[arg(long, value_name = "STYLE", value_parser = ["friendly", "exact", "calculator"])]
@@ -88,10 +88,10 @@ pub struct SheetArguments {
     #[arg(long, value_name = "TITLE")]
     title: Option<String>,
     /// A date, as it is to be printed
-    #[arg(long, value_name = "DATE", default_value = "")]
+    #[arg(long, value_name = "DATE", default_value = "", hide_default_value = true)]
     date: String,
     /// The name of the school
-    #[arg(long, value_name = "NAME", default_value = "")]
+    #[arg(long, value_name = "NAME", default_value = "", hide_default_value = true)]
     school: String,
     /// Letters half as large again
     #[arg(long)]
@@ -114,6 +114,17 @@ pub struct SheetArguments {
     /// Templates of your own, which take the place of those of the same name
     #[arg(long, value_name = "DIR")]
     templates: Option<PathBuf>,
+}
+
+/// A whole number from 1 to so many, as an argument.
+fn up_to<const MOST: u16>(typed: &str) -> Result<u16, String> {
+    let number = typed.parse().ok().filter(|number| (1..=MOST).contains(number));
+    number.ok_or_else(|| format!("expected a whole number from 1 to {MOST}, such as 6"))
+}
+
+/// A seed as an argument.
+pub fn seed(typed: &str) -> Result<u64, String> {
+    typed.parse().map_err(|_| format!("expected a whole number from 0 to {}, such as 2027", u64::MAX))
 }
 
 /// The file to write down what students answer.
