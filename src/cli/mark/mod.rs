@@ -122,10 +122,12 @@ pub fn run(arguments: &MarkArguments) -> Result<(), Failure> {
     let rows = read_rows(&submissions)?;
     warn(&rows.warnings);
     let Sorted { scripts, set_aside, unfilled } = sort(&key, Rows { warnings: Vec::new(), ..rows });
-    tell(&set_aside, &submissions.file, arguments.without_names);
     if scripts.is_empty() {
+        // Then nothing is written either, and no table says more.
+        tell_of_each(&set_aside, &submissions.file, arguments.without_names);
         return Err(nothing(&set_aside, unfilled, &submissions.file));
     }
+    tell(&set_aside, &submissions.file, arguments.without_names);
     tell_of_blanks(&scripts, &submissions.file);
     if key::is_code(&arguments.key) {
         tell_of_one_sheet(&scripts);
@@ -221,11 +223,16 @@ fn tell(set_aside: &[SetAside], file: &str, without_names: bool) {
         say(&format!("warning: {file}: {} not marked; `not-marked.csv` says why", count(set_aside.len(), "row")));
         return;
     }
-    for SetAside { row, reason } in set_aside.iter().take(TOLD) {
-        say(&format!("warning: {file}, line {}: {reason}", row.line));
-    }
+    tell_of_each(set_aside, file, without_names);
     if set_aside.len() > TOLD {
         say(&format!("warning: {} more, all in `not-marked.csv`", set_aside.len() - TOLD));
+    }
+}
+
+/// The first rows and their reasons, which repeat what was typed.
+fn tell_of_each(set_aside: &[SetAside], file: &str, without_names: bool) {
+    for SetAside { row, reason } in set_aside.iter().take(TOLD).filter(|_| !without_names) {
+        say(&format!("warning: {file}, line {}: {reason}", row.line));
     }
 }
 
