@@ -73,6 +73,11 @@ fn a_folder_in_place_of_a_file_is_named() {
     refused(&folder, &["mark", "sheet", "rows.csv"], &["it is a folder\nhelp: did you mean `sheet/key.json`?"]);
     refused(&folder, &["mark", "sheet/key.json", "sheet"], &["help: did you mean `sheet/submissions.csv`?"]);
     refused(&folder, &["solve", "sheet"], &["it is a folder\nhelp: give the file in it"]);
+    for command in ["sheet", "explain", "preview"] {
+        refused(&folder, &[command, "sheet"], &["unknown question `sheet`\nhelp: that is a folder"]);
+        refused(&folder, &[command, "rows.csv"], &["unknown question `rows.csv`\nhelp: that is a file"]);
+    }
+    refused(&folder, &["sheet", "5C-2,5C-3"], &["help: write spaces between questions: `5C-2 5C-3`"]);
     // And a file in place of a folder.
     refused(
         &folder,

@@ -45,6 +45,21 @@ pub fn find<'c>(contents: &'c Contents, name: &str) -> Result<&'c Heading, Failu
 }
 
 fn unknown(contents: &Contents, name: &str) -> Failure {
+    let pieces: Vec<&str> = name.split(',').map(str::trim).collect();
+    let other = if Path::new(name).is_dir() {
+        Some(format!("that is a folder: for the questions of a bank in it write `--bank {name}`"))
+    } else if Path::new(name).is_file() {
+        Some(
+            "that is a file: a question is named by its id in its bank, which `carom list --bank DIR` shows".to_owned(),
+        )
+    } else if pieces.len() > 1 && pieces.iter().all(|piece| find(contents, piece).is_ok()) {
+        Some(format!("write spaces between questions: `{}`", pieces.join(" ")))
+    } else {
+        None
+    };
+    if let Some(help) = other {
+        return Failure::with_help(format!("unknown question `{name}`"), help);
+    }
     let ids = contents.headings.iter().map(|heading| heading.id.as_str());
     let last = contents.headings.iter().filter_map(|heading| heading.id.rsplit('/').next());
     let mirrors = contents.headings.iter().filter_map(|heading| heading.mirrors.as_deref());
