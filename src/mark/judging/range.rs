@@ -78,6 +78,8 @@ fn one(model: &Model, right: &[Bound], letter: Letter, statements: &[Statement])
             Form::Range(low, high) if is_of(letter, statement) => ends_of(said, low, high, letters),
             // Coordinates, where brackets are open to doubt.
             Form::Vector(..) => return Finding::WRONG,
+            // `e over 1/3`, which reads as a quotient: the letter itself is no bound of it.
+            Form::Value(value) if value.names().iter().any(|name| name.text == letter.name()) => None,
             Form::Value(value) => {
                 bare.push(value.clone());
                 continue;

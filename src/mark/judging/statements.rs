@@ -118,7 +118,10 @@ fn links(statement: &Statement, one: One) -> Finding {
         return Finding::wrong(Note::RivalAnswers);
     }
     // `98 + 2 - 92.5 = 8.5`: with a sum still to be worked out the answer is what it is worked out to be.
-    let counts = |at: &usize| findings[*at].exact && !(spoilt_after(*at) && is_unfinished(&statement.said[*at]));
+    let is_off = |finding: &Finding| matches!(finding.note, Some(Note::NearMiss | Note::Truncated));
+    let worked_out_wrong =
+        |at: usize| is_unfinished(&statement.said[at]) && (spoilt_after(at) || findings[at + 1..].iter().any(is_off));
+    let counts = |at: &usize| findings[*at].exact && !worked_out_wrong(*at);
     if let Some(at) = all.clone().find(counts) {
         let right = findings[at];
         return if spoilt_after(at) { right.remarked(Note::IgnoredAfter) } else { right };
@@ -126,7 +129,7 @@ fn links(statement: &Statement, one: One) -> Finding {
     if last.is_correct() {
         return last;
     }
-    let right = findings.iter().position(Finding::is_correct);
+    let right = (0..findings.len()).find(|at| findings[*at].is_correct() && !worked_out_wrong(*at));
     match right {
         Some(at) if !spoilt_after(at) => findings[at],
         Some(at) if only_rounded_after(at) => findings[at].remarked(Note::IgnoredAfter),
