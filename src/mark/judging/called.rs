@@ -6,7 +6,7 @@
 
 use crate::answer::Kind;
 use crate::expr::Expr;
-use crate::mark::reading::{Statement, is_strange};
+use crate::mark::reading::{Label, Statement, is_strange};
 use crate::mechanics::{Axis, Moment, Quantity};
 
 use super::changes::{is_change, is_gain};
@@ -129,6 +129,13 @@ pub(in crate::mark) fn may_be_named(label: &str, asked: Quantity) -> bool {
     let is_velocity = of_letter(label.trim()) == Some(Sort::Speed);
     let mut sorts = words(label).filter_map(sort).chain(is_velocity.then_some(Sort::Velocity)).peekable();
     sorts.peek().is_none() || sorts.any(|sort| suits(asked, sort))
+}
+
+/// Is a value called by the word for something else: `speed`, where an angle is asked?
+pub(super) fn is_word_for_another(model: &Model, label: &Label) -> bool {
+    let Some(asked) = model.quantity.filter(|_| label.expr.is_none()) else { return false };
+    let mut sorts = words(&label.typed).filter_map(sort).peekable();
+    sorts.peek().is_some() && !sorts.any(|sort| suits(asked, sort))
 }
 
 /// Does a label speak of a component, or of another moment, where that is not what is asked?

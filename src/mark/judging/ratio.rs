@@ -8,13 +8,14 @@ use crate::mark::reading::{Form, Label, Reading, Said};
 use crate::mechanics::Sphere;
 
 use super::accuracy::Written;
+use super::called::words;
 use super::finding::Finding;
 use super::otherwise::spheres_in_remark;
 use super::spheres::{named_sphere, named_spheres};
 use super::statements::{pair, unnamed};
 use super::{Model, Note, number};
 
-/// Two numbers one after the other, and what their ratio is called: `2 to 3`, `A to B is 2 to 3`.
+/// Two numbers one after the other, and what their ratio is called: `2 to 3`, `A to B is 2 to 3`, `the ratio is 2 to 3`.
 pub(super) fn of_its_terms(reading: &Reading) -> Option<(Said, Option<Label>)> {
     let [(statement, first), second] = pair(reading)?;
     // `m_A = 2m, m_B = 3m`
@@ -31,7 +32,10 @@ pub(super) fn of_its_terms(reading: &Reading) -> Option<(Said, Option<Label>)> {
         let label = Label { typed: format!("{} : {}", first.name(), second.name()), expr: None };
         return Some((Said { form, unit: None, reference: None, remarks }, Some(label)));
     }
-    let label = statement.label.clone().filter(|label| named_spheres(&label.typed).len() == 2);
+    let is_ratio = |label: &Label| {
+        named_spheres(&label.typed).len() == 2 || words(&label.typed).any(|word| word.eq_ignore_ascii_case("ratio"))
+    };
+    let label = statement.label.clone().filter(is_ratio);
     let first_term = match (&label, &first.form) {
         (Some(_), Form::Value(value)) if first.reference.is_none() => value,
         _ => unnamed((statement, first))?,

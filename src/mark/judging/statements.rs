@@ -247,10 +247,14 @@ fn choose(model: &Model, statements: &[&Statement], one: One) -> Finding {
 }
 
 fn last_or_rivals(model: &Model, statements: &[&Statement], one: One) -> Finding {
-    // `tan θ = 3/4, speed 5`: what has the name of something else is no rival.
+    // `tan θ = 3/4, speed 5`: what has the name of something else is no rival, nor what is called so beside the answer.
+    let any_named = statements.iter().any(|statement| called::is_named(model, statement));
     let is_of_another = |statement: &&&Statement| {
         let label = statement.label.as_ref().filter(|_| model.quantity.is_some());
-        let is_another = label.is_some_and(|label| matches!(left_side::of(model, label), Left::Another));
+        let is_another = label.is_some_and(|label| {
+            matches!(left_side::of(model, label), Left::Another)
+                || any_named && called::is_word_for_another(model, label)
+        });
         is_another && !statement.said.iter().any(is_rival)
     };
     let (others, own): (Vec<&Statement>, Vec<&Statement>) = statements.iter().partition(is_of_another);

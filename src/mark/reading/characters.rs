@@ -47,6 +47,16 @@ pub(super) fn glyphs(text: &str) -> Result<Vec<Glyph>, Unreadable> {
             }
             let length = raised.chars().count();
             let end = typed[at + length - 1].end;
+            // `ms-¹`, `s^-¹`: a minus that is not raised before a digit that is
+            let is_minus_before = match out.as_slice() {
+                [.., before, minus] => minus.sign == '-' && (before.sign == '^' || before.sign.is_alphabetic()),
+                _ => false,
+            };
+            if is_minus_before && is_whole(&raised) && lowered_after_stroke(&typed[at + length..]).is_none() {
+                out.pop();
+                out.pop_if(|glyph| glyph.sign == '^');
+                raised.insert(0, '-');
+            }
             let is_power_of_ten = ends_with_times_ten(&out);
             let mut put = |sign: char| out.push(Glyph { sign, place, end });
             if let Some((below, length)) = lowered_after_stroke(&typed[at + length..]).filter(|_| is_whole(&raised)) {

@@ -8,6 +8,9 @@ use super::units::is_unit_word;
 use super::{ReferenceLine, Unreadable, wording};
 use crate::expr::Expr;
 
+/// So many words beside a line may be said of it: not all of an answer is looked through for each.
+const FEW_WORDS: usize = 12;
+
 /// A noun that names a line.
 #[derive(Clone, Copy, PartialEq)]
 enum Line {
@@ -145,13 +148,11 @@ impl Walk<'_> {
             None => (self.any(at, &wording::TOWARDS)?, true),
         };
         let next = self.any(self.article(next), &["sphere", "ball", "particle"]).unwrap_or(self.article(next));
-        let sphere = self.tokens.get(next)?;
-        let typed = self.typed(next);
         // `in the direction of A's motion`
-        if sphere.end - sphere.start > typed.len() {
+        if next >= self.tokens.len() || self.is_possessive(next) {
             return None;
         }
-        match (typed, towards) {
+        match (self.typed(next), towards) {
             ("B", true) | ("A", false) => Some((ReferenceLine::TowardsB, next + 1)),
             ("A", true) | ("B", false) => Some((ReferenceLine::TowardsA, next + 1)),
             _ => None,
@@ -178,6 +179,7 @@ impl Walk<'_> {
 
     fn line(&self, at: usize) -> Option<(Line, usize)> {
         let at = self.article(at);
+        let at = at + usize::from(self.is_possessive(at) && !self.is_line_named_before(at));
         let across = self.any(at, &["perpendicular", "perp", "normal"]);
         if let Some(next) = across.and_then(|next| self.any(next, &["to", "of", "from"])) {
             let next = self.article(next);
@@ -198,13 +200,13 @@ impl Walk<'_> {
             (Line::BToA, &wording::B_TO_A),
             (Line::Centres, &wording::CENTRES),
             (Line::Tangent, &wording::TANGENT),
-            (Line::Original, &wording::ORIGINAL),
             (Line::I, &["x axis"]),
             (Line::J, &["y axis"]),
         ];
         let longest = known
             .into_iter()
             .filter_map(|(line, spellings)| Some((line, self.any(at, spellings)?)))
+            .chain(self.original(at).map(|next| (Line::Original, next)))
             .max_by_key(|(_, next)| *next);
         let (line, next) = match longest {
             Some(found) => found,
@@ -212,6 +214,30 @@ impl Walk<'_> {
         };
         let next = self.any(next, &wording::AFTER_A_LINE).unwrap_or(next);
         Some((line, next))
+    }
+
+    /// `original direction`, `velocity before`; a path is always that which was gone before.
+    fn original(&self, at: usize) -> Option<usize> {
+        if let Some(next) = self.any(at, &wording::ORIGINAL) {
+            return self.any(next, &wording::MOTION);
+        }
+        let before = self.any(at, &wording::MOTION).and_then(|next| self.words(next, "before"));
+        before.or_else(|| self.words(at, "path"))
+    }
+
+    /// `the tangent makes 81.9° with A's path`: the line is the one that is named first.
+    fn is_line_named_before(&self, at: usize) -> bool {
+        (at.saturating_sub(FEW_WORDS)..at).any(|before| {
+            self.plain_line(before).is_some_and(|(line, _)| matches!(line, Line::Centres | Line::Tangent | Line::Ab))
+        })
+    }
+
+    /// `A's`
+    pub(super) fn is_possessive(&self, at: usize) -> bool {
+        self.tokens.get(at).is_some_and(|placed| {
+            let typed = self.typed(at);
+            lexicon::is_sphere(typed) && placed.end - placed.start > typed.len()
+        })
     }
 
     /// A unit vector that stands alone, not as the first term of a vector.
@@ -254,6 +280,9 @@ impl Walk<'_> {
         {
             return Some(noun);
         }
+        if self.is_some_course(noun) {
+            return Some(noun);
+        }
         let word = self.word(noun)?;
         // `to the perpendicular`: to what?
         if matches!(word, "perpendicular" | "perp") {
@@ -266,5 +295,24 @@ impl Walk<'_> {
             || lexicon::is_sphere(self.typed(noun))
             || names::is_made_of_letters(self.typed(noun), self.vocabulary);
         (!harmless || matches!(word, "horizontal" | "vertical")).then_some(noun)
+    }
+
+    /// `B's path`, `the way that it was going`, `velocity of B`, where no value follows: some line, but which?
+    fn is_some_course(&self, from: usize) -> bool {
+        let goes_on = |at: &usize| {
+            self.word(*at)
+                .is_some_and(|word| !matches!(word, "in" | "at" | "and" | "so" | "because" | "when" | "after"))
+        };
+        let most = self.tokens.len().min(from + FEW_WORDS);
+        let end = (from..most).find(|at| !goes_on(at)).unwrap_or(most);
+        let is_value = self.tokens.get(end).is_some_and(|next| next.is('=') || self.is_formula(end));
+        let is_whose = |at| lexicon::is_sphere(self.typed(at)) || self.any(at, &wording::ORIGINAL).is_some();
+        let tells = |at| {
+            self.word(at).is_some_and(|word| wording::COURSES.contains(&word))
+                || self.words(at, "velocity").is_some() && (from..end).any(is_whose)
+        };
+        // `to the line` is that of which the question speaks.
+        let is_line_alone = end == from + 1 && self.word(from) == Some("line");
+        !is_value && !is_line_alone && (from..end).any(tells) && !self.is_line_named_before(from)
     }
 }

@@ -99,6 +99,14 @@ pub(super) fn with_phrases(
                 let (first, last) = (&tokens[at], &tokens[next - 1]);
                 let token = Token::Phrase(phrase);
                 out.push(Placed { token, start: first.start, end: last.end, spaced: first.spaced });
+                // `from A's path` is said of A.
+                let whose = (at..next)
+                    .find(|at| phrase == Phrase::Line(ReferenceLine::OriginalDirection) && walk.is_possessive(*at));
+                out.extend(whose.map(|at| Placed {
+                    token: Token::Phrase(Phrase::Sphere),
+                    end: tokens[at].start + walk.typed(at).len(),
+                    ..tokens[at].clone()
+                }));
                 at = next;
             }
             None => {

@@ -176,28 +176,37 @@ pub(super) const TOWARDS: [&str; 6] =
 /// Words before the sphere from which something moves away.
 pub(super) const AWAY_FROM: [&str; 1] = ["away from"];
 
-/// The direction in which a sphere moved before.
-pub(super) const ORIGINAL: [&str; 20] = [
-    "path before",
+/// What the direction in which a sphere moved before is called, without `original` or the like.
+pub(super) const MOTION: [&str; 10] = [
+    "direction",
+    "direction of motion",
+    "direction of travel",
+    "direction of movement",
+    "line",
+    "line of motion",
     "path",
-    "direction before",
-    "line of motion before",
-    "velocity before",
-    "motion before",
-    "original direction",
-    "initial direction",
-    "original direction of motion",
-    "initial direction of motion",
-    "original direction of travel",
-    "original direction of movement",
-    "original line of motion",
-    "original path",
-    "initial path",
-    "original velocity",
-    "initial velocity",
-    "original motion",
-    "previous direction",
-    "direction of motion before",
+    "course",
+    "velocity",
+    "motion",
+];
+
+/// Words before [`MOTION`] that place it before the impact.
+pub(super) const ORIGINAL: [&str; 6] = ["original", "initial", "previous", "incoming", "starting", "old"];
+
+/// Words that tell of a line, whichever it is: `the way that it was going`.
+pub(super) const COURSES: [&str; 12] = [
+    "direction",
+    "path",
+    "course",
+    "trajectory",
+    "motion",
+    "line",
+    "axis",
+    "travelling",
+    "traveling",
+    "moving",
+    "going",
+    "way",
 ];
 
 /// What may follow the name of a line and adds nothing.
@@ -252,5 +261,7 @@ pub(super) const OR_MORE: [&str; 9] =
 pub(super) const EXCLUDING: [&str; 4] = ["not including", "but not including", "excluding", "but excluding"];
 
 /// The lists of which an entry can be a phrase by itself.
-pub(super) const PHRASES: [&[&str]; 12] =
-    [&REST, &ACROSS, &ALONG, &ANGLE, &CENTRES, &TANGENT, &A_TO_B, &B_TO_A, &TOWARDS, &AWAY_FROM, &ORIGINAL, &REMARKS];
+pub(super) const PHRASES: [&[&str]; 13] = [
+    &REST, &ACROSS, &ALONG, &ANGLE, &CENTRES, &TANGENT, &A_TO_B, &B_TO_A, &TOWARDS, &AWAY_FROM, &ORIGINAL, &MOTION,
+    &REMARKS,
+];
