@@ -273,13 +273,6 @@ impl Walk<'_> {
     /// A noun that could be a line, but is none that we know: its token.
     fn unknown_line(&self, at: usize) -> Option<usize> {
         let noun = self.article(at);
-        // `the direction in which B moves`, `the direction of motion of B`
-        let moves = ["direction in which", "direction that", "direction of motion of", "direction of", "path of"];
-        if let Some(next) = self.any(noun, &moves).map(|next| self.article(next))
-            && self.tokens.get(next).is_some_and(|_| lexicon::is_sphere(self.typed(next)))
-        {
-            return Some(noun);
-        }
         if self.is_some_course(noun) {
             return Some(noun);
         }
