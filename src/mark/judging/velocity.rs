@@ -7,18 +7,30 @@
 use crate::answer::Kind;
 use crate::expr::{Expr, Function};
 use crate::mark::reading::{Form, Label, Reading, ReferenceLine, Said, Statement};
+use crate::mechanics::Sphere;
 
 use super::exact::{self, Equality, same};
 use super::finding::Finding;
 use super::known::Further;
+use super::spheres::{named_sphere, sphere};
 use super::statements::is_rival;
 use super::{Model, Note, angle, number, sense, vector};
 
+/// Words that tell of a direction, whichever it is.
+const DIRECTIONS: [&str; 4] = ["direction", "vertically", "horizontally", "way"];
+
 /// Judges a whole reading against a velocity.
 pub(super) fn judge(model: &Model, reading: &Reading) -> Finding {
+    let (statements, of_other) = of_asked(model, &reading.statements);
+    let finding = of_one(model, statements);
+    if finding.is_credited() && of_other { Finding::unreadable(Note::NamedOtherwise) } else { finding }
+}
+
+/// Judges what is said of one sphere.
+fn of_one(model: &Model, statements: Vec<&Statement>) -> Finding {
     let is_of_direction = |statement: &&Statement| statement.label.as_ref().is_some_and(names_a_ratio);
-    let ratio = reading.statements.iter().find(is_of_direction);
-    let others = reading.statements.iter().filter(|statement| !is_of_direction(statement));
+    let ratio = statements.iter().copied().find(is_of_direction);
+    let others = statements.into_iter().filter(|statement| !is_of_direction(statement));
     let told: Vec<(&Statement, &Said)> =
         others.filter_map(|statement| Some((statement, statement.said.last()?))).collect();
     let said: Vec<&Said> = told.iter().map(|(_, said)| *said).collect();
@@ -53,6 +65,24 @@ pub(super) fn judge(model: &Model, reading: &Reading) -> Finding {
         return size.at_most_partial(if pointed { Note::DirectionUnchecked } else { Note::DirectionMissing });
     };
     size.and(direction(model, &along, &across, &said, sizes.get(1).copied(), ratio))
+}
+
+/// `A: 1.04 perpendicular to AB, B: 2.95 along AB`: what is said of the sphere that is asked, up to where another is named.
+/// If all is said of another, that, and so is told.
+fn of_asked<'s>(model: &Model, statements: &'s [Statement]) -> (Vec<&'s Statement>, bool) {
+    let asked = model.quantity.and_then(sphere);
+    let mut named = None;
+    let of: Vec<Option<Sphere>> = statements
+        .iter()
+        .map(|statement| {
+            named = named_sphere(statement).or(named);
+            named
+        })
+        .collect();
+    let of_other = asked.is_some() && of.iter().all(|of| of.is_some() && *of != asked);
+    let is_open = asked.is_none() || !of.contains(&asked);
+    let own = statements.iter().zip(of).filter(|(_, of)| is_open || of.is_none() || *of == asked);
+    (own.map(|(statement, _)| statement).collect(), of_other)
 }
 
 /// Is it called the tangent of an angle, or its sine or cosine?
@@ -137,7 +167,11 @@ fn direction(
     let angles: Vec<&Said> = said.iter().copied().filter(|said| !is_size(said, model)).collect();
     let by_ratio = ratio.and_then(|statement| Some((statement.said.last()?, statement.label.as_ref())));
     let (measured, label) = match (angles.as_slice(), bare, by_ratio) {
-        ([], None, None) => return Finding::partial(Note::DirectionMissing),
+        ([], None, None) => {
+            let mut words = said.iter().flat_map(|said| &said.remarks).flat_map(|remark| remark.split(' '));
+            let is_said = words.any(|word| DIRECTIONS.contains(&word));
+            return Finding::partial(if is_said { Note::DirectionUnchecked } else { Note::DirectionMissing });
+        }
         ([], None, Some(ratio)) => ratio,
         ([], Some(bare), _) => (*bare, None),
         ([angle], None, _) => (*angle, None),

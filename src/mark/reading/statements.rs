@@ -13,7 +13,7 @@ use super::segments::{outside, segments, unquoted};
 use super::sides::is_called;
 use super::tokens::{Placed, Token, excerpt};
 use super::values::Values;
-use super::{Form, Label, Said, Statement, Unreadable, Vocabulary};
+use super::{Form, Label, ReferenceLine, Said, Statement, Unreadable, Vocabulary};
 use crate::expr::Expr;
 
 /// Every statement of an answer.
@@ -301,7 +301,12 @@ impl Statements<'_> {
             let label = label.map(|typed| Label { typed, expr: None });
             // `71.6° to the line of centres, towards B`; `…, A towards B` says of what it is, too.
             let only = self.found.len() == 1;
-            if let (Form::Direction, Some(sense)) = (&said.form, said.reference.filter(|line| line.is_sense_alone()))
+            // `along the line of centres, A to B` says it of the line that was named.
+            let is_named = self.found.last().and_then(|last| last.said.last()?.reference).is_some();
+            let is_sense = |line: &ReferenceLine| {
+                line.is_sense_alone() || is_named && matches!(line, ReferenceLine::AlongAToB | ReferenceLine::AlongBToA)
+            };
+            if let (Form::Direction, Some(sense)) = (&said.form, said.reference.filter(is_sense))
                 && let Some(before) = self.found.last_mut()
                 && (label.is_none() || (only && before.label.is_none()))
                 && let Some(last) = before.said.last_mut()
