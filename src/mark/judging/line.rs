@@ -43,9 +43,10 @@ fn compared(model: &Model, (right_x, right_y): (&Expr, &Expr), said: &Said, labe
     if let Some((x, y, _)) = vector::said_components(model, said) {
         return parallel(model, (right_x, right_y), (&x, &y));
     }
-    // `45° below i`: which way it is measured is for a person to see.
+    // `45° below i`, `arctan 3`: which way it is measured is for a person to see.
     if let (Form::Value(angle), true) = (&said.form, selection::is_angular(said)) {
-        let slope = Expr::call(Function::Tan, Expr::degrees(angle.clone()));
+        let is_inverse = exact::is_angle(angle, &model.vocabulary.letters);
+        let slope = Expr::call(Function::Tan, if is_inverse { angle.clone() } else { Expr::degrees(angle.clone()) });
         let turned = Expr::integer(1).over(slope.clone());
         let slopes = [slope.clone(), turned.clone(), slope.negated(), turned.negated()];
         let size = |slope: &Expr| exact::value(slope, &model.vocabulary.letters).is_some();
