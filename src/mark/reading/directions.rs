@@ -1,5 +1,6 @@
 //! Lines and directions in words: `to the line of centres`, `perpendicular to AB`, `away from A`.
 
+use super::centres;
 use super::lexicon;
 use super::names;
 use super::phrases::{Phrase, Walk};
@@ -47,7 +48,8 @@ impl Walk<'_> {
             }
             // `to the line perpendicular to AB`
             let named = || self.any(self.article(next), &["line", "direction"]);
-            if let Some((line, end)) = self.line(next).or_else(|| self.line(named()?)) {
+            let on_it = || Some((Line::Centres, centres::on_it(|at| self.word(at), next)?));
+            if let Some((line, end)) = self.line(next).or_else(|| self.line(named()?)).or_else(on_it) {
                 // `in the direction AB` has a sense, and `parallel to AB` has none.
                 let line = match line {
                     Line::Ab if self.any(at, &["in direction", "direction of"]).is_some() => Line::AToB,
@@ -183,7 +185,8 @@ impl Walk<'_> {
         let across = self.any(at, &["perpendicular", "perp", "normal"]);
         if let Some(next) = across.and_then(|next| self.any(next, &["to", "of", "from"])) {
             let next = self.article(next);
-            return match self.plain_line(next)? {
+            let on_it = || Some((Line::Centres, centres::on_it(|at| self.word(at), next)?));
+            return match self.plain_line(next).or_else(on_it)? {
                 (Line::Centres | Line::Ab, end) => Some((Line::Tangent, end)),
                 (Line::Tangent, end) => Some((Line::Centres, end)),
                 _ => None,
@@ -206,6 +209,7 @@ impl Walk<'_> {
         let longest = known
             .into_iter()
             .filter_map(|(line, spellings)| Some((line, self.any(at, spellings)?)))
+            .chain(centres::described(|at| self.word(at), at).map(|next| (Line::Centres, next)))
             .chain(self.original(at).map(|next| (Line::Original, next)))
             .max_by_key(|(_, next)| *next);
         let (line, next) = match longest {

@@ -1,5 +1,6 @@
 //! Chains of equals signs: what stands left of them, and the values that are said to be one another's equals.
 
+use super::centres;
 use super::line;
 use super::phrases::Phrase;
 use super::sides::Side;
@@ -164,7 +165,9 @@ impl Statements<'_> {
 /// `line of centers`, `LOC`, `direction`
 fn names_line_of_centres(noun: &str) -> bool {
     let noun = noun.to_lowercase().replace("center", "centre");
-    CENTRES.iter().any(|name| noun.ends_with(name)) || noun == "direction"
+    let words: Vec<&str> = noun.split_whitespace().collect();
+    let is_described = |from: usize| centres::described(|at| words.get(at).copied(), from) == Some(words.len());
+    CENTRES.iter().any(|name| noun.ends_with(name)) || noun == "direction" || (0..words.len()).any(is_described)
 }
 
 /// Names and words alone.

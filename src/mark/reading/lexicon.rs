@@ -3,6 +3,7 @@
 use std::collections::{HashMap, HashSet};
 use std::sync::LazyLock;
 
+use super::centres;
 use super::tokens::is_greek;
 use super::units::is_unit_word;
 use super::wording::{AFTER_A_LINE, PHRASES};
@@ -109,12 +110,13 @@ static SORTS: LazyLock<HashMap<&str, Sort>> = LazyLock::new(|| {
 static STARTS: LazyLock<HashSet<&str>> = LazyLock::new(|| {
     let first = PHRASES.into_iter().flatten().filter_map(|words| words.split(' ').next());
     let others = "at in perpendicular perp normal the its their a an this ab tangentially";
-    first.chain(others.split(' ')).collect()
+    first.chain(centres::starts()).chain(others.split(' ')).collect()
 });
 
 /// Every word that stands in a list of words or of phrases.
 static KNOWN: LazyLock<HashSet<&str>> = LazyLock::new(|| {
-    let phrases = PHRASES.into_iter().flatten().chain(&AFTER_A_LINE).chain(&OTHERS);
+    let phrases =
+        PHRASES.into_iter().flatten().chain(&AFTER_A_LINE).chain(&OTHERS).chain(centres::WORDS.into_iter().flatten());
     let single = SINGLE.iter().flat_map(|(_, words)| words.split_whitespace());
     phrases.flat_map(|words| words.split(' ')).chain(single).collect()
 });

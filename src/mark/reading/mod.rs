@@ -6,6 +6,7 @@
 
 mod angle_names;
 mod asides;
+mod centres;
 mod characters;
 mod choices;
 mod columns;

@@ -1,7 +1,7 @@
 //! The line that a label names: `angle with the tangent`, `θ to AB`. Its words are those that name a line beside a value.
 
-use super::ReferenceLine;
 use super::wording::{A_TO_B, AFTER_A_LINE, ANGLE, B_TO_A, CENTRES, TANGENT};
+use super::{ReferenceLine, centres};
 use ReferenceLine::{CommonTangent, FromAToB, FromBToA, I, J, LineAB, LineOfCentres};
 
 /// What line a text names.
@@ -90,7 +90,9 @@ fn plain_line(words: &[String], at: usize) -> Option<(ReferenceLine, usize)> {
     ];
     let spelt = known.into_iter().flat_map(|(line, names)| names.iter().map(move |name| (line, *name)));
     let fitting = spelt.filter(|(_, name)| stands(words, at, name));
-    fitting.map(|(line, name)| (line, name.split(' ').count())).max_by_key(|(_, length)| *length)
+    let described = centres::described(|at| words.get(at).map(String::as_str), at).map(|end| (LineOfCentres, end - at));
+    let named = fitting.map(|(line, name)| (line, name.split(' ').count()));
+    named.chain(described).max_by_key(|(_, length)| *length)
 }
 
 /// Do these words stand here?

@@ -47,6 +47,14 @@ impl Lexer<'_> {
             self.put(Token::Word(word), length + 2);
             return Ok(());
         }
+        // `the spheres' centres`
+        if SEVERAL.contains(&word.to_ascii_lowercase().as_str())
+            && self.sign(length) == Some('\'')
+            && apart(self.sign(length + 1))
+        {
+            self.put(Token::Word(word), length + 1);
+            return Ok(());
+        }
         if let Some(mended) = mended(&word) {
             word = mended.to_owned();
         }
@@ -124,6 +132,9 @@ impl Lexer<'_> {
         self.letters.iter().filter_map(front).any(|front| front.chars().all(is_one))
     }
 }
+
+/// Of several: an apostrophe after these is no sign.
+const SEVERAL: [&str; 4] = ["spheres", "balls", "particles", "centres"];
 
 /// Words that are cut short by a full stop.
 const ABBREVIATED: [&str; 10] = ["perp", "approx", "deg", "ans", "vel", "dir", "cor", "ke", "mag", "loc"];

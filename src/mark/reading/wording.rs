@@ -95,32 +95,8 @@ pub(super) const ANGLE: [&str; 14] = [
     "measured to",
 ];
 
-/// The line of centres, without its article.
-pub(super) const CENTRES: [&str; 23] = [
-    "line of centres",
-    "line of centre",
-    "lines of centres",
-    "loc",
-    "line joining centres",
-    "line connecting centres",
-    "line through centres",
-    "line between centres",
-    "line of their centres",
-    "line of joining centres",
-    "line joining a and b",
-    "line joining a to b",
-    "line connecting a and b",
-    "line connecting a to b",
-    "line through a and b",
-    "line between a and b",
-    "line joining centre of a to centre of b",
-    "line joining centre of a and centre of b",
-    "centre line",
-    "line of impact",
-    "common normal",
-    "normal",
-    "line ab",
-];
+/// The line of centres by a name of its own, without its article; [`super::centres`] knows what describes it.
+pub(super) const CENTRES: [&str; 6] = ["loc", "centre line", "centres line", "line ab", "common normal", "normal"];
 
 /// The common tangent.
 pub(super) const TANGENT: [&str; 15] = [
