@@ -178,6 +178,15 @@ fn the_rest_is_solved_again_from_the_values_that_the_student_found() {
     assert_eq!(gone_on_from(&Row { working: "v = 1.92".into(), ..row }), [""; 0]);
 }
 
+#[test]
+fn the_rest_is_solved_again_in_the_directions_of_the_solution() {
+    let table: Table = toml::from_str(include_str!("data/scripts.toml")).unwrap();
+    let name = "what follows at a wall from the student's own component shows the method";
+    let row = table.script.iter().find(|row| row.name == name).unwrap();
+    // Away from the wall is positive, as in the worked solution.
+    assert_eq!(gone_on_from(row)[0], "v = 2.5");
+}
+
 /// From nought, from the wrong way and from what no sphere can do: something is written, or nothing.
 #[test]
 fn the_rest_is_solved_again_from_values_that_cannot_be() {

@@ -205,11 +205,11 @@ fn solved_again(question: &KeyedQuestion, part: &KeyedPart, own: &[(Quantity, Ex
         return lines;
     }
     let equation = |(quantity, written): &(Quantity, Expr)| {
-        let symbol = match Show::new(&question.scene, &known, &asked).of(*quantity) {
-            Some((show, in_law)) => show.named(&show.symbol(in_law)),
-            None => show.symbol(*quantity),
+        let (symbol, is_turned) = match Show::new(&question.scene, &known, &asked).of(*quantity) {
+            Some((show, in_law)) => (show.named(&show.symbol(in_law)), show.is_turned(in_law)),
+            None => (show.symbol(*quantity), show.is_turned(*quantity)),
         };
-        Expr::equation(symbol, written.clone())
+        Expr::equation(symbol, if is_turned { written.clone().negated() } else { written.clone() })
     };
     let equations = own.into_iter().map(equation);
     let words = Text::words("You have:");

@@ -155,6 +155,7 @@ pub(super) fn own_values(
     let mut found = BTreeMap::new();
     let alone = asked_alone(lines, convention, part);
     let of_axes = letters_of_axes(lines, prepared);
+    let rebound = letter_of_rebound(lines, prepared);
     for studied in lines {
         let Some(reading) = &studied.reading else { continue };
         for (member, values) in reading.members.iter().zip(&studied.values) {
@@ -182,8 +183,7 @@ pub(super) fn own_values(
                     let vector = |component: fn(&Value) -> Option<Spread>| -> Option<Vec<f64>> {
                         values.iter().map(|value| component(value).map(Spread::middle)).collect()
                     };
-                    let is_after = letter.starts_with(['v', 'V', 'w', 'W', 'x', 'y', 'X', 'Y']);
-                    if let (Some(of), true) = (of, is_after)
+                    if let (Some(of), true) = (of, is_of_velocity(letter))
                         && let (Some(x), Some(y)) = (vector(first), vector(second))
                         && let Expr::Vector(along_i, along_j) = &member.expr
                     {
@@ -193,10 +193,19 @@ pub(super) fn own_values(
                 }
                 // Of the one velocity that is to be found in a straight line.
                 (Some(numbers), None, None) if prepared.setting == Setting::Direct => {
-                    let is_velocity = letter.starts_with(['v', 'V', 'w', 'W', 'x', 'y', 'X', 'Y']);
-                    if let Some(of) = sphere(letter).or(unknown_sphere(prepared)).filter(|_| is_velocity) {
+                    if let Some(of) = sphere(letter).or(unknown_sphere(prepared)).filter(|_| is_of_velocity(letter)) {
                         found.insert(Quantity::Velocity(of, Moment::After, Axis::N), (numbers, member.expr.clone()));
                     }
+                }
+                (Some(numbers), None, None) if rebound.as_ref() == Some(letter) => {
+                    let own = Quantity::Velocity(Sphere::A, Moment::After, Axis::N);
+                    let right = sizes(&prepared.known, own).unwrap_or_default();
+                    // It goes away from the wall, whichever sign the student gives it.
+                    let is_against = |own: &f64, right: &f64| own * right < 0.0;
+                    let turned = numbers.iter().zip(&right).any(|(own, right)| is_against(own, right));
+                    let sizes = numbers.iter().map(|number| if turned { -number } else { *number });
+                    let written = if turned { member.expr.clone().negated() } else { member.expr.clone() };
+                    found.insert(own, (sizes.collect(), written));
                 }
                 _ => {}
             }
@@ -230,6 +239,30 @@ fn letters_of_axes(lines: &[Studied], prepared: &Prepared) -> Vec<(String, Quant
         true => Vec::new(),
         false => vec![(x.letter, component(Axis::X)), (y.letter, component(Axis::Y))],
     }
+}
+
+/// The letter for the component that an impact with a wall turns round: it is called *e* times another.
+fn letter_of_rebound(lines: &[Studied], prepared: &Prepared) -> Option<String> {
+    let restitution = sizes(&prepared.known, Quantity::Restitution).filter(|_| prepared.setting == Setting::Wall)?;
+    let is_e = |factor: &Expr| {
+        let values = value(factor, prepared, &prepared.names).and_then(|values| numbers(&values));
+        values.is_some_and(|values| values.iter().zip(&restitution).all(|(own, e)| (own - e).abs() <= 1e-9))
+    };
+    let is_rebound = |expr: &Expr| match expr {
+        Expr::Product(factors) => {
+            let is_square = |factor: &Expr| matches!(factor, Expr::Power(..));
+            factors.iter().any(is_e) && !factors.iter().any(is_square)
+        }
+        _ => false,
+    };
+    let members = lines.iter().filter_map(|studied| studied.reading.as_ref()).flat_map(|reading| &reading.members);
+    let mut rebounds = members.filter(|member| is_rebound(&member.expr)).filter_map(|member| member.letter.clone());
+    rebounds.find(|letter| is_of_velocity(letter))
+}
+
+/// Is it a letter that is used for velocities after the impact?
+fn is_of_velocity(letter: &str) -> bool {
+    letter.starts_with(['v', 'V', 'w', 'W', 'x', 'y', 'X', 'Y'])
 }
 
 /// `10v = 18 - 42e`: the place of the unknown, and what it is, in the student's direction.

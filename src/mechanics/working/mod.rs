@@ -140,14 +140,18 @@ impl<'a> Show<'a> {
     /// The value of a quantity in the working: components have the signs of its positive direction.
     pub fn worked(&self, quantity: Quantity) -> Value {
         let value = self.exact(quantity);
+        if self.is_turned(quantity) { -value } else { value }
+    }
+
+    /// Does the working give a component the other sign than its definition?
+    pub fn is_turned(&self, quantity: Quantity) -> bool {
         match quantity {
-            Quantity::Velocity(_, _, Axis::N) | Quantity::Impulse(_, Axis::N) if self.against_n => -value,
+            Quantity::Velocity(_, _, Axis::N) | Quantity::Impulse(_, Axis::N) => self.against_n,
             // t is n turned by +90 degrees: i for n = -j, and j for n = i.
-            Quantity::Velocity(_, _, Axis::T) => match (self.axis, self.against_n) {
-                (Some(Axis::X), true) | (Some(Axis::Y), false) => -value,
-                _ => value,
-            },
-            _ => value,
+            Quantity::Velocity(_, _, Axis::T) => {
+                matches!((self.axis, self.against_n), (Some(Axis::X), true) | (Some(Axis::Y), false))
+            }
+            _ => false,
         }
     }
 
