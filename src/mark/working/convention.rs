@@ -3,6 +3,7 @@
 use super::compare::any_within;
 use super::examine::{Studied, value};
 use super::linear::Linear;
+use super::misread::with_number_misread;
 use super::offered::{Offered, differences};
 use super::pair::{Convention, Laws, Matched, conventions};
 use super::points::sizes;
@@ -41,15 +42,16 @@ impl Substituted {
 pub(super) fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option<Convention> {
     let laws = prepared.laws.as_ref()?;
     // Every equation of every reading that is more than `v = 3`.
-    let equations = || {
-        let readings = lines.iter().enumerate().flat_map(|(place, studied)| {
-            studied.line.readings.iter().enumerate().map(move |(which, reading)| (place, which, reading))
-        });
-        readings.flat_map(|(place, which, reading)| {
-            let each = reading.equations.iter().filter(|equation| !is_value(equation));
+    let readings = lines.iter().enumerate().flat_map(|(place, studied)| {
+        studied.line.readings.iter().enumerate().map(move |(which, reading)| (place, which, reading))
+    });
+    let said: Vec<(usize, usize, (Expr, Expr))> = readings
+        .flat_map(|(place, which, reading)| {
+            let each = in_numbers(&reading.equations, prepared).into_iter().filter(|equation| !is_value(equation));
             each.map(move |equation| (place, which, equation))
         })
-    };
+        .collect();
+    let equations = || said.iter().map(|(place, which, equation)| (*place, *which, equation));
     let all = equations().filter_map(|(place, which, equation)| Offered::of(place, which, equation, prepared));
     let (mut offered, others): (Vec<Offered>, Vec<Offered>) = all.partition(Offered::is_of_velocities);
     offered.extend(by_impulses(&others));
@@ -94,10 +96,42 @@ pub(super) fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option
         }
         studied.reading = Some(studied.line.readings[which].clone());
     }
+    for studied in lines.iter_mut().filter(|studied| studied.matched.is_empty()) {
+        let read = studied.line.readings.iter().find_map(|reading| {
+            let mut each = in_numbers(&reading.equations, prepared).into_iter();
+            let law = each.find_map(|equation| with_number_misread(&equation, laws, &convention, prepared))?;
+            Some((reading.clone(), law))
+        });
+        if let Some((reading, law)) = read {
+            (studied.reading, studied.matched) = (Some(reading), vec![law]);
+        }
+    }
     for studied in lines.iter_mut() {
         studied.role = studied.matched.iter().map(role).collect::<Vec<_>>().join("; ");
     }
     Some(convention)
+}
+
+/// The equations of a line, where a law in general letters is passed over between two sides: in
+/// `w - v = e u_A = ⅓(4 cos 30°)` the number is what the difference of the velocities is.
+fn in_numbers(equations: &[(Expr, Expr)], prepared: &Prepared) -> Vec<(Expr, Expr)> {
+    let is_known = |name: &str| {
+        matches!(name, "i" | "j")
+            || prepared.points.letter(name, 0).is_some()
+            || prepared.names.iter().any(|(known, _)| known == name)
+    };
+    let is_general = |side: &Expr, beside: &[&Expr]| {
+        let stands = |name: &str| beside.iter().any(|other| other.names().iter().any(|known| known.text == name));
+        side.names().iter().any(|name| !is_known(&name.text) && !stands(&name.text))
+    };
+    let mut found: Vec<(Expr, Expr)> = Vec::new();
+    for (left, right) in equations.iter().filter(|(left, right)| left != right) {
+        match found.last_mut() {
+            Some((first, middle)) if middle == left && is_general(left, &[&*first, right]) => *middle = right.clone(),
+            _ => found.push((left.clone(), right.clone())),
+        }
+    }
+    found
 }
 
 /// What the equations with an impulse come to without it: one of a sphere and one of the other are momentum.

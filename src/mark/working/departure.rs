@@ -8,6 +8,7 @@ pub(super) enum Departure {
     Inaccurate,
     LetterMissing,
     AnotherRestitution,
+    NumberMisread,
     Unresolved,
     TermMissing,
     MassesExchanged,
@@ -23,8 +24,11 @@ pub(super) enum Departure {
 impl Departure {
     /// What a method mark condones.
     pub(super) fn is_condoned(self) -> bool {
-        use Departure::{AnotherRestitution, Inaccurate, LetterMissing, Sign, SineForCosine, WeightsForMasses};
-        matches!(self, Sign | SineForCosine | Inaccurate | LetterMissing | AnotherRestitution | WeightsForMasses)
+        use Departure::*;
+        matches!(
+            self,
+            Sign | SineForCosine | Inaccurate | LetterMissing | AnotherRestitution | NumberMisread | WeightsForMasses
+        )
     }
 
     pub(super) fn tag(self) -> &'static str {
@@ -34,6 +38,7 @@ impl Departure {
             Departure::Inaccurate => "inaccurate",
             Departure::LetterMissing => "letter-missing",
             Departure::AnotherRestitution => "e-misread",
+            Departure::NumberMisread => "number-misread",
             Departure::Unresolved => "not-resolved",
             Departure::TermMissing => "term-missing",
             Departure::MassesExchanged => "masses-swapped",
@@ -57,6 +62,7 @@ impl Departure {
             Departure::Inaccurate => "a number is not accurate enough",
             Departure::LetterMissing => "a letter of the question is left out of every term",
             Departure::AnotherRestitution => "e is not the one that is given",
+            Departure::NumberMisread => "a number of the question is copied wrongly",
             Departure::Unresolved => "a speed is not resolved along the line of centres",
             Departure::TermMissing => "a term is missing",
             Departure::MassesExchanged => "the masses are exchanged",
@@ -75,7 +81,7 @@ impl Departure {
         match self {
             Departure::Inaccurate => 1,
             Departure::Sign | Departure::SineForCosine | Departure::WrongAxis => 2,
-            Departure::AnotherRestitution => 3,
+            Departure::AnotherRestitution | Departure::NumberMisread => 3,
             Departure::TermMissing | Departure::MassMissing => 5,
             _ => 4,
         }
@@ -95,6 +101,7 @@ mod tests {
             Inaccurate,
             LetterMissing,
             AnotherRestitution,
+            NumberMisread,
             Unresolved,
             TermMissing,
             MassesExchanged,

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use super::angles::is_short;
-use super::remarks::{after_remark, is_formula, turned_round, without_lead_in, without_remark};
+use super::remarks::{after_remark, is_formula, turned_round, without_arrow, without_lead_in, without_remark};
 use crate::expr::{Expr, Relation};
 use crate::mark::reading::{Form, Reading, Said, Statement, Vocabulary, is_never_letters, read_whole};
 use crate::number::{Letter, Range};
@@ -70,7 +70,7 @@ const UNKNOWNS: [&str; 23] = [
     "u_2", "I", "theta", "alpha", "beta", "phi",
 ];
 /// Letters that are also signs: only where a line cannot be read without them.
-const DOUBTFUL: [&str; 6] = ["x", "y", "X", "Y", "p", "q"];
+const DOUBTFUL: [&str; 7] = ["x", "y", "X", "Y", "p", "q", "J"];
 /// What else a student may call the unknowns: where a line makes sense in no other way.
 const OWN: [&str; 26] = [
     "a", "b", "c", "d", "s", "t", "u", "f", "g", "h", "k", "z", "m", "M", "X", "Y", "x_1", "x_2", "y_1", "y_2", "x_A",
@@ -179,6 +179,7 @@ fn readings(typed: &str, vocabularies: &[Vocabulary]) -> Vec<ReadLine> {
     let typed = &*listed;
     let may_equate =
         typed.contains(['=', '≈', '<', '>', '≤', '≥']) || typed.contains("equal") || typed.contains(" is ");
+    let typed = &*without_arrow(typed);
     for (place, vocabulary) in vocabularies.iter().enumerate() {
         if place > 0 && !says_more(typed, &vocabularies[place - 1], vocabulary) {
             continue;
@@ -249,9 +250,15 @@ fn candidates(typed: &str) -> Vec<(Option<&str>, String)> {
     all.push((None, typed.to_owned()));
     if let Some((before, after)) = typed.split_once(':')
         && after.contains(['=', '<', '>', '≤', '≥'])
-        && !before.contains('=')
     {
-        all.push((Some(before.trim()), after.trim().to_owned()));
+        // A law in general letters is no name of its numbers: `mu = m_A v_A + m_B v_B: 16 cos 30° = …`.
+        let is_law = before.contains('=') && !before.contains(|sign: char| sign.is_ascii_digit());
+        let name = if is_law { None } else { Some(before.trim()).filter(|before| !before.contains('=')) };
+        match name {
+            _ if is_law => all.insert(0, (None, after.trim().to_owned())),
+            None => {}
+            name => all.push((name, after.trim().to_owned())),
+        }
     }
     all.extend(after_stationary(typed).map(|formula| (None, formula.to_owned())));
     // `v - u = 2i - 2j, which is parallel to i - j`: the vector, and one along it.

@@ -28,6 +28,7 @@ mod impulse;
 mod in_answers;
 mod line;
 mod linear;
+mod misread;
 mod offered;
 mod own;
 mod pair;

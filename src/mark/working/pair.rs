@@ -120,7 +120,11 @@ impl Laws {
         let after = after(Sphere::A).zip(after(Sphere::B));
         let after = after.map(|(v, w)| v.into_iter().zip(w).map(|(v, w)| [v, w]).collect());
         let is_after = |quantity: &Quantity| {
-            matches!(quantity, Quantity::Velocity(_, Moment::After, _) | Quantity::Speed(_, Moment::After))
+            match quantity {
+                // On a straight line nothing is across it, and that is no velocity that is given.
+                Quantity::Velocity(_, Moment::After, axis) => *axis != Axis::T,
+                other => matches!(other, Quantity::Speed(_, Moment::After)),
+            }
         };
         let is_after_given = given.0.keys().any(is_after);
         let mut laws = Laws { inputs, speeds, after, is_after_given, unknowns: Vec::new(), changed: Vec::new() };
@@ -229,6 +233,12 @@ impl Laws {
             let each = || line.iter().zip(after);
             each().all(is) || each().all(is_of_one)
         })
+    }
+
+    /// The law that a line is as it stands.
+    pub(super) fn exactly(&self, line: &[Linear], apiece: &Apiece, convention: &Convention) -> Option<Quantity> {
+        let found = self.as_it_stands(line, apiece, convention, false);
+        found.into_iter().find(|one| one.departures.is_empty()).map(|one| one.equation)
     }
 
     /// Momentum with one velocity for both spheres, `16 cos 30° = (4 + 2)v`: that they move on together stands in it too.

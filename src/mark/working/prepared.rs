@@ -1,9 +1,11 @@
 //! What looking through working needs of a question, made once for all its scripts.
 
+use super::misread::given_numbers;
 use super::pair::Laws;
 use super::points::{Points, sizes};
 use super::values::along_for;
 use crate::bank::{EarnedFor, Find};
+use crate::expr::Expr;
 use crate::mechanics::{
     Axis, Datum, Derivation, Known, Meeting, Moment, Quantity, Rule, Scene, Setting, Sphere, Velocity,
 };
@@ -29,6 +31,8 @@ pub struct Prepared {
     pub(super) angles: Vec<(String, f64)>,
     /// The decimals of the question.
     pub(super) decimals: Vec<String>,
+    /// The numbers that it gives for masses and velocities.
+    pub(super) numbers: Vec<Expr>,
     /// Where letters were to be found: those letters with their values at every point where they have one.
     pub(super) found: Vec<(Letter, Vec<Option<f64>>)>,
     /// What is known there.
@@ -92,6 +96,7 @@ impl Prepared {
             names,
             angles,
             decimals,
+            numbers: given_numbers(scene),
             found,
             there,
         }

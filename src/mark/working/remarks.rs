@@ -1,5 +1,37 @@
 //! What students say around a formula: words with which a sentence goes on, and remarks at its end.
 
+use std::borrow::Cow;
+
+/// A line without the arrow that says which way is positive: `R(→) 16 cos 30° = …`, `PCLM ↔ …`, `perp (↑+): …`.
+pub(super) fn without_arrow(typed: &str) -> Cow<'_, str> {
+    let (words, rest) = typed.split_at(typed.find(|sign: char| !(sign.is_alphabetic() || sign == ' ')).unwrap_or(0));
+    let words: Vec<&str> =
+        words.split_whitespace().filter(|word| !matches!(*word, "R" | "Res" | "resolving")).collect();
+    let is_word = |word: &&str| word.chars().count() > 2 && !is_formula(word);
+    let after = after_arrow(rest.trim_start_matches([':', ' ']))
+        .filter(|after| words.iter().all(is_word) && after.contains('='));
+    match (after, words.as_slice()) {
+        (None, _) => Cow::Borrowed(typed),
+        (Some(after), []) => Cow::Borrowed(after),
+        (Some(after), words) => Cow::Owned(format!("{}: {after}", words.join(" "))),
+    }
+}
+
+/// What stands after an arrow, in brackets or not, with the sign of its direction.
+fn after_arrow(typed: &str) -> Option<&str> {
+    const ARROWS: [&str; 14] = ["<-->", "<->", "-->", "->", "<-", "→", "←", "↑", "↓", "↔", "↕", "⟶", "⟵", "⟷"];
+    let opened = typed.strip_prefix('(');
+    let mut rest = opened.unwrap_or(typed).trim_start_matches(['+', ' ']);
+    let from = rest.len();
+    while let Some(after) = ARROWS.iter().find_map(|arrow| rest.strip_prefix(*arrow)) {
+        rest = after.trim_start();
+    }
+    let is_there = rest.len() < from;
+    let rest = rest.trim_start_matches('+').trim_start_matches([' ', '\u{fe0f}']);
+    let rest = if opened.is_some() { rest.strip_prefix(')')? } else { rest };
+    is_there.then(|| rest.trim_start_matches([' ', ':', ',']))
+}
+
 /// What follows from a remark in words: `right angle so tan θ = …`.
 pub(super) fn after_remark(typed: &str) -> Option<&str> {
     let (remark, formula) = [" so ", " hence ", " therefore "].iter().find_map(|word| typed.split_once(word))?;

@@ -19,6 +19,7 @@ use super::spread::Spread;
 use super::trials::{are_of_one, chosen, degree, may_stand_for};
 use crate::bank::Code;
 use crate::expr::{Expr, Relation};
+use crate::mark::judging::may_be_named;
 use crate::mechanics::{Axis, Known, Law, Moment, Quantity, Sphere};
 
 /// Nobody writes more terms into one of the two equations.
@@ -148,6 +149,13 @@ impl Working<'_> {
     /// How a line agrees with one of the two equations, if it does.
     fn agreement(&self, studied: &Studied, equation: Quantity, numbers: &[Numbers]) -> Option<Agrees> {
         let reading = studied.reading.as_ref()?;
+        // What is called an energy is neither, though three of its numbers be in proportion.
+        let is_energy = |label: &String| {
+            may_be_named(label, Quantity::EnergyLost) && !may_be_named(label, Quantity::Speed(Sphere::A, Moment::After))
+        };
+        if reading.members.iter().filter_map(|member| member.label.as_ref()).any(is_energy) {
+            return None;
+        }
         let quotients = reading.members.iter().filter(|_| equation == Quantity::RestitutionEquation);
         let of_equations = reading
             .equations

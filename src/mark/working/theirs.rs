@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::by_components::momentum_by_components;
+use super::components::whole;
 use super::examine::{Studied, Value, value};
 use super::pair::{Convention, sphere};
 use super::points::sizes;
@@ -166,6 +167,8 @@ pub(super) fn own_values(
                 continue;
             }
             let place = convention.and_then(|convention| convention.letters.iter().position(|known| known == letter));
+            // Of `V sin θ = 2` and `V cos θ = 1.92` the letter is the speed, and neither component.
+            let place = place.filter(|_| !is_resolved(lines, letter));
             // Where no equation says whose letter it is, it is of the sphere that is asked for.
             let place = place.and(alone.and_then(|of| Sphere::BOTH.into_iter().position(|one| one == of))).or(place);
             match (numbers, place, convention) {
@@ -213,6 +216,7 @@ pub(super) fn own_values(
         if let Some(convention) = convention.filter(|_| studied.matched.is_empty()) {
             for (place, expr) in reading.equations.iter().filter_map(|equation| of_multiple(equation, convention)) {
                 let values = value(&expr, prepared, &prepared.names).and_then(|values| numbers(&values));
+                let values = values.filter(|_| !is_resolved(lines, &convention.letters[place]));
                 let sign = convention.signs[place];
                 let written = if sign < 0.0 { expr.negated() } else { expr };
                 let own = Quantity::Velocity(Sphere::BOTH[place], Moment::After, Axis::N);
@@ -239,6 +243,14 @@ fn letters_of_axes(lines: &[Studied], prepared: &Prepared) -> Vec<(String, Quant
         true => Vec::new(),
         false => vec![(x.letter, component(Axis::X)), (y.letter, component(Axis::Y))],
     }
+}
+
+/// Is a letter multiplied by the sine or the cosine of an angle that is open?
+fn is_resolved(lines: &[Studied], letter: &str) -> bool {
+    let is_it = |name: &str| name.contains(' ') && whole(name) == letter;
+    let readings = lines.iter().filter_map(|studied| studied.reading.as_ref());
+    let mut sides = readings.flat_map(|reading| &reading.equations).flat_map(|(left, right)| [left, right]);
+    sides.any(|side| side.names().iter().any(|name| is_it(&name.text)))
 }
 
 /// The letter for the component that an impact with a wall turns round: it is called *e* times another.
