@@ -9,7 +9,7 @@ use crate::expr::Expr;
 use crate::mark::reading::{Label, Statement, is_strange};
 use crate::mechanics::{Axis, Moment, Quantity};
 
-use super::changes::{is_change, is_gain};
+use super::changes::{is_change, is_gain, is_turned_round};
 use super::finding::Finding;
 use super::letters::of_letter;
 use super::otherwise::{is_another_of_its_sort, is_changed_to, remark_names_another};
@@ -47,7 +47,15 @@ pub(super) fn as_called(model: &Model, statement: &Statement, finding: Finding) 
     if finding.is_credited() && is_of_one && spheres::is_of_several(statement) {
         return Finding::unreadable(Note::NamedOtherwise);
     }
-    let Some(label) = statement.label.as_ref().filter(|_| finding.is_credited()) else { return finding };
+    let Some(label) = statement.label.as_ref() else { return finding };
+    if model.quantity.is_some_and(|asked| is_upside_down(&label.typed, asked))
+        && (finding.is_credited() || finding.note == Some(Note::Inverted))
+    {
+        return Finding::unreadable(Note::NamedOtherwise);
+    }
+    if !finding.is_credited() {
+        return finding;
+    }
     if label.expr.is_none() && spheres::words_without_commands(&label.typed).any(is_strange) {
         return Finding::unreadable(Note::NamedOtherwise);
     }
@@ -71,10 +79,24 @@ pub(super) fn as_called(model: &Model, statement: &Statement, finding: Finding) 
         return Finding::unreadable(Note::NamedOtherwise);
     }
     let is_loss = is_of_loss(asked);
-    if is_loss && is_gain(&label.typed) && finding.note != Some(Note::ChangeNotLoss) {
+    if is_loss && is_turned_round(&label.typed) && finding.note != Some(Note::ChangeNotLoss) {
         return finding.at_most_partial(Note::Sign);
     }
     finding
+}
+
+/// `m_A/m_B` where the mass of B over that of A is asked, `approach/separation` for the coefficient of restitution.
+fn is_upside_down(label: &str, asked: Quantity) -> bool {
+    let label = label.to_lowercase();
+    let sides =
+        label.split_once(['/', ':']).or_else(|| label.split_once(" over ")).or_else(|| label.split_once(" to "));
+    let Some((above, below)) = sides else { return false };
+    let ends = |side: &str, name: &str| side.trim_matches([' ', '(', ')', '{', '}']).ends_with(name);
+    match asked {
+        Quantity::MassRatio => ends(above, "a") && ends(below, "b"),
+        Quantity::Restitution => above.contains("approach") && below.contains("separation"),
+        _ => false,
+    }
 }
 
 /// Is a value called what is asked for, by a name that the subject has for it? A letter of the student's own is none, nor

@@ -8,6 +8,17 @@ pub(super) fn is_gain(label: &str) -> bool {
     is(&["gain", "gains", "gained", "increase", "increases", "increased"]) && !is(&["loss", "lost", "loses"])
 }
 
+/// Is it a gain, by its word or as what there is after less what there was before?
+pub(super) fn is_turned_round(label: &str) -> bool {
+    let label = label.trim().to_lowercase();
+    is_gain(&label) || is_after_less_before(&label)
+}
+
+fn is_after_less_before(label: &str) -> bool {
+    let is_difference = |(of, other): (&str, &str)| is_of_end(of, &LATER, 'f') && is_of_end(other, &EARLIER, 'i');
+    label.split_once(['-', '−', '–']).is_some_and(is_difference)
+}
+
 /// Does the label speak of a change, after minus before?
 pub(super) fn is_change(label: &str) -> bool {
     // The letter alone is that of an angle.
@@ -15,12 +26,11 @@ pub(super) fn is_change(label: &str) -> bool {
         return false;
     }
     let label = label.trim().to_lowercase();
-    let is_difference = |(of, other): (&str, &str)| is_of_end(of, &LATER, 'f') && is_of_end(other, &EARLIER, 'i');
     is_gain(&label)
         || ['Δ', 'δ', '∆'].iter().any(|delta| label.starts_with(*delta))
         || label.starts_with("\\delta")
         || words(&label).any(|word| matches!(word, "delta" | "change"))
-        || label.split_once(['-', '−', '–']).is_some_and(is_difference)
+        || is_after_less_before(&label)
 }
 
 /// `KE after`, `final KE`, `KEf`: what there is at one moment, by its words or by a letter at its end.

@@ -22,6 +22,7 @@ pub(super) fn counted<'r>(model: &Model, reading: &'r Reading) -> Option<Cow<'r,
     if kept.is_empty() && !reading.statements.is_empty() {
         return None;
     }
+    let kept = without_what_is_worked_with(kept);
     let kept = without_what_is_rooted(model, without_what_changes(model, without_other_moment(model, kept)));
     let kept = match model.kind {
         Kind::Number | Kind::Expression => {
@@ -113,6 +114,30 @@ pub(super) fn order(model: &Model, one: &Expr, other: &Expr) -> Option<Ordering>
         exact::points(letters).all(|point| at_point(point) == Some(first)).then_some(first)
     };
     exact::value(&gap, letters).and_then(|gap| gap.sign()).or_else(everywhere)
+}
+
+/// `tan⁻¹(5/4) = 51.3, 180 − 51.3 = 128.7`: a value that the last statement works with is a step to it.
+fn without_what_is_worked_with(statements: Vec<Statement>) -> Vec<Statement> {
+    let value = |said: &Said| match &said.form {
+        Form::Value(value) => Some(value.clone()),
+        _ => None,
+    };
+    let works = statements.last().and_then(|last| last.said.first()).and_then(value);
+    let terms = match &works {
+        Some(Expr::Sum(terms)) => terms.as_slice(),
+        _ => return statements,
+    };
+    let is_term = |value: &Expr| {
+        let is_figure = matches!(value, Expr::Decimal(_));
+        is_figure && terms.iter().any(|term| term == value || *term == value.clone().negated())
+    };
+    let is_step = |statement: &Statement| {
+        let last = statement.said.last();
+        last.and_then(value).is_some_and(|value| is_term(&value)) && !statement.said.iter().any(is_rival)
+    };
+    let end = statements.len() - 1;
+    let kept = statements.iter().enumerate().filter(|(at, statement)| *at == end || !is_step(statement));
+    kept.map(|(_, statement)| statement.clone()).collect()
 }
 
 /// `1.5² + 2² = 6.25, √6.25 = 2.5`: the square, of which the root is taken next.

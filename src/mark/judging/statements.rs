@@ -263,6 +263,15 @@ fn last_or_rivals(model: &Model, statements: &[&Statement], one: One) -> Finding
         [_, _, ..] if !others.is_empty() => return last_or_rivals(model, &own, one),
         _ => {}
     }
+    // `8 → 5.19, loss 2.81`: of several values the last alone is called what is asked.
+    if let [steps @ .., last] = statements
+        && !steps.is_empty()
+        && called::is_named(model, last)
+        && steps.iter().all(|step| step.label.is_none())
+        && !statements.iter().flat_map(|statement| &statement.said).any(is_rival)
+    {
+        return chain(model, last, one);
+    }
     let findings: Vec<Finding> = statements.iter().map(|statement| chain(model, statement, one)).collect();
     let typed = |statement: &&Statement| statement.label.as_ref().map(|label| label.typed.trim().to_lowercase());
     let labels: Vec<Option<String>> = statements.iter().map(typed).collect();

@@ -22,8 +22,38 @@ const DIRECTIONS: [&str; 4] = ["direction", "vertically", "horizontally", "way"]
 /// Judges a whole reading against a velocity.
 pub(super) fn judge(model: &Model, reading: &Reading) -> Finding {
     let (statements, of_other) = of_asked(model, &reading.statements);
+    let turns = says_which_way(&statements);
     let finding = of_one(model, statements);
-    if finding.is_credited() && of_other { Finding::unreadable(Note::NamedOtherwise) } else { finding }
+    let is_turned = finding.is_credited() && turns.is_some_and(|back| goes_back(model) != Some(back));
+    // `56.3° to the line of centres, reversed along it`: the line is named once more, and no other direction.
+    let is_named_again = finding.note == Some(Note::DirectionWrong) && turns == Some(true);
+    match finding.is_credited() && of_other {
+        true => Finding::unreadable(Note::NamedOtherwise),
+        false if is_turned || is_named_again => Finding::unreadable(Note::DirectionUnchecked),
+        false => finding,
+    }
+}
+
+/// Do words say that it goes back, or that it goes on?
+fn says_which_way(statements: &[&Statement]) -> Option<bool> {
+    const BACK: [&str; 5] = ["rebound", "bounc", "revers", "moving back", "moves back"];
+    const ON: [&str; 4] = ["continues", "forwards", "goes on", "carries on"];
+    let labels = statements.iter().filter_map(|statement| statement.label.as_ref()).map(|label| &label.typed);
+    let remarks = statements.iter().flat_map(|statement| &statement.said).flat_map(|said| &said.remarks);
+    let words: String = labels.chain(remarks).map(|words| words.to_lowercase()).collect::<Vec<_>>().join(" ");
+    let says = |wanted: &[&str]| wanted.iter().any(|word| words.contains(word));
+    match (says(&BACK), says(&ON)) {
+        (true, false) => Some(true),
+        (false, true) => Some(false),
+        _ => None,
+    }
+}
+
+/// Does the sphere that is asked go back after the impact? Of A that is seen; of another nobody says from where it came.
+fn goes_back(model: &Model) -> Option<bool> {
+    let (along, _) = vector::components(model)?;
+    let sign = exact::value(&along, &model.vocabulary.letters)?.sign()?;
+    (model.quantity.and_then(sphere) == Some(Sphere::A)).then_some(sign.is_lt())
 }
 
 /// Judges what is said of one sphere.
@@ -80,7 +110,7 @@ fn of_asked<'s>(model: &Model, statements: &'s [Statement]) -> (Vec<&'s Statemen
         })
         .collect();
     let of_other = asked.is_some() && of.iter().all(|of| of.is_some() && *of != asked);
-    let is_open = asked.is_none() || !of.contains(&asked);
+    let is_open = asked.is_none() || of_other;
     let own = statements.iter().zip(of).filter(|(_, of)| is_open || of.is_none() || *of == asked);
     (own.map(|(statement, _)| statement).collect(), of_other)
 }
