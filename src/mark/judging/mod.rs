@@ -48,6 +48,7 @@ use finding::Finding;
 use known::Prepared;
 pub use model_text::ModelOptions;
 pub use note::Note;
+pub(super) use spheres::named_spheres;
 pub use together::judge_together;
 
 /// What is right, and how near an answer must come.

@@ -28,7 +28,7 @@ pub(super) fn named_sphere(statement: &Statement) -> Option<Sphere> {
 }
 
 /// The spheres that a text names, in order: `m_B : m_A`, `mA/mB`, `A to B`, `va`.
-pub(super) fn named_spheres(typed: &str) -> Vec<Sphere> {
+pub(in crate::mark) fn named_spheres(typed: &str) -> Vec<Sphere> {
     let words: Vec<&str> = words_without_commands(typed).collect();
     let named = words.iter().enumerate().filter_map(|(at, word)| {
         let before = at.checked_sub(1).map(|before| words[before]);

@@ -197,7 +197,11 @@ impl Working<'_> {
             studied.matched.is_empty()
                 && !self.is_printed_result(studied)
                 && self.members(studied).any(|(member, values)| {
-                    let is_else = |label: &String| is_of_a_part(label, quantity) || !may_be_named(label, quantity);
+                    let is_else = |label: &String| {
+                        is_of_a_part(label, quantity)
+                            || self.is_loss_of_one(label, quantity)
+                            || !may_be_named(label, quantity)
+                    };
                     let worth = self.is_called(member) || self.is_worked_out(&member.expr);
                     worth
                         && !member.label.as_ref().is_some_and(is_else)

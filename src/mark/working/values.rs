@@ -10,7 +10,7 @@ use super::spread::Spread;
 use crate::answer::{Accept, Kind};
 use crate::bank::Code;
 use crate::expr::{Expr, Function};
-use crate::mark::judging::{Judgement, Model, Note, Verdict, is_of_a_part, judge};
+use crate::mark::judging::{Judgement, Model, Note, Verdict, is_of_a_part, judge, named_spheres};
 use crate::mark::key::KeyedMark;
 use crate::mark::reading::{Form, Label, Reading, Said, Statement, Vocabulary};
 use crate::mechanics::{Axis, Datum, Moment, Quantity, Setting, Sphere};
@@ -46,7 +46,11 @@ impl Working<'_> {
                     (Some(_), _) => false,
                     (None, _) => statement.label.is_some() || statement.said.len() > 1,
                 };
-                let of_a_part = |label: &Label| is_of_a_part(&label.typed, quantity) || self.is_of_unknown(label);
+                let of_a_part = |label: &Label| {
+                    is_of_a_part(&label.typed, quantity)
+                        || self.is_of_unknown(label)
+                        || self.is_loss_of_one(&label.typed, quantity)
+                };
                 let is_of_other =
                     matches!(named, Some(Expr::Name(name)) if self.is_velocity_of_other(&name.text, quantity));
                 let is_own = matches!(named, Some(Expr::Name(name)) if Some(name.text.as_str()) == own_letter);
@@ -170,10 +174,6 @@ impl Working<'_> {
         else {
             return true;
         };
-        let names_loss = |label: &String| {
-            let label = label.to_lowercase();
-            label.contains(['δ', '∆']) || ["los", "change", "decrease"].iter().any(|word| label.contains(word))
-        };
         let has = |mass: &[f64]| {
             let halved: Vec<f64> = mass.iter().map(|mass| mass / 2.0).collect();
             let either = [mass.to_vec(), halved];
@@ -190,7 +190,16 @@ impl Working<'_> {
             },
             _ => false,
         };
-        member.label.as_ref().is_some_and(names_loss) || is_difference() || (has(a) && has(b))
+        member.label.as_deref().is_some_and(names_loss) || is_difference() || (has(a) && has(b))
+    }
+
+    /// Is it said to be lost by one of two spheres, where what both lose together is looked for: `loss in A`?
+    pub(super) fn is_loss_of_one(&self, label: &str, quantity: Quantity) -> bool {
+        let has_two = matches!(self.prepared.setting, Setting::Oblique | Setting::Direct);
+        let is_formula = label.contains(['+', '-', '−']);
+        let named = named_spheres(label);
+        let is_of_one = named.first().is_some_and(|first| named.iter().all(|other| other == first));
+        has_two && quantity.of_its_impact() == Quantity::EnergyLost && !is_formula && is_of_one
     }
 
     fn vector_of(&self, quantity: Quantity) -> Option<Evidence> {
@@ -232,6 +241,12 @@ impl Working<'_> {
         let vocabulary = Vocabulary { letters: self.question.letters.clone(), vectors: false };
         Some(Model::new(value, kind, accept, vocabulary))
     }
+}
+
+/// Does a label speak of what is lost?
+pub(super) fn names_loss(label: &str) -> bool {
+    let label = label.to_lowercase();
+    label.contains(['δ', '∆']) || ["los", "change", "decrease"].iter().any(|word| label.contains(word))
 }
 
 /// Is a value right but for its form, or for its figures or its sign? What has no letter may be another value.
