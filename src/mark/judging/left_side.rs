@@ -75,7 +75,7 @@ pub(super) fn of(model: &Model, label: &Label) -> Left {
         Expr::Call(Function::Abs, inner) if matches!(**inner, Expr::Name(_)) => Left::Name,
         Expr::Call(Function::Tan, angle) if is_tangent(model.quantity) && names_an_angle(model, angle) => Left::Name,
         Expr::Call(_, angle) if is_deflection(model.quantity) && matches!(**angle, Expr::Sum(_)) => Left::Name,
-        _ if is_made_of_others(model.quantity, expr) => Left::Name,
+        _ if is_of_others(model.quantity, expr) => Left::Name,
         _ => match unknown(model, expr) {
             // `v2`: a subscript, or the raised two of another keyboard.
             Some(equation) if is_name_and_digit(typed) => Left::NameOrPower(equation),
@@ -140,8 +140,13 @@ fn distinct(expr: &Expr) -> Vec<String> {
     names
 }
 
+/// Is it called by what it is made of: `E_1 − E_2` for an energy lost?
+pub(in crate::mark) fn is_made_of_others(model: &Model, label: &Label) -> bool {
+    label.expr.as_ref().is_some_and(|expr| is_of_others(model.quantity, expr))
+}
+
 /// Formulas that say what is asked by other quantities: separation over approach, energy before less energy after.
-fn is_made_of_others(asked: Option<Quantity>, expr: &Expr) -> bool {
+fn is_of_others(asked: Option<Quantity>, expr: &Expr) -> bool {
     use Quantity::*;
     let Some(asked) = asked else { return false };
     let count = distinct(expr).len();

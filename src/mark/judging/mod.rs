@@ -46,6 +46,7 @@ use super::reading::{Reading, Said, Unreadable, Vocabulary, is_strange};
 pub(super) use called::{is_named, is_of_a_part, may_be_named};
 use finding::Finding;
 use known::Prepared;
+pub(super) use left_side::is_made_of_others;
 pub use model_text::ModelOptions;
 pub use note::Note;
 pub(super) use spheres::named_spheres;

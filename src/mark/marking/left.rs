@@ -12,7 +12,7 @@ use crate::answer::Kind;
 use crate::bank::{Code, Find};
 use crate::expr::{Expr, Function};
 use crate::mark::award::{Award, Place};
-use crate::mark::judging::{Judgement, Note, Verdict, is_named};
+use crate::mark::judging::{Judgement, Note, Verdict, is_made_of_others, is_named};
 use crate::mark::key::{KeyedBlank, KeyedPart};
 use crate::mark::reading::{Form, Said, Statement};
 use crate::mark::script::PartScript;
@@ -70,10 +70,16 @@ impl<'s> Left<'s> {
         self.lines.iter().find_map(|(number, line)| {
             let line = if is_range { concluded(line) } else { line };
             let has_method = self.has_method(place, *number);
-            if !has_method && !calls_something(line) && self.begun.is_none() {
+            let may_work_out = self.works_out(place, *number) && line.contains('=');
+            if !has_method && !may_work_out && !calls_something(line) && self.begun.is_none() {
                 return None;
             }
-            let readings = lines.read(line, &blank.model.vocabulary);
+            let mut readings = lines.read(line, &blank.model.vocabulary);
+            // `KE lost = ½mu² sin²30 = 12`: the question has numbers in place of m and u, and the method is seen.
+            let ends = if readings.is_err() && may_work_out { name_and_end(line) } else { None };
+            if let Some(ends) = &ends {
+                readings = lines.read(ends, &blank.model.vocabulary);
+            }
             let Ok(readings) = readings.as_ref() else { return None };
             let statements = readings.first().map(|one| &one.statements)?;
             // `v = 3, w = 5` is for two blanks, and not the second value for either; `w − v = 3` is for none.
@@ -81,7 +87,7 @@ impl<'s> Left<'s> {
             let is_of_one_angle = || self.is_only_angle(place) && statements.iter().all(is_of_angle);
             let is_alone = self.part.blanks.len() == 1 || statements.len() == 1 || is_of_one_angle();
             let mut labels = statements.iter().filter_map(|one| one.label.as_ref());
-            let is_result = labels.all(|label| !is_formula(&label.typed));
+            let is_result = labels.all(|label| !is_formula(&label.typed) || is_made_of_others(&blank.model, label));
             let is_found = |statement: &Statement| self.is_only_angle(place) && statement.said.iter().any(is_inverse);
             let is_called = |statement: &Statement| self.is_called(blank, statement) || is_found(statement);
             let begun = self.begun.filter(|_| self.lines[0].0 == *number).map(|name| format!("{name} {line}"));
@@ -90,13 +96,16 @@ impl<'s> Left<'s> {
                 let statements = read.as_ref().and_then(|read| Some(&read.as_ref().as_ref().ok()?.first()?.statements));
                 statements.is_some_and(|statements| statements.iter().any(is_called))
             };
-            let is_answer = || has_method || statements.iter().any(is_called) || is_begun();
+            // `45 - 18.4 = 26.6`: the line itself is the method.
+            let is_worked_out = |statement: &Statement| statement.label.is_none() && statement.said.len() > 1;
+            let is_end = || may_work_out && statements.iter().all(is_worked_out);
+            let is_answer = || has_method || is_end() || statements.iter().any(is_called) || is_begun();
             let is_of_other = || statements.iter().any(|statement| self.is_of_other(blank, statement));
             if !(is_alone && is_result && is_answer()) || is_of_other() {
                 return None;
             }
-            let found = judged(line);
-            (found.judgement.verdict == Verdict::Correct).then_some((line, found))
+            let found = judged(ends.as_deref().unwrap_or(line));
+            is_right(&found.judgement).then_some((line, found))
         })
     }
 
@@ -126,18 +135,29 @@ impl<'s> Left<'s> {
     /// Do lines show how the value of a blank is found? The method on which its own mark depends, and something besides
     /// the line itself.
     fn has_method(&self, blank: usize, line: usize) -> bool {
-        let seen =
-            |mark: usize| match self.by_lines[mark].as_ref().filter(|award| award.given)?.evidence.as_ref()?.place {
-                Place::Line(number) => Some(number),
-                Place::Answer(_) => None,
-            };
         let scheme = &self.part.scheme;
         let own = scheme.iter().find(|mark| own_blank(mark, self.part) == Some(blank));
         let mut leads = own.map(|mark| mark.depends.as_slice()).unwrap_or_default().iter();
-        let elsewhere = |mark: usize| seen(mark).is_some_and(|number| number != line);
+        let elsewhere = |mark: usize| self.seen(mark).is_some_and(|number| number != line);
         let mut methods = (0..scheme.len()).filter(|mark| scheme[*mark].code.is_method());
-        leads.all(|mark| seen(*mark).is_some())
+        leads.all(|mark| self.seen(*mark).is_some())
             && methods.any(|mark| scheme[mark].blanks.contains(&blank) && elsewhere(mark))
+    }
+
+    /// Does a line show the method on which the own mark of a blank depends?
+    fn works_out(&self, blank: usize, line: usize) -> bool {
+        let mut scheme = self.part.scheme.iter();
+        let own = scheme.find(|mark| own_blank(mark, self.part) == Some(blank));
+        let leads = own.map(|mark| mark.depends.as_slice()).unwrap_or_default();
+        !leads.is_empty() && leads.iter().all(|mark| self.seen(*mark) == Some(line))
+    }
+
+    /// The line that shows a mark.
+    fn seen(&self, mark: usize) -> Option<usize> {
+        match self.by_lines[mark].as_ref().filter(|award| award.given)?.evidence.as_ref()?.place {
+            Place::Line(number) => Some(number),
+            Place::Answer(_) => None,
+        }
     }
 
     /// Is it called by the letter of the other sphere?
@@ -161,6 +181,18 @@ impl<'s> Left<'s> {
             }
         }
     }
+}
+
+/// Is it right, if only as coordinates, which not every board takes for a vector?
+fn is_right(judgement: &Judgement) -> bool {
+    judgement.verdict == Verdict::Correct || judgement.note == Some(Note::Coordinates.tag())
+}
+
+/// What stands before the first equals sign and after the last, where there is a formula between them.
+fn name_and_end(line: &str) -> Option<String> {
+    let (name, rest) = line.split_once('=')?;
+    let (_, end) = rest.rsplit_once('=')?;
+    Some(format!("{name}={end}"))
 }
 
 /// Is it an angle in degrees, or the tangent, sine or cosine of one?
