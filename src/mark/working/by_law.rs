@@ -64,6 +64,7 @@ impl Working<'_> {
                 let is_of_wall = shape == Shape::ChangeOfMomentum && self.prepared.setting == Setting::Wall;
                 let found = found.or_else(|| if is_of_wall { self.change_in_vectors(law.name()) } else { None });
                 let found = found.or_else(|| self.energies_apart(law, code));
+                let found = found.or_else(|| self.with_sine_for_cosine(law, code));
                 let found = found.or_else(|| self.without_a_letter(law, &quantities, code));
                 let by_angle = || self.compound_angle(law).or_else(|| self.scalar_quotient(law));
                 let of_deflection = || self.demanded_of_turn(law).or_else(by_angle);
@@ -87,11 +88,13 @@ impl Working<'_> {
         if self.part.scheme.iter().any(has_own) || !asked.any(|find| is_angle(&find)) {
             return None;
         }
-        self.by_law(direction, sphere, code)
-            .filter(|found| found.given && self.speaks_of_angle(&self.lines[found.line]))
+        let speaks = |found: &Evidence| found.given && self.speaks_of_angle(&self.lines[found.line]);
+        // A component may come to the tangent by chance, on a line that does not speak of it.
+        let by_shape = || self.by_shape(direction, Shape::Tangent, sphere, code);
+        self.by_law(direction, sphere, code).filter(speaks).or_else(|| by_shape().filter(speaks))
     }
 
-    fn speaks_of_angle(&self, studied: &Studied) -> bool {
+    pub(super) fn speaks_of_angle(&self, studied: &Studied) -> bool {
         const GREEK: [&str; 6] = ["alpha", "beta", "gamma", "delta", "theta", "phi"];
         let typed = studied.line.typed.to_lowercase();
         let has_letter =
@@ -119,48 +122,6 @@ impl Working<'_> {
         let before = seen(&self.prepared.known, Moment::Before)?;
         let after = seen(&self.prepared.known, Moment::After).or_else(|| seen(&self.followed, Moment::After))?;
         Some(Evidence::given(before.max(after), law.name()))
-    }
-
-    /// Restitution at a wall gives the one component after at once. A method mark condones sine for cosine.
-    fn rebound(&self, code: Code) -> Option<Evidence> {
-        if self.prepared.setting != Setting::Wall {
-            return None;
-        }
-        let after = Quantity::Velocity(Sphere::A, Moment::After, Axis::N);
-        let is_nought = |quantity| {
-            sizes(&self.prepared.known, quantity).is_none_or(|sizes| sizes.iter().all(|size| size.abs() < 1e-9))
-        };
-        // From a velocity of nought there is nothing to find.
-        if is_nought(after) {
-            return None;
-        }
-        // Components that are given are no sine and cosine.
-        let is_condoned = !code.is_accuracy() && !self.prepared.in_components;
-        let exchanged = || {
-            let swapped = self.prepared.known.iter().map(|known| {
-                let across = known.number(Quantity::Velocity(Sphere::A, Moment::Before, Axis::T))?;
-                if across == 0.0 {
-                    return None;
-                }
-                let mut swapped = known.clone();
-                swapped.0.insert(after, Datum::Number(known.number(Quantity::Restitution)? * across));
-                Some(swapped)
-            });
-            let swapped: Vec<Known<f64>> = swapped.collect::<Option<_>>()?;
-            self.line_that_is(&swapped, after)
-        };
-        // The tangent after the impact has the component in it.
-        let is_shown = self.part.blanks.iter().any(|blank| blank.model.kind == Kind::Shown);
-        let angle = Quantity::AngleToLine(Sphere::A, Moment::After);
-        let speaks = |line: &usize| self.speaks_of_angle(&self.lines[*line]);
-        let by_tangent = || {
-            self.line_that_is(&self.prepared.known, angle).filter(|line| !is_shown && !is_nought(angle) && speaks(line))
-        };
-        let right = self.line_that_is(&self.prepared.known, after).or_else(by_tangent);
-        let right = right.or_else(|| self.inequality_with(&sizes(&self.prepared.known, after)?));
-        let right = right.or_else(|| self.rebound_as_vector());
-        let line = right.or_else(|| if is_condoned { exchanged() } else { None })?;
-        Some(Evidence::given(line, "restitution"))
     }
 
     /// A line that comes to what the law gives: from right values, or from the student's own.

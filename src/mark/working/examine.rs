@@ -167,7 +167,7 @@ pub(super) fn examine_one(
         working.theirs.0.get(&quantity).map(|(values, _)| values.clone()).or_else(|| sizes(&prepared.known, quantity))
     });
     working.settle_doubts();
-    evaluate(&mut working.lines, prepared, &working.names);
+    working.evaluate();
     let awards = part.scheme.iter().map(|mark| working.award(mark)).collect();
     let stated = part.blanks.iter().map(|blank| stated(&working.lines, blank)).collect();
     let solution = working.own_solution();
@@ -243,7 +243,7 @@ pub(super) fn context(prepared: &Prepared, point: usize) -> Context<'_> {
 }
 
 /// Finds what every member of every line comes to.
-fn evaluate(lines: &mut [Studied], prepared: &Prepared, names: &[(String, Vec<f64>)]) {
+pub(super) fn evaluate(lines: &mut [Studied], prepared: &Prepared, names: &[(String, Vec<f64>)]) {
     for studied in lines {
         let members = studied.reading.as_ref().map(|reading| reading.members.as_slice()).unwrap_or_default();
         studied.values = members.iter().map(|member| value(&member.expr, prepared, names)).collect();

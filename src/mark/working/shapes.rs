@@ -20,22 +20,25 @@ impl Working<'_> {
         if code.is_accuracy() {
             return None;
         }
-        let has_form = |expr: &Expr| match shape {
-            Shape::Pythagoras => any_within(expr, &|inner| self.is_pythagoras(inner, sphere)),
-            Shape::Tangent => {
-                any_within(expr, &|inner| self.is_tangent(inner, sphere) || self.is_cotangent(inner, sphere))
+        let has_form = |member: &Member| {
+            let expr = &member.expr;
+            match shape {
+                Shape::Pythagoras => any_within(expr, &|inner| self.is_pythagoras(inner, sphere)),
+                Shape::Tangent => {
+                    any_within(expr, &|inner| self.is_tangent(inner, sphere) || self.is_cotangent(inner, sphere))
+                }
+                Shape::DifferenceOfSquares => {
+                    (is_energy_difference(expr) && self.has_both_spheres(expr))
+                        || self.is_difference_of_totals(expr)
+                        || self.is_difference_of_worked_out(expr)
+                }
+                Shape::ChangeOfMomentum => self.is_change_of_momentum(expr, self.is_called(member)),
+                Shape::Any => false,
             }
-            Shape::DifferenceOfSquares => {
-                (is_energy_difference(expr) && self.has_both_spheres(expr))
-                    || self.is_difference_of_totals(expr)
-                    || self.is_difference_of_worked_out(expr)
-            }
-            Shape::ChangeOfMomentum => self.is_change_of_momentum(expr),
-            Shape::Any => false,
         };
         let line = self.lines.iter().position(|studied| {
             let members = studied.reading.as_ref().map(|reading| reading.members.as_slice()).unwrap_or_default();
-            studied.matched.is_empty() && members.iter().any(|member| has_form(&member.expr))
+            studied.matched.is_empty() && members.iter().any(has_form)
         })?;
         let mut found = Evidence::given(line, law.name());
         if shape == Shape::Tangent && self.is_upside_down(line, sphere) {
@@ -194,23 +197,6 @@ impl Working<'_> {
             && members.any(|member| any_within(&member.expr, &|inner| self.is_cotangent(inner, sphere)))
     }
 
-    /// `m(v - u)` for one of the spheres: its own mass, and its own components along the line of centres.
-    fn is_change_of_momentum(&self, expr: &Expr) -> bool {
-        if let Expr::Negative(inner) = expr {
-            return self.is_change_of_momentum(inner);
-        }
-        let Some((mass, [one, other])) = factored(expr) else { return false };
-        Sphere::BOTH.into_iter().any(|sphere| {
-            let own = |quantity| sizes(&self.prepared.known, quantity).into_iter().collect::<Vec<_>>();
-            let before = own(Quantity::Velocity(sphere, Moment::Before, Axis::N));
-            let after = self.sizes_of(sphere, Axis::N);
-            // Two figures of a component are enough to see which it is.
-            let is = |expr: &Expr, sizes: &[Vec<f64>]| self.is_one_of(expr, sizes) || self.is_near_one_of(expr, sizes);
-            let fits = |u: &Expr, v: &Expr| is(u, &before) && is(v, &after);
-            self.is_one_of(mass, &own(Quantity::Mass(sphere))) && (fits(one, other) || fits(other, one))
-        })
-    }
-
     /// The cosine of a deflection by a scalar product: something over the product of the speeds before and after.
     pub(super) fn scalar_quotient(&self, law: Law) -> Option<Evidence> {
         let speeds: Vec<Vec<f64>> = Sphere::BOTH
@@ -323,28 +309,4 @@ fn is_compound_angle(expr: &Expr) -> bool {
 
 fn is_lettered(expr: &Expr) -> bool {
     !expr.names().is_empty()
-}
-
-/// `m(v - u)` or `mv - mu`: the mass, and what it multiplies.
-fn factored(expr: &Expr) -> Option<(&Expr, [&Expr; 2])> {
-    fn two(expr: &Expr) -> Option<[&Expr; 2]> {
-        match expr {
-            Expr::Product(factors) => <&[Expr; 2]>::try_from(factors.as_slice()).ok().map(|[one, other]| [one, other]),
-            Expr::Negative(inner) => two(inner),
-            _ => None,
-        }
-    }
-    match expr {
-        Expr::Sum(terms) => {
-            let [one, other] = <&[Expr; 2]>::try_from(terms.as_slice()).ok()?.each_ref().map(two);
-            let ([mass, before], [same, after]) = (one?, other?);
-            (mass == same).then_some((mass, [before, after]))
-        }
-        _ => {
-            let [mass, change] = two(expr)?;
-            let Expr::Sum(terms) = change else { return None };
-            let [one, other] = terms.as_slice() else { return None };
-            Some((mass, [one, other]))
-        }
-    }
 }

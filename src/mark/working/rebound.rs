@@ -1,0 +1,79 @@
+//! What a wall does to a sphere: restitution gives the one component after it at once, and all that follows from that.
+
+use super::compare::is_vector;
+use super::evidence::Evidence;
+use super::examine::Working;
+use super::points::sizes;
+use crate::answer::Kind;
+use crate::bank::Code;
+use crate::mechanics::{Axis, Datum, Known, Law, Moment, Quantity, Setting, Sphere};
+
+impl Working<'_> {
+    /// Restitution at a wall gives the one component after at once. A method mark condones sine for cosine.
+    pub(super) fn rebound(&self, code: Code) -> Option<Evidence> {
+        if self.prepared.setting != Setting::Wall {
+            return None;
+        }
+        let after = Quantity::Velocity(Sphere::A, Moment::After, Axis::N);
+        let is_nought = |quantity| {
+            sizes(&self.prepared.known, quantity).is_none_or(|sizes| sizes.iter().all(|size| size.abs() < 1e-9))
+        };
+        // From a velocity of nought there is nothing to find.
+        if is_nought(after) {
+            return None;
+        }
+        // The tangent after the impact has the component in it.
+        let is_shown = self.part.blanks.iter().any(|blank| blank.model.kind == Kind::Shown);
+        let angle = Quantity::AngleToLine(Sphere::A, Moment::After);
+        let speaks = |line: &usize| self.speaks_of_angle(&self.lines[*line]);
+        let by_tangent = || {
+            self.line_that_is(&self.prepared.known, angle).filter(|line| !is_shown && !is_nought(angle) && speaks(line))
+        };
+        let right = self.line_that_is(&self.prepared.known, after).or_else(by_tangent);
+        let right = right.or_else(|| self.inequality_with(&sizes(&self.prepared.known, after)?));
+        let right = right.or_else(|| self.rebound_as_vector()).or_else(|| self.rebound_along_axis());
+        let line = right.or_else(|| self.exchanged(after, code))?;
+        Some(Evidence::given(line, "restitution"))
+    }
+
+    /// The component after the impact by its unit vector, `2j` for `½ × 4` along j.
+    fn rebound_along_axis(&self) -> Option<usize> {
+        let known = |quantity| sizes(&self.prepared.known, quantity);
+        let after = known(Quantity::Velocity(Sphere::A, Moment::After, Axis::N))?;
+        let along = |axis| -> Option<Vec<f64>> {
+            Some(known(Quantity::Line(axis))?.iter().zip(&after).map(|(line, after)| line * after).collect())
+        };
+        let (x, y) = (along(Axis::X)?, along(Axis::Y)?);
+        self.lines.iter().position(|studied| self.members(studied).any(|(_, values)| is_vector(values, &x, &y, 1.0)))
+    }
+
+    /// The impulse of a wall, or the energy lost there, from the component that stays: a method mark condones sine for
+    /// cosine.
+    pub(super) fn with_sine_for_cosine(&self, law: Law, code: Code) -> Option<Evidence> {
+        let mut quantities = [Quantity::EnergyLost, Quantity::ImpulseMagnitude].into_iter();
+        let line = self.exchanged(quantities.find(|quantity| law.gives(*quantity))?, code)?;
+        Some(Evidence::given(line, law.name()))
+    }
+
+    /// The line that comes to what a wall would do with sine for cosine.
+    fn exchanged(&self, quantity: Quantity, code: Code) -> Option<usize> {
+        // Components that are given are no sine and cosine.
+        if code.is_accuracy() || self.prepared.setting != Setting::Wall || self.prepared.in_components {
+            return None;
+        }
+        let swapped = self.prepared.known.iter().map(|known| {
+            let across = known.number(Quantity::Velocity(Sphere::A, Moment::Before, Axis::T))?;
+            let (e, mass) = (known.number(Quantity::Restitution)?, known.number(Quantity::Mass(Sphere::A)));
+            let number = match quantity {
+                Quantity::EnergyLost => mass? * across * across * (1.0 - e * e) / 2.0,
+                Quantity::ImpulseMagnitude => mass? * across * (1.0 + e),
+                _ => e * across,
+            };
+            let mut swapped = known.clone();
+            swapped.0.insert(quantity, Datum::Number(number));
+            (across != 0.0).then_some(swapped)
+        });
+        let swapped: Vec<Known<f64>> = swapped.collect::<Option<_>>()?;
+        self.line_that_is(&swapped, quantity)
+    }
+}
