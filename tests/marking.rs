@@ -187,6 +187,17 @@ fn the_rest_is_solved_again_in_the_directions_of_the_solution() {
     assert_eq!(gone_on_from(row)[0], "v = 2.5");
 }
 
+#[test]
+fn the_rest_is_solved_again_from_a_velocity_as_one_vector() {
+    let table: Table = toml::from_str(include_str!("data/scripts.toml")).unwrap();
+    let gone_on = |name: &str| gone_on_from(table.script.iter().find(|row| row.name == name).unwrap());
+    let lines = gone_on("a wrong vector after a wall is gone on from as a vector");
+    assert_eq!(lines[0], "v_A = [4, 2]");
+    assert!(lines.contains(&"cos(delta) = 4/(2*sqrt(13)*2*sqrt(5))".to_owned()), "{lines:?}");
+    // What comes of the right value of a letter is right.
+    assert_eq!(gone_on("the velocity that a letter leads to is right once the letter has been found"), [""; 0]);
+}
+
 /// From nought, from the wrong way and from what no sphere can do: something is written, or nothing.
 #[test]
 fn the_rest_is_solved_again_from_values_that_cannot_be() {

@@ -13,8 +13,8 @@ use crate::mark::judging::{Judgement, Model, Note, Verdict, judge};
 use crate::mark::key::{KeyedBlank, KeyedPart, KeyedQuestion};
 use crate::mark::reading::{Form, Reading};
 use crate::mark::working::{Examined, has_these_sizes};
-use crate::mechanics::{Derivation, Line, Quantity, Show};
-use crate::number::{Fraction, Places, round};
+use crate::mechanics::{Axis, Datum, Derivation, Known, Line, Moment, Quantity, Show, Sphere};
+use crate::number::{Fraction, Places, Value, round};
 use crate::paper::WorkingLine;
 
 /// An answer that is right for what the student had found before.
@@ -186,9 +186,13 @@ fn solved_again(question: &KeyedQuestion, part: &KeyedPart, own: &[(Quantity, Ex
     let own: Vec<&(Quantity, Expr)> = own.iter().filter(|(_, written)| question.exact(written).is_some()).collect();
     let mut known = question.given_with(own.iter().map(|(quantity, written)| (*quantity, written)));
     let mut reached: BTreeSet<Quantity> = own.iter().map(|(quantity, _)| *quantity).collect();
+    reached.extend(resolve(&mut known, &reached));
     let asked: Vec<Quantity> = part.blanks.iter().flat_map(|blank| blank.find.quantities()).collect();
     let asked: Vec<Quantity> = asked.into_iter().filter(|quantity| !reached.contains(quantity)).collect();
     let (derivation, _) = Derivation::carry_out(&mut known, &asked);
+    // What the working shows besides: the components before, as they are along the line of centres and across it.
+    let before = |axis| Sphere::BOTH.map(|sphere| Quantity::Velocity(sphere, Moment::Before, axis));
+    Derivation::carry_out(&mut known, &[Axis::N, Axis::T].map(before).concat());
     let show = Show::new(&question.scene, &known, &asked);
     let mut lines = Vec::new();
     for step in &derivation.steps {
@@ -211,10 +215,60 @@ fn solved_again(question: &KeyedQuestion, part: &KeyedPart, own: &[(Quantity, Ex
         };
         Expr::equation(symbol, if is_turned { written.clone().negated() } else { written.clone() })
     };
-    let equations = own.into_iter().map(equation);
+    let (vectors, alone) = paired(&own);
+    let of_vector = |(of, vector): &(Quantity, Expr)| {
+        let Quantity::Velocity(sphere, moment, _) = *of else {
+            return Expr::equation(show.symbol(*of), vector.clone());
+        };
+        Expr::equation(Expr::name(show.vector_letter(sphere, moment)), vector.clone())
+    };
+    let equations = vectors.iter().map(of_vector).chain(alone.into_iter().map(equation));
     let words = Text::words("You have:");
     lines.insert(0, WorkingLine { words, equations: equations.collect(), label: None });
     lines
+}
+
+/// Adds what the student's own components along i and j come to along the line of centres and across it.
+fn resolve(known: &mut Known<Value>, own: &BTreeSet<Quantity>) -> Vec<Quantity> {
+    let mut found = Vec::new();
+    for sphere in Sphere::BOTH {
+        let of = |axis| Quantity::Velocity(sphere, Moment::After, axis);
+        let components = [of(Axis::X), of(Axis::Y), Quantity::Line(Axis::X), Quantity::Line(Axis::Y)];
+        let [Some(x), Some(y), Some(along_x), Some(along_y)] = components.map(|component| known.number(component))
+        else {
+            continue;
+        };
+        if !own.contains(&of(Axis::X)) || !own.contains(&of(Axis::Y)) {
+            continue;
+        }
+        let along = &(&x * &along_x) + &(&y * &along_y);
+        let across = &(&y * &along_x) - &(&x * &along_y);
+        for (axis, size) in [(Axis::N, along), (Axis::T, across)] {
+            known.0.insert(of(axis), Datum::Number(size));
+            found.push(of(axis));
+        }
+    }
+    found
+}
+
+/// The velocities of which both components along i and j are there, as vectors, and all the rest.
+fn paired<'o>(own: &[&'o (Quantity, Expr)]) -> (Vec<(Quantity, Expr)>, Vec<&'o (Quantity, Expr)>) {
+    let beside = |quantity: Quantity, axis: Axis| {
+        let of = quantity.of_its_impact();
+        let Quantity::Velocity(sphere, moment, Axis::X | Axis::Y) = of else { return None };
+        let is_other = |other: &&&'o (Quantity, Expr)| {
+            other.0.impact() == quantity.impact() && other.0.of_its_impact() == Quantity::Velocity(sphere, moment, axis)
+        };
+        own.iter().find(is_other).map(|(_, written)| written.clone())
+    };
+    let both = |quantity: Quantity| beside(quantity, Axis::X).zip(beside(quantity, Axis::Y));
+    let mut vectors = Vec::new();
+    for (quantity, _) in own {
+        if let (Quantity::Velocity(.., Axis::X), Some((x, y))) = (quantity.of_its_impact(), both(*quantity)) {
+            vectors.push((quantity.of_its_impact(), Expr::Vector(Box::new(x), Box::new(y))));
+        }
+    }
+    (vectors, own.iter().copied().filter(|(quantity, _)| both(*quantity).is_none()).collect())
 }
 
 /// The most decimal places that are written in place of a fraction.

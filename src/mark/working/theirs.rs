@@ -13,7 +13,7 @@ use crate::bank::Find;
 use crate::expr::{Expr, written};
 use crate::mark::key::{KeyedPart, KeyedQuestion};
 use crate::mark::reading::{Form, Reading};
-use crate::mechanics::{Axis, Derivation, Moment, Quantity, Setting, Sphere};
+use crate::mechanics::{Axis, Derivation, Known, Moment, Quantity, Setting, Sphere};
 
 /// A value that is off by no more than that part of it is right, but perhaps for its figures.
 const NEARLY_RIGHT: f64 = 0.01;
@@ -66,10 +66,13 @@ impl Theirs {
         share: f64,
         question: &'t KeyedQuestion,
     ) -> impl Iterator<Item = (Quantity, &'t Expr)> {
-        let right = |quantity: &Quantity| sizes(&question.prepared().known, *quantity).unwrap_or_default();
+        let prepared = question.prepared();
+        // Once a letter has been found, what it leads to is right too.
+        let found = prepared.all_where_found().unwrap_or_default();
         let near = move |(own, right): (&f64, &f64)| is_near(share, *own, *right);
         self.0.iter().filter_map(move |(quantity, (values, written))| {
-            let is_right = values.iter().zip(&right(quantity)).all(near);
+            let is = |known: &[Known<f64>]| values.iter().zip(&sizes(known, *quantity).unwrap_or_default()).all(near);
+            let is_right = is(&prepared.known) || !found.is_empty() && is(&found);
             (!is_right).then_some((*quantity, written))
         })
     }
@@ -273,7 +276,7 @@ fn letter_of_rebound(lines: &[Studied], prepared: &Prepared) -> Option<String> {
 }
 
 /// Is it a letter that is used for velocities after the impact?
-fn is_of_velocity(letter: &str) -> bool {
+pub(super) fn is_of_velocity(letter: &str) -> bool {
     letter.starts_with(['v', 'V', 'w', 'W', 'x', 'y', 'X', 'Y'])
 }
 
