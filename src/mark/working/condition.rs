@@ -5,8 +5,9 @@ use super::evidence::Evidence;
 use super::examine::Working;
 use super::line::ReadLine;
 use super::points::sizes;
-use super::theirs::numbers;
-use crate::expr::{Expr, Relation};
+use super::shapes::squared;
+use super::theirs::{is_of_velocity, numbers};
+use crate::expr::{Expr, Function, Relation};
 use crate::mark::key::KeyedMark;
 use crate::mark::reading::Form;
 use crate::mechanics::{Axis, Known, Moment, Quantity, Sphere};
@@ -24,7 +25,10 @@ impl Working<'_> {
             let is_demanded = |form: &Form| self.is_demanded(form, mark, *place) || self.is_of_angles(form);
             let is_inequality = || statements().any(|said| is_demanded(&said.form));
             let mut worked = reading.equations.iter().filter(|(_, right)| !self.is_printed_value(right));
-            let mut holds = || worked.any(|equation| self.holds_only_where_found(equation));
+            let holds = |equation: &(Expr, Expr)| {
+                self.holds_only_where_found(equation) || self.is_of_own_speed(equation, *place)
+            };
+            let mut holds = || worked.any(holds);
             !self.is_printed_result(studied) && studied.matched.is_empty() && (holds() || is_inequality())
         })?;
         Some(Evidence::given(line, "uses what is given of the motion after the impact"))
@@ -51,6 +55,50 @@ impl Working<'_> {
         }
         // And not everywhere: an identity says nothing.
         held > 0 && !(0..self.prepared.points.count).all(|point| self.holds_at(left, right, point))
+    }
+
+    /// `(3 + k)² + (1 + 2k)² = 50`: is the speed that is given set equal to that of the student's own velocity, which a line
+    /// before this one has in the letter that is sought?
+    fn is_of_own_speed(&self, (left, right): &(Expr, Expr), place: usize) -> bool {
+        let Some(given) = self.given_speed() else { return false };
+        let squares: Vec<f64> = given.iter().map(|speed| speed * speed).collect();
+        let is_speed = |speed: &Expr, other: &Expr| match speed {
+            Expr::Call(Function::Sqrt, sum) => {
+                self.is_of_own_velocity(sum, place) && self.is_one_of(other, &[given.clone()])
+            }
+            sum => self.is_of_own_velocity(sum, place) && self.is_one_of(other, &[squares.clone()]),
+        };
+        is_speed(left, right) || is_speed(right, left)
+    }
+
+    /// The speed after the impact, where that is what is given.
+    fn given_speed(&self) -> Option<Vec<f64>> {
+        let condition = self.question.scene.conditions.first().filter(|condition| !condition.is_inequality())?;
+        let Expr::Name(name) = &condition.left else { return None };
+        let Ok(Quantity::Speed(_, Moment::After)) = name.text.parse() else { return None };
+        numbers(&self.values_of(&condition.right)?)
+    }
+
+    /// Is it the sum of the squares of both components of a velocity that was stated before, in the letter that is sought?
+    fn is_of_own_velocity(&self, sum: &Expr, place: usize) -> bool {
+        let Some((one, other)) = squared(sum) else { return false };
+        let is = |expr: &Expr, component: &Expr| {
+            self.values_of(component)
+                .and_then(|values| numbers(&values))
+                .is_some_and(|own| self.is_one_of(expr, &[own]))
+        };
+        let members = self.lines[..place].iter().flat_map(|studied| self.members(studied));
+        let mut own = members.filter_map(|(member, _)| match &member.expr {
+            Expr::Vector(x, y) if member.letter.as_deref().is_some_and(is_of_velocity) => Some((x, y)),
+            _ => None,
+        });
+        own.any(|(x, y)| self.has_sought(sum) && (is(&one, x) && is(&other, y) || is(&one, y) && is(&other, x)))
+    }
+
+    /// Does the letter that is sought stand in it?
+    fn has_sought(&self, expr: &Expr) -> bool {
+        let sought = |name: &str| self.question.scene.unknowns.iter().any(|letter| letter.name() == name);
+        expr.names().into_iter().any(|name| sought(&name.text))
     }
 
     /// Is it the inequality of the scheme, or what that is for the student's own velocity, up to a positive factor? The
@@ -136,12 +184,8 @@ impl Working<'_> {
 
     /// What the lines up to one say of letters, in the letter that is sought: `x = 3/f`.
     fn said_of_letters(&self, place: usize) -> Vec<Vec<f64>> {
-        let is_in_sought = |expr: &Expr| {
-            let sought = |name: &str| self.question.scene.unknowns.iter().any(|letter| letter.name() == name);
-            expr.names().into_iter().any(|name| sought(&name.text))
-        };
         let members = self.lines[..=place].iter().flat_map(|studied| self.members(studied));
-        let said = members.filter(|(member, _)| member.letter.is_some() && is_in_sought(&member.expr));
+        let said = members.filter(|(member, _)| member.letter.is_some() && self.has_sought(&member.expr));
         said.filter_map(|(_, values)| numbers(values)).collect()
     }
 
