@@ -55,6 +55,14 @@ impl ByLines {
                     let of = if is_equation(*law) { &mut all.methods } else { &mut all.last };
                     of.push(*law);
                 }
+                // A slip of a law is what a line shows plainly where its method is not given.
+                if let (EarnedFor::Law(law, _), Some((Award { given: false, note: Some(note), .. }, _))) =
+                    (&mark.earned_for, line)
+                    && law.slips().iter().any(|slip| slip.tag == *note)
+                    && !is_equation(*law)
+                {
+                    all.wrong.push((*law, *note));
+                }
                 continue;
             }
             all.last_line = all.last_line.max(given.map(|(_, number)| number));

@@ -3,8 +3,10 @@
 use super::compare::any_within;
 use super::evidence::Evidence;
 use super::examine::{Studied, Working};
+use super::line::Member;
 use super::points::sizes;
 use super::theirs::numbers;
+use super::values::names_loss;
 use crate::bank::Code;
 use crate::expr::Expr;
 use crate::mechanics::{Axis, Law, Moment, Quantity, Shape, Sphere};
@@ -90,7 +92,7 @@ impl Working<'_> {
         }
         let wrong = |studied: &Studied| {
             let mut members = studied.reading.iter().flat_map(|reading| &reading.members);
-            members.find_map(|member| self.wrong_square(&member.expr))
+            members.find_map(|member| self.wrong_square(member))
         };
         let (line, tag) = self.lines.iter().enumerate().find_map(|(place, studied)| Some((place, wrong(studied)?)))?;
         let is_right_elsewhere = self.by_shape(law, shape, None, Code::M1).is_some();
@@ -100,10 +102,11 @@ impl Working<'_> {
     }
 
     /// `½m(v - u)²`, or `½m(3 - 1)²` for a velocity of 3i - j: which slip it is. The square of the speed of approach is no
-    /// slip, nor is that of anything that comes to a component or a speed.
-    fn wrong_square(&self, expr: &Expr) -> Option<&'static str> {
+    /// slip, nor is that of anything that comes to a component or a speed, unless it alone is called what is lost.
+    fn wrong_square(&self, member: &Member) -> Option<&'static str> {
         let mut bases = Vec::new();
-        collect_bases(expr, &mut bases);
+        collect_bases(&member.expr, &mut bases);
+        let is_loss = bases.len() == 1 && member.label.as_deref().is_some_and(names_loss);
         let mut sums = bases.iter().filter(|base| matches!(base, Expr::Sum(terms) if terms.len() == 2)).peekable();
         sums.peek()?;
         let known = |quantity| sizes(&self.prepared.known, quantity).into_iter();
@@ -122,7 +125,7 @@ impl Working<'_> {
         if bases.iter().any(|base| self.is_approach(base)) {
             return None;
         }
-        sums.filter(|base| !self.is_one_of(base, &velocities)).find_map(|base| {
+        sums.filter(|base| is_loss || !self.is_one_of(base, &velocities)).find_map(|base| {
             let Expr::Sum(terms) = base else { return None };
             Sphere::BOTH.into_iter().find_map(|sphere| {
                 let of = |moment| components(sphere, moment);

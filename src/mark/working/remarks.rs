@@ -77,6 +77,22 @@ pub(super) fn turned_round(typed: &str) -> Option<String> {
     (is_name && !negated.is_empty()).then(|| format!("{letter} = {}", negated.join(" = ")))
 }
 
+/// What each component is after an impact: `3i, 2j` for `3i stays, -4j becomes 2j`.
+pub(super) fn after_impact(typed: &str) -> Option<String> {
+    const BECOMES: [&str; 4] = [" becomes ", " become ", " changes to ", " turns into "];
+    let is_formula = |before: &str| !before.split(|sign: char| !sign.is_alphabetic()).any(|word| word.len() > 1);
+    let changed = |clause: &str| {
+        let sides = BECOMES.iter().find_map(|word| clause.split_once(word));
+        sides.filter(|(before, _)| is_formula(before)).map(|(_, after)| after.trim().to_owned())
+    };
+    let clauses = || typed.split([',', ';']).flat_map(|clause| clause.split(" and ")).map(str::trim);
+    clauses().any(|clause| changed(clause).is_some()).then(|| {
+        let after: Vec<String> =
+            clauses().map(|clause| changed(clause).unwrap_or_else(|| without_remark(clause).to_owned())).collect();
+        after.join(", ")
+    })
+}
+
 /// A line without what it says at its end of a component that stays as it is: `, which remains the same`.
 pub(super) fn without_remark(typed: &str) -> &str {
     const AROUND: [char; 7] = [' ', ',', ';', '-', '–', '(', ':'];
