@@ -5,6 +5,7 @@
 
 mod accuracy;
 mod angle;
+mod as_printed;
 mod besides;
 mod called;
 mod changes;
@@ -49,6 +50,7 @@ use known::Prepared;
 pub(super) use left_side::is_made_of_others;
 pub use model_text::ModelOptions;
 pub use note::Note;
+pub(super) use shown::is_printed_value;
 pub(super) use spheres::named_spheres;
 pub use together::judge_together;
 

@@ -4,6 +4,7 @@
 //! comes to it, in a formula or under a name, has used the law; its sign is condoned. Besides that a few laws are known by
 //! the shape of their formula, so that a slip of the calculator costs no method mark.
 
+use super::cleared::is_of_deflection;
 use super::compare::{any_within, comes_to, comes_to_angle, is_vector};
 use super::evidence::Evidence;
 use super::examine::{Studied, Value, Working, has_vectors, value};
@@ -16,9 +17,8 @@ use super::shapes::components_in;
 use crate::answer::Kind;
 use crate::bank::{Code, EarnedFor};
 use crate::expr::Expr;
-use crate::mark::judging::{Note, is_of_a_part, judge, may_be_named};
+use crate::mark::judging::{is_of_a_part, may_be_named};
 use crate::mark::key::KeyedMark;
-use crate::mark::reading::Reading;
 use crate::mechanics::{Axis, Datum, Known, Law, Moment, Quantity, Seen, Setting, Shape, Sphere};
 
 impl Working<'_> {
@@ -55,7 +55,6 @@ impl Working<'_> {
                 let counts =
                     |quantity: &&Quantity| about(quantity) && (!is_before(quantity) || self.has_energy_before());
                 let quantities: Vec<Quantity> = quantities.iter().filter(counts).copied().collect();
-                let is_of_deflection = quantities.iter().any(|quantity| matches!(quantity, Quantity::TanDeflection(_)));
                 if let Some(wrong) = self.squared_wrongly(law, shape) {
                     return Some(wrong);
                 }
@@ -68,7 +67,11 @@ impl Working<'_> {
                 let found = found.or_else(|| self.without_a_letter(law, &quantities, code));
                 let by_angle = || self.compound_angle(law).or_else(|| self.scalar_quotient(law));
                 let of_deflection = || self.demanded_of_turn(law).or_else(by_angle);
-                found.or_else(|| if code == Code::M1 && is_of_deflection { of_deflection() } else { None })
+                match (is_of_deflection(law), code) {
+                    (true, Code::M1) => found.or_else(of_deflection),
+                    (true, Code::DependentM1) => self.cleared(found?, &quantities),
+                    _ => found,
+                }
             }
             Seen::AlongLine | Seen::Unknown => None,
         }
@@ -215,18 +218,6 @@ impl Working<'_> {
         self.convention.as_ref().is_some_and(|convention| convention.letters.iter().any(|known| known == letter))
     }
 
-    /// Is the line what was to be shown, written once more? A step on the way to it has more in it than the result.
-    pub(super) fn is_printed_result(&self, studied: &Studied) -> bool {
-        let Some(reading) = &studied.reading else { return false };
-        let models = self.part.blanks.iter().map(|blank| &blank.model);
-        let line = Reading { statements: reading.statements.clone(), printed: String::new(), decided: Vec::new() };
-        let longest = reading.equations.iter().map(|(left, right)| leaves(left) + leaves(right)).max().unwrap_or(0);
-        let line = Ok(vec![line]);
-        models.filter(|model| model.kind == Kind::Shown).any(|result| {
-            longest <= leaves(&result.value) + 1 && judge(result, &line).note == Some(Note::Restated.tag())
-        })
-    }
-
     pub(super) fn is_in_vectors(&self) -> bool {
         !self.prepared.given[0].0.contains_key(&Quantity::Line(Axis::X))
             && !self.prepared.given[0].0.contains_key(&Quantity::ContactSine)
@@ -352,10 +343,4 @@ impl Working<'_> {
         };
         (0..self.prepared.points.count).map(at).collect()
     }
-}
-
-/// How many numbers and letters stand in a formula.
-fn leaves(expr: &Expr) -> usize {
-    let inner: usize = expr.children().into_iter().map(leaves).sum();
-    inner.max(1)
 }

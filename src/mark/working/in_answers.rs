@@ -4,6 +4,7 @@
 use std::borrow::Cow;
 
 use super::apiece::Apiece;
+use super::cleared::is_of_deflection;
 use super::energies::ToBeSubtracted;
 use super::examine::{Examined, Value, Working, value};
 use super::linear::Linear;
@@ -33,6 +34,7 @@ impl Examined {
             let law = match mark.earned_for {
                 EarnedFor::Law(law, _) if matches!(law.seen(), Seen::Unchanged | Seen::Unknown) => law,
                 EarnedFor::Law(law, _) if law.gives(Quantity::EnergyLost) => law,
+                EarnedFor::Law(law, _) if mark.code == Code::DependentM1 && is_of_deflection(law) => law,
                 _ => return None,
             };
             award.as_ref().is_none_or(|award| !award.given).then_some(law)
@@ -48,6 +50,7 @@ impl Examined {
             let mark = &part.scheme[place];
             let shown = match law.seen() {
                 Seen::Unchanged => unchanged(question, part, before, &said),
+                Seen::Value(..) if is_of_deflection(law) => self.cleared_in_answers(part, law, &said),
                 Seen::Value(..) => {
                     let energies = self.to_be_subtracted.as_ref().filter(|own| own.allows(mark.code));
                     energies.and_then(|own| subtracted(question.prepared(), part, own, &said))

@@ -12,6 +12,7 @@ mod by_components;
 mod by_law;
 mod change_of_momentum;
 mod changed;
+mod cleared;
 mod compare;
 mod components;
 mod condition;

@@ -1,14 +1,16 @@
 //! A result that is printed in the question: no line on the way to it may be false, and it must end the working.
 
+use std::borrow::Cow;
+
 use super::evidence::Evidence;
 use super::examine::{Studied, Working};
 use super::line::ReadLine;
 use super::linear::{Context, Sum, difference};
 use super::points::{Points, sizes};
 use crate::answer::Kind;
-use crate::expr::{Expr, Relation};
-use crate::mark::judging::{Model, Note, judge};
-use crate::mark::reading::{Form, Reading};
+use crate::expr::{Expr, Function, Relation};
+use crate::mark::judging::{Judgement, Model, Note, judge};
+use crate::mark::reading::{Form, Label, Reading};
 
 /// Where equations are looked at: what letters and names stand for at one point.
 pub(super) struct Spot {
@@ -47,14 +49,36 @@ impl Working<'_> {
         self.printed_models().any(is)
     }
 
+    /// Is the line what was to be shown, written once more? A step on the way to it is not as it is printed, and has more in
+    /// it.
+    pub(super) fn is_printed_result(&self, studied: &Studied) -> bool {
+        let Some(reading) = &studied.reading else { return false };
+        let line = Reading { statements: reading.statements.clone(), printed: String::new(), decided: Vec::new() };
+        let equations = reading.equations.iter().map(|(left, right)| leaves(left) + leaves(right));
+        // What stands alone is said of the one thing to the left of the result.
+        let longest = equations.chain(reading.members.iter().map(|member| leaves(&member.expr) + 1)).max().unwrap_or(0);
+        let line = Ok(vec![line]);
+        self.printed_models().any(|result| {
+            let is = |note: Note, found: &Judgement| found.note == Some(note.tag());
+            let is_left = |side: &Expr| matches!(&result.value, Expr::Relation(left, ..) if **left == *side);
+            let found = judge(result, &line);
+            let is_no_more =
+                longest <= leaves(&result.value) && reading.equations.iter().all(|(left, _)| is_left(left));
+            is(Note::Restated, &found) || is_no_more && is(Note::NotAsPrinted, &found)
+        })
+    }
+
     fn ends_with_result(&self, last: usize) -> bool {
         let end = |place: usize| self.lines[place].reading.as_ref()?.statements.last().cloned();
         let Some(mut end) = end(last) else { return false };
         // What `= 9 tan α/4` goes on from says what it is.
         let goes_on = |place: &usize| !self.lines[*place].line.typed.trim_start().starts_with('=');
         let begin = (0..=last).rfind(goes_on).and_then(|place| self.lines[place].reading.as_ref());
-        if let (None, Some(label)) = (&end.label, begin.and_then(|line| line.statements.last()?.label.clone())) {
-            end.label = Some(label);
+        if end.label.is_none() {
+            end.label = begin.and_then(|line| self.called(line)).cloned();
+        }
+        if let Some((left, _)) = begin.and_then(|line| self.result_of_difference(line)) {
+            end.label = Some(Label { typed: crate::expr::print::plain(left), expr: Some(left.clone()) });
         }
         let is_named = end.label.is_some() || end.said.iter().any(|said| matches!(said.form, Form::Equation(_)));
         end.said.drain(..end.said.len().saturating_sub(1));
@@ -113,15 +137,33 @@ impl Working<'_> {
     pub(super) fn equations(&self, reading: &ReadLine, before: Option<Expr>) -> (Vec<(Expr, Expr)>, Option<Expr>) {
         let mut equations = if reading.is_guessed { Vec::new() } else { reading.equations.clone() };
         let mut named = before;
+        let of_difference = self.result_of_difference(reading).map(|(_, right)| right);
         for statement in &reading.statements {
             let printed = statement.label.as_ref().and_then(|label| self.printed_right_side(&label.typed));
-            named = printed.or(named.filter(|_| statement.label.is_none()));
+            named = printed.or_else(|| of_difference.cloned()).or(named.filter(|_| statement.label.is_none()));
             let (Some(right), Some(first)) = (&named, statement.said.first()) else { continue };
             if let Form::Value(value) = &first.form {
                 equations.push((right.clone(), value.clone()));
             }
         }
         (equations, named)
+    }
+
+    /// What a line calls its value: beside `t = tan α` the result, if it is named there.
+    fn called<'l>(&self, line: &'l ReadLine) -> Option<&'l Label> {
+        let is_result = |label: &&Label| self.printed_right_side(&label.typed).is_some();
+        let result = line.statements.iter().filter_map(|statement| statement.label.as_ref()).find(is_result);
+        result.or(line.statements.last()?.label.as_ref())
+    }
+
+    /// The result, by its two sides, that a line calls the tangent of a difference of two angles: `tan(β - α) = …`.
+    fn result_of_difference(&self, reading: &ReadLine) -> Option<(&Expr, &Expr)> {
+        let (called, _) = reading.equations.first()?;
+        expanded(called)?;
+        let (everywhere, where_found) = self.spots();
+        self.printed_models().filter_map(sides_of).find(|(_, right)| {
+            self.truth(&(called.clone(), (*right).clone()), &everywhere, &where_found) == Truth::True
+        })
     }
 
     /// What has this name in a result that is printed in this question.
@@ -204,7 +246,35 @@ impl Working<'_> {
         });
         match result {
             Some(right) => right,
-            None => expr.map_children(&mut |child| self.with_results(child)),
+            None => {
+                let expr = expanded(expr).map_or(Cow::Borrowed(expr), Cow::Owned);
+                expr.map_children(&mut |child| self.with_results(child))
+            }
         }
     }
+}
+
+/// Both sides of a result that is an equation.
+fn sides_of(model: &Model) -> Option<(&Expr, &Expr)> {
+    match &model.value {
+        Expr::Relation(left, Relation::Equal, right) => Some((&**left, &**right)),
+        _ => None,
+    }
+}
+
+/// `tan(β - α)` as `(tan β - tan α)/(1 + tan β tan α)`.
+fn expanded(expr: &Expr) -> Option<Expr> {
+    let Expr::Call(Function::Tan, difference) = expr else { return None };
+    let Expr::Sum(terms) = &**difference else { return None };
+    let [from @ Expr::Name(_), Expr::Negative(taken)] = terms.as_slice() else { return None };
+    let [from, taken] = [from, taken].map(|angle| Expr::call(Function::Tan, angle.clone()));
+    let above = Expr::Sum(vec![from.clone(), Expr::Negative(Box::new(taken.clone()))]);
+    let below = Expr::Sum(vec![Expr::integer(1), Expr::Product(vec![from, taken])]);
+    Some(Expr::Quotient(Box::new(above), Box::new(below)))
+}
+
+/// How many numbers and letters stand in a formula.
+fn leaves(expr: &Expr) -> usize {
+    let inner: usize = expr.children().into_iter().map(leaves).sum();
+    inner.max(1)
 }
