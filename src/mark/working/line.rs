@@ -174,7 +174,8 @@ impl ReadLine {
 fn readings(typed: &str, vocabularies: &[Vocabulary]) -> Vec<ReadLine> {
     let mut found: Vec<ReadLine> = Vec::new();
     // What a letter stands for is no aside here: `… = 35t/(9 + 44t²), where t = tan α`.
-    let listed = match typed.split_once(" where ").filter(|(_, after)| after.contains('=')) {
+    let explained = [" where ", " let ", " letting "].into_iter().find_map(|word| typed.split_once(word));
+    let listed = match explained.filter(|(_, after)| after.contains('=')) {
         Some((before, after)) => Cow::Owned(format!("{}, {after}", before.trim_end_matches(','))),
         None => Cow::Borrowed(typed),
     };
