@@ -215,14 +215,13 @@ fn solved_again(question: &KeyedQuestion, part: &KeyedPart, own: &[(Quantity, Ex
         };
         Expr::equation(symbol, if is_turned { written.clone().negated() } else { written.clone() })
     };
-    let (vectors, alone) = paired(&own);
-    let of_vector = |(of, vector): &(Quantity, Expr)| {
-        let Quantity::Velocity(sphere, moment, _) = *of else {
-            return Expr::equation(show.symbol(*of), vector.clone());
-        };
-        Expr::equation(Expr::name(show.vector_letter(sphere, moment)), vector.clone())
-    };
-    let equations = vectors.iter().map(of_vector).chain(alone.into_iter().map(equation));
+    let equations = own.iter().filter_map(|one| match (as_vector(&own, one.0), one.0.of_its_impact()) {
+        (Some(vector), Quantity::Velocity(sphere, moment, Axis::X)) => {
+            Some(Expr::equation(Expr::name(show.vector_letter(sphere, moment)), vector))
+        }
+        (Some(_), _) => None,
+        (None, _) => Some(equation(one)),
+    });
     let words = Text::words("You have:");
     lines.insert(0, WorkingLine { words, equations: equations.collect(), label: None });
     lines
@@ -251,24 +250,16 @@ fn resolve(known: &mut Known<Value>, own: &BTreeSet<Quantity>) -> Vec<Quantity> 
     found
 }
 
-/// The velocities of which both components along i and j are there, as vectors, and all the rest.
-fn paired<'o>(own: &[&'o (Quantity, Expr)]) -> (Vec<(Quantity, Expr)>, Vec<&'o (Quantity, Expr)>) {
-    let beside = |quantity: Quantity, axis: Axis| {
-        let of = quantity.of_its_impact();
-        let Quantity::Velocity(sphere, moment, Axis::X | Axis::Y) = of else { return None };
-        let is_other = |other: &&&'o (Quantity, Expr)| {
-            other.0.impact() == quantity.impact() && other.0.of_its_impact() == Quantity::Velocity(sphere, moment, axis)
+/// The velocity of which a value is one component along i and j, where the other is there too.
+fn as_vector(own: &[&(Quantity, Expr)], quantity: Quantity) -> Option<Expr> {
+    let Quantity::Velocity(sphere, moment, Axis::X | Axis::Y) = quantity.of_its_impact() else { return None };
+    let component = |axis| {
+        let is_it = |other: Quantity| {
+            other.impact() == quantity.impact() && other.of_its_impact() == Quantity::Velocity(sphere, moment, axis)
         };
-        own.iter().find(is_other).map(|(_, written)| written.clone())
+        own.iter().find(|(other, _)| is_it(*other)).map(|(_, written)| Box::new(written.clone()))
     };
-    let both = |quantity: Quantity| beside(quantity, Axis::X).zip(beside(quantity, Axis::Y));
-    let mut vectors = Vec::new();
-    for (quantity, _) in own {
-        if let (Quantity::Velocity(.., Axis::X), Some((x, y))) = (quantity.of_its_impact(), both(*quantity)) {
-            vectors.push((quantity.of_its_impact(), Expr::Vector(Box::new(x), Box::new(y))));
-        }
-    }
-    (vectors, own.iter().copied().filter(|(quantity, _)| both(*quantity).is_none()).collect())
+    Some(Expr::Vector(component(Axis::X)?, component(Axis::Y)?))
 }
 
 /// The most decimal places that are written in place of a fraction.

@@ -62,11 +62,10 @@ impl Working<'_> {
     fn is_of_own_speed(&self, (left, right): &(Expr, Expr), place: usize) -> bool {
         let Some(given) = self.given_speed() else { return false };
         let squares: Vec<f64> = given.iter().map(|speed| speed * speed).collect();
+        let is = |expr: &Expr, sizes: &Vec<f64>| self.is_one_of(expr, std::slice::from_ref(sizes));
         let is_speed = |speed: &Expr, other: &Expr| match speed {
-            Expr::Call(Function::Sqrt, sum) => {
-                self.is_of_own_velocity(sum, place) && self.is_one_of(other, &[given.clone()])
-            }
-            sum => self.is_of_own_velocity(sum, place) && self.is_one_of(other, &[squares.clone()]),
+            Expr::Call(Function::Sqrt, sum) => self.is_of_own_velocity(sum, place) && is(other, &given),
+            sum => self.is_of_own_velocity(sum, place) && is(other, &squares),
         };
         is_speed(left, right) || is_speed(right, left)
     }
