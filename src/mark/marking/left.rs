@@ -97,7 +97,6 @@ impl<'s> Left<'s> {
                 statements.is_some_and(|statements| statements.iter().any(is_called))
             };
             // `45 - 18.4 = 26.6`: the line itself is the method.
-            let is_worked_out = |statement: &Statement| statement.label.is_none() && statement.said.len() > 1;
             let is_end = || may_work_out && statements.iter().all(is_worked_out);
             let is_answer = || has_method || is_end() || statements.iter().any(is_called) || is_begun();
             let is_of_other = || statements.iter().any(|statement| self.is_of_other(blank, statement));
@@ -181,6 +180,15 @@ impl<'s> Left<'s> {
             }
         }
     }
+}
+
+/// Is it a value without a name, worked out from more than two numbers multiplied: `2 × 6 = 12` may be anything?
+fn is_worked_out(statement: &Statement) -> bool {
+    fn is_more(expr: &Expr) -> bool {
+        matches!(expr, Expr::Sum(_) | Expr::Power(..) | Expr::Call(..)) || expr.children().into_iter().any(is_more)
+    }
+    let [first, _, ..] = statement.said.as_slice() else { return false };
+    statement.label.is_none() && matches!(&first.form, Form::Value(expr) if is_more(expr))
 }
 
 /// Is it right, if only as coordinates, which not every board takes for a vector?
