@@ -5,6 +5,7 @@
 //! * Of several statements those labelled with the sphere that is asked count; else the last, if each has its own label.
 //! * Two that are not labelled are rivals: they score only if all of them do, unless the last is concluded from the others.
 
+use crate::answer::Kind;
 use crate::expr::Expr;
 use crate::mark::reading::{Form, Label, Reading, Said, Statement};
 use crate::mechanics::{Moment, Quantity, Sphere};
@@ -266,6 +267,7 @@ fn last_or_rivals(model: &Model, statements: &[&Statement], one: One) -> Finding
     // `8 → 5.19, loss 2.81`: of several values the last alone is called what is asked.
     if let [steps @ .., last] = statements
         && !steps.is_empty()
+        && !matches!(model.kind, Kind::Vector | Kind::Velocity | Kind::Line)
         && called::is_named(model, last)
         && steps.iter().all(|step| step.label.is_none())
         && !statements.iter().flat_map(|statement| &statement.said).any(is_rival)

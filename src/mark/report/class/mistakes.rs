@@ -47,9 +47,10 @@ const ACCURACY: [(&str, &str); 8] = [
 ];
 
 /// What lines of working show and answers do not.
-const OF_WORKING: [(&str, &str); 6] = [
+const OF_WORKING: [(&str, &str); 7] = [
     ("sign-error", "wrote a wrong sign in an equation"),
     ("e-misread", "took another e than the one that is given"),
+    ("number-misread", "copied a number of the question wrongly"),
     ("weights-for-masses", "took weights for the masses"),
     ("term-missing", "left a term out of an equation"),
     ("mass-missing", "left a mass out of one term"),
