@@ -14,7 +14,7 @@ use super::finding::Finding;
 use super::letters::of_letter;
 use super::otherwise::{is_another_of_its_sort, is_changed_to, remark_names_another};
 use super::spheres::{self, named_sphere, sphere};
-use super::{Model, Note};
+use super::{Model, Note, sense};
 
 /// What a name is the name of.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -205,7 +205,6 @@ pub(super) fn as_remarked(model: &Model, statement: &Statement, finding: Finding
     }
     let label = statement.label.as_ref().map_or("", |label| &label.typed);
     let has = |wanted: &[&str]| remarks.iter().flat_map(|remark| words(remark)).any(|word| wanted.contains(&word));
-    let says = |phrase: &str| remarks.iter().any(|remark| remark.contains(phrase));
     let is_loss = is_of_loss(asked);
     let calls_it_loss = has(&LOSSES) || words(&label.to_lowercase()).any(|word| LOSSES.contains(&word));
     if is_loss && !calls_it_loss {
@@ -229,7 +228,7 @@ pub(super) fn as_remarked(model: &Model, statement: &Statement, finding: Finding
         // Back along the line, or to a side of the page that nobody has drawn.
         Quantity::Velocity(_, _, Axis::N) => {
             has(&["perpendicular", "perp", "left", "leftwards", "back", "backwards"])
-                || ["rebound", "bounc", "revers", "opposite direction"].into_iter().any(says)
+                || remarks.iter().any(|remark| sense::says_that_it_goes_back(remark))
         }
         _ => false,
     };

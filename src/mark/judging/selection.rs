@@ -7,7 +7,7 @@ use std::cmp::Ordering;
 use crate::answer::Kind;
 use crate::expr::{Expr, Function, Relation};
 use crate::mark::enclosure::enclose_roughly;
-use crate::mark::reading::{End, Form, Reading, Said, Statement, is_rejection, is_second_thought};
+use crate::mark::reading::{End, Form, Label, Reading, Said, Statement, is_rejection, is_second_thought};
 use crate::mechanics::{Moment, Quantity};
 
 use super::besides::{compared_with_a_bound, without_its_name, without_size_and_direction, without_told_besides};
@@ -116,8 +116,21 @@ pub(super) fn order(model: &Model, one: &Expr, other: &Expr) -> Option<Ordering>
     exact::value(&gap, letters).and_then(|gap| gap.sign()).or_else(everywhere)
 }
 
-/// `tan⁻¹(5/4) = 51.3, 180 − 51.3 = 128.7`: a value that the last statement works with is a step to it.
-fn without_what_is_worked_with(statements: Vec<Statement>) -> Vec<Statement> {
+/// `tan⁻¹(5/4) = 51.3, 180 − 51.3 = 128.7`: a value that the last statement works with is a step to it. So it is under a
+/// letter of the student's own, `β = 51.3, 180 − β = 128.7`.
+fn without_what_is_worked_with(mut statements: Vec<Statement>) -> Vec<Statement> {
+    let name = |label: &Option<Label>| label.as_ref().and_then(|label| label.expr.clone());
+    if let [steps @ .., last] = statements.as_slice()
+        && let Some(works @ Expr::Sum(_)) = name(&last.label)
+        && let [letter] = works.names().as_slice()
+        && steps.iter().any(|step| matches!(name(&step.label), Some(Expr::Name(own)) if own.text == letter.text))
+    {
+        let is_step = |step: &Statement| matches!(name(&step.label), Some(Expr::Name(own)) if own.text == letter.text);
+        let mut last = last.clone();
+        last.label = None;
+        let steps = steps.iter().filter(|step| !is_step(step)).cloned();
+        statements = steps.chain([last]).collect();
+    }
     let value = |said: &Said| match &said.form {
         Form::Value(value) => Some(value.clone()),
         _ => None,
@@ -140,7 +153,7 @@ fn without_what_is_worked_with(statements: Vec<Statement>) -> Vec<Statement> {
     kept.map(|(_, statement)| statement.clone()).collect()
 }
 
-/// `1.5² + 2² = 6.25, √6.25 = 2.5`: the square, of which the root is taken next.
+/// `1.5² + 2² = 6.25, √6.25 = 2.5`: the square, of which the root is taken next; `2² + 3² = 13, v = 3.61` leaves the root out.
 ///
 /// `v_B = i − 2j so speed = √5`: the vector, of which the size is taken.
 fn without_what_is_rooted(model: &Model, statements: Vec<Statement>) -> Vec<Statement> {
@@ -154,6 +167,11 @@ fn without_what_is_rooted(model: &Model, statements: Vec<Statement>) -> Vec<Stat
             (Some(Form::Value(square)), Some(Form::Value(Expr::Call(Function::Sqrt, under)))) => {
                 statements[at].label.is_none() && square == &**under
             }
+            (Some(Form::Value(_)), Some(Form::Value(_)))
+                if statements[at].label.is_none() && statements[at].said.first().is_some_and(is_sum_of_squares) =>
+            {
+                is_of_size
+            }
             (Some(Form::Vector(..)), Some(Form::Value(_))) => {
                 is_of_size && says(&statements[at + 1], &["speed", "magnitude", "mag"])
             }
@@ -162,6 +180,12 @@ fn without_what_is_rooted(model: &Model, statements: Vec<Statement>) -> Vec<Stat
     };
     let kept: Vec<bool> = (0..statements.len()).map(|at| !is_rooted(at)).collect();
     statements.into_iter().zip(kept).filter(|(_, kept)| *kept).map(|(statement, _)| statement).collect()
+}
+
+/// `2² + 3²`
+fn is_sum_of_squares(said: &Said) -> bool {
+    let is_square = |term: &Expr| matches!(term, Expr::Power(_, two) if **two == Expr::integer(2));
+    matches!(&said.form, Form::Value(Expr::Sum(terms)) if terms.len() > 1 && terms.iter().all(is_square))
 }
 
 /// `k = 8 or k = −8, k > 0`: an inequality beside values is no value, and rules out those that do not meet it.

@@ -24,6 +24,12 @@ pub(super) fn agrees(said: Option<Sense>, backwards: Option<bool>) -> Option<boo
     }
 }
 
+/// Do words say that a sphere goes back?
+pub(super) fn says_that_it_goes_back(words: &str) -> bool {
+    const BACK: [&str; 6] = ["rebound", "bounc", "revers", "moving back", "moves back", "opposite direction"];
+    BACK.iter().any(|back| words.contains(back))
+}
+
 /// Judges a number by the direction that is said beside it, where that matters for what is asked.
 pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Option<Finding> {
     let line = said.reference?;

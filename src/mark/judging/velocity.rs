@@ -24,7 +24,9 @@ pub(super) fn judge(model: &Model, reading: &Reading) -> Finding {
     let (statements, of_other) = of_asked(model, &reading.statements);
     let turns = says_which_way(&statements);
     let finding = of_one(model, statements);
-    let is_turned = finding.is_credited() && turns.is_some_and(|back| goes_back(model) != Some(back));
+    // Of a sphere of which nobody says from where it came, to go on says nothing, and to go back cannot be checked.
+    let is_else = |back: bool| goes_back(model).map_or(back, |goes_back| goes_back != back);
+    let is_turned = finding.is_credited() && turns.is_some_and(is_else);
     // `56.3° to the line of centres, reversed along it`: the line is named once more, and no other direction.
     let is_named_again = finding.note == Some(Note::DirectionWrong) && turns == Some(true);
     match finding.is_credited() && of_other {
@@ -36,13 +38,11 @@ pub(super) fn judge(model: &Model, reading: &Reading) -> Finding {
 
 /// Do words say that it goes back, or that it goes on?
 fn says_which_way(statements: &[&Statement]) -> Option<bool> {
-    const BACK: [&str; 5] = ["rebound", "bounc", "revers", "moving back", "moves back"];
     const ON: [&str; 4] = ["continues", "forwards", "goes on", "carries on"];
     let labels = statements.iter().filter_map(|statement| statement.label.as_ref()).map(|label| &label.typed);
     let remarks = statements.iter().flat_map(|statement| &statement.said).flat_map(|said| &said.remarks);
     let words: String = labels.chain(remarks).map(|words| words.to_lowercase()).collect::<Vec<_>>().join(" ");
-    let says = |wanted: &[&str]| wanted.iter().any(|word| words.contains(word));
-    match (says(&BACK), says(&ON)) {
+    match (sense::says_that_it_goes_back(&words), ON.iter().any(|on| words.contains(on))) {
         (true, false) => Some(true),
         (false, true) => Some(false),
         _ => None,

@@ -121,6 +121,11 @@ fn pieces(word: &str, vocabulary: &Vocabulary, long: bool) -> Option<Vec<Token>>
     Some(out)
 }
 
+/// Is it the name of a function, such as `tan`?
+pub(super) fn is_function(word: &str) -> bool {
+    FUNCTIONS.iter().any(|(name, _)| name.eq_ignore_ascii_case(word))
+}
+
 /// What the rest of a word can begin with, the longest first.
 fn candidates(rest: &str, vocabulary: &Vocabulary) -> Vec<Piece> {
     let begins = |name: &str| rest.get(..name.len()).is_some_and(|start| start.eq_ignore_ascii_case(name));

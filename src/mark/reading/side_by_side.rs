@@ -56,17 +56,20 @@ impl Statements<'_> {
         self.next_equation(tokens, &equals)
     }
 
-    /// `with tan θ = 3/4`: a name with its own equals sign, that is told beside what stands before.
+    /// `with tan θ = 3/4`: a name with its own equals sign, that is told beside what stands before; so is an angle by its
+    /// function, `at tan⁻¹(3/2) = 56.3°`.
     pub(super) fn adds(&self, tokens: &[Placed]) -> bool {
         let [with, rest @ ..] = tokens else { return false };
         let is_name = |placed: &Placed| {
             matches!(placed.token, Token::Word(_) | Token::Greek(_) | Token::Phrase(Phrase::Noun | Phrase::Remark))
         };
         let length = rest.iter().take_while(|placed| is_name(placed)).count();
+        let is_named = length > 0 && rest.get(length).is_some_and(|next| next.is('='));
+        let is_function = |placed: &Placed| matches!(&placed.token, Token::Word(word) if names::is_function(word));
+        let is_angle = || rest.first().is_some_and(is_function) && rest.iter().any(|placed| placed.is('='));
         with.token == Token::Phrase(Phrase::Joiner)
             && matches!(&*self.slice(std::slice::from_ref(with)).to_lowercase(), "with" | "at")
-            && length > 0
-            && rest.get(length).is_some_and(|next| next.is('='))
+            && (is_named || is_angle())
     }
 
     /// Where the second of two equations begins, `18 = 3v+w  w-v = 2`: after several blanks at letters or numbers of them;
@@ -170,19 +173,20 @@ fn outer_equals(tokens: &[Placed]) -> Vec<usize> {
         match placed.token {
             Token::Sign('(' | '[' | '{' | '⟦') => depth += 1,
             Token::Sign(')' | ']' | '}' | '⟧') => depth = depth.saturating_sub(1),
-            Token::Sign('=') if depth == 0 => found.push(at),
+            Token::Sign('=' | '≈') if depth == 0 => found.push(at),
             _ => {}
         }
     }
     found
 }
 
-/// A name and nothing else, or its power, sine or tangent: `v`, `v²`, `tan θ`.
+/// A name and nothing else, or its size, power, sine or tangent: `v`, `|v|`, `v²`, `tan θ`.
 fn is_label(tokens: &[Placed]) -> bool {
     let is_name = |placed: &Placed| matches!(placed.token, Token::Word(_) | Token::Greek(_));
     let is_figure = |placed: &Placed| matches!(placed.token, Token::Number(_) | Token::Sign('^' | '⟦' | '⟧'));
     match tokens {
         [] => false,
+        [bar, inner @ .., last] if bar.is('|') && last.is('|') => inner.iter().all(is_name),
         [first, rest @ ..] if is_name(first) => rest.iter().all(|placed| is_name(placed) || is_figure(placed)),
         words => words.iter().all(is_word),
     }

@@ -153,10 +153,12 @@ pub(super) fn with_signs(tokens: &[Placed], vocabulary: &Vocabulary, choices: &m
             let token = if times > 1 {
                 Token::Number(recurring_value(whole, before, block))
             } else if !is_long {
-                // `0.36 recurring`: the last figure, or both.
+                // `0.36 recurring`: the last figure, or both; of `0.318 recurring` the last, all, or the last two.
                 let all = decimals.len() > 1 && choices.otherwise(Doubt::Recurring, placed.start);
-                let (before, last) = decimals.split_at(if all { 0 } else { decimals.len() - 1 });
-                Token::Number(recurring_value(whole, before, last))
+                let two = !all && decimals.len() > 2 && choices.otherwise(Doubt::Recurring, placed.end);
+                let length = if all { decimals.len() } else { 1 + usize::from(two) };
+                let (before, block) = decimals.split_at(decimals.len() - length);
+                Token::Number(recurring_value(whole, before, block))
             } else if choices.otherwise(Doubt::Recurring, placed.start) {
                 // It goes on as a calculator's number does.
                 placed.token.clone()

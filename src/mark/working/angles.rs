@@ -90,9 +90,7 @@ fn put_short_letters_in_place(lines: &mut [Line], prepared: &Prepared) {
 
 /// A letter of the student's own for what is known: a sine, cosine or tangent of a letter of the question, or a number.
 fn short(member: &Member, prepared: &Prepared) -> Option<(String, Expr)> {
-    let is_free = |name: &str| {
-        prepared.points.letter(name, 0).is_none() && !prepared.names.iter().any(|(known, _)| known == name)
-    };
+    let is_free = |name: &str| !prepared.gives(name);
     // A letter that is not expected before an equals sign is read as a word.
     let letter = member.letter.as_ref().or(member.label.as_ref().filter(|label| label.len() == 1))?;
     let value = &member.expr;

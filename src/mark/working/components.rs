@@ -56,9 +56,7 @@ pub(super) fn name_components(reading: &mut ReadLine, prepared: &Prepared) {
 
 /// Where the sine or cosine of an unknown angle and the letter of an unknown velocity stand among factors.
 fn component(factors: &[Expr], prepared: &Prepared) -> Option<(usize, usize)> {
-    let is_open = |name: &str| {
-        prepared.points.letter(name, 0).is_none() && !prepared.names.iter().any(|(known, _)| known == name)
-    };
+    let is_open = |name: &str| !prepared.gives(name);
     let function = factors.iter().position(|factor| match (factor, argument(factor)) {
         (Expr::Call(Function::Sin | Function::Cos, _), Some(Expr::Name(angle))) => is_open(&angle.text),
         _ => false,

@@ -5,7 +5,7 @@ use super::evidence::Evidence;
 use super::examine::Working;
 use super::line::ReadLine;
 use super::points::sizes;
-use super::shapes::squared;
+use super::shapes::two_squares;
 use super::theirs::{is_of_velocity, numbers};
 use crate::expr::{Expr, Function, Relation};
 use crate::mark::key::KeyedMark;
@@ -80,7 +80,7 @@ impl Working<'_> {
 
     /// Is it the sum of the squares of both components of a velocity that was stated before, in the letter that is sought?
     fn is_of_own_velocity(&self, sum: &Expr, place: usize) -> bool {
-        let Some((one, other)) = squared(sum) else { return false };
+        let Some((one, other)) = two_squares(sum) else { return false };
         let is = |expr: &Expr, component: &Expr| {
             self.values_of(component)
                 .and_then(|values| numbers(&values))

@@ -41,19 +41,18 @@ impl Substituted {
 /// agree best.
 pub(super) fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option<Convention> {
     let laws = prepared.laws.as_ref()?;
-    // Every equation of every reading that is more than `v = 3`.
     let readings = lines.iter().enumerate().flat_map(|(place, studied)| {
         studied.line.readings.iter().enumerate().map(move |(which, reading)| (place, which, reading))
     });
     let said: Vec<(usize, usize, (Expr, Expr))> = readings
         .flat_map(|(place, which, reading)| {
-            let each = in_numbers(&reading.equations, prepared).into_iter().filter(|equation| !is_value(equation));
-            each.map(move |equation| (place, which, equation))
+            in_numbers(&reading.equations, prepared).into_iter().map(move |equation| (place, which, equation))
         })
         .collect();
-    let equations = || said.iter().map(|(place, which, equation)| (*place, *which, equation));
-    let all = equations().filter_map(|(place, which, equation)| Offered::of(place, which, equation, prepared));
-    let (mut offered, others): (Vec<Offered>, Vec<Offered>) = all.partition(Offered::is_of_velocities);
+    let all = said.iter().map(|(place, which, equation)| (*place, *which, equation));
+    let equations = || all.clone().filter(|(.., equation)| !is_value(equation));
+    let laws_offered = equations().filter_map(|(place, which, equation)| Offered::of(place, which, equation, prepared));
+    let (mut offered, others): (Vec<Offered>, Vec<Offered>) = laws_offered.partition(Offered::is_of_velocities);
     offered.extend(by_impulses(&others));
     let on_two_lines =
         two_lines::momentum(lines).and_then(|(place, which, equation)| Offered::of(place, which, &equation, prepared));
@@ -96,14 +95,12 @@ pub(super) fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option
         }
         studied.reading = Some(studied.line.readings[which].clone());
     }
-    for studied in lines.iter_mut().filter(|studied| studied.matched.is_empty()) {
-        let read = studied.line.readings.iter().find_map(|reading| {
-            let mut each = in_numbers(&reading.equations, prepared).into_iter();
-            let law = each.find_map(|equation| with_number_misread(&equation, laws, &convention, prepared))?;
-            Some((reading.clone(), law))
-        });
-        if let Some((reading, law)) = read {
-            (studied.reading, studied.matched) = (Some(reading), vec![law]);
+    for (place, which, equation) in &said {
+        let studied = &mut lines[*place];
+        if studied.matched.is_empty()
+            && let Some(law) = with_number_misread(equation, laws, &convention, prepared)
+        {
+            (studied.reading, studied.matched) = (Some(studied.line.readings[*which].clone()), vec![law]);
         }
     }
     for studied in lines.iter_mut() {
@@ -115,11 +112,7 @@ pub(super) fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option
 /// The equations of a line, where a law in general letters is passed over between two sides: in
 /// `w - v = e u_A = ⅓(4 cos 30°)` the number is what the difference of the velocities is.
 fn in_numbers(equations: &[(Expr, Expr)], prepared: &Prepared) -> Vec<(Expr, Expr)> {
-    let is_known = |name: &str| {
-        matches!(name, "i" | "j")
-            || prepared.points.letter(name, 0).is_some()
-            || prepared.names.iter().any(|(known, _)| known == name)
-    };
+    let is_known = |name: &str| matches!(name, "i" | "j") || prepared.gives(name);
     let is_general = |side: &Expr, beside: &[&Expr]| {
         let stands = |name: &str| beside.iter().any(|other| other.names().iter().any(|known| known.text == name));
         side.names().iter().any(|name| !is_known(&name.text) && !stands(&name.text))
@@ -269,7 +262,7 @@ fn disagreement(lines: &[Studied], convention: &Convention, prepared: &Prepared)
         let mut own = members.filter(|member| member.letter.as_ref() == Some(&convention.letters[place]));
         right.is_some_and(|right| {
             own.any(|member| {
-                let values = value(&member.expr, prepared, &prepared.names).and_then(|values| numbers(&values));
+                let values = prepared.sizes_of(&member.expr);
                 let near =
                     |(own, right): (&f64, &f64)| (own * convention.signs[place] - right).abs() < 0.01 * right.abs();
                 values.is_some_and(|values| !values.iter().zip(&right).all(near))

@@ -13,7 +13,7 @@ use super::points::sizes;
 use super::prepared::Prepared;
 use super::spread::Spread;
 use super::terms::ByNumbers;
-use super::theirs::{Theirs, numbers, own_values};
+use super::theirs::{Theirs, own_values};
 use super::{angle_letters, angles};
 use crate::bank::{Code, EarnedFor};
 use crate::expr::Expr;
@@ -78,7 +78,7 @@ impl Examined {
 /// Does a formula in the question's letters come to these at every point, whatever their sign?
 pub(crate) fn has_these_sizes(question: &KeyedQuestion, expr: &Expr, sizes: &[f64]) -> bool {
     let prepared = question.prepared();
-    let own = value(expr, prepared, &prepared.names).and_then(|values| numbers(&values));
+    let own = prepared.sizes_of(expr);
     let is = |(own, size): (&f64, &f64)| (own.abs() - size.abs()).abs() <= 1e-9 * size.abs();
     own.is_some_and(|own| own.iter().zip(sizes).all(is))
 }

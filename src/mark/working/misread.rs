@@ -60,7 +60,7 @@ pub(super) fn with_number_misread(
         laws.exactly(&differences(&equation, prepared)?, &Apiece::of(&equation, prepared), convention)
     };
     let choices = written.iter().enumerate().flat_map(|(at, typed)| {
-        prepared.numbers.iter().filter(move |given| *given != typed).map(move |given| (at, typed, given))
+        prepared.given_numbers.iter().filter(move |given| *given != typed).map(move |given| (at, typed, given))
     });
     let mut found = choices.filter_map(|(at, typed, given)| {
         law(&|place, _| (place == at).then(|| given.clone()))

@@ -3,14 +3,13 @@
 use super::apiece::Apiece;
 use super::compare::any_within;
 use super::convention::shows_e;
-use super::examine::{context, value};
+use super::examine::context;
 use super::linear::{Context, Linear, Sum, difference, figures, sum};
 use super::pair::{Convention, Departure, Laws, Matched};
 use super::points::sizes;
 use super::prepared::Prepared;
 use super::spread::Spread;
 use super::substituted::is_impulse;
-use super::theirs::numbers;
 use super::told_apart::Found;
 use crate::expr::Expr;
 use crate::mechanics::{Axis, Moment, Quantity, Sphere};
@@ -175,7 +174,7 @@ fn shows_approach((left, right): &(Expr, Expr), prepared: &Prepared) -> bool {
     let along = |sphere| sizes(&prepared.known, Quantity::Velocity(sphere, Moment::Before, Axis::N));
     let Some((a, b)) = along(Sphere::A).zip(along(Sphere::B)) else { return false };
     let is_approach = |expr: &Expr| {
-        let values = value(expr, prepared, &prepared.names).and_then(|values| numbers(&values));
+        let values = prepared.sizes_of(expr);
         values.is_some_and(|values| {
             values
                 .iter()

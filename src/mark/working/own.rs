@@ -4,7 +4,7 @@ use super::compare::{any_within, comes_to, is_vector};
 use super::evidence::Evidence;
 use super::examine::{Studied, Value, Working};
 use super::points::sizes;
-use super::shapes::squared;
+use super::shapes::two_squares;
 use super::theirs::unknown_sphere;
 use crate::bank::Code;
 use crate::expr::Expr;
@@ -41,7 +41,7 @@ impl Working<'_> {
             let has_squares = |[x, y]: &[Vec<f64>; 2]| {
                 let is = |expr: &Expr, sizes: &Vec<f64>| self.is_one_of(expr, std::slice::from_ref(sizes));
                 let are = |(one, other): &(Expr, Expr)| is(one, x) && is(other, y) || is(one, y) && is(other, x);
-                let holds = |inner: &Expr| squared(inner).as_ref().is_some_and(are);
+                let holds = |inner: &Expr| two_squares(inner).as_ref().is_some_and(are);
                 self.members(studied).any(|(member, _)| {
                     let is_else = |label: &String| !may_be_named(label, Quantity::Speed(of, Moment::After));
                     !member.label.as_ref().is_some_and(is_else) && any_within(&member.expr, &holds)

@@ -1,8 +1,10 @@
 //! What looking through working needs of a question, made once for all its scripts.
 
+use super::examine::value;
 use super::misread::given_numbers;
 use super::pair::Laws;
 use super::points::{Points, sizes};
+use super::theirs::numbers;
 use super::values::along_for;
 use crate::bank::{EarnedFor, Find};
 use crate::expr::Expr;
@@ -32,7 +34,7 @@ pub struct Prepared {
     /// The decimals of the question.
     pub(super) decimals: Vec<String>,
     /// The numbers that it gives for masses and velocities.
-    pub(super) numbers: Vec<Expr>,
+    pub(super) given_numbers: Vec<Expr>,
     /// Where letters were to be found: those letters with their values at every point where they have one.
     pub(super) found: Vec<(Letter, Vec<Option<f64>>)>,
     /// What is known there.
@@ -96,7 +98,7 @@ impl Prepared {
             names,
             angles,
             decimals,
-            numbers: given_numbers(scene),
+            given_numbers: given_numbers(scene),
             found,
             there,
         }
@@ -114,6 +116,16 @@ impl Prepared {
         from.0.insert(own, Datum::Number(wrong.parse().ok()?));
         let answer = complete(&from).number(asked)?;
         ((answer - known.number(asked)?).abs() > 0.02 * answer.abs()).then_some((wrong, answer))
+    }
+
+    /// Does the question give what has this name: by a letter of its own, or as a number?
+    pub(super) fn gives(&self, name: &str) -> bool {
+        self.points.letter(name, 0).is_some() || self.names.iter().any(|(known, _)| known == name)
+    }
+
+    /// What a formula comes to at every point, if it is a number and has no unknowns.
+    pub(super) fn sizes_of(&self, expr: &Expr) -> Option<Vec<f64>> {
+        numbers(&value(expr, self, &self.names)?)
     }
 
     /// The component along the line of centres that a component along i or j is, where that is its direction.

@@ -7,6 +7,7 @@ use super::examine::{Working, context};
 use super::line::Member;
 use super::linear::{Context, constant};
 use super::points::sizes;
+use super::squares::squared;
 use crate::answer::Kind;
 use crate::bank::Code;
 use crate::expr::{Expr, Function};
@@ -124,7 +125,7 @@ impl Working<'_> {
 
     /// `p² + v²`, with one component that is across the line and one along it.
     pub(super) fn is_pythagoras(&self, expr: &Expr, sphere: Option<Sphere>) -> bool {
-        let Some((one, other)) = squared(expr) else { return false };
+        let Some((one, other)) = two_squares(expr) else { return false };
         let is_bare = matches!(expr, Expr::Sum(terms) if are_bare(terms));
         let are = |across: &Expr, along: &Expr| match is_bare {
             true => self.spheres(sphere).into_iter().any(|of| self.are_known_components(across, along, of)),
@@ -263,7 +264,7 @@ pub(super) fn are_bare(terms: &[Expr]) -> bool {
 }
 
 /// What the two terms of Pythagoras are the squares of.
-pub(super) fn squared(expr: &Expr) -> Option<(Expr, Expr)> {
+pub(super) fn two_squares(expr: &Expr) -> Option<(Expr, Expr)> {
     let Expr::Sum(terms) = expr else { return None };
     let [one, other] = terms.as_slice() else { return None };
     base_of_square(one).zip(base_of_square(other))
@@ -272,7 +273,7 @@ pub(super) fn squared(expr: &Expr) -> Option<(Expr, Expr)> {
 /// What a term of Pythagoras is the square of; a number alone is a square that has been worked out.
 fn base_of_square(term: &Expr) -> Option<Expr> {
     match term {
-        Expr::Power(base, exponent) if **exponent == Expr::integer(2) => Some((**base).clone()),
+        Expr::Power(..) => squared(term).cloned(),
         Expr::Number(_) | Expr::Decimal(_) => Some(Expr::call(Function::Sqrt, term.clone())),
         Expr::Product(_) => Some(Expr::call(Function::Sqrt, term.clone())),
         Expr::Quotient(..) if !is_lettered(term) => Some(Expr::call(Function::Sqrt, term.clone())),

@@ -27,7 +27,7 @@ impl Working<'_> {
 }
 
 /// What is squared.
-fn squared(expr: &Expr) -> Option<&Expr> {
+pub(super) fn squared(expr: &Expr) -> Option<&Expr> {
     match expr {
         Expr::Power(base, exponent) if **exponent == Expr::integer(2) => Some(base),
         _ => None,

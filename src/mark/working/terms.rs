@@ -245,11 +245,7 @@ impl Working<'_> {
         numbers: &[Numbers],
         agrees: &dyn Fn(&Numbers, &Context) -> Option<Agrees>,
     ) -> Option<Agrees> {
-        let is_open = |name: &str| {
-            !matches!(name, "i" | "j")
-                && self.prepared.points.letter(name, 0).is_none()
-                && !self.prepared.names.iter().any(|(known, _)| known == name)
-        };
+        let is_open = |name: &str| !matches!(name, "i" | "j") && !self.prepared.gives(name);
         let mut open: Vec<&str> =
             formulas.iter().flat_map(|formula| formula.names()).map(|name| name.text.as_str()).collect();
         open.sort_unstable();

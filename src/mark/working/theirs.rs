@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::by_components::momentum_by_components;
 use super::components::whole;
-use super::examine::{Studied, Value, value};
+use super::examine::{Studied, Value};
 use super::pair::{Convention, sphere};
 use super::points::sizes;
 use super::prepared::Prepared;
@@ -91,8 +91,7 @@ impl Theirs {
             let Some(said) = reading.statements.last().and_then(|statement| statement.said.last()) else { continue };
             match (&blank.find, &said.form) {
                 (Find::Quantity(quantity), Form::Value(expr)) if !quantity.is_angle() => {
-                    let Some(numbers) = value(expr, prepared, &prepared.names).and_then(|values| numbers(&values))
-                    else {
+                    let Some(numbers) = prepared.sizes_of(expr) else {
                         continue;
                     };
                     if let Some((along, is_negative)) = question.along_its_line(*quantity) {
@@ -105,7 +104,7 @@ impl Theirs {
                 }
                 (Find::Vector(x, y), Form::Vector(along_i, along_j, _)) => {
                     for (quantity, expr) in [(x, along_i), (y, along_j)] {
-                        let numbers = value(expr, prepared, &prepared.names).and_then(|values| numbers(&values));
+                        let numbers = prepared.sizes_of(expr);
                         self.0.extend(numbers.map(|numbers| (*quantity, (numbers, expr.clone()))));
                     }
                 }
@@ -119,7 +118,7 @@ impl Theirs {
     /// what the student goes on from.
     fn take_letter(&mut self, question: &KeyedQuestion, name: &str, found: &Expr) {
         let prepared = question.prepared();
-        let size = |expr: &Expr| value(expr, prepared, &prepared.names).and_then(|values| numbers(&values));
+        let size = |expr: &Expr| prepared.sizes_of(expr);
         let sought = prepared.found.iter().find(|(letter, _)| letter.name() == name);
         let (Some((letter, right)), Some(own), Some(sizes)) = (sought, question.exact(found), size(found)) else {
             return;
@@ -218,7 +217,7 @@ pub(super) fn own_values(
         }
         if let Some(convention) = convention.filter(|_| studied.matched.is_empty()) {
             for (place, expr) in reading.equations.iter().filter_map(|equation| of_multiple(equation, convention)) {
-                let values = value(&expr, prepared, &prepared.names).and_then(|values| numbers(&values));
+                let values = prepared.sizes_of(&expr);
                 let values = values.filter(|_| !is_resolved(lines, &convention.letters[place]));
                 let sign = convention.signs[place];
                 let written = if sign < 0.0 { expr.negated() } else { expr };
@@ -260,7 +259,7 @@ fn is_resolved(lines: &[Studied], letter: &str) -> bool {
 fn letter_of_rebound(lines: &[Studied], prepared: &Prepared) -> Option<String> {
     let restitution = sizes(&prepared.known, Quantity::Restitution).filter(|_| prepared.setting == Setting::Wall)?;
     let is_e = |factor: &Expr| {
-        let values = value(factor, prepared, &prepared.names).and_then(|values| numbers(&values));
+        let values = prepared.sizes_of(factor);
         values.is_some_and(|values| values.iter().zip(&restitution).all(|(own, e)| (own - e).abs() <= 1e-9))
     };
     let is_rebound = |expr: &Expr| match expr {
