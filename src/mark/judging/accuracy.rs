@@ -9,7 +9,8 @@
 //! 4. A decimal with two figures at least that is the model cut off after them is *truncated*.
 //! 5. A decimal with at least three figures that differs from the model by less than one hundredth of it is a *near
 //!    miss*: what early rounding leads to.
-//! 6. Anything else is wrong; one significant figure is evidence of nothing. A whole number is no other that was rounded:
+//! 6. Arithmetic that is left undone is judged by what it comes to, if no decimal in it has fewer than two figures.
+//! 7. Anything else is wrong; one significant figure is evidence of nothing. A whole number is no other that was rounded:
 //!    10 for 12 is simply wrong.
 
 use std::cmp::Ordering;
@@ -21,11 +22,12 @@ use crate::number::{Decimal, FloatInterval, Fraction, Interval, Places, Uncertai
 
 use super::Note;
 use super::angle::Enclosed;
+use super::coarsest::Coarsest;
 use super::exact::{Equality, proved};
 use super::finding::Finding;
 
 /// The fewest significant figures that are worth anything without being exact.
-const FEWEST: u32 = 2;
+pub(super) const FEWEST: u32 = 2;
 /// The fewest with which a decimal can be a near miss.
 const FEWEST_NEAR: u32 = 3;
 /// The figures to which a decimal is looked at where the exact value is wanted.
@@ -49,6 +51,8 @@ pub(super) struct Written {
     noughts: u32,
     /// Was it worked out from what was written? Then its own last figures say nothing.
     worked_out: bool,
+    /// Was it left to be worked out? Then whichever decimals are in it may be exact: `√(1.2124² + 2.5²)`.
+    left_undone: bool,
 }
 
 impl Written {
@@ -79,7 +83,7 @@ impl Written {
         }
     }
 
-    fn text(text: &str) -> Option<Written> {
+    pub(super) fn text(text: &str) -> Option<Written> {
         let value: Fraction = text.parse().ok()?;
         let (whole, decimals) = text.split_once('.').unwrap_or((text, ""));
         let digits: String = whole.chars().chain(decimals.chars()).filter(char::is_ascii_digit).collect();
@@ -89,7 +93,7 @@ impl Written {
         } else {
             (digits.len() - digits.trim_end_matches('0').len()) as u32
         };
-        Some(Written { value, figures, places: decimals.len() as i64, noughts, worked_out: false })
+        Some(Written { value, figures, places: decimals.len() as i64, noughts, worked_out: false, left_undone: false })
     }
 
     /// Is it further from a number than any rule forgives?
@@ -114,47 +118,23 @@ impl Written {
         Written { value: &self.value * factor, places: self.places - places, ..self.clone() }
     }
 
-    /// A value that was worked out with decimals: it is worth no more figures than the shortest of them.
+    /// A value that was worked out with decimals: it is worth no more figures than the shortest of them, nor than it has
+    /// itself where it ends as they do, as `28 − 22.7` has two.
     pub(super) fn worked_out(value: Fraction, decimals: &Coarsest) -> Written {
-        Written { value, figures: decimals.figures, places: decimals.places, noughts: 0, worked_out: true }
+        let tens = Fraction::from(10).power(decimals.places.clamp(0, MOST_PLACES) as i32);
+        let whole = tens.map(|tens| (&value * &tens).abs()).filter(Fraction::is_integer);
+        let own = whole.map(|whole| whole.to_string().trim_start_matches('0').len() as u32);
+        let figures = own.map_or(decimals.figures, |own| own.min(decimals.figures));
+        Written { value, figures, places: decimals.places, noughts: 0, worked_out: true, left_undone: false }
+    }
+
+    /// The same where nothing is done with it but working it out.
+    pub(super) fn left_undone(self) -> Written {
+        Written { left_undone: true, ..self }
     }
 }
 
-/// The coarsest of the decimals in a formula.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Coarsest {
-    figures: u32,
-    pub(super) places: i64,
-}
-
-impl Coarsest {
-    /// Of the decimals in an expression; `None` if it has none.
-    pub(super) fn of(expr: &Expr) -> Option<Coarsest> {
-        let own = match expr {
-            Expr::Decimal(text) => Written::text(text).map(|w| Coarsest { figures: w.figures, places: w.places }),
-            // An exponent is a count and no measurement.
-            Expr::Power(base, _) => return Coarsest::of(base),
-            _ => None,
-        };
-        expr.children()
-            .into_iter()
-            .filter_map(Coarsest::of)
-            .chain(own)
-            .reduce(|one, two| Coarsest { figures: one.figures.min(two.figures), places: one.places.max(two.places) })
-    }
-
-    /// Are there as many figures as the places ask for?
-    pub(super) fn suffices(&self, places: &Places) -> bool {
-        suffices(self.figures, self.places, places)
-    }
-
-    /// Are they too few to be evidence of anything?
-    pub(super) fn is_worthless(&self) -> bool {
-        self.figures < FEWEST
-    }
-}
-
-fn suffices(figures: u32, places: i64, wanted: &Places) -> bool {
+pub(super) fn suffices(figures: u32, places: i64, wanted: &Places) -> bool {
     match wanted {
         Places::SignificantFigures(count) => figures >= *count,
         Places::DecimalPlaces(count) => places >= i64::from(*count),
@@ -293,7 +273,8 @@ pub(super) fn decimal(written: &Written, target: &Target, accept: &Accept) -> Fi
     };
     let rounds_alike = !has_other_sign && round(&written.value, &wanted).to_fraction() == model.to_fraction();
     // 2.745 for 2.7446 is right to the figures that it has, though it would be rounded to 2.75 again.
-    if enough && (last == LastPlace::Rounded && is_fine || rounds_alike) {
+    let is_as_good = written.left_undone && written.figures >= FEWEST && rounds_alike;
+    if is_as_good || enough && (last == LastPlace::Rounded && is_fine || rounds_alike) {
         let later = last == LastPlace::Neither && !to_noughts && !written.worked_out;
         let right = Finding::correct(later.then_some(Note::LaterFigures));
         return if *accept == Accept::Exact { right.at_most_partial(Note::ExactWanted) } else { right };

@@ -14,7 +14,8 @@ use crate::mark::reading::{Form, Label, ReferenceLine, Said, Sense};
 use crate::mechanics::Quantity;
 use crate::number::{FloatInterval, Fraction, Interval, Letter, Places};
 
-use super::accuracy::{BITS, Coarsest, Nearly, Target, Written, decimal, places};
+use super::accuracy::{BITS, Nearly, Target, Written, decimal, places};
+use super::coarsest::Coarsest;
 use super::exact::{self, Equality};
 use super::finding::Finding;
 use super::{Model, Note, number, sense};
@@ -34,8 +35,16 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Findin
         Form::Value(expr) => expr,
         Form::Equation(Expr::Relation(left, Relation::Equal, value)) => {
             return match &**left {
-                Expr::Call(function, _) => ratio_of_angle(model, *function, value),
-                _ => Finding::WRONG,
+                Expr::Call(function @ (Function::Sin | Function::Cos | Function::Tan), _) => {
+                    ratio_of_angle(model, *function, value)
+                }
+                // `arctan((4u/5)/(3u/20)) = 79.4°`
+                _ => {
+                    let one =
+                        |expr: &Expr| judge(model, &Said { form: Form::Value(expr.clone()), ..said.clone() }, None);
+                    let (left, right) = (one(left), one(value));
+                    if left.exact || (left.is_correct() && right.is_correct()) { left } else { Finding::WRONG }
+                }
             };
         }
         Form::Direction => return direction(model, &right.turn, own_line(model), said.reference),
@@ -313,8 +322,17 @@ fn rounded(found: &Enclosed, decimals: &Coarsest, right: &Enclosed, model: &Mode
         (true, true) if model.accept.places().is_none() => Finding::partial(Note::ExactWanted),
         (true, true) => Finding::correct(None),
         (true, false) if !decimals.is_worthless() => Finding::partial(Note::UnderAccurate),
+        (false, _) if decimals.suffices(&Places::SignificantFigures(3)) && is_within_a_hundredth(found, right) => {
+            Finding::partial(Note::NearMiss)
+        }
         _ => Finding::WRONG,
     }
+}
+
+fn is_within_a_hundredth(found: &Enclosed, right: &Enclosed) -> bool {
+    let between = found.enclosure().zip(right.enclosure());
+    between
+        .is_some_and(|(found, right)| (found.roughly - right.roughly).abs().upper < right.roughly.abs().lower / 100.0)
 }
 
 /// Is a plain number far from the angle, its complement, its supplement, its negative and its radians alike?

@@ -118,12 +118,19 @@ pub(super) fn without_told_besides(model: &Model, statements: Vec<Statement>) ->
         model.quantity,
         Some(Quantity::Deflection(_) | Quantity::SignedDeflection(_) | Quantity::AngleBetween(_))
     );
+    let all_from_path = statements
+        .iter()
+        .flat_map(|statement| &statement.said)
+        .all(|said| said.reference == Some(ReferenceLine::OriginalDirection));
     let is_besides = |statement: &Statement| {
         let Some(said) = statement.said.last().filter(|said| !is_rival(said)) else { return false };
         match (&said.form, unit) {
             (_, Unit::None) => false,
             (Form::Value(_), Unit::Degree) => {
-                (said.unit.is_some() && !is_angular(said)) || (!is_deflection && is_called_a_deflection(statement))
+                // `79.4° to LOC (26.3° from the original direction)`
+                let is_from_path = said.reference == Some(ReferenceLine::OriginalDirection);
+                let is_turn = is_called_a_deflection(statement) || is_from_path && !all_from_path;
+                (said.unit.is_some() && !is_angular(said)) || (!is_deflection && is_turn)
             }
             (_, Unit::Degree) => false,
             (Form::Value(_), _) => is_angular(said) || (said.unit.is_none() && is_called_an_angle(statement)),

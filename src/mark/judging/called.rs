@@ -260,7 +260,8 @@ pub(super) fn sort(word: &str) -> Option<Sort> {
         "angle" | "angles" | "direction" => Some(Sort::Angle),
         "bearing" => Some(Sort::Bearing),
         "acceleration" | "work" | "distance" | "force" | "time" => Some(Sort::Unasked),
-        "deflection" | "deflected" | "turned" => Some(Sort::Deflection),
+        "deflection" | "deflected" | "deflects" | "turned" | "turns" | "deviation" | "deviated" | "deviates"
+        | "rotated" | "rotates" => Some(Sort::Deflection),
         "restitution" | "cor" => Some(Sort::Restitution),
         "mass" => Some(Sort::Mass),
         _ => None,

@@ -4,7 +4,8 @@ use crate::answer::Accept;
 use crate::number::{Fraction, Places, Value};
 
 use super::Note;
-use super::accuracy::{Coarsest, Target, Written, decimal};
+use super::accuracy::{Target, Written, decimal};
+use super::coarsest::Coarsest;
 use super::finding::Finding;
 
 /// So many figures of a coefficient are taken where it is no fraction: more than any answer has.
@@ -24,7 +25,9 @@ pub(super) fn compare(model: &Value, student: &Value, decimals: &Coarsest, accep
             return Finding::EXACT;
         }
         let Some(value) = fraction(found) else { return Finding::unreadable(Note::CannotBeCompared) };
-        decimal(&Written::worked_out(value, decimals), &Target::Value(right, None), accept)
+        let written = Written::worked_out(value, decimals);
+        let written = if model.is_constant() { written.left_undone() } else { written };
+        decimal(&written, &Target::Value(right, None), accept)
     });
     each.reduce(Finding::and).unwrap_or(Finding::WRONG)
 }

@@ -3,8 +3,9 @@
 use crate::expr::{Expr, Function, Meaning};
 use crate::mark::reading::{ACROSS, Form, Label, ReferenceLine, Said};
 
-use super::accuracy::{Coarsest, Written};
+use super::accuracy::Written;
 use super::called::words;
+use super::coarsest::Coarsest;
 use super::exact::{self, Equality, same};
 use super::finding::Finding;
 use super::{Model, Note, number, selection, vector};

@@ -9,6 +9,7 @@ mod as_printed;
 mod besides;
 mod called;
 mod changes;
+mod coarsest;
 mod coefficients;
 mod effort;
 mod equation;

@@ -10,11 +10,13 @@ use crate::mechanics::Quantity;
 use crate::number::{FloatInterval, Fraction, Places, Range, Value};
 use crate::unit::Unit;
 
-use super::accuracy::{Coarsest, Target, Written, decimal, is_far, places};
+use super::accuracy::{Target, Written, decimal, is_far, places};
+use super::coarsest::Coarsest;
 use super::coefficients;
 use super::exact::{self, Equality, same};
 use super::finding::Finding;
 use super::known::Further;
+use super::statements::has_arithmetic;
 use super::units::{self, UnitCheck};
 use super::{Model, Note, angle, changes, left_side, sense};
 
@@ -92,6 +94,10 @@ fn as_it_stands(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
         }
         UnitCheck::Fine => plain,
         UnitCheck::Condoned(note) => plain.remarked(note),
+        // `2.7g`: a 9, or grams?
+        UnitCheck::Spoilt(_) if said.unit.as_ref().is_some_and(units::are_grams) => {
+            Finding::unreadable(Note::CannotBeRead)
+        }
         UnitCheck::Spoilt(note) => plain.spoilt_by(note),
         UnitCheck::Converted(scale) => {
             let written = Written::of(expr).map(|written| {
@@ -113,12 +119,22 @@ fn said_twice(model: &Model, said: &Said, sides: [&Expr; 2]) -> Finding {
     let is_one = same(sides[0], sides[1], &model.vocabulary.letters) == Equality::Equal;
     if is_one || (left.is_correct() && right.is_correct()) || (right.exact && left.is_credited()) {
         right
-    } else if left.exact && Coarsest::of(sides[1]).is_some() {
-        // `√7u/4 = 0.66u`: what comes after the exact value is its decimal.
+    } else if left.exact && (Coarsest::of(sides[1]).is_some() || is_finished(model, sides)) {
+        // `√7u/4 = 0.66u`: what comes after the exact value is its decimal, or a slip in making it simpler.
         left.remarked(Note::IgnoredAfter)
     } else {
         Finding::WRONG
     }
+}
+
+/// Is nothing left to be worked out in the first of two sides, which is a formula with numbers in it and no law, where the
+/// second is in the letters of the question too?
+fn is_finished(model: &Model, [left, right]: [&Expr; 2]) -> bool {
+    fn has_number(expr: &Expr) -> bool {
+        matches!(expr, Expr::Number(_)) || expr.children().into_iter().any(has_number)
+    }
+    let is_known = exact::unknown_letter(right, &model.vocabulary.letters).is_none();
+    is_known && !right.names().is_empty() && has_number(left) && !has_arithmetic(left)
 }
 
 /// The value as it is, or with its sign changed.

@@ -93,7 +93,8 @@ fn is_of_angle(said: &Said) -> bool {
     said.unit.as_ref().is_some_and(|unit| unit.degrees)
 }
 
-fn links(statement: &Statement, one: One) -> Finding {
+/// A chain of equals signs.
+pub(super) fn links(statement: &Statement, one: One) -> Finding {
     let label = statement.label.as_ref();
     let findings: Vec<Finding> = statement.said.iter().map(|said| one(said, label)).collect();
     let Some(last) = findings.last().copied() else { return Finding::unreadable(Note::CannotBeRead) };
@@ -148,7 +149,7 @@ fn is_unfinished(said: &Said) -> bool {
 }
 
 /// `98 + 2`, `½ × 4 × 7²`, `16/2`; no `25/7`, and no `4√39/9`.
-fn has_arithmetic(expr: &Expr) -> bool {
+pub(super) fn has_arithmetic(expr: &Expr) -> bool {
     let is_number = |expr: &&Expr| is_plain(expr);
     match expr {
         Expr::Sum(terms) | Expr::Product(terms) if terms.iter().filter(is_number).count() > 1 => true,

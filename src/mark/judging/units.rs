@@ -1,5 +1,6 @@
 //! Units: read, converted, condoned or flagged; never demanded.
 
+use crate::expr::Expr;
 use crate::number::Fraction;
 use crate::unit::Unit;
 
@@ -31,6 +32,11 @@ fn dimension(unit: Unit) -> [i8; 4] {
         Unit::Joule => [1, 2, -2, 0],
         Unit::Degree => [0, 0, 0, 1],
     }
+}
+
+/// Is it grams, which no answer is in?
+pub(super) fn are_grams(unit: &SaidUnit) -> bool {
+    unit.dimension == dimension(Unit::Kilogram) && unit.scale == Expr::Number(Fraction::new(1, 1000))
 }
 
 /// N/s, often written for N s.

@@ -13,8 +13,8 @@ use super::exact::{self, Equality, same};
 use super::finding::Finding;
 use super::known::Further;
 use super::spheres::{named_sphere, sphere};
-use super::statements::is_rival;
-use super::{Model, Note, angle, number, sense, vector};
+use super::statements::{is_rival, links};
+use super::{Model, Note, angle, called, number, sense, vector};
 
 /// Words that tell of a direction, whichever it is.
 const DIRECTIONS: [&str; 4] = ["direction", "vertically", "horizontally", "way"];
@@ -80,11 +80,17 @@ fn of_one(model: &Model, statements: Vec<&Statement>) -> Finding {
     let size_model = Model { quantity: model.quantity, ..model.further(Further::Size, Kind::Number, right) };
     let is_rest = || exact::equals(&size_model, &Expr::integer(0)) == Equality::Equal;
     let sizes: Vec<&&Said> = said.iter().filter(|said| is_size(said, model)).collect();
+    // `6√3/5 = 2.1 along the line of centres`: the chain decides, as it does for a number.
+    let of_chain = |size: &Said| {
+        let statement = told.iter().find(|(_, said)| std::ptr::eq(*said, size)).map(|(statement, _)| *statement);
+        let one = |said: &Said, _: Option<&Label>| number::judge(&size_model, said, None);
+        statement.map_or(Finding::WRONG, |statement| links(statement, &one))
+    };
     let size = match sizes.as_slice() {
         [] => return Finding::unreadable(Note::CannotBeRead),
-        [size] => number::judge(&size_model, size, None),
+        [size] => of_chain(size),
         // A bare second number is the angle, as in `2.78, 46.1`.
-        [size, _] => number::judge(&size_model, size, None),
+        [size, _] => of_chain(size),
         _ => return Finding::wrong(Note::RivalAnswers),
     };
     if !size.is_credited() || is_rest() {
@@ -129,10 +135,10 @@ fn by_components(model: &Model, parts: &(Expr, Expr), told: [(&Statement, &Said)
         let words: Vec<String> = label.chain(said.remarks.iter().cloned()).collect();
         let says = |wanted: &str| words.iter().any(|words| words.split(' ').any(|word| word == wanted));
         match (&said.form, said.reference.map(ReferenceLine::unsensed)) {
-            (Form::Value(_), Some(ReferenceLine::AlongLineOfCentres)) => Some(false),
-            (Form::Value(_), Some(ReferenceLine::AlongCommonTangent)) => Some(true),
-            (Form::Value(_), None) if says("perpendicular") || says("perp") => Some(true),
-            (Form::Value(_), None) if says("along") || says("parallel") => Some(false),
+            (Form::Value(_) | Form::AtRest, Some(ReferenceLine::AlongLineOfCentres)) => Some(false),
+            (Form::Value(_) | Form::AtRest, Some(ReferenceLine::AlongCommonTangent)) => Some(true),
+            (Form::Value(_) | Form::AtRest, None) if says("perpendicular") || says("perp") => Some(true),
+            (Form::Value(_) | Form::AtRest, None) if says("along") || says("parallel") => Some(false),
             _ => None,
         }
     };
@@ -149,7 +155,13 @@ fn by_components(model: &Model, parts: &(Expr, Expr), told: [(&Statement, &Said)
         number::judge(&Model { kind: Kind::Number, ..model.of_value(size) }, said, None)
     };
     let both = size(&parts.0, along).and(size(&parts.1, across));
-    Some(if both.is_credited() { Finding::partial(Note::ComponentsLeft) } else { Finding::WRONG })
+    // Where one of them is nought the other is all of it.
+    let is_nought = |component: &Expr| same(component, &Expr::integer(0), &model.vocabulary.letters) == Equality::Equal;
+    Some(match both.is_credited() {
+        true if is_nought(&parts.0) => both,
+        true => Finding::partial(Note::ComponentsLeft),
+        false => Finding::WRONG,
+    })
 }
 
 /// Is it the size of a velocity rather than an angle or words?
@@ -217,5 +229,16 @@ fn direction(
     };
     let angle_model = Model { rebounds, ..model.further(Further::Direction, Kind::Angle, value) };
     let finding = angle::judge(&angle_model, measured, label);
-    if finding.is_credited() { finding } else { Finding::wrong(finding.note.unwrap_or(Note::DirectionWrong)) }
+    let is_for_a_person = finding.note == Some(Note::ReferenceUnchecked) || is_deflected(said);
+    match finding.is_credited() {
+        true => finding,
+        false if is_for_a_person => Finding::unreadable(Note::DirectionUnchecked),
+        false => Finding::wrong(finding.note.unwrap_or(Note::DirectionWrong)),
+    }
+}
+
+/// Is the way told by which it turns: `deflected through 50°`?
+fn is_deflected(said: &[&Said]) -> bool {
+    let mut words = said.iter().flat_map(|said| &said.remarks).flat_map(|remark| called::words(remark));
+    words.any(|word| called::sort(word) == Some(called::Sort::Deflection))
 }

@@ -43,7 +43,10 @@ pub(super) fn described<'w>(word: impl Fn(usize) -> Option<&'w str>, at: usize) 
     loop {
         if joins && let Some(after) = two_spheres(&word, next) {
             (next, end) = (after, Some(after));
-        } else if is(next, &ON_IT) || !is_direction && is(next, &AT_ITS_ENDS) {
+        } else if is(next, &ON_IT)
+            || is(next, &["centre"]) && !is(next + 1, &["of"])
+            || !is_direction && is(next, &AT_ITS_ENDS)
+        {
             next += 1;
             end = Some(next);
         } else if end == Some(next) && is(next, &["acts", "act", "lie", "lies"]) {
@@ -112,6 +115,8 @@ mod tests {
             horizontal line of centres
             direction of the line of centres
             line centres
+            line of centre
+            line of the centre
             line along which the impulse acts
             line A B";
         let others = "

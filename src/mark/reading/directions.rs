@@ -110,6 +110,12 @@ impl Walk<'_> {
         {
             return Ok(Some((Phrase::Toward, next)));
         }
+        // `in the line of centres`, `down the line of centres`, `in LOC direction`
+        if let Some(next) = self.any(at, &["in", "down", "up"])
+            && let Some((Line::Centres | Line::Ab, end)) = self.line(next)
+        {
+            return Ok(Some((Phrase::Line(ReferenceLine::AlongLineOfCentres), end)));
+        }
         if let Some(next) = self.any(at, &["in tangential direction", "tangentially"]) {
             return Ok(Some((Phrase::Line(ReferenceLine::AlongCommonTangent), next)));
         }

@@ -65,7 +65,7 @@ const SINGLE: [(Sort, &str); 9] = [
         Sort::Noun,
         "speed speeds velocity velocities vel angle angles direction directions dir deflection deflected impulse ke \
          kinetic energy loss lost change gain fraction percentage magnitude mag mod modulus component components momentum ratio \
-         mass coefficient restitution turned bearing increase increases increased gained gains decrease decreases \
+         mass coefficient restitution turned turns deflects deviation deviates deviated rotated rotates coeff coef bearing increase increases increased gained gains decrease decreases \
          decreased loses reduced reduces reduction falls fell drop drops dropped slows slowed rises rose answer ans tangent separation approach difference acceleration work distance force time",
     ),
     (Sort::Is, "is are was be becomes being equal must lies"),
@@ -91,7 +91,7 @@ const SINGLE: [(Sort, &str); 9] = [
          leftwards horizontally vertically acute obtuse clockwise anticlockwise counterclockwise away towards it they \
          i.e ie eg sf dp s.f d.p rounded decimal places significant figures correct collision impact afterwards \
          that this these set for on off each other line centres centers vector unit magnitude required shown qed \
-         respectively simplified exact value surd form answer ans path motion travel axis oe awrt cao sense \
+         respectively simplified exact value form answer ans path motion travel axis oe awrt cao sense \
          immediately original towards heading bounces bouncing bounce rebounds rebounding rebounded rebound separates separating yes reversed reverses unchanged done \
          remains remaining retained kept hopefully think calculator working see diagram there here now very nearly almost precisely overall resultant \
          scalar using used calculated find found get got have we solution value values part question result results \
@@ -109,7 +109,7 @@ static SORTS: LazyLock<HashMap<&str, Sort>> = LazyLock::new(|| {
 /// Every word with which a phrase can begin.
 static STARTS: LazyLock<HashSet<&str>> = LazyLock::new(|| {
     let first = PHRASES.into_iter().flatten().filter_map(|words| words.split(' ').next());
-    let others = "at in perpendicular perp normal the its their a an this ab tangentially";
+    let others = "at in down up perpendicular perp normal the its their a an this ab tangentially";
     first.chain(centres::starts()).chain(others.split(' ')).collect()
 });
 

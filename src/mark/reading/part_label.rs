@@ -53,6 +53,17 @@ pub(super) fn without_arrow(tokens: &[Placed]) -> &[Placed] {
     }
 }
 
+/// `A → 2.78`: an arrow after the name of a sphere alone is a colon.
+pub(super) fn with_arrows_after_names(mut tokens: Vec<Placed>) -> Vec<Placed> {
+    for at in 1..tokens.len() {
+        let begins = at < 2 || matches!(tokens[at - 2].token, Token::Sign(',' | ';' | '\n'));
+        if begins && tokens[at].is('⇒') && tokens[at - 1].token == Token::Phrase(Phrase::Sphere) {
+            tokens[at].token = Token::Sign(':');
+        }
+    }
+    tokens
+}
+
 /// The tokens without `(a)`, `a)` or `(ii)` before them.
 pub(super) fn without_part_label<'a>(tokens: &'a [Placed], vocabulary: &Vocabulary) -> &'a [Placed] {
     let letter = |word: &str| vocabulary.letters.iter().any(|letter| letter.name() == word);

@@ -104,6 +104,9 @@ const SIGNS: [(&str, &str); 87] = [
 /// Words that stand for signs before a number alone: `negative 0.75`, `e above 1/3`.
 const BEFORE_A_NUMBER: [(&str, &str); 3] = [("negative", "-"), ("above", ">"), ("below", "<")];
 
+/// Words after which two bars say that something is parallel to a line.
+const LINES: [&str; 7] = ["to", "the", "line", "loc", "ab", "ba", "tangent"];
+
 /// With so many decimals it is not the last figure alone that recurs.
 const SURELY_ROUNDED: usize = 6;
 
@@ -167,6 +170,19 @@ pub(super) fn with_signs(tokens: &[Placed], vocabulary: &Vocabulary, choices: &m
             };
             at += 2 * (1 + bracket);
             out.push(Placed { token, end: tokens[at - 1].end, ..placed.clone() });
+            continue;
+        }
+        // `// to the line of centres`, `|| LOC`
+        let bars = usize::from(is_sign(at, '¦')) + 2 * usize::from(is_sign(at, '|') && is_sign(at + 1, '|'));
+        if bars > 0 && LINES.iter().any(|line| is(at + bars, line)) {
+            let word = |word: &str| Placed { token: Token::Word(word.to_owned()), ..placed.clone() };
+            out.push(word("parallel"));
+            out.extend((!is(at + bars, "to")).then(|| word("to")));
+            at += bars;
+            continue;
+        }
+        if is(at, "to") && matches!(out.last(), Some(Placed { token: Token::Word(before), .. }) if before == "to") {
+            at += 1;
             continue;
         }
         let in_words = number_in_words(&out, tokens, at, vocabulary);

@@ -6,7 +6,7 @@ use super::formula::formula;
 use super::inequalities::is_inequality;
 use super::lexicon::is_rejection;
 use super::line;
-use super::part_label::{without_arrow, without_part_label};
+use super::part_label::{with_arrows_after_names, without_arrow, without_part_label};
 use super::phrases::Phrase;
 use super::ranges;
 use super::segments::{outside, segments, unquoted};
@@ -24,7 +24,7 @@ pub(super) fn statements(
     choices: &mut Choices,
     passes_over: bool,
 ) -> Result<Vec<Statement>, Unreadable> {
-    let tokens = ranges::with_round_brackets(tokens);
+    let tokens = with_arrows_after_names(ranges::with_round_brackets(tokens));
     let mut reader = Statements {
         text,
         vocabulary,

@@ -80,8 +80,9 @@ impl Lexer<'_> {
         if self.sign(length) == Some('.') && ABBREVIATED.contains(&word.to_ascii_lowercase().as_str()) {
             whole += 1;
         }
-        // `4surd39`
-        let figure_next = self.sign(whole).is_some_and(|next| next.is_ascii_digit() || next == '(');
+        // `4surd39`, `surd 39`
+        let after = (whole..).find(|ahead| self.sign(*ahead) != Some(' ')).and_then(|ahead| self.sign(ahead));
+        let figure_next = after.is_some_and(|next| next.is_ascii_digit() || next == '(');
         match word.to_ascii_lowercase().as_str() {
             "surd" if figure_next => self.put(Token::Root { cube: false }, whole),
             "deg" | "degs" | "degree" | "degrees" => self.put(Token::Sign('°'), whole),
@@ -137,4 +138,5 @@ impl Lexer<'_> {
 const SEVERAL: [&str; 4] = ["spheres", "balls", "particles", "centres"];
 
 /// Words that are cut short by a full stop.
-const ABBREVIATED: [&str; 10] = ["perp", "approx", "deg", "ans", "vel", "dir", "cor", "ke", "mag", "loc"];
+const ABBREVIATED: [&str; 12] =
+    ["perp", "approx", "deg", "ans", "vel", "dir", "cor", "ke", "mag", "loc", "coeff", "coef"];

@@ -186,11 +186,24 @@ pub(super) const COURSES: [&str; 12] = [
 ];
 
 /// What may follow the name of a line and adds nothing.
-pub(super) const AFTER_A_LINE: [&str; 8] =
-    ["of spheres", "of two spheres", "of A and B", "of a and b", "of balls", "of collision", "direction", "of impact"];
+pub(super) const AFTER_A_LINE: [&str; 10] = [
+    "produced",
+    "extended",
+    "of spheres",
+    "of two spheres",
+    "of A and B",
+    "of a and b",
+    "of balls",
+    "of collision",
+    "direction",
+    "of impact",
+];
 
 /// Runs of words that say nothing about the value.
-pub(super) const REMARKS: [&str; 32] = [
+pub(super) const REMARKS: [&str; 35] = [
+    "surd form",
+    "in surd form",
+    "as a surd",
     "as required",
     "no units",
     "no unit",
