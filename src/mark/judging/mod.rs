@@ -199,9 +199,9 @@ const MULTIPLES: [&str; 5] = ["multiple", "prop", "∝", "parallel", "same direc
 const OPPOSITES: [&str; 3] = ["opposite", "reverse", "backwards"];
 
 /// Do the words beside a value change what it says? Then only a person can tell what is meant.
-fn is_turned_by_words(model: &Model, reading: &Reading, finding: Finding) -> bool {
+fn is_turned_by_words(model: &Model, reading: &Reading) -> bool {
     let is_direction = matches!(model.kind, Kind::Vector | Kind::Velocity | Kind::Line | Kind::Angle)
-        && finding.note != Some(Note::ComponentsLeft);
+        && !velocity::is_told_by_components(model, reading);
     // A component has a sense of its own, and words may turn that too.
     let is_signed = number::has_a_sense(model.quantity);
     let mut remarks = reading.statements.iter().flat_map(|statement| &statement.said).flat_map(|said| &said.remarks);
@@ -247,7 +247,7 @@ fn one(model: &Model, reading: &Reading) -> Finding {
     if finding.is_credited() && *is_from_unknown {
         return Finding::unreadable(Note::ReferenceUnchecked);
     }
-    if finding.is_credited() && is_turned_by_words(model, reading, finding) {
+    if finding.is_credited() && is_turned_by_words(model, reading) {
         return Finding::unreadable(Note::CannotBeCompared);
     }
     // Where north is, no question says.

@@ -86,7 +86,15 @@ fn as_it_stands(model: &Model, said: &Said) -> Finding {
         Form::Percentage(expr) => expr.clone().over(Expr::integer(100)),
         _ => return Finding::WRONG,
     };
-    let model = model.of_value(right);
-    let finding = number::value(&model, &found, &Written::of(&found));
+    let of_quotient = model.of_value(right.clone());
+    let finding = number::value(&of_quotient, &found, &Written::of(&found));
+    // `1 : 1.67`: the figures are those of the second term.
+    let finding = match &said.form {
+        Form::Ratio(first, second) if *first == Expr::integer(1) => {
+            let turned = model.of_value(Expr::integer(1).over(right));
+            finding.or_better(number::value(&turned, second, &Written::of(second)))
+        }
+        _ => finding,
+    };
     if said.unit.is_some() { finding.spoilt_by(Note::UnitNotNeeded) } else { finding }
 }

@@ -100,7 +100,19 @@ fn of_one(model: &Model, statements: Vec<&Statement>) -> Finding {
         let pointed = said.iter().any(|said| said.reference.is_some() || matches!(said.form, Form::Direction));
         return size.at_most_partial(if pointed { Note::DirectionUnchecked } else { Note::DirectionMissing });
     };
-    size.and(direction(model, &along, &across, &said, sizes.get(1).copied(), ratio))
+    let finding = direction(model, &along, &across, &said, sizes.get(1).copied(), ratio);
+    match finding.is_credited() || !told.iter().any(|(statement, _)| is_deflected(statement)) {
+        true => size.and(finding),
+        false => Finding::unreadable(Note::DirectionUnchecked),
+    }
+}
+
+/// Is the way told by which it turns: `deflected through 50°`?
+fn is_deflected(statement: &Statement) -> bool {
+    let label = statement.label.iter().map(|label| &label.typed);
+    let remarks = statement.said.iter().flat_map(|said| &said.remarks);
+    let mut words = label.chain(remarks).flat_map(|words| called::words(words));
+    words.any(|word| called::sort(word) == Some(called::Sort::Deflection))
 }
 
 /// `A: 1.04 perpendicular to AB, B: 2.95 along AB`: what is said of the sphere that is asked, up to where another is named.
@@ -155,13 +167,25 @@ fn by_components(model: &Model, parts: &(Expr, Expr), told: [(&Statement, &Said)
         number::judge(&Model { kind: Kind::Number, ..model.of_value(size) }, said, None)
     };
     let both = size(&parts.0, along).and(size(&parts.1, across));
-    // Where one of them is nought the other is all of it.
+    // Where it is concluded that one of them is nought the other is all of it.
+    let is_concluded = matches!(along.form, Form::AtRest) || across.remarks.iter().any(|remark| remark == "so");
     let is_nought = |component: &Expr| same(component, &Expr::integer(0), &model.vocabulary.letters) == Equality::Equal;
     Some(match both.is_credited() {
-        true if is_nought(&parts.0) => both,
+        true if is_concluded && is_nought(&parts.0) => both,
         true => Finding::partial(Note::ComponentsLeft),
         false => Finding::WRONG,
     })
+}
+
+/// Is a velocity told by its components, of which one is said to be perpendicular?
+pub(super) fn is_told_by_components(model: &Model, reading: &Reading) -> bool {
+    let (statements, _) = of_asked(model, &reading.statements);
+    let told = statements.iter().filter_map(|statement| Some((*statement, statement.said.last()?)));
+    let is_velocity = model.kind == Kind::Velocity;
+    match (vector::components(model).filter(|_| is_velocity), told.collect::<Vec<_>>().as_slice()) {
+        (Some(parts), [one, other]) => by_components(model, &parts, [*one, *other]).is_some(),
+        _ => false,
+    }
 }
 
 /// Is it the size of a velocity rather than an angle or words?
@@ -229,16 +253,10 @@ fn direction(
     };
     let angle_model = Model { rebounds, ..model.further(Further::Direction, Kind::Angle, value) };
     let finding = angle::judge(&angle_model, measured, label);
-    let is_for_a_person = finding.note == Some(Note::ReferenceUnchecked) || is_deflected(said);
+    let is_for_a_person = finding.note == Some(Note::ReferenceUnchecked);
     match finding.is_credited() {
         true => finding,
         false if is_for_a_person => Finding::unreadable(Note::DirectionUnchecked),
         false => Finding::wrong(finding.note.unwrap_or(Note::DirectionWrong)),
     }
-}
-
-/// Is the way told by which it turns: `deflected through 50°`?
-fn is_deflected(said: &[&Said]) -> bool {
-    let mut words = said.iter().flat_map(|said| &said.remarks).flat_map(|remark| called::words(remark));
-    words.any(|word| called::sort(word) == Some(called::Sort::Deflection))
 }

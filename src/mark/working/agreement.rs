@@ -17,9 +17,9 @@ pub(super) enum Agrees {
 }
 
 /// The same of a law with enough terms.
-pub(super) fn agreement_of_three(terms: &[Spread], law: &[f64]) -> Option<Agrees> {
+pub(super) fn agreement_of_three(terms: &[Spread], law: &[f64]) -> Option<(Agrees, f64)> {
     let is_whole = law.iter().filter(|term| term.abs() > 1e-9).count() >= LEAST_TERMS;
-    is_whole.then(|| agreement(terms, law)).flatten().map(|(agrees, _)| agrees)
+    is_whole.then(|| agreement(terms, law)).flatten()
 }
 
 /// Do the terms agree with those of a law, up to a factor? And the factor. What is nought need not be written.

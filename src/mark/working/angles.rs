@@ -21,6 +21,12 @@ pub(super) fn put_in_place(lines: &mut [Line], prepared: &Prepared) {
     let mut known: Vec<(String, Expr)> = Vec::new();
     let mut guessed: Vec<String> = Vec::new();
     let mut sought: Vec<String> = Vec::new();
+    // `where cos θ = 3/5` is said of what stands before it.
+    for line in lines.iter().filter(|line| line.typed.to_lowercase().starts_with("where ")) {
+        let equations = line.readings.iter().flat_map(|reading| &reading.equations);
+        let defined = equations.filter_map(|equation| definition(equation, prepared));
+        known.extend(defined.map(|(name, angle)| (name, in_degrees(angle))));
+    }
     for reading in lines.iter_mut().flat_map(|line| &mut line.readings) {
         let defined = reading.equations.iter().find_map(|equation| definition(equation, prepared));
         if let Some((name, angle)) = defined {

@@ -40,8 +40,9 @@ pub(super) fn momentum_by_components(lines: &[Studied], prepared: &Prepared) -> 
     };
     let (x, y) = (along(Axis::X), along(Axis::Y));
     let pairs = x.iter().flat_map(|one| y.iter().map(move |other| (one, other)));
-    // One equation is not both, though the components be equal.
-    let pairs = pairs.filter(|(one, other)| (one.place, one.number) != (other.place, other.number));
+    // One equation in numbers is not both, though the components be equal.
+    let pairs = pairs
+        .filter(|(one, other)| (one.place, one.number) != (other.place, other.number) || one.letter != other.letter);
     let (one, other) = pairs.max_by_key(|(one, other)| one.agrees.min(other.agrees))?;
     Some([one.clone(), other.clone()])
 }
@@ -58,20 +59,28 @@ fn agreement(
         return None;
     }
     let mut letter = None;
-    let mut at = |point| match difference(left, right, &context(prepared, point))? {
-        Sum::Number(linear) => {
-            let (name, number) = one_unknown(&linear)?;
-            letter = Some(name.to_owned());
-            let sought = size(&prepared.known[point], Quantity::Velocity(unknown, Moment::After, axis))?;
-            let size = linear.size.max((number.middle() * sought).abs());
-            let is_right = (number.times(sought) + linear.constant).may_be_nought(size);
-            let is_momentum = || !signs(&linear, unknown, axis, prepared, point).is_empty();
-            match is_right {
-                true => Some(Agrees::Fully),
-                false => is_momentum().then_some(Agrees::ButForSigns),
+    let mut at = |point| {
+        let linear = match difference(left, right, &context(prepared, point))? {
+            Sum::Number(linear) => linear,
+            // `… + m(xi + yj)` is both equations at once.
+            Sum::Vector(along_i, along_j) => {
+                if axis == Axis::X {
+                    along_i
+                } else {
+                    along_j
+                }
             }
+        };
+        let (name, number) = one_unknown(&linear)?;
+        letter = Some(name.to_owned());
+        let sought = size(&prepared.known[point], Quantity::Velocity(unknown, Moment::After, axis))?;
+        let size = linear.size.max((number.middle() * sought).abs());
+        let is_right = (number.times(sought) + linear.constant).may_be_nought(size);
+        let is_momentum = || !signs(&linear, unknown, axis, prepared, point).is_empty();
+        match is_right {
+            true => Some(Agrees::Fully),
+            false => is_momentum().then_some(Agrees::ButForSigns),
         }
-        Sum::Vector(..) => None,
     };
     let agrees = (0..prepared.points.count).map(&mut at).collect::<Option<Vec<_>>>()?.into_iter().min()?;
     Some((agrees, letter?))

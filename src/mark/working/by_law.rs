@@ -12,7 +12,7 @@ use super::figures::is_sum_of_figures;
 use super::line::Member;
 use super::pair::{Departure, Matched};
 use super::points::sizes;
-use super::said::{clauses, is_called_otherwise, says_across, says_along};
+use super::said::{clauses, is_called_otherwise, says_across, says_along, says_into_wall};
 use super::shapes::components_in;
 use crate::answer::Kind;
 use crate::bank::{Code, EarnedFor};
@@ -165,6 +165,7 @@ impl Working<'_> {
                         is_of_a_part(label, quantity)
                             || self.is_loss_of_one(label, quantity)
                             || !may_be_named(label, quantity)
+                            || quantity == Quantity::ContactSine && label.trim_start().starts_with("tan")
                     };
                     let worth = self.is_called(member) || self.is_worked_out(&member.expr);
                     worth
@@ -300,7 +301,10 @@ impl Working<'_> {
     }
 
     fn says_along(&self, studied: &Studied, member: &Member) -> bool {
-        self.prepared.setting != Setting::Wall && says_along(self.clause(studied, member))
+        match self.prepared.setting {
+            Setting::Wall => says_into_wall(self.clause(studied, member)),
+            _ => says_along(self.clause(studied, member)),
+        }
     }
 
     /// The part of a line in which a value stands; all of it where that cannot be told.
@@ -310,9 +314,15 @@ impl Working<'_> {
         if clauses.len() == statements { clauses[member.statement] } else { &studied.line.typed }
     }
 
-    /// Is it in words that a number is perpendicular to the line of centres? At a wall that is the other component.
-    fn says_across(&self, typed: &str) -> bool {
-        self.prepared.setting != Setting::Wall && (typed.to_lowercase().contains("perp") || typed.contains('⊥'))
+    /// Is it in words that a number is perpendicular to the line of centres? At a wall that is the component along the wall.
+    pub(super) fn says_across(&self, typed: &str) -> bool {
+        let typed = typed.to_lowercase();
+        match self.prepared.setting {
+            Setting::Wall => {
+                typed.contains("parallel") || typed.contains("along the wall") || typed.contains("along wall")
+            }
+            _ => typed.contains("perp") || typed.contains('⊥'),
+        }
     }
 
     /// Is it a vector with this component, and not the one that was given? Along i or j it keeps its sign.

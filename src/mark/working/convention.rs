@@ -113,7 +113,11 @@ pub(super) fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option
 /// `w - v = e u_A = ⅓(4 cos 30°)` the number is what the difference of the velocities is.
 fn in_numbers(equations: &[(Expr, Expr)], prepared: &Prepared) -> Vec<(Expr, Expr)> {
     let is_known = |name: &str| matches!(name, "i" | "j") || prepared.gives(name);
+    // In `30 = 4x + y = 30` there is no other side for it.
     let is_general = |side: &Expr, beside: &[&Expr]| {
+        if beside.iter().all(|other| other.names().is_empty()) {
+            return false;
+        }
         let stands = |name: &str| beside.iter().any(|other| other.names().iter().any(|known| known.text == name));
         side.names().iter().any(|name| !is_known(&name.text) && !stands(&name.text))
     };

@@ -4,7 +4,8 @@ use std::borrow::Cow;
 
 use super::angles::is_short;
 use super::remarks::{
-    after_impact, after_remark, is_formula, turned_round, without_arrow, without_lead_in, without_remark,
+    after_impact, after_remark, is_formula, turned_round, without_arrow, without_cancelling, without_lead_in,
+    without_remark,
 };
 use crate::expr::{Expr, Relation};
 use crate::mark::reading::{Form, Reading, Said, Statement, Vocabulary, is_never_letters, read_whole};
@@ -175,6 +176,9 @@ fn readings(typed: &str, vocabularies: &[Vocabulary]) -> Vec<ReadLine> {
     let mut found: Vec<ReadLine> = Vec::new();
     // What a letter stands for is no aside here: `… = 35t/(9 + 44t²), where t = tan α`.
     let explained = [" where ", " let ", " letting "].into_iter().find_map(|word| typed.split_once(word));
+    // `x = … from u cos θ = x + y`: from another equation, not from a line.
+    let from = [" from ", " means "].into_iter().find_map(|word| typed.split_once(word));
+    let explained = explained.or_else(|| from.filter(|(before, _)| before.contains('=')));
     let listed = match explained.filter(|(_, after)| after.contains('=')) {
         Some((before, after)) => Cow::Owned(format!("{}, {after}", before.trim_end_matches(','))),
         None => Cow::Borrowed(typed),
@@ -242,7 +246,7 @@ fn may_have_column(typed: &str) -> bool {
 fn candidates(typed: &str) -> Vec<(Option<&str>, String)> {
     let typed = typed.trim_start_matches(['∴', '→', '⇒', '•']).trim_start_matches("=>").trim();
     // An equals sign with nothing after it waits for what is worked out on the next line.
-    let typed = without_remark(typed.trim_end_matches(['=', ' ']));
+    let typed = without_remark(without_cancelling(typed.trim_end_matches(['=', ' '])));
     // A bullet stands apart; a minus sign does not.
     let typed = ["- ", "* "].iter().find_map(|bullet| typed.strip_prefix(bullet)).unwrap_or(typed).trim();
     let typed = without_lead_in(typed);

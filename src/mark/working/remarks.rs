@@ -70,11 +70,21 @@ fn laws() -> impl Iterator<Item = (&'static str, &'static [char])> {
 
 /// `x = -(5)` for `-x = 5`.
 pub(super) fn turned_round(typed: &str) -> Option<String> {
+    // `-v = x + y, y - x = 4`: what stands after a comma is as it was.
+    let (typed, rest) = typed.split_at(typed.find([',', ';']).unwrap_or(typed.len()));
     let mut sides = typed.strip_prefix(['-', '−'])?.split('=').map(str::trim);
     let letter = sides.next().filter(|letter| letter.len() <= 3 && letter.starts_with(char::is_alphabetic))?;
     let is_name = letter.chars().skip(1).all(|sign| sign == '_' || sign.is_ascii_uppercase() || sign.is_ascii_digit());
     let negated: Vec<String> = sides.map(|side| format!("-({side})")).collect();
-    (is_name && !negated.is_empty()).then(|| format!("{letter} = {}", negated.join(" = ")))
+    (is_name && !negated.is_empty()).then(|| format!("{letter} = {}{rest}", negated.join(" = ")))
+}
+
+/// A line without the remark in brackets of what has gone from both sides: `u cos α = x + y (m cancels)`.
+pub(super) fn without_cancelling(typed: &str) -> &str {
+    let Some((before, remark)) = typed.trim_end_matches(['.', ' ']).rsplit_once('(') else { return typed };
+    let says_so =
+        remark.ends_with(')') && !remark.contains('=') && ["cancel", "divid"].iter().any(|word| remark.contains(word));
+    if says_so { before.trim_end() } else { typed }
 }
 
 /// What each component is after an impact: `3i, 2j` for `3i stays, -4j becomes 2j`.

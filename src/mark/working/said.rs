@@ -63,6 +63,13 @@ pub(super) fn says_along(typed: &str) -> bool {
     !says_across(&typed) && (is_along || names_line(&typed))
 }
 
+/// Is it said of what stands here that it is the component with which a wall is hit?
+pub(super) fn says_into_wall(typed: &str) -> bool {
+    const INTO: [&str; 6] = ["perp", "⊥", "towards", "into", "normal", "against"];
+    let typed = typed.to_lowercase();
+    INTO.iter().any(|word| typed.contains(word)) && !typed.contains("para") && !typed.contains("along")
+}
+
 /// Is it said of what stands here that it is across the line of centres, or that it stays?
 pub(super) fn says_across(typed: &str) -> bool {
     const WORDS: [&str; 4] = ["perp", "across", "tan", "⊥"];

@@ -178,12 +178,19 @@ impl Working<'_> {
         if count(left) + count(right) < LEAST_TERMS {
             return None;
         }
+        // Three numbers in the proportion of restitution may be anything: `1 + 2 = 3`.
+        let is_bare = equation == Quantity::RestitutionEquation && left.names().is_empty() && right.names().is_empty();
         self.tried(&[left, right], numbers, &|at, context| {
             let mut terms = terms(left, context)?;
             terms.extend(terms_negated(right, context)?);
-            let whole = agreement_of_three(&terms, &at.terms(equation));
+            let fits = |(agrees, scale): (Agrees, f64)| {
+                let is_as_it_is = terms.len() > LEAST_TERMS || (scale.abs() - 1.0).abs() <= SLACK;
+                (is_as_it_is || !is_bare).then_some(agrees)
+            };
+            let whole = agreement_of_three(&terms, &at.terms(equation)).and_then(fits);
             whole.or_else(|| {
-                agreement_of_three(&terms, &at.with_sum_before(equation)).filter(|agrees| *agrees == Agrees::Fully)
+                let found = agreement_of_three(&terms, &at.with_sum_before(equation)).and_then(fits);
+                found.filter(|agrees| *agrees == Agrees::Fully)
             })
         })
     }
@@ -260,6 +267,10 @@ impl Working<'_> {
             return None;
         }
         let is_velocity = |name: &str| open.contains(&name) && may_stand_for(name, None)[0] == 0;
+        // With both unknowns in it a line is one of the two by its form, or neither.
+        if letters.len() == 2 && letters.iter().all(|letter| open.contains(&letter.as_str())) {
+            return None;
+        }
         if open.len() > 2 || formulas.iter().any(|formula| degree(formula, &is_velocity) > 1) {
             return None;
         }

@@ -215,7 +215,11 @@ impl Working<'_> {
         let same_statement =
             |one: &(&Member, &Vec<Value>), other: &(&Member, &Vec<Value>)| one.0.statement == other.0.statement;
         let ends_right = |studied: &Studied| {
-            let of_vectors = |(_, values): &(&Member, &Vec<Value>)| matches!(values[..], [Value::Vector(..), ..]);
+            // `perp comps 4i and 2i`: what is a component has no other, though the whole may be as long.
+            let is_component = self.says_across(&studied.line.typed);
+            let of_vectors = |(member, values): &(&Member, &Vec<Value>)| {
+                matches!(values[..], [Value::Vector(..), ..]) && (member.label.is_some() || !is_component)
+            };
             let vectors: Vec<_> = self.members(studied).filter(of_vectors).collect();
             vectors.chunk_by(same_statement).any(|chain| chain.last().is_some_and(|(_, values)| is_right(values)))
         };
