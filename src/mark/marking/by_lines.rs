@@ -2,7 +2,7 @@
 //! mistaken.
 
 use super::decide::own_blank;
-use crate::bank::EarnedFor;
+use crate::bank::{Code, EarnedFor};
 use crate::mark::award::{Award, Cause, Place};
 use crate::mark::key::KeyedPart;
 use crate::mark::slips::{self, ARITHMETIC};
@@ -52,7 +52,12 @@ impl ByLines {
             all.earned.push(line.is_some_and(|(award, _)| award.given));
             if !mark.code.is_accuracy() {
                 if let (EarnedFor::Law(law, _), Some((Award { given: true, .. }, _))) = (&mark.earned_for, line) {
-                    let of = if is_equation(*law) { &mut all.methods } else { &mut all.last };
+                    let of = match (mark.code, is_equation(*law)) {
+                        // What has its own mark stands there rightly, and the answer is found by others.
+                        (Code::B1, _) => &mut all.laws,
+                        (_, true) => &mut all.methods,
+                        (_, false) => &mut all.last,
+                    };
                     of.push(*law);
                 }
                 // A slip of a law is what a line shows plainly where its method is not given.

@@ -89,7 +89,7 @@ const SINGLE: [(Sort, &str); 9] = [
          before finally initially final initial new total sphere spheres ball balls disc discs body particle particles \
          along parallel perp perpendicular right left up down upwards downwards north south east west rightwards \
          leftwards horizontally vertically acute obtuse clockwise anticlockwise counterclockwise away towards it they \
-         i.e ie eg sf dp s.f d.p rounded decimal places significant figures correct collision impact afterwards \
+         i.e ie eg sf dp s.f d.p rounded decimal places significant figures correct collision impact into afterwards \
          that this these set for on off each other line centres centers vector unit magnitude required shown qed \
          respectively simplified exact value form answer ans path motion travel axis oe awrt cao sense \
          immediately original towards heading bounces bouncing bounce rebounds rebounding rebounded rebound separates separating yes reversed reverses unchanged done \

@@ -16,7 +16,7 @@ use super::said::{clauses, is_called_otherwise, says_across, says_along, says_in
 use super::shapes::components_in;
 use crate::answer::Kind;
 use crate::bank::{Code, EarnedFor};
-use crate::expr::Expr;
+use crate::expr::{Expr, Function};
 use crate::mark::judging::{is_of_a_part, may_be_named};
 use crate::mark::key::KeyedMark;
 use crate::mechanics::{Axis, Datum, Known, Law, Moment, Quantity, Seen, Setting, Shape, Sphere};
@@ -175,7 +175,8 @@ impl Working<'_> {
                         && !member.is_given
                         && !self.is_taken(member, quantity)
                         && !self.is_printed_value(&member.expr)
-                        && values.iter().zip(&right).all(|(value, right)| comes(*value, *right))
+                        && (values.iter().zip(&right).all(|(value, right)| comes(*value, *right))
+                            || quantity == Quantity::ContactSine && is_angle_of_sine(&member.expr, values, &right))
                 })
         })
     }
@@ -353,4 +354,14 @@ impl Working<'_> {
         };
         (0..self.prepared.points.count).map(at).collect()
     }
+}
+
+/// Is it the angle itself of which this is the sine: `α = 30°`, `sin⁻¹(½)`?
+fn is_angle_of_sine(expr: &Expr, values: &[Value], right: &[f64]) -> bool {
+    let is_angle = matches!(expr, Expr::Degrees(_) | Expr::Call(Function::Asin, _));
+    let is = |(value, right): (&Value, &f64)| match value {
+        Value::Number(angle) => (angle.middle().sin() - right).abs() < 1e-6,
+        Value::Vector(..) => false,
+    };
+    is_angle && values.iter().zip(right).all(is)
 }

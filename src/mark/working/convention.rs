@@ -76,7 +76,8 @@ pub(super) fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option
             continue;
         }
         let is_unusual = convention.is_unusual || is_against_axes(&convention, prepared);
-        let weight = short + u32::from(is_unusual) + disagreement(lines, &convention, prepared);
+        let of_letters = if convention.is_unusual && prepared.has_equal_masses() { EXCHANGED } else { 0 };
+        let weight = short + u32::from(is_unusual) + of_letters + disagreement(lines, &convention, prepared);
         if best.as_ref().is_none_or(|(least, ..)| weight < *least) {
             best = Some((weight, convention, found));
         }
@@ -108,6 +109,10 @@ pub(super) fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option
     }
     Some(convention)
 }
+
+/// What it costs to take the first letter for B where masses are equal: more than a wrong sign and the values that follow
+/// from it, for there every wrong sign would be right with the letters exchanged.
+const EXCHANGED: u32 = 7;
 
 /// The equations of a line, where a law in general letters is passed over between two sides: in
 /// `w - v = e u_A = ⅓(4 cos 30°)` the number is what the difference of the velocities is.

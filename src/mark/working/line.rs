@@ -4,8 +4,8 @@ use std::borrow::Cow;
 
 use super::angles::is_short;
 use super::remarks::{
-    after_impact, after_remark, is_formula, turned_round, without_arrow, without_cancelling, without_lead_in,
-    without_remark,
+    after_impact, after_remark, along_impulse, is_formula, turned_round, without_arrow, without_cancelling,
+    without_lead_in, without_remark,
 };
 use crate::expr::{Expr, Relation};
 use crate::mark::reading::{Form, Reading, Said, Statement, Vocabulary, is_never_letters, read_whole};
@@ -253,6 +253,7 @@ fn candidates(typed: &str) -> Vec<(Option<&str>, String)> {
     // `3 × −2` and `4·3` are written with signs that words do not have.
     let mut all: Vec<(Option<&str>, String)> = Vec::new();
     all.extend(turned_round(typed).map(|turned| (None, turned)));
+    all.extend(along_impulse(typed).map(|along| (None, along)));
     all.extend(after_impact(typed).map(|after| (None, after)));
     all.extend(after_remark(typed).map(|formula| (None, formula.to_owned())));
     all.push((None, typed.to_owned()));

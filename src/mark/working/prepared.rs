@@ -118,6 +118,12 @@ impl Prepared {
         ((answer - known.number(asked)?).abs() > 0.02 * answer.abs()).then_some((wrong, answer))
     }
 
+    /// Are the masses of the two spheres equal, so that momentum does not tell which is which?
+    pub(super) fn has_equal_masses(&self) -> bool {
+        let [one, other] = Sphere::BOTH.map(|sphere| sizes(&self.known, Quantity::Mass(sphere)));
+        one.is_some() && one == other
+    }
+
     /// Does the question give what has this name: by a letter of its own, or as a number?
     pub(super) fn gives(&self, name: &str) -> bool {
         self.points.letter(name, 0).is_some() || self.names.iter().any(|(known, _)| known == name)

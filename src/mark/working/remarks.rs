@@ -87,6 +87,15 @@ pub(super) fn without_cancelling(typed: &str) -> &str {
     if says_so { before.trim_end() } else { typed }
 }
 
+/// What an impulse is said to be along: `impulse is in direction i − j` for `I ∝ i − j`, where I is no number.
+pub(super) fn along_impulse(typed: &str) -> Option<String> {
+    const ALONG: [&str; 8] =
+        ["∝", "∥", "//", "||", "is parallel to ", "parallel to ", "is in the direction ", "is a multiple of "];
+    let rest = typed.strip_prefix("I ")?.trim_start();
+    let line = ALONG.iter().find_map(|words| rest.strip_prefix(*words))?;
+    Some(format!("impulse is in direction {}", line.trim_start().trim_start_matches("of ")))
+}
+
 /// What each component is after an impact: `3i, 2j` for `3i stays, -4j becomes 2j`.
 pub(super) fn after_impact(typed: &str) -> Option<String> {
     const BECOMES: [&str; 4] = [" becomes ", " become ", " changes to ", " turns into "];
