@@ -16,7 +16,7 @@ use super::said::{clauses, is_called_otherwise, says_across, says_along, says_in
 use super::shapes::components_in;
 use crate::answer::Kind;
 use crate::bank::{Code, EarnedFor};
-use crate::expr::{Expr, Function};
+use crate::expr::Expr;
 use crate::mark::judging::{is_of_a_part, may_be_named};
 use crate::mark::key::KeyedMark;
 use crate::mechanics::{Axis, Datum, Known, Law, Moment, Quantity, Seen, Setting, Shape, Sphere};
@@ -98,12 +98,9 @@ impl Working<'_> {
     }
 
     pub(super) fn speaks_of_angle(&self, studied: &Studied) -> bool {
-        const GREEK: [&str; 6] = ["alpha", "beta", "gamma", "delta", "theta", "phi"];
         let typed = studied.line.typed.to_lowercase();
-        let has_letter =
-            |member: &Member| member.letter.as_ref().is_some_and(|letter| GREEK.contains(&letter.as_str()));
         ["tan", "angle", "direction"].iter().any(|word| typed.contains(word))
-            || self.members(studied).any(|(member, _)| has_letter(member))
+            || self.members(studied).any(|(member, _)| is_greek(member))
     }
 
     /// Does the scheme have the energy before the impact as a step of its own?
@@ -175,8 +172,7 @@ impl Working<'_> {
                         && !member.is_given
                         && !self.is_taken(member, quantity)
                         && !self.is_printed_value(&member.expr)
-                        && (values.iter().zip(&right).all(|(value, right)| comes(*value, *right))
-                            || quantity == Quantity::ContactSine && is_angle_of_sine(&member.expr, values, &right))
+                        && values.iter().zip(&right).all(|(value, right)| comes(*value, *right))
                 })
         })
     }
@@ -356,12 +352,8 @@ impl Working<'_> {
     }
 }
 
-/// Is it the angle itself of which this is the sine: `α = 30°`, `sin⁻¹(½)`?
-fn is_angle_of_sine(expr: &Expr, values: &[Value], right: &[f64]) -> bool {
-    let is_angle = matches!(expr, Expr::Degrees(_) | Expr::Call(Function::Asin, _));
-    let is = |(value, right): (&Value, &f64)| match value {
-        Value::Number(angle) => (angle.middle().sin() - right).abs() < 1e-6,
-        Value::Vector(..) => false,
-    };
-    is_angle && values.iter().zip(right).all(is)
+/// Is it called by a letter for an angle?
+fn is_greek(member: &Member) -> bool {
+    const GREEK: [&str; 6] = ["alpha", "beta", "gamma", "delta", "theta", "phi"];
+    member.letter.as_ref().is_some_and(|letter| GREEK.contains(&letter.as_str()))
 }

@@ -149,11 +149,18 @@ impl Working<'_> {
     /// How a line agrees with one of the two equations, if it does.
     fn agreement(&self, studied: &Studied, equation: Quantity, numbers: &[Numbers]) -> Option<Agrees> {
         let reading = studied.reading.as_ref()?;
-        // What is called an energy is neither, though three of its numbers be in proportion.
+        // What is called an energy or a tangent is neither, though three of its numbers be in proportion.
         let is_energy = |label: &String| {
             may_be_named(label, Quantity::EnergyLost) && !may_be_named(label, Quantity::Speed(Sphere::A, Moment::After))
         };
-        if reading.members.iter().filter_map(|member| member.label.as_ref()).any(is_energy) {
+        let is_of_angle =
+            |label: &String| ["tan", "sin", "cos"].iter().any(|name| label.trim_start().starts_with(name));
+        if reading
+            .members
+            .iter()
+            .filter_map(|member| member.label.as_ref())
+            .any(|label| is_energy(label) || is_of_angle(label))
+        {
             return None;
         }
         let quotients = reading.members.iter().filter(|_| equation == Quantity::RestitutionEquation);

@@ -236,7 +236,7 @@ pub(super) fn own_values(
 }
 
 /// Letters for the components along i and j of the velocity that is to be found, where momentum is written out along each.
-fn letters_of_axes(lines: &[Studied], prepared: &Prepared) -> Vec<(String, Quantity)> {
+pub(super) fn letters_of_axes(lines: &[Studied], prepared: &Prepared) -> Vec<(String, Quantity)> {
     let Some((of, [x, y])) = unknown_sphere(prepared).zip(momentum_by_components(lines, prepared)) else {
         return Vec::new();
     };

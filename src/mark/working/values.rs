@@ -7,6 +7,7 @@ use super::line::Member;
 use super::linear::constant;
 use super::points::sizes;
 use super::spread::Spread;
+use super::theirs::letters_of_axes;
 use crate::answer::{Accept, Kind};
 use crate::bank::Code;
 use crate::expr::{Expr, Function};
@@ -223,8 +224,25 @@ impl Working<'_> {
             let vectors: Vec<_> = self.members(studied).filter(of_vectors).collect();
             vectors.chunk_by(same_statement).any(|chain| chain.last().is_some_and(|(_, values)| is_right(values)))
         };
-        let line = self.lines.iter().position(ends_right)?;
+        let line = self.lines.iter().position(ends_right).or_else(|| self.line_of_components(sphere, moment))?;
         Some(Evidence::given(line, format!("the velocity of {}", sphere.name())))
+    }
+
+    /// The line by which both components of a velocity stand there rightly, under the letters that momentum has for them:
+    /// `x = 1, y = -2`.
+    fn line_of_components(&self, sphere: Sphere, moment: Moment) -> Option<usize> {
+        let of = letters_of_axes(&self.lines, self.prepared);
+        let line_of = |axis| {
+            let quantity = Quantity::Velocity(sphere, moment, axis);
+            let (letter, _) = of.iter().find(|(_, own)| *own == quantity)?;
+            let right = sizes(&self.prepared.known, quantity)?;
+            let is_right = |(member, values): (&Member, &Vec<Value>)| {
+                let comes = values.iter().zip(&right).all(|(value, right)| comes_to(*value, *right));
+                member.letter.as_ref() == Some(letter) && comes
+            };
+            self.lines.iter().position(|studied| self.members(studied).any(is_right))
+        };
+        Some(line_of(Axis::X)?.max(line_of(Axis::Y)?))
     }
 
     /// The model answer for a quantity, in the student's direction.
