@@ -39,7 +39,7 @@ impl Domain {
 
     /// Is a text meant for a range, and not for one value?
     pub fn is_range(text: &str) -> bool {
-        text.contains("..") || between_dashes(text).is_some()
+        text.contains("..") || between_dashes(text).is_some() || between_words(text).is_some() || text.trim().is_empty()
     }
 
     /// Reads `2..12`, `10..80 step 5`, `1/4..3/4 step 1/4`, or one expression.
@@ -58,6 +58,16 @@ impl Domain {
             let whole = trimmed(text, 0, text.len());
             return Err(Fault::new("a difference where values are expected", whole, "a range has two dots")
                 .try_this(format!("write `{first}..{last}`")));
+        }
+        if let Some((first, last)) = between_words(text) {
+            let whole = trimmed(text, 0, text.len());
+            return Err(Fault::new("words where values are expected", whole, "a range has two dots")
+                .try_this(format!("write `{first}..{last}`")));
+        }
+        if text.trim().is_empty() {
+            let expected = "a range or a list of values";
+            return Err(Fault::new("no value stands here", Span::default(), expected)
+                .try_this("write a range, `\"4..12\"`, or a list, `[\"1/4\", \"1/2\"]`"));
         }
         let Some(dots) = text.find("..") else {
             return Ok(Domain::List(vec![read_as_written(text, Angles::Degrees)?]));
@@ -136,6 +146,13 @@ fn between_dashes(text: &str) -> Option<(&str, &str)> {
     let (first, last) = text.split_once(['-', '–'])?;
     let is_whole = |end: &str| !end.is_empty() && end.bytes().all(|sign| sign.is_ascii_digit());
     Some((first.trim(), last.trim())).filter(|(first, last)| is_whole(first) && is_whole(last))
+}
+
+/// The two numbers of `4 to 12`.
+fn between_words(text: &str) -> Option<(&str, &str)> {
+    let (first, last) = [" to ", " until ", " up to "].iter().rev().find_map(|word| text.split_once(word))?;
+    let is_number = |end: &str| end.starts_with(|sign: char| sign.is_ascii_digit() || sign == '-');
+    Some((first.trim(), last.trim())).filter(|(first, last)| is_number(first) && is_number(last))
 }
 
 /// With a decimal point, if it has finitely many decimals.
@@ -226,6 +243,9 @@ mod tests {
             ("6..1", "the range runs backwards", "6..1"),
             ("4...12", "more than two dots in a range", "..."),
             ("4-12", "a difference where values are expected", "4-12"),
+            ("4 to 12", "words where values are expected", "4 to 12"),
+            ("0.5 up to 2.5", "words where values are expected", "0.5 up to 2.5"),
+            ("", "no value stands here", ""),
             ("1..6 step 0", "the step is not above nought", "0"),
             ("1..", "an end of the range is missing", ""),
             ("1..sqrt(2)", "`sqrt(2)` is no plain number", "sqrt(2)"),

@@ -25,6 +25,7 @@ pub fn marks(written: &[MarkFile], unknowns: &[String], used: &mut NamesUsed, fa
         let depends = match &mark.depends {
             Some(names) => {
                 faults.twice("the mark", &[], names);
+                on_accuracy(code, names, &found, faults);
                 names.iter().filter_map(|name| earlier(name, names, &found, faults)).collect()
             }
             None if at_fault => Vec::new(),
@@ -125,6 +126,17 @@ fn earlier(name: &Words, all: &[Words], before: &[Mark], faults: &mut Faults) ->
     let left = ids.into_iter().filter(|id| !all.iter().any(|named| named.get_ref() == id));
     faults.unknown(name.span(), message, label, text, left);
     None
+}
+
+/// A method is not taken away for a wrong number: a method mark that depends on a mark for accuracy.
+fn on_accuracy(code: Code, names: &[Words], before: &[Mark], faults: &mut Faults) {
+    let is_accuracy = |name: &&Words| before.iter().any(|mark| mark.id == *name.get_ref() && mark.code.is_accuracy());
+    if let Some(name) = names.iter().find(is_accuracy).filter(|_| code.is_method()) {
+        let message = format!("`{}` depends on `{}`, a mark for accuracy", code.name(), name.get_ref());
+        let label = "a method is not lost by a wrong number";
+        let help = "name method marks in `depends`, as in `depends = [\"M1a\"]`, or leave it out";
+        faults.report(name.span(), message, label, help);
+    }
 }
 
 /// What a mark depends on if the file does not say: `A1` on the method mark of the same step or the nearest

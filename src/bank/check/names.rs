@@ -148,7 +148,9 @@ impl NamesUsed {
         {
             let message = format!("unknown unit `{}`", &faults.source.text[span.clone()]);
             let label = format!("expected {}", listed(&units()));
-            faults.report(span, message, label, format!("write `{meant}`"));
+            let is_same = is_spelt(&faults.source.text[span.clone()], meant);
+            let number = if is_same { "" } else { ", and give the number in it" };
+            faults.report(span, message, label, format!("write `{meant}`{number}"));
             return;
         }
         if let Some((span, name, unit)) =
@@ -182,13 +184,10 @@ impl NamesUsed {
             candidates.extend(Unit::ALL.map(|unit| unit.plain().to_owned()));
             candidates.push("result".to_owned());
         }
-        let help = match near(name, candidates.iter().map(String::as_str)) {
-            Some(near) => format!("did you mean `{near}`?"),
-            None => format!(
-                "give it values in `[parameters]`, as in `{name} = \"1..6\"`, or a formula in `[let]`; or, as a letter, a \
-                 range in `[scene.symbols]`, as in `{name} = \"positive\"`"
-            ),
-        };
+        // The letter `m` and the metre have one name.
+        candidates.retain(|candidate| candidate != name);
+        let help = near(name, candidates.iter().map(String::as_str)).map(|near| format!("did you mean `{near}`?"));
+        let help = help.unwrap_or_else(|| help_to_declare(name));
         faults.report(used.span.clone(), format!("unknown name `{name}`"), label, help);
     }
 
@@ -218,6 +217,22 @@ impl NamesUsed {
     }
 }
 
+/// How a name is given a meaning: values, a formula, a range of its own; a coefficient of restitution is often to be found.
+fn help_to_declare(name: &str) -> String {
+    const ANGLES: [&str; 6] = ["alpha", "beta", "gamma", "delta", "theta", "phi"];
+    if name == "e" {
+        return "give it values in `[parameters]`, as in `e = [\"1/4\", \"1/2\"]`; or declare the letter in \
+                `[scene.symbols]`, as `e = \"unit\"`, and if it is to be found, name it in `unknowns` of `[scene]` and what \
+                decides it in `conditions`"
+            .to_owned();
+    }
+    let (values, range) = if ANGLES.contains(&name) { ("10..80", "acute") } else { ("1..6", "positive") };
+    format!(
+        "give it values in `[parameters]`, as in `{name} = \"{values}\"`, or a formula in `[let]`; or, as a letter, a range \
+         in `[scene.symbols]`, as in `{name} = \"{range}\"`"
+    )
+}
+
 /// The functions of a formula, and of a requirement.
 fn functions(is_required: bool) -> Vec<&'static str> {
     let measures = Measure::ALL.iter().map(|measure| measure.name()).filter(|_| is_required);
@@ -240,6 +255,22 @@ fn units() -> Vec<&'static str> {
     Unit::ALL.map(Unit::plain).into_iter().filter(|unit| !unit.is_empty()).collect()
 }
 
+/// Units that are written in words and that the bank does not have, with the one that it has in their place.
+const OTHERS: [(&str, Unit); 12] = [
+    ("g", Unit::Kilogram),
+    ("gram", Unit::Kilogram),
+    ("grams", Unit::Kilogram),
+    ("t", Unit::Kilogram),
+    ("mg", Unit::Kilogram),
+    ("cm", Unit::Metre),
+    ("mm", Unit::Metre),
+    ("km", Unit::Metre),
+    ("mph", Unit::MetrePerSecond),
+    ("kJ", Unit::Joule),
+    ("rad", Unit::Degree),
+    ("radians", Unit::Degree),
+];
+
 /// A unit at the end of a formula in braces that is written otherwise than here, as `m s^-1` is: where it stands, if the
 /// name at `at` is a part of it, and how it is written here.
 fn unit_meant(text: &str, at: &Range<usize>) -> Option<(Range<usize>, &'static str)> {
@@ -250,16 +281,23 @@ fn unit_meant(text: &str, at: &Range<usize>) -> Option<(Range<usize>, &'static s
     let start = open + inside.trim_start().find(char::is_whitespace)? + (inside.len() - inside.trim_start().len());
     let unit = text[start..open + inside.len()].trim_start();
     let start = open + inside.len() - unit.len();
-    let letters: String = unit.chars().filter(char::is_ascii_alphabetic).collect();
     let is_sign = |sign: char| sign.is_ascii_alphanumeric() || " ^-+()/.·⁻¹²−".contains(sign);
     if at.start < start || !unit.chars().all(is_sign) {
         return None;
     }
-    let meant = units().into_iter().find(|known| known.chars().filter(char::is_ascii_alphabetic).eq(letters.chars()));
+    let meant = units().into_iter().find(|known| is_spelt(unit, known));
     // Of a unit that is none of ours, as km/h, at least what it is a unit of.
     let is_speed = || unit.split_once('/').is_some_and(|(_, time)| ["h", "s", "min", "hr"].contains(&time));
-    let meant = meant.or_else(|| is_speed().then(|| Unit::MetrePerSecond.plain()))?;
+    let meant = meant.or_else(|| is_speed().then(|| Unit::MetrePerSecond.plain()));
+    let other = || OTHERS.iter().find(|(other, _)| *other == unit).map(|(_, meant)| meant.plain());
+    let meant = meant.or_else(other)?;
     Some((start..start + unit.len(), meant))
+}
+
+/// Do two units have the same letters, as `m s^-1` and `m/s` have?
+fn is_spelt(unit: &str, known: &str) -> bool {
+    let [unit, known] = [unit, known].map(|unit| unit.chars().filter(char::is_ascii_alphabetic));
+    unit.eq(known)
 }
 
 /// Was it written `*A*`?
