@@ -10,6 +10,7 @@ mod apart;
 mod author;
 mod coverage;
 mod finding;
+mod neighbours;
 mod promise;
 mod remark;
 mod report;
@@ -23,6 +24,7 @@ mod words;
 
 pub use coverage::{Coverage, MarkCount, coverage};
 pub use finding::Finding;
+pub use neighbours::neighbours;
 pub use report::{AnswerForms, Hidden, Report, StyleReport, Turned};
 pub use students::{Expected, Student, students};
 pub use survey::{MARKED, survey, work};

@@ -15,7 +15,7 @@ use super::failure::{Failure, warn};
 use super::output::{print as print_text, print_json};
 use crate::bank::{Heading, Question};
 use crate::diagnostic::{Diagnostic, Severity};
-use crate::examine::{Report, survey};
+use crate::examine::{Report, neighbours, survey};
 
 const AFTER: &str = "Examples:
   carom check             the bank inside carom
@@ -75,6 +75,7 @@ pub fn run(arguments: &CheckArguments) -> Result<(), Failure> {
         let found = one.report.findings.iter();
         faults.extend(found.map(|finding| finding.diagnostic(&one.question.id, &one.heading.source)));
     }
+    faults.extend(neighbours(&contents.headings));
     let is_sound = faults.iter().all(|fault| fault.severity == Severity::Warning);
     if arguments.json {
         print_json(&print::as_json(&contents.name, &examined, &faults))?;
