@@ -165,7 +165,7 @@ fn a_new_question_is_sound_wherever_it_stands_and_names_the_schema_of_its_bank()
     for (path, schema) in table {
         let (written, said) = done(&here, &["new-question", path]);
         assert_eq!(written, format!("{path}\n"));
-        assert!(said.contains(&format!("`carom preview {path} --watch`")), "{said}");
+        assert!(said.contains(&format!("`carom preview {path} --watch`")) && said.contains("`--like walls/"), "{said}");
         let text = fs::read_to_string(here.join(path)).unwrap();
         let first = text.lines().next().unwrap();
         assert_eq!(first.starts_with("#:schema").then_some(first), schema, "{path}");

@@ -60,6 +60,12 @@ pub fn run(arguments: &NewQuestionArguments) -> Result<(), Failure> {
         typed(file),
         typed(&bank)
     ));
+    if arguments.like.is_none() {
+        say(
+            "for a wall, a direct impact or a range of values begin with a copy, as `--like walls/turned-through-a-right-angle` \
+             makes one; `carom list` names all there are",
+        );
+    }
     Ok(())
 }
 
