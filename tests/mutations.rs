@@ -103,6 +103,11 @@ fn faults_of_the_numbers_are_named() {
                 &[("  \"abs(A.after.speed - B.after.speed) > B.after.speed/50\",\n", "")],
                 "`A.after.speed` and `B.after.speed` have one value",
             ),
+            (
+                "one-value-mended",
+                &[("  \"abs(A.after.speed - B.after.speed) > B.after.speed/50\",\n", "")],
+                "require `abs(A.after.speed - B.after.speed) > abs(B.after.speed)/50`",
+            ),
         ],
     );
 }
@@ -681,6 +686,168 @@ fn a_direction_that_is_reversed_and_an_angle_without_braces_are_so_in_the_scene(
         "walls/turned-through-a-right-angle",
         &[("by-hand", &[("through a right angle", "through 80°")], "`*A*` is turned through 80°")],
     );
+}
+
+#[test]
+fn a_condition_of_which_the_words_never_tell_is_named_and_any_words_that_tell_of_it_are_right() {
+    let turn = "The impact turns\nthe direction of motion of *A* through a right angle.";
+    let wall = "walls/turned-through-a-right-angle";
+    found(
+        wall,
+        &[
+            ("untold", &[(turn, "")], "the words never tell of the right angle"),
+            ("another-turn", &[("through a right angle", "through {alpha deg}")], "`*A*` is turned through 60°"),
+            ("degrees", &[("through a right angle", "through an angle of 45 degrees")], "is turned through 45°"),
+        ],
+    );
+    for (name, words) in [
+        ("across", "After the impact *A* moves at right angles to its original direction."),
+        ("across-its-path", "After the impact the path of *A* is perpendicular to its old path."),
+        ("ninety", "The impact turns the direction of motion of *A* through {90 deg}."),
+    ] {
+        let (is_sound, said) = checked(name, wall, &[(turn, words)]);
+        assert!(is_sound && said.contains("0 findings"), "{words}: {said}");
+    }
+    found(
+        "rest-letters/turned-through-a-right-angle",
+        &[
+            (
+                "untold-in-letters",
+                &[(
+                    " As a result of the collision, the direction of motion of *A* is turned through a right angle.",
+                    "",
+                )],
+                "the words never tell of the right angle",
+            ),
+            ("acute", &[("through a right angle", "through an acute angle")], "is turned through an acute angle"),
+        ],
+    );
+    let meeting = "After *B* has struck *C*, *A* does not strike *B* again. Find";
+    let edits: &[(&str, &str)] = &[(meeting, "Find")];
+    found("successive/no-more-collisions", &[("never-again", edits, "the words never tell of who meets again")]);
+}
+
+#[test]
+fn what_makes_a_paper_wrong_is_an_error() {
+    let energy = "Find the total kinetic energy lost in the collision.";
+    let tables: [(&str, &[Planted]); 6] = [
+        (
+            "i-j/energy-lost",
+            &[
+                (
+                    "of-one",
+                    &[(energy, "Find the kinetic energy of *A* after the collision.")],
+                    "the words ask for a kinetic energy, and the answer `kinetic energy lost` is what is lost",
+                ),
+                ("energy", &[(energy, "Find the kinetic energy.")], "the words ask for a kinetic energy"),
+            ],
+        ),
+        (
+            "direct/mass-from-the-velocities",
+            &[(
+                "other-mass",
+                &[("the mass of *B*.\"", "the mass of *A*.\"")],
+                "ask of `*A*`, and the answer `mass of B`",
+            )],
+        ),
+        (
+            "direct/one-sphere-catches-the-other",
+            &[
+                ("of-a", &[("Find the speed of *B*", "Find the speed of *A*")], "ask of `*A*`"),
+                ("before", &[("*B* immediately after", "*B* immediately before")], "what is before an impact"),
+                ("gained", &[("energy lost in", "energy gained in")], "what is `gained`"),
+                ("unit", &[(energy, "Find the speed of *B* in the collision.")], "what is stated in m/s"),
+                (
+                    "mark-of-a",
+                    &[("for = \"B.after.speed\" }", "for = \"B.after.speed\", text = \"speed of *A*\" }")],
+                    "the mark A1c names `*A*`",
+                ),
+                (
+                    "mark-of-law",
+                    &[("for = \"momentum\" }", "for = \"momentum\", text = \"Newton's law of restitution\" }")],
+                    "the text of the mark M1a speaks of restitution, and it is for `momentum`",
+                ),
+                ("p-and-q", &[("spheres *A* and *B*", "spheres *P* and *Q*")], "the words call a sphere `*P*`"),
+            ],
+        ),
+        (
+            "successive/struck-onto-a-wall",
+            &[
+                ("impulse", &[("the wall exerts on *B*", "*A* exerts on *B*")], "ask for an impulse of *A*"),
+                ("wall-of-a", &[("between *B* and the wall", "between *A* and the wall")], "`*A*` and a wall, and in"),
+                ("a-strikes", &[("collision *B* strikes", "collision *A* strikes")], "`*A*` strikes a wall"),
+            ],
+        ),
+        (
+            "deflection/greatest-deflection",
+            &[("least", &[("greatest, and", "least, and")], "say `least`, and the scene makes")],
+        ),
+        (
+            "walls/tangents-in-letters",
+            &[
+                (
+                    "no-number",
+                    &[("{display: result}", "{tan(beta) = alpha*tan(alpha)}.")],
+                    "its right side is no number: `tan(beta)` is e tan α",
+                ),
+                ("twice-e", &[("{display: result}", "{tan(beta) = 2*restitution*tan(alpha)}.")], "and it is not so"),
+            ],
+        ),
+    ];
+    for (id, table) in tables {
+        for (name, edits, words) in table {
+            let (is_sound, said) = checked(name, id, edits);
+            assert!(!is_sound && said.contains(words), "{name}: no error `{words}` in\n{said}");
+        }
+    }
+    let edits = [("{display: result}", "{tan(beta) = restitution*sin(alpha)/cos(alpha)}.")];
+    let (is_sound, said) = checked("by-hand", "walls/tangents-in-letters", &edits);
+    assert!(is_sound && said.contains("0 findings"), "{said}");
+}
+
+#[test]
+fn names_that_are_exchanged_are_named() {
+    found(
+        "successive/no-more-collisions",
+        &[("a-and-c", &[("between *B* and *C* is", "between *A* and *C* is")], "`*A*` and `*C*`, and in the scene")],
+    );
+    found(
+        "rest/speeds-and-directions",
+        &[("at-rest", &[("motion of *A* makes", "motion of *B* makes")], "the direction of `*B*`, which is at rest")],
+    );
+    found(
+        "rest-letters/distance-from-the-centre-of-b",
+        &[
+            ("diameter", &[("radius {r}", "diameter {r}")], "give the diameter `r`, where the scene gives it 2r"),
+            ("centre", &[("from the centre of *B*", "from the centre of *A*")], "from the centre of `*A*` to a line"),
+        ],
+    );
+}
+
+#[test]
+fn a_question_that_stands_in_a_bank_twice_and_a_topic_with_a_slip_of_the_pen_are_named() {
+    let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
+    let folder = env::temp_dir().join(format!("carom-neighbours-{}", std::process::id()));
+    fs::create_dir_all(folder.join("bank")).expect("a folder can be made");
+    let wall = fs::read_to_string(root.join("question_bank/walls/velocity-in-i-and-j.toml")).expect("it is there");
+    let other = fs::read_to_string(root.join("question_bank/walls/tangents-in-letters.toml")).expect("it is there");
+    let again = wall.replace("title ", "title  ").replace("topic = \"walls\"", "topic = \"wells\"");
+    assert_ne!(wall, again);
+    for (name, text) in [("one", &wall), ("other", &other), ("twin", &again)] {
+        fs::write(folder.join(format!("bank/{name}.toml")), text).expect("a file can be written");
+    }
+    let output = Command::new(env!("CARGO_BIN_EXE_carom"))
+        .args(["check", "bank"])
+        .current_dir(&folder)
+        .env("XDG_CACHE_HOME", folder.join("cache"))
+        .output()
+        .expect("carom runs");
+    fs::remove_dir_all(&folder).expect("the folder is there");
+    let said = String::from_utf8_lossy(&output.stderr);
+    for words in ["`one` and `twin` are one question", "only question on the topic `wells`", "help: write `walls`"] {
+        assert!(said.contains(words), "no `{words}` in\n{said}");
+    }
+    assert!(output.status.success() && said.matches("warning:").count() == 2, "{said}");
 }
 
 #[test]

@@ -13,10 +13,27 @@ pub fn alike(question: &Question, variant: &Variant, remarks: &mut Vec<Remark>) 
             if one.find != other.find && one.kind == other.kind && share(one, other, variant) {
                 let what = format!("`{}` and `{}` have one value", one.find.name(), other.find.name());
                 let label = "a student who exchanges the two is marked right";
-                let help = format!("require `abs({} - {}) > 0`, or more", one.find.name(), other.find.name());
+                let help = format!("require `{}`", further(one, other, variant));
                 remarks.push(Remark::new(what, format!("\"{}\"", other.find.name()), label, help));
             }
         }
+    }
+}
+
+/// A requirement that keeps two answers so far apart that no rounding makes them one; exact ones need only differ.
+fn further(one: &Answer, other: &Answer, variant: &Variant) -> String {
+    let (first, second) = (one.find.name(), other.find.name());
+    let places = |answer: &Answer| answer.accept(variant.style).places().cloned();
+    let apart = |margin: &str| format!("abs({first} - {second}) > {margin}");
+    match places(one).or_else(|| places(other)) {
+        None => format!("{first} != {second}"),
+        // Of so many figures the last is worth least where the first is a nine, and most where it is a one.
+        Some(Places::SignificantFigures(..2)) => apart(&format!("abs({second})")),
+        Some(Places::SignificantFigures(figures)) => {
+            apart(&format!("abs({second})/{}", 5 * 10_u64.saturating_pow(figures.saturating_sub(2).min(9))))
+        }
+        Some(Places::DecimalPlaces(places)) => apart(&format!("1/{}", 10_u64.saturating_pow(places.min(9)))),
+        Some(Places::Nearest(step)) => apart(&step.decimal().to_string()),
     }
 }
 

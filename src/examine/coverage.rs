@@ -151,17 +151,18 @@ fn fault(question: &KeyedQuestion, student: &Student, marked: &[MarkedPart], wit
         let names: Vec<String> = rows.iter().copied().map(name).collect();
         format!("the mark{} {}", if rows.len() > 1 { "s" } else { "" }, names.join(", "))
     };
+    let are = |rows: &[(usize, usize)]| if rows.len() > 1 { "are" } else { "is" };
     let answer = |part: usize, blank: usize| &marked[part].answers[blank];
     let (rows, what) = match &student.expected {
         Expected::Everything | Expected::AllButShown => {
             let is_everything = student.expected == Expected::Everything;
             let lost = unlike(true, &|part| !is_everything && is_about_shown(part));
-            let what = (!lost.is_empty()).then(|| format!("{} is not given", marks(&lost)));
+            let what = (!lost.is_empty()).then(|| format!("{} {} not given", marks(&lost), are(&lost)));
             (lost, what)
         }
         Expected::Nothing => {
             let won = unlike(false, &|_| false);
-            let what = (!won.is_empty()).then(|| format!("{} is given", marks(&won)));
+            let what = (!won.is_empty()).then(|| format!("{} {} given", marks(&won), are(&won)));
             (won, what)
         }
         Expected::Mistake { part, blank, tag } => {

@@ -21,6 +21,7 @@ mod wording;
 mod words;
 mod working;
 
+pub use answer::{Size, letter, sizes};
 pub use choice::{choose_count, choose_marks};
 pub use class::{Class, Hand, PlaceDealt, TooFew, deal};
 pub use class_list::{ClassList, Student};

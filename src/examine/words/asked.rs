@@ -5,7 +5,7 @@ use crate::answer::Kind;
 use crate::bank::{Answer, Find, Part, Question};
 use crate::examine::Finding;
 use crate::expr::{Expr, Piece, Text, print};
-use crate::mechanics::{Sphere, VelocityText};
+use crate::mechanics::{Quantity, Sphere, VelocityText};
 use crate::unit::Unit;
 
 /// Words that name a quantity, and the unit in which it is stated.
@@ -54,12 +54,13 @@ pub fn beside_the_point(question: &Question) -> Vec<Finding> {
             let message = format!("the words ask for what is stated in {said}, and the answer `{name}` is in {unit}");
             let found = Finding::new(message, "", "found here");
             let help = "ask for what `find` finds, or find what is asked for";
-            findings.push(found.with_help(help).at_row(place, "answers", row).as_warning());
+            findings.push(found.with_help(help).at_row(place, "answers", row));
         }
     }
     findings.extend(out_of_order(question));
     findings.extend(extremes(question));
     findings.extend(strangers(question));
+    findings.extend(called_otherwise(question));
     findings.extend(absent(question));
     findings.extend(in_one_line(question));
     findings
@@ -175,8 +176,14 @@ fn extremes(question: &Question) -> Option<Finding> {
         let other = if said.starts_with("as ") { "as large as possible" } else { "greatest" };
         let help = format!("say `{other}`: what `maximise` names in `[scene]` is made as large as it can be");
         let found = Finding::new(message, said, "the greatest in the scene").with_help(help);
-        // Beside the greatest there may be a least of something else.
-        return Some(if word(&GREATEST).is_none() { found } else { found.as_warning() });
+        // Beside the greatest there may be a least of something else; but not `is least` and `least deflection`.
+        let named = maximise.parse::<Quantity>().map(Quantity::in_plain_words).unwrap_or_default();
+        let is_of_it = sentences.iter().flat_map(|sentence| sentence.windows(2)).any(|pair| match pair {
+            [is, least] if is_one_of(least, &LEAST) => is_one_of(is, &["is"]),
+            [least, Token::Word(next)] => is_one_of(least, &LEAST) && named.split(' ').any(|word| word == next),
+            _ => false,
+        });
+        return Some(if is_of_it || word(&GREATEST).is_none() { found } else { found.as_warning() });
     }
     let said = word(&[GREATEST, LEAST].concat())?;
     let is_range = question.parts.iter().flat_map(|part| &part.answers).any(|answer| answer.kind == Kind::Range);
@@ -256,6 +263,39 @@ fn in_one_line(question: &Question) -> Option<Finding> {
 
 fn words(piece: &Piece) -> Option<&str> {
     if let Piece::Words(words) = piece { Some(words) } else { None }
+}
+
+/// Spheres that are called otherwise than *A*, *B* and *C*: `two spheres *P* and *Q*`. Points may have such letters.
+fn called_otherwise(question: &Question) -> Option<Finding> {
+    const SPHERES: [&str; 6] = ["sphere", "spheres", "ball", "balls", "particle", "particles"];
+    const OF_SPHERES: [&str; 4] = ["mass", "speed", "velocity", "motion"];
+    fn name<'t>(token: &'t Token) -> Option<&'t str> {
+        match token {
+            Token::Number(Expr::Name(name), ..) => Some(&name.text),
+            _ => None,
+        }
+    }
+    let is_given = |name: &str| {
+        let scene = &question.scene;
+        scene.symbols.contains_key(name) || question.styles.iter().any(|style| question.is_given(style, name))
+    };
+    let is_strange =
+        |name: &&str| name.len() == 1 && name.starts_with(|sign: char| sign.is_ascii_uppercase()) && !is_given(name);
+    let of_spheres = texts(question).flat_map(sentences).find_map(|sentence| {
+        let leads = |at: usize| match &sentence[..at] {
+            [.., before] if is_one_of(before, &SPHERES) => true,
+            [.., noun, of] => is_one_of(noun, &OF_SPHERES) && is_one_of(of, &["of"]),
+            _ => false,
+        };
+        let at = (0..sentence.len())
+            .filter(|at| leads(*at))
+            .find(|at| name(&sentence[*at]).is_some_and(|name| is_strange(&name)))?;
+        name(&sentence[at]).map(str::to_owned)
+    })?;
+    let message =
+        format!("the words call a sphere `*{of_spheres}*`, and the spheres of a scene are `*A*`, `*B*` and `*C*`");
+    let help = "call it in the words as `[scene]` does: `*A*` is the one that strikes, `*B*` the one that is struck";
+    Some(Finding::new(message, format!("*{of_spheres}*"), "no sphere of the scene").with_help(help))
 }
 
 /// Names of spheres in the words that stand for nothing in the scene.

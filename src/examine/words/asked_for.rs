@@ -1,6 +1,6 @@
 //! Do the words of a part ask for this very answer: of this sphere, this angle, one value or a set of them?
 
-use super::impacts::impacts;
+use super::asked_energy::{energy_of_another, other_energy};
 use super::sentence::{Sentence, Token, is_one_of, is_supposed, says, sentences};
 use crate::answer::Kind;
 use crate::bank::{Answer, Find, Part, Question};
@@ -9,7 +9,8 @@ use crate::expr::{Expr, Function, print};
 use crate::mechanics::{Quantity, Sphere};
 use crate::unit::Unit;
 
-/// Answers for which the words of their part do not ask, though they ask for something of the kind.
+/// Answers for which the words of their part do not ask, though they ask for something of the kind. What makes the paper
+/// wrong must be mended; where the words may be read in another way it is a warning.
 pub fn others(question: &Question) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (place, part) in question.parts.iter().enumerate() {
@@ -22,7 +23,7 @@ pub fn others(question: &Question) -> Vec<Finding> {
             let found = found.or_else(|| another_function(answer, &all)).or_else(|| other_energy(answer, &all));
             let found = found.or_else(|| size_alone(answer, part, &all));
             let help = "ask for what `find` finds, or find what is asked for";
-            findings.extend(found.map(|found| found.with_help(help).at_row(place, "answers", row).as_warning()));
+            findings.extend(found.map(|found| found.with_help(help).at_row(place, "answers", row)));
         }
         findings.extend(one_of_each(part, &all).map(|found| found.at_row(place, "answers", 0).as_warning()));
         let more = more_than_asked(part, &all).into_iter();
@@ -40,40 +41,6 @@ fn of_another_by_name(answer: &Answer) -> Option<Finding> {
     let (name, own) = (print::text_unicode(&answer.name), own.name());
     let found = || Finding::new(format!("the answer `{name}` is of *{own}*"), "", format!("found of {own}"));
     is_another.then(found)
-}
-
-/// The words ask for the energy that both lose, and the answer is what one does, or the other way round.
-fn energy_of_another(question: &Question, answer: &Answer, asked: &[Sentence]) -> Option<Finding> {
-    let quantity = *answer.find.quantities().first()?;
-    let impacts = impacts(&question.scene);
-    let is_of_one = impacts.iter().any(|impact| impact.number == quantity.impact() && impact.is_of_one());
-    if is_of_one || answer.kind == Kind::Shown {
-        return None;
-    }
-    let mut named: Vec<Sphere> = Vec::new();
-    for token in asked.iter().flatten() {
-        if let Token::Sphere(sphere) = token
-            && !named.contains(sphere)
-        {
-            named.push(*sphere);
-        }
-    }
-    let is_lost_by = asked.iter().flat_map(|sentence| sentence.windows(3)).any(|words| match words {
-        [lost, by, Token::Sphere(_)] => is_one_of(lost, &["lost"]) && is_one_of(by, &["by"]),
-        [that, Token::Sphere(_), loses] => is_one_of(that, &["that"]) && is_one_of(loses, &["loses"]),
-        _ => false,
-    });
-    let (asks, has) = match (quantity.of_its_impact(), named.as_slice()) {
-        (Quantity::SphereEnergyLost(own), []) => {
-            ("all that is lost".to_owned(), format!("what *{}* loses", own.name()))
-        }
-        (Quantity::EnergyLost, [one]) if is_lost_by => {
-            (format!("what *{}* loses", one.name()), "all that is lost".to_owned())
-        }
-        _ => return None,
-    };
-    let name = print::text_unicode(&answer.name);
-    Some(Finding::new(format!("the words ask for {asks}, and the answer `{name}` is {has}"), "", "another energy"))
 }
 
 /// The words ask for a motion, and the answer is a coefficient of restitution.
@@ -200,20 +167,27 @@ fn of_another(answer: &Answer, part: &Part, asked: &[Sentence]) -> Option<Findin
     if named(own) || is_of_both || part.answers.iter().any(|answer| answer.kind == Kind::Shown) {
         return None;
     }
+    // `The speed of the sphere that *A* strikes` names another, and asks of the right one.
+    let is_plain = asked.iter().flat_map(|sentence| sentence.windows(2)).any(|words| match words {
+        [of, Token::Sphere(sphere)] => *sphere == other && is_one_of(of, &["of"]),
+        _ => false,
+    });
     let (name, own, other) = (print::text_unicode(&answer.name), own.name(), other.name());
     let message = format!("the words ask of `*{other}*`, and the answer `{name}` is of *{own}*");
-    Some(Finding::new(message, "", format!("found of {own}")))
+    let found = Finding::new(message, "", format!("found of {own}"));
+    Some(if is_plain { found } else { found.as_warning() })
 }
 
-/// The sphere whose speed, velocity, angle or energy is to be found.
+/// The sphere whose mass, speed, velocity, angle or energy is to be found.
 fn sphere_of(find: &Find) -> Option<Sphere> {
     whose(*find.quantities().first()?)
 }
 
-/// The sphere that a speed, velocity, angle or energy is of.
+/// The sphere that a mass, speed, velocity, angle or energy is of.
 pub(super) fn whose(quantity: Quantity) -> Option<Sphere> {
     match quantity.of_its_impact() {
-        Quantity::Speed(sphere, _)
+        Quantity::Mass(sphere)
+        | Quantity::Speed(sphere, _)
         | Quantity::Velocity(sphere, ..)
         | Quantity::AngleToLine(sphere, _)
         | Quantity::AngleToWall(sphere, _)
@@ -246,7 +220,7 @@ fn another_angle(answer: &Answer, asked: &[Sentence]) -> Option<Finding> {
     };
     let name = print::text_unicode(&answer.name);
     let message = format!("the words ask for an angle {said}, and the answer `{name}` is one {has}");
-    Some(Finding::new(message, "", "another angle"))
+    Some(Finding::new(message, "", "another angle").as_warning())
 }
 
 /// The words ask for the sine of an angle, and the answer is its tangent.
@@ -269,42 +243,6 @@ fn another_function(answer: &Answer, asked: &[Sentence]) -> Option<Finding> {
     Some(Finding::new(message, "", "another function of the angle"))
 }
 
-/// The words, or the name of the answer, speak of what is gained or left, or of a fraction, and the answer is what is lost,
-/// or the reverse.
-fn other_energy(answer: &Answer, asked: &[Sentence]) -> Option<Finding> {
-    const LOST: [&str; 7] = ["lost", "loss", "lose", "loses", "losing", "decrease", "reduction"];
-    const OTHER: [&str; 9] =
-        ["gained", "gain", "gains", "increase", "remaining", "remains", "left", "retained", "kept"];
-    const PART: [&str; 6] = ["fraction", "proportion", "percentage", "ratio", "share", "part"];
-    let Find::Quantity(quantity) = answer.find else { return None };
-    let is_fraction = match quantity.of_its_impact() {
-        Quantity::EnergyLost | Quantity::SphereEnergyLost(_) => false,
-        Quantity::FractionLost => true,
-        _ => return None,
-    };
-    if matches!(answer.kind, Kind::Shown | Kind::Range) {
-        return None;
-    }
-    let name = sentences(&answer.name);
-    let is_energy = asked.iter().any(|sentence| says(sentence, &["energy", "energies"]));
-    // The name of an answer may be right where the words are not.
-    let other = [asked, &name].into_iter().find_map(|words| {
-        let speaks = !words.iter().any(|sentence| says(sentence, &LOST));
-        words.iter().flatten().find(|token| speaks && is_one_of(token, &OTHER))
-    });
-    let shown = print::text_unicode(&answer.name);
-    let said = asked.iter().any(|sentence| says(sentence, &PART));
-    let (asks, has) = match (other, is_fraction) {
-        (Some(Token::Word(word)), _) => (format!("what is `{word}`"), "is what is lost"),
-        (_, true) if is_energy && !said => ("an energy".to_owned(), "is a fraction of one"),
-        (_, false) if asked.iter().any(|words| says(words, &["fraction", "percentage", "proportion"])) => {
-            ("a fraction".to_owned(), "is the energy itself")
-        }
-        _ => return None,
-    };
-    Some(Finding::new(format!("the words ask for {asks}, and the answer `{shown}` {has}"), "", "found here"))
-}
-
 /// The words ask for a velocity, and no answer says its direction.
 fn size_alone(answer: &Answer, part: &Part, asked: &[Sentence]) -> Option<Finding> {
     let says = |words: &[&str]| asked.iter().any(|sentence| says(sentence, words));
@@ -317,7 +255,7 @@ fn size_alone(answer: &Answer, part: &Part, asked: &[Sentence]) -> Option<Findin
     let are_all = part.answers.iter().all(is_speed);
     let name = print::text_unicode(&answer.name);
     let message = format!("the words ask for a velocity, and the answer `{name}` is a speed alone");
-    (is_asked && are_all).then(|| Finding::new(message, "", "without its direction"))
+    (is_asked && are_all).then(|| Finding::new(message, "", "without its direction").as_warning())
 }
 
 /// The words ask for one value, and the answer is a set of values.
@@ -330,7 +268,7 @@ fn set(answer: &Answer, asked: &[Sentence]) -> Option<Finding> {
     }
     let name = print::text_unicode(&answer.name);
     let message = format!("the words ask for one value, and the answer `{name}` is a set of values");
-    Some(Finding::new(message, "", "a set of values"))
+    Some(Finding::new(message, "", "a set of values").as_warning())
 }
 
 #[cfg(test)]
@@ -342,7 +280,7 @@ mod tests {
     fn words_that_ask_for_another_answer_are_found() {
         let (rest, both) = ("rest/speeds-and-directions", "both-moving/energy-lost-and-impulse");
         let direction = "  { name = \"direction of *B*\", find = \"B.after.angle_to_loc_deg\", accept = \"awrt 3sf\", phrase = \"to the line of centres\" },\n";
-        let table: [(&str, Edits, &str); 24] = [
+        let table: [(&str, Edits, &str); 28] = [
             ("ranges/direction-reversed", &[], ""),
             ("ranges/direction-reversed", &[("set of possible values", "value")], "ask for one value"),
             (
@@ -384,6 +322,18 @@ mod tests {
                 "ask for `cos β`, and the answer is `tan β`",
             ),
             (both, &[("energy lost in", "energy gained in")], "what is `gained`"),
+            (
+                both,
+                &[("energy lost in", "energy of *A* after")],
+                "a kinetic energy, and the answer `kinetic energy lost` is",
+            ),
+            (both, &[("energy lost in", "energy before")], "a kinetic energy, and the answer"),
+            (both, &[("Find the total kinetic energy lost in", "Find how much kinetic energy is lost in")], ""),
+            (
+                "direct/mass-from-the-velocities",
+                &[("the mass of *B*.\"", "the mass of *A*.\"")],
+                "the words ask of `*A*`, and the answer `mass of B` is of *B*",
+            ),
             (
                 "walls/rebound-speed-and-direction",
                 &[("the kinetic energy lost in", "the increase in kinetic energy in")],

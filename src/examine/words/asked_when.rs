@@ -19,7 +19,7 @@ pub fn otherwise(question: &Question) -> Vec<Finding> {
             let (quantities, name) = (answer.find.quantities(), print::text_unicode(&answer.name));
             let mut texts = [own, part.ask.as_slice()].into_iter();
             let found = texts.find_map(|texts| misplaced(question, &quantities, ("the words ask for", &name), texts));
-            findings.extend(found.map(|found| found.at_row(place, "answers", row).as_warning()));
+            findings.extend(found.map(|found| found.at_row(place, "answers", row)));
         }
     }
     findings
@@ -34,7 +34,7 @@ pub fn marked_otherwise(question: &Question) -> Vec<Finding> {
             let who = format!("the text of the mark {} speaks of", mark.id);
             let found = misplaced(question, &[*quantity], (&who, &quantity.to_string()), std::slice::from_ref(text));
             let help = format!("say in the `text` of the mark {} what it is for, or mend `for`", mark.id);
-            findings.extend(found.map(|found| found.with_help(help).at_row(place, "marks", row).as_warning()));
+            findings.extend(found.map(|found| found.with_help(help).at_row(place, "marks", row)));
         }
     }
     findings

@@ -30,7 +30,7 @@ pub fn otherwise(question: &Question) -> Vec<Finding> {
             );
             let found = Finding::new(message, "", format!("found of the {nth} impact"));
             let help = format!("{find}speak of the impact of which it is found");
-            findings.push(found.with_help(help).at_row(place, "answers", row).as_warning());
+            findings.push(found.with_help(help).at_row(place, "answers", row));
         }
     }
     findings

@@ -35,7 +35,8 @@ pub fn otherwise(question: &Question) -> Vec<Finding> {
     let stems = question.styles.iter().flat_map(|style| &style.stem);
     let asks = question.parts.iter().flat_map(|part| &part.ask);
     let mut told: Vec<[Sphere; 2]> = Vec::new();
-    for [one, other] in plain(stems.chain(asks)).iter().flat_map(|sentence| strikes(sentence)) {
+    let said = plain(stems.chain(asks));
+    for [one, other] in said.iter().flat_map(|sentence| strikes(sentence)) {
         let is_there = impacts.iter().any(|impact| impact.has(one) && impact.has(other));
         if !is_there && !told.contains(&[one, other]) {
             told.push([one, other]);
@@ -45,7 +46,16 @@ pub fn otherwise(question: &Question) -> Vec<Finding> {
             findings.push(Finding::new(message, format!("*{other}*"), "no impact of these").with_help(help));
         }
     }
-    findings.into_iter().map(Finding::as_warning).collect()
+    let mut striking = said.iter().flat_map(|sentence| strikes_a_wall(sentence));
+    let never = |sphere: &Sphere| !impacts.iter().any(|impact| impact.is_wall && impact.has(*sphere));
+    // That there is no wall at all is told of the wall.
+    if let Some(sphere) = striking.find(never).filter(|_| impacts.iter().any(|impact| impact.is_wall)) {
+        let name = sphere.name();
+        let message = format!("the words say that `*{name}*` strikes a wall, and in the scene it does not");
+        let help = "name in the words the one that strikes it in `[scene]`, or let this one strike it there with `of`";
+        findings.push(Finding::new(message, format!("*{name}* strikes"), "no impact of these").with_help(help));
+    }
+    findings
 }
 
 /// Sentences of what is so.
@@ -85,6 +95,21 @@ fn strikes(sentence: &[Token]) -> Vec<[Sphere; 2]> {
     (0..sentence.len()).filter_map(|at| pair(&sentence[at..sentence.len().min(at + 4)])).collect()
 }
 
+/// The spheres of which a sentence says that they strike a wall: `A strikes the wall`, `B collides with a smooth wall`.
+fn strikes_a_wall(sentence: &[Token]) -> Vec<Sphere> {
+    const STRIKES: [&str; 5] = ["strikes", "hits", "meets", "reaches", "rebounds"];
+    const DESCRIBED: [&str; 11] =
+        ["the", "a", "this", "that", "with", "from", "smooth", "fixed", "vertical", "first", "second"];
+    let strikes = |words: &[Token]| match words {
+        [Token::Sphere(sphere), verb, rest @ ..] if is_one_of(verb, &STRIKES) || is_one_of(verb, &["collides"]) => {
+            let next = rest.iter().find(|token| !is_one_of(token, &DESCRIBED));
+            next.is_some_and(|token| is_one_of(token, &["wall"])).then_some(*sphere)
+        }
+        _ => None,
+    };
+    (0..sentence.len()).filter_map(|at| strikes(&sentence[at..])).collect()
+}
+
 /// Marks whose text names one sphere, and that are for a step or value of another.
 pub fn marked_otherwise(question: &Question) -> Vec<Finding> {
     let mut findings = Vec::new();
@@ -104,10 +129,7 @@ pub fn marked_otherwise(question: &Question) -> Vec<Finding> {
                 let message = format!("the text of the mark {} names `*{other}*`, and it is for `{step}`", mark.id);
                 let found = Finding::new(message, "", format!("of {own}"));
                 findings.push(
-                    found
-                        .with_help(format!("name `*{own}*` in its `text`, or mend `for`"))
-                        .at_row(place, "marks", row)
-                        .as_warning(),
+                    found.with_help(format!("name `*{own}*` in its `text`, or mend `for`")).at_row(place, "marks", row),
                 );
             }
         }
@@ -123,7 +145,8 @@ mod tests {
     #[test]
     fn impacts_of_which_the_words_speak_are_those_of_the_scene() {
         let (line, wall) = ("successive/three-in-a-line", "successive/sphere-wall-sphere");
-        let table: [(&str, Edits, &str); 8] = [
+        let onto = "successive/struck-onto-a-wall";
+        let table: [(&str, Edits, &str); 12] = [
             (line, &[], ""),
             (wall, &[], ""),
             ("direct/restitution-from-one-speed", &[], ""),
@@ -135,6 +158,10 @@ mod tests {
                 "an impulse of *A*, and the answer `impulse on C`",
             ),
             (wall, &[("the wall exerts on *B*", "*A* exerts on *B*")], "an impulse of *A*"),
+            (onto, &[], ""),
+            (onto, &[("the collision *B* strikes", "the collision *A* strikes")], "`*A*` strikes a wall"),
+            (onto, &[("the collision *B* strikes", "the collision *B* hits")], ""),
+            (onto, &[("the collision *B* strikes", "the collision *A* does not strike a wall; *B* strikes")], ""),
             (wall, &[("second.impulse.magnitude", "third.impulse.magnitude")], "an impulse of the wall"),
         ];
         for (id, edits, words) in table {

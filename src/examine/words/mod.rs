@@ -5,6 +5,7 @@
 
 mod agreement;
 mod asked;
+mod asked_energy;
 mod asked_for;
 mod asked_when;
 mod asked_where;
@@ -15,6 +16,7 @@ mod given;
 mod impacts;
 mod letters;
 mod lines;
+mod marked_laws;
 mod marked_lines;
 mod own_words;
 mod said;
@@ -25,6 +27,7 @@ mod said_of_constants;
 mod said_of_lines;
 mod said_of_motion;
 mod said_of_restitution;
+mod said_of_results;
 mod said_of_walls;
 #[cfg(test)]
 mod said_tests;
@@ -34,6 +37,7 @@ mod spoken_of;
 mod truth;
 mod typed;
 mod units;
+mod untold;
 
 pub use own_words::Heard;
 pub use said::contradicted;
@@ -50,6 +54,7 @@ pub fn of_question(question: &Question) -> Vec<Finding> {
         given::unsaid,
         letters::of_other_angles,
         typed::beside_the_scene,
+        untold::conditions,
         units::astray,
         exact_form::unkept,
         figures::otherwise,
@@ -62,6 +67,7 @@ pub fn of_question(question: &Question) -> Vec<Finding> {
         asked_whose::marked_otherwise,
         lines::from_another_line,
         marked_lines::of_another_line,
+        marked_laws::of_another_law,
     ];
     checks.into_iter().flat_map(|check| check(question)).collect()
 }

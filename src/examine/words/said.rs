@@ -31,18 +31,21 @@ pub fn contradicted(question: &Question, style: &Style, variant: &Variant) -> Ve
             seen.turned_through(&sentence, &mut findings);
             seen.radii(&sentence, &mut findings);
             seen.lengths(&sentence, &mut findings);
+            seen.centres(&sentence, &mut findings);
             seen.heavier(&sentence, &mut findings);
             seen.impulses(&sentence, &mut findings);
             seen.meeting_again(&sentence, &mut findings);
             seen.directed(&sentence, &mut findings);
             seen.same_way(&sentence, &mut findings);
             seen.old_way(&sentence, &mut findings);
+            seen.across(&sentence, &mut findings);
             seen.about_a_wall(&sentence, is_struck, &mut findings);
             is_struck |= says(&sentence, &STRUCK);
             seen.growing(&sentence, &mut findings);
             seen.declared(&sentence, &mut findings);
             if !is_later {
                 seen.moving(&sentence, &mut findings);
+                seen.direction_of_nothing(&sentence, &mut findings);
                 seen.components(&sentence, &mut findings);
                 seen.lines_of_motion(&sentence, &mut findings);
             }
@@ -55,6 +58,7 @@ pub fn contradicted(question: &Question, style: &Style, variant: &Variant) -> Ve
     let stem: Vec<Sentence> = seen.stem().flat_map(sentences).collect();
     seen.resting(&stem, &mut findings);
     seen.letters_unsaid(&mut findings);
+    seen.results(&mut findings);
     findings
 }
 

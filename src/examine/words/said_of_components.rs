@@ -141,6 +141,40 @@ impl Seen<'_> {
         }
     }
 
+    /// Diameters that are those of no sphere, and the distance of a path from the centre of the sphere whose path it is.
+    pub(super) fn centres(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        let radii = [&self.question.scene.radii.a, &self.question.scene.radii.b].into_iter().flatten();
+        let radii: Vec<Value> = radii.filter_map(|radius| self.number(&read(radius, Angles::Degrees).ok()?)).collect();
+        for (place, token) in sentence.iter().enumerate().skip(1) {
+            let Token::Number(expr, Unit::None | Unit::Metre, lead) = token else { continue };
+            let near = &sentence[place.saturating_sub(2)..place];
+            let (true, Some(said)) = (says(near, &["diameter", "diameters"]), self.number(expr)) else { continue };
+            let is_of = |radius: &Value| said.equals(&(radius + radius));
+            if let Some(radius) = radii.first().filter(|_| !radii.iter().any(is_of)) {
+                let (shown, has) = (print::plain(expr), print::unicode(&written(&(radius + radius))));
+                let message = format!("the words give the diameter `{shown}`, where the scene gives it {has}");
+                findings.push(self.finding(message, lead, "say `radius`, or change the `radii` of `[scene]`"));
+            }
+        }
+        let centre_of = |words: &[Token]| match words {
+            [centre, of, Token::Sphere(sphere)] if is_one_of(centre, &["centre"]) && is_one_of(of, &["of"]) => {
+                Some(*sphere)
+            }
+            _ => None,
+        };
+        let named: Vec<Sphere> = sentence.windows(3).filter_map(centre_of).collect();
+        if let ([from, of_path, ..], true) = (named.as_slice(), says(sentence, &["distance"]))
+            && from == of_path
+            && says(sentence, &["line", "path"])
+        {
+            let name = from.name();
+            let message =
+                format!("the words give the distance from the centre of `*{name}*` to a line on which this centre is");
+            let at = format!("centre of *{name}*");
+            findings.push(self.finding(message, &at, "measure it from the centre of the other sphere"));
+        }
+    }
+
     /// Which sphere is the lighter, or the heavier.
     pub(super) fn heavier(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
         let Some(at) = sentence.iter().position(|token| is_one_of(token, &["lighter", "heavier"])) else { return };

@@ -9,6 +9,9 @@ use crate::examine::Finding;
 use crate::expr::{Relation, print};
 use crate::mechanics::{Axis, Moment, Quantity, Sphere};
 
+/// Words for what a sphere had before the impact.
+const OLD: [&str; 6] = ["old", "original", "previous", "initial", "former", "earlier"];
+
 /// One thing to try where the words and the scene disagree on what happens.
 const MEND: &str = "mend the `conditions` or velocities of `[scene]`, or say what happens";
 
@@ -108,13 +111,14 @@ impl Seen<'_> {
     /// its old one`, `in its original direction`, `in the same direction as before`.
     pub(super) fn old_way(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
         // Such sentences speak of another direction as well.
-        const OTHERWISE: [&str; 14] = [
+        const OTHERWISE: [&str; 15] = [
             "not",
             "no",
             "neither",
             "component",
             "components",
             "angle",
+            "angles",
             "perpendicular",
             "parallel",
             "turned",
@@ -124,7 +128,6 @@ impl Seen<'_> {
             "changed",
             "unchanged",
         ];
-        const OLD: [&str; 6] = ["old", "original", "previous", "initial", "former", "earlier"];
         let Some(at) = sentence.iter().position(|token| is_one_of(token, &["direction", "directions"])) else { return };
         let near = &sentence[at.saturating_sub(4)..sentence.len().min(at + 7)];
         let is_as_before = near.windows(2).any(|pair| is_one_of(&pair[0], &["as"]) && is_one_of(&pair[1], &["before"]));
@@ -145,6 +148,31 @@ impl Seen<'_> {
                 _ => None,
             });
             findings.push(self.finding(message, &words.take(3).collect::<Vec<_>>().join(" "), MEND));
+        }
+    }
+
+    /// A sphere that is said to move at right angles to its old direction after the impact.
+    pub(super) fn across(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        const PATHS: [&str; 5] = ["direction", "path", "motion", "course", "line"];
+        let is_old = |words: &[Token]| says(words, &OLD) && says(words, &PATHS);
+        let at = (1..sentence.len()).find(|at| {
+            let is_across = is_one_of(&sentence[*at], &["perpendicular"])
+                || (is_one_of(&sentence[*at], &["angles"]) && is_one_of(&sentence[at - 1], &["right"]));
+            let after = &sentence[at + 1..sentence.len().min(at + 6)];
+            is_across && after.first().is_some_and(|to| is_one_of(to, &["to"])) && is_old(after)
+        });
+        let Some(at) = at.filter(|at| moment(sentence, *at) == Moment::After) else { return };
+        if says(sentence, &["not", "no", "component", "components"]) || !self.question.scene.then.is_empty() {
+            return;
+        }
+        let Some(sphere) = subject(&sentence[..at]).or(self.is_alone().then_some(Sphere::A)) else { return };
+        let dot = self.products(sphere).and_then(|(dot, _)| dot.sign());
+        if dot.is_some_and(|dot| dot.is_ne()) {
+            let name = sphere.name();
+            let message =
+                format!("the words say that `*{name}*` then moves across its old direction, and it is not so");
+            let Token::Word(word) = &sentence[at] else { return };
+            findings.push(self.finding(message, word, MEND));
         }
     }
 

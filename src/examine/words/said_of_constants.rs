@@ -21,7 +21,9 @@ impl Seen<'_> {
             };
             let is_plain = expr.names().is_empty() && !matches!(expr, Expr::Vector(..));
             let Some(said) = self.number(expr).and_then(|value| value.to_f64()).filter(|_| is_plain) else { continue };
-            if !self.stands_in_scene(expr) && !self.has(said, *unit) {
+            // A right angle may stand in a condition as a scalar product.
+            let is_right = *unit == Unit::Degree && said == 90.0 && !self.question.scene.conditions.is_empty();
+            if !is_right && !self.stands_in_scene(expr) && !self.has(said, *unit) {
                 let shown = format!("{} {}", print::plain(expr), unit.plain());
                 let message = format!("the words give `{shown}`, and nothing in the scene has it");
                 let help =

@@ -108,6 +108,22 @@ impl Seen<'_> {
         }
     }
 
+    /// The direction of motion, or the path, of a sphere that is at rest before the impact.
+    pub(super) fn direction_of_nothing(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        const OF: [&str; 4] = ["direction", "directions", "path", "motion"];
+        for (place, words) in sentence.windows(3).enumerate() {
+            let [noun, of, Token::Sphere(sphere)] = words else { continue };
+            let is_told = is_one_of(noun, &OF) && is_one_of(of, &["of"]) && moment(sentence, place) == Moment::Before;
+            if is_told && is_at_rest(self.variant, *sphere) == Some(true) {
+                let name = sphere.name();
+                let message = format!("the words speak of the direction of `*{name}*`, which is at rest there");
+                let help = "name the sphere that moves, or give this one a velocity in `[scene]`";
+                let Token::Word(noun) = noun else { continue };
+                findings.push(self.finding(message, &format!("{noun} of *{name}*"), help));
+            }
+        }
+    }
+
     /// A sphere that is at rest, and of which the words do not say so.
     pub(super) fn resting(&self, sentences: &[Sentence], findings: &mut Vec<Finding>) {
         // A wall stands still, and nobody says so.
@@ -184,7 +200,7 @@ impl Seen<'_> {
     }
 
     /// The scalar product of a sphere's velocities before and after in the plane, and their cross product.
-    fn products(&self, sphere: Sphere) -> Option<(Value, Value)> {
+    pub(super) fn products(&self, sphere: Sphere) -> Option<(Value, Value)> {
         let along = |moment, axis| self.known.number(Quantity::Velocity(sphere, moment, axis));
         let components = |[one, other]: [Axis; 2]| {
             let of = |moment| Some([along(moment, one)?, along(moment, other)?]);
@@ -240,8 +256,16 @@ impl Seen<'_> {
             _ => None,
         });
         let named: Vec<Sphere> = named.collect();
-        let ([sphere], false) = (named.as_slice(), is_compared) else { return };
-        let Some((dot, cross)) = self.products(*sphere) else { return };
+        // Of `its direction` it is the only one there is.
+        let sphere = match named.as_slice() {
+            [sphere] => *sphere,
+            [] if self.is_alone() => Sphere::A,
+            _ => return,
+        };
+        if is_compared {
+            return;
+        }
+        let Some((dot, cross)) = self.products(sphere) else { return };
         let is_so = match (said == 90.0, dot.to_f64(), cross.to_f64()) {
             (is_right, ..) if is_right || dot.is_zero() => is_right && dot.is_zero(),
             (false, Some(dot), Some(cross)) => (cross.abs().atan2(dot).to_degrees() - said).abs() < 1e-6,

@@ -9,6 +9,9 @@ use crate::mechanics::{Quantity, Sphere};
 use crate::number::Value;
 use crate::unit::Unit;
 
+/// Words for what a sphere strikes beside other spheres.
+const WALLS: [&str; 2] = ["wall", "walls"];
+
 impl Seen<'_> {
     /// `The coefficient of restitution between A and B is 1/2, and that between B and the wall is 1/3`: each as the scene
     /// has it.
@@ -22,6 +25,14 @@ impl Seen<'_> {
             }
             let before = &sentence[start..place];
             let between = before.iter().rposition(|token| is_one_of(token, &["between"])).unwrap_or(0);
+            if let Some(strangers) = self.never_meet(&before[between..]) {
+                let message = format!(
+                    "the words give a coefficient of restitution between {strangers}, and in the scene they do not meet"
+                );
+                let help = "name in the words those that meet in `[scene]`, or let others meet there with `of`";
+                findings.push(self.finding(message, lead, help));
+                continue;
+            }
             let (Some(said), Some(has)) = (self.number(expr), self.coefficient_between(&before[between..])) else {
                 continue;
             };
@@ -36,11 +47,27 @@ impl Seen<'_> {
         }
     }
 
+    /// Two that are named, or one and a wall, and that do not meet in any impact.
+    fn never_meet(&self, words: &[Token]) -> Option<String> {
+        let named: Vec<Sphere> =
+            Sphere::ALL.into_iter().filter(|sphere| words.contains(&Token::Sphere(*sphere))).collect();
+        let names = |sphere: &Sphere| format!("`*{}*`", sphere.name());
+        let is_wall = says(words, &WALLS);
+        let pair = match named.as_slice() {
+            [one, other] if !is_wall => format!("{} and {}", names(one), names(other)),
+            [one] if is_wall => format!("{} and a wall", names(one)),
+            _ => return None,
+        };
+        let all = impacts(&self.question.scene);
+        let meet = all.iter().any(|impact| impact.is_wall == is_wall && named.iter().all(|sphere| impact.has(*sphere)));
+        (!meet).then_some(pair)
+    }
+
     /// The coefficients of the impacts between those that are named; none if one of them is not known.
     fn coefficient_between(&self, words: &[Token]) -> Option<Vec<Value>> {
         let mut all = impacts(&self.question.scene);
         let is_named = |sphere: Sphere| words.contains(&Token::Sphere(sphere));
-        let is_wall = says(words, &["wall"]);
+        let is_wall = says(words, &WALLS);
         // What is said of no one in particular is said of the only impact.
         if is_wall || says(words, &["spheres", "them"]) || Sphere::ALL.into_iter().any(is_named) {
             all.retain(|impact| impact.is_wall == is_wall);

@@ -28,12 +28,6 @@ impl Law {
         if let Some((_, name)) = LETTERS.iter().find(|(letters, _)| *letters == said.replace('.', "").trim()) {
             return Law::ALL.iter().copied().find(|law| law.name() == *name);
         }
-        // `Newtons` and `conserved` begin as `Newton's` and `conservation` do.
-        let stem = |word: &str| word.chars().take(6).collect::<String>();
-        let stems = |words: &str| -> Vec<String> {
-            let words = words.split(|sign: char| !sign.is_alphabetic()).filter(|word| word.chars().count() > 3);
-            words.map(stem).collect()
-        };
         let said = stems(&said);
         let weigh = |law: &Law| {
             let (name, method) = (stems(law.name()), stems(&law.method().0.to_lowercase()));
@@ -44,6 +38,18 @@ impl Law {
         let weights = Law::ALL.iter().map(|law| (weigh(law), *law)).filter(|(weight, _)| *weight > 0);
         weights.rev().max_by_key(|(weight, _)| *weight).map(|(_, law)| law)
     }
+
+    /// Do words have one of those by which the law is called, or of the words of its mark?
+    pub fn is_named_in(self, words: &str) -> bool {
+        let said = stems(&words.to_lowercase());
+        [self.name(), self.method().0].iter().flat_map(|own| stems(&own.to_lowercase())).any(|own| said.contains(&own))
+    }
+}
+
+/// How words of some length begin: `Newtons` and `conserved` as `Newton's` and `conservation` do.
+fn stems(words: &str) -> Vec<String> {
+    let words = words.split(|sign: char| !sign.is_alphabetic()).filter(|word| word.chars().count() > 3);
+    words.map(|word| word.chars().take(6).collect()).collect()
 }
 
 #[cfg(test)]

@@ -1,0 +1,101 @@
+//! Do the words ask for the energy that is found: what is lost, of one sphere or of both, and not what is left?
+
+use super::impacts::impacts;
+use super::sentence::{Sentence, Token, is_one_of, says, sentences};
+use crate::answer::Kind;
+use crate::bank::{Answer, Find, Question};
+use crate::examine::Finding;
+use crate::expr::print;
+use crate::mechanics::{Quantity, Sphere};
+
+/// The words ask for the energy that both lose, and the answer is what one does, or the other way round.
+pub fn energy_of_another(question: &Question, answer: &Answer, asked: &[Sentence]) -> Option<Finding> {
+    let quantity = *answer.find.quantities().first()?;
+    let impacts = impacts(&question.scene);
+    let is_of_one = impacts.iter().any(|impact| impact.number == quantity.impact() && impact.is_of_one());
+    if is_of_one || answer.kind == Kind::Shown {
+        return None;
+    }
+    let mut named: Vec<Sphere> = Vec::new();
+    for token in asked.iter().flatten() {
+        if let Token::Sphere(sphere) = token
+            && !named.contains(sphere)
+        {
+            named.push(*sphere);
+        }
+    }
+    let is_lost_by = asked.iter().flat_map(|sentence| sentence.windows(3)).any(|words| match words {
+        [lost, by, Token::Sphere(_)] => is_one_of(lost, &["lost"]) && is_one_of(by, &["by"]),
+        [that, Token::Sphere(_), loses] => is_one_of(that, &["that"]) && is_one_of(loses, &["loses"]),
+        _ => false,
+    });
+    let name = print::text_unicode(&answer.name);
+    let found = |asks: &str, has: &str| {
+        Finding::new(format!("the words ask for {asks}, and the answer `{name}` is {has}"), "", "another energy")
+    };
+    let (all, what) = ("all that is lost", |sphere: Sphere| format!("what *{}* loses", sphere.name()));
+    match (quantity.of_its_impact(), named.as_slice()) {
+        // The one that loses it may be described, and not named.
+        (Quantity::SphereEnergyLost(own), []) => Some(found(all, &what(own)).as_warning()),
+        (Quantity::EnergyLost, [one]) if is_lost_by => Some(found(&what(*one), all)),
+        _ => None,
+    }
+}
+
+/// The words, or the name of the answer, speak of what is gained or left, or of a fraction, or of no loss at all, and the
+/// answer is what is lost; or the reverse.
+pub fn other_energy(answer: &Answer, asked: &[Sentence]) -> Option<Finding> {
+    const LOST: [&str; 19] = [
+        "lost",
+        "loss",
+        "losses",
+        "lose",
+        "loses",
+        "losing",
+        "decrease",
+        "decreases",
+        "reduction",
+        "reduced",
+        "change",
+        "changes",
+        "difference",
+        "dissipated",
+        "converted",
+        "turned",
+        "absorbed",
+        "cost",
+        "costs",
+    ];
+    const OTHER: [&str; 9] =
+        ["gained", "gain", "gains", "increase", "remaining", "remains", "left", "retained", "kept"];
+    const PART: [&str; 6] = ["fraction", "proportion", "percentage", "ratio", "share", "part"];
+    let Find::Quantity(quantity) = answer.find else { return None };
+    let is_fraction = match quantity.of_its_impact() {
+        Quantity::EnergyLost | Quantity::SphereEnergyLost(_) => false,
+        Quantity::FractionLost => true,
+        _ => return None,
+    };
+    if matches!(answer.kind, Kind::Shown | Kind::Range) {
+        return None;
+    }
+    let name = sentences(&answer.name);
+    let is_energy = asked.iter().any(|sentence| says(sentence, &["energy", "energies"]));
+    // The name of an answer may be right where the words are not.
+    let other = [asked, &name].into_iter().find_map(|words| {
+        let speaks = !words.iter().any(|sentence| says(sentence, &LOST));
+        words.iter().flatten().find(|token| speaks && is_one_of(token, &OTHER))
+    });
+    let is_lost = asked.iter().any(|sentence| says(sentence, &LOST));
+    let shown = print::text_unicode(&answer.name);
+    let said = asked.iter().any(|sentence| says(sentence, &PART));
+    let (asks, has) = match (other, is_fraction) {
+        (Some(Token::Word(word)), _) => (format!("what is `{word}`"), "is what is lost"),
+        (_, true) if is_energy && !said => ("an energy".to_owned(), "is a fraction of one"),
+        (_, false) if asked.iter().any(|words| says(words, &["fraction", "percentage", "proportion"])) => {
+            ("a fraction".to_owned(), "is the energy itself")
+        }
+        _ if is_energy && !is_lost => ("a kinetic energy".to_owned(), "is what is lost of it"),
+        _ => return None,
+    };
+    Some(Finding::new(format!("the words ask for {asks}, and the answer `{shown}` {has}"), "", "found here"))
+}

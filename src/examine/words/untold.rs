@@ -1,0 +1,151 @@
+//! Conditions of the scene that decide what is to be found, and of which the words never tell a student.
+
+use super::sentence::{Sentence, Token, is_one_of, says, sentences};
+use crate::bank::Question;
+use crate::examine::Finding;
+use crate::expr::{Expr, print};
+use crate::mechanics::{Axis, Moment, Quantity};
+use crate::unit::Unit;
+
+/// Conditions on a turn, on the way in which a sphere goes on, or on who is the faster afterwards, where no word tells of
+/// such a thing. What a condition takes by name is looked for where names are.
+pub fn conditions(question: &Question) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    for condition in &question.scene.conditions {
+        let untold = question.styles.iter().find_map(|style| {
+            let asks = question.parts.iter().flat_map(|part| &part.ask);
+            let texts = style.stem.iter().chain([&style.note]).chain(asks);
+            let said: Vec<Sentence> = texts.flat_map(sentences).collect();
+            untold(condition, &said)
+        });
+        if let Some((what, example)) = untold {
+            let message = format!("the words never tell of {what}, which the condition `{condition}` takes");
+            let help = format!("say it in the stem or in the part, as in `{example}`; or take the condition out");
+            let found = Finding::new(message, format!("\"{condition}\""), "a student cannot know it");
+            findings.push(found.with_help(help));
+        }
+    }
+    findings
+}
+
+/// What a condition takes that no sentence tells of, and how it might be told.
+fn untold(condition: &str, said: &[Sentence]) -> Option<(&'static str, &'static str)> {
+    let (left, right) = condition.split_once(['=', '<', '>'])?;
+    let right = right.trim_start_matches('=').trim();
+    let sides = [left.trim(), right].map(|side| side.parse::<Quantity>().ok().map(Quantity::of_its_impact));
+    let along = |side: Option<Quantity>| matches!(side, Some(Quantity::Velocity(_, Moment::After, Axis::N | Axis::X)));
+    let is_equation = condition.contains('=') && !condition.contains(['<', '>']);
+    let any = |words: &[&str]| said.iter().any(|sentence| says(sentence, words));
+    let is_told = |what: bool| what.then_some(());
+    match (sides, right) {
+        ([Some(Quantity::DeflectionDot(_)), None], "0") | ([Some(Quantity::Deflection(_)), None], "90") => {
+            // What is said to be turned through another angle is told where it is said.
+            let is_turned = |sentence: &Sentence| says(sentence, &["through"]) && !says(sentence, &["which"]);
+            let is_right = said.iter().any(|sentence| tells_of_a_right_angle(sentence) || is_turned(sentence));
+            let is_sharp = !is_equation && any(&["acute", "obtuse"]);
+            is_told(!is_right && !is_sharp)?;
+            Some(("the right angle", "The direction of motion of *A* is turned through a right angle."))
+        }
+        ([side, None], "0") if along(side) => {
+            is_told(!any(&WAYS))?;
+            Some(("the way in which a sphere goes on", "The direction of motion of *A* is reversed."))
+        }
+        ([one, other], _) if along(one) && along(other) => {
+            is_told(!any(&AGAIN))?;
+            Some(("who meets again, or does not", "*A* and *B* do not collide again."))
+        }
+        _ => None,
+    }
+}
+
+/// Words of which way something moves.
+const WAYS: [&str; 19] = [
+    "direction",
+    "directions",
+    "reversed",
+    "unchanged",
+    "rebound",
+    "rebounds",
+    "rebounding",
+    "back",
+    "backwards",
+    "opposite",
+    "same",
+    "towards",
+    "away",
+    "forward",
+    "forwards",
+    "continues",
+    "goes",
+    "turned",
+    "turns",
+];
+
+/// Words of spheres that meet again, or never do, and of those that are faster than others.
+const AGAIN: [&str; 11] = [
+    "again",
+    "further",
+    "more",
+    "second",
+    "subsequent",
+    "subsequently",
+    "catches",
+    "catch",
+    "overtakes",
+    "faster",
+    "slower",
+];
+
+/// `A right angle`, `90 degrees`, `perpendicular to its old direction`.
+fn tells_of_a_right_angle(sentence: &[Token]) -> bool {
+    // These are perpendicular, and turn nothing.
+    const OTHERS: [&str; 9] =
+        ["vectors", "wall", "walls", "centres", "component", "components", "distance", "radius", "plane"];
+    let is_pair = |pair: &[Token]| is_one_of(&pair[0], &["right"]) && is_one_of(&pair[1], &["angle", "angles"]);
+    let is_number = |token: &Token| match token {
+        Token::Number(expr @ Expr::Number(_), Unit::Degree, _) => print::plain(expr) == "90",
+        token => is_one_of(token, &["90", "right-angle", "right-angles"]),
+    };
+    sentence.windows(2).any(is_pair)
+        || sentence.iter().any(is_number)
+        || (says(sentence, &["perpendicular"]) && !says(sentence, &OTHERS))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::examine::{Edits, edited};
+
+    #[test]
+    fn a_condition_is_told_of() {
+        let (wall, letters) = ("walls/turned-through-a-right-angle", "rest-letters/turned-through-a-right-angle");
+        let turn = "The impact turns\nthe direction of motion of *A* through a right angle.";
+        let line = "successive/no-more-collisions";
+        let table: [(&str, Edits, &str); 13] = [
+            (wall, &[], ""),
+            (wall, &[(turn, "")], "never tell of the right angle, which the condition `A.deflection_dot = 0` takes"),
+            (wall, &[(turn, "The impact turns it through 90°.")], ""),
+            (wall, &[(turn, "The impact turns it through {90 deg}.")], ""),
+            (wall, &[(turn, "After the impact *A* moves at right angles to its old path.")], ""),
+            (wall, &[(turn, "The paths of *A* before and after the impact are perpendicular.")], ""),
+            (wall, &[(turn, "The impact turns it through 60°.")], ""),
+            (wall, &[(turn, "The wall is perpendicular to the floor.")], "never tell of the right angle"),
+            (letters, &[], ""),
+            (
+                letters,
+                &[(
+                    " As a result of the collision, the direction of motion of *A* is turned through a right angle.",
+                    "",
+                )],
+                "never tell of the right angle",
+            ),
+            (line, &[], ""),
+            (line, &[("After *B* has struck *C*, *A* does not strike *B* again. Find", "Find")], "who meets again"),
+            ("ranges/turned-through-more-than-a-right-angle", &[], ""),
+        ];
+        for (id, edits, words) in table {
+            let said: String = conditions(&edited(id, edits)).into_iter().map(|finding| finding.message).collect();
+            assert!(said.contains(words) && said.is_empty() == words.is_empty(), "{id}: {edits:?}: {said}");
+        }
+    }
+}
