@@ -57,6 +57,10 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Findin
         let bare = matches!(expr, Expr::Name(_));
         return if bare { Finding::unreadable(Note::UnknownLetter) } else { Finding::wrong(Note::UnknownLetter) };
     }
+    // `0.222π°` is no degree and a bit, and nobody knows what it is.
+    if said.unit.as_ref().is_some_and(|unit| unit.degrees) && has_pi(expr) {
+        return Finding::unreadable(Note::CannotBeCompared);
+    }
     let stated = &Stated::of(expr);
     let radians = match &said.unit {
         None => false,
@@ -81,6 +85,11 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Findin
         }
         None => from_another_line(model, stated, right, radians, said.reference),
     }
+}
+
+/// Is π in it, and not under a function?
+fn has_pi(expr: &Expr) -> bool {
+    *expr == Expr::Pi || !matches!(expr, Expr::Call(..)) && expr.children().into_iter().any(has_pi)
 }
 
 /// An angle from a line that lies nobody knows how to the model's own. What it comes to from the path before the impact, or

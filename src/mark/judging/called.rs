@@ -12,6 +12,7 @@ use crate::mechanics::{Axis, Moment, Quantity};
 use super::changes::{is_change, is_gain, is_turned_round};
 use super::finding::Finding;
 use super::letters::of_letter;
+use super::multiplied::is_multiplied;
 use super::otherwise::{is_another_of_its_sort, is_changed_to, remark_names_another};
 use super::spheres::{self, named_sphere, sphere};
 use super::{Model, Note, sense};
@@ -94,7 +95,7 @@ fn is_upside_down(label: &str, asked: Quantity) -> bool {
     let ends = |side: &str, name: &str| side.trim_matches([' ', '(', ')', '{', '}']).ends_with(name);
     match asked {
         Quantity::MassRatio => ends(above, "a") && ends(below, "b"),
-        Quantity::Restitution => above.contains("approach") && below.contains("separation"),
+        Quantity::Restitution => above.contains("app") && below.contains("sep"),
         _ => false,
     }
 }
@@ -206,6 +207,11 @@ pub(super) fn as_remarked(model: &Model, statement: &Statement, finding: Finding
     let label = statement.label.as_ref().map_or("", |label| &label.typed);
     let has = |wanted: &[&str]| remarks.iter().flat_map(|remark| words(remark)).any(|word| wanted.contains(&word));
     let is_loss = is_of_loss(asked);
+    // `13 lost 7 left`: of which of the two is it said?
+    let is_bare = statement.label.is_some() && LOSSES.contains(&label.trim().to_lowercase().as_str());
+    if is_loss && is_bare && has(states(asked)) {
+        return Finding::unreadable(Note::NamedOtherwise);
+    }
     let calls_it_loss = has(&LOSSES) || words(&label.to_lowercase()).any(|word| LOSSES.contains(&word));
     if is_loss && !calls_it_loss {
         if remarks.iter().any(|remark| is_gain(remark)) && finding.note != Some(Note::ChangeNotLoss) {
@@ -239,11 +245,12 @@ pub(super) fn words(label: &str) -> impl Iterator<Item = &str> {
     label.split(|letter: char| !letter.is_alphanumeric())
 }
 
-/// Is it called a bearing?
+/// Is it called a bearing, or measured from where north is?
 pub(super) fn is_a_bearing(statement: &Statement) -> bool {
     let label = statement.label.iter().map(|label| label.typed.as_str());
     let remarks = statement.said.iter().flat_map(|said| &said.remarks).map(String::as_str);
-    label.chain(remarks).flat_map(words).any(|word| word.eq_ignore_ascii_case("bearing"))
+    const BEARINGS: [&str; 5] = ["bearing", "north", "south", "east", "west"];
+    label.chain(remarks).flat_map(words).any(|word| BEARINGS.contains(&word.to_lowercase().as_str()))
 }
 
 pub(super) fn sort(word: &str) -> Option<Sort> {
@@ -318,7 +325,18 @@ pub(super) fn words_fit(model: &Model, typed: &str) -> bool {
     let has = |wanted: &[&str]| words(&small).any(|word| wanted.contains(&word));
     let is_loss = is_of_loss(asked);
     let is_share = asked != Quantity::FractionLost && has(&["fraction", "percentage", "proportion"]);
-    if is_loss && (has(&["pe", "gpe", "potential"]) || is_share || small.contains('+')) {
+    // A loss is no quotient, and a fraction is none of what is left.
+    let of_rest = |(_, below): (&str, &str)| words(below).any(|word| STATES[2..].contains(&word));
+    let is_quotient = match asked {
+        Quantity::FractionLost => small.split_once('/').is_some_and(of_rest),
+        _ => small.contains('/'),
+    };
+    if is_loss && (has(&["pe", "gpe", "potential"]) || is_share || is_quotient || small.contains('+')) {
+        return false;
+    }
+    // `KE2`, but `KE1 − KE2`
+    let is_difference = small.contains(['-', '−', '–']) || has(&["minus"]);
+    if is_loss && !is_difference && words(&small).any(is_of_one_moment) {
         return false;
     }
     // `total KE`, `KE falls to`
@@ -326,7 +344,6 @@ pub(super) fn words_fit(model: &Model, typed: &str) -> bool {
         return false;
     }
     if is_loss {
-        let is_difference = small.contains(['-', '−', '–']) || has(&["minus"]);
         return !has(states(asked)) || has(&LOSSES) || is_gain(typed) || is_change(typed) || is_difference;
     }
     if is_another_of_its_sort(model, asked, &small) {
@@ -356,27 +373,8 @@ pub(super) fn moment(asked: Quantity) -> Option<Moment> {
     }
 }
 
-/// How a square ends in words.
-pub(super) const SQUARED: [&str; 3] = ["²", "^2", "squared"];
-
-/// `½ KE`, `2 speed`, `-KE lost`, `speed²`, `KE/2`: a multiple or power of what the words name.
-fn is_multiplied(typed: &str) -> bool {
-    let typed = typed.trim();
-    let is_number = |sign: char| sign.is_ascii_digit() || matches!(sign, '.' | '/' | '½' | '⅓' | '¼' | '⅔' | '¾');
-    let rest = typed.trim_start_matches(is_number);
-    let number = &typed[..typed.len() - rest.len()];
-    let word: String = rest.trim_start().trim_start_matches(['*', '×']).trim_start().chars().take(2).collect();
-    let is_ordinal = rest.starts_with(char::is_alphabetic) && ["st", "nd", "rd", "th"].contains(&word.as_str());
-    let is_mass = rest.trim_start().starts_with("kg");
-    let leads = word.starts_with(|sign: char| sign.is_alphabetic() || matches!(sign, '-' | '−'));
-    let begins = leads && !(number.is_empty() || number.ends_with('.') || is_mass || is_ordinal);
-    let negative = typed.strip_prefix(['-', '−']).is_some_and(|rest| rest.starts_with(char::is_alphabetic));
-    let after_word = |rest: &str| rest.trim_end().ends_with(char::is_alphabetic);
-    let is_power = |power: &str| typed.strip_suffix(power).is_some_and(after_word);
-    let is_share = |(word, below): (&str, &str)| {
-        let below = below.trim();
-        after_word(word) && !below.is_empty() && below.chars().all(|sign| sign.is_ascii_digit())
-    };
-    let ends = SQUARED.into_iter().any(is_power) || typed.rsplit_once('/').is_some_and(is_share);
-    begins || negative || ends
+/// `ke1`, `kef`, `kebefore`: an energy by its letters, and by the moment of which it is.
+fn is_of_one_moment(word: &str) -> bool {
+    let moment = word.strip_prefix("ke").or_else(|| word.strip_prefix('t'));
+    moment.is_some_and(|moment| matches!(moment, "1" | "2" | "i" | "f" | "before" | "after" | "initial" | "final"))
 }

@@ -15,8 +15,19 @@ pub(super) fn is_turned_round(label: &str) -> bool {
 }
 
 fn is_after_less_before(label: &str) -> bool {
-    let is_difference = |(of, other): (&str, &str)| is_of_end(of, &LATER, 'f') && is_of_end(other, &EARLIER, 'i');
+    let is_difference = |(of, other): (&str, &str)| {
+        is_of_end(of, &LATER, 'f') && is_of_end(other, &EARLIER, 'i') || is_second_less_first(of, other)
+    };
     label.split_once(['-', '−', '–']).is_some_and(is_difference)
+}
+
+/// `KE2 − KE1`, `E_2 − E_1`
+fn is_second_less_first(of: &str, other: &str) -> bool {
+    let name = |side: &str, number: char| {
+        let name = side.trim().strip_suffix(number)?.trim_end_matches('_');
+        matches!(name, "ke" | "e" | "k" | "t").then(|| name.to_owned())
+    };
+    name(of, '2').is_some_and(|name_of| name(other, '1') == Some(name_of))
 }
 
 /// Does the label speak of a change, after minus before?
@@ -26,8 +37,10 @@ pub(super) fn is_change(label: &str) -> bool {
         return false;
     }
     let label = label.trim().to_lowercase();
+    // `δE`, but `δ/2` is half an angle.
+    let is_of_name = |rest: &str| rest.trim_start().starts_with(|sign: char| sign.is_alphabetic() || sign == '(');
     is_gain(&label)
-        || ['Δ', 'δ', '∆'].iter().any(|delta| label.starts_with(*delta))
+        || label.strip_prefix(['Δ', 'δ', '∆']).is_some_and(is_of_name)
         || label.starts_with("\\delta")
         || words(&label).any(|word| matches!(word, "delta" | "change"))
         || is_after_less_before(&label)

@@ -18,6 +18,7 @@ use crate::number::{Places, round};
 use super::accuracy::Written;
 use super::exact::{self, Equality};
 use super::finding::Finding;
+use super::multiplied::SQUARED;
 use super::statements::One;
 use super::{Model, Note, angle, changes, number, vector};
 use super::{called, letters};
@@ -50,7 +51,7 @@ pub(super) fn of(model: &Model, label: &Label) -> Left {
     let typed = label.typed.trim();
     let Some(expr) = &label.expr else {
         // `speed² = 80`
-        let of_square = called::SQUARED.iter().find_map(|power| typed.strip_suffix(power));
+        let of_square = SQUARED.iter().find_map(|power| typed.strip_suffix(power));
         let is_speed = |word: &str| word.to_lowercase().contains("speed") || word.to_lowercase().contains("velocity");
         if of_square.is_some_and(|word| is_speed(word) && called::words_fit(model, word.trim())) {
             let unknown = "x".to_owned();
@@ -61,7 +62,10 @@ pub(super) fn of(model: &Model, label: &Label) -> Left {
     // `ΔE`, but no `Δv`
     if changes::is_change(typed) {
         let is_of_motion = matches!(model.quantity, Some(Quantity::Speed(..) | Quantity::Velocity(..)));
-        return if is_of_motion { Left::Another } else { Left::Name };
+        // An impulse is a change of mv.
+        let is_of_speed = typed.trim_start_matches(['Δ', 'δ', '∆', ' ']).starts_with(['v', 'V', 'u']);
+        let is_impulse = matches!(model.quantity, Some(Quantity::Impulse(..) | Quantity::ImpulseMagnitude));
+        return if is_of_motion || is_impulse && is_of_speed { Left::Another } else { Left::Name };
     }
     match expr {
         // `|−1|`

@@ -21,6 +21,7 @@ mod letters;
 mod line;
 mod measured;
 mod model_text;
+mod multiplied;
 mod note;
 mod number;
 mod otherwise;
@@ -231,6 +232,9 @@ fn one(model: &Model, reading: &Reading) -> Finding {
     let reading = &*spheres::each_to_its_own(reading);
     let (reading, is_from_unknown) = &measured::from_named_lines(model, reading);
     let whole = &**reading;
+    if selection::rejects_by_description(reading) {
+        return Finding::unreadable(Note::CannotBeCompared);
+    }
     if spheres::are_mixed_up(reading) {
         return Finding::unreadable(Note::NamedOtherwise);
     }
@@ -252,7 +256,8 @@ fn one(model: &Model, reading: &Reading) -> Finding {
     }
     // Where north is, no question says.
     let is_of_angle = matches!(model.kind, Kind::Angle | Kind::Velocity);
-    if is_of_angle && finding.verdict == Verdict::Wrong && reading.statements.iter().any(called::is_a_bearing) {
+    let is_open = is_of_angle && finding.verdict != Verdict::Unreadable;
+    if is_open && reading.statements.iter().any(called::is_a_bearing) {
         return Finding::unreadable(Note::ReferenceUnchecked);
     }
     // After the impact the spheres move away from each other, in whichever sense each of them moves.

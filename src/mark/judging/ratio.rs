@@ -5,10 +5,10 @@
 
 use crate::expr::{Expr, Meaning, written};
 use crate::mark::reading::{Form, Label, Reading, Said};
-use crate::mechanics::Sphere;
+use crate::mechanics::{Quantity, Sphere};
 
 use super::accuracy::Written;
-use super::called::words;
+use super::called::{Sort, sort, words};
 use super::finding::Finding;
 use super::otherwise::spheres_in_remark;
 use super::spheres::{named_sphere, named_spheres};
@@ -52,6 +52,14 @@ pub(super) fn of_its_terms(reading: &Reading) -> Option<(Said, Option<Label>)> {
 /// Judges one value against a ratio, with what it is called.
 pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
     let finding = as_it_stands(model, said);
+    // `ratio of speeds 2:3`
+    let is_mass = |label: &Label| words(&label.typed).filter_map(sort).all(|sort| sort == Sort::Mass);
+    if finding.is_credited()
+        && model.quantity == Some(Quantity::MassRatio)
+        && label.is_some_and(|label| !is_mass(label))
+    {
+        return Finding::unreadable(Note::NamedOtherwise);
+    }
     let order = label.map(|label| named_spheres(&label.typed)).unwrap_or_default();
     // `2:3 (B to A)`, `2:3 (B first)`
     let is_turned = |remark: &String| {

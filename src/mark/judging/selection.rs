@@ -50,6 +50,17 @@ fn is_rejected(statement: &Statement) -> bool {
     label.chain(remarks).any(|words| words.split(|letter: char| !letter.is_alphanumeric()).any(is_rejection))
 }
 
+/// `8 or 3 (reject the larger)`: which of them it is, a person sees.
+pub(super) fn rejects_by_description(reading: &Reading) -> bool {
+    const DESCRIBED: [&str; 13] = [
+        "larger", "smaller", "bigger", "lower", "higher", "greater", "first", "second", "former", "latter", "positive",
+        "lesser", "last",
+    ];
+    let mut remarks = reading.statements.iter().flat_map(|statement| &statement.said).flat_map(|said| &said.remarks);
+    let is_described = remarks.clone().flat_map(|remark| words(remark)).any(|word| DESCRIBED.contains(&word));
+    reading.statements.len() > 1 && is_described && remarks.any(|remark| words(remark).any(is_rejection))
+}
+
 /// `3.08, no, 2.78`
 fn is_taken_back(statement: &Statement) -> bool {
     statement.said.iter().flat_map(|said| &said.remarks).any(|remark| is_second_thought(remark))

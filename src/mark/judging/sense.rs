@@ -33,6 +33,10 @@ pub(super) fn says_that_it_goes_back(words: &str) -> bool {
 /// Judges a number by the direction that is said beside it, where that matters for what is asked.
 pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Option<Finding> {
     let line = said.reference?;
+    if lies_elsewhere(model.quantity?, line) {
+        let plain = number::judge(model, &Said { reference: None, ..said.clone() }, label);
+        return Some(if plain.is_credited() { Finding::unreadable(Note::ReferenceUnchecked) } else { plain });
+    }
     let of = |form: Form| number::judge(model, &Said { form, reference: None, ..said.clone() }, label);
     let plain = || of(said.form.clone());
     let (sphere, axis) = match model.quantity? {
@@ -74,9 +78,27 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Option
     })
 }
 
+/// Is it a line along which no impulse acts, or from which another angle is measured than that whose tangent is asked?
+fn lies_elsewhere(asked: Quantity, line: ReferenceLine) -> bool {
+    use ReferenceLine::{AlongCommonTangent, CommonTangent, LineOfCentres, OriginalDirection};
+    match asked.of_its_impact() {
+        Quantity::ImpulseMagnitude => line.unsensed() == AlongCommonTangent,
+        Quantity::TanToLine(..) => matches!(line.unsensed(), CommonTangent | OriginalDirection),
+        Quantity::TanToWall(..) => matches!(line.unsensed(), LineOfCentres | OriginalDirection),
+        Quantity::TanDeflection(_) => matches!(line.unsensed(), CommonTangent | LineOfCentres),
+        _ => false,
+    }
+}
+
 /// Is an angle told beside a speed that is not the one at which the sphere moves?
 pub(super) fn is_beside_the_path(model: &Model, reading: &Reading) -> bool {
-    let (Some(path), Some(Quantity::Speed(..))) = (&model.path, model.quantity) else { return false };
+    let along_centres = Expr::integer(0);
+    let path = match (&model.path, model.quantity.map(Quantity::of_its_impact)) {
+        (Some(path), Some(Quantity::Speed(..))) => path,
+        // Smooth spheres push each other along the line of centres.
+        (_, Some(Quantity::ImpulseMagnitude)) => &along_centres,
+        _ => return false,
+    };
     let to_centres =
         |line: ReferenceLine| matches!(line.unsensed(), ReferenceLine::LineOfCentres | ReferenceLine::CommonTangent);
     let angle_model = Model { kind: Kind::Angle, ..model.of_value(path.clone()) };

@@ -6,7 +6,7 @@
 //! * Two that are not labelled are rivals: they score only if all of them do, unless the last is concluded from the others.
 
 use crate::answer::Kind;
-use crate::expr::Expr;
+use crate::expr::{Expr, Function};
 use crate::mark::reading::{Form, Label, Reading, Said, Statement};
 use crate::mechanics::{Moment, Quantity, Sphere};
 
@@ -124,12 +124,23 @@ pub(super) fn links(statement: &Statement, one: One) -> Finding {
     let worked_out_wrong =
         |at: usize| is_unfinished(&statement.said[at]) && (spoilt_after(at) || findings[at + 1..].iter().any(is_off));
     let counts = |at: &usize| findings[*at].exact && !worked_out_wrong(*at);
+    // `√7 = 2.83`, `7/5 = 5/7`: an exact value that is finished, and another one.
+    let is_preceded = |right: usize| {
+        let is_rival = |at: usize| findings[at].verdict == Verdict::Wrong && is_finished_number(&statement.said[at]);
+        label.is_none() && (0..right).any(is_rival)
+    };
     if let Some(at) = all.clone().find(counts) {
+        if is_preceded(at) {
+            return Finding::unreadable(Note::CannotBeCompared);
+        }
         let right = findings[at];
         return if spoilt_after(at) { right.remarked(Note::IgnoredAfter) } else { right };
     }
     if last.is_correct() {
-        return last;
+        return match is_preceded(findings.len() - 1) {
+            true => Finding::unreadable(Note::CannotBeCompared),
+            false => last,
+        };
     }
     let right = (0..findings.len()).find(|at| findings[*at].is_correct() && !worked_out_wrong(*at));
     match right {
@@ -137,6 +148,19 @@ pub(super) fn links(statement: &Statement, one: One) -> Finding {
         Some(at) if only_rounded_after(at) => findings[at].remarked(Note::IgnoredAfter),
         _ => last,
     }
+}
+
+/// `√7`, `7/5`, `2√3/3`: a number with nothing left to work out, and not as a calculator shows it.
+fn is_finished_number(said: &Said) -> bool {
+    fn has_decimal(expr: &Expr) -> bool {
+        matches!(expr, Expr::Decimal(_)) || expr.children().into_iter().any(has_decimal)
+    }
+    let is_root_or_share = |expr: &Expr| match expr {
+        Expr::Quotient(above, below) => [above, below].into_iter().all(|part| matches!(**part, Expr::Number(_))),
+        Expr::Call(Function::Sqrt, under) => matches!(**under, Expr::Number(_)),
+        _ => false,
+    };
+    matches!(&said.form, Form::Value(expr) if is_root_or_share(expr) && !has_decimal(expr) && !has_arithmetic(expr))
 }
 
 /// Is arithmetic with plain numbers left to be done in it?

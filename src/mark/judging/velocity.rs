@@ -7,7 +7,7 @@
 use crate::answer::Kind;
 use crate::expr::{Expr, Function};
 use crate::mark::reading::{Form, Label, Reading, ReferenceLine, Said, Statement};
-use crate::mechanics::Sphere;
+use crate::mechanics::{Moment, Quantity, Sphere};
 
 use super::exact::{self, Equality, same};
 use super::finding::Finding;
@@ -77,7 +77,9 @@ fn of_one(model: &Model, statements: Vec<&Statement>) -> Finding {
         Some((along, across)) => vector::magnitude(along, across),
         None => model.value.clone(),
     };
-    let size_model = Model { quantity: model.quantity, ..model.further(Further::Size, Kind::Number, right) };
+    // A size of no sphere in particular is one of a velocity all the same.
+    let quantity = model.quantity.or(Some(Quantity::Speed(Sphere::A, Moment::After)));
+    let size_model = Model { quantity, ..model.further(Further::Size, Kind::Number, right) };
     let is_rest = || exact::equals(&size_model, &Expr::integer(0)) == Equality::Equal;
     let sizes: Vec<&&Said> = said.iter().filter(|said| is_size(said, model)).collect();
     // `6√3/5 = 2.1 along the line of centres`: the chain decides, as it does for a number.
@@ -89,6 +91,10 @@ fn of_one(model: &Model, statements: Vec<&Statement>) -> Finding {
     let size = match sizes.as_slice() {
         [] => return Finding::unreadable(Note::CannotBeRead),
         [size] => of_chain(size),
+        // `4 or 5 perpendicular to the line of centres`
+        [_, second] if is_rival(second) || second.reference.is_some_and(ReferenceLine::is_direction) => {
+            return Finding::wrong(Note::RivalAnswers);
+        }
         // A bare second number is the angle, as in `2.78, 46.1`.
         [size, _] => of_chain(size),
         _ => return Finding::wrong(Note::RivalAnswers),
@@ -100,8 +106,12 @@ fn of_one(model: &Model, statements: Vec<&Statement>) -> Finding {
         let pointed = said.iter().any(|said| said.reference.is_some() || matches!(said.form, Form::Direction));
         return size.at_most_partial(if pointed { Note::DirectionUnchecked } else { Note::DirectionMissing });
     };
-    let finding = direction(model, &along, &across, &said, sizes.get(1).copied(), ratio);
-    match finding.is_credited() || !told.iter().any(|(statement, _)| is_deflected(statement)) {
+    // By how much the path turned is told besides, and says no direction.
+    let (turned, kept): (Vec<_>, Vec<_>) = told.iter().partition(|(statement, _)| is_deflected(statement));
+    let said: Vec<&Said> = kept.iter().map(|(_, said)| *said).collect();
+    let bare = sizes.get(1).copied().filter(|_| turned.is_empty());
+    let finding = direction(model, &along, &across, &said, bare, ratio);
+    match finding.is_credited() && finding.note != Some(Note::DirectionMissing) || turned.is_empty() {
         true => size.and(finding),
         false => Finding::unreadable(Note::DirectionUnchecked),
     }
@@ -221,6 +231,10 @@ fn direction(
             ReferenceLine::AlongCommonTangent => nothing(along),
             _ => return Finding::partial(Note::DirectionUnchecked),
         };
+        // `4 perpendicular to the line of centres at 30°`
+        if said.iter().any(|said| matches!(said.form, Form::Value(_)) && !is_size(said, model)) {
+            return Finding::partial(Note::DirectionUnchecked);
+        }
         return match sense::agrees(line.sense(), rebounds) {
             Some(true) if lies => Finding::EXACT,
             None if lies => Finding::partial(Note::DirectionUnchecked),

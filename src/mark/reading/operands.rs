@@ -25,7 +25,10 @@ impl Parser<'_> {
                 Some(letter) => vec![letter],
                 None if self.any_name => vec![Token::Letter((*name).to_owned())],
                 None => match names::split(name, start, self.vocabulary, self.choices) {
-                    Some(pieces) if *name == "mu" => pieces,
+                    // Of `μ²` nobody knows whether it is (mu)² or mu².
+                    Some(pieces) if *name == "mu" && !self.tokens.get(at + 1).is_some_and(|next| next.is('^')) => {
+                        pieces
+                    }
                     _ => return false,
                 },
             },

@@ -43,7 +43,12 @@ fn a_velocity_said_piece_by_piece_is_put_together() {
             "2.5 along the line of centres and 2.60 perpendicular to it",
             COMPONENTS,
         ),
-        ("[5/2, 3*sqrt(3)/2]", Some(Kind::Velocity), "2.5 along LOC or 2.60 perpendicular to LOC", "wrong"),
+        (
+            "[5/2, 3*sqrt(3)/2]",
+            Some(Kind::Velocity),
+            "2.5 along LOC or 2.60 perpendicular to LOC",
+            "wrong rival-answers",
+        ),
         ("[5/2, 3*sqrt(3)/2]", Some(Kind::Velocity), "3√3/2 perp, 5/2 along LOC", COMPONENTS),
         ("[5/2, 3*sqrt(3)/2]", Some(Kind::Velocity), "2.5 along and 2.60 perpendicular", COMPONENTS),
         ("[5/2, 3*sqrt(3)/2]", Some(Kind::Velocity), "3 along LOC and 2 perpendicular to LOC", "wrong"),
