@@ -800,6 +800,9 @@ fn what_makes_a_paper_wrong_is_an_error() {
             assert!(!is_sound && said.contains(words), "{name}: no error `{words}` in\n{said}");
         }
     }
+    let edits = [(energy, "Find by how much the collision diminishes the total kinetic energy.")];
+    let (is_sound, said) = checked("other-words-for-it", "i-j/energy-lost", &edits);
+    assert!(is_sound && said.contains("warning: "), "{said}");
     let edits = [("{display: result}", "{tan(beta) = restitution*sin(alpha)/cos(alpha)}.")];
     let (is_sound, said) = checked("by-hand", "walls/tangents-in-letters", &edits);
     assert!(is_sound && said.contains("0 findings"), "{said}");

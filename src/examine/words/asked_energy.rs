@@ -42,6 +42,18 @@ pub fn energy_of_another(question: &Question, answer: &Answer, asked: &[Sentence
     }
 }
 
+/// Is an energy the very thing that a sentence asks for: `find the total kinetic energy`?
+fn asks_at_once(sentence: &[Token]) -> bool {
+    const DESCRIBED: [&str; 5] = ["the", "total", "kinetic", "combined", "their"];
+    const ASKING: [&str; 6] = ["find", "calculate", "determine", "state", "obtain", "what"];
+    let leads = |at: usize| sentence[..at].iter().rev().find(|token| !is_one_of(token, &DESCRIBED));
+    let is_energy = |at: &usize| is_one_of(&sentence[*at], &["energy", "energies"]);
+    (0..sentence.len()).filter(is_energy).any(|at| match leads(at) {
+        Some(lead) => *lead == Token::Comma || is_one_of(lead, &ASKING),
+        None => false,
+    })
+}
+
 /// The words, or the name of the answer, speak of what is gained or left, or of a fraction, or of no loss at all, and the
 /// answer is what is lost; or the reverse.
 pub fn other_energy(answer: &Answer, asked: &[Sentence]) -> Option<Finding> {
@@ -97,5 +109,8 @@ pub fn other_energy(answer: &Answer, asked: &[Sentence]) -> Option<Finding> {
         _ if is_energy && !is_lost => ("a kinetic energy".to_owned(), "is what is lost of it"),
         _ => return None,
     };
-    Some(Finding::new(format!("the words ask for {asks}, and the answer `{shown}` {has}"), "", "found here"))
+    let found = Finding::new(format!("the words ask for {asks}, and the answer `{shown}` {has}"), "", "found here");
+    // A loss has more words than are known here: `the amount by which it diminishes the energy`.
+    let may_be_lost = other.is_none() && !is_lost && !asked.iter().any(|sentence| asks_at_once(sentence));
+    Some(if may_be_lost { found.as_warning() } else { found })
 }
