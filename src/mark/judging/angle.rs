@@ -27,7 +27,9 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Findin
     let known = model.known();
     let Some(right) = known.turn() else {
         return match &said.form {
-            Form::Value(expr) if said.reference.is_none_or(|named| named == own_line(model)) => at_points(model, expr),
+            Form::Value(expr) if said.reference.is_none_or(|named| Some(named) == own_line(model)) => {
+                at_points(model, expr)
+            }
             _ => Finding::unreadable(Note::CannotBeCompared),
         };
     };
@@ -68,7 +70,7 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Findin
         Some(unit) if unit.dimension == [0, 0, 0, 1] => true,
         Some(_) => return compare(model, stated, right, false).spoilt_by(Note::UnitWrong),
     };
-    if let (Some(sense), ReferenceLine::LineOfCentres) =
+    if let (Some(sense), Some(ReferenceLine::LineOfCentres)) =
         (said.reference.and_then(ReferenceLine::sense), own_line(model))
     {
         let finding = in_a_sense(model, stated, right, radians, sense);
@@ -110,6 +112,8 @@ fn from_another_line(
         Some(ReferenceLine::OriginalDirection) if !finding.is_credited() => {
             Finding::unreadable(Note::ReferenceUnchecked)
         }
+        // The paths of two spheres lie alike by chance.
+        _ if own_line(model).is_none() && finding.is_credited() => Finding::unreadable(Note::ReferenceUnchecked),
         _ => finding.at_most_partial(Note::ReferenceUnchecked),
     }
 }
@@ -184,22 +188,24 @@ impl<'a> Stated<'a> {
     }
 }
 
-/// The line from which the model is measured.
-fn own_line(model: &Model) -> ReferenceLine {
-    match model.quantity {
-        Some(Quantity::AngleFromI(..) | Quantity::ImpulseAngle) => ReferenceLine::I,
-        Some(Quantity::AngleToWall(..)) => ReferenceLine::CommonTangent,
-        Some(Quantity::Deflection(_) | Quantity::SignedDeflection(_)) => ReferenceLine::OriginalDirection,
-        _ => ReferenceLine::LineOfCentres,
+/// The line from which the model is measured; `None` of an angle between two paths.
+fn own_line(model: &Model) -> Option<ReferenceLine> {
+    use Quantity::*;
+    match model.quantity.map(Quantity::of_its_impact) {
+        Some(AngleFromI(..) | ImpulseAngle) => Some(ReferenceLine::I),
+        Some(AngleToWall(..) | TanToWall(..)) => Some(ReferenceLine::CommonTangent),
+        Some(Deflection(_) | SignedDeflection(_) | TanDeflection(_)) => Some(ReferenceLine::OriginalDirection),
+        Some(AngleBetween(_)) => None,
+        _ => Some(ReferenceLine::LineOfCentres),
     }
 }
 
 /// The model's angle as measured from the line that was named; `None` if only a person can tell.
-fn expected(right: &Enclosed, own: ReferenceLine, named: Option<ReferenceLine>) -> Option<Cow<'_, Enclosed>> {
+fn expected(right: &Enclosed, own: Option<ReferenceLine>, named: Option<ReferenceLine>) -> Option<Cow<'_, Enclosed>> {
     use ReferenceLine::{CommonTangent, I, J, LineOfCentres};
     // Towards a sphere is no line.
     let Some(named) = named.filter(|named| !named.is_sense_alone()) else { return Some(Cow::Borrowed(right)) };
-    match (own, named) {
+    match (own?, named) {
         (own, named) if own == named => Some(Cow::Borrowed(right)),
         (LineOfCentres, CommonTangent) | (CommonTangent, LineOfCentres) | (I, J) => right.from(90).map(Cow::Owned),
         _ => None,
@@ -224,11 +230,11 @@ fn in_a_sense(model: &Model, stated: &Stated, right: &Enclosed, radians: bool, s
 
 /// An angle told by words alone: along the line from which it is measured, or across it. How any other line lies to that
 /// one nobody but a person can tell.
-fn direction(model: &Model, right: &Turn, own: ReferenceLine, named: Option<ReferenceLine>) -> Finding {
+fn direction(model: &Model, right: &Turn, own: Option<ReferenceLine>, named: Option<ReferenceLine>) -> Finding {
     use ReferenceLine::{AlongCommonTangent, AlongLineOfCentres, CommonTangent, LineOfCentres};
     let degrees = match (own, named.map(ReferenceLine::unsensed)) {
-        (LineOfCentres, Some(AlongLineOfCentres)) | (CommonTangent, Some(AlongCommonTangent)) => 0,
-        (LineOfCentres, Some(AlongCommonTangent)) | (CommonTangent, Some(AlongLineOfCentres)) => 90,
+        (Some(LineOfCentres), Some(AlongLineOfCentres)) | (Some(CommonTangent), Some(AlongCommonTangent)) => 0,
+        (Some(LineOfCentres), Some(AlongCommonTangent)) | (Some(CommonTangent), Some(AlongLineOfCentres)) => 90,
         _ => return Finding::unreadable(Note::CannotBeCompared),
     };
     if !right.is_degrees(&Fraction::from(degrees)) {
@@ -360,7 +366,7 @@ fn explain(model: &Model, said: &Said, stated: &Stated, right: &Enclosed, findin
     if is_unrelated(stated.expr, right, &places(&model.accept)) {
         return finding;
     }
-    if said.reference.is_some_and(|named| named.unsensed() != own_line(model)) {
+    if said.reference.is_some_and(|named| Some(named.unsensed()) != own_line(model)) {
         return if is(right, false) { Finding::wrong(Note::ReferenceWrong) } else { finding };
     }
     if said.unit.is_none() && is(right, true) {

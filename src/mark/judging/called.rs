@@ -12,10 +12,11 @@ use crate::mechanics::{Axis, Moment, Quantity};
 use super::changes::{is_change, is_gain, is_turned_round};
 use super::finding::Finding;
 use super::letters::of_letter;
+use super::moments::{self, AT_THE_END, states};
 use super::multiplied::is_multiplied;
 use super::otherwise::{is_another_of_its_sort, is_changed_to, remark_names_another};
 use super::spheres::{self, named_sphere, sphere};
-use super::{Model, Note, sense};
+use super::{Model, Note, quotients, sense};
 
 /// What a name is the name of.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,7 +50,7 @@ pub(super) fn as_called(model: &Model, statement: &Statement, finding: Finding) 
         return Finding::unreadable(Note::NamedOtherwise);
     }
     let Some(label) = statement.label.as_ref() else { return finding };
-    if model.quantity.is_some_and(|asked| is_upside_down(&label.typed, asked))
+    if model.quantity.is_some_and(|asked| quotients::is_upside_down(&label.typed, asked))
         && (finding.is_credited() || finding.note == Some(Note::Inverted))
     {
         return Finding::unreadable(Note::NamedOtherwise);
@@ -68,8 +69,11 @@ pub(super) fn as_called(model: &Model, statement: &Statement, finding: Finding) 
     };
     let others = named_sphere(statement).is_some_and(|named| match sphere(asked) {
         Some(asked) => named != asked,
-        None => model.is_of_both,
+        None => model.is_of_both || spheres::takes_two(asked),
     });
+    if finding.is_credited() && quotients::is_another(&label.typed, asked) {
+        return Finding::unreadable(Note::NamedOtherwise);
+    }
     // `speed of separation/speed of approach` is neither of the two.
     let is_ratio = label.typed.contains('/') || words(&label.typed).any(|word| word.eq_ignore_ascii_case("ratio"));
     let sorts: Vec<Sort> = words(&label.typed).filter_map(sort).filter(|_| !is_ratio).collect();
@@ -84,20 +88,6 @@ pub(super) fn as_called(model: &Model, statement: &Statement, finding: Finding) 
         return finding.at_most_partial(Note::Sign);
     }
     finding
-}
-
-/// `m_A/m_B` where the mass of B over that of A is asked, `approach/separation` for the coefficient of restitution.
-fn is_upside_down(label: &str, asked: Quantity) -> bool {
-    let label = label.to_lowercase();
-    let sides =
-        label.split_once(['/', ':']).or_else(|| label.split_once(" over ")).or_else(|| label.split_once(" to "));
-    let Some((above, below)) = sides else { return false };
-    let ends = |side: &str, name: &str| side.trim_matches([' ', '(', ')', '{', '}']).ends_with(name);
-    match asked {
-        Quantity::MassRatio => ends(above, "a") && ends(below, "b"),
-        Quantity::Restitution => above.contains("app") && below.contains("sep"),
-        _ => false,
-    }
 }
 
 /// Is a value called what is asked for, by a name that the subject has for it? A letter of the student's own is none, nor
@@ -221,13 +211,7 @@ pub(super) fn as_remarked(model: &Model, statement: &Statement, finding: Finding
             return Finding::unreadable(Note::NamedOtherwise);
         }
     }
-    let compares = has(&SEVERAL) || has(&COMPARING);
-    let is_of_another_moment = match moment(asked) {
-        Some(Moment::After) => has(&["before", "initially"]) && !has(&LATER),
-        Some(Moment::Before) => has(&["after", "finally"]) && !has(&EARLIER),
-        None => false,
-    };
-    if is_of_another_moment && !compares {
+    if moments::are_of_another(asked, &remarks) {
         return Finding::unreadable(Note::NamedOtherwise);
     }
     let is_turned = match asked {
@@ -287,6 +271,7 @@ pub(super) fn suits(asked: Quantity, sort: Sort) -> bool {
             matches!(sort, Sort::Angle | Sort::Velocity)
         }
         Deflection(_) | SignedDeflection(_) | TanDeflection(_) => matches!(sort, Sort::Angle | Sort::Deflection),
+        TanToLine(..) | TOverN(..) | TanToWall(..) => matches!(sort, Sort::Angle | Sort::Velocity),
         Restitution => sort == Sort::Restitution,
         Mass(_) | MassRatio => sort == Sort::Mass,
         _ => true,
@@ -298,23 +283,8 @@ pub(super) fn is_of_loss(asked: Quantity) -> bool {
     matches!(asked, Quantity::EnergyLost | Quantity::SphereEnergyLost(_) | Quantity::FractionLost)
 }
 
-/// Words that name what there is before or after an impact, and not what is lost in it.
-const STATES: [&str; 9] = ["before", "initial", "after", "final", "left", "remaining", "remains", "retained", "kept"];
-/// Those of them that do not go with what is asked: a fraction may be one of the energy before.
-pub(super) fn states(asked: Quantity) -> &'static [&'static str] {
-    if asked == Quantity::FractionLost { &STATES[2..] } else { &STATES }
-}
-
 pub(super) const LOSSES: [&str; 10] =
     ["loss", "losses", "lost", "lose", "loses", "decrease", "decreases", "decreased", "change", "dissipated"];
-pub(super) const EARLIER: [&str; 5] = ["before", "initial", "initially", "original", "incidence"];
-pub(super) const LATER: [&str; 4] = ["after", "afterwards", "final", "finally"];
-
-/// Words that speak of another moment for comparison: `7.31 as before`, `perpendicular to its direction before`.
-pub(super) const COMPARING: [&str; 7] = ["as", "same", "direction", "path", "motion", "line", "velocity"];
-
-const SEVERAL: [&str; 9] = ["first", "1st", "second", "2nd", "third", "3rd", "fourth", "4th", "next"];
-
 /// Do the words on the left name what is asked?
 pub(super) fn words_fit(model: &Model, typed: &str) -> bool {
     if is_multiplied(typed) {
@@ -326,7 +296,7 @@ pub(super) fn words_fit(model: &Model, typed: &str) -> bool {
     let is_loss = is_of_loss(asked);
     let is_share = asked != Quantity::FractionLost && has(&["fraction", "percentage", "proportion"]);
     // A loss is no quotient, and a fraction is none of what is left.
-    let of_rest = |(_, below): (&str, &str)| words(below).any(|word| STATES[2..].contains(&word));
+    let of_rest = |(_, below): (&str, &str)| words(below).any(|word| AT_THE_END.contains(&word));
     let is_quotient = match asked {
         Quantity::FractionLost => small.split_once('/').is_some_and(of_rest),
         _ => small.contains('/'),
@@ -334,9 +304,22 @@ pub(super) fn words_fit(model: &Model, typed: &str) -> bool {
     if is_loss && (has(&["pe", "gpe", "potential"]) || is_share || is_quotient || small.contains('+')) {
         return false;
     }
+    // `each loses`, and `total loss` for one sphere
+    if is_loss && (has(&["each"]) || matches!(asked, Quantity::SphereEnergyLost(_)) && has(&["total"])) {
+        return false;
+    }
+    // `v lost`
+    let is_of_another = |word: &str| matches!(of_letter(word), Some(Sort::Speed | Sort::Mass));
+    if is_loss && words(typed).any(is_of_another) {
+        return false;
+    }
     // `KE2`, but `KE1 − KE2`
     let is_difference = small.contains(['-', '−', '–']) || has(&["minus"]);
-    if is_loss && !is_difference && words(&small).any(is_of_one_moment) {
+    if is_loss && !is_difference && words(&small).any(moments::is_energy_of_one) {
+        return false;
+    }
+    // `KE1 − loss`
+    if is_loss && is_difference && small.split(['-', '−', '–']).skip(1).flat_map(words).any(|word| LOSSES.contains(&word)) {
         return false;
     }
     // `total KE`, `KE falls to`
@@ -349,32 +332,5 @@ pub(super) fn words_fit(model: &Model, typed: &str) -> bool {
     if is_another_of_its_sort(model, asked, &small) {
         return false;
     }
-    // Of several impacts one comes before the other.
-    let is_of_several = has(&SEVERAL);
-    match moment(asked) {
-        _ if is_of_several => true,
-        Some(Moment::After) => !has(&EARLIER) || has(&LATER),
-        Some(Moment::Before) => !has(&LATER) || has(&EARLIER),
-        None => true,
-    }
-}
-
-/// The moment of which the quantity is, if it is of one.
-pub(super) fn moment(asked: Quantity) -> Option<Moment> {
-    use Quantity::*;
-    match asked {
-        Velocity(_, moment, _) | Speed(_, moment) | KineticEnergy(_, moment) | SphereMomentum(_, moment, _) => {
-            Some(moment)
-        }
-        AngleToLine(_, moment) | AngleFromN(_, moment) | AngleFromI(_, moment) | AngleToWall(_, moment) => Some(moment),
-        TanToLine(_, moment) | TOverN(_, moment) | TanToWall(_, moment) => Some(moment),
-        TotalEnergy(moment) | AngleBetween(moment) => Some(moment),
-        _ => None,
-    }
-}
-
-/// `ke1`, `kef`, `kebefore`: an energy by its letters, and by the moment of which it is.
-fn is_of_one_moment(word: &str) -> bool {
-    let moment = word.strip_prefix("ke").or_else(|| word.strip_prefix('t'));
-    moment.is_some_and(|moment| matches!(moment, "1" | "2" | "i" | "f" | "before" | "after" | "initial" | "final"))
+    moments::fit(asked, &small)
 }

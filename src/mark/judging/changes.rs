@@ -1,6 +1,7 @@
 //! Labels that speak of a gain or of a change, of which a loss is the opposite.
 
-use super::called::{EARLIER, LATER, words};
+use super::called::words;
+use super::moments::{EARLIER, LATER};
 
 /// Does the label speak of a gain, which a loss is the opposite of?
 pub(super) fn is_gain(label: &str) -> bool {
@@ -16,18 +17,21 @@ pub(super) fn is_turned_round(label: &str) -> bool {
 
 fn is_after_less_before(label: &str) -> bool {
     let is_difference = |(of, other): (&str, &str)| {
-        is_of_end(of, &LATER, 'f') && is_of_end(other, &EARLIER, 'i') || is_second_less_first(of, other)
+        is_of_end(of, &LATER) && is_of_end(other, &EARLIER)
+            || [('2', '1'), ('f', 'i')]
+                .into_iter()
+                .any(|(of_end, of_start)| is_second_less_first(of, other, of_end, of_start))
     };
     label.split_once(['-', '−', '–']).is_some_and(is_difference)
 }
 
-/// `KE2 − KE1`, `E_2 − E_1`
-fn is_second_less_first(of: &str, other: &str) -> bool {
-    let name = |side: &str, number: char| {
-        let name = side.trim().strip_suffix(number)?.trim_end_matches('_');
+/// `KE2 − KE1`, `E_f − E_i`
+fn is_second_less_first(of: &str, other: &str, of_end: char, of_start: char) -> bool {
+    let name = |side: &str, moment: char| {
+        let name = side.trim().strip_suffix(moment)?.trim_end_matches('_');
         matches!(name, "ke" | "e" | "k" | "t").then(|| name.to_owned())
     };
-    name(of, '2').is_some_and(|name_of| name(other, '1') == Some(name_of))
+    name(of, of_end).is_some_and(|of| name(other, of_start) == Some(of))
 }
 
 /// Does the label speak of a change, after minus before?
@@ -46,8 +50,7 @@ pub(super) fn is_change(label: &str) -> bool {
         || is_after_less_before(&label)
 }
 
-/// `KE after`, `final KE`, `KEf`: what there is at one moment, by its words or by a letter at its end.
-fn is_of_end(label: &str, wanted: &[&str], letter: char) -> bool {
-    let mut found = words(label).filter(|word| !word.is_empty());
-    found.any(|word| wanted.contains(&word) || (word.starts_with("ke") && word.len() == 3 && word.ends_with(letter)))
+/// `KE after`, `final KE`: what there is at one moment, by its words.
+fn is_of_end(label: &str, wanted: &[&str]) -> bool {
+    words(label).any(|word| wanted.contains(&word))
 }

@@ -20,7 +20,7 @@ use super::exact::{self, Equality};
 use super::finding::Finding;
 use super::multiplied::SQUARED;
 use super::statements::One;
-use super::{Model, Note, angle, changes, number, vector};
+use super::{Model, Note, angle, changes, moments, number, vector};
 use super::{called, letters};
 
 /// What the left side is to the value on the right.
@@ -66,6 +66,10 @@ pub(super) fn of(model: &Model, label: &Label) -> Left {
         let is_of_speed = typed.trim_start_matches(['Δ', 'δ', '∆', ' ']).starts_with(['v', 'V', 'u']);
         let is_impulse = matches!(model.quantity, Some(Quantity::Impulse(..) | Quantity::ImpulseMagnitude));
         return if is_of_motion || is_impulse && is_of_speed { Left::Another } else { Left::Name };
+    }
+    // `T_2`: what there is at one moment, and not what is lost.
+    if model.quantity.is_some_and(called::is_of_loss) && moments::is_energy_of_one(typed) {
+        return Left::Another;
     }
     match expr {
         // `|−1|`

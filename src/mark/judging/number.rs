@@ -346,7 +346,8 @@ fn through_its_tangent(model: &Model, said: &Said, label: Option<&Label>) -> Opt
     let accept =
         if model.accept.places().is_some() { crate::answer::Accept::RoundsTo(rule) } else { model.accept.clone() };
     let arc = || Expr::call(Function::Atan, model.value.clone());
-    let angle_model = Model { accept, ..model.further(Further::ArcTangent, Kind::Angle, arc) };
+    let angle_model =
+        Model { accept, quantity: model.quantity, ..model.further(Further::ArcTangent, Kind::Angle, arc) };
     let finding = angle::judge(&angle_model, said, None);
     if is_angle || labelled {
         return Some(finding.remarked(Note::AngleForTangent)).filter(|finding| is_angle || finding.is_credited());

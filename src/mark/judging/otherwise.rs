@@ -9,8 +9,12 @@ use super::spheres::sphere;
 
 /// Does a remark that is no more than a name, as `(B)` or `(speed of B)`, name another sphere or another quantity?
 pub(super) fn remark_names_another(model: &Model, asked: Quantity, remarks: &[&String], remark: &str) -> bool {
-    const FILLERS: [&str; 19] = [
+    const FILLERS: [&str; 23] = [
         "",
+        "only",
+        "alone",
+        "its",
+        "their",
         "the",
         "of",
         "by",
@@ -33,13 +37,24 @@ pub(super) fn remark_names_another(model: &Model, asked: Quantity, remarks: &[&S
     if asked == Quantity::EnergyLost && words(remark).any(|word| word == "each") {
         return true;
     }
+    if matches!(asked, Quantity::SphereEnergyLost(_)) && words(remark).any(|word| word == "total") {
+        return true;
+    }
     if matches!(asked, Quantity::Impulse(..) | Quantity::ImpulseMagnitude) && words(remark).any(|word| word == "force")
     {
         return true;
     }
     let of_relative_motion = |word: &str| matches!(word, "separation" | "approach");
-    let is_either = matches!(asked, Quantity::Separation | Quantity::Approach | Quantity::Restitution);
+    let is_either = asked == Quantity::Restitution || is_named_by_its_own(asked, remark);
     if !is_either && words(remark).any(of_relative_motion) {
+        return true;
+    }
+    // `50 between A and B`
+    let names_several = || {
+        let mut all = remarks.iter().flat_map(|remark| words(remark));
+        all.any(|word| matches!(word, "b" | "c" | "spheres" | "paths" | "velocities" | "directions"))
+    };
+    if matches!(asked, Quantity::AngleToLine(..)) && remark.contains("between") && names_several() {
         return true;
     }
     if matches!(asked, Quantity::Mass(_)) && words(remark).any(|word| word == "total") {
@@ -71,6 +86,16 @@ pub(super) fn remark_names_another(model: &Model, asked: Quantity, remarks: &[&S
     is_of_another || (sorts.peek().is_some() && !sorts.any(|sort| suits(asked, sort)))
 }
 
+/// `separation` for the speed of separation, but not for that of approach.
+fn is_named_by_its_own(asked: Quantity, name: &str) -> bool {
+    let has = |wanted: &str| words(name).any(|word| word == wanted);
+    match asked {
+        Quantity::Separation => has("separation"),
+        Quantity::Approach => has("approach"),
+        _ => false,
+    }
+}
+
 /// The spheres that a remark names. In small letters an `a` is an article, unless it ends the words or goes before `to`.
 pub(super) fn spheres_in_remark(remark: &str) -> Vec<Sphere> {
     let words: Vec<&str> = words(remark).filter(|word| !word.is_empty()).collect();
@@ -89,6 +114,8 @@ const PARTS: [&str; 4] = ["component", "components", "comp", "comps"];
 /// Words that give a speed a direction, which is then that of a component.
 pub(super) const DIRECTED: [&str; 8] =
     ["along", "parallel", "perpendicular", "perp", "normal", "tangential", "horizontal", "vertical"];
+/// Words of which the name of a line has one.
+const LINES: [&str; 11] = ["line", "loc", "centres", "centers", "normal", "tangent", "wall", "ab", "ba", "i", "j"];
 /// Words for a difference of velocities, as in `speed of separation`.
 const DIFFERENCES: [&str; 14] = [
     "relative",
@@ -154,16 +181,23 @@ pub(super) fn is_another_of_its_sort(model: &Model, asked: Quantity, small: &str
             has(&PARTS) || is_directed || tells_difference(small)
         }
         Quantity::Velocity(..) => tells_difference(small),
+        // `angle between the paths`, but `angle between its path and the line of centres`
+        Quantity::AngleToLine(..) => has(&["between"]) && !has(&LINES),
+        Quantity::Approach | Quantity::Separation => {
+            has(&["approach", "separation"]) && (!is_named_by_its_own(asked, small) || small.contains('/'))
+        }
         Quantity::Mass(_) => has(&["total", "combined"]),
         Quantity::Impulse(..) | Quantity::ImpulseMagnitude => {
             let is_difference = || has(&["change", "difference", "lost", "loss", "gain", "gained", "minus"]);
             let is_state =
                 has(&["before", "after", "initial", "final", "original", "total"]) && !small.contains(['-', '−']);
             let is_of_one_moment = is_state || !small.contains(['-', '−', '/']);
-            has(&["force"]) || (has(&["momentum", "momenta"]) && is_of_one_moment && !is_difference())
+            has(&["force", "per"]) || (has(&["momentum", "momenta"]) && is_of_one_moment && !is_difference())
         }
         // Both of them make it up.
-        Quantity::Restitution => has(&["separation"]) != has(&["approach"]),
+        Quantity::Restitution => {
+            has(&["separation"]) != has(&["approach"]) || has(&["fraction", "proportion", "lost", "loss"])
+        }
         _ => false,
     }
 }

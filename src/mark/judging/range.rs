@@ -19,7 +19,7 @@ use super::exact::{self, meaning_of};
 use super::finding::Finding;
 use super::statements::{is_concluded, is_rival};
 use super::units::{self, UnitCheck};
-use super::{Model, Note, called, number};
+use super::{Model, Note, moments, number};
 
 /// One inequality, solved for the letter: the letter lies on this side of the bound.
 struct Bound {
@@ -50,7 +50,7 @@ pub(super) fn judge(model: &Model, reading: &Reading) -> Finding {
 pub(super) fn out_of_place(model: &Model, reading: &Reading) -> Option<Finding> {
     let mut forms = reading.statements.iter().flat_map(|statement| &statement.said).map(|said| &said.form);
     let range = forms.find(|form| matches!(form, Form::Range(..))).filter(|_| model.kind != Kind::Range)?;
-    let is_after = model.quantity.and_then(called::moment) == Some(Moment::After);
+    let is_after = model.quantity.and_then(moments::moment) == Some(Moment::After);
     let is_right = |end: &End| number::value(model, &end.at, &Written::of(&end.at)).is_credited();
     Some(match range {
         // `reduced from 5 to 3.57`

@@ -9,9 +9,11 @@ use crate::expr::{Expr, Function, Relation};
 use crate::mark::enclosure::enclose_roughly;
 use crate::mark::reading::{End, Form, Label, Reading, Said, Statement, is_rejection, is_second_thought};
 use crate::mechanics::{Moment, Quantity};
+use crate::number::Fraction;
 
 use super::besides::{compared_with_a_bound, without_its_name, without_size_and_direction, without_told_besides};
-use super::called::{COMPARING, EARLIER, LATER, LOSSES, is_of_loss, moment, states, words};
+use super::called::{LOSSES, is_of_loss, words};
+use super::moments::{COMPARING, EARLIER, LATER, moment, states};
 use super::otherwise::{DIRECTED, is_changed_to};
 use super::statements::is_rival;
 use super::{Model, exact};
@@ -152,7 +154,12 @@ fn without_what_is_worked_with(mut statements: Vec<Statement>) -> Vec<Statement>
         _ => return statements,
     };
     let is_term = |value: &Expr| {
-        let is_figure = matches!(value, Expr::Decimal(_));
+        let is_figure = match value {
+            Expr::Decimal(_) => true,
+            // A single figure may be met by chance.
+            Expr::Number(number) => number.abs() >= Fraction::from(10),
+            _ => false,
+        };
         is_figure && terms.iter().any(|term| term == value || *term == value.clone().negated())
     };
     let is_step = |statement: &Statement| {

@@ -82,7 +82,7 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Option
 fn lies_elsewhere(asked: Quantity, line: ReferenceLine) -> bool {
     use ReferenceLine::{AlongCommonTangent, CommonTangent, LineOfCentres, OriginalDirection};
     match asked.of_its_impact() {
-        Quantity::ImpulseMagnitude => line.unsensed() == AlongCommonTangent,
+        Quantity::ImpulseMagnitude | Quantity::Approach | Quantity::Separation => line.unsensed() == AlongCommonTangent,
         Quantity::TanToLine(..) => matches!(line.unsensed(), CommonTangent | OriginalDirection),
         Quantity::TanToWall(..) => matches!(line.unsensed(), LineOfCentres | OriginalDirection),
         Quantity::TanDeflection(_) => matches!(line.unsensed(), CommonTangent | LineOfCentres),

@@ -20,6 +20,11 @@ pub(super) fn sphere(quantity: Quantity) -> Option<Sphere> {
     SPHERES.into_iter().find(|sphere| sphere.name() == first)
 }
 
+/// Does it belong to two spheres together, so that no name of one alone is its name?
+pub(super) fn takes_two(quantity: Quantity) -> bool {
+    matches!(quantity.of_its_impact(), Quantity::AngleBetween(_) | Quantity::Approach | Quantity::Separation)
+}
+
 /// The sphere that a label names: `A`, `v_B`, `speed of A`.
 pub(super) fn named_sphere(statement: &Statement) -> Option<Sphere> {
     let named = named_spheres(&statement.label.as_ref()?.typed);

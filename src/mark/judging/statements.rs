@@ -11,10 +11,11 @@ use crate::mark::reading::{Form, Label, Reading, Said, Statement};
 use crate::mechanics::{Moment, Quantity, Sphere};
 
 use super::accuracy::Written;
+use super::exact::{self, Equality};
 use super::finding::Finding;
 use super::left_side::{self, Equation, Left};
 use super::spheres::{self, SPHERES, named_sphere, sphere};
-use super::{Model, Note, Verdict, called};
+use super::{Model, Note, Verdict, called, moments};
 
 /// How a kind judges one value.
 pub(super) type One<'a> = &'a dyn Fn(&Said, Option<&Label>) -> Finding;
@@ -124,10 +125,13 @@ pub(super) fn links(statement: &Statement, one: One) -> Finding {
     let worked_out_wrong =
         |at: usize| is_unfinished(&statement.said[at]) && (spoilt_after(at) || findings[at + 1..].iter().any(is_off));
     let counts = |at: &usize| findings[*at].exact && !worked_out_wrong(*at);
-    // `√7 = 2.83`, `7/5 = 5/7`: an exact value that is finished, and another one.
+    // `√7 = 2.83`, `7/5 = 5/7`: an exact value that is finished, and another one; `5 − 2 = 2.83`: arithmetic that is false.
     let is_preceded = |right: usize| {
-        let is_rival = |at: usize| findings[at].verdict == Verdict::Wrong && is_finished_number(&statement.said[at]);
-        label.is_none() && (0..right).any(is_rival)
+        let is_wrong = |at: usize| findings[at].verdict == Verdict::Wrong;
+        let is_rival = |at: usize| is_wrong(at) && is_finished_number(&statement.said[at]);
+        let is_false = |at: usize| is_wrong(at) && cannot_lead_to(&statement.said[at], &statement.said[at + 1]);
+        let is_named = label.is_none_or(|label| matches!(label.expr, None | Some(Expr::Name(_))));
+        label.is_none() && (0..right).any(is_rival) || is_named && right.checked_sub(1).is_some_and(is_false)
     };
     if let Some(at) = all.clone().find(counts) {
         if is_preceded(at) {
@@ -150,17 +154,31 @@ pub(super) fn links(statement: &Statement, one: One) -> Finding {
     }
 }
 
-/// `√7`, `7/5`, `2√3/3`: a number with nothing left to work out, and not as a calculator shows it.
-fn is_finished_number(said: &Said) -> bool {
+/// A number without any rounding, in front of another that is not made with it, as the root in `2² + 3² = √13` is.
+fn cannot_lead_to(said: &Said, next: &Said) -> bool {
     fn has_decimal(expr: &Expr) -> bool {
         matches!(expr, Expr::Decimal(_)) || expr.children().into_iter().any(has_decimal)
     }
+    fn any(expr: &Expr, is: &dyn Fn(&Expr) -> bool) -> bool {
+        is(expr) || expr.children().into_iter().any(|child| any(child, is))
+    }
+    let (Form::Value(number), Form::Value(next)) = (&said.form, &next.form) else { return false };
+    let is_exact = number.names().is_empty() && !has_decimal(number) && said.unit.is_none();
+    // `√2² + 3²`: a root sign that was to reach further.
+    let is_undone =
+        |part: &Expr| matches!(part, Expr::Power(root, _) if matches!(**root, Expr::Call(Function::Sqrt, _)));
+    let is_it = |part: &Expr| exact::same(part, number, &[]) == Equality::Equal;
+    is_exact && !any(number, &is_undone) && !any(next, &is_it)
+}
+
+/// `√7`, `7/5`, `2√3/3`: a number with nothing left to work out.
+fn is_finished_number(said: &Said) -> bool {
     let is_root_or_share = |expr: &Expr| match expr {
         Expr::Quotient(above, below) => [above, below].into_iter().all(|part| matches!(**part, Expr::Number(_))),
         Expr::Call(Function::Sqrt, under) => matches!(**under, Expr::Number(_)),
         _ => false,
     };
-    matches!(&said.form, Form::Value(expr) if is_root_or_share(expr) && !has_decimal(expr) && !has_arithmetic(expr))
+    matches!(&said.form, Form::Value(expr) if is_root_or_share(expr) && !has_arithmetic(expr))
 }
 
 /// Is arithmetic with plain numbers left to be done in it?
@@ -312,7 +330,7 @@ fn last_or_rivals(model: &Model, statements: &[&Statement], one: One) -> Finding
         let any_right = findings.iter().any(Finding::is_correct);
         // `v = 5, u = 3.57`: u is what there was before, unless it is the name of another sphere's speed.
         let is_of_before = letters
-            && model.quantity.and_then(called::moment) == Some(Moment::After)
+            && model.quantity.and_then(moments::moment) == Some(Moment::After)
             && begins(&labels[labels.len() - 1], &['u'])
             && labels.iter().any(|label| begins(label, &['v', 'w']));
         if is_of_before && last.is_credited() {
@@ -367,6 +385,10 @@ fn last_or_rivals(model: &Model, statements: &[&Statement], one: One) -> Finding
     };
     let spoilt = spoilt || (right.is_some() && findings.iter().any(differs));
     match right {
+        // `20 → 7`: from what to what, or what follows from what?
+        _ if spoilt && last.is_credited() && is_concluded(statements) && is_from_one_to_another(model, statements) => {
+            Finding::unreadable(Note::SeveralAnswers)
+        }
         // `m = 2 or −18/13, so m = 2`
         _ if spoilt && is_concluded(statements) => last,
         Some(_) if spoilt => Finding::wrong(Note::RivalAnswers),
@@ -374,6 +396,20 @@ fn last_or_rivals(model: &Model, statements: &[&Statement], one: One) -> Finding
         None if spoilt && findings.iter().any(Finding::is_credited) => Finding::wrong(Note::RivalAnswers),
         None => last,
     }
+}
+
+/// Two bare numbers, of which the second is drawn from the first, where a loss or an impulse is asked.
+fn is_from_one_to_another(model: &Model, statements: &[&Statement]) -> bool {
+    let is_change = |asked: Quantity| {
+        called::is_of_loss(asked) || matches!(asked, Quantity::Impulse(..) | Quantity::ImpulseMagnitude)
+    };
+    let is_bare = |statement: &&Statement| matches!(statement.said.as_slice(), [only] if is_bare_number(only));
+    let [first, last] = statements else { return false };
+    model.quantity.map(Quantity::of_its_impact).is_some_and(is_change)
+        && is_bare(first)
+        && is_bare(last)
+        && last.label.is_none()
+        && !called::is_named(model, first)
 }
 
 /// Is it called by a single letter?

@@ -14,7 +14,7 @@ use super::finding::Finding;
 use super::known::Further;
 use super::spheres::{named_sphere, sphere};
 use super::statements::{is_rival, links};
-use super::{Model, Note, angle, called, number, sense, vector};
+use super::{Model, Note, angle, called, moments, number, sense, vector};
 
 /// Words that tell of a direction, whichever it is.
 const DIRECTIONS: [&str; 4] = ["direction", "vertically", "horizontally", "way"];
@@ -23,13 +23,20 @@ const DIRECTIONS: [&str; 4] = ["direction", "vertically", "horizontally", "way"]
 pub(super) fn judge(model: &Model, reading: &Reading) -> Finding {
     let (statements, of_other) = of_asked(model, &reading.statements);
     let turns = says_which_way(&statements);
+    let is_of_another_moment = model.quantity.is_some_and(|asked| {
+        let label = |statement: &&Statement| statement.label.as_ref().map(|label| label.typed.to_lowercase());
+        let remarks: Vec<&String> =
+            statements.iter().flat_map(|statement| &statement.said).flat_map(|said| &said.remarks).collect();
+        let is_called_otherwise = statements.iter().filter_map(label).any(|name| !moments::fit(asked, &name));
+        is_called_otherwise || moments::are_of_another(asked, &remarks)
+    });
     let finding = of_one(model, statements);
     // Of a sphere of which nobody says from where it came, to go on says nothing, and to go back cannot be checked.
     let is_else = |back: bool| goes_back(model).map_or(back, |goes_back| goes_back != back);
     let is_turned = finding.is_credited() && turns.is_some_and(is_else);
     // `56.3° to the line of centres, reversed along it`: the line is named once more, and no other direction.
     let is_named_again = finding.note == Some(Note::DirectionWrong) && turns == Some(true);
-    match finding.is_credited() && of_other {
+    match finding.is_credited() && (of_other || is_of_another_moment) {
         true => Finding::unreadable(Note::NamedOtherwise),
         false if is_turned || is_named_again => Finding::unreadable(Note::DirectionUnchecked),
         false => finding,

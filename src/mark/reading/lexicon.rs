@@ -32,7 +32,8 @@ pub(super) enum Sort {
 }
 
 /// Words before a noun that make it the name of something else.
-pub(super) const OTHERS: [&str; 13] = [
+pub(super) const OTHERS: [&str; 14] = [
+    "each",
     "initial",
     "original",
     "relative",

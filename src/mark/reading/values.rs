@@ -208,7 +208,10 @@ impl Values<'_> {
         let last = lead.iter().rev().find(names)?;
         // `initial speed`, `relative speed`
         let is_other = |at: usize| OTHERS.contains(&self.slice(tokens, at, at + 1).to_lowercase().as_str());
-        let before = place.checked_sub(1).and_then(|place| lead.get(place)).filter(|at| is_other(**at));
+        let is_sphere = |at: &&usize| {
+            matches!(&*self.slice(tokens, **at, **at + 1).to_lowercase(), "sphere" | "ball" | "particle" | "disc")
+        };
+        let before = lead[..place].iter().rev().find(|at| !is_sphere(at)).filter(|at| is_other(**at));
         let first = before.unwrap_or(&lead[place]);
         // `increases by` is no `increases to`.
         let is_by = |at: &&usize| matches!(&*self.slice(tokens, **at, **at + 1).to_lowercase(), "by" | "to");
