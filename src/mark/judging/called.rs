@@ -319,7 +319,10 @@ pub(super) fn words_fit(model: &Model, typed: &str) -> bool {
         return false;
     }
     // `KE1 − loss`
-    if is_loss && is_difference && small.split(['-', '−', '–']).skip(1).flat_map(words).any(|word| LOSSES.contains(&word)) {
+    if is_loss
+        && is_difference
+        && small.split(['-', '−', '–']).skip(1).flat_map(words).any(|word| LOSSES.contains(&word))
+    {
         return false;
     }
     // `total KE`, `KE falls to`

@@ -8,6 +8,7 @@ mod angle;
 mod as_printed;
 mod besides;
 mod called;
+mod chain;
 mod changes;
 mod coarsest;
 mod coefficients;

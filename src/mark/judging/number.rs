@@ -11,12 +11,12 @@ use crate::number::{FloatInterval, Fraction, Places, Range, Value};
 use crate::unit::Unit;
 
 use super::accuracy::{Target, Written, decimal, is_far, places};
+use super::chain::has_arithmetic;
 use super::coarsest::Coarsest;
 use super::coefficients;
 use super::exact::{self, Equality, same};
 use super::finding::Finding;
 use super::known::Further;
-use super::statements::has_arithmetic;
 use super::units::{self, UnitCheck};
 use super::{Model, Note, angle, changes, left_side, sense};
 

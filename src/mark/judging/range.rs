@@ -69,8 +69,11 @@ fn one(model: &Model, right: &[Bound], letter: Letter, statements: &[Statement])
     let letters = &model.vocabulary.letters;
     let mut own = Vec::new();
     let mut bare = Vec::new();
-    for (statement, said) in statements.iter().flat_map(|s| s.said.iter().map(move |said| (s, said))) {
+    let every = statements.iter().enumerate();
+    for (at, statement, said) in every.flat_map(|(at, s)| s.said.iter().map(move |said| (at, s, said))) {
         let found = match &said.form {
+            // `v < 0, so e > 2/5`: the reason for what follows.
+            Form::Equation(relation) if at + 1 < statements.len() && is_reason(relation, letters) => continue,
             Form::Equation(relation) if exact::unknown_letter(relation, letters).is_some() => {
                 return Finding::wrong(Note::UnknownLetter);
             }
@@ -135,6 +138,13 @@ fn one(model: &Model, right: &[Bound], letter: Letter, statements: &[Statement])
         false if finding.is_credited() => Finding::wrong(Note::RivalAnswers),
         false => finding,
     }
+}
+
+/// Is a letter that the question does not have compared with nought?
+fn is_reason(relation: &Expr, letters: &[Letter]) -> bool {
+    let Expr::Relation(left, relation, right) = relation else { return false };
+    let is_own = |side: &Expr| matches!(side, Expr::Name(_)) && exact::unknown_letter(side, letters).is_some();
+    *relation != Relation::Equal && (is_own(left) && right.is_zero() || is_own(right) && left.is_zero())
 }
 
 /// The bounds of a student against the ends that must be there.

@@ -9,11 +9,12 @@ use crate::expr::{Expr, Function};
 use crate::mark::reading::{Form, Label, Reading, ReferenceLine, Said, Statement};
 use crate::mechanics::{Moment, Quantity, Sphere};
 
+use super::chain::links;
 use super::exact::{self, Equality, same};
 use super::finding::Finding;
 use super::known::Further;
 use super::spheres::{named_sphere, sphere};
-use super::statements::{is_rival, links};
+use super::statements::is_rival;
 use super::{Model, Note, angle, called, moments, number, sense, vector};
 
 /// Words that tell of a direction, whichever it is.

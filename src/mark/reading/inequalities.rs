@@ -173,11 +173,15 @@ impl Statements<'_> {
         Ok(is_value.then_some(values))
     }
 
-    /// A side of an inequality. After `e = 5/7` it may be an e that the question does not have.
+    /// A side of an inequality. After `e = 5/7` it may be an e that the question does not have, and in `v < 0` the student's
+    /// own letter for a velocity.
     fn bounded(&mut self, tokens: &[Placed]) -> Result<(Expr, Option<SaidUnit>), Unreadable> {
         let tokens = self.without_what_happens(tokens);
         let typed = self.slice(tokens).to_owned();
-        let is_name = self.found.iter().filter_map(|found| found.label.as_ref()).any(|label| label.typed == typed);
+        let is_velocity =
+            matches!(tokens, [Placed { token: Token::Word(word), .. }] if word.starts_with(['v', 'V', 'w', 'x', 'y']));
+        let is_name =
+            is_velocity || self.found.iter().filter_map(|found| found.label.as_ref()).any(|label| label.typed == typed);
         self.side_with_unit(tokens).or_else(|fault| Ok((self.named(tokens).filter(|_| is_name).ok_or(fault)?, None)))
     }
 

@@ -79,8 +79,12 @@ impl Values<'_> {
                 {
                     at += 1;
                 }
-                // `25/7 (3.57)`
-                Token::Sign('(') if !found.values.is_empty() && lead.is_empty() && at + 3 == tokens.len() => {
+                // `25/7 (3.57)`, `18 J lost (33.7%)`
+                Token::Sign('(')
+                    if !found.values.is_empty()
+                        && (lead.is_empty() && at + 3 == tokens.len()
+                            || at + 4 == tokens.len() && tokens[at + 2].is('%')) =>
+                {
                     let again = self.slice(&tokens, at, tokens.len()).to_owned();
                     self.remark(&mut found, again);
                     at = tokens.len();

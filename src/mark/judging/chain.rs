@@ -1,0 +1,194 @@
+//! A chain of equals signs: which of its values counts.
+//!
+//! A value that is exactly right wins and what follows is ignored; else the last decides, unless an earlier right decimal
+//! was only rounded further. Two bare numbers of which one is wrong are rivals, and what false arithmetic leads to is for a
+//! person.
+
+use crate::expr::{Expr, Function};
+use crate::mark::reading::{Form, Said, Statement};
+
+use super::accuracy::Written;
+use super::exact::{self, Equality};
+use super::finding::Finding;
+use super::left_side::{self, Equation, Left};
+use super::statements::One;
+use super::{Model, Note, Verdict, called};
+
+/// One statement, perhaps a chain of equals signs.
+pub(super) fn chain(model: &Model, statement: &Statement, one: One) -> Finding {
+    let left = statement.label.as_ref().map_or(Left::Name, |label| left_side::of(model, label));
+    let of_equation = |equation: &Equation| {
+        let finding = links(statement, &|said, _| equation.judge(model, said, one));
+        // `v² = 7.70 = 2.78`: the value itself, at the end of what led to it.
+        let leads = statement.said.first().is_some_and(|first| equation.judge(model, first, one).is_credited());
+        match statement.said.as_slice() {
+            [_, .., last] if leads => finding.or_better(one(last, None)),
+            _ => finding,
+        }
+    };
+    let finding = match &left {
+        Left::Equation(equation) => of_equation(equation),
+        _ => links(statement, &|said, label| match left_side::unnamed(model, said) {
+            Some((equation, right)) => {
+                let of_right = equation.judge(model, &Said { form: Form::Value(right.clone()), ..said.clone() }, one);
+                of_right.or_better(one(said, label))
+            }
+            None => one(said, label),
+        }),
+    };
+    match left {
+        // The angle itself, where its tangent is asked.
+        Left::Another if left_side::is_tangent(model.quantity) && statement.said.iter().any(is_of_angle) => finding,
+        Left::Another if finding.is_credited() && finding.note != Some(Note::AngleForTangent) => {
+            Finding::unreadable(Note::NamedOtherwise)
+        }
+        Left::NameOrPower(equation) if !finding.is_credited() => of_equation(&equation),
+        _ => called::as_remarked(model, statement, called::as_called(model, statement, finding)),
+    }
+}
+
+fn is_of_angle(said: &Said) -> bool {
+    said.unit.as_ref().is_some_and(|unit| unit.degrees)
+}
+
+/// A chain of equals signs.
+pub(super) fn links(statement: &Statement, one: One) -> Finding {
+    let label = statement.label.as_ref();
+    let findings: Vec<Finding> = statement.said.iter().map(|said| one(said, label)).collect();
+    let Some(last) = findings.last().copied() else { return Finding::unreadable(Note::CannotBeRead) };
+    let spoilt_after = |at: usize| findings[at + 1..].iter().any(|finding| finding.verdict == Verdict::Wrong);
+    // `2.78 = 3`: a right value, and a rounding of it.
+    let only_rounded_after = |at: usize| {
+        let later = findings.iter().zip(&statement.said).skip(at + 1);
+        let mut wrong = later.filter(|(finding, _)| finding.verdict == Verdict::Wrong);
+        wrong.all(|(_, said)| is_rounding(&statement.said[at], said))
+    };
+    let is_bare = |at: usize| is_bare_number(&statement.said[at]);
+    // `2 = 3` and `3 = 4` are no working: two numbers that are said to be one are rivals.
+    // What is only rounded too far is no other number; what is a little off is one.
+    let is_other = |at: usize| match findings[at].verdict {
+        Verdict::Wrong => findings[at].note != Some(Note::TooFewFigures),
+        _ => findings[at].note == Some(Note::NearMiss),
+    };
+    let all = 0..findings.len();
+    // `4√39/9 = 2.78 = 2.87`: with the exact value it does not matter by how many figures a decimal is right.
+    let is_settled = all.clone().any(|at| findings[at].exact && !is_bare(at) && !is_unfinished(&statement.said[at]));
+    let any_other = all.clone().any(|at| is_bare(at) && is_other(at));
+    if !is_settled && any_other && all.clone().any(|at| is_bare(at) && findings[at].is_correct()) {
+        return Finding::wrong(Note::RivalAnswers);
+    }
+    // `98 + 2 - 92.5 = 8.5`: with a sum still to be worked out the answer is what it is worked out to be.
+    let is_off = |finding: &Finding| matches!(finding.note, Some(Note::NearMiss | Note::Truncated));
+    let worked_out_wrong =
+        |at: usize| is_unfinished(&statement.said[at]) && (spoilt_after(at) || findings[at + 1..].iter().any(is_off));
+    let counts = |at: &usize| findings[*at].exact && !worked_out_wrong(*at);
+    // `√7 = 2.83`, `7/5 = 5/7`: an exact value that is finished, and another one; `5 − 2 = 2.83`: arithmetic that is false.
+    let is_preceded = |right: usize| {
+        let is_wrong = |at: usize| findings[at].verdict == Verdict::Wrong;
+        let is_rival = |at: usize| is_wrong(at) && is_finished_number(&statement.said[at]);
+        let is_false = |at: usize| is_wrong(at) && cannot_lead_to(&statement.said[at], &statement.said[at + 1]);
+        let is_named = label.is_none_or(|label| matches!(label.expr, None | Some(Expr::Name(_))));
+        label.is_none() && (0..right).any(is_rival) || is_named && right.checked_sub(1).is_some_and(is_false)
+    };
+    if let Some(at) = all.clone().find(counts) {
+        if is_preceded(at) {
+            return Finding::unreadable(Note::CannotBeCompared);
+        }
+        let right = findings[at];
+        return if spoilt_after(at) { right.remarked(Note::IgnoredAfter) } else { right };
+    }
+    if last.is_correct() {
+        return match is_preceded(findings.len() - 1) {
+            true => Finding::unreadable(Note::CannotBeCompared),
+            false => last,
+        };
+    }
+    let right = (0..findings.len()).find(|at| findings[*at].is_correct() && !worked_out_wrong(*at));
+    match right {
+        Some(at) if !spoilt_after(at) => findings[at],
+        Some(at) if only_rounded_after(at) => findings[at].remarked(Note::IgnoredAfter),
+        _ => last,
+    }
+}
+
+/// A number without any rounding, in front of another that is not made with it, as the root in `2² + 3² = √13` is.
+fn cannot_lead_to(said: &Said, next: &Said) -> bool {
+    fn has_decimal(expr: &Expr) -> bool {
+        matches!(expr, Expr::Decimal(_)) || expr.children().into_iter().any(has_decimal)
+    }
+    fn any(expr: &Expr, is: &dyn Fn(&Expr) -> bool) -> bool {
+        is(expr) || expr.children().into_iter().any(|child| any(child, is))
+    }
+    let (Form::Value(number), Form::Value(next)) = (&said.form, &next.form) else { return false };
+    let is_exact = number.names().is_empty() && !has_decimal(number) && said.unit.is_none();
+    // `√2² + 3²`: a root sign that was to reach further.
+    let is_undone =
+        |part: &Expr| matches!(part, Expr::Power(root, _) if matches!(**root, Expr::Call(Function::Sqrt, _)));
+    let is_it = |part: &Expr| exact::same(part, number, &[]) == Equality::Equal;
+    is_exact && !any(number, &is_undone) && !any(next, &is_it)
+}
+
+/// `√7`, `7/5`, `2√3/3`: a number with nothing left to work out.
+fn is_finished_number(said: &Said) -> bool {
+    let is_root_or_share = |expr: &Expr| match expr {
+        Expr::Quotient(above, below) => [above, below].into_iter().all(|part| matches!(**part, Expr::Number(_))),
+        Expr::Call(Function::Sqrt, under) => matches!(**under, Expr::Number(_)),
+        _ => false,
+    };
+    matches!(&said.form, Form::Value(expr) if is_root_or_share(expr) && !has_arithmetic(expr))
+}
+
+/// Is arithmetic with plain numbers left to be done in it?
+fn is_unfinished(said: &Said) -> bool {
+    match &said.form {
+        Form::Value(expr) => has_arithmetic(expr),
+        Form::Vector(x, y, _) => has_arithmetic(x) || has_arithmetic(y),
+        _ => false,
+    }
+}
+
+/// `98 + 2`, `½ × 4 × 7²`, `16/2`; no `25/7`, and no `4√39/9`.
+pub(super) fn has_arithmetic(expr: &Expr) -> bool {
+    let is_number = |expr: &&Expr| is_plain(expr);
+    match expr {
+        Expr::Sum(terms) | Expr::Product(terms) if terms.iter().filter(is_number).count() > 1 => true,
+        Expr::Quotient(above, below) => match (&**above, &**below) {
+            (Expr::Number(above), Expr::Number(below)) => {
+                let quotient = below.reciprocal().map(|share| above * &share);
+                !above.is_integer() || quotient.is_none_or(|quotient| quotient.is_integer())
+            }
+            (above, below) if is_plain(above) && is_plain(below) => true,
+            _ => has_arithmetic(above) || has_arithmetic(below),
+        },
+        Expr::Power(base, exponent) if is_plain(base) && is_plain(exponent) => true,
+        _ => expr.children().into_iter().any(has_arithmetic),
+    }
+}
+
+/// Is it a number, or made of numbers alone?
+fn is_plain(expr: &Expr) -> bool {
+    match expr {
+        Expr::Number(_) | Expr::Decimal(_) => true,
+        Expr::Negative(_) | Expr::Sum(_) | Expr::Product(_) | Expr::Quotient(..) => {
+            expr.children().into_iter().all(is_plain)
+        }
+        Expr::Power(base, exponent) => {
+            is_plain(base) && matches!(&**exponent, Expr::Number(power) if power.is_integer())
+        }
+        _ => false,
+    }
+}
+
+/// Is the second of two bare numbers the first, rounded to the places that it has?
+fn is_rounding(first: &Said, second: &Said) -> bool {
+    let written = |said: &Said| match &said.form {
+        Form::Value(expr) => Written::of(expr),
+        _ => None,
+    };
+    written(first).zip(written(second)).is_some_and(|(first, second)| second.is_rounding_of(&first))
+}
+
+/// Is it a number as it stands, with nothing left to work out?
+pub(super) fn is_bare_number(said: &Said) -> bool {
+    matches!(&said.form, Form::Value(expr) if Written::of(expr).is_some())
+}
