@@ -31,7 +31,10 @@ pub(super) fn put_in_place(lines: &mut [Line], prepared: &Prepared) {
         let defined = reading.equations.iter().find_map(|equation| definition(equation, prepared));
         if let Some((name, angle)) = defined {
             if known.iter().all(|(own, _)| *own != name) {
-                known.push((name, in_degrees(angle)));
+                known.push((name.clone(), in_degrees(angle)));
+            }
+            if is_used_beside(reading, &name, prepared) {
+                put_everywhere(reading, &|expr| with_angles(expr, &known));
             }
             continue;
         }
@@ -155,6 +158,17 @@ fn definition((left, right): &(Expr, Expr), prepared: &Prepared) -> Option<(Stri
         Expr::Name(name) if matches!(right, Expr::Degrees(_)) => Some((name.text.clone(), number(right)?.to_degrees())),
         _ => None,
     }
+}
+
+/// `7(10 cos α) = 7v + 8w, cos α = 3/5`: does a line use the angle that it defines, and not find it from components?
+fn is_used_beside(reading: &ReadLine, angle: &str, prepared: &Prepared) -> bool {
+    let has = |expr: &Expr| {
+        let mut found = Vec::new();
+        collect(expr, &mut found);
+        found.iter().any(|name| name == angle)
+    };
+    let is_found = reading.members.iter().any(|member| has_component(&member.expr, angle, prepared));
+    !is_found && reading.members.iter().any(|member| argument(&member.expr).is_none() && has(&member.expr))
 }
 
 /// `tan α = 2/(1 - e)`: is the angle found here, by a formula in letters, and not one that is given as a number?
