@@ -34,7 +34,7 @@ impl Statements<'_> {
             && !value.is_empty()
             && self.is_of_figures(value)
         {
-            let label = Label { typed: self.slice(name).to_owned(), expr: self.named(name) };
+            let label = Label { typed: self.plain_name(name), expr: self.named(name) };
             sides[0] = value;
             return self.labelled(Some(label), &sides);
         }

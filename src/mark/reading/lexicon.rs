@@ -88,7 +88,7 @@ const SINGLE: [(Sort, &str); 9] = [
         Sort::Plain,
         "inclusive exclusive strictly any between of the a an its their both approx approximately about roughly around circa say exactly only just after \
          before finally initially final initial new total sphere spheres ball balls disc discs body particle particles \
-         along parallel perp perpendicular right left up down upwards downwards north south east west rightwards \
+         along parallel par para perp perpendicular right left up down upwards downwards north south east west rightwards \
          leftwards horizontally vertically acute obtuse clockwise anticlockwise counterclockwise away towards it they \
          i.e ie eg sf dp s.f d.p rounded decimal places significant figures correct collision impact into afterwards \
          that this these set for on off each other line centres centers vector unit magnitude required shown qed \

@@ -167,7 +167,7 @@ impl Statements<'_> {
 
     /// What a range is called by the letters before it, if any are.
     fn called(&mut self, name: &[Placed]) -> Option<Label> {
-        (!name.is_empty()).then(|| Label { typed: self.slice(name).to_owned(), expr: self.named(name) })
+        (!name.is_empty()).then(|| Label { typed: self.plain_name(name), expr: self.named(name) })
     }
 
     /// `2/3 to 1`, `e = 2/3 to 1`: numbers alone, which may be two values as well.

@@ -37,7 +37,7 @@ impl Statements<'_> {
 
     /// What a side is, if a name may stand there.
     pub(super) fn what_is(&mut self, tokens: &[Placed]) -> Result<Side, Unreadable> {
-        let typed = self.slice(tokens).to_owned();
+        let typed = self.plain_name(tokens);
         let words = tokens.iter().any(|placed| matches!(placed.token, Token::Phrase(_) | Token::Sign(':')));
         let expr = self.named(tokens);
         // `i = 4, j = 1`: the names of components.

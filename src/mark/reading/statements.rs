@@ -1,6 +1,7 @@
 //! Statements: what stands between separators, and what each is called.
 
 use super::choices::Choices;
+use super::commands::simple;
 use super::equation_number::without_number;
 use super::formula::formula;
 use super::inequalities::is_inequality;
@@ -152,6 +153,22 @@ impl Statements<'_> {
         Ok(())
     }
 
+    /// What a value is called: as it was typed, but for commands, so that `\tan\beta` is the name that `tan β` is.
+    pub(super) fn plain_name(&self, tokens: &[Placed]) -> String {
+        let mut pieces = self.slice(tokens).split('\\');
+        let mut called = pieces.next().unwrap_or_default().to_owned();
+        for piece in pieces {
+            let (command, after) =
+                piece.split_at(piece.find(|sign: char| !sign.is_ascii_alphabetic()).unwrap_or(piece.len()));
+            match simple(command) {
+                Some(plain) if called.is_empty() => called.extend([plain.trim_start(), after]),
+                Some(plain) => called.extend([plain, after]),
+                None => called.extend(["\\", piece]),
+            }
+        }
+        called.trim_end().to_owned()
+    }
+
     pub(super) fn slice(&self, tokens: &[Placed]) -> &str {
         match (tokens.first(), tokens.last()) {
             (Some(first), Some(last)) => excerpt(self.text, first.start, last.end),
@@ -275,7 +292,7 @@ impl Statements<'_> {
             }
             let words = count > 0;
             if !left.is_empty() && (name || words) {
-                let label = Label { typed: self.slice(left).to_owned(), expr: self.named(left) };
+                let label = Label { typed: self.plain_name(left), expr: self.named(left) };
                 return self.labelled(Some(label), &[right]);
             }
             return self.ratio(left, right);

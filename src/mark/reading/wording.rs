@@ -48,8 +48,10 @@ pub(super) const ACROSS: [&str; 12] = [
 ];
 
 /// Words before the line along which something moves.
-pub(super) const ALONG: [&str; 26] = [
+pub(super) const ALONG: [&str; 28] = [
     "along",
+    "par",
+    "para",
     "parallel to",
     "parallel with",
     "parallel",

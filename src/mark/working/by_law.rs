@@ -316,7 +316,11 @@ impl Working<'_> {
         let typed = typed.to_lowercase();
         match self.prepared.setting {
             Setting::Wall => {
-                typed.contains("parallel") || typed.contains("along the wall") || typed.contains("along wall")
+                let is_short = |word: &str| matches!(word, "par" | "para");
+                typed.contains("parallel")
+                    || typed.contains("along the wall")
+                    || typed.contains("along wall")
+                    || typed.split(|sign: char| !sign.is_alphabetic()).any(is_short)
             }
             _ => typed.contains("perp") || typed.contains('⊥'),
         }

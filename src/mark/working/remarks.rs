@@ -98,8 +98,12 @@ pub(super) fn along_impulse(typed: &str) -> Option<String> {
 
 /// What each component is after an impact: `3i, 2j` for `3i stays, -4j becomes 2j`.
 pub(super) fn after_impact(typed: &str) -> Option<String> {
-    const BECOMES: [&str; 4] = [" becomes ", " become ", " changes to ", " turns into "];
-    let is_formula = |before: &str| !before.split(|sign: char| !sign.is_alphabetic()).any(|word| word.len() > 1);
+    const BECOMES: [&str; 7] = [" becomes ", " become ", " changes to ", " turns into ", " → ", " -> ", " \\to "];
+    // An arrow after an equation says what follows from it.
+    let is_formula = |before: &str| {
+        let mut words = before.split(|sign: char| !sign.is_alphabetic());
+        !before.contains('=') && !words.any(|word| word.len() > 1 && !is_formula(word))
+    };
     let changed = |clause: &str| {
         let sides = BECOMES.iter().find_map(|word| clause.split_once(word));
         sides.filter(|(before, _)| is_formula(before)).map(|(_, after)| after.trim().to_owned())
