@@ -37,6 +37,9 @@ struct Row {
     profile: Option<String>,
     /// With the question's own numbers in this style, else the one of its reference.
     style: Option<String>,
+    /// Numbers of its own in the place of some of the reference.
+    #[serde(default)]
+    numbers: std::collections::BTreeMap<String, String>,
     /// The codes it earns, in the order of the scheme.
     codes: String,
     /// Tags that must be among the notes of answers, causes and awards.
@@ -57,9 +60,14 @@ struct Earlier {
     working: String,
 }
 
-fn keyed(id: &str, style: Option<&str>) -> KeyedQuestion {
+fn keyed(id: &str, style: Option<&str>, numbers: &std::collections::BTreeMap<String, String>) -> KeyedQuestion {
     let (id, text) = shipped().find(|(name, _)| *name == id).unwrap_or_else(|| panic!("no question {id}"));
-    let question = read_question(id, &Source::new(id, text)).unwrap();
+    let mut question = read_question(id, &Source::new(id, text)).unwrap();
+    for (name, number) in question.reference.iter_mut() {
+        if let Some(own) = numbers.get(name) {
+            *number = read(own, Angles::Degrees).unwrap();
+        }
+    }
     let style = style.map(|name| question.styles.iter().find(|style| style.name.to_string() == name).unwrap());
     let variant = match style {
         Some(style) => with_numbers(&question, style, &question.reference).unwrap(),
@@ -83,7 +91,7 @@ fn part_script(label: &str, answers: &std::collections::BTreeMap<String, String>
 }
 
 fn marked(row: &Row) -> MarkedPart {
-    let question = keyed(&row.question, row.style.as_deref());
+    let question = keyed(&row.question, row.style.as_deref(), &row.numbers);
     let mut parts: Vec<PartScript> =
         row.before.iter().map(|earlier| part_script(&earlier.part, &earlier.answers, &earlier.working)).collect();
     let mut own = part_script(&row.part, &row.answers, &row.working);
@@ -97,7 +105,7 @@ fn marked(row: &Row) -> MarkedPart {
 
 /// The equations of the solution from the student's own values.
 fn gone_on_from(row: &Row) -> Vec<String> {
-    let question = keyed(&row.question, row.style.as_deref());
+    let question = keyed(&row.question, row.style.as_deref(), &row.numbers);
     let part = question.parts.iter().find(|part| part.label == row.part).expect("the part is there");
     let lines = from_own_values(&question, part, &marked(row).own);
     lines.iter().flat_map(|line| line.equations.iter().map(print::plain)).collect()
@@ -166,6 +174,7 @@ fn the_rest_is_solved_again_from_the_values_that_the_student_found() {
         before: Vec::new(),
         profile: None,
         style: None,
+        numbers: Default::default(),
         codes: String::new(),
         notes: Vec::new(),
         without: Vec::new(),
@@ -201,7 +210,7 @@ fn the_rest_is_solved_again_from_a_velocity_as_one_vector() {
 /// From nought, from the wrong way and from what no sphere can do: something is written, or nothing.
 #[test]
 fn the_rest_is_solved_again_from_values_that_cannot_be() {
-    let question = keyed("rest/speeds-and-directions", None);
+    let question = keyed("rest/speeds-and-directions", None, &Default::default());
     for (written, is_solved) in [("0", true), ("-1", true), ("1000000", true), ("10^30", false), ("u", false)] {
         let own = [("A.after.n".parse().unwrap(), read(written, Angles::Degrees).unwrap())];
         let lines = from_own_values(&question, &question.parts[0], &own);
@@ -225,6 +234,7 @@ fn a_slip_is_named_only_where_the_working_does_not_speak_against_it() {
             before: Vec::new(),
             profile: None,
             style: None,
+            numbers: Default::default(),
             codes: String::new(),
             notes: Vec::new(),
             without: Vec::new(),

@@ -8,7 +8,7 @@ mod impact;
 mod part;
 mod version;
 
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, HashMap};
 use std::sync::OnceLock;
 
 use serde::Deserialize;
@@ -334,9 +334,22 @@ impl KeyedQuestion {
 /// The letters that stand in what is given, or are to be found from it.
 fn given_letters(question: &KeyQuestion, letters: &[Letter]) -> Vec<Letter> {
     let given = SceneText { symbols: BTreeMap::new(), ..question.scene.clone() };
-    let text = serde_json::to_string(&given).unwrap_or_default();
-    let names: BTreeSet<&str> = text.split(|sign: char| !sign.is_ascii_alphanumeric() && sign != '_').collect();
-    letters.iter().filter(|letter| names.contains(letter.name())).copied().collect()
+    let scene = serde_json::to_value(&given).unwrap_or_default();
+    let texts = texts(&scene);
+    let is_in = |text: &&str, name: &str| {
+        text.split(|sign: char| !sign.is_ascii_alphanumeric() && sign != '_').any(|word| word == name)
+    };
+    letters.iter().filter(|letter| texts.iter().any(|text| is_in(text, letter.name()))).copied().collect()
+}
+
+/// The texts in a value, without the names of its fields: `e` is one of those, though a number stands there.
+fn texts(value: &serde_json::Value) -> Vec<&str> {
+    match value {
+        serde_json::Value::String(text) => vec![text],
+        serde_json::Value::Array(all) => all.iter().flat_map(texts).collect(),
+        serde_json::Value::Object(fields) => fields.values().flat_map(texts).collect(),
+        _ => Vec::new(),
+    }
 }
 
 /// The parameters of a question that are named as angles are.
