@@ -2,10 +2,12 @@
 
 use super::compare::is_vector;
 use super::evidence::Evidence;
-use super::examine::Working;
+use super::examine::{Value, Working};
+use super::line::Member;
 use super::points::sizes;
 use crate::answer::Kind;
 use crate::bank::Code;
+use crate::mark::judging::may_be_named;
 use crate::mechanics::{Axis, Datum, Known, Law, Moment, Quantity, Setting, Sphere};
 
 impl Working<'_> {
@@ -32,6 +34,7 @@ impl Working<'_> {
         let right = self.line_that_is(&self.prepared.known, after).or_else(by_tangent);
         let right = right.or_else(|| self.inequality_with(&sizes(&self.prepared.known, after)?));
         let right = right.or_else(|| self.rebound_as_vector()).or_else(|| self.rebound_along_axis());
+        let right = right.or_else(|| self.rebound_in_axes(code));
         let line = right.or_else(|| self.exchanged(after, code))?;
         Some(Evidence::given(line, "restitution"))
     }
@@ -45,6 +48,33 @@ impl Working<'_> {
         };
         let (x, y) = (along(Axis::X)?, along(Axis::Y)?);
         self.lines.iter().position(|studied| self.members(studied).any(|(_, values)| is_vector(values, &x, &y, 1.0)))
+    }
+
+    /// The velocity after the impact by both components, `-3i + 0.6(6)j`, where the wall lies along an axis. A method mark
+    /// condones the sign of the one that restitution gives.
+    fn rebound_in_axes(&self, code: Code) -> Option<usize> {
+        let sizes = |quantity| sizes(&self.prepared.known, quantity);
+        let lies = |axis| sizes(Quantity::Line(axis)).is_some_and(|line| line[0].abs() > 1.0 - 1e-9);
+        let line = [Axis::X, Axis::Y].into_iter().find(|axis| lies(*axis))?;
+        let velocity = |moment, axis| sizes(Quantity::Velocity(Sphere::A, moment, axis));
+        let (before, after) = (velocity(Moment::Before, line)?, velocity(Moment::After, line)?);
+        // Where e is 1 the size is the one that was given.
+        if before.iter().zip(&after).all(|(before, after)| (before.abs() - after.abs()).abs() < 1e-9) {
+            return None;
+        }
+        let is_it = |values: &[Value]| {
+            let is = |sign: f64| {
+                let along: Vec<f64> = after.iter().map(|size| sign * size).collect();
+                let of = |axis| if axis == line { Some(along.clone()) } else { velocity(Moment::After, axis) };
+                of(Axis::X).zip(of(Axis::Y)).is_some_and(|(x, y)| is_vector(values, &x, &y, 1.0))
+            };
+            is(1.0) || !code.is_accuracy() && is(-1.0)
+        };
+        let quantity = Quantity::Velocity(Sphere::A, Moment::After, Axis::N);
+        let is_else = |member: &Member| member.label.as_ref().is_some_and(|label| !may_be_named(label, quantity));
+        self.lines
+            .iter()
+            .position(|studied| self.members(studied).any(|(member, values)| is_it(values) && !is_else(member)))
     }
 
     /// The impulse of a wall, or the energy lost there, from the component that stays: a method mark condones sine for
