@@ -61,7 +61,7 @@ impl Working<'_> {
                 let found = self.by_value(law, &quantities, code).or_else(|| self.by_shape(law, shape, sphere, code));
                 let found = found.or_else(|| if code.is_accuracy() { None } else { self.fraction_of_energies(law) });
                 let is_of_wall = shape == Shape::ChangeOfMomentum && self.prepared.setting == Setting::Wall;
-                let found = found.or_else(|| if is_of_wall { self.change_in_vectors(law.name()) } else { None });
+                let found = found.or_else(|| if is_of_wall { self.change_in_vectors(law.name(), code) } else { None });
                 let found = found.or_else(|| self.energies_apart(law, code));
                 let found = found.or_else(|| self.with_sine_for_cosine(law, code));
                 let found = found.or_else(|| self.without_a_letter(law, &quantities, code));

@@ -22,14 +22,14 @@ impl Working<'_> {
             let (before, after) = ([before], self.sizes_of(sphere, Axis::N));
             let is_mass = |expr: &Expr| self.is_one_of(expr, std::slice::from_ref(&mass));
             if let Some((common, change)) = factored(expr)
-                && is_mass(common)
+                && is_mass(&common)
             {
                 return self.are_both(change, &before, &after);
             }
             // A mass of 1 that is written with one of them is a number like any other.
             let is_one = is_called && mass.iter().all(|mass| *mass == 1.0);
             let has_mass = |term: &&Expr| match unsigned(term) {
-                Expr::Product(_) => !self.question.letters.is_empty() && any_within(term, &is_mass),
+                Expr::Product(_) => !self.question.letters.is_empty() && self.has_mass(term, &mass),
                 _ => is_one,
             };
             let momenta = |velocities: &[Vec<f64>]| -> Vec<Vec<f64>> {
@@ -39,6 +39,16 @@ impl Working<'_> {
             two(expr).is_some_and(|terms| {
                 terms.iter().all(has_mass) && self.are_both(terms, &momenta(&before), &momenta(&after))
             })
+        })
+    }
+
+    /// Does a mass stand in a formula: by itself, or as factors beside each other, `6m` in `6m × 4u`?
+    pub(super) fn has_mass(&self, expr: &Expr, mass: &[f64]) -> bool {
+        let is_mass = |expr: &Expr| self.is_one_of(expr, &[mass.to_vec()]);
+        let is_run = |factors: &[Expr]| is_mass(&Expr::Product(factors.to_vec()));
+        any_within(expr, &|inner| match inner {
+            Expr::Product(factors) => (2..factors.len()).any(|length| factors.windows(length).any(is_run)),
+            other => is_mass(other),
         })
     }
 
@@ -61,8 +71,8 @@ fn two(expr: &Expr) -> Option<[&Expr; 2]> {
     }
 }
 
-/// `m(v - u)` or `2 × 6 - 2 × 3`: the mass, and what it multiplies.
-fn factored(expr: &Expr) -> Option<(&Expr, [&Expr; 2])> {
+/// `m(v - u)`, `6m(v - u)` or `2 × 6 - 2 × 3`: the mass, and what it multiplies.
+fn factored(expr: &Expr) -> Option<(Expr, [&Expr; 2])> {
     fn factors(expr: &Expr) -> Option<[&Expr; 2]> {
         match expr {
             Expr::Product(factors) => <&[Expr; 2]>::try_from(factors.as_slice()).ok().map(|both| both.each_ref()),
@@ -74,11 +84,14 @@ fn factored(expr: &Expr) -> Option<(&Expr, [&Expr; 2])> {
         Some(terms) => {
             let [one, other] = terms.map(factors);
             let ([mass, before], [same, after]) = (one?, other?);
-            (mass == same).then_some((mass, [before, after]))
+            (mass == same).then(|| (mass.clone(), [before, after]))
         }
         None => {
-            let [mass, change] = factors(expr)?;
-            Some((mass, two(change)?))
+            let Expr::Product(all) = expr else { return None };
+            let at = all.iter().position(|factor| two(factor).is_some())?;
+            let mut mass = all.clone();
+            mass.remove(at);
+            Some((if mass.len() == 1 { mass.remove(0) } else { Expr::Product(mass) }, two(&all[at])?))
         }
     }
 }

@@ -76,14 +76,19 @@ impl Working<'_> {
         }
     }
 
-    /// The momentum of a sphere before an impact with a wall taken from that after it, as vectors.
-    pub(super) fn change_in_vectors(&self, role: &'static str) -> Option<Evidence> {
+    /// The momentum of a sphere before an impact with a wall taken from that after it, as vectors. A method mark may go on
+    /// from a velocity of the student's own.
+    pub(super) fn change_in_vectors(&self, role: &'static str, code: Code) -> Option<Evidence> {
         let [Some(x), Some(y)] = [Axis::X, Axis::Y].map(|axis| self.along(axis)) else { return None };
         let changes = |along: &Along| -> Vec<f64> {
             along.others[1].iter().zip(&along.others[0]).map(|(after, before)| after - before).collect()
         };
-        let (x, y) = (changes(&x), changes(&y));
-        let is_change = |values: &[Value]| [1.0, -1.0].into_iter().any(|sign| is_vector(values, &x, &y, sign));
+        let right = [changes(&x), changes(&y)];
+        let own = if code.is_accuracy() { None } else { self.own_change(Sphere::A) };
+        let is_change = |values: &[Value]| {
+            let is = |[x, y]: &[Vec<f64>; 2]| [1.0, -1.0].into_iter().any(|sign| is_vector(values, x, y, sign));
+            is(&right) || own.as_ref().is_some_and(is)
+        };
         let line = self.lines.iter().position(|studied| {
             self.members(studied).any(|(member, values)| is_worked(&member.expr) && is_change(values))
         })?;

@@ -107,7 +107,7 @@ impl Working<'_> {
     }
 
     /// `m(v - u)` for the student's own v.
-    fn own_change(&self, sphere: Sphere) -> Option<[Vec<f64>; 2]> {
+    pub(super) fn own_change(&self, sphere: Sphere) -> Option<[Vec<f64>; 2]> {
         let mass = sizes(&self.prepared.known, Quantity::Mass(sphere))?;
         let along = |axis| {
             let (own, _) = self.theirs.0.get(&Quantity::Velocity(sphere, Moment::After, axis))?;
@@ -188,11 +188,10 @@ impl Working<'_> {
             matches!(after, Expr::Product(factors) if factors.iter().any(has_mass)) && self.is_one_of(after, &own)
         };
         let found: Vec<Vec<f64>> = self.sizes_of(sphere, Axis::N).iter().map(|sizes| momentum(sizes)).collect();
-        let has_mass = |inner: &Expr| self.is_one_of(inner, std::slice::from_ref(&mass));
         let fits = |taken: &Expr, after: &Expr| {
             let [taken, after] = [taken, after].map(|term| product(&factors, term));
             self.is_one_of(&taken, &[momentum(&own)])
-                && any_within(&after, &has_mass)
+                && self.has_mass(&after, &mass)
                 && self.values_of(&after).is_some()
                 && !self.is_one_of(&after, &others)
                 && !is_of_other(&after)

@@ -75,10 +75,15 @@ impl Prepared {
             has_values.then(|| complete(&points.with(&found, point).known(exact, point)))
         });
         let there = there.collect();
+        // A later impact begins with what the one before has left, in letters or not.
+        let is_in_letters = |(quantity, datum): (&Quantity, &Datum<Value>)| match (quantity, datum) {
+            (Quantity::Velocity(_, Moment::Before, _), Datum::Number(size)) => !size.is_constant(),
+            _ => false,
+        };
         let in_components = scene.before.iter().flatten().all(|velocity| match velocity {
             Velocity::Components(x, y) => x.value.is_constant() && y.value.is_constant(),
             Velocity::Polar { .. } => false,
-        });
+        }) && !exact.0.iter().any(is_in_letters);
         let letters_of_speeds = scene.before.iter().flatten().flat_map(|velocity| match velocity {
             Velocity::Components(x, y) => [x.value.letters(), y.value.letters()].concat(),
             Velocity::Polar { speed, .. } => speed.value.letters(),

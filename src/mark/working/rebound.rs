@@ -7,6 +7,7 @@ use super::line::Member;
 use super::points::sizes;
 use crate::answer::Kind;
 use crate::bank::Code;
+use crate::expr::{Expr, Function};
 use crate::mark::judging::may_be_named;
 use crate::mechanics::{Axis, Datum, Known, Law, Moment, Quantity, Setting, Sphere};
 
@@ -85,12 +86,35 @@ impl Working<'_> {
         Some(Evidence::given(line, law.name()))
     }
 
-    /// The line that comes to what a wall would do with sine for cosine.
+    /// The line that comes to what a wall would do with sine for cosine: for the components that are there, or for those
+    /// that are written.
     fn exchanged(&self, quantity: Quantity, code: Code) -> Option<usize> {
         // Components that are given are no sine and cosine.
         if code.is_accuracy() || self.prepared.setting != Setting::Wall || self.prepared.in_components {
             return None;
         }
+        self.by_component_across(quantity).or_else(|| self.with_functions_exchanged(quantity))
+    }
+
+    /// At a second wall both components have a factor of their own: there it is the formula in which they are exchanged.
+    fn with_functions_exchanged(&self, quantity: Quantity) -> Option<usize> {
+        let right = [sizes(&self.prepared.known, quantity)?];
+        let is_exchanged = |member: &Member| {
+            let exchanged = exchanged(&member.expr);
+            exchanged != member.expr && self.is_one_of(&exchanged, &right)
+        };
+        self.lines.iter().position(|studied| {
+            studied.matched.is_empty()
+                && self.members(studied).any(|(member, _)| {
+                    let is_else = |label: &String| !may_be_named(label, quantity);
+                    (self.is_called(member) || self.is_worked_out(&member.expr))
+                        && !member.label.as_ref().is_some_and(is_else)
+                        && is_exchanged(member)
+                })
+        })
+    }
+
+    fn by_component_across(&self, quantity: Quantity) -> Option<usize> {
         let swapped = self.prepared.known.iter().map(|known| {
             let across = known.number(Quantity::Velocity(Sphere::A, Moment::Before, Axis::T))?;
             let (e, mass) = (known.number(Quantity::Restitution)?, known.number(Quantity::Mass(Sphere::A)));
@@ -105,5 +129,14 @@ impl Working<'_> {
         });
         let swapped: Vec<Known<f64>> = swapped.collect::<Option<_>>()?;
         self.line_that_is(&swapped, quantity)
+    }
+}
+
+/// The formula with sine for cosine and cosine for sine.
+fn exchanged(expr: &Expr) -> Expr {
+    match expr {
+        Expr::Call(Function::Sin, angle) => Expr::Call(Function::Cos, angle.clone()),
+        Expr::Call(Function::Cos, angle) => Expr::Call(Function::Sin, angle.clone()),
+        other => other.map_children(&mut exchanged),
     }
 }
