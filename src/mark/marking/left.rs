@@ -10,11 +10,11 @@ use super::decide::own_blank;
 use super::memory::{Judged, Lines};
 use crate::answer::Kind;
 use crate::bank::{Code, Find};
-use crate::expr::{Expr, Function};
+use crate::expr::{Expr, Function, Relation};
 use crate::mark::award::{Award, Place};
 use crate::mark::judging::{Judgement, Note, Verdict, is_made_of_others, is_named};
 use crate::mark::key::{KeyedBlank, KeyedPart};
-use crate::mark::reading::{Form, Said, Statement};
+use crate::mark::reading::{Form, Reading, Said, Statement};
 use crate::mark::script::PartScript;
 use crate::mark::working::Examined;
 use crate::mechanics::{Moment, Quantity};
@@ -70,13 +70,22 @@ impl<'s> Left<'s> {
         self.lines.iter().find_map(|(number, line)| {
             let line = if is_range { concluded(line) } else { line };
             let has_method = self.has_method(place, *number);
-            let may_work_out = self.works_out(place, *number) && line.contains('=');
+            let shows_method = self.works_out(place, *number);
+            // Both components of a vector are its method.
+            let has_method = has_method || shows_method && blank.model.kind == Kind::Vector;
+            let may_work_out = shows_method && line.contains('=');
             if !has_method && !may_work_out && !calls_something(line) && self.begun.is_none() {
                 return None;
             }
             let mut readings = lines.read(line, &blank.model.vocabulary);
             // `KE lost = ½mu² sin²30 = 12`: the question has numbers in place of m and u, and the method is seen.
-            let ends = if readings.is_err() && may_work_out { name_and_end(line) } else { None };
+            let mut ends = if readings.is_err() && may_work_out { name_and_end(line) } else { None };
+            // `½m(16u² - 9u²) = 7mu²/2`: in letters as well the line itself is the method.
+            let in_letters = may_work_out
+                && readings.as_ref().as_ref().is_ok_and(|all| all.first().is_some_and(is_worked_out_in_letters));
+            if in_letters {
+                ends = line.rsplit_once('=').map(|(_, end)| end.trim().to_owned());
+            }
             if let Some(ends) = &ends {
                 readings = lines.read(ends, &blank.model.vocabulary);
             }
@@ -89,7 +98,14 @@ impl<'s> Left<'s> {
             let mut labels = statements.iter().filter_map(|one| one.label.as_ref());
             let is_result = labels.all(|label| !is_formula(&label.typed) || is_made_of_others(&blank.model, label));
             let is_found = |statement: &Statement| self.is_only_angle(place) && statement.said.iter().any(is_inverse);
-            let is_called = |statement: &Statement| self.is_called(blank, statement) || is_found(statement);
+            // `E_1 - E_2` is what the loss is made of.
+            let is_difference = |statement: &Statement| {
+                let label = statement.label.as_ref().filter(|label| matches!(label.expr, Some(Expr::Sum(_))));
+                label.is_some_and(|label| is_made_of_others(&blank.model, label))
+            };
+            let is_called = |statement: &Statement| {
+                self.is_called(blank, statement) || is_found(statement) || is_difference(statement)
+            };
             let begun = self.begun.filter(|_| self.lines[0].0 == *number).map(|name| format!("{name} {line}"));
             let is_begun = || {
                 let read = begun.as_ref().map(|whole| lines.read(whole, &blank.model.vocabulary));
@@ -97,7 +113,7 @@ impl<'s> Left<'s> {
                 statements.is_some_and(|statements| statements.iter().any(is_called))
             };
             // `45 - 18.4 = 26.6`: the line itself is the method.
-            let is_end = || may_work_out && statements.iter().all(is_worked_out);
+            let is_end = || in_letters || may_work_out && statements.iter().all(is_worked_out);
             let is_answer = || has_method || is_end() || statements.iter().any(is_called) || is_begun();
             let is_of_other = || statements.iter().any(|statement| self.is_of_other(blank, statement));
             if !(is_alone && is_result && is_answer()) || is_of_other() {
@@ -179,6 +195,15 @@ impl<'s> Left<'s> {
                 is_named(&blank.model, statement) && !others.any(|other| is_named(&other.model, statement))
             }
         }
+    }
+}
+
+/// Is it one chain of formulas in letters without a name, of which the first is worked out?
+fn is_worked_out_in_letters(reading: &Reading) -> bool {
+    let [Statement { label: None, said }] = reading.statements.as_slice() else { return false };
+    match said.first().map(|said| &said.form) {
+        Some(Form::Equation(Expr::Relation(left, Relation::Equal, _))) => !matches!(**left, Expr::Name(_)),
+        _ => false,
     }
 }
 
