@@ -109,6 +109,9 @@ const AT_A_WALL: &[(&str, &str)] = &[
     ("difference of the kinetic energies, both spheres", "difference of the kinetic energies"),
     ("the change of momentum of one sphere", "the change of momentum"),
     ("a difference of momenta of one sphere", "a difference of momenta"),
+    ("The component across the line of centres", "The component parallel to the wall"),
+    ("the component across the line of centres", "the component parallel to the wall"),
+    ("components across the line of centres", "components parallel to the wall"),
     ("The component across", "The component parallel to the wall"),
     ("the component across", "the component parallel to the wall"),
     ("components across", "components parallel to the wall"),
@@ -156,6 +159,11 @@ const ON_A_PARTICLE: &[(&str, &str)] = &[
         "angle between them is not the sum of their angles with the line of centres",
         "angle between them is not the sum of their angles with {i}",
     ),
+    (
+        "That is the angle with the common tangent; the angle with the line of centres is 90° less that.",
+        "That is the angle with the other unit vector; the angle that is asked for is 90° less that.",
+    ),
+    ("The sphere turns back along the line of centres", "The particle turns back"),
     ("impulse as the change of momentum of one sphere", "impulse as the change of momentum"),
     ("a difference of momenta of one sphere, in either order", "a difference of momenta, in either order"),
     ("difference of kinetic energies, both spheres", "difference of kinetic energies"),
@@ -228,6 +236,22 @@ mod tests {
             Setting::Wall.say("the component perpendicular to the line of centres does not change"),
             "the component parallel to the wall does not change"
         );
+    }
+
+    #[test]
+    fn what_is_said_of_two_spheres_is_said_of_one_in_its_own_words() {
+        let sentence =
+            |tag: &str| crate::mechanics::Slip::all().iter().find(|(_, slip)| slip.tag == tag).unwrap().1.sentence;
+        let table = [
+            (Setting::Wall, "energy-after-along-only", "The components parallel to the wall count after the impact"),
+            (Setting::Wall, "rebound-missed", "The sphere turns back perpendicular to the wall:"),
+            (Setting::Impulse, "rebound-missed", "The particle turns back:"),
+            (Setting::Impulse, "angle-complement", "That is the angle with the other unit vector;"),
+        ];
+        for (setting, tag, begins) in table {
+            let said = setting.say(sentence(tag));
+            assert!(said.starts_with(begins) && !said.contains("centres"), "{tag}: {said}");
+        }
     }
 
     #[test]

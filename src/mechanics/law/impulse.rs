@@ -203,7 +203,8 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
             }
         }
         (SIZE | SIZE_OF_VECTOR, Quantity::Impulse(sphere, _)) => match slip {
-            "impulse-both-added" => {
+            // Beside a wall or by itself there is no other impulse to add.
+            "impulse-both-added" if known.number(Quantity::Mass(sphere.other())).is_some() => {
                 let outcome = evaluate(rule, known)?;
                 let [Datum::Number(size)] = outcome.as_slice() else { return None };
                 number(size.clone() + size.clone())
