@@ -100,6 +100,7 @@ impl KeyedQuestion {
             parts,
             decimals: self.decimals.clone(),
             angles: self.angles.clone(),
+            masses: self.masses.clone(),
             prepared: Default::default(),
             mistakes: Default::default(),
             mistakes_where_found: Default::default(),

@@ -17,7 +17,7 @@ pub use fault::KeyFault;
 
 use super::judging::Model;
 use super::slips::{Asked, Mistakes};
-use super::working::Prepared;
+use super::working::{Prepared, numbers_of_masses};
 use crate::bank::{Code, EarnedFor, Find};
 use crate::expr::{Angles, Expr, degrees, read};
 use crate::mechanics::{
@@ -72,6 +72,8 @@ pub struct KeyedQuestion {
     decimals: Vec<String>,
     /// The angles among its parameters, by the names that its words have for them, in degrees.
     angles: Vec<(String, f64)>,
+    /// The numbers of its masses, of every impact.
+    masses: Vec<Expr>,
     prepared: OnceLock<Prepared>,
     mistakes: OnceLock<Mistakes>,
     mistakes_where_found: OnceLock<Option<Mistakes>>,
@@ -246,7 +248,7 @@ impl KeyedQuestion {
         part::with_the_letters_of_angles(&mut parts, &scene.unknowns);
         let (id, number, mirrors) = (question.id.clone(), question.number, question.mirrors.clone());
         let (decimals, angles) = (decimals(question), angles(question));
-        let given_letters = given_letters(question, &letters);
+        let (given_letters, masses) = (given_letters(question, &letters), numbers_of_masses(&scene));
         let (prepared, mistakes, mistakes_where_found, needed, later) = Default::default();
         Ok(KeyedQuestion {
             id,
@@ -259,6 +261,7 @@ impl KeyedQuestion {
             parts,
             decimals,
             angles,
+            masses,
             prepared,
             mistakes,
             mistakes_where_found,
@@ -269,8 +272,8 @@ impl KeyedQuestion {
 
     /// What looking through working needs, made when it is first needed.
     pub(super) fn prepared(&self) -> &Prepared {
-        let (decimals, angles) = (self.decimals.clone(), self.angles.clone());
-        let prepare = || Prepared::new(&self.scene, &self.given_letters, &self.given, decimals, angles);
+        let (decimals, angles, masses) = (self.decimals.clone(), self.angles.clone(), self.masses.clone());
+        let prepare = || Prepared::new(&self.scene, &self.given_letters, &self.given, decimals, angles, masses);
         self.prepared.get_or_init(prepare)
     }
 

@@ -36,6 +36,12 @@ pub(super) fn given_numbers(scene: &Scene) -> Vec<Expr> {
     all
 }
 
+/// The numbers that stand for masses in a scene and in those that follow it.
+pub(in crate::mark) fn numbers_of_masses(scene: &Scene) -> Vec<Expr> {
+    let own = scene.masses.iter().flatten().flat_map(|mass| numbers(&mass.shown));
+    own.chain(scene.then.iter().flat_map(|then| numbers_of_masses(&then.scene))).collect()
+}
+
 /// The law that an equation is once one of its numbers, in one place or wherever it stands, is what is given.
 pub(super) fn with_number_misread(
     (left, right): &(Expr, Expr),
@@ -60,7 +66,8 @@ pub(super) fn with_number_misread(
         laws.exactly(&differences(&equation, prepared)?, &Apiece::of(&equation, prepared), convention)
     };
     let choices = written.iter().enumerate().flat_map(|(at, typed)| {
-        prepared.given_numbers.iter().filter(move |given| *given != typed).map(move |given| (at, typed, given))
+        let may_be = move |given: &&Expr| *given != typed && !prepared.are_masses(typed, given);
+        prepared.given_numbers.iter().filter(may_be).map(move |given| (at, typed, given))
     });
     let mut found = choices.filter_map(|(at, typed, given)| {
         law(&|place, _| (place == at).then(|| given.clone()))

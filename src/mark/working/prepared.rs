@@ -35,6 +35,8 @@ pub struct Prepared {
     pub(super) decimals: Vec<String>,
     /// The numbers that it gives for masses and velocities.
     pub(super) given_numbers: Vec<Expr>,
+    /// Those of them that are masses, with those of spheres that are no part of this impact.
+    masses: Vec<Expr>,
     /// Where letters were to be found: those letters with their values at every point where they have one.
     pub(super) found: Vec<(Letter, Vec<Option<f64>>)>,
     /// What is known there.
@@ -42,13 +44,14 @@ pub struct Prepared {
 }
 
 impl Prepared {
-    /// Prepares a question with these letters, whose scene gives this.
+    /// Prepares a question with these letters, whose scene gives this; `masses` are the numbers of all its masses.
     pub fn new(
         scene: &Scene,
         letters: &[Letter],
         exact: &Known<Value>,
         decimals: Vec<String>,
         angles: Vec<(String, f64)>,
+        masses: Vec<Expr>,
     ) -> Prepared {
         let points = Points::new(letters);
         let given: Vec<Known<f64>> = (0..points.count).map(|point| points.known(exact, point)).collect();
@@ -104,6 +107,7 @@ impl Prepared {
             angles,
             decimals,
             given_numbers: given_numbers(scene),
+            masses,
             found,
             there,
         }
@@ -127,6 +131,11 @@ impl Prepared {
     pub(super) fn has_equal_masses(&self) -> bool {
         let [one, other] = Sphere::BOTH.map(|sphere| sizes(&self.known, Quantity::Mass(sphere)));
         one.is_some() && one == other
+    }
+
+    /// Are both numbers masses, so that one in the place of the other is a mistake and no slip of the pen?
+    pub(super) fn are_masses(&self, one: &Expr, other: &Expr) -> bool {
+        self.masses.contains(one) && self.masses.contains(other)
     }
 
     /// Does the question give what has this name: by a letter of its own, or as a number?
