@@ -275,6 +275,11 @@ impl Quantity {
         self.beside(along).unwrap_or(self)
     }
 
+    /// Of the component of a velocity after an impact: the same before it.
+    pub(crate) fn before_its_impact(self) -> Option<Quantity> {
+        matches!(self.of_its_impact(), Quantity::Velocity(_, Moment::After, _)).then(|| self.before())
+    }
+
     /// Of a velocity after an impact: the same before it.
     pub(super) fn before(self) -> Quantity {
         let before = |own| match own {

@@ -157,7 +157,7 @@ const ON_A_PARTICLE: &[(&str, &str)] = &[
     ),
     (
         "angle between them is not the sum of their angles with the line of centres",
-        "angle between them is not the sum of their angles with {i}",
+        "angle between them is not the sum of their angles with one line",
     ),
     (
         "That is the angle with the common tangent; the angle with the line of centres is 90° less that.",

@@ -16,7 +16,7 @@ use super::moments::{self, AT_THE_END, states};
 use super::multiplied::is_multiplied;
 use super::otherwise::{is_another_of_its_sort, is_changed_to, remark_names_another};
 use super::spheres::{self, named_sphere, sphere};
-use super::{Model, Note, quotients, sense};
+use super::{Model, Note, letters, quotients, sense};
 
 /// What a name is the name of.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,14 +62,18 @@ pub(super) fn as_called(model: &Model, statement: &Statement, finding: Finding) 
         return Finding::unreadable(Note::NamedOtherwise);
     }
     let Some(asked) = model.quantity else {
-        let of_own = model.letter.as_deref().and_then(of_letter);
-        let is_else = |sort: Sort| sort.is_unasked() || label.expr.is_none() && of_own.is_some_and(|own| own != sort);
+        let is_of_sphere = model.letter.is_some() && matches!(label.typed.trim(), "A" | "B" | "C" | "P" | "Q");
+        if is_of_sphere {
+            return Finding::unreadable(Note::NamedOtherwise);
+        }
+        let is_else =
+            |sort: Sort| sort.is_unasked() || label.expr.is_none() && letters::is_for_another_letter(model, sort);
         let is_unasked = words(&label.typed).filter_map(sort).any(is_else);
         return if is_unasked { Finding::unreadable(Note::NamedOtherwise) } else { finding };
     };
     let others = named_sphere(statement).is_some_and(|named| match sphere(asked) {
         Some(asked) => named != asked,
-        None => model.is_of_both || spheres::takes_two(asked),
+        None => model.is_of_both || spheres::takes_two(asked) || model.strangers.contains(&named),
     });
     if finding.is_credited() && quotients::is_another(&label.typed, asked) {
         return Finding::unreadable(Note::NamedOtherwise);
@@ -132,6 +136,12 @@ pub(in crate::mark) fn is_named(model: &Model, statement: &Statement) -> bool {
     }
 }
 
+/// `30 J lost`, where the loss is asked.
+pub(super) fn is_said_to_be_lost(model: &Model, statement: &Statement) -> bool {
+    let mut remarks = statement.said.iter().flat_map(|said| &said.remarks).flat_map(|remark| words(remark));
+    model.quantity.is_some_and(is_of_loss) && remarks.any(|word| LOSSES.contains(&word))
+}
+
 /// May a value be this quantity by the name that a line gives it? A letter of the student's own may be anything, and so may
 /// a formula, `e × 5`.
 pub(in crate::mark) fn may_be_named(label: &str, asked: Quantity) -> bool {
@@ -146,9 +156,16 @@ pub(in crate::mark) fn may_be_named(label: &str, asked: Quantity) -> bool {
 
 /// Is a value called by the word for something else: `speed`, where an angle is asked?
 pub(super) fn is_word_for_another(model: &Model, label: &Label) -> bool {
-    let Some(asked) = model.quantity.filter(|_| label.expr.is_none()) else { return false };
+    if label.expr.is_some() {
+        return false;
+    }
     let mut sorts = words(&label.typed).filter_map(sort).peekable();
-    sorts.peek().is_some() && !sorts.any(|sort| suits(asked, sort))
+    let is_known = model.quantity.is_some() || model.letter.is_some();
+    let is_own = |sort: Sort| match model.quantity {
+        Some(asked) => suits(asked, sort),
+        None => !letters::is_for_another_letter(model, sort),
+    };
+    is_known && sorts.peek().is_some() && !sorts.any(is_own)
 }
 
 /// Does a label speak of a component, or of another moment, where that is not what is asked?
@@ -187,6 +204,9 @@ pub(in crate::mark) fn is_of_a_part(label: &str, asked: Quantity) -> bool {
 /// What was found of a value, if the words around it say nothing else of it.
 pub(super) fn as_remarked(model: &Model, statement: &Statement, finding: Finding) -> Finding {
     let Some(asked) = model.quantity else { return finding };
+    if finding.is_credited() && sense::is_said_to_go_otherwise(model, statement) {
+        return Finding::unreadable(Note::DirectionUnchecked);
+    }
     let remarks: Vec<&String> = statement.said.iter().flat_map(|said| &said.remarks).collect();
     if remarks.is_empty() || !(finding.is_credited() || finding.note == Some(Note::Sign)) {
         return finding;

@@ -15,8 +15,7 @@ pub(super) fn may_be_called(model: &Model, name: &str, typed: &str) -> bool {
         return false;
     }
     let Some(asked) = model.quantity else {
-        let of_own = model.letter.as_deref().and_then(of_letter);
-        let is_else = |letter: Sort| letter.is_unasked() || of_own.is_some_and(|own| own != letter);
+        let is_else = |letter: Sort| letter.is_unasked() || is_for_another_letter(model, letter);
         let is_unasked = is_own && of_letter(name).is_some_and(is_else);
         return !(is_product(name) || is_unasked);
     };
@@ -34,6 +33,21 @@ pub(super) fn may_be_called(model: &Model, name: &str, typed: &str) -> bool {
         false => {
             matches!((asked, letter), (Quantity::Restitution, Some(Sort::Restitution)) | (Quantity::Alpha, Some(_)))
         }
+    }
+}
+
+/// Is a letter to be found, and this the sort of thing that it does not stand for? A `k` stands for none.
+pub(super) fn is_for_another_letter(model: &Model, sort: Sort) -> bool {
+    model.letter.as_deref().is_some_and(|letter| of_letter(letter) != Some(sort))
+}
+
+/// The unit of what a letter stands for, where the subject has one.
+pub(super) fn unit_of(letter: &str) -> Option<Unit> {
+    match of_letter(letter)? {
+        Sort::Mass => Some(Unit::Kilogram),
+        Sort::Speed => Some(Unit::MetrePerSecond),
+        Sort::Restitution => Some(Unit::None),
+        _ => None,
     }
 }
 

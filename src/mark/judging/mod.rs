@@ -45,7 +45,7 @@ use std::borrow::Cow;
 
 use crate::answer::{Accept, Kind};
 use crate::expr::Expr;
-use crate::mechanics::{Quantity, Setting};
+use crate::mechanics::{Quantity, Setting, Sphere};
 use crate::unit::Unit;
 
 use super::reading::{Reading, Said, Unreadable, Vocabulary, is_strange};
@@ -80,6 +80,10 @@ pub struct Model {
     pub other_angles: Vec<String>,
     /// Does the sphere move from B towards A? An angle measured from BA can be judged only where that is known.
     pub rebounds: Option<bool>,
+    /// Does the sphere go back along the line of centres, where its speed or velocity is asked, or is it to, where a range is?
+    pub turns_back: Option<bool>,
+    /// The spheres that take no part in the impact of which a quantity is asked: nothing of it is named after them.
+    pub strangers: Vec<Sphere>,
     /// Of a speed: the acute angle between the path of the sphere and the line of centres. A direction told beside a speed
     /// can be judged only where that is known.
     pub path: Option<Expr>,
@@ -103,6 +107,8 @@ impl Model {
             angle: None,
             other_angles: Vec::new(),
             rebounds: None,
+            turns_back: None,
+            strangers: Vec::new(),
             path: None,
             prepared: Prepared::default(),
         }
@@ -110,7 +116,7 @@ impl Model {
 
     /// The right unit, if it is known what is asked for.
     fn unit(&self) -> Option<Unit> {
-        self.quantity.map(Quantity::unit)
+        self.quantity.map(Quantity::unit).or_else(|| self.letter.as_deref().and_then(letters::unit_of))
     }
 }
 

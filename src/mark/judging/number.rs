@@ -60,8 +60,12 @@ fn as_it_stands(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
         Form::Percentage(expr) => (expr, true),
         Form::AtRest => (&nought, false),
         // `4.8 N s in the direction -j`: the size, and a direction that is not asked.
-        Form::Vector(x, y, Notation::Words) if x.is_zero() != y.is_zero() && !has_a_sense(model.quantity) => {
-            let size = if x.is_zero() { y } else { x };
+        Form::Vector(x, y, Notation::Words) if !(x.is_zero() && y.is_zero()) && !has_a_sense(model.quantity) => {
+            let size = &match (x.is_zero(), y.is_zero()) {
+                (true, _) => y.clone(),
+                (_, true) => x.clone(),
+                _ => super::vector::magnitude(x, y),
+            };
             let sized =
                 |expr: &Expr| as_it_stands(model, &Said { form: Form::Value(expr.clone()), ..said.clone() }, label);
             let finding = sized(size).or_better(sized(&size.clone().negated()));

@@ -9,7 +9,7 @@ use super::spheres::sphere;
 
 /// Does a remark that is no more than a name, as `(B)` or `(speed of B)`, name another sphere or another quantity?
 pub(super) fn remark_names_another(model: &Model, asked: Quantity, remarks: &[&String], remark: &str) -> bool {
-    const FILLERS: [&str; 23] = [
+    const FILLERS: [&str; 24] = [
         "",
         "only",
         "alone",
@@ -18,6 +18,7 @@ pub(super) fn remark_names_another(model: &Model, asked: Quantity, remarks: &[&S
         "the",
         "of",
         "by",
+        "on",
         "for",
         "is",
         "sphere",
@@ -72,6 +73,11 @@ pub(super) fn remark_names_another(model: &Model, asked: Quantity, remarks: &[&S
         let small = word.to_lowercase();
         FILLERS.contains(&small.as_str()) || sort(&small).is_some() || matches!(&*small, "a" | "b" | "c")
     };
+    // `10 m/s before the impulse`
+    let remark = ["before the impulse", "after the impulse"]
+        .iter()
+        .find_map(|moment| remark.strip_suffix(moment))
+        .unwrap_or(remark);
     if !words(remark).all(is_name) {
         return false;
     }
@@ -79,7 +85,7 @@ pub(super) fn remark_names_another(model: &Model, asked: Quantity, remarks: &[&S
     let is_alone = || remarks.iter().map(|remark| spheres_in_remark(remark).len()).sum::<usize>() == 1;
     let is_of_another = match (sphere(asked), spheres_in_remark(remark).as_slice()) {
         (Some(asked), [named]) => *named != asked && is_alone(),
-        (None, [_]) => model.is_of_both && is_alone(),
+        (None, [named]) => (model.is_of_both || model.strangers.contains(named)) && is_alone(),
         _ => false,
     };
     let mut sorts = words(remark).filter_map(|word| sort(&word.to_lowercase())).peekable();

@@ -19,7 +19,7 @@ use super::exact::{self, meaning_of};
 use super::finding::Finding;
 use super::statements::{is_concluded, is_rival};
 use super::units::{self, UnitCheck};
-use super::{Model, Note, moments, number};
+use super::{Model, Note, called, moments, number, sense};
 
 /// One inequality, solved for the letter: the letter lies on this side of the bound.
 struct Bound {
@@ -41,8 +41,47 @@ pub(super) fn judge(model: &Model, reading: &Reading) -> Finding {
     let Some(letter) = letter(&right, letters) else { return Finding::unreadable(Note::CannotBeCompared) };
     let Some(right) = bounds(&right, letter, letters) else { return Finding::unreadable(Note::CannotBeCompared) };
     let alternatives = reading.statements.chunk_by(|_, next| !next.said.iter().any(is_rival));
-    let found = alternatives.map(|statements| one(model, &right, letter, statements)).reduce(Finding::and);
-    found.unwrap_or(Finding::unreadable(Note::CannotBeRead))
+    let of = |statements: &[Statement]| {
+        let whole = one(model, &right, letter, statements);
+        let Some((last, before)) = statements.split_last() else { return whole };
+        let mut concluded: Vec<Statement> =
+            before.iter().filter(|statement| !is_reason(statement, letter)).cloned().collect();
+        if whole.is_credited() || concluded.len() == before.len() || is_reason(last, letter) {
+            return whole;
+        }
+        concluded.push(last.clone());
+        one(model, &right, letter, &concluded)
+    };
+    let found = alternatives.map(of).reduce(Finding::and);
+    let found = found.unwrap_or(Finding::unreadable(Note::CannotBeRead));
+    // `A rebounds if k > 2`, where it is then that it goes on.
+    let said = sense::says_which_way(&reading.statements.iter().collect::<Vec<_>>());
+    match said.zip(model.turns_back).is_some_and(|(said, is)| said != is) && found.is_credited() {
+        true => Finding::unreadable(Note::NamedOtherwise),
+        false => found,
+    }
+}
+
+/// `v = 4(1 - 3e) < 0, so e > 1/3`, `angle > 90, so e > 1/3`: what goes before and is no inequality of the letter alone is the
+/// reason for what follows.
+fn is_reason(statement: &Statement, letter: Letter) -> bool {
+    let is_of_letter_alone = |expr: &Expr| {
+        let names = expr.names();
+        !names.is_empty() && names.iter().all(|name| name.text == letter.name())
+    };
+    let is_inequality = |said: &Said| match &said.form {
+        Form::Equation(relation @ Expr::Relation(_, sign, _)) => {
+            *sign != Relation::Equal && !is_of_letter_alone(relation)
+        }
+        Form::Range(..) => {
+            let names = |word: &str| called::sort(word).is_some() || word == "product";
+            let mut words = said.remarks.iter().flat_map(|remark| called::words(remark));
+            statement.label.is_none() && (said.unit.is_some() || words.any(names))
+        }
+        _ => false,
+    };
+    let label = statement.label.as_ref().map(|label| label.typed.trim());
+    label.is_some_and(|name| name != letter.name()) || statement.said.iter().any(is_inequality)
 }
 
 /// A range where none is asked for: two numbers in brackets are not the answer, and what `more than 3` is meant to say of
@@ -69,11 +108,8 @@ fn one(model: &Model, right: &[Bound], letter: Letter, statements: &[Statement])
     let letters = &model.vocabulary.letters;
     let mut own = Vec::new();
     let mut bare = Vec::new();
-    let every = statements.iter().enumerate();
-    for (at, statement, said) in every.flat_map(|(at, s)| s.said.iter().map(move |said| (at, s, said))) {
+    for (statement, said) in statements.iter().flat_map(|s| s.said.iter().map(move |said| (s, said))) {
         let found = match &said.form {
-            // `v < 0, so e > 2/5`: the reason for what follows.
-            Form::Equation(relation) if at + 1 < statements.len() && is_reason(relation, letters) => continue,
             Form::Equation(relation) if exact::unknown_letter(relation, letters).is_some() => {
                 return Finding::wrong(Note::UnknownLetter);
             }
@@ -138,13 +174,6 @@ fn one(model: &Model, right: &[Bound], letter: Letter, statements: &[Statement])
         false if finding.is_credited() => Finding::wrong(Note::RivalAnswers),
         false => finding,
     }
-}
-
-/// Is a letter that the question does not have compared with nought?
-fn is_reason(relation: &Expr, letters: &[Letter]) -> bool {
-    let Expr::Relation(left, relation, right) = relation else { return false };
-    let is_own = |side: &Expr| matches!(side, Expr::Name(_)) && exact::unknown_letter(side, letters).is_some();
-    *relation != Relation::Equal && (is_own(left) && right.is_zero() || is_own(right) && left.is_zero())
 }
 
 /// The bounds of a student against the ends that must be there.

@@ -191,7 +191,7 @@ fn without_what_is_rooted(model: &Model, statements: Vec<Statement>) -> Vec<Stat
                 is_of_size
             }
             (Some(Form::Vector(..)), Some(Form::Value(_))) => {
-                is_of_size && says(&statements[at + 1], &["speed", "magnitude", "mag"])
+                is_of_size && says(&statements[at + 1], &["speed", "magnitude", "mag", "so"])
             }
             _ => false,
         }
@@ -315,7 +315,7 @@ fn without_steps(model: &Model, statements: Vec<Statement>) -> Vec<Statement> {
     let (asked_for, steps): (&[&str], &[&str]) = match asked.of_its_impact() {
         _ if is_of_loss(asked) => (&LOSSES, states(asked)),
         Quantity::Deflection(_) | Quantity::SignedDeflection(_) => (&DEFLECTIONS, states(asked)),
-        Quantity::Speed(..) => (&["speed"], &DIRECTED),
+        Quantity::Speed(..) => (&["speed", "resultant", "magnitude", "total"], &DIRECTED),
         _ => return statements,
     };
     let is_asked = |statement: &Statement| says(statement, asked_for);

@@ -8,10 +8,12 @@ use std::cmp::Ordering;
 
 use crate::answer::Kind;
 use crate::expr::Expr;
-use crate::mark::reading::{Form, Label, Reading, ReferenceLine, Said, Sense};
+use crate::mark::enclosure::enclose_roughly;
+use crate::mark::reading::{Form, Label, Reading, ReferenceLine, Said, Sense, Statement};
 use crate::mechanics::{Axis, Quantity, Sphere};
 
 use super::finding::Finding;
+use super::known::Prepared;
 use super::{Model, Note, Verdict, angle, exact, number, selection};
 
 /// Does a sphere that moves so, backwards or not, move in the sense that is said? `None` if nobody knows.
@@ -26,8 +28,49 @@ pub(super) fn agrees(said: Option<Sense>, backwards: Option<bool>) -> Option<boo
 
 /// Do words say that a sphere goes back?
 pub(super) fn says_that_it_goes_back(words: &str) -> bool {
-    const BACK: [&str; 6] = ["rebound", "bounc", "revers", "moving back", "moves back", "opposite direction"];
+    const BACK: [&str; 8] = [
+        "rebound",
+        "bounc",
+        "revers",
+        "moving back",
+        "moves back",
+        "turns back",
+        "opposite direction",
+        "changes direction",
+    ];
     BACK.iter().any(|back| words.contains(back))
+}
+
+/// Do the words beside values say that a sphere goes back, or that it goes on?
+pub(super) fn says_which_way(statements: &[&Statement]) -> Option<bool> {
+    const ON: [&str; 6] = ["continues", "forwards", "goes on", "carries on", "same direction", "direction unchanged"];
+    let labels = statements.iter().filter_map(|statement| statement.label.as_ref()).map(|label| &label.typed);
+    let remarks = statements.iter().flat_map(|statement| &statement.said).flat_map(|said| &said.remarks);
+    let words: String = labels.chain(remarks).map(|words| words.to_lowercase()).collect::<Vec<_>>().join(" ");
+    match (says_that_it_goes_back(&words), ON.iter().any(|on| words.contains(on))) {
+        (true, false) => Some(true),
+        (false, true) => Some(false),
+        _ => None,
+    }
+}
+
+/// Do they say that it goes away from the wall, or towards it? The wall is beyond B, or in the place of B.
+fn says_away_from_the_wall(statement: &Statement) -> Option<bool> {
+    let remarks = || statement.said.iter().flat_map(|said| &said.remarks).filter(|remark| remark.contains("wall"));
+    let says = |wanted: &[&str]| remarks().any(|remark| wanted.iter().any(|words| remark.contains(words)));
+    match (says(&["away from", "off the"]), says(&["toward", "into", "to the"])) {
+        (true, false) => Some(true),
+        (false, true) => Some(false),
+        _ => None,
+    }
+}
+
+/// Is a speed or a component said to go another way than it does?
+pub(super) fn is_said_to_go_otherwise(model: &Model, statement: &Statement) -> bool {
+    let is_else = |said: Option<bool>, own: Option<bool>| said.zip(own).is_some_and(|(said, own)| said != own);
+    matches!(model.quantity.map(Quantity::of_its_impact), Some(Quantity::Speed(..) | Quantity::Velocity(_, _, Axis::N)))
+        && (is_else(says_which_way(&[statement]), model.turns_back)
+            || is_else(says_away_from_the_wall(statement), model.rebounds))
 }
 
 /// Judges a number by the direction that is said beside it, where that matters for what is asked.
@@ -101,7 +144,14 @@ pub(super) fn is_beside_the_path(model: &Model, reading: &Reading) -> bool {
     };
     let to_centres =
         |line: ReferenceLine| matches!(line.unsensed(), ReferenceLine::LineOfCentres | ReferenceLine::CommonTangent);
-    let angle_model = Model { kind: Kind::Angle, ..model.of_value(path.clone()) };
+    let mut angle_model = Model { kind: Kind::Angle, ..model.of_value(path.clone()) };
+    // What is too long for its exact value is told apart by doubles.
+    if angle_model.known().turn().is_none()
+        && let Some(radians) = enclose_roughly(path, &[], 0)
+    {
+        angle_model.value = Expr::Decimal(format!("{:.9}", ((radians.lower + radians.upper) / 2.0).to_degrees()));
+        angle_model.prepared = Prepared::default();
+    }
     let said = reading.statements.iter().flat_map(|statement| &statement.said);
     let mut angles = said.filter(|said| selection::is_angular(said) && said.reference.is_some_and(to_centres));
     angles.any(|said| angle::judge(&angle_model, said, None).verdict == Verdict::Wrong)

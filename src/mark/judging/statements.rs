@@ -54,18 +54,19 @@ pub(super) fn unnamed<'s>((statement, said): (&Statement, &'s Said)) -> Option<&
     }
 }
 
-/// `k = 8, m = 2`, where k is to be found: what is called so, if each of the others has a letter of its own.
+/// `k = 8, m = 2`, `α = 37.1°, deflection = 15.8°`, where k or α is to be found: what is called so, if each of the others has
+/// a name of its own.
 fn called_as_asked<'s>(model: &Model, statements: &[&'s Statement]) -> Option<&'s Statement> {
     let asked = model.letter.as_ref()?;
-    let letter = |statement: &Statement| match statement.label.as_ref()?.expr.as_ref()? {
-        Expr::Name(name) => Some(name.text.clone()),
-        _ => None,
+    let is_asked = |statement: &&&Statement| {
+        let name = statement.label.as_ref().and_then(|label| label.expr.as_ref());
+        matches!(name, Some(Expr::Name(name)) if name.text == *asked)
     };
-    let letters: Vec<String> = statements.iter().map(|statement| letter(statement)).collect::<Option<_>>()?;
-    let mut own = statements.iter().zip(&letters).filter(|(_, letter)| *letter == asked);
-    let (only, _) = own.next()?;
+    let mut own = statements.iter().filter(is_asked);
+    let only = own.next()?;
     let any_rival = statements.iter().flat_map(|statement| &statement.said).any(is_rival);
-    (own.next().is_none() && !any_rival).then_some(*only)
+    let are_named = statements.iter().all(|statement| statement.label.is_some());
+    (own.next().is_none() && are_named && !any_rival).then_some(*only)
 }
 
 fn choose(model: &Model, statements: &[&Statement], one: One) -> Finding {
@@ -112,10 +113,11 @@ fn last_or_rivals(model: &Model, statements: &[&Statement], one: One) -> Finding
     // `tan θ = 3/4, speed 5`: what has the name of something else is no rival, nor what is called so beside the answer.
     let any_named = statements.iter().any(|statement| called::is_named(model, statement));
     let is_of_another = |statement: &&&Statement| {
-        let label = statement.label.as_ref().filter(|_| model.quantity.is_some());
+        let is_known = model.quantity.is_some() || model.letter.is_some();
+        let label = statement.label.as_ref().filter(|_| is_known);
         let is_another = label.is_some_and(|label| {
             matches!(left_side::of(model, label), Left::Another)
-                || any_named && called::is_word_for_another(model, label)
+                || (any_named || model.letter.is_some()) && called::is_word_for_another(model, label)
         });
         is_another && !statement.said.iter().any(is_rival)
     };
@@ -129,7 +131,7 @@ fn last_or_rivals(model: &Model, statements: &[&Statement], one: One) -> Finding
     if let [steps @ .., last] = statements
         && !steps.is_empty()
         && !matches!(model.kind, Kind::Vector | Kind::Velocity | Kind::Line)
-        && called::is_named(model, last)
+        && (called::is_named(model, last) || called::is_said_to_be_lost(model, last))
         && steps.iter().all(|step| step.label.is_none())
         && !statements.iter().flat_map(|statement| &statement.said).any(is_rival)
     {
@@ -179,13 +181,14 @@ fn last_or_rivals(model: &Model, statements: &[&Statement], one: One) -> Finding
         return Finding::partial(Note::SeveralAnswers);
     }
     // `-4 m/s, speed = 4`: the velocity, and then its size.
-    let is_size =
-        |label: &Option<String>| label.as_ref().is_some_and(|label| label.contains("speed") || label.contains('|'));
+    let is_size = |label: &Option<String>| {
+        label.as_ref().is_some_and(|label| ["speed", "magnitude", "size", "|"].iter().any(|size| label.contains(size)))
+    };
     let (before, of_last) = (&findings[..findings.len() - 1], labels.last());
     if last.note == Some(Note::Sign) && of_last.is_some_and(is_size) && before.iter().all(Finding::is_correct) {
         return before.first().copied().unwrap_or(last);
     }
-    if matches!(model.quantity, Some(Quantity::Speed(..)))
+    if matches!(model.quantity.map(Quantity::of_its_impact), Some(Quantity::Speed(..) | Quantity::ImpulseMagnitude))
         && last.is_correct()
         && of_last.is_some_and(is_size)
         && before.iter().all(|finding| finding.note == Some(Note::Sign))

@@ -23,7 +23,7 @@ const DIRECTIONS: [&str; 4] = ["direction", "vertically", "horizontally", "way"]
 /// Judges a whole reading against a velocity.
 pub(super) fn judge(model: &Model, reading: &Reading) -> Finding {
     let (statements, of_other) = of_asked(model, &reading.statements);
-    let turns = says_which_way(&statements);
+    let turns = sense::says_which_way(&statements);
     let is_of_another_moment = model.quantity.is_some_and(|asked| {
         let label = |statement: &&Statement| statement.label.as_ref().map(|label| label.typed.to_lowercase());
         let remarks: Vec<&String> =
@@ -41,19 +41,6 @@ pub(super) fn judge(model: &Model, reading: &Reading) -> Finding {
         true => Finding::unreadable(Note::NamedOtherwise),
         false if is_turned || is_named_again => Finding::unreadable(Note::DirectionUnchecked),
         false => finding,
-    }
-}
-
-/// Do words say that it goes back, or that it goes on?
-fn says_which_way(statements: &[&Statement]) -> Option<bool> {
-    const ON: [&str; 4] = ["continues", "forwards", "goes on", "carries on"];
-    let labels = statements.iter().filter_map(|statement| statement.label.as_ref()).map(|label| &label.typed);
-    let remarks = statements.iter().flat_map(|statement| &statement.said).flat_map(|said| &said.remarks);
-    let words: String = labels.chain(remarks).map(|words| words.to_lowercase()).collect::<Vec<_>>().join(" ");
-    match (sense::says_that_it_goes_back(&words), ON.iter().any(|on| words.contains(on))) {
-        (true, false) => Some(true),
-        (false, true) => Some(false),
-        _ => None,
     }
 }
 

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use super::{KeyFault, KeyedBlank, KeyedMark, KeyedPart};
 use crate::answer::{Accept, Kind};
 use crate::bank::{Code, EarnedFor, Find};
-use crate::expr::{Angles, Expr, Function, read_range, written};
+use crate::expr::{Angles, Expr, Function, Relation, read_range, written};
 use crate::mark::judging::{Model, ModelOptions};
 use crate::mark::slips::Asked;
 use crate::mechanics::{Axis, Derivation, Known, Meeting, Quantity, Scene, Sphere};
@@ -36,6 +36,8 @@ impl KeyedPart {
         for blank in &mut blanks {
             blank.model.rebounds = rebounds(&blank.find, known);
             blank.model.path = path(&blank.find, known);
+            blank.model.turns_back = turns_back(&blank.find, scene, known);
+            blank.model.strangers = strangers(&blank.find, scene);
             // A wall has no share in it.
             blank.model.is_of_both &= Quantity::Mass(Sphere::B).is_in(scene.setting);
         }
@@ -155,6 +157,41 @@ fn rebounds(find: &Find, known: &Known<Value>) -> Option<bool> {
     let Find::Quantity(quantity) = find else { return None };
     let along = known.number(quantity.along_the_line()?)?;
     along.sign().map(Ordering::is_lt)
+}
+
+/// Does the sphere go back along the line of centres, or is it to go back if the letter lies in a range? Nobody does who had
+/// no velocity along it, or has none left.
+fn turns_back(find: &Find, scene: &Scene, known: &Known<Value>) -> Option<bool> {
+    let sign = |quantity: Quantity| known.number(quantity)?.sign().filter(|sign| sign.is_ne());
+    let (after, sign_after) = match find {
+        Find::Quantity(quantity) => {
+            let after = quantity.along_the_line().unwrap_or(*quantity);
+            (after, sign(after)?)
+        }
+        Find::Unknown(_) => scene.conditions.iter().find_map(|condition| {
+            let Expr::Name(name) = &condition.left else { return None };
+            let sign = match condition.relation {
+                Relation::Less => Ordering::Less,
+                Relation::Greater => Ordering::Greater,
+                _ => return None,
+            };
+            condition.right.is_zero().then(|| Some((name.text.parse().ok()?, sign)))?
+        })?,
+        Find::Vector(..) => return None,
+    };
+    Some(sign(after.before_its_impact()?)? != sign_after)
+}
+
+/// The spheres that take no part in the impact to which a quantity belongs.
+fn strangers(find: &Find, scene: &Scene) -> Vec<Sphere> {
+    let Find::Quantity(quantity) = find else { return Vec::new() };
+    let then = scene.then.iter().find(|then| then.meeting.number == quantity.impact());
+    let (of, is_of_one) = match then {
+        Some(then) => (then.meeting.of, then.meeting.with_wall),
+        None => ([Sphere::A, Sphere::B], scene.setting.is_of_one()),
+    };
+    let takes_part = |sphere: &Sphere| *sphere == of[0] || *sphere == of[1] && !is_of_one;
+    [Sphere::A, Sphere::B, Sphere::C].into_iter().filter(|sphere| !takes_part(sphere)).collect()
 }
 
 /// The acute angle between the path of a sphere whose speed is asked and the line of centres.

@@ -59,6 +59,11 @@ impl Walk<'_> {
                 let said = match (relation, line) {
                     (Relation::Along, Line::I | Line::J) => return Ok(Some((Phrase::Toward, self.article(next)))),
                     (Relation::Angle, Line::Centres) => Some(ReferenceLine::LineOfCentres),
+                    // `6.35 m/s away from the wall` is a way to go, `18.4° away from it` an angle.
+                    (Relation::Angle, Line::Tangent) if self.any(at, &wording::AWAY_FROM).is_some() => {
+                        let is_angle = at > 0 && self.tokens[at - 1].is('°');
+                        is_angle.then_some(ReferenceLine::CommonTangent)
+                    }
                     (Relation::Angle, Line::Tangent) => Some(ReferenceLine::CommonTangent),
                     (Relation::Angle, Line::Ab) => Some(ReferenceLine::LineAB),
                     (Relation::Angle, Line::AToB) => Some(ReferenceLine::FromAToB),

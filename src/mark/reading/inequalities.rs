@@ -87,7 +87,11 @@ impl Statements<'_> {
 
     /// Do words alone say what happens, and not which way a sphere moves?
     fn say_what_happens(&self, words: &[Placed]) -> bool {
-        const WAYS: [&str; 11] = [
+        const WAYS: [&str; 15] = [
+            "less",
+            "under",
+            "below",
+            "exactly",
             "same",
             "original",
             "forward",
@@ -101,11 +105,12 @@ impl Statements<'_> {
             "unchanged",
         ];
         let tells_way = |word: &str| WAYS.contains(&&*word.to_lowercase());
-        let says_how = |placed: &Placed| {
-            matches!(
-                placed.token,
-                Token::Phrase(Phrase::Remark | Phrase::Sphere | Phrase::Joiner | Phrase::Is | Phrase::Noun)
-            )
+        // `turned through more than 90°`
+        let measures = words.iter().any(|placed| placed.token == Token::Phrase(Phrase::Noun));
+        let says_how = |placed: &Placed| match placed.token {
+            Token::Phrase(Phrase::Remark | Phrase::Sphere | Phrase::Joiner | Phrase::Is | Phrase::Noun) => true,
+            Token::Number(_) | Token::Sign('°' | '>') => measures,
+            _ => false,
         };
         words.iter().all(says_how) && !self.slice(words).split_whitespace().any(tells_way)
     }

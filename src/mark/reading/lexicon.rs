@@ -92,7 +92,7 @@ const SINGLE: [(Sort, &str); 9] = [
          leftwards horizontally vertically acute obtuse clockwise anticlockwise counterclockwise away towards it they \
          i.e ie eg sf dp s.f d.p rounded decimal places significant figures correct collision impact into afterwards \
          that this these set for on off each other line centres centers vector unit magnitude required shown qed \
-         respectively simplified exact value form answer ans path paths motion travel axis oe awrt cao sense \
+         respectively simplified exact value form answer ans greatest largest system exerts continues path paths motion travel axis oe awrt cao sense \
          immediately original towards heading bounces bouncing bounce rebounds rebounding rebounded rebound separates separating yes reversed reverses unchanged done \
          remains remaining retained kept hopefully think calculator working see diagram there here now very nearly almost precisely overall resultant \
          scalar using used calculated find found get got have we solution value values part question result results \
