@@ -335,6 +335,8 @@ mod kinds_tests;
 #[cfg(test)]
 mod left_side_tests;
 #[cfg(test)]
+mod question_tests;
+#[cfg(test)]
 mod range_tests;
 #[cfg(test)]
 mod rivals_tests;
