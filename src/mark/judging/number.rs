@@ -60,7 +60,7 @@ fn as_it_stands(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
         Form::Percentage(expr) => (expr, true),
         Form::AtRest => (&nought, false),
         // `4.8 N s in the direction -j`: the size, and a direction that is not asked.
-        Form::Vector(x, y, Notation::Words) if !(x.is_zero() && y.is_zero()) && !has_a_sense(model.quantity) => {
+        Form::Vector(x, y, Notation::Words) if !has_a_sense(model.quantity) && (!x.is_zero() || !y.is_zero()) => {
             let size = &match (x.is_zero(), y.is_zero()) {
                 (true, _) => y.clone(),
                 (_, true) => x.clone(),
