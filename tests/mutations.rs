@@ -689,7 +689,7 @@ fn a_direction_that_is_reversed_and_an_angle_without_braces_are_so_in_the_scene(
 }
 
 #[test]
-fn a_condition_of_which_the_words_never_tell_is_named_and_any_words_that_tell_of_it_are_right() {
+fn what_decides_and_is_never_told_is_named_and_any_words_that_tell_of_it_are_right() {
     let turn = "The impact turns\nthe direction of motion of *A* through a right angle.";
     let wall = "walls/turned-through-a-right-angle";
     found(
@@ -722,6 +722,8 @@ fn a_condition_of_which_the_words_never_tell_is_named_and_any_words_that_tell_of
             ("acute", &[("through a right angle", "through an acute angle")], "is turned through an acute angle"),
         ],
     );
+    let sentence = "_[In this question_ {i} _and_ {j} _are perpendicular unit vectors in a horizontal plane.]_";
+    found("i-j/energy-lost", &[("unit-vectors", &[(sentence, "")], "the words never tell what {i} and {j} are")]);
     let meeting = "After *B* has struck *C*, *A* does not strike *B* again. Find";
     let edits: &[(&str, &str)] = &[(meeting, "Find")];
     found("successive/no-more-collisions", &[("never-again", edits, "the words never tell of who meets again")]);

@@ -55,6 +55,7 @@ pub fn of_question(question: &Question) -> Vec<Finding> {
         letters::of_other_angles,
         typed::beside_the_scene,
         untold::conditions,
+        untold::unit_vectors,
         units::astray,
         exact_form::unkept,
         figures::otherwise,

@@ -1,4 +1,4 @@
-//! Conditions of the scene that decide what is to be found, and of which the words never tell a student.
+//! What decides the answer and is never told to a student: conditions of the scene, and how **i** and **j** lie.
 
 use super::sentence::{Sentence, Token, is_one_of, says, sentences};
 use crate::bank::Question;
@@ -26,6 +26,27 @@ pub fn conditions(question: &Question) -> Vec<Finding> {
         }
     }
     findings
+}
+
+/// Vectors in **i** and **j** of which no sentence says that they are unit vectors, or how they lie.
+pub fn unit_vectors(question: &Question) -> Vec<Finding> {
+    let is_of_them = |expr: &Expr| {
+        matches!(expr, Expr::Vector(..)) || expr.names().iter().any(|name| matches!(name.text.as_str(), "i" | "j"))
+    };
+    let introduces = |sentence: &Sentence| says(sentence, &["vector", "vectors"]) && says(sentence, &["unit"]);
+    let is_told = |sentence: &Sentence| introduces(sentence) || says(sentence, &["east", "north"]);
+    let untold = question.styles.iter().any(|style| {
+        let asks = question.parts.iter().flat_map(|part| &part.ask);
+        let said: Vec<Sentence> = style.stem.iter().chain([&style.note]).chain(asks).flat_map(sentences).collect();
+        let are_used = said.iter().flatten().any(|token| matches!(token, Token::Number(expr, ..) if is_of_them(expr)));
+        are_used && !said.iter().any(is_told)
+    });
+    let found = || {
+        let message = "the words never tell what {i} and {j} are, in which vectors are given";
+        let help = "begin the stem with `_[In this question_ {i} _and_ {j} _are perpendicular unit vectors.]_`";
+        Finding::new(message, "{i}", "a student may not know how they lie").with_help(help).as_warning()
+    };
+    untold.then(found).into_iter().collect()
 }
 
 /// What a condition takes that no sentence tells of, and how it might be told.
@@ -115,6 +136,17 @@ fn tells_of_a_right_angle(sentence: &[Token]) -> bool {
 mod tests {
     use super::*;
     use crate::examine::{Edits, edited};
+
+    #[test]
+    fn unit_vectors_are_introduced() {
+        let sentence = "_[In this question_ {i} _and_ {j} _are perpendicular unit vectors in a horizontal plane.]_";
+        let east = "The unit vector {i} points east and {j} points north.";
+        for id in ["i-j/energy-lost", "vector-impulse/velocity-after-an-impulse", "successive/corner"] {
+            let found = |edits: Edits| unit_vectors(&edited(id, edits)).len();
+            assert_eq!((found(&[]), found(&[(sentence, "")]), found(&[(sentence, east)])), (0, 1, 0), "{id}");
+        }
+        assert!(unit_vectors(&edited("rest/speeds-and-directions", &[])).is_empty());
+    }
 
     #[test]
     fn a_condition_is_told_of() {

@@ -131,7 +131,7 @@ fn last_or_rivals(model: &Model, statements: &[&Statement], one: One) -> Finding
     if let [steps @ .., last] = statements
         && !steps.is_empty()
         && !matches!(model.kind, Kind::Vector | Kind::Velocity | Kind::Line)
-        && (called::is_named(model, last) || called::is_said_to_be_lost(model, last))
+        && (called::is_named(model, last) || steps.len() > 1 && called::is_said_to_be_lost(model, last))
         && steps.iter().all(|step| step.label.is_none())
         && !statements.iter().flat_map(|statement| &statement.said).any(is_rival)
     {
