@@ -8,6 +8,7 @@ use super::linear::constant;
 use super::prepared::Prepared;
 use crate::expr::{Expr, Function, Relation};
 use crate::mark::reading::Form;
+use crate::number::{Letter, Range};
 
 /// Letters for angles that are still to be found: nobody calls a given one so, unless the question does.
 const NEW: [&str; 4] = ["beta", "gamma", "delta", "phi"];
@@ -16,8 +17,8 @@ const NEW: [&str; 4] = ["beta", "gamma", "delta", "phi"];
 ///
 /// A letter stands for what the working says of it before it is first used; else for the angle of that name in the
 /// question, or for the only one that has a name there.
-pub(super) fn put_in_place(lines: &mut [Line], prepared: &Prepared) {
-    put_short_letters_in_place(lines, prepared);
+pub(super) fn put_in_place(lines: &mut [Line], letters: &[Letter], prepared: &Prepared) {
+    put_short_letters_in_place(lines, letters, prepared);
     let mut known: Vec<(String, Expr)> = Vec::new();
     let mut guessed: Vec<String> = Vec::new();
     let mut sought: Vec<String> = Vec::new();
@@ -60,8 +61,8 @@ pub(super) fn put_in_place(lines: &mut [Line], prepared: &Prepared) {
 }
 
 /// `let t = tan α`, `k = 4cos30`: from there on the letter is written for it.
-fn put_short_letters_in_place(lines: &mut [Line], prepared: &Prepared) {
-    let mut known: Vec<(String, Expr)> = Vec::new();
+fn put_short_letters_in_place(lines: &mut [Line], letters: &[Letter], prepared: &Prepared) {
+    let mut known: Vec<(String, Expr)> = Vec::from_iter(unsaid(lines, letters, prepared));
     let mut used: Vec<String> = Vec::new();
     for line in lines {
         let put = |expr: &Expr| {
@@ -95,6 +96,34 @@ fn put_short_letters_in_place(lines: &mut [Line], prepared: &Prepared) {
         let sides = line.readings.iter().flat_map(|reading| &reading.equations).flat_map(|(left, right)| [left, right]);
         used.extend(sides.flat_map(Expr::names).map(|name| name.text.clone()));
     }
+}
+
+/// The `t` that is squared in working about one angle is its tangent, unless a line says what it is.
+fn unsaid(lines: &[Line], letters: &[Letter], prepared: &Prepared) -> Option<(String, Expr)> {
+    let typed = lines.iter().map(|line| line.typed.as_str());
+    let letter = tangent_letter(typed, letters)?;
+    let angle = letters.iter().find(|letter| letter.range() == Range::Acute)?;
+    let mut members = lines.iter().flat_map(|line| &line.readings).flat_map(|reading| &reading.members);
+    let is_said = members.any(|member| {
+        argument(&member.expr).is_some() && short(member, prepared).is_some_and(|(own, _)| own == letter)
+    });
+    (!is_said).then(|| (letter, Expr::call(Function::Tan, Expr::name(angle.name()))))
+}
+
+/// The `t` or `T` whose square stands in working about one angle: nothing else there is squared but the tangent.
+pub(super) fn tangent_letter<'l>(lines: impl Iterator<Item = &'l str>, letters: &[Letter]) -> Option<String> {
+    let lines: Vec<&str> = lines.collect();
+    let angles = letters.iter().filter(|letter| letter.range() == Range::Acute).count();
+    let is_free = |name: &&str| letters.iter().all(|letter| letter.name() != *name);
+    let is_squared = |name: &&str| {
+        lines.iter().any(|line| {
+            line.match_indices(*name).any(|(at, _)| {
+                let stands_alone = !line[..at].ends_with(|sign: char| sign.is_alphabetic() || sign == '\\');
+                stands_alone && line[at + name.len()..].starts_with(['²', '^'])
+            })
+        })
+    };
+    ["t", "T"].into_iter().filter(is_free).find(is_squared).filter(|_| angles == 1).map(str::to_owned)
 }
 
 /// A letter of the student's own for what is known: a sine, cosine or tangent of a letter of the question, or a number.

@@ -4,6 +4,7 @@ use super::compare::{comes_to, is_composite};
 use super::evidence::Evidence;
 use super::examine::Working;
 use super::line::ReadLine;
+use super::linear::Context;
 use super::points::sizes;
 use super::shapes::two_squares;
 use super::theirs::{is_of_velocity, numbers};
@@ -22,16 +23,30 @@ impl Working<'_> {
             let studied = &self.lines[*place];
             let Some(reading) = &studied.reading else { return false };
             let statements = || reading.statements.iter().flat_map(|statement| &statement.said);
-            let is_demanded = |form: &Form| self.is_demanded(form, mark, *place) || self.is_of_angles(form);
+            let is_demanded = |form: &Form| {
+                self.is_demanded(form, mark, *place) || self.is_of_angles(form) || self.is_own_inequality(form, *place)
+            };
             let is_inequality = || statements().any(|said| is_demanded(&said.form));
             let mut worked = reading.equations.iter().filter(|(_, right)| !self.is_printed_value(right));
             let holds = |equation: &(Expr, Expr)| {
-                self.holds_only_where_found(equation) || self.is_of_own_speed(equation, *place)
+                self.holds_only_where_found(equation)
+                    || self.is_of_own_speed(equation, *place)
+                    || self.makes_right_angle(equation)
             };
-            let mut holds = || worked.any(holds);
+            let mut holds = || worked.any(holds) || self.is_set_on_own(reading, *place);
             !self.is_printed_result(studied) && studied.matched.is_empty() && (holds() || is_inequality())
         })?;
         Some(Evidence::given(line, "uses what is given of the motion after the impact"))
+    }
+
+    /// Is it the inequality of the scheme for the student's own components at a wall?
+    fn is_own_inequality(&self, form: &Form, place: usize) -> bool {
+        match form {
+            Form::Equation(Expr::Relation(left, relation, right)) if *relation != Relation::Equal => {
+                self.is_own_turn(left, *relation, right, place)
+            }
+            _ => false,
+        }
     }
 
     fn holds_only_where_found(&self, (left, right): &(Expr, Expr)) -> bool {
@@ -41,11 +56,7 @@ impl Working<'_> {
             let at = |quantity| Some(vec![there.number(quantity)?; self.prepared.points.count]);
             let names = self.names(&at);
             let points = self.prepared.points.with(&self.prepared.found, point);
-            let context = super::linear::Context {
-                points: &points,
-                given: &names,
-                ..super::examine::context(self.prepared, point)
-            };
+            let context = Context { points: &points, given: &names, ..super::examine::context(self.prepared, point) };
             let Some(difference) = super::linear::difference(left, right, &context) else { return false };
             let super::linear::Sum::Number(linear) = difference else { return false };
             if !linear.is_number() || !linear.constant.may_be_nought(linear.size * 100.0) {
@@ -95,7 +106,7 @@ impl Working<'_> {
     }
 
     /// Does the letter that is sought stand in it?
-    fn has_sought(&self, expr: &Expr) -> bool {
+    pub(super) fn has_sought(&self, expr: &Expr) -> bool {
         let sought = |name: &str| self.question.scene.unknowns.iter().any(|letter| letter.name() == name);
         expr.names().into_iter().any(|name| sought(&name.text))
     }
@@ -104,15 +115,13 @@ impl Working<'_> {
     /// letter alone on one side is what has been concluded from it.
     fn is_demanded(&self, form: &Form, mark: &KeyedMark, place: usize) -> bool {
         let Form::Equation(Expr::Relation(left, relation, right)) = form else { return false };
-        let is_sought = |expr: &Expr| {
-            let is_one = |name: &str| self.question.scene.unknowns.iter().any(|letter| letter.name() == name);
-            matches!(expr, Expr::Name(name) if is_one(&name.text))
-        };
-        if is_sought(left) || is_sought(right) || !self.is_of_stated(left) || !self.is_of_stated(right) {
+        let alone = self.left_alone(place);
+        let is_stated = |side: &Expr| !self.is_sought(side) && self.is_of_stated(side, &alone);
+        if !is_stated(left) || !is_stated(right) {
             return false;
         }
         let [left, right] = [left, right].map(|side| self.with_stated_tangents(side, place));
-        let Some(stated) = self.excess(&left, *relation, &right) else { return false };
+        let Some(stated) = self.excess_of(&left, *relation, &right, &alone) else { return false };
         let is = |demanded: &Vec<f64>| self.is_positive_multiple(&stated, demanded);
         self.demanded_by_scheme(mark).as_ref().is_some_and(is) || self.demanded_of_own(place).iter().any(is)
     }
@@ -160,13 +169,17 @@ impl Working<'_> {
         };
         let (Some(right), Some(own)) = (both(&self.prepared.known), both(&self.followed)) else { return Vec::new() };
         let mut pairs = vec![own.clone()];
+        let with = |side: usize, said: Vec<f64>| {
+            let mut pair = own.clone();
+            pair[side] = said;
+            pair
+        };
         if let Some(later) = sides.iter().position(|side| quantity(side).is_some_and(|quantity| quantity.impact() > 0))
         {
-            pairs.extend(self.said_of_letters(place).into_iter().map(|said| {
-                let mut pair = own.clone();
-                pair[later] = said;
-                pair
-            }));
+            pairs.extend(self.said_of_letters(place).into_iter().map(|said| with(later, said)));
+        }
+        for (side, expr) in sides.into_iter().enumerate() {
+            pairs.extend(self.own_side(expr, place).into_iter().map(|said| with(side, said)));
         }
         let sense =
             right.iter().flatten().map(|size| size.signum()).reduce(|one, next| if one == next { one } else { 0.0 });
@@ -206,20 +219,35 @@ impl Working<'_> {
         })
     }
 
-    /// Has every velocity in it been stated before, so that it says something of the letter that is sought?
-    fn is_of_stated(&self, expr: &Expr) -> bool {
+    /// Has every velocity in it been stated before, by an equation that leaves it alone or otherwise, so that it says
+    /// something of the letter that is sought?
+    fn is_of_stated(&self, expr: &Expr, alone: &[(String, Vec<f64>)]) -> bool {
         let letters = self.convention.as_ref().map(|convention| convention.letters.as_slice()).unwrap_or_default();
         let is_stated = |name: &str| {
             let place = letters.iter().position(|letter| letter == name);
             let along = |place: usize| Quantity::Velocity(Sphere::BOTH[place], Moment::After, Axis::N);
-            place.is_none_or(|place| self.theirs.0.contains_key(&along(place)))
+            alone.iter().any(|(own, _)| own == name)
+                || place.is_none_or(|place| self.theirs.0.contains_key(&along(place)))
         };
         expr.names().into_iter().all(|name| is_stated(&name.text))
     }
 
     /// By how much the side that is to be greater is, at every point.
-    fn excess(&self, left: &Expr, relation: Relation, right: &Expr) -> Option<Vec<f64>> {
-        let at = |point| match super::linear::difference(left, right, &self.context(point))? {
+    pub(super) fn excess(&self, left: &Expr, relation: Relation, right: &Expr) -> Option<Vec<f64>> {
+        self.excess_of(left, relation, right, &[])
+    }
+
+    /// The same with what equations have left alone.
+    fn excess_of(
+        &self,
+        left: &Expr,
+        relation: Relation,
+        right: &Expr,
+        alone: &[(String, Vec<f64>)],
+    ) -> Option<Vec<f64>> {
+        let names: Vec<(String, Vec<f64>)> = alone.iter().chain(&self.names).cloned().collect();
+        let with = |point| Context { given: &names, ..self.context(point) };
+        let at = |point| match super::linear::difference(left, right, &with(point))? {
             super::linear::Sum::Number(linear) if linear.is_number() => oriented(linear.constant.middle(), relation),
             _ => None,
         };
@@ -227,7 +255,7 @@ impl Working<'_> {
     }
 
     /// Is one the other with a positive factor: a number, or with it the masses together or letters that were cancelled?
-    fn is_positive_multiple(&self, stated: &[f64], demanded: &[f64]) -> bool {
+    pub(super) fn is_positive_multiple(&self, stated: &[f64], demanded: &[f64]) -> bool {
         if demanded.iter().any(|demanded| demanded.abs() < 1e-9) {
             return false;
         }
@@ -259,7 +287,7 @@ impl Working<'_> {
 
     fn holds_at(&self, left: &Expr, right: &Expr, point: usize) -> bool {
         let names = self.names(&|quantity| sizes(&self.prepared.known, quantity));
-        let context = super::linear::Context { given: &names, ..super::examine::context(self.prepared, point) };
+        let context = Context { given: &names, ..super::examine::context(self.prepared, point) };
         match super::linear::difference(left, right, &context) {
             Some(super::linear::Sum::Number(linear)) => {
                 linear.is_number() && linear.constant.may_be_nought(linear.size)

@@ -131,7 +131,7 @@ pub(super) fn examine_one(
     let unread = first_unread(working);
     let mut read = line::read(working, &question.letters, vectors);
     angle_letters::put_in_place(&mut read, &question.letters, &|angle| prepared.points.letter(angle, 0).is_some());
-    angles::put_in_place(&mut read, prepared);
+    angles::put_in_place(&mut read, &question.letters, prepared);
     let mut lines: Vec<Studied> = read
         .into_iter()
         .map(|line| {

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::angles::is_short;
+use super::angles::{is_short, tangent_letter};
 use super::remarks::{
     after_impact, after_remark, along_impulse, is_formula, turned_round, without_arrow, without_cancelling,
     without_lead_in, without_remark,
@@ -139,7 +139,7 @@ fn own_capitals(working: &[String], letters: &[Letter]) -> Vec<String> {
 /// Letters that a student sets equal to a sine, cosine or tangent, or to a component: `let T = tan α`, `k = v cos α`.
 fn short_letters(working: &[String], letters: &[Letter]) -> Vec<String> {
     const FUNCTIONS: [&str; 3] = ["sin", "cos", "tan"];
-    let mut found: Vec<String> = Vec::new();
+    let mut found: Vec<String> = Vec::from_iter(tangent_letter(typed(working), letters));
     for typed in
         working.iter().flat_map(|cell| cell.lines()).filter(|line| FUNCTIONS.iter().any(|name| line.contains(name)))
     {

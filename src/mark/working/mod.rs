@@ -34,6 +34,7 @@ mod misread;
 mod offered;
 mod own;
 mod pair;
+mod own_condition;
 mod points;
 mod prepared;
 mod printed;

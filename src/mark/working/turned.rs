@@ -1,5 +1,6 @@
 //! Turned through more than a right angle, or less: by the scalar product of the velocities, or by two angles with a wall.
 
+use super::compare::any_within;
 use super::condition::oriented;
 use super::evidence::Evidence;
 use super::examine::Working;
@@ -31,6 +32,36 @@ impl Working<'_> {
     pub(super) fn is_of_angles(&self, form: &Form) -> bool {
         let Form::Equation(Expr::Relation(left, relation, right)) = form else { return false };
         let (Some(_), Setting::Wall) = (self.demanded_dot(), self.prepared.setting) else { return false };
+    /// How the scalar product of the velocities before a wall and after it is to stand to nought, where that is what is given.
+    pub(super) fn demanded_turn(&self) -> Option<Relation> {
+        let condition = self.question.scene.conditions.first()?;
+        let Expr::Name(name) = &condition.left else { return None };
+        let is_dot = matches!(name.text.parse(), Ok(Quantity::DeflectionDot(_)));
+        Some(condition.relation)
+            .filter(|_| is_dot && condition.right.is_zero() && self.prepared.setting == Setting::Wall)
+    }
+
+    /// `α + β = 90`, or `cos(90 - α)` for the angle after: a right angle between paths that make these angles with a wall.
+    pub(super) fn makes_right_angle(&self, (left, right): &(Expr, Expr)) -> bool {
+        if self.demanded_turn() != Some(Relation::Equal) {
+            return false;
+        }
+        let are_together = || {
+            let mut all = terms(left);
+            all.extend(terms(right).into_iter().map(|(plus, term)| (!plus, term)));
+            let (right_angle, angles): (Vec<_>, Vec<_>) = all.into_iter().partition(|(_, term)| is_right_angle(term));
+            matches!(right_angle.as_slice(), [(false, _)]) && self.are_two_angles(&angles)
+        };
+        let is_rest = |inner: &Expr| match inner {
+            Expr::Call(Function::Sin | Function::Cos | Function::Tan, angle) => match terms(angle).as_slice() {
+                [(true, whole), (false, part)] => is_right_angle(whole) && self.is_given_angle(part),
+                _ => false,
+            },
+            _ => false,
+        };
+        are_together() || any_within(left, &is_rest) || any_within(right, &is_rest)
+    }
+
         let is_more = |relation: Relation| oriented(1.0, relation).map(f64::is_sign_positive);
         let (Some(left_is_more), Some(dot_is_more)) =
             (is_more(*relation), is_more(self.question.scene.conditions[0].relation))
@@ -56,13 +87,11 @@ impl Working<'_> {
     /// One of the question's angles, by its letter or as it is, and another letter, both counted.
     fn are_two_angles(&self, terms: &[(bool, &Expr)]) -> bool {
         let [(true, one), (true, other)] = terms else { return false };
-        let letter = |name: &str| self.question.letters.iter().find(|letter| letter.name() == name);
-        let is_given = |angle: &Expr| match angle {
-            Expr::Name(name) => letter(&name.text).is_some_and(|letter| letter.range() == Range::Acute),
-            Expr::Degrees(_) => true,
+        let is_given = |angle: &Expr| self.is_given_angle(angle);
+        let is_other = |angle: &Expr| match angle {
+            Expr::Name(name) => self.question.letters.iter().all(|letter| letter.name() != name.text),
             _ => false,
         };
-        let is_other = |angle: &Expr| matches!(angle, Expr::Name(name) if letter(&name.text).is_none());
         is_given(one) && is_other(other) || is_other(one) && is_given(other)
     }
 
@@ -99,3 +128,16 @@ fn is_right_angle(expr: &Expr) -> bool {
         _ => is(expr, 90),
     }
 }
+    /// Is it an angle of the question, by its letter or as it is?
+    fn is_given_angle(&self, angle: &Expr) -> bool {
+        let is_acute = |name: &str| {
+            let mut letters = self.question.letters.iter();
+            letters.any(|letter| letter.name() == name && letter.range() == Range::Acute)
+        };
+        match angle {
+            Expr::Name(name) => is_acute(&name.text) || self.prepared.angles.iter().any(|(own, _)| *own == name.text),
+            Expr::Degrees(_) => true,
+            _ => false,
+        }
+    }
+
