@@ -10,6 +10,7 @@ mod by_lines;
 mod causes;
 mod decide;
 mod follow;
+mod last_word;
 mod left;
 mod memory;
 mod overrule;
@@ -92,6 +93,7 @@ fn looked_through(
         let handed_in = together(script, &part.label);
         let mut examined = examine(question, part, &handed_in.working, &theirs);
         let (mut answers, judged) = answers::judged(part, &handed_in, profile, memory, &examined);
+        last_word::contradict(part, &handed_in, &mut answers);
         let readings = judged.iter().map(|judged| judged.readings.as_deref());
         examined.see_in_answers(question, part, &theirs, readings);
         let followed = follow::answers(question, part, &answers, &judged, &examined);

@@ -39,8 +39,9 @@ pub(super) fn withhold_from_wrong_method(
     for (place, mark) in part.scheme.iter().enumerate() {
         let Some(blank) = own_blank(mark, part) else { continue };
         let by_answer = matches!(&awards[place].evidence, Some(Evidence { place: Place::Answer(_), .. }));
-        let KeyedBlank { find, model, .. } = &part.blanks[blank];
-        let is_to_be_found = matches!(find, Find::Unknown(_)) || model.kind == Kind::Range;
+        // What is worked out with the letter has come of the same luck.
+        let is_letter = |blank: &KeyedBlank| matches!(blank.find, Find::Unknown(_));
+        let is_to_be_found = part.blanks.iter().any(is_letter) || part.blanks[blank].model.kind == Kind::Range;
         let is_by_luck = is_to_be_found && !has_right_value;
         let counts = |wrong: &usize| part.scheme[*wrong].code.is_method() || is_by_luck;
         let is_before = |wrong: &usize| needed[*wrong][blank] && part.scheme[*wrong].blanks.contains(&blank);
