@@ -51,6 +51,15 @@ impl ByLines {
             let given = line.filter(|(award, _)| award.given && award.note.is_none());
             all.earned.push(line.is_some_and(|(award, _)| award.given));
             if !mark.code.is_accuracy() {
+                // Of a later impact the scheme may have the methods alone.
+                if let EarnedFor::Law(law, _) = mark.earned_for
+                    && is_equation(law)
+                    && mark.code.is_method()
+                {
+                    let right = given.filter(|(award, _)| award.feedback.is_empty());
+                    equations.push(line.is_some_and(|(award, _)| award.given));
+                    all.last_line = all.last_line.max(right.map(|(_, number)| number));
+                }
                 if let (EarnedFor::Law(law, _), Some((Award { given: true, .. }, _))) = (&mark.earned_for, line) {
                     let of = match (mark.code, is_equation(*law)) {
                         // What has its own mark stands there rightly, and the answer is found by others.

@@ -9,9 +9,10 @@ use crate::bank::{EarnedFor, Find};
 use crate::mark::award::{Cause, MarkedAnswer};
 use crate::mark::judging::{Note, Verdict};
 use crate::mark::key::{KeyedBlank, KeyedPart, KeyedQuestion};
-use crate::mark::reading::{Reading, Said};
+use crate::mark::reading::{Form, Reading, Said};
 use crate::mark::slips::{self, Asked, EARLY_ROUNDING, Mistakes, early_rounding};
 use crate::mark::working::Examined;
+use crate::mechanics::{Slip, Velocity};
 
 /// The most mistakes that are listed for one answer.
 const MOST: usize = 12;
@@ -66,7 +67,9 @@ pub(super) fn name(
             found.clear();
             say_of(answer);
         }
-        if found.is_empty() && !is_truncated && !is_near_miss(&answer.judgement) && !seen.is_wrong_before {
+        // What is said of the answer itself already says what is wrong with it.
+        let is_told = answer.judgement.note.is_some() && !follows;
+        if found.is_empty() && !is_told && !seen.is_wrong_before {
             found.extend(seen.by_lines.arithmetic(part, place, follows).map(of_figures));
         }
         answer.causes = found.into_iter().map(|found| found.cause).collect();
@@ -111,9 +114,13 @@ fn behind(
     };
     let causes = question.mistakes_where_found().and_then(causes_in).or_else(|| causes_in(question.mistakes()));
     let causes = causes.unwrap_or_default();
+    let said = readings.first().and_then(last_said);
+    let is_nought = said.is_some_and(|said| matches!(&said.form, Form::Value(value) if value.is_zero()));
     let mut fitting: Vec<&slips::Cause> = causes
         .iter()
         .filter(|cause| by_lines.allows(cause))
+        // Two mistakes at once come to nought too easily.
+        .filter(|cause| !(is_nought && cause.tags.len() > 1))
         .filter(|cause| !(is_rounded && cause.tags == [EARLY_ROUNDING]))
         .collect();
     if fitting.iter().any(|cause| by_lines.is_of_last_step(cause)) {
@@ -121,9 +128,29 @@ fn behind(
     }
     found.extend(fitting.into_iter().take(MOST).map(|cause| {
         let is_of_law = !cause.laws.is_empty();
-        Found { cause: explained(cause, part), is_of_law, explains: is_of_law, is_of_paper: false }
+        Found {
+            cause: explained(cause, part, has_angles(question)),
+            is_of_law,
+            explains: is_of_law,
+            is_of_paper: false,
+        }
     }));
     found
+}
+
+/// What is said of a sine and a cosine that are exchanged, as of the two components that are.
+fn without_angles(sentence: &str) -> String {
+    let said = |tag: &str| Slip::all().iter().find(|(_, slip)| slip.tag == tag).map(|(_, slip)| slip.sentence);
+    match said("sincos-swap").zip(said("wrong-axis")) {
+        Some((of_angles, of_components)) => sentence.replace(of_angles, of_components),
+        None => sentence.to_owned(),
+    }
+}
+
+/// Does the question give a velocity by an angle? Components in numbers are no sine and cosine that could be exchanged.
+fn has_angles(question: &KeyedQuestion) -> bool {
+    let mut velocities = question.scene.before.iter().chain(&question.scene.after).flatten();
+    velocities.any(|velocity| matches!(velocity, Velocity::Polar { .. }))
 }
 
 /// What an answer comes to. Of a range an end may be said before the other.
@@ -152,7 +179,7 @@ fn rounded(question: &KeyedQuestion, find: &Find, readings: &[Reading], examined
 }
 
 /// The mistake with the marks of the part that a student who made it has probably earned.
-fn explained(cause: &slips::Cause, part: &KeyedPart) -> Cause {
+fn explained(cause: &slips::Cause, part: &KeyedPart, has_angles: bool) -> Cause {
     let mut earned: Vec<bool> = Vec::new();
     for mark in &part.scheme {
         let own = match &mark.earned_for {
@@ -165,8 +192,9 @@ fn explained(cause: &slips::Cause, part: &KeyedPart) -> Cause {
         };
         earned.push(own && mark.depends.iter().all(|needed| earned[*needed]));
     }
+    let sentence = if has_angles { cause.sentence.clone() } else { without_angles(&cause.sentence) };
     let probable = part.scheme.iter().zip(earned).filter(|(_, earned)| *earned).map(|(mark, _)| mark.id.clone());
-    Cause { tag: cause.tags.join("+"), sentence: part.said(&cause.sentence), probable: probable.collect() }
+    Cause { tag: cause.tags.join("+"), sentence: part.said(&sentence), probable: probable.collect() }
 }
 
 /// The answer itself is wrong, whatever else is right.

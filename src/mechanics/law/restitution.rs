@@ -37,8 +37,8 @@ pub const SLIPS: &[Slip] = &[
     Slip {
         place: 5,
         tag: "approach-subtracted",
-        did: "subtracted the components before the impact although the spheres move towards each other",
-        sentence: "The spheres move towards each other, so they close at the sum of the two components.",
+        did: "took the component of B before the impact with the other sign in the speed of approach",
+        sentence: "Spheres that move towards each other close at the sum of the two components, and those that move the same way at the difference.",
         also: &[],
         condoned: true,
     },
