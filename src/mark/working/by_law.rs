@@ -155,14 +155,18 @@ impl Working<'_> {
             false => comes_to(value, right),
         };
         self.lines.iter().position(|studied| {
+            // The angle itself, `α = 30°`, says what its sine is.
+            false if quantity == Quantity::ContactSine => comes_to(value, right) || comes_to(value, right.asin()),
             studied.matched.is_empty()
                 && !self.is_printed_result(studied)
+        let is_of_another_function =
+            |label: &str| ["tan", "cos"].iter().any(|name| label.trim_start().starts_with(name));
                 && self.members(studied).any(|(member, values)| {
                     let is_else = |label: &String| {
                         is_of_a_part(label, quantity)
                             || self.is_loss_of_one(label, quantity)
                             || !may_be_named(label, quantity)
-                            || quantity == Quantity::ContactSine && label.trim_start().starts_with("tan")
+                            || quantity == Quantity::ContactSine && is_of_another_function(label)
                     };
                     let worth = self.is_called(member) || self.is_worked_out(&member.expr);
                     worth

@@ -29,6 +29,7 @@ fn start(prepared: &Prepared, theirs: &Theirs) -> Vec<Known<f64>> {
         }
     }
     for sphere in Sphere::BOTH {
+        resolve(prepared, theirs, sphere, &mut at_points);
         let energies = energies_by_speed(prepared, theirs, sphere);
         for (known, [after, lost]) in at_points.iter_mut().zip(energies.into_iter().flatten()) {
             known.0.insert(Quantity::KineticEnergy(sphere, Moment::After), Datum::Number(after));
@@ -36,6 +37,28 @@ fn start(prepared: &Prepared, theirs: &Theirs) -> Vec<Known<f64>> {
         }
     }
     at_points
+}
+
+/// Adds what a wrong vector of the student's own for the velocity after the impact has along the line of centres and across
+/// it, unless that was said as well.
+fn resolve(prepared: &Prepared, theirs: &Theirs, sphere: Sphere, at_points: &mut [Known<f64>]) {
+    let of = |axis| Quantity::Velocity(sphere, Moment::After, axis);
+    let own = |axis| theirs.0.get(&of(axis)).map(|(values, _)| values);
+    let line = |axis| sizes(&prepared.known, Quantity::Line(axis));
+    let (Some(x), Some(y), None) = (own(Axis::X), own(Axis::Y), own(Axis::N)) else { return };
+    let (Some(along_i), Some(along_j)) = (line(Axis::X), line(Axis::Y)) else { return };
+    let is_right = |axis| {
+        let near = |(own, right): (&f64, &f64)| is_nearly_right(*own, *right);
+        own(axis).zip(sizes(&prepared.known, of(axis))).is_some_and(|(own, right)| own.iter().zip(&right).all(near))
+    };
+    if is_right(Axis::X) && is_right(Axis::Y) {
+        return;
+    }
+    for (point, known) in at_points.iter_mut().enumerate() {
+        let (x, y, i, j) = (x[point], y[point], along_i[point], along_j[point]);
+        known.0.insert(of(Axis::N), Datum::Number(x * i + y * j));
+        known.0.insert(of(Axis::T), Datum::Number(y * i - x * j));
+    }
 }
 
 /// The energy of a sphere after the impact and what it has lost, at every point, where the student has a wrong speed for it

@@ -82,6 +82,9 @@ const OWN: [&str; 26] = [
 /// Letters that stand for what is given as a number.
 const GIVEN: [&str; 5] = ["e", "m_A", "m_B", "m_1", "m_2"];
 
+/// The signs of an equation or an inequality.
+const RELATIONS: [char; 5] = ['=', '<', '>', '≤', '≥'];
+
 /// More lines than this are for a person to read.
 pub(in crate::mark) const MOST_LINES: usize = 60;
 
@@ -258,7 +261,7 @@ fn candidates(typed: &str) -> Vec<(Option<&str>, String)> {
     all.extend(after_remark(typed).map(|formula| (None, formula.to_owned())));
     all.push((None, typed.to_owned()));
     if let Some((before, after)) = typed.split_once(':')
-        && after.contains(['=', '<', '>', '≤', '≥'])
+        && after.contains(RELATIONS)
     {
         // A law in general letters is no name of its numbers: `mu = m_A v_A + m_B v_B: 16 cos 30° = …`.
         let is_law = before.contains('=') && !before.contains(|sign: char| sign.is_ascii_digit());
@@ -283,6 +286,14 @@ fn candidates(typed: &str) -> Vec<(Option<&str>, String)> {
         let after = sides[product + 1..].join("=").trim().to_owned();
         all.extend((product > 0).then(|| (None, format!("{} = {after}", sides[0].trim()))));
         all.push((None, after));
+    }
+    // `p = -3 gives m = 2`: both, or what is concluded from a remark.
+    for word in [" so ", " gives ", " hence ", " therefore "] {
+        let Some((before, after)) = typed.split_once(word) else { continue };
+        if after.contains(RELATIONS) {
+            all.push((None, format!("{before}, {after}")));
+            all.push((None, after.trim().to_owned()));
+        }
     }
     let is_word = |word: &str| {
         let letters = word.trim_matches(['(', ')', '.', ',', ':']);

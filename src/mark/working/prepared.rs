@@ -138,6 +138,18 @@ impl Prepared {
         self.masses.contains(one) && self.masses.contains(other)
     }
 
+    /// The letter that was to be found, where this quantity is given as that letter.
+    pub(super) fn letter_of(&self, quantity: Quantity) -> Option<String> {
+        let given = sizes(&self.given, quantity)?;
+        let is_it = |letter: &Letter| {
+            let mut at = given.iter().enumerate();
+            at.all(|(point, size)| {
+                self.points.letter(letter.name(), point).is_some_and(|own| (own - size).abs() < 1e-9)
+            })
+        };
+        self.found.iter().map(|(letter, _)| letter).find(|letter| is_it(letter)).map(|letter| letter.name().to_owned())
+    }
+
     /// Does the question give what has this name: by a letter of its own, or as a number?
     pub(super) fn gives(&self, name: &str) -> bool {
         self.points.letter(name, 0).is_some() || self.names.iter().any(|(known, _)| known == name)

@@ -1,6 +1,6 @@
 //! What a wall does to a sphere: restitution gives the one component after it at once, and all that follows from that.
 
-use super::compare::is_vector;
+use super::compare::{comes_to, is_vector};
 use super::evidence::Evidence;
 use super::examine::{Value, Working};
 use super::line::Member;
@@ -35,9 +35,20 @@ impl Working<'_> {
         let right = self.line_that_is(&self.prepared.known, after).or_else(by_tangent);
         let right = right.or_else(|| self.inequality_with(&sizes(&self.prepared.known, after)?));
         let right = right.or_else(|| self.rebound_as_vector()).or_else(|| self.rebound_along_axis());
-        let right = right.or_else(|| self.rebound_in_axes(code));
+        let right = right.or_else(|| self.rebound_in_axes(code)).or_else(|| self.said_to_rebound(after));
         let line = right.or_else(|| self.exchanged(after, code))?;
         Some(Evidence::given(line, "restitution"))
+    }
+
+    /// A value that is said to be that of the rebound, and is: `rebound 4.67`.
+    fn said_to_rebound(&self, after: Quantity) -> Option<usize> {
+        let right = sizes(&self.prepared.known, after)?;
+        let is_right = |values: &[Value]| values.iter().zip(&right).all(|(value, right)| comes_to(*value, *right));
+        self.lines.iter().position(|studied| {
+            let typed = studied.line.typed.to_lowercase();
+            let says = ["rebound", "bounces", "comes off"].iter().any(|word| typed.contains(word));
+            says && self.members(studied).any(|(member, values)| member.label.is_none() && is_right(values))
+        })
     }
 
     /// The component after the impact by its unit vector, `2j` for `½ × 4` along j.

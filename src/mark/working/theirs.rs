@@ -101,6 +101,9 @@ impl Theirs {
                         self.0.entry(along).or_insert(own);
                     }
                     self.0.insert(*quantity, (numbers, expr.clone()));
+                    if let Some(letter) = prepared.letter_of(*quantity) {
+                        self.take_letter(question, &letter, expr);
+                    }
                 }
                 (Find::Vector(x, y), Form::Vector(along_i, along_j, _)) => {
                     for (quantity, expr) in [(x, along_i), (y, along_j)] {
@@ -126,6 +129,15 @@ impl Theirs {
         let is_near = |(own, right): (&f64, &Option<f64>)| right.is_none_or(|right| is_nearly_right(*own, right));
         if sizes.iter().zip(right).all(is_near) {
             return;
+        }
+        // What was found in the letter is now what it comes to with this value.
+        for (values, in_letter) in self.0.values_mut() {
+            let put = in_letter.substitute(&|other| (other == name).then(|| found.clone()));
+            if put != *in_letter
+                && let Some(sizes) = size(&put)
+            {
+                (*values, *in_letter) = (sizes, put);
+            }
         }
         let after = |sphere| [Axis::X, Axis::Y].map(|axis| Quantity::Velocity(sphere, Moment::After, axis));
         let velocities: Vec<Quantity> = Sphere::BOTH.into_iter().flat_map(after).collect();
