@@ -65,7 +65,10 @@ impl Working<'_> {
                 let found = found.or_else(|| self.energies_apart(law, code));
                 let found = found.or_else(|| self.with_sine_for_cosine(law, code));
                 let found = found.or_else(|| self.without_a_letter(law, &quantities, code));
-                let by_angle = || self.compound_angle(law).or_else(|| self.scalar_quotient(law));
+                let by_angle = || {
+                    let by_cosine = || self.scalar_quotient(law).or_else(|| self.between_directions(law));
+                    self.compound_angle(law).or_else(by_cosine)
+                };
                 let of_deflection = || self.demanded_of_turn(law).or_else(by_angle);
                 match (is_of_deflection(law), code) {
                     (true, Code::M1) => found.or_else(of_deflection),
@@ -152,15 +155,15 @@ impl Working<'_> {
         }
         let comes = |value: Value, right: f64| match is_angle {
             true => comes_to_angle(value, right, self.may_be_complement(quantity)),
-            false => comes_to(value, right),
-        };
-        self.lines.iter().position(|studied| {
             // The angle itself, `α = 30°`, says what its sine is.
             false if quantity == Quantity::ContactSine => comes_to(value, right) || comes_to(value, right.asin()),
-            studied.matched.is_empty()
-                && !self.is_printed_result(studied)
+            false => comes_to(value, right),
+        };
         let is_of_another_function =
             |label: &str| ["tan", "cos"].iter().any(|name| label.trim_start().starts_with(name));
+        self.lines.iter().position(|studied| {
+            studied.matched.is_empty()
+                && !self.is_printed_result(studied)
                 && self.members(studied).any(|(member, values)| {
                     let is_else = |label: &String| {
                         is_of_a_part(label, quantity)

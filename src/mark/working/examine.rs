@@ -1,6 +1,7 @@
 //! Which marks the lines of a part earn.
 
 use super::convention::{shows_e, take_as_laws};
+use super::crossed_out::set_aside_replaced;
 use super::energies::ToBeSubtracted;
 use super::evidence::Evidence as Shown;
 use super::going_on::{follow, follow_to};
@@ -41,6 +42,8 @@ pub(crate) struct Examined {
     pub(super) has_e: Option<bool>,
     /// Both energies, where only an answer may be their difference.
     pub(super) to_be_subtracted: Option<ToBeSubtracted>,
+    /// What a deflection would be by two directions that stand in the lines, where only an answer may have it.
+    pub(super) turns: Vec<Vec<f64>>,
     /// The student's letters for the velocities of A and B after the impact, where an equation says so.
     pub(super) letters: Option<[String; 2]>,
     /// What each line is short of one of the two equations, if it is one.
@@ -172,6 +175,7 @@ pub(super) fn examine_one(
     let stated = part.blanks.iter().map(|blank| stated(&working.lines, blank)).collect();
     let solution = working.own_solution();
     let to_be_subtracted = working.to_be_subtracted();
+    let turns = working.turns();
     let shows = |studied: &Studied| {
         studied.reading.iter().flat_map(|reading| &reading.members).any(|member| shows_e(&member.expr, prepared))
     };
@@ -184,7 +188,19 @@ pub(super) fn examine_one(
     });
     let lines = lines.chain(unread).collect();
     let (theirs, followed) = (working.theirs, Some(working.followed));
-    Examined { awards, lines, theirs, stated, followed, solution, has_e, to_be_subtracted, letters, short_of_law }
+    Examined {
+        awards,
+        lines,
+        theirs,
+        stated,
+        followed,
+        solution,
+        has_e,
+        to_be_subtracted,
+        turns,
+        letters,
+        short_of_law,
+    }
 }
 
 /// The first line of more than are read: a person is told of it.
@@ -200,29 +216,6 @@ fn stated(lines: &[Studied], blank: &KeyedBlank) -> Option<Reading> {
     let mut statements = readings.flat_map(|reading| reading.statements.iter().rev()).filter(is_in_words);
     let statement = statements.find(|statement| is_named(&blank.model, statement))?;
     Some(Reading { statements: vec![statement.clone()], printed: String::new(), decided: Vec::new() })
-}
-
-/// A line that is crossed out does not count where the same law, or the same letter, stands again without a stroke.
-fn set_aside_replaced(lines: &mut [Studied]) {
-    let letters = |studied: &Studied| -> Vec<String> {
-        let members = studied.reading.iter().flat_map(|reading| &reading.members);
-        members.filter_map(|member| member.letter.clone()).collect()
-    };
-    let stands: Vec<&Studied> = lines.iter().filter(|studied| !studied.line.is_crossed_out()).collect();
-    let is_replaced = |studied: &Studied| {
-        let laws = &studied.matched;
-        let own = letters(studied);
-        stands.iter().any(|other| {
-            let same_law = |law: &Matched| other.matched.iter().any(|matched| matched.equation == law.equation);
-            laws.iter().any(same_law) || letters(other).iter().any(|letter| own.contains(letter))
-        })
-    };
-    let crossed = lines.iter().map(|studied| studied.line.is_crossed_out() && is_replaced(studied));
-    let crossed: Vec<bool> = crossed.collect();
-    for (studied, _) in lines.iter_mut().zip(crossed).filter(|(_, crossed)| *crossed) {
-        (studied.reading, studied.matched) = (None, Vec::new());
-        studied.role = "crossed out and replaced".to_owned();
-    }
 }
 
 pub(super) fn has_vectors(question: &KeyedQuestion) -> bool {

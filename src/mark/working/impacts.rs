@@ -137,6 +137,7 @@ impl Examined {
             solution: None,
             has_e: None,
             to_be_subtracted: None,
+            turns: Vec::new(),
             letters: None,
             short_of_law,
         }
@@ -200,6 +201,7 @@ impl Examined {
         }
         self.theirs = later.theirs;
         self.to_be_subtracted = later.to_be_subtracted.or(self.to_be_subtracted.take());
+        self.turns.extend(later.turns);
         // Each impact has an e of its own.
         self.has_e = [self.has_e, later.has_e].into_iter().flatten().reduce(|one, other| one && other);
         (self.followed, self.solution, self.letters) = (None, None, None);

@@ -34,7 +34,7 @@ impl Examined {
             let law = match mark.earned_for {
                 EarnedFor::Law(law, _) if matches!(law.seen(), Seen::Unchanged | Seen::Unknown) => law,
                 EarnedFor::Law(law, _) if law.gives(Quantity::EnergyLost) => law,
-                EarnedFor::Law(law, _) if mark.code == Code::DependentM1 && is_of_deflection(law) => law,
+                EarnedFor::Law(law, _) if mark.code.is_method() && is_of_deflection(law) => law,
                 _ => return None,
             };
             award.as_ref().is_none_or(|award| !award.given).then_some(law)
@@ -50,6 +50,9 @@ impl Examined {
             let mark = &part.scheme[place];
             let shown = match law.seen() {
                 Seen::Unchanged => unchanged(question, part, before, &said),
+                Seen::Value(..) if is_of_deflection(law) && mark.code == Code::M1 => {
+                    turned(question.prepared(), part, &self.turns, &said)
+                }
                 Seen::Value(..) if is_of_deflection(law) => self.cleared_in_answers(part, law, &said),
                 Seen::Value(..) => {
                     let energies = self.to_be_subtracted.as_ref().filter(|own| own.allows(mark.code));
@@ -167,6 +170,15 @@ fn subtracted(
         let is_loss = blank.find.quantities().iter().any(|find| find.of_its_impact() == Quantity::EnergyLost);
         let values = said.as_ref().filter(|_| is_loss).and_then(|(expr, _)| value(expr, prepared, &prepared.names));
         values.is_some_and(|values| are_near_sizes(&values, &energies.difference))
+    })
+}
+
+/// A blank for a deflection with what two directions that stand in the lines come to.
+fn turned(prepared: &Prepared, part: &KeyedPart, turns: &[Vec<f64>], said: &[Option<(Expr, String)>]) -> Option<usize> {
+    part.blanks.iter().zip(said).position(|(blank, said)| {
+        let is_turn = blank.find.quantities().iter().any(|find| matches!(find, Quantity::Deflection(_)));
+        let values = said.as_ref().filter(|_| is_turn).and_then(|(expr, _)| value(expr, prepared, &prepared.names));
+        values.is_some_and(|values| turns.iter().any(|turn| are_near_sizes(&values, turn)))
     })
 }
 

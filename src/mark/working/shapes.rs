@@ -205,15 +205,18 @@ impl Working<'_> {
             .filter_map(|sphere| {
                 let of = |known, moment| sizes(known, Quantity::Speed(sphere, moment));
                 let before = of(&self.prepared.known, Moment::Before)?;
-                let after = [&self.prepared.known, &self.followed].map(|known| of(known, Moment::After));
+                let found = self.prepared.all_where_found().unwrap_or_default();
+                let after = [&self.prepared.known, &self.followed, &found].map(|known| of(known, Moment::After));
                 let product =
                     |after: Vec<f64>| before.iter().zip(after).map(|(before, after)| before * after).collect();
-                Some(after.into_iter().flatten().map(product).collect::<Vec<Vec<f64>>>())
+                let after = after.into_iter().flatten().filter(|after| !after.is_empty());
+                Some(after.map(product).collect::<Vec<Vec<f64>>>())
             })
             .flatten()
             .collect();
-        let is_quotient =
-            |inner: &Expr| matches!(inner, Expr::Quotient(_, below) if self.is_near_one_of(below, &speeds));
+        // Speeds of two figures are enough to see what stands below.
+        let is_product = |below: &Expr| self.is_near_one_of(below, &speeds) || self.rounds_one_of(below, &speeds);
+        let is_quotient = |inner: &Expr| matches!(inner, Expr::Quotient(_, below) if is_product(below));
         let line = self.lines.iter().position(|studied| {
             self.members(studied).any(|(member, _)| {
                 let is_cosine = member.label.as_ref().is_some_and(|label| label.trim_start().starts_with("cos"));
