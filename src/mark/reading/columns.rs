@@ -9,17 +9,13 @@ pub(super) fn on_two_lines(mut tokens: Vec<Placed>, vocabulary: &Vocabulary, cho
     if !vocabulary.vectors {
         return tokens;
     }
-    // What is typed before the first line and after the last is no line.
-    let ends = [tokens.iter().position(is_said), tokens.iter().rposition(is_said)];
-    let [Some(first), Some(last)] = ends else { return tokens };
+    let Some((first, middle, last)) = two_lines(&tokens) else { return tokens };
     let is_figure = |placed: &Placed| match placed.token {
         Token::Number(_) | Token::Root { .. } => true,
         Token::Sign(sign) => matches!(sign, '-' | '/' | '.' | '⟦' | '⟧'),
         _ => false,
     };
-    let breaks: Vec<usize> = (first..last).filter(|at| tokens[*at].is('\n')).collect();
-    let [middle] = breaks.as_slice() else { return tokens };
-    let (above, below) = (&tokens[first..*middle], &tokens[middle + 1..=last]);
+    let (above, below) = (&tokens[first..middle], &tokens[middle + 1..=last]);
     let open = above.iter().rposition(|placed| placed.is('(') || placed.is('['));
     let close = below.iter().position(|placed| placed.is(')') || placed.is(']'));
     let (bracketed, column) = match (open, close) {
@@ -29,10 +25,10 @@ pub(super) fn on_two_lines(mut tokens: Vec<Placed>, vocabulary: &Vocabulary, cho
     if !column.iter().all(|part| !part.is_empty() && part.iter().all(is_figure)) {
         return tokens;
     }
-    let place = tokens[*middle].start;
+    let place = tokens[middle].start;
     if bracketed || choices.otherwise(Doubt::Column, place) {
         let sign = |sign, from: &Placed| Placed { token: Token::Sign(sign), ..from.clone() };
-        tokens[*middle].token = Token::Sign(';');
+        tokens[middle].token = Token::Sign(';');
         if !bracketed {
             let (open, close) = (sign('(', &tokens[first]), sign(')', &tokens[last]));
             tokens.insert(last + 1, close);
@@ -55,15 +51,20 @@ pub(super) fn with_joined_lines(mut tokens: Vec<Placed>, vocabulary: &Vocabulary
         let is_joined = is_sign(below.first()) || is_sign(above.last());
         is_joined && (is_split("i", "j") || is_split("j", "i"))
     };
-    let mut breaks = tokens.iter().enumerate().filter(|(_, placed)| placed.is('\n')).map(|(at, _)| at);
-    if let (true, Some(at), None) = (vocabulary.vectors, breaks.next(), breaks.next())
-        && goes_on(&tokens[..at], &tokens[at + 1..])
+    if vocabulary.vectors
+        && let Some((first, middle, last)) = two_lines(&tokens)
+        && goes_on(&tokens[first..middle], &tokens[middle + 1..=last])
     {
-        tokens.remove(at);
+        tokens.remove(middle);
     }
     tokens
 }
 
-fn is_said(placed: &Placed) -> bool {
-    !placed.is('\n')
+/// Where the first of two lines begins, where it ends and where the second one does: an empty line before or after them
+/// is none.
+fn two_lines(tokens: &[Placed]) -> Option<(usize, usize, usize)> {
+    let is_said = |placed: &Placed| !placed.is('\n');
+    let (first, last) = (tokens.iter().position(is_said)?, tokens.iter().rposition(is_said)?);
+    let mut breaks = (first..last).filter(|at| tokens[*at].is('\n'));
+    breaks.next().filter(|_| breaks.next().is_none()).map(|middle| (first, middle, last))
 }
