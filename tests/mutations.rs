@@ -176,6 +176,7 @@ fn texts_that_read_badly_are_named() {
             ("article-twice", &[("is moving", "is a a moving")], "a word said twice: `a a`"),
             ("word-twice", &[("the spheres is {", "the the spheres is {")], "a word said twice: `the the`"),
             ("stray", &[("{restitution}.", "{restitution} .")], "a stray sign"),
+            ("spelling", &[("the spheres is {", "the shperes is {")], "a slip of the pen: `shperes`"),
             ("full-stop", &[("line of centres.\n'''", "line of centres\n'''")], "a sentence without a full stop"),
             ("plural", &[("on the plane. The", "{q} times on the plane. The")], "one of several: `1 times`"),
             (
@@ -689,6 +690,25 @@ fn a_direction_that_is_reversed_and_an_angle_without_braces_are_so_in_the_scene(
 }
 
 #[test]
+fn what_spheres_have_alike_and_how_they_lie_is_so_in_the_scene() {
+    found(
+        "i-j/energy-lost",
+        &[
+            (
+                "equal-masses",
+                &[("They are moving", "Their masses are equal. They are moving")],
+                "the words say that masses are equal, and those of `*A*` and `*B*` are not",
+            ),
+            ("vector", &[("the velocity of *A* is", "the speed of *A* is")], "call the vector `[ax, ay]` a speed"),
+        ],
+    );
+    found(
+        "successive/three-in-a-line",
+        &[("order", &[("in that order", "in the order *A*, *C*, *B*")], "the words put `*C*` between `*A*` and `*B*`")],
+    );
+}
+
+#[test]
 fn what_decides_and_is_never_told_is_named_and_any_words_that_tell_of_it_are_right() {
     let turn = "The impact turns\nthe direction of motion of *A* through a right angle.";
     let wall = "walls/turned-through-a-right-angle";
@@ -724,6 +744,8 @@ fn what_decides_and_is_never_told_is_named_and_any_words_that_tell_of_it_are_rig
     );
     let sentence = "_[In this question_ {i} _and_ {j} _are perpendicular unit vectors in a horizontal plane.]_";
     found("i-j/energy-lost", &[("unit-vectors", &[(sentence, "")], "the words never tell what {i} and {j} are")]);
+    let no_line: &[(&str, &str)] = &[(" with the line of centres", "")];
+    found("rest/speeds-and-directions", &[("no-line", no_line, "from which line the angle `alpha` is measured")]);
     let meeting = "After *B* has struck *C*, *A* does not strike *B* again. Find";
     let edits: &[(&str, &str)] = &[(meeting, "Find")];
     found("successive/no-more-collisions", &[("never-again", edits, "the words never tell of who meets again")]);

@@ -18,6 +18,7 @@ mod letters;
 mod lines;
 mod marked_laws;
 mod marked_lines;
+mod misspelt;
 mod own_words;
 mod said;
 mod said_of_angles;
@@ -28,6 +29,7 @@ mod said_of_lines;
 mod said_of_motion;
 mod said_of_restitution;
 mod said_of_results;
+mod said_of_spheres;
 mod said_of_walls;
 #[cfg(test)]
 mod said_tests;
@@ -56,6 +58,7 @@ pub fn of_question(question: &Question) -> Vec<Finding> {
         typed::beside_the_scene,
         untold::conditions,
         untold::unit_vectors,
+        untold::lines_of_angles,
         units::astray,
         exact_form::unkept,
         figures::otherwise,

@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use super::agreement::disagreeing;
+use super::misspelt::meant;
 use super::sentence::in_order;
 use super::sentences::{around, is_plural, remark_at};
 use crate::examine::remark::Remark;
@@ -93,6 +94,10 @@ fn of_words(words: &str, before: &str, remarks: &mut Vec<Remark>) {
         if is_word && word.eq_ignore_ascii_case(before) && word.chars().all(char::is_alphabetic) && word != "that" {
             let shown = format!("{before} {word}");
             remarks.push(remark_at("a word said twice", around(words, at), &shown, "take one of them out"));
+        }
+        if let Some(meant) = meant(bare) {
+            let help = format!("write `{meant}`");
+            remarks.push(remark_at("a slip of the pen", around(words, at), bare, &help));
         }
         let is_counted = ["two", "three", "both"].iter().any(|count| word.eq_ignore_ascii_case(count));
         if let Some(one) = words[at..].split(['.', ',', ';']).next().filter(|_| is_counted).and_then(one_of_several) {

@@ -32,7 +32,10 @@ pub fn contradicted(question: &Question, style: &Style, variant: &Variant) -> Ve
             seen.radii(&sentence, &mut findings);
             seen.lengths(&sentence, &mut findings);
             seen.centres(&sentence, &mut findings);
+            seen.equal_masses(&sentence, &mut findings);
             seen.heavier(&sentence, &mut findings);
+            seen.order(&sentence, &mut findings);
+            seen.speed_of_a_vector(&sentence, &mut findings);
             seen.impulses(&sentence, &mut findings);
             seen.meeting_again(&sentence, &mut findings);
             seen.directed(&sentence, &mut findings);
@@ -210,46 +213,6 @@ impl<'v> Seen<'v> {
                 (!(x.equals(&i) && y.equals(&j))).then(|| (vector(&x, &y), vector(&i, &j)))
             }
             Noun::Angle => self.angle(sphere, moment, expr, after),
-        }
-    }
-}
-
-impl Seen<'_> {
-    fn radius(&self, sphere: Sphere) -> Option<Value> {
-        let radii = &self.question.scene.radii;
-        let radius = if sphere == Sphere::A { &radii.a } else { &radii.b };
-        self.number(&read(radius.as_ref()?, Angles::Degrees).ok()?)
-    }
-
-    /// Radii that are said to be equal, or not to be. Spheres of which the scene has no radii meet as equal ones do.
-    fn radii(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
-        const EQUAL: [&str; 3] = ["equal", "same", "identical"];
-        const OTHER: [&str; 9] =
-            ["unequal", "different", "twice", "double", "half", "triple", "thrice", "larger", "smaller"];
-        let Some(at) = sentence.iter().position(|token| is_one_of(token, &["radius", "radii"])) else { return };
-        let says = |words: &[&str]| sentence.iter().find(|token| is_one_of(token, words));
-        // A distance may be half a radius.
-        if says(&["distance", "path"]).is_some() || self.is_alone() {
-            return;
-        }
-        let is_said_equal = is_one_of(&sentence[at.saturating_sub(1)], &EQUAL);
-        let are_equal = match Sphere::BOTH.map(|sphere| self.radius(sphere)) {
-            [Some(a), Some(b)] => a.equals(&b),
-            _ => true,
-        };
-        // `Twice the radius` or `the radius of *A* is twice`, and not a mass that is twice another.
-        let near = &sentence[at.saturating_sub(2)..sentence.len().min(at + 5)];
-        let is_of_another = near.iter().any(|token| is_one_of(token, &["mass", "masses", "speed", "speeds"]));
-        let beside = near.iter().find(|token| is_one_of(token, &OTHER) && !is_of_another);
-        let (said, is_so) = match (is_said_equal, beside) {
-            (true, _) => ("equal", are_equal),
-            (false, Some(_)) => ("different", !are_equal),
-            (false, None) => return,
-        };
-        if !is_so {
-            let message = format!("the words say that the radii are {said}, and in the scene they are not");
-            let Token::Word(radii) = &sentence[at] else { return };
-            findings.push(self.finding(message, radii, "give in `[scene]` the `radii` that are said, or say others"));
         }
     }
 }

@@ -174,33 +174,6 @@ impl Seen<'_> {
             findings.push(self.finding(message, &at, "measure it from the centre of the other sphere"));
         }
     }
-
-    /// Which sphere is the lighter, or the heavier.
-    pub(super) fn heavier(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
-        let Some(at) = sentence.iter().position(|token| is_one_of(token, &["lighter", "heavier"])) else { return };
-        let is_named = at > 0 && is_one_of(&sentence[at - 1], &["the"]);
-        if !is_named || says(sentence, &["than"]) || !self.question.scene.then.is_empty() || self.is_alone() {
-            return;
-        }
-        let beside = sentence[at + 1..].iter().take(2).chain(sentence[..at].iter().rev().take(3));
-        let sphere = beside.into_iter().find_map(|token| match token {
-            Token::Sphere(sphere) => Some(*sphere),
-            _ => None,
-        });
-        let (Some(one), Token::Word(word)) = (sphere, &sentence[at]) else { return };
-        let other = if one == Sphere::A { Sphere::B } else { Sphere::A };
-        let mass = |sphere| self.known.number(Quantity::Mass(sphere));
-        let (Some(own), Some(its)) = (mass(one), mass(other)) else { return };
-        let sign = (&own - &its).sign();
-        if sign.is_some_and(|sign| if word == "lighter" { !sign.is_lt() } else { !sign.is_gt() }) {
-            let message = format!("the words say that `*{}*` is the {word} sphere, and it is not so", one.name());
-            findings.push(self.finding(
-                message,
-                &format!("the {word}"),
-                "require that it is so, or take the words out",
-            ));
-        }
-    }
 }
 
 /// Along which line words go on: along the line of centres, or perpendicular to it; what is next to another number is not

@@ -1,6 +1,7 @@
-//! What decides the answer and is never told to a student: conditions of the scene, and how **i** and **j** lie.
+//! What decides the answer and is never told to a student: conditions of the scene, how **i** and **j** lie, and from which
+//! line an angle is measured.
 
-use super::sentence::{Sentence, Token, is_one_of, says, sentences};
+use super::sentence::{Noun, Sentence, Token, is_one_of, noun_of, says, sentences};
 use crate::bank::Question;
 use crate::examine::Finding;
 use crate::expr::{Expr, print};
@@ -47,6 +48,42 @@ pub fn unit_vectors(question: &Question) -> Vec<Finding> {
         Finding::new(message, "{i}", "a student may not know how they lie").with_help(help).as_warning()
     };
     untold.then(found).into_iter().collect()
+}
+
+/// Angles that are given and of which no word says between what they are.
+pub fn lines_of_angles(question: &Question) -> Vec<Finding> {
+    const BETWEEN: [&str; 14] = [
+        "with",
+        "to",
+        "from",
+        "between",
+        "above",
+        "below",
+        "against",
+        "through",
+        "deflected",
+        "turned",
+        "turns",
+        "than",
+        "paths",
+        "inclined",
+    ];
+    let untold = |sentence: &Sentence| {
+        let is_angle = |place: usize| matches!(noun_of(sentence, place), Some((_, Noun::Angle, _)));
+        let angle =
+            (0..sentence.len()).find(|place| matches!(sentence[*place], Token::Number(..)) && is_angle(*place))?;
+        let Token::Number(expr, _, lead) = &sentence[angle] else { return None };
+        // Of a letter the words may tell elsewhere what angle it is.
+        let is_open = matches!(expr, Expr::Name(name) if question.scene.symbols.contains_key(&name.text));
+        (!says(sentence, &BETWEEN) && !is_open).then(|| (lead.clone(), print::plain(expr)))
+    };
+    let texts = question.styles.iter().flat_map(|style| style.stem.iter().chain([&style.note]));
+    let found = texts.flat_map(sentences).find_map(|sentence| untold(&sentence)).map(|(lead, angle)| {
+        let message = format!("the words never tell from which line the angle `{angle}` is measured");
+        let help = "go on with `to the line of centres`, `with the wall` or `to the direction of {i}`";
+        Finding::new(message, lead.trim(), "it may be measured from any line").with_help(help).as_warning()
+    });
+    found.into_iter().collect()
 }
 
 /// What a condition takes that no sentence tells of, and how it might be told.
@@ -146,6 +183,20 @@ mod tests {
             assert_eq!((found(&[]), found(&[(sentence, "")]), found(&[(sentence, east)])), (0, 1, 0), "{id}");
         }
         assert!(unit_vectors(&edited("rest/speeds-and-directions", &[])).is_empty());
+    }
+
+    #[test]
+    fn angles_are_measured_from_a_line() {
+        let (id, line) = ("rest/speeds-and-directions", " with the line of centres");
+        let found = |edits: Edits| {
+            lines_of_angles(&edited(id, edits)).into_iter().map(|finding| finding.message).collect::<String>()
+        };
+        assert_eq!(found(&[]), "");
+        assert!(
+            found(&[(line, "")]).contains("from which line the angle `alpha` is measured"),
+            "{}",
+            found(&[(line, "")])
+        );
     }
 
     #[test]

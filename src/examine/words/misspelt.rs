@@ -1,0 +1,103 @@
+//! Slips of the pen in the words of the subject: `sphere`, `perpendicular`, `coefficient`.
+
+/// Words of which questions are made, and from which no other word that might stand there is one letter away: `fraction`
+/// (friction) and `impact` (impart) are left out.
+const WORDS: [&str; 45] = [
+    "approaches",
+    "before",
+    "between",
+    "calculate",
+    "centres",
+    "coefficient",
+    "collide",
+    "collision",
+    "components",
+    "conserved",
+    "deflected",
+    "deflection",
+    "determine",
+    "direction",
+    "energy",
+    "horizontal",
+    "identical",
+    "immediately",
+    "impulse",
+    "initially",
+    "kinetic",
+    "magnitude",
+    "momentum",
+    "motion",
+    "moving",
+    "opposite",
+    "parallel",
+    "particle",
+    "perpendicular",
+    "question",
+    "radius",
+    "rebounds",
+    "respectively",
+    "restitution",
+    "separation",
+    "smooth",
+    "sphere",
+    "spheres",
+    "surface",
+    "tangent",
+    "towards",
+    "uniform",
+    "velocities",
+    "velocity",
+    "vertical",
+];
+
+/// Endings by which one word is made of another, and spellings that some have.
+const ENDINGS: [&str; 8] = ["s", "d", "r", "ly", "ed", "al", "er", "n"];
+
+/// The word that is meant by one that begins as it does, is no form of it, and is one letter away: wrong, missing, too many,
+/// or exchanged with the next.
+pub(super) fn meant(word: &str) -> Option<&'static str> {
+    let is_plain = word.len() > 5 && word.chars().all(|letter| letter.is_ascii_lowercase());
+    let is_american = word.starts_with("center");
+    if !is_plain || is_american || WORDS.contains(&word) {
+        return None;
+    }
+    let stem = |word: &'static str| [word.strip_suffix('e'), word.strip_suffix('s'), Some(word)].into_iter().flatten();
+    let is_form = |of: &'static str| {
+        stem(of).any(|stem| word.strip_prefix(stem).is_some_and(|end| end.is_empty() || ENDINGS.contains(&end)))
+    };
+    let is_near = |other: &&'static str| {
+        other.len() > 5 && other.as_bytes()[0] == word.as_bytes()[0] && strsim::osa_distance(word, other) == 1
+    };
+    WORDS.into_iter().find(|other| is_near(other) && !is_form(other))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slips_of_the_pen_are_told_from_forms_and_other_words() {
+        let table = [
+            ("spheers", "spheres"),
+            ("shperes", "spheres"),
+            ("coeficient", "coefficient"),
+            ("perpindicular", "perpendicular"),
+            ("resitution", "restitution"),
+            ("imediately", "immediately"),
+            ("horizantal", "horizontal"),
+            ("colide", "collide"),
+            ("velocites", "velocities"),
+            ("paralel", "parallel"),
+        ];
+        for (typed, word) in table {
+            assert_eq!(meant(typed), Some(word), "{typed}");
+        }
+        let right = "spheres impulses impulsive collides collided colliding collisions velocities directions directed reversal \
+                     tangents tangential magnitudes uniformly smoothly centre centers particles components friction fraction \
+                     imparts reflection vertically planes plate place surfaces energies reverses approach determined motions \
+                     horizontally kinetics smoother smoothed rebound rebounded opposed positive beyond moment moments toward though through";
+        for word in right.split_whitespace() {
+            assert_eq!(meant(word), None, "{word}");
+        }
+    }
+}

@@ -1,0 +1,144 @@
+//! What the words say of spheres beside each other: whose masses and radii are alike, who is the heavier, and in which order
+//! they lie.
+
+use super::said::Seen;
+use super::sentence::{Noun, Sentence, Token, is_one_of, noun_of, says};
+use crate::examine::Finding;
+use crate::expr::{Angles, Meaning, print, read};
+use crate::mechanics::{Meeting, Quantity, Sphere};
+use crate::number::Value;
+
+impl Seen<'_> {
+    /// Masses that are said to be equal, of the spheres that the sentence names or of all.
+    pub(super) fn equal_masses(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        const MASS: [&str; 2] = ["mass", "masses"];
+        let is_equal = |pair: &[Token]| is_one_of(&pair[0], &["equal", "same"]) && is_one_of(&pair[1], &MASS);
+        let are_equal = |three: &[Token]| {
+            is_one_of(&three[0], &MASS) && is_one_of(&three[1], &["are"]) && is_one_of(&three[2], &["equal"])
+        };
+        let is_said = sentence.windows(2).any(is_equal) || sentence.windows(3).any(are_equal);
+        if !is_said || self.is_alone() {
+            return;
+        }
+        let named = |sphere: &Sphere| sentence.contains(&Token::Sphere(*sphere));
+        let named: Vec<Sphere> = Sphere::ALL.into_iter().filter(named).collect();
+        let spheres = if named.len() > 1 { &named[..] } else { &Sphere::ALL };
+        let mass = |sphere: &Sphere| {
+            let known = self.known.number(self.first(*sphere, Quantity::Mass(*sphere))?)?;
+            Some((*sphere, known))
+        };
+        let masses: Vec<(Sphere, Value)> = spheres.iter().filter_map(mass).collect();
+        let unlike = |pair: &&[(Sphere, Value)]| !pair[0].1.equals(&pair[1].1);
+        if let Some([(one, _), (other, _)]) = masses.windows(2).find(unlike) {
+            let message = format!(
+                "the words say that masses are equal, and those of `*{}*` and `*{}*` are not",
+                one.name(),
+                other.name()
+            );
+            let at = if says(sentence, &["masses"]) { "masses" } else { "mass" };
+            findings.push(self.finding(message, at, "give them equal masses in `[scene]`, or say what each has"));
+        }
+    }
+
+    /// Three spheres that are said to lie in an order: the one that meets both others lies between them.
+    pub(super) fn order(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        let Some(at) = sentence.iter().position(|token| is_one_of(token, &["order"])) else { return };
+        let is_that = at > 0 && is_one_of(&sentence[at - 1], &["that", "this"]);
+        let words = if is_that { &sentence[..at] } else { &sentence[at..] };
+        let sphere = |token: &Token| match token {
+            Token::Sphere(sphere) => Some(*sphere),
+            _ => None,
+        };
+        let named: Vec<Sphere> = words.iter().filter_map(sphere).take(3).collect();
+        let &[one, middle, other] = named.as_slice() else { return };
+        let later = self.variant.scene.then.iter().map(|then| then.meeting).filter(|meeting| !meeting.with_wall);
+        let meets = |[one, other]: [Sphere; 2]| {
+            std::iter::once(Meeting::FIRST)
+                .chain(later.clone())
+                .any(|of| of.of == [one, other] || of.of == [other, one])
+        };
+        if meets([one, other]) && one != other && middle != one && middle != other {
+            let (one, middle, other) = (one.name(), middle.name(), other.name());
+            let message =
+                format!("the words put `*{middle}*` between `*{one}*` and `*{other}*`, which meet in the scene");
+            findings.push(self.finding(message, "order", "name the spheres in the order in which they lie"));
+        }
+    }
+
+    /// `speed {3*i + 2*j}`: a speed has no direction.
+    pub(super) fn speed_of_a_vector(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        for (place, token) in sentence.iter().enumerate() {
+            let Token::Number(expr, _, lead) = token else { continue };
+            let is_speed = matches!(noun_of(sentence, place), Some((_, Noun::Speed, _)));
+            if is_speed && matches!(self.meaning(expr), Some(Meaning::Vector(..))) {
+                let message = format!("the words call the vector `{}` a speed", print::plain(expr));
+                findings.push(self.finding(message, lead, "write `velocity`, or give the speed alone"));
+            }
+        }
+    }
+
+    /// Which sphere is the lighter, or the heavier.
+    pub(super) fn heavier(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        let Some(at) = sentence.iter().position(|token| is_one_of(token, &["lighter", "heavier"])) else { return };
+        let is_named = at > 0 && is_one_of(&sentence[at - 1], &["the"]);
+        if !is_named || says(sentence, &["than"]) || !self.question.scene.then.is_empty() || self.is_alone() {
+            return;
+        }
+        let beside = sentence[at + 1..].iter().take(2).chain(sentence[..at].iter().rev().take(3));
+        let sphere = beside.into_iter().find_map(|token| match token {
+            Token::Sphere(sphere) => Some(*sphere),
+            _ => None,
+        });
+        let (Some(one), Token::Word(word)) = (sphere, &sentence[at]) else { return };
+        let other = if one == Sphere::A { Sphere::B } else { Sphere::A };
+        let mass = |sphere| self.known.number(Quantity::Mass(sphere));
+        let (Some(own), Some(its)) = (mass(one), mass(other)) else { return };
+        let sign = (&own - &its).sign();
+        if sign.is_some_and(|sign| if word == "lighter" { !sign.is_lt() } else { !sign.is_gt() }) {
+            let message = format!("the words say that `*{}*` is the {word} sphere, and it is not so", one.name());
+            findings.push(self.finding(
+                message,
+                &format!("the {word}"),
+                "require that it is so, or take the words out",
+            ));
+        }
+    }
+
+    pub(super) fn radius(&self, sphere: Sphere) -> Option<Value> {
+        let radii = &self.question.scene.radii;
+        let radius = if sphere == Sphere::A { &radii.a } else { &radii.b };
+        self.number(&read(radius.as_ref()?, Angles::Degrees).ok()?)
+    }
+
+    /// Radii that are said to be equal, or not to be. Spheres of which the scene has no radii meet as equal ones do.
+    pub(super) fn radii(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        const EQUAL: [&str; 3] = ["equal", "same", "identical"];
+        const OTHER: [&str; 9] =
+            ["unequal", "different", "twice", "double", "half", "triple", "thrice", "larger", "smaller"];
+        let Some(at) = sentence.iter().position(|token| is_one_of(token, &["radius", "radii"])) else { return };
+        let says = |words: &[&str]| sentence.iter().find(|token| is_one_of(token, words));
+        // A distance may be half a radius.
+        if says(&["distance", "path"]).is_some() || self.is_alone() {
+            return;
+        }
+        let is_said_equal = is_one_of(&sentence[at.saturating_sub(1)], &EQUAL);
+        let are_equal = match Sphere::BOTH.map(|sphere| self.radius(sphere)) {
+            [Some(a), Some(b)] => a.equals(&b),
+            _ => true,
+        };
+        // `Twice the radius` or `the radius of *A* is twice`, and not a mass that is twice another.
+        let near = &sentence[at.saturating_sub(2)..sentence.len().min(at + 5)];
+        let is_of_another = near.iter().any(|token| is_one_of(token, &["mass", "masses", "speed", "speeds"]));
+        let beside = near.iter().find(|token| is_one_of(token, &OTHER) && !is_of_another);
+        let (said, is_so) = match (is_said_equal, beside) {
+            (true, _) => ("equal", are_equal),
+            (false, Some(_)) => ("different", !are_equal),
+            (false, None) => return,
+        };
+        if !is_so {
+            let message = format!("the words say that the radii are {said}, and in the scene they are not");
+            let Token::Word(radii) = &sentence[at] else { return };
+            findings.push(self.finding(message, radii, "give in `[scene]` the `radii` that are said, or say others"));
+        }
+    }
+}
