@@ -82,11 +82,17 @@ pub struct Model {
     pub rebounds: Option<bool>,
     /// Does the sphere go back along the line of centres, where its speed or velocity is asked, or is it to, where a range is?
     pub turns_back: Option<bool>,
+    /// Are two spheres to meet again, or not to, where a range is asked?
+    pub meet_again: Option<bool>,
+    /// Does an angle that is asked turn anticlockwise, from **i** or from the path before?
+    pub anticlockwise: Option<bool>,
     /// The spheres that take no part in the impact of which a quantity is asked: nothing of it is named after them.
     pub strangers: Vec<Sphere>,
     /// Of a speed: the acute angle between the path of the sphere and the line of centres. A direction told beside a speed
     /// can be judged only where that is known.
     pub path: Option<Expr>,
+    /// The vector in **i** and **j** of which the size is asked.
+    pub vector: Option<[Expr; 2]>,
     /// Is it of two spheres together, as the energy lost in their impact is? Then no sphere alone is its name.
     pub is_of_both: bool,
     /// What has been worked out of it.
@@ -108,8 +114,11 @@ impl Model {
             other_angles: Vec::new(),
             rebounds: None,
             turns_back: None,
+            meet_again: None,
+            anticlockwise: None,
             strangers: Vec::new(),
             path: None,
+            vector: None,
             prepared: Prepared::default(),
         }
     }
@@ -220,8 +229,9 @@ fn is_turned_by_words(model: &Model, reading: &Reading) -> bool {
         let turned = is_direction && TURNS.iter().any(|turn| remark.contains(turn));
         let opposite = is_signed && OPPOSITES.iter().any(|turn| remark.contains(turn));
         let is_multiple = model.kind == Kind::Vector && MULTIPLES.iter().any(|word| remark.contains(word));
+        let is_denied = words.any(|word| DENIALS.contains(&word)) && !sense::denies_a_meeting(remark);
         // `7 (nonsense)`
-        turned || is_multiple || opposite || is_strange(remark.trim()) || words.any(|word| DENIALS.contains(&word))
+        turned || is_multiple || opposite || is_strange(remark.trim()) || is_denied
     })
 }
 
@@ -242,6 +252,9 @@ fn one(model: &Model, reading: &Reading) -> Finding {
     let (reading, is_from_unknown) = &measured::from_named_lines(model, reading);
     let whole = &**reading;
     if selection::rejects_by_description(reading) {
+        return Finding::unreadable(Note::CannotBeCompared);
+    }
+    if sense::says_that_nothing_meets(model, reading) {
         return Finding::unreadable(Note::CannotBeCompared);
     }
     if spheres::are_mixed_up(reading) {

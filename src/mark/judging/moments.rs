@@ -4,16 +4,19 @@ use crate::mechanics::{Moment, Quantity};
 
 use super::called::{Sort, sort, words};
 
-/// Words that name what there is before or after an impact, and not what is lost in it.
+/// Words for what there is before an impact, and for what there is once it is over.
 const STATES: [&str; 9] = ["before", "initial", "after", "final", "left", "remaining", "remains", "retained", "kept"];
-/// Those of them that do not go with what is asked: a fraction may be one of the energy before.
+/// Those of them for what there is once it is over.
+pub(super) const AT_THE_END: &[&str] = STATES.split_at(2).1;
+
+/// Words that name what there is at one moment, and do not go with what is lost: a fraction may be one of the energy before.
 pub(super) fn states(asked: Quantity) -> &'static [&'static str] {
-    if asked == Quantity::FractionLost { &AT_THE_END } else { &STATES }
+    if asked == Quantity::FractionLost { AT_THE_END } else { &STATES }
 }
-/// Words for what there is once an impact is over.
-pub(super) const AT_THE_END: [&str; 7] = ["after", "final", "left", "remaining", "remains", "retained", "kept"];
 
 pub(super) const EARLIER: [&str; 6] = ["before", "initial", "initially", "original", "incidence", "approach"];
+/// Those of them that name a moment and no thing.
+const BEFOREHAND: &[&str] = EARLIER.split_at(3).0;
 pub(super) const LATER: [&str; 4] = ["after", "afterwards", "final", "finally"];
 
 /// Words that speak of another moment for comparison: `7.31 as before`, `perpendicular to its direction before`.
@@ -62,7 +65,7 @@ pub(super) fn fit(asked: Quantity, name: &str) -> bool {
             let is_of_one = has(&EARLIER) != has(&LATER);
             !is_of_one || tells_of_a_turn() || has(&["change", "from", "between"])
         }
-        None if is_of_the_impact(asked) => !has(&EARLIER[..3]) || has(&LATER) || has(&["of", "change"]),
+        None if is_of_the_impact(asked) => !has(BEFOREHAND) || has(&LATER) || has(&["of", "change"]),
         None => true,
     }
 }

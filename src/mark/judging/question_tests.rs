@@ -1,7 +1,9 @@
 //! Tests of answers that are judged by what is known of the question: which way a sphere goes, who takes part in an impact,
 //! which letter is to be found.
 
+use super::known::Prepared;
 use super::*;
+use crate::expr::{Angles, read};
 use crate::mark::reading::read_answer;
 use crate::number::{Letter, Range};
 
@@ -107,4 +109,98 @@ fn a_letter_that_is_asked_has_its_own_name_and_unit() {
             ("α = 15.8°, greatest deflection = 37.1°", "wrong"),
         ],
     );
+}
+
+#[test]
+fn the_event_that_is_named_beside_a_range_is_the_one_that_is_asked_of() {
+    let e = [("e", Range::Unit)];
+    let range = |right: &str| Model { letter: Some("e".to_owned()), ..model(right, "", &e) };
+    let back = Model { turns_back: Some(true), strangers: vec![Sphere::B, Sphere::C], ..range("1/3 < e <= 1") };
+    earn(
+        &back,
+        &[
+            ("A rebounds if e > 1/3", "correct"),
+            ("B rebounds if e > 1/3", "unreadable"),
+            ("B is reversed if e > 1/3", "unreadable"),
+            ("after the collision A is reversed for e > 1/3", "correct"),
+        ],
+    );
+    let apart = Model { meet_again: Some(false), ..range("0 <= e <= 5/9") };
+    earn(
+        &apart,
+        &[
+            ("no collision if e ≤ 5/9", "correct"),
+            ("no further collisions when e <= 5/9", "correct"),
+            ("A and B never collide again for 0 <= e <= 5/9", "correct"),
+            ("they do not collide again if e ≤ 5/9", "correct"),
+            ("collision for e ≤ 5/9", "unreadable"),
+            ("A rebounds if e ≤ 5/9", "unreadable"),
+        ],
+    );
+    let again = Model { meet_again: Some(true), ..range("1/2 < e <= 1") };
+    earn(
+        &again,
+        &[
+            ("second collision if e > 1/2", "correct"),
+            ("no collision for e > 1/2", "unreadable"),
+            ("no collision if e ≤ 1/2", "unreadable"),
+        ],
+    );
+}
+
+#[test]
+fn a_side_that_is_named_is_the_one_to_which_it_goes() {
+    let speed = Model { turns_back: Some(false), rebounds: Some(false), ..model("10", "B.after.speed", &[]) };
+    earn(
+        &speed,
+        &[
+            ("10 m/s to the right", "correct"),
+            ("10 m/s, no collision", "unreadable"),
+            ("10 m/s to the left", "unreadable"),
+            ("A moves to the left at 10 m/s", "unreadable"),
+        ],
+    );
+    let above = Model { anticlockwise: Some(true), ..model("atan(3/4)", "impulse.angle_to_i_deg", &[]) };
+    earn(
+        &above,
+        &[
+            ("36.9° above i", "correct"),
+            ("36.9° anticlockwise from i", "correct"),
+            ("36.9° below i", "unreadable"),
+            ("36.9° clockwise", "unreadable"),
+        ],
+    );
+    let turned = Model { anticlockwise: Some(false), ..model("8.13*deg", "A.deflection_deg", &[]) };
+    earn(
+        &turned,
+        &[("8.13° clockwise", "correct"), ("8.13° anti-clockwise", "unreadable"), ("8.13° to the left", "unreadable")],
+    );
+    let to_wall = model("atan(1/3)", "A.after.angle_to_wall_deg", &[]);
+    earn(
+        &to_wall,
+        &[
+            ("18.4° away from the wall", "correct"),
+            ("18.4° to the wall", "correct"),
+            ("18.4° into the wall", "unreadable"),
+        ],
+    );
+}
+
+#[test]
+fn a_direction_beside_the_size_of_a_vector_is_that_of_the_vector() {
+    let vector = |x: i64, y: i64| Some([Expr::integer(x), Expr::integer(y)]);
+    let size = Model { vector: vector(16, 12), ..model("20", "impulse.magnitude", &[]) };
+    let size = Model { vocabulary: Vocabulary { vectors: true, ..size.vocabulary.clone() }, ..size };
+    earn(
+        &size,
+        &[
+            ("20 Ns at 36.9° to i", "correct"),
+            ("20 Ns at 143° to i", "correct"),
+            ("20 Ns at 53.1° to j", "correct"),
+            ("20 Ns at 53.1° to i", "partial"),
+        ],
+    );
+    let speed = Model { vector: vector(6, 9), quantity: "A.after.speed".parse().ok(), ..size };
+    let speed = Model { value: read("3*sqrt(13)", Angles::Radians).unwrap(), prepared: Prepared::default(), ..speed };
+    earn(&speed, &[("3√13 at 56.3° to i", "correct"), ("3√13 at 33.7° to i", "partial")]);
 }

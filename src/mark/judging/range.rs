@@ -40,25 +40,22 @@ pub(super) fn judge(model: &Model, reading: &Reading) -> Finding {
     let right = relations(&model.value);
     let Some(letter) = letter(&right, letters) else { return Finding::unreadable(Note::CannotBeCompared) };
     let Some(right) = bounds(&right, letter, letters) else { return Finding::unreadable(Note::CannotBeCompared) };
+    let is_reason = |statement: &Statement| is_reason(statement, letter);
     let alternatives = reading.statements.chunk_by(|_, next| !next.said.iter().any(is_rival));
     let of = |statements: &[Statement]| {
         let whole = one(model, &right, letter, statements);
         let Some((last, before)) = statements.split_last() else { return whole };
-        let mut concluded: Vec<Statement> =
-            before.iter().filter(|statement| !is_reason(statement, letter)).cloned().collect();
-        if whole.is_credited() || concluded.len() == before.len() || is_reason(last, letter) {
+        let mut concluded: Vec<Statement> = before.iter().filter(|statement| !is_reason(statement)).cloned().collect();
+        if whole.is_credited() || concluded.len() == before.len() || is_reason(last) {
             return whole;
         }
         concluded.push(last.clone());
         one(model, &right, letter, &concluded)
     };
-    let found = alternatives.map(of).reduce(Finding::and);
-    let found = found.unwrap_or(Finding::unreadable(Note::CannotBeRead));
-    // `A rebounds if k > 2`, where it is then that it goes on.
-    let said = sense::says_which_way(&reading.statements.iter().collect::<Vec<_>>());
-    match said.zip(model.turns_back).is_some_and(|(said, is)| said != is) && found.is_credited() {
+    // `A rebounds if k > 2`, where it is then that it goes on; where it is not, it may be so of the other values.
+    match sense::is_of_another_event(model, &reading.statements) {
         true => Finding::unreadable(Note::NamedOtherwise),
-        false => found,
+        false => alternatives.map(of).reduce(Finding::and).unwrap_or(Finding::unreadable(Note::CannotBeRead)),
     }
 }
 

@@ -10,11 +10,12 @@ use crate::answer::Kind;
 use crate::expr::Expr;
 use crate::mark::enclosure::enclose_roughly;
 use crate::mark::reading::{Form, Label, Reading, ReferenceLine, Said, Sense, Statement};
-use crate::mechanics::{Axis, Quantity, Sphere};
+use crate::mechanics::{Axis, Moment, Quantity, Sphere};
 
 use super::finding::Finding;
 use super::known::Prepared;
-use super::{Model, Note, Verdict, angle, exact, number, selection};
+use super::otherwise::spheres_in_remark;
+use super::{Model, Note, Verdict, angle, called, exact, number, selection};
 
 /// Does a sphere that moves so, backwards or not, move in the sense that is said? `None` if nobody knows.
 pub(super) fn agrees(said: Option<Sense>, backwards: Option<bool>) -> Option<bool> {
@@ -54,23 +55,102 @@ pub(super) fn says_which_way(statements: &[&Statement]) -> Option<bool> {
     }
 }
 
+/// The remarks beside the values of a statement.
+fn remarks(statement: &Statement) -> impl Iterator<Item = &str> {
+    statement.said.iter().flat_map(|said| &said.remarks).map(String::as_str)
+}
+
+/// Which of two things is said, if one of them alone is.
+fn one_of(first: bool, second: bool) -> Option<bool> {
+    (first != second).then_some(first)
+}
+
 /// Do they say that it goes away from the wall, or towards it? The wall is beyond B, or in the place of B.
 fn says_away_from_the_wall(statement: &Statement) -> Option<bool> {
-    let remarks = || statement.said.iter().flat_map(|said| &said.remarks).filter(|remark| remark.contains("wall"));
-    let says = |wanted: &[&str]| remarks().any(|remark| wanted.iter().any(|words| remark.contains(words)));
-    match (says(&["away from", "off the"]), says(&["toward", "into", "to the"])) {
-        (true, false) => Some(true),
-        (false, true) => Some(false),
-        _ => None,
+    let says = |wanted: &[&str]| {
+        let mut of_wall = remarks(statement).filter(|remark| remark.contains("wall"));
+        of_wall.any(|remark| wanted.iter().any(|words| remark.contains(words)))
+    };
+    let is_towards = says(&["toward", "into"]) || remarks(statement).any(|remark| remark.starts_with("to the wall"));
+    one_of(says(&["away from", "off the"]), is_towards)
+}
+
+/// Do they say that it goes to the left, or to the right? A goes to the right towards B, as every diagram has it.
+fn says_to_the_left(statement: &Statement) -> Option<bool> {
+    let says = |side: &str| {
+        let is_side = |remark: &str| {
+            remark == side || remark.contains(&format!("to the {side}")) || remark.contains(&format!("{side}ward"))
+        };
+        remarks(statement).any(is_side)
+    };
+    one_of(says("left"), says("right"))
+}
+
+/// Do they say that an angle turns anticlockwise, or is above **i**?
+fn says_anticlockwise(statement: &Statement) -> Option<bool> {
+    const ANTICLOCKWISE: [&str; 6] = ["anticlockwise", "counterclockwise", "above", "upwards", "up", "left"];
+    const CLOCKWISE: [&str; 5] = ["clockwise", "below", "downwards", "down", "right"];
+    let says = |wanted: &[&str]| {
+        let all = remarks(statement).map(|remark| remark.replace("ti-clock", "ticlock").replace("er-clock", "erclock"));
+        all.into_iter().any(|remark| called::words(&remark).any(|word| wanted.contains(&word)))
+    };
+    one_of(says(&ANTICLOCKWISE), says(&CLOCKWISE))
+}
+
+/// Is what is asked said to go another way than it does?
+pub(super) fn is_said_to_go_otherwise(model: &Model, statement: &Statement) -> bool {
+    use Quantity::{AngleToWall, Speed, Velocity};
+    let is_else = |said: Option<bool>, own: Option<bool>| said.zip(own).is_some_and(|(said, own)| said != own);
+    match model.quantity.map(Quantity::of_its_impact) {
+        Some(Speed(..) | Velocity(_, _, Axis::N)) => {
+            is_else(says_which_way(&[statement]), model.turns_back)
+                || is_else(says_away_from_the_wall(statement), model.rebounds)
+                || is_else(says_to_the_left(statement), model.rebounds)
+        }
+        Some(AngleToWall(_, moment)) => is_else(says_away_from_the_wall(statement), Some(moment == Moment::After)),
+        Some(_) => is_else(says_anticlockwise(statement), model.anticlockwise),
+        None => false,
     }
 }
 
-/// Is a speed or a component said to go another way than it does?
-pub(super) fn is_said_to_go_otherwise(model: &Model, statement: &Statement) -> bool {
-    let is_else = |said: Option<bool>, own: Option<bool>| said.zip(own).is_some_and(|(said, own)| said != own);
-    matches!(model.quantity.map(Quantity::of_its_impact), Some(Quantity::Speed(..) | Quantity::Velocity(_, _, Axis::N)))
-        && (is_else(says_which_way(&[statement]), model.turns_back)
-            || is_else(says_away_from_the_wall(statement), model.rebounds))
+/// Words for an impact that comes later, and those that deny what stands beside them.
+const MEETING: [&str; 9] =
+    ["collide", "collides", "collision", "collisions", "impact", "meet", "meets", "catches", "again"];
+const NEVER: [&str; 8] = ["no", "not", "never", "without", "cannot", "don", "doesn", "won"];
+
+/// Does a remark say that nothing meets?
+pub(super) fn denies_a_meeting(remark: &str) -> bool {
+    let has = |wanted: &[&str]| called::words(remark).any(|word| wanted.contains(&word));
+    has(&NEVER) && has(&MEETING)
+}
+
+/// Is it said that nothing meets, where that is no answer?
+pub(super) fn says_that_nothing_meets(model: &Model, reading: &Reading) -> bool {
+    model.kind != Kind::Range && reading.statements.iter().flat_map(remarks).any(denies_a_meeting)
+}
+
+/// Do words beside a range speak of something else than what is to happen: of the other sphere that turns back, of a
+/// collision where there is to be none?
+pub(super) fn is_of_another_event(model: &Model, statements: &[Statement]) -> bool {
+    let all: Vec<&Statement> = statements.iter().collect();
+    let texts = || {
+        let labels = all.iter().filter_map(|statement| statement.label.as_ref()).map(|label| label.typed.as_str());
+        labels.chain(all.iter().flat_map(|statement| remarks(statement)))
+    };
+    let has = |wanted: &[&str]| {
+        texts().any(|text| called::words(text).any(|word| wanted.contains(&word.to_lowercase().as_str())))
+    };
+    let said = says_which_way(&all);
+    let is_another_way = match model.turns_back {
+        Some(turns_back) => said.is_some_and(|said| said != turns_back),
+        // Where the letter is to be such that something else happens.
+        None => said.is_some() && model.letter.is_some(),
+    };
+    let is_of_stranger = || texts().flat_map(spheres_in_remark).any(|sphere| model.strangers.contains(&sphere));
+    let is_meeting = has(&MEETING).then(|| !has(&NEVER));
+    is_another_way
+        || (said.is_some() && is_of_stranger())
+        || is_meeting.zip(model.meet_again).is_some_and(|(said, is)| said != is)
 }
 
 /// Judges a number by the direction that is said beside it, where that matters for what is asked.
@@ -135,6 +215,9 @@ fn lies_elsewhere(asked: Quantity, line: ReferenceLine) -> bool {
 
 /// Is an angle told beside a speed that is not the one at which the sphere moves?
 pub(super) fn is_beside_the_path(model: &Model, reading: &Reading) -> bool {
+    if reading.statements.iter().flat_map(|statement| &statement.said).any(|said| is_beside_the_vector(model, said)) {
+        return true;
+    }
     let along_centres = Expr::integer(0);
     let path = match (&model.path, model.quantity.map(Quantity::of_its_impact)) {
         (Some(path), Some(Quantity::Speed(..))) => path,
@@ -155,6 +238,28 @@ pub(super) fn is_beside_the_path(model: &Model, reading: &Reading) -> bool {
     let said = reading.statements.iter().flat_map(|statement| &statement.said);
     let mut angles = said.filter(|said| selection::is_angular(said) && said.reference.is_some_and(to_centres));
     angles.any(|said| angle::judge(&angle_model, said, None).verdict == Verdict::Wrong)
+}
+
+/// Is it an angle with **i** or **j** at which the vector whose size is asked does not lie? Of an impulse there are two, the
+/// one opposite to the other.
+fn is_beside_the_vector(model: &Model, said: &Said) -> bool {
+    let Some(line) = said.reference.filter(|_| selection::is_angular(said)) else { return false };
+    let enclosed = |expr: &Expr| enclose_roughly(expr, &[], 0).map(|within| (within.lower + within.upper) / 2.0);
+    let Some([x, y]) = &model.vector else { return false };
+    let (Some(x), Some(y)) = (enclosed(x), enclosed(y)) else { return false };
+    let degrees = match line {
+        ReferenceLine::I => y.abs().atan2(x),
+        ReferenceLine::J => x.abs().atan2(y),
+        ReferenceLine::MinusI => y.abs().atan2(-x),
+        _ => return false,
+    }
+    .to_degrees();
+    let is_right = |degrees: f64| {
+        let right = Model { kind: Kind::Angle, ..model.of_value(Expr::Decimal(format!("{degrees:.9}"))) };
+        angle::judge(&right, &Said { reference: None, ..said.clone() }, None).is_credited()
+    };
+    let is_of_either = model.quantity.map(Quantity::of_its_impact) == Some(Quantity::ImpulseMagnitude);
+    !(is_right(degrees) || is_of_either && is_right(180.0 - degrees))
 }
 
 fn is_negative(expr: &Expr) -> bool {

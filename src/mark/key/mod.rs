@@ -5,6 +5,7 @@
 
 mod fault;
 mod impact;
+mod motion;
 mod part;
 mod version;
 

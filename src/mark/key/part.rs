@@ -1,15 +1,14 @@
 //! A part of a key read: its blanks with their model answers, and its mark scheme.
 
-use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
-use super::{KeyFault, KeyedBlank, KeyedMark, KeyedPart};
+use super::{KeyFault, KeyedBlank, KeyedMark, KeyedPart, motion};
 use crate::answer::{Accept, Kind};
 use crate::bank::{Code, EarnedFor, Find};
-use crate::expr::{Angles, Expr, Function, Relation, read_range, written};
+use crate::expr::{Angles, read_range};
 use crate::mark::judging::{Model, ModelOptions};
 use crate::mark::slips::Asked;
-use crate::mechanics::{Axis, Derivation, Known, Meeting, Quantity, Scene, Sphere};
+use crate::mechanics::{Derivation, Known, Meeting, Quantity, Scene};
 use crate::number::{Letter, Value};
 use crate::paper::{Blank, KeyMark, KeyPart};
 
@@ -34,12 +33,7 @@ impl KeyedPart {
         asked.extend(marked.collect::<BTreeSet<_>>());
         let (derivation, _) = Derivation::carry_out(known, &asked);
         for blank in &mut blanks {
-            blank.model.rebounds = rebounds(&blank.find, known);
-            blank.model.path = path(&blank.find, known);
-            blank.model.turns_back = turns_back(&blank.find, scene, known);
-            blank.model.strangers = strangers(&blank.find, scene);
-            // A wall has no share in it.
-            blank.model.is_of_both &= Quantity::Mass(Sphere::B).is_in(scene.setting);
+            motion::tell(&mut blank.model, &blank.find, scene, known);
         }
         let last = derivation.steps.iter().map(|step| step.impact()).max();
         let then = scene.then.iter().find(|then| Some(then.meeting.number) == last);
@@ -150,63 +144,6 @@ fn greek_letter(name: &str) -> Option<String> {
     let letters =
         [('α', "alpha"), ('β', "beta"), ('γ', "gamma"), ('δ', "delta"), ('θ', "theta"), ('φ', "phi"), ('ψ', "psi")];
     letters.into_iter().find(|(letter, _)| name.contains(*letter)).map(|(_, spelt)| spelt.to_owned())
-}
-
-/// Does the sphere whose direction or speed is asked move from B towards A?
-fn rebounds(find: &Find, known: &Known<Value>) -> Option<bool> {
-    let Find::Quantity(quantity) = find else { return None };
-    let along = known.number(quantity.along_the_line()?)?;
-    along.sign().map(Ordering::is_lt)
-}
-
-/// Does the sphere go back along the line of centres, or is it to go back if the letter lies in a range? Nobody does who had
-/// no velocity along it, or has none left.
-fn turns_back(find: &Find, scene: &Scene, known: &Known<Value>) -> Option<bool> {
-    let sign = |quantity: Quantity| known.number(quantity)?.sign().filter(|sign| sign.is_ne());
-    let (after, sign_after) = match find {
-        Find::Quantity(quantity) => {
-            let after = quantity.along_the_line().unwrap_or(*quantity);
-            (after, sign(after)?)
-        }
-        Find::Unknown(_) => scene.conditions.iter().find_map(|condition| {
-            let Expr::Name(name) = &condition.left else { return None };
-            let sign = match condition.relation {
-                Relation::Less => Ordering::Less,
-                Relation::Greater => Ordering::Greater,
-                _ => return None,
-            };
-            condition.right.is_zero().then(|| Some((name.text.parse().ok()?, sign)))?
-        })?,
-        Find::Vector(..) => return None,
-    };
-    Some(sign(after.before_its_impact()?)? != sign_after)
-}
-
-/// The spheres that take no part in the impact to which a quantity belongs.
-fn strangers(find: &Find, scene: &Scene) -> Vec<Sphere> {
-    let Find::Quantity(quantity) = find else { return Vec::new() };
-    let then = scene.then.iter().find(|then| then.meeting.number == quantity.impact());
-    let (of, is_of_one) = match then {
-        Some(then) => (then.meeting.of, then.meeting.with_wall),
-        None => ([Sphere::A, Sphere::B], scene.setting.is_of_one()),
-    };
-    let takes_part = |sphere: &Sphere| *sphere == of[0] || *sphere == of[1] && !is_of_one;
-    [Sphere::A, Sphere::B, Sphere::C].into_iter().filter(|sphere| !takes_part(sphere)).collect()
-}
-
-/// The acute angle between the path of a sphere whose speed is asked and the line of centres.
-fn path(find: &Find, known: &Known<Value>) -> Option<Expr> {
-    let Find::Quantity(quantity) = find else { return None };
-    let along = quantity.along_the_line()?;
-    let size = |axis: Axis| Some(Expr::call(Function::Abs, written(&known.number(along.along(axis))?)));
-    let is_nought =
-        |axis: Axis| known.number(along.along(axis)).is_some_and(|value| value.sign() == Some(Ordering::Equal));
-    match (is_nought(Axis::N), is_nought(Axis::T)) {
-        (true, true) => None,
-        (true, false) => Some(Expr::integer(90)),
-        (false, true) => Some(Expr::integer(0)),
-        (false, false) => Some(Expr::call(Function::Atan, size(Axis::T)?.over(size(Axis::N)?))),
-    }
 }
 
 /// The equation that was to be shown, where that is what is asked: the mark for it has both sides.

@@ -32,6 +32,7 @@ pub(super) fn judged(
     let left = Left::of(part, script, examined);
     let lines = Lines::default();
     let unnamed = unnamed.or_else(|| left.for_all(&all_at_once).filter(|_| script.answers.is_empty()));
+    let unnamed = unnamed.or_else(|| all_in_one(part, script).filter(|answer| are_all_right(&all_at_once(answer))));
     let mut together = match (unnamed, part.blanks.as_slice()) {
         (None, _) | (Some(_), [_]) => Vec::new(),
         (Some(answer), _) => all_at_once(answer),
@@ -44,7 +45,8 @@ pub(super) fn judged(
             .iter()
             .rev()
             .find(|(name, _)| name.as_deref().is_some_and(|name| is_name_of(name, &blank.name)));
-        let alone = own.map(|(_, answer)| answer.as_str()).or(unnamed.filter(|_| part.blanks.len() == 1));
+        let own = own.map(|(_, answer)| answer.as_str()).filter(|own| unnamed != Some(own));
+        let alone = own.or(unnamed.filter(|_| part.blanks.len() == 1));
         let together = together.next();
         let is_typed = alone.or(unnamed).is_some();
         let mut judged = |answer: &str| {
@@ -71,6 +73,22 @@ pub(super) fn judged(
         (MarkedAnswer { name, typed, judgement, causes: Vec::new() }, found)
     });
     each.unzip()
+}
+
+/// `1 and 2` in one of two blanks, and nothing in the other: what may be the answer to both.
+fn all_in_one<'s>(part: &KeyedPart, script: &'s PartScript) -> Option<&'s str> {
+    match script.answers.as_slice() {
+        [(Some(_), answer)] if part.blanks.len() > 1 && is_list(answer) => Some(answer),
+        _ => None,
+    }
+}
+
+fn is_list(answer: &str) -> bool {
+    answer.contains([',', ';', '&', '\n']) || answer.contains(" and ")
+}
+
+fn are_all_right(judgements: &[Judgement]) -> bool {
+    judgements.iter().all(|judgement| judgement.verdict == Verdict::Correct)
 }
 
 /// Is what was written the name of this blank, however it is spaced?

@@ -17,6 +17,7 @@ mod directions;
 mod environments;
 mod equalities;
 mod equation_number;
+mod events;
 mod formula;
 mod functions;
 mod grammar;

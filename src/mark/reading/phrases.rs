@@ -88,7 +88,8 @@ pub(super) fn with_phrases(
             at += 1;
             continue;
         }
-        let found = match accuracy.or_else(|| walk.named_equation(at)).or_else(|| walk.positive_direction(at)) {
+        let remark = accuracy.or_else(|| walk.named_equation(at)).or_else(|| walk.positive_direction(at));
+        let found = match remark.or_else(|| walk.meeting(at)) {
             Some(next) => Some((Phrase::Remark, next)),
             None => walk.phrase(at)?,
         };
@@ -107,6 +108,9 @@ pub(super) fn with_phrases(
                     end: tokens[at].start + walk.typed(at).len(),
                     ..tokens[at].clone()
                 }));
+                // `below i` tells a side, too.
+                let is_side = matches!(phrase, Phrase::Line(_)) && matches!(walk.word(at), Some("above" | "below"));
+                out.extend(is_side.then(|| Placed { token: Token::Phrase(Phrase::Remark), ..tokens[at].clone() }));
                 at = next;
             }
             None => {

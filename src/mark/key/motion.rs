@@ -1,0 +1,151 @@
+//! What is known of the motion about which a blank asks: which way a sphere goes, who takes part, how a vector points. What is
+//! said beside a value is judged by it.
+
+use std::cmp::Ordering;
+
+use crate::bank::Find;
+use crate::expr::{Expr, Function, Relation, written};
+use crate::mark::judging::Model;
+use crate::mechanics::{Axis, Known, Moment, Quantity, Scene, Sphere};
+use crate::number::Value;
+
+/// Tells a model answer what is known.
+pub(super) fn tell(model: &mut Model, find: &Find, scene: &Scene, known: &Known<Value>) {
+    model.rebounds = rebounds(find, known);
+    model.path = path(find, known);
+    model.turns_back = turns_back(find, scene, known);
+    model.meet_again = meet_again(find, scene);
+    model.anticlockwise = anticlockwise(find, known);
+    model.vector = vector(find, known);
+    model.strangers = strangers(find, scene);
+    // A wall has no share in it.
+    model.is_of_both &= Quantity::Mass(Sphere::B).is_in(scene.setting);
+}
+
+/// Does the sphere whose direction or speed is asked move from B towards A?
+fn rebounds(find: &Find, known: &Known<Value>) -> Option<bool> {
+    let Find::Quantity(quantity) = find else { return None };
+    let along = known.number(quantity.along_the_line()?)?;
+    along.sign().map(Ordering::is_lt)
+}
+
+/// Does the sphere go back along the line of centres, or is it to go back if the letter lies in a range? Nobody does who had
+/// no velocity along it, or has none left.
+fn turns_back(find: &Find, scene: &Scene, known: &Known<Value>) -> Option<bool> {
+    let (after, sign_after) = match find {
+        Find::Quantity(quantity) => {
+            let after = quantity.along_the_line().unwrap_or(*quantity);
+            (after, sign(after, known)?)
+        }
+        Find::Unknown(_) => way_wanted(scene)?,
+        Find::Vector(..) => return None,
+    };
+    Some(sign(after.before_its_impact()?, known)? != sign_after)
+}
+
+fn sign(quantity: Quantity, known: &Known<Value>) -> Option<Ordering> {
+    known.number(quantity)?.sign().filter(|sign| sign.is_ne())
+}
+
+/// The velocity of which a condition wants the sign, and that sign.
+fn way_wanted(scene: &Scene) -> Option<(Quantity, Ordering)> {
+    scene.conditions.iter().find_map(|condition| {
+        let Expr::Name(name) = &condition.left else { return None };
+        let sign = match condition.relation {
+            Relation::Less => Ordering::Less,
+            Relation::Greater => Ordering::Greater,
+            _ => return None,
+        };
+        condition.right.is_zero().then(|| Some((name.text.parse().ok()?, sign)))?
+    })
+}
+
+/// Are two spheres to meet again if a letter lies in a range, or not to? They do where the one ahead, whose name comes later,
+/// is the slower.
+fn meet_again(find: &Find, scene: &Scene) -> Option<bool> {
+    let velocity = |expr: &Expr| match expr {
+        Expr::Name(name) => name.text.parse::<Quantity>().ok().map(Quantity::of_its_impact),
+        _ => None,
+    };
+    let after = |expr: &Expr| match velocity(expr)? {
+        Quantity::Velocity(sphere, Moment::After, _) => Some(sphere),
+        _ => None,
+    };
+    let Find::Unknown(_) = find else { return None };
+    scene.conditions.iter().find_map(|condition| {
+        let (left, right) = (after(&condition.left)?, after(&condition.right)?);
+        let is_less = match condition.relation {
+            Relation::Less | Relation::LessOrEqual => true,
+            Relation::Greater | Relation::GreaterOrEqual => false,
+            _ => return None,
+        };
+        (left != right).then_some(is_less == (left > right))
+    })
+}
+
+/// Does what is asked point above **i**, or turn anticlockwise, as **i** and **j** have it?
+fn anticlockwise(find: &Find, known: &Known<Value>) -> Option<bool> {
+    let Find::Quantity(quantity) = find else { return None };
+    let of_impact = |own: Quantity| own.in_impact(quantity.impact());
+    let along = |sphere, moment, axis| known.number(of_impact(Quantity::Velocity(sphere, moment, axis))?);
+    let upwards = match quantity.of_its_impact() {
+        Quantity::AngleFromI(sphere, moment) => along(sphere, moment, Axis::Y)?,
+        Quantity::ImpulseAngle => known.number(of_impact(Quantity::Impulse(Sphere::A, Axis::Y))?)?,
+        Quantity::Deflection(sphere) | Quantity::SignedDeflection(sphere) | Quantity::TanDeflection(sphere) => {
+            let [x, y] = [Axis::X, Axis::Y].map(|axis| along(sphere, Moment::Before, axis));
+            let [p, q] = [Axis::X, Axis::Y].map(|axis| along(sphere, Moment::After, axis));
+            &(&x? * &q?) - &(&y? * &p?)
+        }
+        _ => return None,
+    };
+    upwards.sign().filter(|sign| sign.is_ne()).map(Ordering::is_gt)
+}
+
+/// The vector in **i** and **j** of which the size is asked.
+fn vector(find: &Find, known: &Known<Value>) -> Option<[Expr; 2]> {
+    let Find::Quantity(quantity) = find else { return None };
+    let along = |axis: Axis| {
+        let own = match quantity.of_its_impact() {
+            Quantity::Speed(sphere, moment) => Quantity::Velocity(sphere, moment, axis),
+            Quantity::ImpulseMagnitude => Quantity::Impulse(Sphere::A, axis),
+            _ => return None,
+        };
+        Some(written(&known.number(own.in_impact(quantity.impact())?)?))
+    };
+    Some([along(Axis::X)?, along(Axis::Y)?])
+}
+
+/// The spheres that take no part in the impact to which a quantity belongs, or of whose way a condition says nothing.
+fn strangers(find: &Find, scene: &Scene) -> Vec<Sphere> {
+    let quantity = match find {
+        Find::Quantity(quantity) => quantity,
+        Find::Unknown(_) => {
+            let own = way_wanted(scene).map(|(quantity, _)| quantity.of_its_impact());
+            let Some(Quantity::Velocity(own, ..)) = own else { return Vec::new() };
+            return Sphere::ALL.into_iter().filter(|sphere| *sphere != own).collect();
+        }
+        Find::Vector(..) => return Vec::new(),
+    };
+    let then = scene.then.iter().find(|then| then.meeting.number == quantity.impact());
+    let (of, is_of_one) = match then {
+        Some(then) => (then.meeting.of, then.meeting.with_wall),
+        None => ([Sphere::A, Sphere::B], scene.setting.is_of_one()),
+    };
+    let takes_part = |sphere: &Sphere| *sphere == of[0] || *sphere == of[1] && !is_of_one;
+    [Sphere::A, Sphere::B, Sphere::C].into_iter().filter(|sphere| !takes_part(sphere)).collect()
+}
+
+/// The acute angle between the path of a sphere whose speed is asked and the line of centres.
+fn path(find: &Find, known: &Known<Value>) -> Option<Expr> {
+    let Find::Quantity(quantity) = find else { return None };
+    let along = quantity.along_the_line()?;
+    let size = |axis: Axis| Some(Expr::call(Function::Abs, written(&known.number(along.along(axis))?)));
+    let is_nought =
+        |axis: Axis| known.number(along.along(axis)).is_some_and(|value| value.sign() == Some(Ordering::Equal));
+    match (is_nought(Axis::N), is_nought(Axis::T)) {
+        (true, true) => None,
+        (true, false) => Some(Expr::integer(90)),
+        (false, true) => Some(Expr::integer(0)),
+        (false, false) => Some(Expr::call(Function::Atan, size(Axis::T)?.over(size(Axis::N)?))),
+    }
+}

@@ -1,0 +1,18 @@
+//! What is said to happen, or not to: `a second collision`, `they do not collide again`.
+
+use super::phrases::Walk;
+
+impl Walk<'_> {
+    /// The words that say that spheres meet again, or that they do not.
+    pub(super) fn meeting(&self, at: usize) -> Option<usize> {
+        const NEVER: [&str; 10] =
+            ["no", "not", "never", "cannot", "can't", "don't", "dont", "doesn't", "won't", "without"];
+        const FURTHER: [&str; 7] = ["further", "more", "second", "other", "subsequent", "longer", "another"];
+        const MEETING: [&str; 9] =
+            ["collision", "collisions", "collide", "collides", "impact", "impacts", "meet", "meets", "meeting"];
+        let denied = self.any(at, &NEVER);
+        let further = self.any(denied.unwrap_or(at), &FURTHER);
+        let met = self.any(further.or(denied)?, &MEETING)?;
+        Some(self.any(met, &["again", "any more", "anymore"]).unwrap_or(met))
+    }
+}
