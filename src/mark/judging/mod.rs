@@ -254,7 +254,7 @@ fn one(model: &Model, reading: &Reading) -> Finding {
     if selection::rejects_by_description(reading) {
         return Finding::unreadable(Note::CannotBeCompared);
     }
-    if sense::says_that_nothing_meets(model, reading) {
+    if sense::is_of_another_meeting(model, reading) {
         return Finding::unreadable(Note::CannotBeCompared);
     }
     if spheres::are_mixed_up(reading) {

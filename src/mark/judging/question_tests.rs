@@ -156,6 +156,7 @@ fn a_side_that_is_named_is_the_one_to_which_it_goes() {
         &[
             ("10 m/s to the right", "correct"),
             ("10 m/s, no collision", "unreadable"),
+            ("10 m/s before the second collision", "unreadable"),
             ("10 m/s to the left", "unreadable"),
             ("A moves to the left at 10 m/s", "unreadable"),
         ],

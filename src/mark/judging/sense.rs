@@ -124,9 +124,12 @@ pub(super) fn denies_a_meeting(remark: &str) -> bool {
     has(&NEVER) && has(&MEETING)
 }
 
-/// Is it said that nothing meets, where that is no answer?
-pub(super) fn says_that_nothing_meets(model: &Model, reading: &Reading) -> bool {
-    model.kind != Kind::Range && reading.statements.iter().flat_map(remarks).any(denies_a_meeting)
+/// Is another collision spoken of beside what is no range: that there is none, or which of several it is?
+pub(super) fn is_of_another_meeting(model: &Model, reading: &Reading) -> bool {
+    const OTHERS: [&str; 6] = ["further", "more", "second", "other", "subsequent", "another"];
+    let has = |remark: &str, wanted: &[&str]| called::words(remark).any(|word| wanted.contains(&word));
+    let is_other = |remark: &str| denies_a_meeting(remark) || has(remark, &OTHERS) && has(remark, &MEETING);
+    model.kind != Kind::Range && reading.statements.iter().flat_map(remarks).any(is_other)
 }
 
 /// Do words beside a range speak of something else than what is to happen: of the other sphere that turns back, of a
