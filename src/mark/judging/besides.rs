@@ -10,8 +10,8 @@ use crate::mechanics::Quantity;
 use crate::number::Places;
 use crate::unit::Unit;
 
-use super::called::{Sort, sort, words};
 use super::selection::{holds, is_angular, order};
+use super::sorts::{Sort, sort, words};
 use super::statements::is_rival;
 use super::{Model, angle, number, vector};
 

@@ -15,33 +15,9 @@ use super::letters::of_letter;
 use super::moments::{self, AT_THE_END, states};
 use super::multiplied::is_multiplied;
 use super::otherwise::{is_another_of_its_sort, is_changed_to, remark_names_another};
+use super::sorts::{LOSSES, Sort, is_of_loss, sort, suits, words};
 use super::spheres::{self, named_sphere, sphere};
 use super::{Model, Note, letters, quotients, sense};
-
-/// What a name is the name of.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Sort {
-    Speed,
-    /// It has a size and a direction, and either may be called by it.
-    Velocity,
-    Energy,
-    Impulse,
-    Angle,
-    Deflection,
-    /// From the north, which no question has.
-    Bearing,
-    /// What no question asks for.
-    Unasked,
-    Restitution,
-    Mass,
-}
-
-impl Sort {
-    /// Is it what no question asks for?
-    pub(super) fn is_unasked(self) -> bool {
-        matches!(self, Sort::Bearing | Sort::Unasked)
-    }
-}
 
 /// What was found of a value, if it is called what is asked for.
 pub(super) fn as_called(model: &Model, statement: &Statement, finding: Finding) -> Finding {
@@ -245,10 +221,6 @@ pub(super) fn as_remarked(model: &Model, statement: &Statement, finding: Finding
     if is_turned { Finding::unreadable(Note::DirectionUnchecked) } else { finding }
 }
 
-pub(super) fn words(label: &str) -> impl Iterator<Item = &str> {
-    label.split(|letter: char| !letter.is_alphanumeric())
-}
-
 /// Is it called a bearing, or measured from where north is?
 pub(super) fn is_a_bearing(statement: &Statement) -> bool {
     let label = statement.label.iter().map(|label| label.typed.as_str());
@@ -257,54 +229,6 @@ pub(super) fn is_a_bearing(statement: &Statement) -> bool {
     label.chain(remarks).flat_map(words).any(|word| BEARINGS.contains(&word.to_lowercase().as_str()))
 }
 
-pub(super) fn sort(word: &str) -> Option<Sort> {
-    match word {
-        "I" | "J" => return Some(Sort::Impulse),
-        "e" => return Some(Sort::Restitution),
-        _ => {}
-    }
-    match word.to_lowercase().as_str() {
-        "speed" | "speeds" => Some(Sort::Speed),
-        "velocity" | "velocities" | "vel" => Some(Sort::Velocity),
-        "ke" | "kinetic" | "energy" => Some(Sort::Energy),
-        "impulse" | "momentum" => Some(Sort::Impulse),
-        "angle" | "angles" | "direction" => Some(Sort::Angle),
-        "bearing" => Some(Sort::Bearing),
-        "acceleration" | "work" | "distance" | "force" | "time" => Some(Sort::Unasked),
-        "deflection" | "deflected" | "deflects" | "turned" | "turns" | "deviation" | "deviated" | "deviates"
-        | "rotated" | "rotates" => Some(Sort::Deflection),
-        "restitution" | "cor" => Some(Sort::Restitution),
-        "mass" => Some(Sort::Mass),
-        _ => None,
-    }
-}
-
-/// May the quantity be called so?
-pub(super) fn suits(asked: Quantity, sort: Sort) -> bool {
-    use Quantity::*;
-    match asked {
-        _ if sort.is_unasked() => false,
-        Velocity(..) | Speed(..) | Approach | Separation => matches!(sort, Sort::Speed | Sort::Velocity),
-        KineticEnergy(..) | TotalEnergy(_) | EnergyLost | SphereEnergyLost(_) | FractionLost => sort == Sort::Energy,
-        SphereMomentum(..) | TotalMomentum(_) | Impulse(..) | ImpulseMagnitude => sort == Sort::Impulse,
-        AngleToLine(..) | AngleFromN(..) | AngleFromI(..) | AngleToWall(..) | AngleBetween(_) | Alpha => {
-            matches!(sort, Sort::Angle | Sort::Velocity)
-        }
-        Deflection(_) | SignedDeflection(_) | TanDeflection(_) => matches!(sort, Sort::Angle | Sort::Deflection),
-        TanToLine(..) | TOverN(..) | TanToWall(..) => matches!(sort, Sort::Angle | Sort::Velocity),
-        Restitution => sort == Sort::Restitution,
-        Mass(_) | MassRatio => sort == Sort::Mass,
-        _ => true,
-    }
-}
-
-/// Is it lost in an impact?
-pub(super) fn is_of_loss(asked: Quantity) -> bool {
-    matches!(asked, Quantity::EnergyLost | Quantity::SphereEnergyLost(_) | Quantity::FractionLost)
-}
-
-pub(super) const LOSSES: [&str; 10] =
-    ["loss", "losses", "lost", "lose", "loses", "decrease", "decreases", "decreased", "change", "dissipated"];
 /// Do the words on the left name what is asked?
 pub(super) fn words_fit(model: &Model, typed: &str) -> bool {
     if is_multiplied(typed) {

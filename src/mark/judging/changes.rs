@@ -1,7 +1,7 @@
 //! Labels that speak of a gain or of a change, of which a loss is the opposite.
 
-use super::called::words;
 use super::moments::{EARLIER, LATER};
+use super::sorts::words;
 
 /// Does the label speak of a gain, which a loss is the opposite of?
 pub(super) fn is_gain(label: &str) -> bool {

@@ -21,7 +21,7 @@ use super::finding::Finding;
 use super::multiplied::SQUARED;
 use super::statements::One;
 use super::{Model, Note, angle, changes, moments, number, vector};
-use super::{called, letters};
+use super::{called, letters, sorts};
 
 /// What the left side is to the value on the right.
 pub(super) enum Left {
@@ -68,7 +68,7 @@ pub(super) fn of(model: &Model, label: &Label) -> Left {
         return if is_of_motion || is_impulse && is_of_speed { Left::Another } else { Left::Name };
     }
     // `T_2`: what there is at one moment, and not what is lost.
-    if model.quantity.is_some_and(called::is_of_loss) && moments::is_energy_of_one(typed) {
+    if model.quantity.is_some_and(sorts::is_of_loss) && moments::is_energy_of_one(typed) {
         return Left::Another;
     }
     match expr {

@@ -3,7 +3,7 @@
 use crate::mechanics::Quantity;
 use crate::unit::Unit;
 
-use super::called::{Sort, sort, suits};
+use super::sorts::{Sort, sort, suits};
 use super::{Model, left_side};
 
 /// Can what is asked be called by this name?

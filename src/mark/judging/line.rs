@@ -4,10 +4,10 @@ use crate::expr::{Expr, Function, Meaning};
 use crate::mark::reading::{ACROSS, Form, Label, ReferenceLine, Said};
 
 use super::accuracy::Written;
-use super::called::words;
 use super::coarsest::Coarsest;
 use super::exact::{self, Equality, same};
 use super::finding::Finding;
+use super::sorts::words;
 use super::{Model, Note, number, selection, vector};
 
 /// Judges one value against a line. What is said to be perpendicular to the line, or to be the tangent, must be so.

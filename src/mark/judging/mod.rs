@@ -33,6 +33,7 @@ mod ratio;
 mod selection;
 mod sense;
 mod shown;
+mod sorts;
 mod spheres;
 mod statements;
 mod together;

@@ -2,7 +2,7 @@
 
 use crate::mechanics::{Moment, Quantity};
 
-use super::called::{Sort, sort, words};
+use super::sorts::{Sort, sort, words};
 
 /// Words for what there is before an impact, and for what there is once it is over.
 const STATES: [&str; 9] = ["before", "initial", "after", "final", "left", "remaining", "remains", "retained", "kept"];

@@ -4,7 +4,7 @@ use crate::expr::Expr;
 use crate::mechanics::{Quantity, Sphere};
 
 use super::Model;
-use super::called::{sort, suits, words};
+use super::sorts::{sort, suits, words};
 use super::spheres::sphere;
 
 /// Does a remark that is no more than a name, as `(B)` or `(speed of B)`, name another sphere or another quantity?

@@ -203,5 +203,14 @@ fn a_direction_beside_the_size_of_a_vector_is_that_of_the_vector() {
     );
     let speed = Model { vector: vector(6, 9), quantity: "A.after.speed".parse().ok(), ..size };
     let speed = Model { value: read("3*sqrt(13)", Angles::Radians).unwrap(), prepared: Prepared::default(), ..speed };
-    earn(&speed, &[("3√13 at 56.3° to i", "correct"), ("3√13 at 33.7° to i", "partial")]);
+    earn(
+        &speed,
+        &[
+            ("3√13 at 56.3° to i", "correct"),
+            ("3√13 at 33.7° to i", "partial"),
+            ("3√13 at 56.3° above i", "correct"),
+            ("3√13 at 56.3° below i", "partial"),
+            ("3√13 downwards", "unreadable"),
+        ],
+    );
 }

@@ -2,7 +2,7 @@
 
 use crate::mechanics::Quantity;
 
-use super::called::words;
+use super::sorts::words;
 
 /// `m_A/m_B` where the mass of B over that of A is asked, `approach/separation` for the coefficient of restitution,
 /// `n/t` for the tangent of the angle with the line of centres.

@@ -19,7 +19,7 @@ use super::exact::{self, meaning_of};
 use super::finding::Finding;
 use super::statements::{is_concluded, is_rival};
 use super::units::{self, UnitCheck};
-use super::{Model, Note, called, moments, number, sense};
+use super::{Model, Note, moments, number, sense, sorts};
 
 /// One inequality, solved for the letter: the letter lies on this side of the bound.
 struct Bound {
@@ -71,8 +71,8 @@ fn is_reason(statement: &Statement, letter: Letter) -> bool {
             *sign != Relation::Equal && !is_of_letter_alone(relation)
         }
         Form::Range(..) => {
-            let names = |word: &str| called::sort(word).is_some() || word == "product";
-            let mut words = said.remarks.iter().flat_map(|remark| called::words(remark));
+            let names = |word: &str| sorts::sort(word).is_some() || word == "product";
+            let mut words = said.remarks.iter().flat_map(|remark| sorts::words(remark));
             statement.label.is_none() && (said.unit.is_some() || words.any(names))
         }
         _ => false,

@@ -8,9 +8,9 @@ use crate::mark::reading::{Form, Label, Reading, Said};
 use crate::mechanics::{Quantity, Sphere};
 
 use super::accuracy::Written;
-use super::called::{Sort, sort, words};
 use super::finding::Finding;
 use super::otherwise::spheres_in_remark;
+use super::sorts::{Sort, sort, words};
 use super::spheres::{named_sphere, named_spheres};
 use super::statements::{pair, unnamed};
 use super::{Model, Note, number};

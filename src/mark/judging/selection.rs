@@ -12,9 +12,9 @@ use crate::mechanics::{Moment, Quantity};
 use crate::number::Fraction;
 
 use super::besides::{compared_with_a_bound, without_its_name, without_size_and_direction, without_told_besides};
-use super::called::{LOSSES, is_of_loss, words};
 use super::moments::{COMPARING, EARLIER, LATER, moment, states};
 use super::otherwise::{DIRECTED, is_changed_to};
+use super::sorts::{LOSSES, is_of_loss, words};
 use super::statements::is_rival;
 use super::{Model, exact};
 

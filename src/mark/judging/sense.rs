@@ -15,7 +15,7 @@ use crate::mechanics::{Axis, Moment, Quantity, Sphere};
 use super::finding::Finding;
 use super::known::Prepared;
 use super::otherwise::spheres_in_remark;
-use super::{Model, Note, Verdict, angle, called, exact, number, selection};
+use super::{Model, Note, Verdict, angle, exact, number, selection, sorts};
 
 /// Does a sphere that moves so, backwards or not, move in the sense that is said? `None` if nobody knows.
 pub(super) fn agrees(said: Option<Sense>, backwards: Option<bool>) -> Option<bool> {
@@ -86,13 +86,23 @@ fn says_to_the_left(statement: &Statement) -> Option<bool> {
     one_of(says("left"), says("right"))
 }
 
+/// Do they say that it goes upwards, as **j** does?
+fn says_upwards(statement: &Statement) -> Option<bool> {
+    let says = |wanted: &[&str]| remarks(statement).any(|remark| called_by(remark, wanted));
+    one_of(says(&["above", "upwards", "up"]), says(&["below", "downwards", "down"]))
+}
+
+fn called_by(remark: &str, wanted: &[&str]) -> bool {
+    sorts::words(remark).any(|word| wanted.contains(&word))
+}
+
 /// Do they say that an angle turns anticlockwise, or is above **i**?
 fn says_anticlockwise(statement: &Statement) -> Option<bool> {
     const ANTICLOCKWISE: [&str; 6] = ["anticlockwise", "counterclockwise", "above", "upwards", "up", "left"];
     const CLOCKWISE: [&str; 5] = ["clockwise", "below", "downwards", "down", "right"];
     let says = |wanted: &[&str]| {
         let all = remarks(statement).map(|remark| remark.replace("ti-clock", "ticlock").replace("er-clock", "erclock"));
-        all.into_iter().any(|remark| called::words(&remark).any(|word| wanted.contains(&word)))
+        all.into_iter().any(|remark| called_by(&remark, wanted))
     };
     one_of(says(&ANTICLOCKWISE), says(&CLOCKWISE))
 }
@@ -102,8 +112,11 @@ pub(super) fn is_said_to_go_otherwise(model: &Model, statement: &Statement) -> b
     use Quantity::{AngleToWall, Speed, Velocity};
     let is_else = |said: Option<bool>, own: Option<bool>| said.zip(own).is_some_and(|(said, own)| said != own);
     match model.quantity.map(Quantity::of_its_impact) {
-        Some(Speed(..) | Velocity(_, _, Axis::N)) => {
-            is_else(says_which_way(&[statement]), model.turns_back)
+        Some(asked @ (Speed(..) | Velocity(_, _, Axis::N))) => {
+            let is_above =
+                model.vector.as_ref().filter(|_| matches!(asked, Speed(..))).and_then(|[_, y]| is_positive(y));
+            is_else(says_upwards(statement), is_above)
+                || is_else(says_which_way(&[statement]), model.turns_back)
                 || is_else(says_away_from_the_wall(statement), model.rebounds)
                 || is_else(says_to_the_left(statement), model.rebounds)
         }
@@ -120,14 +133,14 @@ const NEVER: [&str; 8] = ["no", "not", "never", "without", "cannot", "don", "doe
 
 /// Does a remark say that nothing meets?
 pub(super) fn denies_a_meeting(remark: &str) -> bool {
-    let has = |wanted: &[&str]| called::words(remark).any(|word| wanted.contains(&word));
+    let has = |wanted: &[&str]| sorts::words(remark).any(|word| wanted.contains(&word));
     has(&NEVER) && has(&MEETING)
 }
 
 /// Is another collision spoken of beside what is no range: that there is none, or which of several it is?
 pub(super) fn is_of_another_meeting(model: &Model, reading: &Reading) -> bool {
     const OTHERS: [&str; 6] = ["further", "more", "second", "other", "subsequent", "another"];
-    let has = |remark: &str, wanted: &[&str]| called::words(remark).any(|word| wanted.contains(&word));
+    let has = |remark: &str, wanted: &[&str]| sorts::words(remark).any(|word| wanted.contains(&word));
     let is_other = |remark: &str| denies_a_meeting(remark) || has(remark, &OTHERS) && has(remark, &MEETING);
     model.kind != Kind::Range && reading.statements.iter().flat_map(remarks).any(is_other)
 }
@@ -141,7 +154,7 @@ pub(super) fn is_of_another_event(model: &Model, statements: &[Statement]) -> bo
         labels.chain(all.iter().flat_map(|statement| remarks(statement)))
     };
     let has = |wanted: &[&str]| {
-        texts().any(|text| called::words(text).any(|word| wanted.contains(&word.to_lowercase().as_str())))
+        texts().any(|text| sorts::words(text).any(|word| wanted.contains(&word.to_lowercase().as_str())))
     };
     let said = says_which_way(&all);
     let is_another_way = match model.turns_back {
@@ -262,7 +275,19 @@ fn is_beside_the_vector(model: &Model, said: &Said) -> bool {
         angle::judge(&right, &Said { reference: None, ..said.clone() }, None).is_credited()
     };
     let is_of_either = model.quantity.map(Quantity::of_its_impact) == Some(Quantity::ImpulseMagnitude);
+    // `at 56.3° below i`
+    let is_above = one_of(
+        said.remarks.iter().any(|remark| remark == "above"),
+        said.remarks.iter().any(|remark| remark == "below"),
+    );
+    if line == ReferenceLine::I && !is_of_either && is_above.is_some_and(|above| above != (y > 0.0)) {
+        return true;
+    }
     !(is_right(degrees) || is_of_either && is_right(180.0 - degrees))
+}
+
+fn is_positive(expr: &Expr) -> Option<bool> {
+    exact::value(expr, &[])?.sign().filter(|sign| sign.is_ne()).map(Ordering::is_gt)
 }
 
 fn is_negative(expr: &Expr) -> bool {

@@ -6,9 +6,9 @@ use crate::expr::Expr;
 use crate::mark::reading::{Label, Reading, Statement};
 use crate::mechanics::{Quantity, Sphere};
 
-use super::called::{Sort, sort, words};
 use super::letters::of_letter;
 use super::otherwise::spheres_in_remark;
+use super::sorts::{Sort, sort, words};
 
 /// All that can take part in an impact.
 pub(super) const SPHERES: [Sphere; 3] = [Sphere::A, Sphere::B, Sphere::C];
@@ -73,6 +73,12 @@ pub(super) fn is_of_several(statement: &Statement) -> bool {
         words(remark).any(|word| matches!(word, "both" | "each")) && words(remark).all(|word| EACH.contains(&word))
     };
     together(statement).is_some() || statement.said.iter().flat_map(|said| &said.remarks).any(says_each)
+}
+
+/// Is a sphere named, by the name of a value or beside it?
+pub(super) fn names_any(statement: &Statement) -> bool {
+    let mut remarks = statement.said.iter().flat_map(|said| &said.remarks);
+    named_sphere(statement).is_some() || remarks.any(|remark| !spheres_in_remark(remark).is_empty())
 }
 
 /// `A, B = 2.78, 3.08`: is one sphere the name of the first of two values, and another said beside the second?

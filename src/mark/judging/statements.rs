@@ -5,6 +5,7 @@
 
 use crate::answer::Kind;
 use crate::expr::Expr;
+use crate::mark::enclosure::enclose_roughly;
 use crate::mark::reading::{Form, Label, Reading, Said, Statement};
 use crate::mechanics::{Moment, Quantity, Sphere};
 
@@ -12,7 +13,7 @@ use super::chain::{chain, is_bare_number};
 use super::finding::Finding;
 use super::left_side::{self, Left};
 use super::spheres::{self, SPHERES, named_sphere, sphere};
-use super::{Model, Note, called, moments};
+use super::{Model, Note, called, moments, sorts};
 
 /// How a kind judges one value.
 pub(super) type One<'a> = &'a dyn Fn(&Said, Option<&Label>) -> Finding;
@@ -191,11 +192,19 @@ fn last_or_rivals(model: &Model, statements: &[&Statement], one: One) -> Finding
     if matches!(model.quantity.map(Quantity::of_its_impact), Some(Quantity::Speed(..) | Quantity::ImpulseMagnitude))
         && last.is_correct()
         && of_last.is_some_and(is_size)
-        && before.iter().all(|finding| finding.note == Some(Note::Sign))
+        && before.iter().all(|finding| finding.note == Some(Note::Sign) || finding.is_correct())
     {
         return last;
     }
     let right = findings.iter().copied().find(Finding::is_correct);
+    // `42 on B, −42 on A`
+    let is_of_each = model.quantity.map(Quantity::of_its_impact) == Some(Quantity::ImpulseMagnitude)
+        && statements.iter().all(|statement| spheres::names_any(statement));
+    if let Some(right) = right.filter(|_| is_of_each)
+        && findings.iter().all(|finding| finding.is_correct() || finding.note == Some(Note::Sign))
+    {
+        return right;
+    }
     // A value and its opposite are two values.
     let spoilt = findings.iter().any(|finding| !finding.is_credited() || finding.note == Some(Note::Sign));
     // A right value and one that lacks a letter, has another unit, or is another by a figure, are two values.
@@ -212,6 +221,7 @@ fn last_or_rivals(model: &Model, statements: &[&Statement], one: One) -> Finding
         }
         // `m = 2 or −18/13, so m = 2`
         _ if spoilt && is_concluded(statements) => last,
+        _ if spoilt && last.is_credited() && is_made_of_the_others(statements) => last,
         Some(_) if spoilt => Finding::wrong(Note::RivalAnswers),
         Some(right) => right,
         None if spoilt && findings.iter().any(Finding::is_credited) => Finding::wrong(Note::RivalAnswers),
@@ -222,7 +232,7 @@ fn last_or_rivals(model: &Model, statements: &[&Statement], one: One) -> Finding
 /// Two bare numbers, of which the second is drawn from the first, where a loss or an impulse is asked.
 fn is_from_one_to_another(model: &Model, statements: &[&Statement]) -> bool {
     let is_change = |asked: Quantity| {
-        called::is_of_loss(asked) || matches!(asked, Quantity::Impulse(..) | Quantity::ImpulseMagnitude)
+        sorts::is_of_loss(asked) || matches!(asked, Quantity::Impulse(..) | Quantity::ImpulseMagnitude)
     };
     let is_bare = |statement: &&Statement| matches!(statement.said.as_slice(), [only] if is_bare_number(only));
     let [first, last] = statements else { return false };
@@ -231,6 +241,32 @@ fn is_from_one_to_another(model: &Model, statements: &[&Statement]) -> bool {
         && is_bare(last)
         && last.label.is_none()
         && !called::is_named(model, first)
+}
+
+/// `58.0 before, 46.8 after, total 104.8`, `37.5 lost, 7.5 gained, 30 lost`: does the last of three come of the two before it,
+/// as their sum, their difference, or the hypotenuse?
+fn is_made_of_the_others(statements: &[&Statement]) -> bool {
+    /// Of figures that were rounded to three.
+    const NEAR: f64 = 3e-3;
+    let said: Vec<&Said> = statements.iter().filter_map(|statement| statement.said.last()).collect();
+    let [one, other, last] = said.as_slice() else { return false };
+    if statements.len() != 3 || said.iter().any(|said| is_rival(said)) {
+        return false;
+    }
+    let is = |last: f64, made: f64| (last - made).abs() <= NEAR * made.abs();
+    let number = |expr: &Expr| enclose_roughly(expr, &[], 0).map(|within| (within.lower + within.upper) / 2.0);
+    match (&one.form, &other.form, &last.form) {
+        (Form::Value(one), Form::Value(other), Form::Value(last)) => {
+            let (Some(one), Some(other), Some(last)) = (number(one), number(other), number(last)) else { return false };
+            [one + other, one - other, other - one, one.hypot(other)].into_iter().any(|made| is(last, made))
+        }
+        (Form::Vector(a, b, _), Form::Vector(c, d, _), Form::Vector(x, y, _)) => {
+            let sum = |one: &Expr, other: &Expr| Some(number(one)? + number(other)?);
+            let is_sum = |one, other, last| sum(one, other).zip(number(last)).is_some_and(|(sum, last)| is(last, sum));
+            is_sum(a, c, x) && is_sum(b, d, y)
+        }
+        _ => false,
+    }
 }
 
 /// Is it called by a single letter?

@@ -5,9 +5,9 @@ use crate::expr::{Expr, Function, Meaning, written};
 use crate::mark::reading::{Form, Notation, Reading, Said, Statement};
 
 use super::accuracy::Written;
-use super::called::words;
 use super::exact;
 use super::finding::Finding;
+use super::sorts::words;
 use super::spheres::{named_sphere, sphere};
 use super::statements::{is_rival, pair, unnamed};
 use super::units::{self, UnitCheck};

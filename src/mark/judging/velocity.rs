@@ -15,7 +15,7 @@ use super::finding::Finding;
 use super::known::Further;
 use super::spheres::{named_sphere, sphere};
 use super::statements::is_rival;
-use super::{Model, Note, angle, called, moments, number, sense, vector};
+use super::{Model, Note, angle, moments, number, sense, sorts, vector};
 
 /// Words that tell of a direction, whichever it is.
 const DIRECTIONS: [&str; 4] = ["direction", "vertically", "horizontally", "way"];
@@ -116,8 +116,8 @@ fn of_one(model: &Model, statements: Vec<&Statement>) -> Finding {
 fn is_deflected(statement: &Statement) -> bool {
     let label = statement.label.iter().map(|label| &label.typed);
     let remarks = statement.said.iter().flat_map(|said| &said.remarks);
-    let mut words = label.chain(remarks).flat_map(|words| called::words(words));
-    words.any(|word| called::sort(word) == Some(called::Sort::Deflection))
+    let mut words = label.chain(remarks).flat_map(|words| sorts::words(words));
+    words.any(|word| sorts::sort(word) == Some(sorts::Sort::Deflection))
 }
 
 /// `A: 1.04 perpendicular to AB, B: 2.95 along AB`: what is said of the sphere that is asked, up to where another is named.

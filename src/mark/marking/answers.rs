@@ -32,7 +32,7 @@ pub(super) fn judged(
     let left = Left::of(part, script, examined);
     let lines = Lines::default();
     let unnamed = unnamed.or_else(|| left.for_all(&all_at_once).filter(|_| script.answers.is_empty()));
-    let unnamed = unnamed.or_else(|| all_in_one(part, script).filter(|answer| are_all_right(&all_at_once(answer))));
+    let unnamed = unnamed.or_else(|| all_in_one(part, script).filter(|answer| are_all_credited(&all_at_once(answer))));
     let mut together = match (unnamed, part.blanks.as_slice()) {
         (None, _) | (Some(_), [_]) => Vec::new(),
         (Some(answer), _) => all_at_once(answer),
@@ -87,8 +87,8 @@ fn is_list(answer: &str) -> bool {
     answer.contains([',', ';', '&', '\n']) || answer.contains(" and ")
 }
 
-fn are_all_right(judgements: &[Judgement]) -> bool {
-    judgements.iter().all(|judgement| judgement.verdict == Verdict::Correct)
+fn are_all_credited(judgements: &[Judgement]) -> bool {
+    judgements.iter().all(|judgement| matches!(judgement.verdict, Verdict::Correct | Verdict::Partial))
 }
 
 /// Is what was written the name of this blank, however it is spaced?

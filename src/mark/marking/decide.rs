@@ -138,7 +138,7 @@ fn by_followed(mark: &KeyedMark, part: &KeyedPart, followed: &[Option<Followed>]
 }
 
 fn by_one_followed(mark: &KeyedMark, part: &KeyedPart, blank: usize, followed: &Followed) -> Option<Award> {
-    let Followed { judgement, is_marked, .. } = followed;
+    let Followed { judgement, is_marked } = followed;
     let is_value =
         matches!(&mark.earned_for, EarnedFor::Quantity(q) if part.blanks[blank].find.quantities().contains(q));
     // The method that leads to it is implied, and what follows on the way; what stands before the student's own value is not.

@@ -22,8 +22,6 @@ pub(super) struct Followed {
     pub(super) judgement: Judgement,
     /// Does the scheme have a mark for it? Else it only shows the method.
     pub(super) is_marked: bool,
-    /// Is it the right value all the same?
-    pub(super) is_coincidence: bool,
 }
 
 /// For each blank the verdict against what follows from the student's own values.
@@ -54,10 +52,6 @@ pub(super) fn answers(
         let is_wrong = || answer.judgement.verdict == Verdict::Wrong || is_near_miss(&answer.judgement);
         let is_value = || matches!(blank.model.kind, Kind::Number | Kind::Angle | Kind::Expression);
         let follows = is_marked || (is_wrong_before && is_wrong() && is_value());
-        if is_right && is_coincidence(question, blank, quantity, examined) {
-            let judgement = answer.judgement.clone();
-            return Some(Followed { judgement, is_marked: false, is_coincidence: true });
-        }
         if !follows || is_right || examined.theirs.0.is_empty() {
             return None;
         }
@@ -97,29 +91,9 @@ pub(super) fn answers(
         }
         let is_in_figures = !is_marked && judgement.note == Some(Note::UnderAccurate.tag());
         let follows = judgement.verdict == Verdict::Correct || is_in_figures;
-        follows.then(|| Followed { judgement: judgement.in_setting(part.setting), is_marked, is_coincidence: false })
+        follows.then(|| Followed { judgement: judgement.in_setting(part.setting), is_marked })
     })
     .collect()
-}
-
-/// Does a right answer follow from velocities along the line of centres that it needs and that are of a wrong size? The
-/// energy lost is the same with restitution turned round; who has found it so has not found it rightly.
-fn is_coincidence(question: &KeyedQuestion, blank: &KeyedBlank, asked: Quantity, examined: &Examined) -> bool {
-    // Where a letter is to be found, velocities in it are no values.
-    if !question.scene.unknowns.is_empty() {
-        return false;
-    }
-    let prepared = question.prepared();
-    let is_along = |own: Quantity| matches!(prepared.along(own), Quantity::Velocity(_, Moment::After, Axis::N));
-    let is_wrong_size = |own: Quantity| {
-        let (values, _) = &examined.theirs.0[&own];
-        prepared.known_sizes(own).is_some_and(|right| !are_near(values, &right, 1e-2))
-    };
-    let is_needed = |own: Quantity| prepared.is_needed(&EarnedFor::Quantity(own), &blank.find);
-    let mut wrong = examined.theirs.wrong(question).map(|(own, _)| own).filter(|own| *own != asked);
-    let follows = || examined.followed(question, asked).zip(prepared.known_sizes(asked));
-    wrong.any(|own| is_along(own) && is_wrong_size(own) && is_needed(own))
-        && follows().is_some_and(|(followed, right)| are_near(&right, &followed, 1e-6))
 }
 
 /// The verdict on a wrong vector against what follows for its components from the student's own values.
@@ -138,7 +112,7 @@ fn vector(
     let value = Expr::Vector(Box::new(written(&x?)), Box::new(written(&y?)));
     let model = Model { accept: in_figures(&blank.model), ..blank.model.of_value(value) };
     let judgement = judge(&model, &Ok(judged.readings.clone()?));
-    (judgement.verdict == Verdict::Correct).then_some(Followed { judgement, is_marked: false, is_coincidence: false })
+    (judgement.verdict == Verdict::Correct).then_some(Followed { judgement, is_marked: false })
 }
 
 /// What is accepted of what follows: the student's own values are in figures, so that nobody can be asked for more.
@@ -188,15 +162,8 @@ fn are_near(one: &[f64], other: &[f64], part: f64) -> bool {
 /// Answers that follow from the student's own values say so, and no other mistake is looked for in them.
 pub(super) fn say(answers: &mut [MarkedAnswer], followed: &[Option<Followed>]) {
     for (answer, followed) in answers.iter_mut().zip(followed) {
-        match followed {
-            Some(Followed { is_coincidence: true, .. }) => {
-                answer.judgement.verdict = Verdict::Partial;
-                answer.judgement.note = Some("by-coincidence");
-                answer.judgement.feedback =
-                    "This is the right value, but what it follows from in your working is not right.".to_owned();
-            }
-            Some(Followed { is_marked: true, .. }) => say_of(answer),
-            _ => {}
+        if followed.as_ref().is_some_and(|followed| followed.is_marked) {
+            say_of(answer);
         }
     }
 }

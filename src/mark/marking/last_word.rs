@@ -2,20 +2,21 @@
 
 use super::memory::Lines;
 use crate::bank::Find;
+use crate::expr::Expr;
 use crate::mark::award::MarkedAnswer;
-use crate::mark::judging::{Verdict, is_named, judge};
+use crate::mark::enclosure::enclose_roughly;
+use crate::mark::judging::{Verdict, judge};
 use crate::mark::key::{KeyedBlank, KeyedPart};
-use crate::mark::reading::{Reading, Statement};
+use crate::mark::reading::{Form, Reading, Statement};
 use crate::mark::script::PartScript;
-use crate::mechanics::Quantity;
 
-/// Of answers that are right though the last value that the working has under their name is not, says so: they are partly
-/// right, and imply nothing.
+/// Of answers that are right though the working has found nothing but another value for them, says so: they are partly right,
+/// and imply nothing.
 pub(super) fn contradict(part: &KeyedPart, script: &PartScript, answers: &mut [MarkedAnswer]) {
     let lines = Lines::default();
-    for (place, answer) in answers.iter_mut().enumerate() {
+    for (blank, answer) in part.blanks.iter().zip(answers) {
         let is_typed = script.answers.iter().any(|(_, typed)| Some(typed) == answer.typed.as_ref());
-        if answer.judgement.verdict == Verdict::Correct && is_typed && comes_to_another(part, place, script, &lines) {
+        if answer.judgement.verdict == Verdict::Correct && is_typed && comes_to_another(blank, script, &lines) {
             answer.judgement.verdict = Verdict::Partial;
             answer.judgement.note = Some("contradicted");
             answer.judgement.feedback = "This is the right value, but your working comes to another.".to_owned();
@@ -23,50 +24,36 @@ pub(super) fn contradict(part: &KeyedPart, script: &PartScript, answers: &mut [M
     }
 }
 
-/// Is the last value that the working states under the name of a blank plainly another? One that is rounded from the value
-/// before it, `m ≈ 2` after `m = 2.06`, is no other.
-fn comes_to_another(part: &KeyedPart, place: usize, script: &PartScript, lines: &Lines) -> bool {
-    let blank = &part.blanks[place];
-    if !has_own_name(blank) {
-        return false;
-    }
-    // What is about equal to the value before it is no other; what has no equals sign at all is not looked at.
+/// Is all that the working says of a letter that is to be found plainly another number? Any other name may be of something
+/// else, a formula is no value yet, and a number of the other sign may be the root that is left out.
+fn comes_to_another(blank: &KeyedBlank, script: &PartScript, lines: &Lines) -> bool {
+    let Find::Unknown(letter) = &blank.find else { return false };
+    let Some(right) = size(&blank.model.value) else { return false };
     let typed = script.working.iter().flat_map(|cell| cell.lines()).map(str::trim);
-    let said = typed.filter(|line| line.contains('=') && !line.contains("~~")).filter_map(|line| {
+    let mut is_another = false;
+    // What is about equal to the value before it is a rounding of it.
+    for line in typed.filter(|line| !line.contains("~~")) {
         let readings = lines.read(line, &blank.model.vocabulary);
-        let reading = readings.as_ref().as_ref().ok()?.first()?;
-        let is_named = reading.statements.iter().any(|statement| is_called(part, blank, statement));
-        // Of two roots, `k = 8 or -24`, one is enough.
-        let is_wrong = |statement: &Statement| each(statement).all(|said| verdict(blank, said) == Verdict::Wrong);
-        is_named.then(|| reading.statements.iter().all(is_wrong))
-    });
-    said.last().unwrap_or(false)
-}
-
-/// Is there a name that belongs to what is asked alone? `v` may be a component where a speed is asked, and θ any angle.
-fn has_own_name(blank: &KeyedBlank) -> bool {
-    match &blank.find {
-        Find::Unknown(_) => true,
-        Find::Quantity(quantity) => matches!(
-            quantity.of_its_impact(),
-            Quantity::Restitution
-                | Quantity::ImpulseMagnitude
-                | Quantity::Impulse(..)
-                | Quantity::EnergyLost
-                | Quantity::FractionLost
-        ),
-        _ => false,
-    }
-}
-
-fn is_called(part: &KeyedPart, blank: &KeyedBlank, statement: &Statement) -> bool {
-    match &blank.find {
-        Find::Unknown(name) => statement.label.as_ref().is_some_and(|label| label.typed.trim() == name),
-        _ => {
-            let mut others = part.blanks.iter().filter(|other| other.name != blank.name);
-            is_named(&blank.model, statement) && !others.any(|other| is_named(&other.model, statement))
+        let Some(reading) = readings.as_ref().as_ref().ok().and_then(|readings| readings.first()) else { continue };
+        let is_of_it = |label: &str| label.trim() == letter;
+        let own = |statement: &&Statement| statement.label.as_ref().is_some_and(|label| is_of_it(&label.typed));
+        for statement in reading.statements.iter().filter(own).flat_map(each) {
+            if verdict(blank, &statement) != Verdict::Wrong {
+                return false;
+            }
+            let stated = statement.said.last().and_then(|said| match &said.form {
+                Form::Value(value) => size(value),
+                _ => None,
+            });
+            is_another |= stated.is_some_and(|stated| stated * right > 0.0);
         }
     }
+    is_another
+}
+
+/// What a number comes to.
+fn size(expr: &Expr) -> Option<f64> {
+    enclose_roughly(expr, &[], 0).map(|within| (within.lower + within.upper) / 2.0)
 }
 
 /// What a statement says, a value each.
@@ -75,7 +62,7 @@ fn each(statement: &Statement) -> impl Iterator<Item = Statement> + '_ {
 }
 
 /// The verdict on a value by itself.
-fn verdict(blank: &KeyedBlank, statement: Statement) -> Verdict {
-    let reading = Reading { statements: vec![statement], printed: String::new(), decided: Vec::new() };
+fn verdict(blank: &KeyedBlank, statement: &Statement) -> Verdict {
+    let reading = Reading { statements: vec![statement.clone()], printed: String::new(), decided: Vec::new() };
     judge(&blank.model, &Ok(vec![reading])).verdict
 }

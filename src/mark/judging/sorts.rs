@@ -1,0 +1,84 @@
+//! The words that the subject has for quantities, and which of them go with what is asked.
+
+use crate::mechanics::Quantity;
+
+/// What a name is the name of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Sort {
+    Speed,
+    /// It has a size and a direction, and either may be called by it.
+    Velocity,
+    Energy,
+    Impulse,
+    Angle,
+    Deflection,
+    /// From the north, which no question has.
+    Bearing,
+    /// What no question asks for.
+    Unasked,
+    Restitution,
+    Mass,
+}
+
+impl Sort {
+    /// Is it what no question asks for?
+    pub(super) fn is_unasked(self) -> bool {
+        matches!(self, Sort::Bearing | Sort::Unasked)
+    }
+}
+
+/// The words of a text.
+pub(super) fn words(label: &str) -> impl Iterator<Item = &str> {
+    label.split(|letter: char| !letter.is_alphanumeric())
+}
+
+/// What a word is the name of.
+pub(super) fn sort(word: &str) -> Option<Sort> {
+    match word {
+        "I" | "J" => return Some(Sort::Impulse),
+        "e" => return Some(Sort::Restitution),
+        _ => {}
+    }
+    match word.to_lowercase().as_str() {
+        "speed" | "speeds" => Some(Sort::Speed),
+        "velocity" | "velocities" | "vel" => Some(Sort::Velocity),
+        "ke" | "kinetic" | "energy" => Some(Sort::Energy),
+        "impulse" | "momentum" => Some(Sort::Impulse),
+        "angle" | "angles" | "direction" => Some(Sort::Angle),
+        "bearing" => Some(Sort::Bearing),
+        "acceleration" | "work" | "distance" | "force" | "time" => Some(Sort::Unasked),
+        "deflection" | "deflected" | "deflects" | "turned" | "turns" | "deviation" | "deviated" | "deviates"
+        | "rotated" | "rotates" => Some(Sort::Deflection),
+        "restitution" | "cor" => Some(Sort::Restitution),
+        "mass" => Some(Sort::Mass),
+        _ => None,
+    }
+}
+
+/// May the quantity be called so?
+pub(super) fn suits(asked: Quantity, sort: Sort) -> bool {
+    use Quantity::*;
+    match asked {
+        _ if sort.is_unasked() => false,
+        Velocity(..) | Speed(..) | Approach | Separation => matches!(sort, Sort::Speed | Sort::Velocity),
+        KineticEnergy(..) | TotalEnergy(_) | EnergyLost | SphereEnergyLost(_) | FractionLost => sort == Sort::Energy,
+        SphereMomentum(..) | TotalMomentum(_) | Impulse(..) | ImpulseMagnitude => sort == Sort::Impulse,
+        AngleToLine(..) | AngleFromN(..) | AngleFromI(..) | AngleToWall(..) | AngleBetween(_) | Alpha => {
+            matches!(sort, Sort::Angle | Sort::Velocity)
+        }
+        Deflection(_) | SignedDeflection(_) | TanDeflection(_) => matches!(sort, Sort::Angle | Sort::Deflection),
+        TanToLine(..) | TOverN(..) | TanToWall(..) => matches!(sort, Sort::Angle | Sort::Velocity),
+        Restitution => sort == Sort::Restitution,
+        Mass(_) | MassRatio => sort == Sort::Mass,
+        _ => true,
+    }
+}
+
+/// Is it lost in an impact?
+pub(super) fn is_of_loss(asked: Quantity) -> bool {
+    matches!(asked, Quantity::EnergyLost | Quantity::SphereEnergyLost(_) | Quantity::FractionLost)
+}
+
+/// Words for what is lost.
+pub(super) const LOSSES: [&str; 10] =
+    ["loss", "losses", "lost", "lose", "loses", "decrease", "decreases", "decreased", "change", "dissipated"];
