@@ -29,10 +29,9 @@ pub(super) fn contradict(part: &KeyedPart, script: &PartScript, answers: &mut [M
 fn comes_to_another(blank: &KeyedBlank, script: &PartScript, lines: &Lines) -> bool {
     let Find::Unknown(letter) = &blank.find else { return false };
     let Some(right) = size(&blank.model.value) else { return false };
-    let typed = script.working.iter().flat_map(|cell| cell.lines()).map(str::trim);
+    let typed = script.working.iter().flat_map(|cell| cell.lines());
     let mut is_another = false;
-    // What is about equal to the value before it is a rounding of it.
-    for line in typed.filter(|line| !line.contains("~~")) {
+    for line in typed {
         let readings = lines.read(line, &blank.model.vocabulary);
         let Some(reading) = readings.as_ref().as_ref().ok().and_then(|readings| readings.first()) else { continue };
         let is_of_it = |label: &str| label.trim() == letter;
