@@ -131,6 +131,11 @@ pub(super) fn enclose_roughly(expr: &Expr, letters: &[Letter], point: u32) -> Op
     at(letters, point, ()).enclose(expr)
 }
 
+/// About how much it is, at the first point. What this tells is for a person to see, and never that two are equal.
+pub(super) fn about(expr: &Expr, letters: &[Letter]) -> Option<f64> {
+    enclose_roughly(expr, letters, 0).map(|within| (within.lower + within.upper) / 2.0)
+}
+
 fn at<N: Enclosure>(letters: &[Letter], point: u32, bits: N::Bits) -> At<'_, N> {
     At { letters, point, bits, angles: vec![OnceCell::new(); letters.len()] }
 }

@@ -17,7 +17,7 @@ use super::multiplied::is_multiplied;
 use super::otherwise::{is_another_of_its_sort, is_changed_to, remark_names_another};
 use super::sorts::{LOSSES, Sort, is_of_loss, sort, suits, words};
 use super::spheres::{self, named_sphere, sphere};
-use super::{Model, Note, letters, quotients, sense};
+use super::{Model, Note, letters, quotients, sides};
 
 /// What was found of a value, if it is called what is asked for.
 pub(super) fn as_called(model: &Model, statement: &Statement, finding: Finding) -> Finding {
@@ -114,7 +114,7 @@ pub(in crate::mark) fn is_named(model: &Model, statement: &Statement) -> bool {
 
 /// `30 J lost`, where the loss is asked.
 pub(super) fn is_said_to_be_lost(model: &Model, statement: &Statement) -> bool {
-    let mut remarks = statement.said.iter().flat_map(|said| &said.remarks).flat_map(|remark| words(remark));
+    let mut remarks = statement.remarks().flat_map(|remark| words(remark));
     model.quantity.is_some_and(is_of_loss) && remarks.any(|word| LOSSES.contains(&word))
 }
 
@@ -180,10 +180,10 @@ pub(in crate::mark) fn is_of_a_part(label: &str, asked: Quantity) -> bool {
 /// What was found of a value, if the words around it say nothing else of it.
 pub(super) fn as_remarked(model: &Model, statement: &Statement, finding: Finding) -> Finding {
     let Some(asked) = model.quantity else { return finding };
-    if finding.is_credited() && sense::is_said_to_go_otherwise(model, statement) {
+    if finding.is_credited() && sides::is_said_to_go_otherwise(model, statement) {
         return Finding::unreadable(Note::DirectionUnchecked);
     }
-    let remarks: Vec<&String> = statement.said.iter().flat_map(|said| &said.remarks).collect();
+    let remarks: Vec<&String> = statement.remarks().collect();
     if remarks.is_empty() || !(finding.is_credited() || finding.note == Some(Note::Sign)) {
         return finding;
     }
@@ -214,7 +214,7 @@ pub(super) fn as_remarked(model: &Model, statement: &Statement, finding: Finding
         // Back along the line, or to a side of the page that nobody has drawn.
         Quantity::Velocity(_, _, Axis::N) => {
             has(&["perpendicular", "perp", "left", "leftwards", "back", "backwards"])
-                || remarks.iter().any(|remark| sense::says_that_it_goes_back(remark))
+                || remarks.iter().any(|remark| sides::says_that_it_goes_back(remark))
         }
         _ => false,
     };
@@ -224,7 +224,7 @@ pub(super) fn as_remarked(model: &Model, statement: &Statement, finding: Finding
 /// Is it called a bearing, or measured from where north is?
 pub(super) fn is_a_bearing(statement: &Statement) -> bool {
     let label = statement.label.iter().map(|label| label.typed.as_str());
-    let remarks = statement.said.iter().flat_map(|said| &said.remarks).map(String::as_str);
+    let remarks = statement.remarks().map(String::as_str);
     const BEARINGS: [&str; 5] = ["bearing", "north", "south", "east", "west"];
     label.chain(remarks).flat_map(words).any(|word| BEARINGS.contains(&word.to_lowercase().as_str()))
 }

@@ -58,7 +58,7 @@ fn line_alone(statement: &Statement) -> Option<ReferenceLine> {
 fn line_of(model: &Model, statement: &Statement) -> Option<NamedLine> {
     let vectors = model.vocabulary.vectors;
     let label = statement.label.as_ref().filter(|label| !matches!(label.expr, Some(Expr::Call(..))));
-    let remarks = || statement.said.iter().flat_map(|said| &said.remarks);
+    let remarks = || statement.remarks();
     let lies_between = remarks().any(|remark| remark.contains("between"));
     let remarks = remarks().filter(|_| lies_between);
     let words = label.map(|label| label.typed.as_str()).into_iter().chain(remarks.map(String::as_str));

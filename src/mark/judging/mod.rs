@@ -14,6 +14,7 @@ mod coarsest;
 mod coefficients;
 mod effort;
 mod equation;
+mod events;
 mod exact;
 mod finding;
 mod known;
@@ -33,6 +34,7 @@ mod ratio;
 mod selection;
 mod sense;
 mod shown;
+mod sides;
 mod sorts;
 mod spheres;
 mod statements;
@@ -224,13 +226,13 @@ fn is_turned_by_words(model: &Model, reading: &Reading) -> bool {
         && !velocity::is_told_by_components(model, reading);
     // A component has a sense of its own, and words may turn that too.
     let is_signed = number::has_a_sense(model.quantity);
-    let mut remarks = reading.statements.iter().flat_map(|statement| &statement.said).flat_map(|said| &said.remarks);
+    let mut remarks = reading.remarks();
     remarks.any(|remark| {
         let mut words = remark.split(|letter: char| !letter.is_alphanumeric() && letter != '\'');
         let turned = is_direction && TURNS.iter().any(|turn| remark.contains(turn));
         let opposite = is_signed && OPPOSITES.iter().any(|turn| remark.contains(turn));
         let is_multiple = model.kind == Kind::Vector && MULTIPLES.iter().any(|word| remark.contains(word));
-        let is_denied = words.any(|word| DENIALS.contains(&word)) && !sense::denies_a_meeting(remark);
+        let is_denied = words.any(|word| DENIALS.contains(&word)) && !events::denies_a_meeting(remark);
         // `7 (nonsense)`
         turned || is_multiple || opposite || is_strange(remark.trim()) || is_denied
     })
@@ -255,7 +257,7 @@ fn one(model: &Model, reading: &Reading) -> Finding {
     if selection::rejects_by_description(reading) {
         return Finding::unreadable(Note::CannotBeCompared);
     }
-    if sense::is_of_another_meeting(model, reading) {
+    if events::is_of_another_meeting(model, reading) {
         return Finding::unreadable(Note::CannotBeCompared);
     }
     if spheres::are_mixed_up(reading) {

@@ -19,7 +19,7 @@ use super::exact::{self, meaning_of};
 use super::finding::Finding;
 use super::statements::{is_concluded, is_rival};
 use super::units::{self, UnitCheck};
-use super::{Model, Note, moments, number, sense, sorts};
+use super::{Model, Note, events, moments, number, sorts};
 
 /// One inequality, solved for the letter: the letter lies on this side of the bound.
 struct Bound {
@@ -53,7 +53,7 @@ pub(super) fn judge(model: &Model, reading: &Reading) -> Finding {
         one(model, &right, letter, &concluded)
     };
     // `A rebounds if k > 2`, where it is then that it goes on; where it is not, it may be so of the other values.
-    match sense::is_of_another_event(model, &reading.statements) {
+    match events::is_of_another_event(model, &reading.statements) {
         true => Finding::unreadable(Note::NamedOtherwise),
         false => alternatives.map(of).reduce(Finding::and).unwrap_or(Finding::unreadable(Note::CannotBeRead)),
     }
@@ -134,7 +134,7 @@ fn one(model: &Model, right: &[Bound], letter: Letter, statements: &[Statement])
     };
     if own.is_empty() {
         // `between 1/3 (excluded) and 1`
-        let mut remarks = statements.iter().flat_map(|statement| &statement.said).flat_map(|said| &said.remarks);
+        let mut remarks = statements.iter().flat_map(Statement::remarks);
         if remarks.any(|remark| remark.contains("between") || remark.contains("clud")) {
             return Finding::unreadable(Note::CannotBeCompared);
         }

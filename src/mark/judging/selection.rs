@@ -42,9 +42,9 @@ pub(super) fn counted<'r>(model: &Model, reading: &'r Reading) -> Option<Cow<'r,
 
 fn is_rejected(statement: &Statement) -> bool {
     let label = statement.label.iter().map(|label| label.typed.to_lowercase());
-    let remarks = statement.said.iter().flat_map(|said| said.remarks.iter().cloned());
+    let remarks = statement.remarks().cloned();
     // `2.78, not 3.08`, `8, −8 (N/A)`
-    let mut own = statement.said.iter().flat_map(|said| &said.remarks);
+    let mut own = statement.remarks();
     let is_denied = own.any(|remark| matches!(remark.as_str(), "not" | "n/a"));
     if is_denied || is_taken_back(statement) {
         return true;
@@ -58,14 +58,14 @@ pub(super) fn rejects_by_description(reading: &Reading) -> bool {
         "larger", "smaller", "bigger", "lower", "higher", "greater", "first", "second", "former", "latter", "positive",
         "lesser", "last",
     ];
-    let mut remarks = reading.statements.iter().flat_map(|statement| &statement.said).flat_map(|said| &said.remarks);
+    let mut remarks = reading.remarks();
     let is_described = remarks.clone().flat_map(|remark| words(remark)).any(|word| DESCRIBED.contains(&word));
     reading.statements.len() > 1 && is_described && remarks.any(|remark| words(remark).any(is_rejection))
 }
 
 /// `3.08, no, 2.78`
 fn is_taken_back(statement: &Statement) -> bool {
-    statement.said.iter().flat_map(|said| &said.remarks).any(|remark| is_second_thought(remark))
+    statement.remarks().any(|remark| is_second_thought(remark))
 }
 
 /// `v_B = 3.08, no, 2.78`: what takes the place of a value has its name.
@@ -333,7 +333,7 @@ fn without_other_moment(model: &Model, statements: Vec<Statement>) -> Vec<Statem
         Moment::Before => (&EARLIER, &LATER),
     };
     let compares = |statement: &Statement| {
-        let mut remarks = statement.said.iter().flat_map(|said| &said.remarks).flat_map(|remark| words(remark));
+        let mut remarks = statement.remarks().flat_map(|remark| words(remark));
         remarks.any(|word| COMPARING.contains(&word))
     };
     let is_of = |statement: &Statement, wanted: &[&str], unwanted: &[&str]| {
@@ -366,6 +366,6 @@ fn without_what_changes(model: &Model, mut statements: Vec<Statement>) -> Vec<St
 /// Does one of these words stand in its label or beside its values?
 fn says(statement: &Statement, wanted: &[&str]) -> bool {
     let label = statement.label.iter().map(|label| &label.typed);
-    let texts = label.chain(statement.said.iter().flat_map(|said| &said.remarks));
+    let texts = label.chain(statement.remarks());
     texts.flat_map(|text| words(text)).any(|word| wanted.contains(&word.to_lowercase().as_str()))
 }

@@ -72,12 +72,12 @@ pub(super) fn is_of_several(statement: &Statement) -> bool {
     let says_each = |remark: &String| {
         words(remark).any(|word| matches!(word, "both" | "each")) && words(remark).all(|word| EACH.contains(&word))
     };
-    together(statement).is_some() || statement.said.iter().flat_map(|said| &said.remarks).any(says_each)
+    together(statement).is_some() || statement.remarks().any(says_each)
 }
 
 /// Is a sphere named, by the name of a value or beside it?
 pub(super) fn names_any(statement: &Statement) -> bool {
-    let mut remarks = statement.said.iter().flat_map(|said| &said.remarks);
+    let mut remarks = statement.remarks();
     named_sphere(statement).is_some() || remarks.any(|remark| !spheres_in_remark(remark).is_empty())
 }
 
@@ -91,7 +91,7 @@ pub(super) fn are_mixed_up(reading: &Reading) -> bool {
             && words(remark)
                 .any(|word| SPHERES.iter().any(|sphere| *sphere != named && sphere.name().to_lowercase() == word))
     };
-    second.said.iter().flat_map(|said| &said.remarks).any(is_other)
+    second.remarks().any(is_other)
 }
 
 /// The spheres that are named together, by the name of a value or by `for A and B` beside it.
@@ -104,7 +104,7 @@ fn together(statement: &Statement) -> Option<Vec<Sphere>> {
             SPHERES.iter().filter_map(|next| after.split_once(next.name())).any(|(between, _)| joined(between))
         })
     });
-    let remarks = || statement.said.iter().flat_map(|said| &said.remarks);
+    let remarks = || statement.remarks();
     let is_for = || remarks().any(|remark| remark.starts_with("for "));
     let spheres = match is_list {
         true => named_spheres(&label.typed),

@@ -5,7 +5,7 @@
 
 use crate::answer::Kind;
 use crate::expr::Expr;
-use crate::mark::enclosure::enclose_roughly;
+use crate::mark::enclosure::about;
 use crate::mark::reading::{Form, Label, Reading, Said, Statement};
 use crate::mechanics::{Moment, Quantity, Sphere};
 
@@ -254,7 +254,7 @@ fn is_made_of_the_others(statements: &[&Statement]) -> bool {
         return false;
     }
     let is = |last: f64, made: f64| (last - made).abs() <= NEAR * made.abs();
-    let number = |expr: &Expr| enclose_roughly(expr, &[], 0).map(|within| (within.lower + within.upper) / 2.0);
+    let number = |expr: &Expr| about(expr, &[]);
     match (&one.form, &other.form, &last.form) {
         (Form::Value(one), Form::Value(other), Form::Value(last)) => {
             let (Some(one), Some(other), Some(last)) = (number(one), number(other), number(last)) else { return false };

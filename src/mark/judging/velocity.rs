@@ -15,7 +15,7 @@ use super::finding::Finding;
 use super::known::Further;
 use super::spheres::{named_sphere, sphere};
 use super::statements::is_rival;
-use super::{Model, Note, angle, moments, number, sense, sorts, vector};
+use super::{Model, Note, angle, moments, number, sense, sides, sorts, vector};
 
 /// Words that tell of a direction, whichever it is.
 const DIRECTIONS: [&str; 4] = ["direction", "vertically", "horizontally", "way"];
@@ -23,11 +23,12 @@ const DIRECTIONS: [&str; 4] = ["direction", "vertically", "horizontally", "way"]
 /// Judges a whole reading against a velocity.
 pub(super) fn judge(model: &Model, reading: &Reading) -> Finding {
     let (statements, of_other) = of_asked(model, &reading.statements);
-    let turns = sense::says_which_way(&statements);
+    let labels = statements.iter().filter_map(|statement| statement.label.as_ref()).map(|label| &label.typed);
+    let texts: Vec<&String> = labels.chain(statements.iter().flat_map(|statement| statement.remarks())).collect();
+    let turns = sides::says_which_way(&texts);
     let is_of_another_moment = model.quantity.is_some_and(|asked| {
         let label = |statement: &&Statement| statement.label.as_ref().map(|label| label.typed.to_lowercase());
-        let remarks: Vec<&String> =
-            statements.iter().flat_map(|statement| &statement.said).flat_map(|said| &said.remarks).collect();
+        let remarks: Vec<&String> = statements.iter().flat_map(|statement| statement.remarks()).collect();
         let is_called_otherwise = statements.iter().filter_map(label).any(|name| !moments::fit(asked, &name));
         is_called_otherwise || moments::are_of_another(asked, &remarks)
     });
@@ -115,7 +116,7 @@ fn of_one(model: &Model, statements: Vec<&Statement>) -> Finding {
 /// Is the way told by which it turns: `deflected through 50°`?
 fn is_deflected(statement: &Statement) -> bool {
     let label = statement.label.iter().map(|label| &label.typed);
-    let remarks = statement.said.iter().flat_map(|said| &said.remarks);
+    let remarks = statement.remarks();
     let mut words = label.chain(remarks).flat_map(|words| sorts::words(words));
     words.any(|word| sorts::sort(word) == Some(sorts::Sort::Deflection))
 }

@@ -2,9 +2,8 @@
 
 use super::memory::Lines;
 use crate::bank::Find;
-use crate::expr::Expr;
 use crate::mark::award::MarkedAnswer;
-use crate::mark::enclosure::enclose_roughly;
+use crate::mark::enclosure::about;
 use crate::mark::judging::{Verdict, judge};
 use crate::mark::key::{KeyedBlank, KeyedPart};
 use crate::mark::reading::{Form, Reading, Statement};
@@ -28,7 +27,7 @@ pub(super) fn contradict(part: &KeyedPart, script: &PartScript, answers: &mut [M
 /// else, a formula is no value yet, and a number of the other sign may be the root that is left out.
 fn comes_to_another(blank: &KeyedBlank, script: &PartScript, lines: &Lines) -> bool {
     let Find::Unknown(letter) = &blank.find else { return false };
-    let Some(right) = size(&blank.model.value) else { return false };
+    let Some(right) = about(&blank.model.value, &[]) else { return false };
     let typed = script.working.iter().flat_map(|cell| cell.lines());
     let mut is_another = false;
     for line in typed {
@@ -41,18 +40,13 @@ fn comes_to_another(blank: &KeyedBlank, script: &PartScript, lines: &Lines) -> b
                 return false;
             }
             let stated = statement.said.last().and_then(|said| match &said.form {
-                Form::Value(value) => size(value),
+                Form::Value(value) => about(value, &[]),
                 _ => None,
             });
             is_another |= stated.is_some_and(|stated| stated * right > 0.0);
         }
     }
     is_another
-}
-
-/// What a number comes to.
-fn size(expr: &Expr) -> Option<f64> {
-    enclose_roughly(expr, &[], 0).map(|within| (within.lower + within.upper) / 2.0)
 }
 
 /// What a statement says, a value each.

@@ -2,14 +2,18 @@
 
 use super::phrases::Walk;
 
+/// Words that deny what stands beside them.
+pub(crate) const NEVER: [&str; 10] =
+    ["no", "not", "never", "cannot", "can't", "don't", "dont", "doesn't", "won't", "without"];
+/// Words for one of several impacts that is not the first.
+pub(crate) const FURTHER: [&str; 7] = ["further", "more", "second", "other", "subsequent", "longer", "another"];
+/// Words for an impact.
+pub(crate) const MEETING: [&str; 9] =
+    ["collision", "collisions", "collide", "collides", "impact", "impacts", "meet", "meets", "meeting"];
+
 impl Walk<'_> {
     /// The words that say that spheres meet again, or that they do not.
     pub(super) fn meeting(&self, at: usize) -> Option<usize> {
-        const NEVER: [&str; 10] =
-            ["no", "not", "never", "cannot", "can't", "don't", "dont", "doesn't", "won't", "without"];
-        const FURTHER: [&str; 7] = ["further", "more", "second", "other", "subsequent", "longer", "another"];
-        const MEETING: [&str; 9] =
-            ["collision", "collisions", "collide", "collides", "impact", "impacts", "meet", "meets", "meeting"];
         let denied = self.any(at, &NEVER);
         let further = self.any(denied.unwrap_or(at), &FURTHER);
         let met = self.any(further.or(denied)?, &MEETING)?;

@@ -68,8 +68,8 @@ impl Statements<'_> {
         Ok(())
     }
 
-    /// `A rebounds if e > 1/3`, `A rebounds for e > 1/3`: where the inequality begins that is the condition for what words
-    /// alone say, and nothing else the answer. Which way a sphere then moves is for a person to see.
+    /// `A rebounds if e > 1/3`, `v < 0 for e > 1/3`: where the inequality begins that is the condition for what words
+    /// alone say, or for the sign of another letter, and nothing else the answer. Which way a sphere then moves is for a person to see.
     pub(super) fn asked_condition(&self, tokens: &[Placed]) -> Option<usize> {
         let leads = |placed: &&Placed| {
             let word = self.slice(std::slice::from_ref(*placed)).to_lowercase();
@@ -79,10 +79,21 @@ impl Statements<'_> {
         let (words, condition) = tokens.split_at(lead);
         let is_condition = self.found.is_empty()
             && !self.vocabulary.vectors
-            && self.say_what_happens(words)
+            && (self.say_what_happens(words) || self.is_sign_of_another(words))
             && has_inequality(condition);
         let begins = condition.iter().take_while(|placed| matches!(placed.token, Token::Phrase(_))).count();
         is_condition.then_some(lead + begins)
+    }
+
+    /// `v < 0`, where no letter that is asked about stands in it.
+    fn is_sign_of_another(&self, words: &[Placed]) -> bool {
+        let is_strange = |placed: &Placed| match &placed.token {
+            Token::Word(word) => !self.vocabulary.letters.iter().any(|letter| letter.name() == word),
+            Token::Sign('<' | '>' | '≤' | '≥' | '_') | Token::Phrase(Phrase::Sphere) => true,
+            Token::Number(number) => *number == Expr::integer(0),
+            _ => false,
+        };
+        has_inequality(words) && words.iter().all(is_strange)
     }
 
     /// Do words alone say what happens, and not which way a sphere moves?

@@ -56,6 +56,7 @@ mod vectors;
 mod word;
 mod wording;
 
+pub(crate) use events::{FURTHER, MEETING, NEVER};
 pub(crate) use lexicon::{is_never_letters, is_rejection, is_strange};
 pub(crate) use line::ACROSS;
 pub(crate) use named_line::{NamedLine, named_line};

@@ -33,6 +33,20 @@ pub struct Statement {
     pub said: Vec<Said>,
 }
 
+impl Reading {
+    /// The words beside its values that are neither unit nor line.
+    pub(crate) fn remarks(&self) -> impl Iterator<Item = &String> + Clone {
+        self.statements.iter().flat_map(Statement::remarks)
+    }
+}
+
+impl Statement {
+    /// The words beside its values that are neither unit nor line.
+    pub(crate) fn remarks(&self) -> impl Iterator<Item = &String> + Clone {
+        self.said.iter().flat_map(|said| &said.remarks)
+    }
+}
+
 /// What stands before the first equals sign or colon.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {

@@ -8,7 +8,7 @@ use super::units::{is_unit_word, unit};
 use super::vectors::{self, Shape, shape};
 use super::{SaidUnit, Vocabulary};
 use crate::expr::{Expr, Function};
-use crate::mark::enclosure::enclose_roughly;
+use crate::mark::enclosure::about;
 use crate::number::{Letter, Range};
 
 /// The closing bracket of a value that is said again, or of a condition, in the bracket that opens here.
@@ -147,8 +147,7 @@ fn half_unit(tokens: &[Placed]) -> f64 {
 
 /// About how much it is, in degrees if it is an angle, where its letters have values that nobody would choose.
 fn size(expr: &Expr, letters: &[Letter]) -> Option<f64> {
-    let found = enclose_roughly(expr, letters, 0)?;
-    let size = (found.lower + found.upper) / 2.0;
+    let size = about(expr, letters)?;
     Some(if is_angle(expr, letters) { size.to_degrees() } else { size })
 }
 

@@ -3,7 +3,7 @@
 
 use super::condition::oriented;
 use super::examine::{Working, context};
-use super::line::{Member, ReadLine};
+use super::line::ReadLine;
 use super::linear::{Context, Sum, difference, sum};
 use super::offered::differences;
 use super::theirs::{is_of_velocity, numbers};
@@ -107,30 +107,26 @@ impl Working<'_> {
         let is_equation = relation == Relation::Equal;
         let greater = if is_equation { Relation::Greater } else { relation };
         let Some(excess) = self.excess(left, greater, right) else { return false };
-        let members: Vec<&Member> =
-            self.lines[..place].iter().flat_map(|studied| self.members(studied)).map(|(member, _)| member).collect();
+        let stated: Vec<&Expr> = self.lines[..place]
+            .iter()
+            .flat_map(|studied| self.members(studied))
+            .map(|(member, _)| &member.expr)
+            .collect();
+        let (into, along): (Vec<&Expr>, Vec<&Expr>) = stated.into_iter().partition(|expr| self.has_sought(expr));
         let sizes = |expr: &Expr| self.values_of(expr).and_then(|values| numbers(&values));
         let sought = |name: &str| self.question.scene.unknowns.iter().any(|letter| letter.name() == name);
-        members.iter().filter(|member| self.has_sought(&member.expr)).any(|member| {
-            // The component that the wall turns round was the same but for the letter.
-            let before = member.expr.substitute(&|name| sought(name).then(|| Expr::integer(1)));
-            let Some((after, before)) = sizes(&member.expr).zip(sizes(&before)) else { return false };
-            members.iter().filter(|along| !self.has_sought(&along.expr)).filter_map(|along| sizes(&along.expr)).any(
-                |along| {
-                    let product = |sign: f64| -> Vec<f64> {
-                        let each = along.iter().zip(before.iter().zip(&after));
-                        let dot = each.map(|(along, (before, after))| along * along + sign * before * after);
-                        dot.map(|dot| oriented(dot, greater).unwrap_or(dot)).collect()
-                    };
-                    let is = |sign: f64| {
-                        let demanded = product(sign);
-                        let turned: Vec<f64> = demanded.iter().map(|size| -size).collect();
-                        self.is_positive_multiple(&excess, &demanded)
-                            || is_equation && self.is_positive_multiple(&excess, &turned)
-                    };
-                    is(1.0) || is(-1.0)
-                },
-            )
+        // The component that the wall turns round was the same but for the letter.
+        let as_before = |after: &Expr| after.substitute(&|name| sought(name).then(|| Expr::integer(1)));
+        let into: Vec<_> = into.into_iter().filter_map(|after| sizes(&as_before(after)).zip(sizes(after))).collect();
+        let along: Vec<_> = along.into_iter().filter_map(sizes).collect();
+        let is_it = |sign: f64, along: &[f64], before: &[f64], after: &[f64]| {
+            let dots = along.iter().zip(before.iter().zip(after)).map(|(along, (b, a))| along * along + sign * b * a);
+            let dots: Vec<f64> = dots.map(|dot| oriented(dot, greater).unwrap_or(dot)).collect();
+            let turned: Vec<f64> = dots.iter().map(|dot| -dot).collect();
+            self.is_positive_multiple(&excess, &dots) || is_equation && self.is_positive_multiple(&excess, &turned)
+        };
+        into.iter().any(|(before, after)| {
+            along.iter().any(|along| [1.0, -1.0].iter().any(|sign| is_it(*sign, along, before, after)))
         })
     }
 

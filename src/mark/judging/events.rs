@@ -1,0 +1,49 @@
+//! What is said to happen beside a value: that spheres meet again or do not, that another sphere turns back.
+
+use crate::answer::Kind;
+use crate::mark::reading::{FURTHER, MEETING, NEVER, Reading, Statement};
+
+use super::otherwise::spheres_in_remark;
+use super::{Model, sides, sorts};
+
+/// Is one of the words among those of a text? Of `don't` it is `don` that stands there.
+fn has(text: &str, wanted: &[&str]) -> bool {
+    let is_wanted = |word: &str| wanted.iter().any(|wanted| wanted.split('\'').next() == Some(word));
+    sorts::words(text).any(is_wanted)
+}
+
+/// Does a remark say that nothing meets?
+pub(super) fn denies_a_meeting(remark: &str) -> bool {
+    has(remark, &NEVER) && says_that_they_meet(remark)
+}
+
+fn says_that_they_meet(text: &str) -> bool {
+    has(text, &MEETING) || has(text, &["catches", "again"])
+}
+
+/// Is another collision spoken of beside what is no range: that there is none, or which of several it is?
+pub(super) fn is_of_another_meeting(model: &Model, reading: &Reading) -> bool {
+    let is_other = |remark: &String| says_that_they_meet(remark) && (has(remark, &NEVER) || has(remark, &FURTHER));
+    model.kind != Kind::Range && reading.remarks().any(is_other)
+}
+
+/// Do words beside a range speak of something else than what is to happen: of the other sphere that turns back, of a
+/// collision where there is to be none?
+pub(super) fn is_of_another_event(model: &Model, statements: &[Statement]) -> bool {
+    let labels = statements.iter().filter_map(|statement| statement.label.as_ref()).map(|label| &label.typed);
+    let texts: Vec<&String> = labels.chain(statements.iter().flat_map(Statement::remarks)).collect();
+    let said = sides::says_which_way(&texts);
+    let is_another_way = match model.turns_back {
+        Some(turns_back) => said.is_some_and(|said| said != turns_back),
+        // Where the letter is to be such that something else happens.
+        None => said.is_some() && model.letter.is_some(),
+    };
+    let is_of_stranger =
+        || texts.iter().flat_map(|text| spheres_in_remark(text)).any(|sphere| model.strangers.contains(&sphere));
+    let texts: Vec<String> = texts.iter().map(|text| text.to_lowercase()).collect();
+    let says = |says: fn(&str) -> bool| texts.iter().any(|text| says(text));
+    let is_meeting = says(says_that_they_meet).then(|| !says(|text| has(text, &NEVER)));
+    is_another_way
+        || (said.is_some() && is_of_stranger())
+        || is_meeting.zip(model.meet_again).is_some_and(|(said, is)| said != is)
+}
