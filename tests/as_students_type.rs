@@ -30,7 +30,7 @@ struct Question {
 fn model(question: &Question) -> Model {
     let range = |name: &str| match name {
         "e" => Range::Unit,
-        "theta" => Range::Acute,
+        "theta" | "alpha" => Range::Acute,
         _ => Range::Positive,
     };
     let options = ModelOptions {

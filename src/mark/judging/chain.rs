@@ -79,8 +79,13 @@ pub(super) fn links(statement: &Statement, one: One) -> Finding {
     }
     // `98 + 2 - 92.5 = 8.5`: with a sum still to be worked out the answer is what it is worked out to be.
     let is_off = |finding: &Finding| matches!(finding.note, Some(Note::NearMiss | Note::Truncated));
-    let worked_out_wrong =
-        |at: usize| is_unfinished(&statement.said[at]) && (spoilt_after(at) || findings[at + 1..].iter().any(is_off));
+    // `arctan(5/8) = 58.0°`: so it is here, but for a figure that is a little off.
+    let ends_elsewhere = last.verdict == Verdict::Wrong && last.note != Some(Note::TooFewFigures);
+    let worked_out_wrong = |at: usize| {
+        let is_off = spoilt_after(at) || findings[at + 1..].iter().any(is_off);
+        is_unfinished(&statement.said[at]) && is_off
+            || is_angle_by_its_ratio(&statement.said[at]) && ends_elsewhere && at + 1 < findings.len()
+    };
     let counts = |at: &usize| findings[*at].exact && !worked_out_wrong(*at);
     // `√7 = 2.83`, `7/5 = 5/7`: an exact value that is finished, and another one; `5 − 2 = 2.83`: arithmetic that is false.
     let is_preceded = |right: usize| {
@@ -145,6 +150,11 @@ fn is_unfinished(said: &Said) -> bool {
         Form::Vector(x, y, _) => has_arithmetic(x) || has_arithmetic(y),
         _ => false,
     }
+}
+
+/// `arctan(5/8)`, of which the calculator has the value.
+fn is_angle_by_its_ratio(said: &Said) -> bool {
+    matches!(&said.form, Form::Value(Expr::Call(Function::Asin | Function::Acos | Function::Atan, _)))
 }
 
 /// `98 + 2`, `½ × 4 × 7²`, `16/2`; no `25/7`, and no `4√39/9`.

@@ -4,7 +4,8 @@ use crate::answer::Kind;
 use crate::mark::reading::{FURTHER, MEETING, NEVER, Reading, Statement};
 
 use super::otherwise::spheres_in_remark;
-use super::{Model, sides, sorts};
+use super::spheres::named_sphere;
+use super::{Model, sense, sides, sorts};
 
 /// Is one of the words among those of a text? Of `don't` it is `don` that stands there.
 fn has(text: &str, wanted: &[&str]) -> bool {
@@ -17,13 +18,16 @@ pub(super) fn denies_a_meeting(remark: &str) -> bool {
     has(remark, &NEVER) && says_that_they_meet(remark)
 }
 
+/// `after the first collision` and `after B has hit the wall` tell when, and not what happens.
 fn says_that_they_meet(text: &str) -> bool {
-    has(text, &MEETING) || has(text, &["catches", "again"])
+    (has(text, &MEETING) || has(text, &["again"])) && !has(text, &["before", "after", "wall"])
 }
 
 /// Is another collision spoken of beside what is no range: that there is none, or which of several it is?
 pub(super) fn is_of_another_meeting(model: &Model, reading: &Reading) -> bool {
-    let is_other = |remark: &String| says_that_they_meet(remark) && (has(remark, &NEVER) || has(remark, &FURTHER));
+    let is_other = |remark: &String| {
+        denies_a_meeting(remark) || (has(remark, &MEETING) || has(remark, &["again"])) && has(remark, &FURTHER)
+    };
     model.kind != Kind::Range && reading.remarks().any(is_other)
 }
 
@@ -36,14 +40,23 @@ pub(super) fn is_of_another_event(model: &Model, statements: &[Statement]) -> bo
     let is_another_way = match model.turns_back {
         Some(turns_back) => said.is_some_and(|said| said != turns_back),
         // Where the letter is to be such that something else happens.
-        None => said.is_some() && model.letter.is_some(),
+        None => said.is_some() && (model.letter.is_some() || model.quantity.is_some()),
     };
     let is_of_stranger =
         || texts.iter().flat_map(|text| spheres_in_remark(text)).any(|sphere| model.strangers.contains(&sphere));
     let texts: Vec<String> = texts.iter().map(|text| text.to_lowercase()).collect();
     let says = |says: fn(&str) -> bool| texts.iter().any(|text| says(text));
     let is_meeting = says(says_that_they_meet).then(|| !says(|text| has(text, &NEVER)));
+    let goes = statements.iter().flat_map(|statement| {
+        let senses = statement.said.iter().filter_map(|said| said.reference?.sense());
+        senses.filter_map(|sense| Some((named_sphere(statement)?, sense)))
+    });
+    // `e > 7/8, so A moves towards B`
+    let mut is_towards_another = goes.map(|(sphere, sense)| {
+        model.strangers.contains(&sphere) || sense::agrees(Some(sense), model.turns_back) != Some(true)
+    });
     is_another_way
+        || is_towards_another.any(|is_another| is_another)
         || (said.is_some() && is_of_stranger())
         || is_meeting.zip(model.meet_again).is_some_and(|(said, is)| said != is)
 }

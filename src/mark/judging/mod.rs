@@ -85,6 +85,9 @@ pub struct Model {
     pub rebounds: Option<bool>,
     /// Does the sphere go back along the line of centres, where its speed or velocity is asked, or is it to, where a range is?
     pub turns_back: Option<bool>,
+    /// Does the sphere whose speed is asked go the same way along the line of centres as the other one of its impact, where
+    /// both move along it?
+    pub same_way: Option<bool>,
     /// Are two spheres to meet again, or not to, where a range is asked?
     pub meet_again: Option<bool>,
     /// Does an angle that is asked turn anticlockwise, from **i** or from the path before?
@@ -117,6 +120,7 @@ impl Model {
             other_angles: Vec::new(),
             rebounds: None,
             turns_back: None,
+            same_way: None,
             meet_again: None,
             anticlockwise: None,
             strangers: Vec::new(),

@@ -69,7 +69,8 @@ fn as_it_stands(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
             let sized =
                 |expr: &Expr| as_it_stands(model, &Said { form: Form::Value(expr.clone()), ..said.clone() }, label);
             let finding = sized(size).or_better(sized(&size.clone().negated()));
-            let is_impulse = model.quantity == Some(Quantity::ImpulseMagnitude);
+            let is_impulse = model.quantity.map(Quantity::of_its_impact) == Some(Quantity::ImpulseMagnitude)
+                && !is_across(model, x, y);
             return if is_impulse { finding } else { finding.at_most_partial(Note::DirectionUnchecked) };
         }
         Form::Vector(x, y, _) => return magnitude_left(model, x, y),
@@ -116,6 +117,12 @@ fn as_it_stands(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
     }
 }
 
+/// Is it along **i** or **j**, and the vector whose size is asked along the other?
+fn is_across(model: &Model, x: &Expr, y: &Expr) -> bool {
+    let Some([right_x, right_y]) = &model.vector else { return false };
+    right_x.is_zero() && y.is_zero() || right_y.is_zero() && x.is_zero()
+}
+
 /// `5m/2 × 8u = 20mu`: two ways of writing one value, of which the second is the answer.
 fn said_twice(model: &Model, said: &Said, sides: [&Expr; 2]) -> Finding {
     let [left, right] =
@@ -126,9 +133,22 @@ fn said_twice(model: &Model, said: &Said, sides: [&Expr; 2]) -> Finding {
     } else if left.exact && (Coarsest::of(sides[1]).is_some() || is_finished(model, sides)) {
         // `√7u/4 = 0.66u`: what comes after the exact value is its decimal, or a slip in making it simpler.
         left.remarked(Note::IgnoredAfter)
+    } else if right.is_correct() && has_names_of_its_own(model, sides) {
+        // `mv(1 + e) sin α = 4mv sin α/3`: with what is given of e, for a person to see.
+        Finding::unreadable(Note::CannotBeCompared)
     } else {
         Finding::WRONG
     }
+}
+
+/// Is there a letter on the left that is not on the right, and none that is to be found? In `k/2 = 8` it is the only one, and
+/// what is found.
+fn has_names_of_its_own(model: &Model, [left, right]: [&Expr; 2]) -> bool {
+    let (on_the_left, on_the_right) = (left.names(), right.names());
+    let is_own = |own: &str| on_the_right.iter().all(|name| name.text != own);
+    on_the_left.len() > 1
+        && on_the_left.iter().any(|name| is_own(&name.text))
+        && on_the_left.iter().all(|name| Some(&name.text) != model.letter.as_ref())
 }
 
 /// Is nothing left to be worked out in the first of two sides, which is a formula with numbers in it and no law, where the
@@ -138,7 +158,9 @@ fn is_finished(model: &Model, [left, right]: [&Expr; 2]) -> bool {
         matches!(expr, Expr::Number(_)) || expr.children().into_iter().any(has_number)
     }
     let is_known = exact::unknown_letter(right, &model.vocabulary.letters).is_none();
-    is_known && !right.names().is_empty() && has_number(left) && !has_arithmetic(left)
+    // `5M = m` is no slip in making 5m simpler.
+    let is_simpler = !right.names().is_empty() && !matches!(right, Expr::Name(_));
+    is_known && is_simpler && has_number(left) && !has_arithmetic(left)
 }
 
 /// The value as it is, or with its sign changed.

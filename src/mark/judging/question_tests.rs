@@ -35,6 +35,9 @@ fn a_sphere_that_is_said_to_go_another_way_is_for_a_person() {
             ("10 m/s in the opposite direction", "correct"),
             ("10 m/s away from the wall", "correct"),
             ("10 m/s in the same direction", "unreadable"),
+            ("10 m/s in its original direction", "unreadable"),
+            ("10 m/s in the direction it was moving", "unreadable"),
+            ("10 m/s due west", "unreadable"),
             ("A continues at 10 m/s", "unreadable"),
             ("10 m/s towards the wall", "unreadable"),
             ("9 m/s towards the wall", "wrong"),
@@ -47,6 +50,21 @@ fn a_sphere_that_is_said_to_go_another_way_is_for_a_person() {
             ("A continues at 10 m/s", "correct"),
             ("A rebounds at 10 m/s", "unreadable"),
             ("A changes direction, 10 m/s", "unreadable"),
+            ("10 m/s in its original direction", "correct"),
+        ],
+    );
+    let along_with_b = Model { same_way: Some(true), ..goes_on };
+    earn(
+        &along_with_b,
+        &[("10 m/s in the same direction as B", "correct"), ("10 m/s in the opposite direction to B", "unreadable")],
+    );
+    let to_line = Model { turns_back: Some(true), ..model("atan(5/3)", "A.after.angle_to_loc_deg", &[]) };
+    earn(
+        &to_line,
+        &[
+            ("59.0° to the line of centres, A rebounds", "correct"),
+            ("59.0° to the line of centres, A continues forwards", "unreadable"),
+            ("59.0° to LOC in its original direction", "unreadable"),
         ],
     );
     let range = Model { turns_back: Some(true), ..model("1/3 < e <= 1", "", &[("e", Range::Unit)]) };
@@ -56,6 +74,13 @@ fn a_sphere_that_is_said_to_go_another_way_is_for_a_person() {
         &[
             ("A rebounds if e > 1/3", "correct"),
             ("A continues if e > 1/3", "unreadable"),
+            ("e > 1/3 for A to reverse", "correct"),
+            ("e > 1/3 so A keeps going", "unreadable"),
+            ("e > 1/3 so A moves away from B", "correct"),
+            ("e > 1/3 so A moves towards B", "unreadable"),
+            ("v < 0 if e > 1/3", "correct"),
+            ("e > 1/3 so v < 0", "correct"),
+            ("e > 1/3 so v > 0", "unreadable"),
             ("v < 0, so e > 1/3", "correct"),
             ("v = 4(1 - 3e) < 0, so e > 1/3", "correct"),
             ("angle > 90 so e > 1/3", "correct"),
@@ -133,7 +158,11 @@ fn the_event_that_is_named_beside_a_range_is_the_one_that_is_asked_of() {
             ("no further collisions when e <= 5/9", "correct"),
             ("A and B never collide again for 0 <= e <= 5/9", "correct"),
             ("they do not collide again if e ≤ 5/9", "correct"),
+            ("A does not hit B again when e ≤ 5/9", "correct"),
+            ("no second collision: e ≤ 5/9", "correct"),
             ("collision for e ≤ 5/9", "unreadable"),
+            ("e ≤ 5/9 for another collision", "unreadable"),
+            ("e ≤ 5/9 if A strikes B", "unreadable"),
             ("A rebounds if e ≤ 5/9", "unreadable"),
         ],
     );
@@ -142,6 +171,10 @@ fn the_event_that_is_named_beside_a_range_is_the_one_that_is_asked_of() {
         &again,
         &[
             ("second collision if e > 1/2", "correct"),
+            ("B catches A if e > 1/2", "correct"),
+            ("e > 1/2 to collide again", "correct"),
+            ("e > 1/2 for no more collisions", "unreadable"),
+            ("no second collision e > 1/2", "unreadable"),
             ("no collision for e > 1/2", "unreadable"),
             ("no collision if e ≤ 1/2", "unreadable"),
         ],

@@ -46,6 +46,15 @@ pub(super) fn judge(model: &Model, reading: &Reading) -> Finding {
         let whole = one(model, &right, letter, statements);
         let Some((last, before)) = statements.split_last() else { return whole };
         let mut concluded: Vec<Statement> = before.iter().filter(|statement| !is_reason(statement)).cloned().collect();
+        // `e > 1/3, so v < 0`
+        if !whole.is_credited() && is_sign(last) && is_concluded(&[last]) && concluded.len() == before.len() {
+            // `e > 1/3, so v > 0`, where it is then that the sphere turns back
+            let is_else = model.turns_back.is_some_and(|turns_back| says_negative(last) != turns_back);
+            return match is_else {
+                true => Finding::unreadable(Note::NamedOtherwise),
+                false => one(model, &right, letter, before),
+            };
+        }
         if whole.is_credited() || concluded.len() == before.len() || is_reason(last) {
             return whole;
         }
@@ -79,6 +88,23 @@ fn is_reason(statement: &Statement, letter: Letter) -> bool {
     };
     let label = statement.label.as_ref().map(|label| label.typed.trim());
     label.is_some_and(|name| name != letter.name()) || statement.said.iter().any(is_inequality)
+}
+
+/// `v < 0`, `v_A > 0`: the sign of a velocity.
+fn is_sign(statement: &Statement) -> bool {
+    let is_velocity = |expr: &Expr| matches!(expr, Expr::Name(name) if name.text.starts_with(['v', 'w', 'x', 'y']));
+    let is_it = |said: &Said| {
+        matches!(&said.form, Form::Equation(Expr::Relation(left, sign, right))
+            if *sign != Relation::Equal && is_velocity(left) && right.is_zero())
+    };
+    statement.label.is_none() && statement.said.iter().all(is_it)
+}
+
+fn says_negative(statement: &Statement) -> bool {
+    let is_less = |said: &Said| {
+        matches!(&said.form, Form::Equation(Expr::Relation(_, Relation::Less | Relation::LessOrEqual, _)))
+    };
+    statement.said.iter().all(is_less)
 }
 
 /// A range where none is asked for: two numbers in brackets are not the answer, and what `more than 3` is meant to say of

@@ -6,11 +6,13 @@ use crate::expr::Expr;
 use crate::mark::reading::Statement;
 use crate::mechanics::{Axis, Moment, Quantity};
 
+use super::otherwise::spheres_in_remark;
+use super::spheres::sphere;
 use super::{Model, exact, sorts};
 
 /// Is what is asked said to go another way than it does?
 pub(super) fn is_said_to_go_otherwise(model: &Model, statement: &Statement) -> bool {
-    use Quantity::{AngleToWall, Speed, Velocity};
+    use Quantity::{AngleToLine, AngleToWall, Speed, Velocity};
     let is_else = |said: Option<bool>, own: Option<bool>| said.zip(own).is_some_and(|(said, own)| said != own);
     let remarks: Vec<&String> = statement.remarks().collect();
     match model.quantity.map(Quantity::of_its_impact) {
@@ -21,10 +23,13 @@ pub(super) fn is_said_to_go_otherwise(model: &Model, statement: &Statement) -> b
             let texts: Vec<&String> = label.chain(remarks.iter().copied()).collect();
             is_else(says_upwards(&remarks), is_above)
                 || is_else(says_which_way(&texts), model.turns_back)
+                || is_else(says_the_way_of_another(asked, &remarks), model.same_way)
+                || remarks.iter().any(|remark| has_word(remark, &COMPASS))
                 || is_else(says_away_from_the_wall(&remarks), model.rebounds)
                 || is_else(says_to_the_left(&remarks), model.rebounds)
         }
         Some(AngleToWall(_, moment)) => is_else(says_away_from_the_wall(&remarks), Some(moment == Moment::After)),
+        Some(AngleToLine(..)) => is_else(says_which_way(&remarks), model.turns_back),
         Some(_) => is_else(says_anticlockwise(&remarks), model.anticlockwise),
         None => false,
     }
@@ -32,28 +37,60 @@ pub(super) fn is_said_to_go_otherwise(model: &Model, statement: &Statement) -> b
 
 /// Do words say that a sphere goes back?
 pub(super) fn says_that_it_goes_back(words: &str) -> bool {
-    const BACK: [&str; 8] = [
+    const BACK: [&str; 10] = [
         "rebound",
         "bounc",
         "revers",
         "moving back",
         "moves back",
         "turns back",
+        "goes back",
+        "comes back",
         "opposite direction",
         "changes direction",
     ];
     BACK.iter().any(|back| words.contains(back))
 }
 
+/// Ways to say that a sphere goes on.
+const ON: [&str; 14] = [
+    "continu",
+    "forward",
+    "goes on",
+    "going on",
+    "moves on",
+    "carries on",
+    "keeps going",
+    "same direction",
+    "original direction",
+    "initial direction",
+    "direction it was",
+    "direction unchanged",
+    "same way",
+    "towards c",
+];
+
 /// Do the words beside values say that a sphere goes back, or that it goes on?
 pub(super) fn says_which_way(texts: &[&String]) -> Option<bool> {
-    const ON: [&str; 6] = ["continues", "forwards", "goes on", "carries on", "same direction", "direction unchanged"];
     let words: String = texts.iter().map(|words| words.to_lowercase()).collect::<Vec<_>>().join(" ");
-    one_of(says_that_it_goes_back(&words), ON.iter().any(|on| words.contains(on)))
+    let is_on = ON.iter().any(|on| words.contains(on)) && !words.contains("opposite");
+    one_of(says_that_it_goes_back(&words), is_on)
 }
 
+/// Do they say that it goes the way of the other sphere: `in the same direction as A`, `opposite to A`?
+fn says_the_way_of_another(asked: Quantity, remarks: &[&String]) -> Option<bool> {
+    let own = sphere(asked)?;
+    let words = remarks.iter().map(|remark| remark.as_str()).collect::<Vec<_>>().join(" ");
+    let is_of_another = spheres_in_remark(&words).iter().any(|named| *named != own);
+    let is_way = has_word(&words, &["direction", "way"]) || words.contains("along with");
+    (is_of_another && is_way).then(|| !words.contains("opposite"))
+}
+
+/// No question has a map.
+const COMPASS: [&str; 4] = ["north", "south", "east", "west"];
+
 /// Which of two things is said, if one of them alone is.
-fn one_of(first: bool, second: bool) -> Option<bool> {
+pub(super) fn one_of(first: bool, second: bool) -> Option<bool> {
     (first != second).then_some(first)
 }
 
@@ -98,6 +135,6 @@ fn has_word(remark: &str, wanted: &[&str]) -> bool {
     sorts::words(remark).any(|word| wanted.contains(&word))
 }
 
-fn is_positive(expr: &Expr) -> Option<bool> {
+pub(super) fn is_positive(expr: &Expr) -> Option<bool> {
     exact::value(expr, &[])?.sign().filter(|sign| sign.is_ne()).map(Ordering::is_gt)
 }

@@ -205,6 +205,13 @@ fn last_or_rivals(model: &Model, statements: &[&Statement], one: One) -> Finding
     {
         return right;
     }
+    // `1/14 (about 0.07)`
+    if let ([exact, rounded @ ..], Some(true)) = (statements, findings.first().map(Finding::is_correct))
+        && !rounded.is_empty()
+        && rounded.iter().all(|rounded| is_rounded_from(exact, rounded))
+    {
+        return findings[0];
+    }
     // A value and its opposite are two values.
     let spoilt = findings.iter().any(|finding| !finding.is_credited() || finding.note == Some(Note::Sign));
     // A right value and one that lacks a letter, has another unit, or is another by a figure, are two values.
@@ -267,6 +274,18 @@ fn is_made_of_the_others(statements: &[&Statement]) -> bool {
         }
         _ => false,
     }
+}
+
+/// `1/14 i.e. 0.07`: is it a decimal without a name, to which an exact value rounds?
+fn is_rounded_from(exact: &Statement, rounded: &Statement) -> bool {
+    let ([exact], [said]) = (exact.said.as_slice(), rounded.said.as_slice()) else { return false };
+    let (Form::Value(exact), Form::Value(Expr::Decimal(text))) = (&exact.form, &said.form) else { return false };
+    if rounded.label.is_some() || is_rival(said) || !matches!(exact, Expr::Quotient(..) | Expr::Call(..)) {
+        return false;
+    }
+    let places = text.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    let half = 0.500_001 * 0.1_f64.powi(i32::try_from(places).unwrap_or(0));
+    about(exact, &[]).zip(text.parse::<f64>().ok()).is_some_and(|(exact, rounded)| (exact - rounded).abs() <= half)
 }
 
 /// Is it called by a single letter?

@@ -11,7 +11,7 @@ use super::sorts::words;
 use super::spheres::{named_sphere, sphere};
 use super::statements::{is_rival, pair, unnamed};
 use super::units::{self, UnitCheck};
-use super::{Model, Note, number, selection};
+use super::{Model, Note, number, selection, sides};
 
 /// The magnitude of a vector.
 pub(super) fn magnitude(x: &Expr, y: &Expr) -> Expr {
@@ -173,6 +173,14 @@ pub(super) fn judge(model: &Model, said: &Said) -> Finding {
     // `6 left and 2.4 down`: signs in words, on a page that nobody has drawn.
     let says = |side: &[&str]| said.remarks.iter().flat_map(|remark| words(remark)).any(|word| side.contains(&word));
     let is_turned = notation == Notation::Coordinates && says(&["left", "down", "west", "south"]);
+    // `-3i + 2j to the right`
+    let is_else =
+        |said: Option<bool>, own: &Expr| said.zip(sides::is_positive(own)).is_some_and(|(said, own)| said != own);
+    let is_to_another_side = is_else(sides::one_of(says(&["right"]), says(&["left"])), &right_x)
+        || is_else(sides::one_of(says(&["up", "upwards"]), says(&["down", "downwards"])), &right_y);
+    if finding.is_credited() && notation == Notation::UnitVectors && is_to_another_side {
+        return Finding::unreadable(Note::DirectionUnchecked);
+    }
     if is_turned || !finding.is_credited() && says(&["left", "down", "right", "up", "east", "west", "north", "south"]) {
         return Finding::unreadable(Note::DirectionUnchecked);
     }

@@ -1,12 +1,13 @@
 //! What is known of the motion about which a blank asks: which way a sphere goes, who takes part, how a vector points. What is
 //! said beside a value is judged by it.
 
+use std::borrow::Cow;
 use std::cmp::Ordering;
 
 use crate::bank::Find;
 use crate::expr::{Expr, Function, Relation, written};
 use crate::mark::judging::Model;
-use crate::mechanics::{Axis, Known, Moment, Quantity, Scene, Sphere};
+use crate::mechanics::{Axis, Derivation, Known, Moment, Quantity, Scene, Sphere};
 use crate::number::Value;
 
 /// Tells a model answer what is known.
@@ -14,6 +15,7 @@ pub(super) fn tell(model: &mut Model, find: &Find, scene: &Scene, known: &Known<
     model.rebounds = rebounds(find, known);
     model.path = path(find, known);
     model.turns_back = turns_back(find, scene, known);
+    model.same_way = same_way(find, scene, known);
     model.meet_again = meet_again(find, scene);
     model.anticlockwise = anticlockwise(find, known);
     model.vector = vector(find, known);
@@ -33,14 +35,37 @@ fn rebounds(find: &Find, known: &Known<Value>) -> Option<bool> {
 /// no velocity along it, or has none left.
 fn turns_back(find: &Find, scene: &Scene, known: &Known<Value>) -> Option<bool> {
     let (after, sign_after) = match find {
+        _ if is_letter(find) => way_wanted(scene)?,
         Find::Quantity(quantity) => {
             let after = quantity.along_the_line().unwrap_or(*quantity);
             (after, sign(after, known)?)
         }
-        Find::Unknown(_) => way_wanted(scene)?,
-        Find::Vector(..) => return None,
+        _ => return None,
     };
-    Some(sign(after.before_its_impact()?, known)? != sign_after)
+    let before = after.before_its_impact()?;
+    // Where a letter is sought, nothing has been worked out so far.
+    let mut known = Cow::Borrowed(known);
+    if known.number(before).is_none() {
+        Derivation::carry_out(known.to_mut(), &[before]);
+    }
+    Some(sign(before, &known)? != sign_after)
+}
+
+/// Is a letter to be found, of which e is one?
+fn is_letter(find: &Find) -> bool {
+    matches!(find, Find::Unknown(_) | Find::Quantity(Quantity::Restitution))
+}
+
+/// Do both spheres of an impact move the same way, and along the line of centres?
+fn same_way(find: &Find, scene: &Scene, known: &Known<Value>) -> Option<bool> {
+    let Find::Quantity(quantity) = find else { return None };
+    let own = quantity.along_the_line()?;
+    let Quantity::Velocity(sphere, moment, _) = own.of_its_impact() else { return None };
+    let strangers = strangers(find, scene);
+    let other = Sphere::ALL.into_iter().find(|other| *other != sphere && !strangers.contains(other))?;
+    let of_other = Quantity::Velocity(other, moment, Axis::N).in_impact(own.impact())?;
+    let is_along = |quantity: Quantity| Some(known.number(quantity.along(Axis::T))?.sign()?.is_eq());
+    (is_along(own)? && is_along(of_other)?).then(|| Some(sign(own, known)? == sign(of_other, known)?))?
 }
 
 fn sign(quantity: Quantity, known: &Known<Value>) -> Option<Ordering> {
@@ -71,7 +96,9 @@ fn meet_again(find: &Find, scene: &Scene) -> Option<bool> {
         Quantity::Velocity(sphere, Moment::After, _) => Some(sphere),
         _ => None,
     };
-    let Find::Unknown(_) = find else { return None };
+    if !is_letter(find) {
+        return None;
+    }
     scene.conditions.iter().find_map(|condition| {
         let (left, right) = (after(&condition.left)?, after(&condition.right)?);
         let is_less = match condition.relation {
@@ -117,15 +144,12 @@ fn vector(find: &Find, known: &Known<Value>) -> Option<[Expr; 2]> {
 
 /// The spheres that take no part in the impact to which a quantity belongs, or of whose way a condition says nothing.
 fn strangers(find: &Find, scene: &Scene) -> Vec<Sphere> {
-    let quantity = match find {
-        Find::Quantity(quantity) => quantity,
-        Find::Unknown(_) => {
-            let own = way_wanted(scene).map(|(quantity, _)| quantity.of_its_impact());
-            let Some(Quantity::Velocity(own, ..)) = own else { return Vec::new() };
-            return Sphere::ALL.into_iter().filter(|sphere| *sphere != own).collect();
-        }
-        Find::Vector(..) => return Vec::new(),
-    };
+    if let Some((Quantity::Velocity(own, ..), _)) =
+        way_wanted(scene).filter(|_| is_letter(find)).map(|(wanted, sign)| (wanted.of_its_impact(), sign))
+    {
+        return Sphere::ALL.into_iter().filter(|sphere| *sphere != own).collect();
+    }
+    let Find::Quantity(quantity) = find else { return Vec::new() };
     let then = scene.then.iter().find(|then| then.meeting.number == quantity.impact());
     let (of, is_of_one) = match then {
         Some(then) => (then.meeting.of, then.meeting.with_wall),

@@ -118,10 +118,15 @@ pub(super) fn with_asides_set_off(
 ) -> Vec<Placed> {
     let mut start = 1;
     while start < tokens.len() {
-        if let Some(end) = said_again(&tokens, start, vocabulary, choices) {
-            // `0.7 (5/7)`: one figure is no value by itself.
-            let sign = if of_one_figure(&tokens[start - 1]) { '=' } else { ',' };
-            tokens[start].token = Token::Sign(sign);
+        if let Some(mut end) = said_again(&tokens, start, vocabulary, choices) {
+            // `0.7 (5/7)`: one figure is no value by itself. Nor is what is said to be about as much: `1/14 (≈ 0.07)`.
+            if tokens[start + 1].is('=') || tokens[start + 1].is('≈') {
+                tokens.remove(start);
+                end -= 1;
+            } else {
+                let sign = if of_one_figure(&tokens[start - 1]) { '=' } else { ',' };
+                tokens[start].token = Token::Sign(sign);
+            }
             // `1.92 (48/25) J`
             match unit(&tokens, end + 1, "") {
                 Some(_) => drop(tokens.remove(end)),

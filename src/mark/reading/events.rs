@@ -8,8 +8,23 @@ pub(crate) const NEVER: [&str; 10] =
 /// Words for one of several impacts that is not the first.
 pub(crate) const FURTHER: [&str; 7] = ["further", "more", "second", "other", "subsequent", "longer", "another"];
 /// Words for an impact.
-pub(crate) const MEETING: [&str; 9] =
-    ["collision", "collisions", "collide", "collides", "impact", "impacts", "meet", "meets", "meeting"];
+pub(crate) const MEETING: [&str; 15] = [
+    "collision",
+    "collisions",
+    "collide",
+    "collides",
+    "impact",
+    "impacts",
+    "meet",
+    "meets",
+    "meeting",
+    "hit",
+    "hits",
+    "strike",
+    "strikes",
+    "catch",
+    "catches",
+];
 
 impl Walk<'_> {
     /// The words that say that spheres meet again, or that they do not.

@@ -149,6 +149,11 @@ impl Statements<'_> {
         let values = std::iter::once(&sides[0][lead..]).chain(sides[1..].iter().copied());
         let values: Vec<(Expr, Option<SaidUnit>)> = values.map(|side| self.bounded(side)).collect::<Result<_, _>>()?;
         let pairs = values.iter().zip(&values[1..]).zip(relations);
+        // `f > 2/3 for another collision`
+        let is_phrase = |placed: &&Placed| matches!(placed.token, Token::Phrase(_));
+        let last = sides[sides.len() - 1];
+        let beside = last.iter().rev().take_while(is_phrase).count();
+        let beside = self.slice(&last[last.len() - beside..]).to_lowercase();
         let said = pairs.map(|(((left, before), (right, after)), (sign, _))| {
             let relation = match sign {
                 '<' => Relation::Less,
@@ -162,7 +167,28 @@ impl Statements<'_> {
             Said { form, unit: before.clone().or(after.clone()), reference: None, remarks: remarks.clone() }
         });
         self.found.push(Statement { label: None, said: said.collect() });
+        if !beside.is_empty() {
+            self.remark(beside);
+        }
         Ok(())
+    }
+
+    /// `set of values: 1/8 < e ≤ 1`, `values of f are 0 ≤ f ≤ 3/4`, `f: 0 ≤ f ≤ 3/4`: where the whole inequality begins that
+    /// words or its letter announce.
+    pub(super) fn announced(&self, tokens: &[Placed]) -> Option<usize> {
+        let announces = |placed: &Placed| placed.is(':') || placed.token == Token::Phrase(Phrase::Is);
+        let at = tokens.iter().position(announces).filter(|at| *at > 0 && !self.vocabulary.vectors)?;
+        let (before, after) = (&tokens[..at], &tokens[at + 1..]);
+        let is_name = |placed: &Placed| match placed.token {
+            Token::Word(_) | Token::Greek(_) => true,
+            Token::Phrase(Phrase::Remark | Phrase::Noun | Phrase::Sphere) => {
+                !is_rejection(&self.slice(std::slice::from_ref(placed)).to_lowercase())
+            }
+            _ => false,
+        };
+        let begins = |first: &Placed| !matches!(first.token, Token::Phrase(_) | Token::Sign('<' | '>' | '≤' | '≥'));
+        let is_whole = after.first().is_some_and(begins) && has_inequality(after);
+        (is_whole && before.iter().all(is_name)).then_some(at + 1)
     }
 
     /// The words beside an inequality by which it is taken back: `reject k < -2`.

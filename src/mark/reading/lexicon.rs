@@ -69,12 +69,12 @@ const SINGLE: [(Sort, &str); 9] = [
          mass coefficient restitution turned turns deflects deviation deviates deviated rotated rotates coeff coef bearing increase increases increased gained gains decrease decreases \
          decreased loses reduced reduces reduction falls fell drop drops dropped slows slowed rises rose answer ans tangent separation approach difference acceleration work distance force time",
     ),
-    (Sort::Is, "is are was be becomes being equal must lies"),
+    (Sort::Is, "is are was be becomes being equal must should lies"),
     (Sort::Gradient, "gradient grad slope"),
     (
         Sort::Negation,
-        "impossible wrong incorrect not never no isn't isnt aren't doesn't doesnt don't dont cannot can't cant won't wasn't neither nor unless \
-         except minimum maximum least most than under over less more half twice double triple treble quarter third \
+        "minimum impossible wrong incorrect not never no isn't isnt aren't doesn't doesnt don't dont cannot can't cant won't wasn't neither nor unless \
+         except least most than under over less more half twice double triple treble quarter third \
          hundred hundreds thousand thousands million dozen ten twenty squared cubed power unsure guess maybe \
          negative opposite reverse backwards one two three four five six seven eight nine zero \
          nought point divided multiplied",
@@ -86,7 +86,7 @@ const SINGLE: [(Sort, &str); 9] = [
     ),
     (
         Sort::Plain,
-        "inclusive exclusive strictly any between of the a an its their both approx approximately about roughly around circa say exactly only just after \
+        "maximum max possible range inclusive exclusive strictly any between of the a an its their both approx approximately about roughly around circa say exactly only just after \
          before finally initially final initial new total sphere spheres ball balls disc discs body particle particles \
          along parallel par para perp perpendicular right left up down upwards downwards north south east west rightwards \
          leftwards horizontally vertically acute obtuse clockwise anticlockwise counterclockwise away towards it they \
@@ -97,7 +97,7 @@ const SINGLE: [(Sort, &str); 9] = [
          remains remaining retained kept hopefully think calculator working see diagram there here now very nearly almost precisely overall resultant \
          scalar using used calculated find found get got have we solution value values part question result results \
          answers both my our checked units metric decimal fraction respectively clm com colm pclm plm mom cons nel nlr nlor nli \
-         collide collides meet meets does do will clearly obviously eventually need needs provided requires conservation linear law eq eqn equation substituting subtracting adding pythagoras pythag trig trigonometry",
+         collide collides meet meets catch catches hit hits strike strikes again continue does do will clearly obviously eventually need needs provided requires conservation linear law eq eqn equation substituting subtracting adding pythagoras pythag trig trigonometry",
     ),
 ];
 

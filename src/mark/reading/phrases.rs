@@ -204,6 +204,9 @@ impl Walk<'_> {
             if let Some(next) = self.any(at, &wording::REMARKS) {
                 return Ok(Some((Phrase::Remark, next)));
             }
+            if let Some(next) = self.any(at, &wording::IS) {
+                return Ok(Some((Phrase::Is, next)));
+            }
         }
         // `i component`, `x-component`
         if self.vocabulary.vectors
@@ -269,9 +272,12 @@ impl Walk<'_> {
         Ok(Some((phrase, at + 1)))
     }
 
-    /// `since it must be faster than A`: after `because`, and without figures, words say why and not what.
+    /// `since it must be faster than A`, `reject the negative`: after `because`, and without figures, words say why and not
+    /// what.
     fn is_in_a_reason(&self, at: usize) -> bool {
-        let is_reason = |before: &usize| matches!(self.word(*before), Some("because" | "since"));
+        let is_reason = |before: &usize| {
+            self.word(*before).is_some_and(|word| matches!(word, "because" | "since") || lexicon::is_rejection(word))
+        };
         let Some(reason) = (1..at).rev().find(is_reason) else { return false };
         !self.tokens[reason..].iter().any(|placed| matches!(placed.token, Token::Number(_) | Token::Root { .. }))
     }

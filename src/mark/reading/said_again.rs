@@ -62,7 +62,7 @@ fn same_or_rival(tokens: &[Placed], start: usize, vocabulary: &Vocabulary, choic
         _ => return None,
     };
     let (before, after) = tokens.split_at(start);
-    let close = after.iter().position(|placed| placed.is(closing))?;
+    let close = closes(after, closing)?;
     let inside = &after[1..close];
     let begins = |placed: &Placed| {
         matches!(placed.token, Token::Phrase(_) | Token::Sign('=' | '≈' | ',' | ';' | ':' | '\n' | '⇒'))
@@ -91,11 +91,13 @@ fn same_or_rival(tokens: &[Placed], start: usize, vocabulary: &Vocabulary, choic
         return Some(start + close);
     }
     let mut is_product = || choices.otherwise(Doubt::SaidAgain, tokens[start].start);
+    // `½u(1-e) (½u-½eu)`, `4i + j (√17)`, `28 (18 + 10)`; but `(1-e) (1-e)` is a square.
+    let is_square = || {
+        tokens[start - 1].is(closing)
+            && inside.iter().rev().zip(before[..start - 1].iter().rev()).all(|(one, other)| one.token == other.token)
+    };
+    let is_again = is_same && tokens[start].spaced && closing != '⟧' && !is_square();
     if is_formula || has_letters {
-        // `½u(1-e) (½u-½eu)`, `4i + j (√17)`; but `(1-e) (1-e)` is a square.
-        let is_square =
-            inside.iter().rev().zip(before[..start - 1].iter().rev()).all(|(one, other)| one.token == other.token);
-        let is_again = is_same && tokens[start].spaced && closing != '⟧' && !is_square;
         return (is_again && !is_product()).then_some(start + close);
     }
     if is_last && closing == ')' && only_decimal(inside) {
@@ -104,7 +106,21 @@ fn same_or_rival(tokens: &[Placed], start: usize, vocabulary: &Vocabulary, choic
         return is_set_off.then_some(start + close);
     }
     let is_decimal = only_decimal(stated) || only_decimal(inside) || measure;
-    (is_decimal && is_same).then_some(start + close)
+    (is_decimal && is_same || is_again && !is_product()).then_some(start + close)
+}
+
+/// Where the bracket closes with which the tokens begin.
+fn closes(tokens: &[Placed], closing: char) -> Option<usize> {
+    let opening = &tokens.first()?.token;
+    let mut depth = 0_usize;
+    tokens.iter().position(|placed| {
+        if placed.token == *opening {
+            depth += 1;
+        } else if placed.is(closing) {
+            depth -= 1;
+        }
+        depth == 0
+    })
 }
 
 /// About how much is said, in degrees if it is an angle, of a vector its size; and whether letters or a vector are in it.

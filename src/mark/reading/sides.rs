@@ -163,8 +163,21 @@ impl Statements<'_> {
     }
 }
 
+/// What is called so in `the value of k`: the letter.
+pub(super) fn without_value_of(tokens: &[Placed]) -> &[Placed] {
+    let words = tokens.iter().take_while(|placed| placed.token == Token::Phrase(Phrase::Remark)).count();
+    &tokens[words..]
+}
+
+/// How many words stand between an `is` and the value that it goes before: `must be 8`, `has to be 8`.
+pub(super) fn filling(after: &[Placed]) -> usize {
+    after.iter().take_while(|placed| placed.token == Token::Phrase(Phrase::Is)).count()
+}
+
 /// Do letters alone stand before an `is`, and a value after it?
 pub(super) fn is_called(before: &[Placed], after: &[Placed]) -> bool {
+    let before = without_value_of(before);
+    let after = &after[filling(after)..];
     let value =
         |token: &Token| !matches!(token, Token::Phrase(_) | Token::Sign('=' | '≈' | '<' | '>' | '≤' | '≥' | '≠'));
     let letters = before.iter().all(|placed| matches!(placed.token, Token::Word(_) | Token::Greek(_)));

@@ -11,7 +11,7 @@ use super::part_label::{with_arrows_after_names, without_arrow, without_part_lab
 use super::phrases::Phrase;
 use super::ranges;
 use super::segments::{outside, segments, unquoted};
-use super::sides::is_called;
+use super::sides::{filling, is_called, without_value_of};
 use super::tokens::{Placed, Token, excerpt};
 use super::values::Values;
 use super::{Form, Label, ReferenceLine, Said, Statement, Unreadable, Vocabulary};
@@ -190,6 +190,16 @@ impl Statements<'_> {
             self.chain(first)?;
             return self.chain(rest);
         }
+        if let Some(at) = self.announced(tokens) {
+            let (words, inequality) = tokens.split_at(at);
+            self.chain(inequality)?;
+            if words.iter().any(|placed| matches!(placed.token, Token::Phrase(_))) {
+                self.remark(self.slice(&words[..at - 1]).to_lowercase());
+            }
+            return Ok(());
+        }
+        // What stands before an inequality, and says what happens then.
+        let mut beside = Vec::new();
         let mut sides: Vec<&[Placed]> = Vec::new();
         let mut relations: Vec<(char, usize)> = Vec::new();
         let (mut depth, mut start) = (0_usize, 0);
@@ -211,27 +221,26 @@ impl Statements<'_> {
                     let side = &tokens[start..at];
                     let words = side.iter().rev().take_while(says_nothing).count();
                     let side = if words < side.len() { &side[..side.len() - words] } else { side };
-                    // `values of e greater than 3`, `the set of values is 0 < e < 1`
+                    // `values of e greater than 3`, `must have e > 3`
                     let is_remark = |placed: &&Placed| {
                         // `reject k < -2` says something of it.
-                        placed.token == Token::Phrase(Phrase::Remark)
+                        matches!(placed.token, Token::Phrase(Phrase::Remark | Phrase::Is))
                             && !is_rejection(&self.slice(std::slice::from_ref(*placed)).to_lowercase())
                     };
                     let lead = if is_inequality(sign) { side.iter().take_while(is_remark).count() } else { 0 };
-                    let is =
-                        side.get(lead).filter(|_| lead > 0).is_some_and(|next| next.token == Token::Phrase(Phrase::Is));
-                    let lead = lead + usize::from(is);
-                    sides.push(if lead < side.len() { &side[lead..] } else { side });
+                    let lead = if lead < side.len() { lead } else { 0 };
+                    beside.extend((lead > 0).then(|| self.slice(&side[..lead]).to_lowercase()));
+                    sides.push(&side[lead..]);
                     relations.push((sign, placed.start));
                     start = at + 1;
                 }
-                // `e is 2/3`
+                // `e is 2/3`, `the value of e must be 2/3`
                 Token::Phrase(Phrase::Is)
                     if depth == 0 && sides.is_empty() && is_called(&tokens[start..at], &tokens[at + 1..]) =>
                 {
-                    sides.push(&tokens[start..at]);
+                    sides.push(without_value_of(&tokens[start..at]));
                     relations.push(('=', placed.start));
-                    start = at + 1;
+                    start = at + 1 + filling(&tokens[at + 1..]);
                 }
                 _ => {}
             }
@@ -268,7 +277,11 @@ impl Statements<'_> {
         }
         match (sides.len(), equal) {
             (1, _) => self.alone(sides[0]),
-            (_, false) => self.inequality(&sides, &relations),
+            (_, false) => {
+                self.inequality(&sides, &relations)?;
+                beside.into_iter().for_each(|words| self.remark(words));
+                Ok(())
+            }
             _ => self.equality(&sides),
         }
     }

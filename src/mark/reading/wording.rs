@@ -202,7 +202,7 @@ pub(super) const AFTER_A_LINE: [&str; 10] = [
 ];
 
 /// Runs of words that say nothing about the value.
-pub(super) const REMARKS: [&str; 35] = [
+pub(super) const REMARKS: [&str; 37] = [
     "surd form",
     "in surd form",
     "as a surd",
@@ -226,6 +226,8 @@ pub(super) const REMARKS: [&str; 35] = [
     "opposite direction",
     "from its path",
     "to each other",
+    "to reverse",
+    "to be reversed",
     "in total",
     "in magnitude",
     "in ratio",
@@ -240,6 +242,9 @@ pub(super) const REMARKS: [&str; 35] = [
     "i believe",
 ];
 
+/// What stands for an equals sign.
+pub(super) const IS: [&str; 5] = ["has to be", "have to be", "needs to be", "has value", "has the value"];
+
 /// After the highest value of a range.
 pub(super) const OR_LESS: [&str; 8] =
     ["or less", "and less", "or below", "and below", "or under", "or lower", "or smaller", "or fewer"];
@@ -252,7 +257,7 @@ pub(super) const OR_MORE: [&str; 9] =
 pub(super) const EXCLUDING: [&str; 4] = ["not including", "but not including", "excluding", "but excluding"];
 
 /// The lists of which an entry can be a phrase by itself.
-pub(super) const PHRASES: [&[&str]; 13] = [
+pub(super) const PHRASES: [&[&str]; 14] = [
     &REST, &ACROSS, &ALONG, &ANGLE, &CENTRES, &TANGENT, &A_TO_B, &B_TO_A, &TOWARDS, &AWAY_FROM, &ORIGINAL, &MOTION,
-    &REMARKS,
+    &REMARKS, &IS,
 ];
