@@ -89,7 +89,7 @@ pub struct KeyedPart {
     /// What the impact is between.
     pub setting: Setting,
     /// Who meets in it; where the part is about several impacts, in the last.
-    pub(super) meeting: Meeting,
+    pub(in crate::mark) meeting: Meeting,
     /// `a`, `b`, … or empty.
     pub label: String,
     /// What is to be filled in.

@@ -240,6 +240,11 @@ impl Working<'_> {
         };
         let places: Vec<usize> = across.iter().filter_map(seen).collect();
         let found = Evidence::given(*places.iter().max()?, "the component perpendicular to the line of centres");
+        if let Some(line) = self.changes_along_wall() {
+            let feedback = "a smooth wall leaves the component parallel to it as it is: e has no part in it".to_owned();
+            let note = Some(Departure::WrongAxis.tag());
+            return Some(Evidence { line, given: false, note, feedback, ..found });
+        }
         match places.len() == across.len() {
             true => Some(found),
             false => {
@@ -271,6 +276,7 @@ impl Working<'_> {
                 let unknown = member.letter.as_ref().is_some_and(|letter| self.is_unknown(letter));
                 let unknown = unknown || self.is_open_multiple(member);
                 let fits = named && !unknown && !before && !member.is_given && is_right(values);
+                let fits = fits && !self.is_rebound(studied, member.statement);
                 (fits && !self.is_taken_along(studied, member)) || self.has_component(values, sphere, right)
             });
         if whole {
@@ -312,7 +318,7 @@ impl Working<'_> {
     }
 
     /// The part of a line in which a value stands; all of it where that cannot be told.
-    fn clause<'s>(&self, studied: &'s Studied, member: &Member) -> &'s str {
+    pub(super) fn clause<'s>(&self, studied: &'s Studied, member: &Member) -> &'s str {
         let clauses = clauses(&studied.line.typed);
         let statements = studied.reading.as_ref().map_or(0, |reading| reading.statements.len());
         if clauses.len() == statements { clauses[member.statement] } else { &studied.line.typed }

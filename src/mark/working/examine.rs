@@ -12,6 +12,8 @@ use super::offered::differences;
 use super::pair::{BOTH, Convention, Departure, Matched};
 use super::points::sizes;
 use super::prepared::Prepared;
+use super::said::stated;
+use super::slipped::undone;
 use super::spread::Spread;
 use super::terms::ByNumbers;
 use super::theirs::{Theirs, own_values};
@@ -19,9 +21,8 @@ use super::{angle_letters, angles};
 use crate::bank::{Code, EarnedFor};
 use crate::expr::Expr;
 use crate::mark::award::{Award, Evidence, Examiner, MarkedLine, Place};
-use crate::mark::judging::is_named;
-use crate::mark::key::{KeyedBlank, KeyedMark, KeyedPart, KeyedQuestion};
-use crate::mark::reading::{Reading, Statement};
+use crate::mark::key::{KeyedMark, KeyedPart, KeyedQuestion};
+use crate::mark::reading::Reading;
 use crate::mechanics::{Axis, Known, Law, Moment, Quantity, Seen, Sphere};
 
 /// What looking through the working of a part found.
@@ -72,7 +73,7 @@ impl Examined {
         let known = self.followed.as_deref().filter(|_| !is_stated).and_then(|known| sizes(known, quantity));
         known.or_else(|| {
             let others = self.theirs.0.iter().filter(|(own, _)| **own != quantity);
-            let others = Theirs(others.map(|(own, value)| (*own, value.clone())).collect());
+            let others = Theirs(others.map(|(own, value)| (*own, value.clone())).collect(), Vec::new());
             follow_to(question.prepared(), &others, quantity)
         })
     }
@@ -131,10 +132,28 @@ pub(super) fn examine_one(
 ) -> Examined {
     let prepared = question.prepared();
     let vectors = has_vectors(question);
-    let unread = first_unread(working);
     let mut read = line::read(working, &question.letters, vectors);
     angle_letters::put_in_place(&mut read, &question.letters, &|angle| prepared.points.letter(angle, 0).is_some());
     angles::put_in_place(&mut read, &question.letters, prepared);
+    let mut before = before.clone();
+    let (undone, slips) = undone(&read, &before.1, prepared);
+    before.1 = slips;
+    let mut all = examine_lines(question, part, read, &before, of_others);
+    if let Some(lines) = undone {
+        all.follow_slips(part, examine_lines(question, part, lines, &before, of_others));
+    }
+    all.lines.extend(first_unread(working));
+    all
+}
+
+fn examine_lines(
+    question: &KeyedQuestion,
+    part: &KeyedPart,
+    read: Vec<Line>,
+    before: &Theirs,
+    of_others: &[Option<u32>],
+) -> Examined {
+    let prepared = question.prepared();
     let mut lines: Vec<Studied> = read
         .into_iter()
         .map(|line| {
@@ -186,7 +205,7 @@ pub(super) fn examine_one(
         reading: studied.reading.as_ref().map(|reading| reading.printed.clone()),
         role: part.setting.say(&studied.role).into_owned(),
     });
-    let lines = lines.chain(unread).collect();
+    let lines = lines.collect();
     let (theirs, followed) = (working.theirs, Some(working.followed));
     Examined {
         awards,
@@ -207,15 +226,6 @@ pub(super) fn examine_one(
 fn first_unread(working: &[String]) -> Option<MarkedLine> {
     let mut rest = line::typed(working).skip(line::MOST_LINES);
     rest.next().map(|typed| MarkedLine { typed: typed.to_owned(), reading: None, role: String::new() })
-}
-
-/// What the last line states of a blank by a name in words, `speed of B = 8`; letters are known from the equations.
-fn stated(lines: &[Studied], blank: &KeyedBlank) -> Option<Reading> {
-    let readings = lines.iter().rev().filter_map(|studied| studied.reading.as_ref());
-    let is_in_words = |statement: &&Statement| statement.label.as_ref().is_some_and(|label| label.expr.is_none());
-    let mut statements = readings.flat_map(|reading| reading.statements.iter().rev()).filter(is_in_words);
-    let statement = statements.find(|statement| is_named(&blank.model, statement))?;
-    Some(Reading { statements: vec![statement.clone()], printed: String::new(), decided: Vec::new() })
 }
 
 pub(super) fn has_vectors(question: &KeyedQuestion) -> bool {

@@ -259,6 +259,12 @@ fn candidates(typed: &str) -> Vec<(Option<&str>, String)> {
     all.extend(along_impulse(typed).map(|along| (None, along)));
     all.extend(after_impact(typed).map(|after| (None, after)));
     all.extend(after_remark(typed).map(|formula| (None, formula.to_owned())));
+    // `after 2/3 × 5 = 10/3`: the moment is the name of what is worked out.
+    let of_moment = ["after", "before"].into_iter().find_map(|moment| {
+        let formula = typed.strip_prefix(moment)?.strip_prefix(' ')?;
+        formula.starts_with(|sign: char| sign.is_ascii_digit()).then(|| (Some(moment), formula.to_owned()))
+    });
+    all.extend(of_moment);
     all.push((None, typed.to_owned()));
     if let Some((before, after)) = typed.split_once(':')
         && after.contains(RELATIONS)

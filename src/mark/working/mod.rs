@@ -5,6 +5,7 @@
 //! the width that rounded figures leave open.
 
 mod agreement;
+mod along_wall;
 mod angle_letters;
 mod angles;
 mod apiece;
@@ -43,6 +44,7 @@ mod rebound;
 mod remarks;
 mod said;
 mod shapes;
+mod slipped;
 mod spread;
 mod squares;
 mod substituted;

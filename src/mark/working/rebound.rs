@@ -5,6 +5,7 @@ use super::evidence::Evidence;
 use super::examine::{Value, Working};
 use super::line::Member;
 use super::points::sizes;
+use super::said::says_into_wall;
 use crate::answer::Kind;
 use crate::bank::Code;
 use crate::expr::{Expr, Function};
@@ -35,19 +36,24 @@ impl Working<'_> {
         let right = self.line_that_is(&self.prepared.known, after).or_else(by_tangent);
         let right = right.or_else(|| self.inequality_with(&sizes(&self.prepared.known, after)?));
         let right = right.or_else(|| self.rebound_as_vector()).or_else(|| self.rebound_along_axis());
-        let right = right.or_else(|| self.rebound_in_axes(code)).or_else(|| self.said_to_rebound(after));
-        let line = right.or_else(|| self.exchanged(after, code))?;
+        let right = right.or_else(|| self.rebound_in_axes(code)).or_else(|| self.said_to_rebound(after, code));
+        let by_method = || self.exchanged(after, code).or_else(|| self.rebound_of_own());
+        let line = right.or_else(|| if code.is_accuracy() { None } else { by_method() })?;
         Some(Evidence::given(line, "restitution"))
     }
 
     /// A value that is said to be that of the rebound, and is: `rebound 4.67`.
-    fn said_to_rebound(&self, after: Quantity) -> Option<usize> {
+    fn said_to_rebound(&self, after: Quantity, code: Code) -> Option<usize> {
         let right = sizes(&self.prepared.known, after)?;
         let is_right = |values: &[Value]| values.iter().zip(&right).all(|(value, right)| comes_to(*value, *right));
         self.lines.iter().position(|studied| {
             let typed = studied.line.typed.to_lowercase();
             let says = ["rebound", "bounces", "comes off"].iter().any(|word| typed.contains(word));
-            says && self.members(studied).any(|(member, values)| member.label.is_none() && is_right(values))
+            let says_of = |member: &Member| {
+                !code.is_accuracy() && typed.contains("after") && says_into_wall(self.clause(studied, member))
+            };
+            let mut members = self.members(studied).filter(|(member, _)| member.label.is_none());
+            members.any(|(member, values)| (says || says_of(member)) && is_right(values))
         })
     }
 
@@ -139,7 +145,8 @@ impl Working<'_> {
             (across != 0.0).then_some(swapped)
         });
         let swapped: Vec<Known<f64>> = swapped.collect::<Option<_>>()?;
-        self.line_that_is(&swapped, quantity)
+        // What is said to be along the wall was not taken for the other.
+        self.line_that_is(&swapped, quantity).filter(|line| !self.says_across(&self.lines[*line].line.typed))
     }
 }
 

@@ -2,6 +2,9 @@
 
 use super::examine::{Studied, Working};
 use super::line::Member;
+use crate::mark::judging::is_named;
+use crate::mark::key::KeyedBlank;
+use crate::mark::reading::{Reading, Statement};
 use crate::mechanics::Sphere;
 
 impl Working<'_> {
@@ -37,6 +40,15 @@ fn numbers_listed(typed: &str) -> Option<Vec<f64>> {
         .split([' ', ',', ';', ':', '&', '(', ')'])
         .filter(|word| word.contains(|sign: char| sign.is_ascii_digit()));
     words.map(|word| word.trim_end_matches('.').parse().ok()).collect()
+}
+
+/// What the last line states of a blank by a name in words, `speed of B = 8`; letters are known from the equations.
+pub(super) fn stated(lines: &[Studied], blank: &KeyedBlank) -> Option<Reading> {
+    let readings = lines.iter().rev().filter_map(|studied| studied.reading.as_ref());
+    let is_in_words = |statement: &&Statement| statement.label.as_ref().is_some_and(|label| label.expr.is_none());
+    let mut statements = readings.flat_map(|reading| reading.statements.iter().rev()).filter(is_in_words);
+    let statement = statements.find(|statement| is_named(&blank.model, statement))?;
+    Some(Reading { statements: vec![statement.clone()], printed: String::new(), decided: Vec::new() })
 }
 
 /// What stands between two things that are said.

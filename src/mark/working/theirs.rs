@@ -8,6 +8,7 @@ use super::examine::{Studied, Value};
 use super::pair::{Convention, sphere};
 use super::points::sizes;
 use super::prepared::Prepared;
+use super::slipped::Slip;
 use super::spread::Spread;
 use crate::bank::Find;
 use crate::expr::{Expr, written};
@@ -27,9 +28,9 @@ fn is_near(share: f64, own: f64, right: f64) -> bool {
     (own - right).abs() <= share * right.abs()
 }
 
-/// A student's own values, by quantity: at every point, and as they were written.
+/// A student's own values, by quantity: at every point, and as they were written; and numbers that were worked out wrongly.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Theirs(pub(crate) BTreeMap<Quantity, (Vec<f64>, Expr)>);
+pub(crate) struct Theirs(pub(crate) BTreeMap<Quantity, (Vec<f64>, Expr)>, pub(super) Vec<Slip>);
 
 impl Theirs {
     /// Those that are not right, as they were written.

@@ -1,0 +1,146 @@
+//! The component along a wall, which the wall cannot change, and *e* times a component of the student's own.
+
+use super::compare::comes_to;
+use super::examine::{Studied, Value, Working};
+use super::line::Member;
+use super::points::sizes;
+use super::said::says_into_wall;
+use super::theirs::numbers;
+use crate::expr::Expr;
+use crate::mark::judging::may_be_named;
+use crate::mechanics::{Axis, Moment, Quantity, Setting, Sphere};
+
+/// A product of more factors is of something else.
+const MOST_FACTORS: usize = 4;
+
+impl Working<'_> {
+    fn sizes_in(&self, expr: &Expr) -> Option<Vec<f64>> {
+        numbers(&self.values_of(expr)?)
+    }
+
+    fn before_wall(&self, axis: Axis) -> Option<Vec<f64>> {
+        sizes(&self.prepared.known, Quantity::Velocity(Sphere::A, Moment::Before, axis))
+    }
+
+    /// The line on which *e* is put to the component along a wall, or another value after the impact is given for it, where
+    /// none puts it to the other.
+    pub(super) fn changes_along_wall(&self) -> Option<usize> {
+        if self.prepared.setting != Setting::Wall {
+            return None;
+        }
+        let (along, into) = (self.before_wall(Axis::T)?, self.before_wall(Axis::N)?);
+        let has_e_times = |studied: &Studied, sizes: &[f64]| {
+            self.members(studied).any(|(member, _)| self.is_e_times(&member.expr, sizes))
+        };
+        // Who puts e to the right component as well knows which it is, or has put it to both.
+        let changes = |studied: &Studied| has_e_times(studied, &along) || self.says_another_along(studied, &along);
+        let line = self.lines.iter().position(|studied| !studied.line.is_crossed_out() && changes(studied))?;
+        let is_alike = along.iter().zip(&into).all(|(one, other)| (one.abs() - other.abs()).abs() < 1e-9);
+        (!is_alike).then_some(line)
+    }
+
+    /// Does a line say that the component along the wall is another after the impact?
+    fn says_another_along(&self, studied: &Studied, along: &[f64]) -> bool {
+        self.members(studied).any(|(member, values)| {
+            let is_last = self.is_last_of_its_statement(studied, member);
+            let clause = self.clause(studied, member);
+            let says = self.says_across(clause) && clause.to_lowercase().contains("after") && !says_into_wall(clause);
+            let is_other =
+                |(value, right): (&Value, &f64)| matches!(value, Value::Number(_)) && !comes_to(*value, *right);
+            is_last && says && values.iter().zip(along).all(is_other)
+        })
+    }
+
+    fn is_last_of_its_statement(&self, studied: &Studied, member: &Member) -> bool {
+        let members = studied.reading.iter().flat_map(|reading| &reading.members);
+        members
+            .filter(|other| other.statement == member.statement)
+            .last()
+            .is_some_and(|last| std::ptr::eq(last, member))
+    }
+
+    /// Is it *e* times a number of these sizes, as it stands or worked out?
+    pub(super) fn is_e_times(&self, expr: &Expr, sizes: &[f64]) -> bool {
+        let Some(restitution) = self.restitution() else { return false };
+        let sizes = [sizes.to_vec()];
+        self.is_product_with(expr, &|factor| self.is_one_of(factor, &restitution), &|rest| self.is_one_of(rest, &sizes))
+    }
+
+    fn restitution(&self) -> Option<[Vec<f64>; 1]> {
+        Some([sizes(&self.prepared.known, Quantity::Restitution)?])
+    }
+
+    /// Is it the product of a factor and of something else that are both so?
+    fn is_product_with(&self, expr: &Expr, is_factor: &dyn Fn(&Expr) -> bool, is_rest: &dyn Fn(&Expr) -> bool) -> bool {
+        let factors = factors(expr);
+        (2..=MOST_FACTORS).contains(&factors.len())
+            && (0..factors.len()).any(|place| {
+                let others = factors.iter().enumerate().filter(|(other, _)| *other != place);
+                let rest = || Expr::product(others.map(|(_, factor)| factor.clone()));
+                is_factor(&factors[place]) && is_rest(&rest())
+            })
+    }
+
+    /// Is a value one to which *e* leads, from the component with which the wall is hit?
+    pub(super) fn is_rebound(&self, studied: &Studied, statement: usize) -> bool {
+        let Some(into) = self.before_wall(Axis::N).filter(|_| self.prepared.setting == Setting::Wall) else {
+            return false;
+        };
+        let mut members = studied.reading.iter().flat_map(|reading| &reading.members);
+        members.any(|member| member.statement == statement && self.is_e_times(&member.expr, &into))
+    }
+
+    /// *e* times a component of the student's own, which is not right, or a number in the place of *e* times the right one:
+    /// restitution has been used.
+    pub(super) fn rebound_of_own(&self) -> Option<usize> {
+        let (along, into) = (self.before_wall(Axis::T)?, self.before_wall(Axis::N)?);
+        let (into, restitution) = ([into], self.restitution()?);
+        let after = Quantity::Velocity(Sphere::A, Moment::After, Axis::N);
+        let speed = sizes(&self.prepared.known, Quantity::Speed(Sphere::A, Moment::Before)).unwrap_or_default();
+        // Where there are several impacts a number may be e of another.
+        let is_only = self.question.scene.then.is_empty() && self.part.meeting.number == 0;
+        let mut own: Vec<Vec<f64>> = Vec::new();
+        let is = |values: &[f64], right: &[f64]| {
+            values.iter().zip(right).all(|(own, right)| (own.abs() - right.abs()).abs() < 0.005 * right.abs())
+        };
+        for (place, studied) in self.lines.iter().enumerate() {
+            let is_own = |rest: &Expr| self.is_one_of(rest, &own);
+            let is_e = |factor: &Expr| self.is_one_of(factor, &restitution);
+            let is_right = |rest: &Expr| self.is_one_of(rest, &into);
+            let is_share = |one: &f64| 0.0 < *one && *one < 1.0;
+            let is_misread = |factor: &Expr| {
+                is_only
+                    && factor.names().is_empty()
+                    && self.sizes_in(factor).is_some_and(|sizes| sizes.iter().all(is_share))
+            };
+            let shows = self.members(studied).any(|(member, _)| {
+                let is_else = member.label.as_ref().is_some_and(|label| !may_be_named(label, after));
+                !is_else
+                    && !self.says_across(self.clause(studied, member))
+                    && (self.is_product_with(&member.expr, &is_e, &is_own)
+                        || self.is_product_with(&member.expr, &is_misread, &is_right))
+            });
+            if shows {
+                return Some(place);
+            }
+            let said = self.members(studied).filter(|(member, _)| {
+                self.is_last_of_its_statement(studied, member) && !self.says_across(self.clause(studied, member))
+            });
+            let sizes = said.filter_map(|(member, values)| numbers(values).filter(|_| !member.is_given));
+            own.extend(sizes.filter(|sizes| !is(sizes, &along) && !is(sizes, &speed)));
+        }
+        None
+    }
+}
+
+/// The factors of a product; a number below a line is one, in `2/3 × 33/5` a fifth.
+fn factors(expr: &Expr) -> Vec<Expr> {
+    match expr {
+        Expr::Negative(inner) => factors(inner),
+        Expr::Product(all) => all.iter().flat_map(factors).collect(),
+        Expr::Quotient(above, below) if matches!(**above, Expr::Product(_)) => {
+            factors(above).into_iter().chain([Expr::integer(1).over((**below).clone())]).collect()
+        }
+        other => vec![other.clone()],
+    }
+}
