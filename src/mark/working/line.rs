@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use super::angles::{is_short, tangent_letter};
+use super::products::Products;
 use super::remarks::{
     after_impact, after_remark, along_impulse, is_formula, turned_round, without_arrow, without_cancelling,
     without_lead_in, without_remark,
@@ -110,10 +111,11 @@ pub(super) fn read(working: &[String], letters: &[Letter], vectors: bool) -> Vec
     if !vectors {
         vocabularies.push(Vocabulary { vectors: true, ..vocabularies[2].clone() });
     }
+    let products = Products::of(typed(working), letters);
     let read = |(place, typed): (usize, &str)| Line {
         number: place + 1,
         typed: typed.to_owned(),
-        readings: readings(typed, &vocabularies),
+        readings: readings(&products.signed(typed), &vocabularies),
     };
     typed(working).take(MOST_LINES).enumerate().map(read).collect()
 }

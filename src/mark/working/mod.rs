@@ -40,6 +40,7 @@ mod pair;
 mod points;
 mod prepared;
 mod printed;
+mod products;
 mod rebound;
 mod remarks;
 mod said;
