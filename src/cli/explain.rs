@@ -15,7 +15,7 @@ use super::solve::worked;
 use crate::bank::{Domain, Question, Style, read_question};
 use crate::expr::print as written;
 use crate::generate::{Variant, out_of, reference};
-use crate::mechanics::{Line, Rule};
+use crate::mechanics::Rule;
 use crate::paper::{Dealer, PrintedAnswer, PrintedQuestion, compose};
 use crate::solve::solve;
 use mistakes::{LawMistakes, mistakes};
@@ -183,7 +183,7 @@ fn marks(printed: &PrintedQuestion) -> String {
             if !row.depends.is_empty() {
                 earned.push_str(&format!(" (needs {})", row.depends.join(", ")));
             }
-            rows.push(vec![format!("  {label}"), row.code.clone(), earned]);
+            rows.push(vec![format!("  {label}"), row.id.clone(), row.code.clone(), earned]);
         }
     }
     format!("\nMarks\n{}", table(&rows))
@@ -197,17 +197,7 @@ fn example(printed: &PrintedQuestion) -> String {
     for part in &printed.parts {
         let label = if part.label.is_empty() { String::new() } else { format!("({}) ", part.label) };
         text.push_str(&format!("{label}{} [{}]\n\n", written::text_unicode(&part.ask), count(part.marks(), "mark")));
-        let lines: Vec<Line> = part
-            .working
-            .iter()
-            .map(|line| Line {
-                words: line.words.clone(),
-                equations: line.equations.clone(),
-                numbered: line.label.is_some(),
-                of_condition: false,
-            })
-            .collect();
-        text.push_str(&worked(&lines));
+        text.push_str(&worked(&part.working));
         text.push('\n');
     }
     text

@@ -41,6 +41,9 @@ fn pages(mut carom: Command) -> Result<Vec<OutputFile>, Failure> {
         let man = Man::new(command.clone()).manual("Carom");
         let mut contents = Vec::new();
         man.render(&mut contents)?;
+        // What a command says after its help are examples, which clap_mangen calls extra.
+        let contents =
+            String::from_utf8_lossy(&contents).replace(".SH EXTRA\nExamples:\n", ".SH EXAMPLES\n").into_bytes();
         Ok(OutputFile { name: man.get_filename(), contents })
     };
     commands.map(page).collect()

@@ -11,6 +11,7 @@ use super::{by_method, scene_input};
 use crate::expr::{print as written, written as plainest, written_angle};
 use crate::mechanics::{Axis, Line, Moment, Quantity, Scene, Setting, Sphere, Velocity};
 use crate::number::{Angle, Letter, Range, Value};
+use crate::paper::WorkingLine;
 use crate::solve::{Answer, Solution, report, solve_all};
 
 const AFTER: &str = "Examples:
@@ -173,7 +174,7 @@ fn on_terminal(solutions: &[Solution], asked: &[Quantity]) -> String {
         let lines = solution.lines();
         // Once the unknown is found, the rest would repeat the same steps with its value.
         let finding = solution.finding();
-        text.push_str(&worked(if finding.is_empty() { &lines } else { &finding }));
+        text.push_str(&worked(&labelled(if finding.is_empty() { &lines } else { &finding })));
         for remark in solution.remarks() {
             text.push_str(&format!("{remark}\n"));
         }
@@ -183,11 +184,22 @@ fn on_terminal(solutions: &[Solution], asked: &[Quantity]) -> String {
     text
 }
 
+/// The lines of one working, their equations numbered from (1).
+fn labelled(lines: &[Line]) -> Vec<WorkingLine> {
+    let mut last = 0;
+    let mut label = |line: &Line| {
+        last += u32::from(line.numbered);
+        line.numbered.then_some(last)
+    };
+    let line =
+        |line: &Line| WorkingLine { words: line.words.clone(), equations: line.equations.clone(), label: label(line) };
+    lines.iter().map(line).collect()
+}
+
 /// The lines of working in the mathematics of a terminal.
-pub fn worked(lines: &[Line]) -> String {
+pub fn worked(lines: &[WorkingLine]) -> String {
     const NUMBERED_AT: usize = 72;
     let mut text = String::new();
-    let mut number = 0;
     for line in lines {
         if !line.words.is_empty() {
             text.push_str(&written::text_unicode(&line.words));
@@ -195,8 +207,7 @@ pub fn worked(lines: &[Line]) -> String {
         }
         for (index, equation) in line.equations.iter().enumerate() {
             let mut row = format!("    {}", written::unicode(equation));
-            if line.numbered && index + 1 == line.equations.len() {
-                number += 1;
+            if let Some(number) = line.label.filter(|_| index + 1 == line.equations.len()) {
                 let gap = NUMBERED_AT.saturating_sub(row.chars().count()).max(2);
                 row.extend(std::iter::repeat_n(' ', gap));
                 row.push_str(&format!("({number})"));
