@@ -1,7 +1,7 @@
 //! The working of a question stands in the parts to which it belongs: a letter is found where it is asked for, nothing is
 //! worked out twice, and no part is an empty heading.
 
-use carom::bank::read_question;
+use carom::bank::{Bank, read_question};
 use carom::diagnostic::{Source, render_all};
 use carom::expr::print;
 use carom::generate::reference;
@@ -82,4 +82,72 @@ fn a_letter_is_found_in_the_part_that_asks_for_it() {
             assert!(!part.is_empty(), "{condition}, {asked:?}: an empty heading");
         }
     }
+}
+
+/// What a row of a mark scheme shows, its words and its equation, with the reference numbers of a shipped question.
+fn rows(id: &str, part: usize) -> Vec<String> {
+    let bank = Bank::shipped().unwrap_or_else(|faults| panic!("{}", render_all(&faults, false)));
+    let question = bank.questions.iter().find(|question| question.id == id).unwrap();
+    let variant = reference(question).unwrap_or_else(|refused| panic!("{refused:?}"));
+    let scheme = compose(question, &variant, 1).parts.swap_remove(part).scheme;
+    let shown = |row: carom::paper::SchemeRow| {
+        let equation = row.equation.as_ref().map_or_else(String::new, print::unicode);
+        format!("{} {equation}", print::text_unicode(&row.earned))
+    };
+    scheme.into_iter().map(shown).collect()
+}
+
+#[test]
+fn a_mark_shows_the_equations_that_it_is_for_and_no_others() {
+    let table = [
+        ("walls/wall-along-a-vector", 0, "both components before", "p = ", "v_A"),
+        ("successive/walls-at-an-angle", 1, "both components before", "p = ", "v_A"),
+        ("walls/restitution-from-two-angles", 1, "lost over kinetic energy before", "E₂ = ", "??"),
+        ("walls/restitution-from-two-angles", 1, "lost over kinetic energy before", "f = ", "??"),
+        ("ranges/mass-ratio-that-can-be", 0, "between 0 and 1", "≥ 0", "??"),
+        ("ranges/mass-ratio-that-can-be", 0, "between 0 and 1", "≤ 1", "??"),
+        ("ranges/direction-reversed", 0, "velocity of A negative", "< 0", "≤"),
+    ];
+    for (id, part, mark, has, has_not) in table {
+        let rows = rows(id, part);
+        let row = rows.iter().find(|row| row.contains(mark)).unwrap_or_else(|| panic!("{id}: {rows:#?}"));
+        assert!(row.contains(has) && !row.contains(has_not), "{id}: {row}");
+    }
+}
+
+#[test]
+fn what_is_asked_for_is_what_the_working_comes_to() {
+    let table = [
+        ("A.ke_lost", "L_A = "),
+        ("A.after.ke", "K_A = "),
+        ("momentum.x", "The momentum along i is mu"),
+        ("A.after.px", "The momentum of A along i is "),
+    ];
+    for (asked, words) in table {
+        let worked = working("A.after.x = -u/5", &["e", asked]);
+        assert!(worked[1].iter().any(|line| line.starts_with(words)), "{asked}: {worked:#?}");
+    }
+}
+
+#[test]
+fn a_mass_has_its_letters_in_the_order_in_which_they_were_typed() {
+    let text = IN_LETTERS
+        .replace("B = \"k*m\"", "B = \"mB\"")
+        .replace("k = \"2..6\"\n", "q = \"2..6\"\n[let]\nmB = \"k*m\"\n")
+        .replace("*B*, of mass {k*m}", "*B*, of mass {mB}")
+        .replace("directly with speed {u}", "directly with speed {q*u}")
+        .replace("before = { A = \"u\"", "before = { A = \"q*u\"")
+        .replace("m = \"positive\" }", "m = \"positive\", k = \"positive\" }")
+        .replace("unknowns = [\"e\"]\nconditions = [\"CONDITION\"]\n", "")
+        .replace("k = \"3\"", "q = \"3\"")
+        .replace(
+            "PARTS",
+            "[[part]]\nask = \"Find it.\"\nanswers = [{ name = \"it\", find = \"B.after.x\" }]\n\
+             marks = [{ code = \"B1\", for = \"B.after.x\" }]\n",
+        );
+    let question = read_question("ranges/own", &Source::new("own", text.as_str()))
+        .unwrap_or_else(|faults| panic!("{}", render_all(&faults, false)));
+    let variant = reference(&question).unwrap_or_else(|refused| panic!("{refused:?}"));
+    let stem = compose(&question, &variant, 1).stem;
+    assert!(print::text_unicode(&stem[0]).contains("of mass km"), "{}", print::text_unicode(&stem[0]));
 }

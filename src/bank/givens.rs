@@ -33,9 +33,10 @@ impl Givens {
         }
         for (name, expr) in &style.lets {
             let meaning = evaluate(expr, &|name| givens.meaning(name)).map_err(|fault| (name.clone(), fault))?;
+            let typed = expr.substitute(&|name| givens.shown.get(name).cloned());
             let shown = match &meaning {
-                Meaning::Number(value) => written(value),
-                _ => expr.substitute(&|name| givens.shown.get(name).cloned()),
+                Meaning::Number(value) => in_order_of(&typed, written(value)),
+                _ => typed,
             };
             givens.meanings.insert(name.clone(), meaning);
             givens.shown.insert(name.clone(), shown);
@@ -52,6 +53,14 @@ impl Givens {
     pub fn contains(&self, name: &str) -> bool {
         self.meanings.contains_key(name)
     }
+}
+
+/// A product with its factors in the order in which they were typed: `km`, and not `mk`.
+fn in_order_of(typed: &Expr, product: Expr) -> Expr {
+    let (Expr::Product(typed), Expr::Product(factors)) = (typed, &product) else { return product };
+    let typed: Vec<Expr> = typed.iter().filter(|factor| !factor.is_one()).cloned().collect();
+    let is_same = typed.len() == factors.len() && factors.iter().all(|factor| typed.contains(factor));
+    if is_same { Expr::Product(typed) } else { product }
 }
 
 /// A letter that the scene declares: an acute angle, or a number.

@@ -17,7 +17,7 @@ use super::validity::broken_laws;
 use super::working::Show;
 use super::{Derivation, Quantity, Sphere, pose};
 use crate::expr::{Expr, Relation, number, print, written};
-use crate::number::{Demand, End, Letter, Range, Span, Value, solve_inequalities};
+use crate::number::{Demand, End, Letter, NoRoots, Range, Span, Value, solve_inequalities};
 
 /// The values of an unknown for which the conditions hold.
 #[derive(Clone, Debug, PartialEq)]
@@ -91,14 +91,30 @@ pub(super) fn values(posed: &Posed) -> Result<Values, Refusal> {
     let physical = posed.physical();
     let demands: Vec<(Value, Demand)> =
         physical.iter().map(Physical::demanded).chain(stated.into_iter().map(|one| one.demanded)).collect();
-    let mut spans = solve_inequalities(&demands, *unknown).map_err(no_roots)?;
     let name = unknown.name();
+    let others = demands.iter().flat_map(|(value, _)| value.letters()).find(|letter| letter != unknown);
+    let mut spans = solve_inequalities(&demands, *unknown).map_err(|reason| match (reason, others) {
+        // Which of two ends is the further one, nobody can say of letters.
+        (NoRoots::TooLong, Some(other)) => {
+            let other = other.name();
+            Refusal::beyond(format!("a range of {name} with ends in terms of {other} is not found here"))
+                .try_this(format!("let {other} be a parameter, with numbers for values"))
+        }
+        (reason, _) => no_roots(reason),
+    })?;
     match spans.len() {
         0 => return Err(Refusal::impossible(format!("the conditions hold for no value of {name}"))),
         1 if spans[0] == Span::of(unknown.range()) => {
             return Err(Refusal::underdetermined(format!("the conditions hold whatever {name} is")));
         }
-        1 => {}
+        1 => match (&spans[0].low, &spans[0].high) {
+            (Some(low), Some(high)) if low.value.equals(&high.value) => {
+                let value = print::unicode(&written(&low.value));
+                let refusal = Refusal::beyond(format!("the conditions hold for one value of {name} alone, {value}"));
+                return Err(refusal.try_this("give an equation as the condition, and ask for the value"));
+            }
+            _ => {}
+        },
         _ => {
             let all = spans.drain(..).map(|span| Values { letter: *unknown, span });
             let all: Vec<String> = all.map(|values| print::unicode(&values.written())).collect();
@@ -222,7 +238,17 @@ pub(super) fn lines(posed: &Posed, values: &Values) -> Vec<Line> {
         let inequality = Expr::Relation(Box::new(written(left)), condition.relation, Box::new(written(right)));
         lines.push(inequality_words(condition, inequality, &posed.scene).of_condition(&posed.scene));
     }
-    lines.extend(because.into_iter().map(|one| one.line().said_of(posed.scene.setting)));
+    // `Between 0 and 1` is one condition, though only one end of it had to be said.
+    let is_of_conditions = |quantity: Quantity| {
+        let names = posed.scene.conditions.iter().flat_map(|condition| [&condition.left, &condition.right]);
+        names.flat_map(Expr::names).any(|name| name.text == quantity.to_string())
+    };
+    lines.extend(
+        because.into_iter().map(|one| Line {
+            of_condition: is_of_conditions(one.quantity),
+            ..one.line().said_of(posed.scene.setting)
+        }),
+    );
     let is_end = |end: &Option<End>, at: &Value| end.as_ref().is_some_and(|end| end.included && end.value.equals(at));
     let of_e = values.letter.range() == Range::Unit;
     let words = if of_e && is_end(&values.span.high, &Value::ONE) {

@@ -17,6 +17,7 @@ use crate::unit::Unit;
 pub fn rows(worked: &[WorkedPart], variant: &Variant, with_units: &[String]) -> Vec<SchemeRow> {
     let Some(here) = worked.last() else { return Vec::new() };
     let marks = &here.part.marks;
+    let scene = &variant.scene;
     let row = |(place, mark): (usize, &Mark)| {
         let impact = variant.scene.of_impact(impact_of(place, here));
         let setting = impact.map_or(variant.scene.setting, |scene| scene.setting);
@@ -27,7 +28,7 @@ pub fn rows(worked: &[WorkedPart], variant: &Variant, with_units: &[String]) -> 
         SchemeRow {
             id: mark.id.clone(),
             code: mark.code.name().to_owned(),
-            earned: with_others(earned.unwrap_or_else(|| usual_words(mark, here, setting)), equations),
+            earned: with_others(earned.unwrap_or_else(|| usual_words(mark, here, setting, scene)), equations),
             equation,
             note: with_rounded(rounded, note.unwrap_or_else(|| usual_note(mark, setting))),
             depends: mark.depends.clone(),
@@ -135,11 +136,11 @@ fn equations(
         }
         EarnedFor::Quantity(quantity) => one(value(*quantity, here, variant, with_units)),
         EarnedFor::Unknown(name) => one(unknown(name, here, variant, with_units)),
-        EarnedFor::Condition => (here.condition().into_iter().collect(), None),
+        EarnedFor::Condition => (here.conditions(), None),
         // What solving comes to stands in the next row.
         EarnedFor::Law(law, _) if law.only_solves() => Default::default(),
         _ if mark.code.is_method() && has_accuracy(place, marks) => Default::default(),
-        step => (law_equations(step, count_before(place, marks), mark.code, worked), None),
+        step => (law_equations(step, place, worked), None),
     }
 }
 
@@ -168,28 +169,45 @@ fn unknown(
 }
 
 /// The equation of the step that uses a law, or of the next one if earlier marks have had it. A mark for several
-/// components at once has an equation for each.
-fn law_equations(step: &EarnedFor, before: usize, code: Code, worked: &[WorkedPart]) -> Vec<Expr> {
+/// components at once has an equation for each, and the last for energies all that are left, of which it makes one.
+fn law_equations(step: &EarnedFor, place: usize, worked: &[WorkedPart]) -> Vec<Expr> {
+    let Some(here) = worked.last() else { return Vec::new() };
+    let (marks, code) = (&here.part.marks, here.part.marks[place].code);
+    let before = count_before(place, marks);
+    let is_last = !marks[place + 1..].iter().any(|later| later.earned_for == *step);
+    let EarnedFor::Law(law, _) = step else { return Vec::new() };
     for part in worked.iter().rev() {
         // What leads to the letters comes first, and what is found again with their values is the same step.
-        let of_step = |steps: &[Step]| -> Vec<Vec<Expr>> {
-            let of_step = steps.iter().filter(|other| is_of(&other.rule, step));
-            of_step.map(|step| step.equations.clone()).filter(|equations| !equations.is_empty()).collect()
+        let of_step = |steps: &[Step]| -> Vec<(Option<Axis>, Vec<Expr>)> {
+            let of_step = steps.iter().filter(|other| is_of(&other.rule, step) && !other.equations.is_empty());
+            of_step.map(|step| (axis(&step.rule), step.equations.clone())).collect()
         };
         let found = Some(of_step(&part.behind)).filter(|found| !found.is_empty());
-        let found = found.unwrap_or_else(|| of_step(&part.steps));
-        let of_all = matches!(step, EarnedFor::Law(law, _) if law.is_of_components()) && before == 0;
-        if of_all && (code == Code::B1 || code.is_accuracy()) && !found.is_empty() {
-            return found.concat();
+        let mut found = found.unwrap_or_else(|| of_step(&part.steps));
+        let Some((first, _)) = found.get(before).or(found.last()).cloned() else { continue };
+        if law.is_of_components() && before == 0 && (code == Code::B1 || code.is_accuracy()) {
+            // To put components together again along i and j is not of the mark for finding them.
+            found.retain(|(axis, _)| *axis == first);
+            return found.into_iter().flat_map(|(_, equations)| equations).collect();
         }
         if code == Code::B1 && found.len() > 1 {
             return Vec::new();
         }
-        if let Some(equations) = found.get(before).or(found.last()) {
-            return equations.first().cloned().into_iter().collect();
+        if law.adds_up() && is_last && before < found.len() {
+            return found.into_iter().skip(before).flat_map(|(_, equations)| equations).collect();
         }
+        let own = found.get(before).or(found.last()).and_then(|(_, equations)| equations.first());
+        return own.cloned().into_iter().collect();
     }
     Vec::new()
+}
+
+/// The axis of the components that a step gives first.
+fn axis(rule: &Rule) -> Option<Axis> {
+    match rule.gives.first()?.of_its_impact() {
+        Quantity::Velocity(_, _, axis) => Some(axis),
+        _ => None,
+    }
 }
 
 /// Several equations of one mark: all but the last stand with the words.
@@ -279,11 +297,17 @@ fn known_with(quantity: Quantity, here: &WorkedPart, scene: Option<&Scene>) -> O
 }
 
 /// What earns a mark, where the file does not say.
-fn usual_words(mark: &Mark, here: &WorkedPart, setting: Setting) -> Text {
+fn usual_words(mark: &Mark, here: &WorkedPart, setting: Setting, scene: &Scene) -> Text {
     match &mark.earned_for {
         _ if mark.code == Code::A1Shown => Text::words("the printed result, with no errors seen"),
         EarnedFor::Law(law, _) if mark.code.is_accuracy() => marked_up(&setting.say(law.accuracy())),
-        EarnedFor::Law(law, _) => marked_up(&setting.say(law.method().0)),
+        EarnedFor::Law(law, _) => {
+            let words = setting.say(law.method().0);
+            let is_of_one =
+                here.asked.iter().any(|asked| matches!(asked.of_its_impact(), Quantity::SphereEnergyLost(_)));
+            marked_up(&if is_of_one { words.replace(", both spheres", "") } else { words.into_owned() })
+        }
+        EarnedFor::Condition if scene.maximise.is_some() => Text::words("differentiates, or completes a square"),
         EarnedFor::Condition => Text::words("uses what is given of the motion after the impact"),
         EarnedFor::Unknown(_) => Text::words("correct value"),
         EarnedFor::Quantity(quantity) => {

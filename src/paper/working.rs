@@ -8,7 +8,7 @@ use super::put_in::InLetters;
 use crate::answer::Kind;
 use crate::bank::{Answer, Find, Part, Question};
 use crate::diagram::Manner;
-use crate::expr::{Expr, Function, Text};
+use crate::expr::{Expr, Function, Relation, Text};
 use crate::generate::Variant;
 use crate::mechanics::{Axis, Derivation, Known, Line, Moment, Quantity, Rule, Show, pose};
 use crate::number::Value;
@@ -131,7 +131,9 @@ impl WorkedPart<'_> {
         }
         if printed.is_empty() {
             let equations = self.found_above(variant);
-            printed.push(WorkingLine { words: Text::words("As was found above,"), equations, label: None });
+            let is_first = matches!(self.part.label.as_str(), "" | "a");
+            let words = if is_first { "From what is given," } else { "As was found above," };
+            printed.push(WorkingLine { words: Text::words(words), equations, label: None });
         }
         let all_shown = self.part.answers.iter().all(|answer| answer.show.is_some());
         for result in self.part.answers.iter().filter_map(|answer| result(answer, variant)) {
@@ -180,9 +182,15 @@ impl WorkedPart<'_> {
         self.steps.iter().chain(&self.behind).any(|step| step.rule.impact() == impact)
     }
 
-    /// What the condition from which letters are found comes to.
-    pub fn condition(&self) -> Option<Expr> {
-        self.finding.iter().filter(|line| line.of_condition).find_map(|line| line.equations.first().cloned())
+    /// What the condition from which letters are found comes to, and of a range each bound on what it speaks of.
+    pub fn conditions(&self) -> Vec<Expr> {
+        let lines = self.finding.iter().filter(|line| line.of_condition);
+        let mut equations = lines.filter_map(|line| line.equations.first().cloned());
+        let is_bound =
+            |equation: &Expr| matches!(equation, Expr::Relation(_, relation, _) if *relation != Relation::Equal);
+        let Some(first) = equations.next() else { return Vec::new() };
+        let bounds: Vec<Expr> = if is_bound(&first) { equations.filter(is_bound).collect() } else { Vec::new() };
+        [vec![first], bounds].concat()
     }
 
     /// An expression of the working of an impact in the question's own letters.

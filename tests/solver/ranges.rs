@@ -168,7 +168,14 @@ fn carom_says_why_there_is_no_range() {
     let refusal = |condition: &str| solve(&read(&with("e", condition)), &[]).unwrap_err().to_string();
     assert_eq!(refusal("A.after.x < 10"), "the conditions hold whatever e is");
     assert_eq!(refusal("A.after.x > 10"), "the conditions hold for no value of e");
+    // B has 2(1 + e) after, which is at most 4.
+    assert_eq!(refusal("B.after.x >= 4"), "the conditions hold for one value of e alone, 1");
     assert!(refusal("A.after.angle_to_loc_deg > 10").contains("angle"), "{}", refusal("A.after.angle_to_loc_deg > 10"));
+    // A has 2 - 3e after.
+    let mut of_k = with("e", "A.after.x > k");
+    of_k["symbols"]["k"] = "positive".into();
+    let refusal = solve(&read(&of_k), &[]).unwrap_err();
+    assert_eq!(refusal.reason, "a range of e with ends in terms of k is not found here");
     // Momentum alone makes k = 1.
     let over = |condition: &str| {
         json!({

@@ -178,7 +178,7 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
         (DOT, Quantity::DeflectionDot(sphere)) => scalar_product(show, sphere),
         (ANGLE, Quantity::Deflection(sphere)) => turned(show, sphere),
         (BY_PRODUCTS, Quantity::TanDeflection(sphere)) => by_products(show, sphere),
-        _ => silent(),
+        (_, quantity) => show.statement(quantity),
     }
 }
 

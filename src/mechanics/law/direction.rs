@@ -148,7 +148,7 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
         Quantity::TOverN(sphere, moment) | Quantity::TanToLine(sphere, moment) => {
             tangent_of_direction(show, sphere, moment, rule.gives[0])
         }
-        _ => silent(),
+        quantity => show.statement(quantity),
     }
 }
 

@@ -223,7 +223,14 @@ pub fn earning(rule: &Rule, show: &Show) -> Option<Expr> {
 pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
     match (rule.form, rule.gives[0]) {
         (TOTAL, Quantity::TotalEnergy(moment)) => total(show, moment),
-        (LOST_BY_SPHERES | LOST_BY_TOTALS, _) => lost(show),
+        (LOST_BY_SPHERES | LOST_BY_TOTALS, _) => lost(show, show.spheres(), "L", "lost"),
+        (_, Quantity::SphereEnergyLost(sphere)) if show.is_asked(rule.gives[0]) => {
+            let (left, of) = if sphere == A { ("L_A", &[A]) } else { ("L_B", &[B]) };
+            lost(show, of, left, &format!("that *{}* loses", sphere.name()))
+        }
+        (form, Quantity::KineticEnergy(sphere, moment)) if show.is_asked(rule.gives[0]) => {
+            of_sphere(show, sphere, moment, form == OF_SPHERE)
+        }
         (FRACTION | FRACTION_BY_TOTALS, _) => fraction(show),
         _ => silent(),
     }
@@ -243,6 +250,23 @@ fn total(show: &Show, moment: Moment) -> Vec<Line> {
     vec![Line::plain(&words, Show::chain(Expr::name(left), [Expr::sum(terms), written(&value)]))]
 }
 
+/// The energy of one sphere at a moment, by its speed or by its components along i and j.
+fn of_sphere(show: &Show, sphere: Sphere, moment: Moment, by_speed: bool) -> Vec<Line> {
+    let squared = if by_speed { square(show, sphere, moment) } else { squares_in_i_j(show, sphere, moment) };
+    let value = show.exact(Quantity::KineticEnergy(sphere, moment));
+    let left = Expr::name(if sphere == A { "K_A" } else { "K_B" });
+    let unit = show.in_units(&value, "joules");
+    let words = format!("The kinetic energy of *{}* {moment} the impact{unit} is", sphere.name());
+    let mut equations = Show::chain(left.clone(), [times(half(show, sphere), squared), written(&value)]);
+    equations.extend(Show::approximately(&left, &value));
+    vec![Line::plain(&words, equations)]
+}
+
+fn squares_in_i_j(show: &Show, sphere: Sphere, moment: Moment) -> Expr {
+    let at = |axis| size_of(&show.exact(velocity(sphere, moment, axis))).to_the(2);
+    Expr::Sum(vec![at(X), at(Y)])
+}
+
 /// The square of a speed: one that is long goes by its letter.
 fn square(show: &Show, sphere: Sphere, moment: Moment) -> Expr {
     let speed = show.exact(Quantity::Speed(sphere, moment));
@@ -258,10 +282,10 @@ fn square(show: &Show, sphere: Sphere, moment: Moment) -> Expr {
         .to_the(2)
 }
 
-/// What both spheres lose, by the components that change.
-fn lost(show: &Show) -> Vec<Line> {
+/// What spheres lose, by the components that change.
+fn lost(show: &Show, of: &[Sphere], left: &str, words: &str) -> Vec<Line> {
     let along = show.given_along();
-    let terms = show.spheres().iter().map(|sphere| {
+    let terms = of.iter().map(|sphere| {
         let sphere = *sphere;
         let part = |moment| {
             if along {
@@ -272,21 +296,23 @@ fn lost(show: &Show) -> Vec<Line> {
                     square => square,
                 }
             } else {
-                let at = |axis| size_of(&show.exact(velocity(sphere, moment, axis))).to_the(2);
-                Expr::Sum(vec![at(X), at(Y)])
+                squares_in_i_j(show, sphere, moment)
             }
         };
         times(half(show, sphere), difference_of(part(Before), part(After)))
     });
-    let value = show.exact(Quantity::EnergyLost);
-    let left = Expr::name("L");
+    let value = match of {
+        [sphere] if left != "L" => show.exact(Quantity::SphereEnergyLost(*sphere)),
+        _ => show.exact(Quantity::EnergyLost),
+    };
+    let left = Expr::name(left);
     let mut equations = Show::chain(left.clone(), [Expr::sum(terms), written(&value)]);
     equations.extend(Show::approximately(&left, &value));
     let unit = show.in_units(&value, "joules");
     let words = if along && show.scene().setting != Setting::Direct {
-        format!("The components perpendicular to the line of centres do not change, so the kinetic energy lost{unit} is")
+        format!("The components perpendicular to the line of centres do not change, so the kinetic energy {words}{unit} is")
     } else {
-        format!("The kinetic energy lost{unit} is")
+        format!("The kinetic energy {words}{unit} is")
     };
     vec![Line::plain(&words, equations)]
 }

@@ -204,6 +204,11 @@ impl Law {
     pub fn is_of_components(self) -> bool {
         matches!(self, Law::Resolve | Law::Perpendicular)
     }
+
+    /// Does it make one quantity of others that it gives, as of the energies before and after what is lost?
+    pub fn adds_up(self) -> bool {
+        self == Law::Energy
+    }
 }
 
 laws! {

@@ -4,6 +4,8 @@
 //! equations of momentum and restitution the determinant is `m_A + m_B`. Backwards, from the
 //! components after the impact to those before it, `a - b = (y - x)/e` takes the place of restitution.
 
+use std::cmp::Ordering::Equal;
+
 use super::{Seen, ALONG, Datum, Known, Law, Line, MASSES, Outcome, Rule, Show, Slip, rule, first_equation};
 use crate::expr::{Expr, written};
 use crate::mechanics::formula::multiple;
@@ -153,7 +155,7 @@ fn solved(show: &Show) -> Vec<Line> {
     let mut second = vec![Expr::equation(w, show.shown_value(y))];
     second.extend(decimal(show, y));
     let mut lines = vec![eliminated, Line::plain("Then from equation (2):", second)];
-    lines.extend(remark(show));
+    lines.extend(remarks(show));
     lines.extend(components_asked(show));
     lines
 }
@@ -176,20 +178,31 @@ fn components_asked(show: &Show) -> Vec<Line> {
     asked.map(line).collect()
 }
 
-/// What the signs say of the directions.
-fn remark(show: &Show) -> Option<Line> {
-    use std::cmp::Ordering::{Equal, Less};
-    let sign = |quantity| show.worked(quantity).sign();
-    let sphere = Expr::name("A");
-    if sign(ALONG[2]) == Some(Equal) {
-        return Some(Line::with("{A} has no velocity left along the line of centres.", &[("A", sphere)], vec![]));
-    }
-    let turned = show.exact(ALONG[0]).sign().zip(show.exact(ALONG[2]).sign());
-    match turned {
-        Some((before, after)) if before != Equal && after == before.reverse() && after == Less => {
-            let words = "The signs differ before and after: {A} turns back along the line of centres.";
-            Some(Line::with(words, &[("A", sphere)], vec![]))
-        }
-        _ => None,
-    }
+/// What the signs say of the directions, of each sphere that was moving along the line of centres.
+fn remarks(show: &Show) -> Vec<Line> {
+    let sign = |sphere, moment| show.exact(Quantity::Velocity(sphere, moment, Axis::N)).sign();
+    let is_stopped = |sphere: &Sphere| {
+        sign(*sphere, Moment::After) == Some(Equal) && sign(*sphere, Moment::Before) != Some(Equal)
+    };
+    let is_turned = |sphere: &Sphere| {
+        let signs = sign(*sphere, Moment::Before).zip(sign(*sphere, Moment::After));
+        signs.is_some_and(|(before, after)| before != Equal && after == before.reverse())
+    };
+    let line = |words: &str, of: &[Sphere]| {
+        let names: Vec<(&str, Expr)> = of.iter().map(|sphere| (sphere.name(), Expr::name(sphere.name()))).collect();
+        Line::with(words, &names, vec![])
+    };
+    let stopped = Sphere::BOTH.into_iter().filter(is_stopped);
+    let mut lines: Vec<Line> = stopped
+        .map(|of| line(&format!("{{{}}} has no velocity left along the line of centres.", of.name()), &[of]))
+        .collect();
+    let turned: Vec<Sphere> = Sphere::BOTH.into_iter().filter(is_turned).collect();
+    let who = match turned.as_slice() {
+        [] => return lines,
+        [one] => format!("{{{}}} turns", one.name()),
+        _ => "{A} and {B} turn".to_owned(),
+    };
+    let words = format!("The signs differ before and after: {who} back along the line of centres.");
+    lines.push(line(&words, &turned));
+    lines
 }

@@ -78,7 +78,7 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
         APPROACH => "Along the line of centres the spheres approach at {v m/s}.",
         SEPARATION => "Along the line of centres they separate at {v m/s}.",
         MASS_RATIO => "The mass of *B* over the mass of *A* is {v}.",
-        _ => return silent(),
+        _ => return show.statement(rule.gives[0]),
     };
     if !show.is_asked(rule.gives[0]) {
         return silent();

@@ -114,7 +114,9 @@ pub fn earning(rule: &Rule, show: &Show) -> Option<Expr> {
 }
 
 pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
-    let Some(Quantity::Velocity(sphere, moment, _)) = rule.gives.first().copied() else { return silent() };
+    let Some(Quantity::Velocity(sphere, moment, _)) = rule.gives.first().copied() else {
+        return rule.gives.iter().flat_map(|tangent| show.statement(*tangent)).collect();
+    };
     match rule.form {
         // The angle to the line of centres is known from where the spheres touch.
         FROM_I_J

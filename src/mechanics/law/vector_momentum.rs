@@ -3,7 +3,7 @@
 //! `m_A u_A + m_B u_B = m_A v_A + m_B v_B`. Three velocities and the masses give the fourth velocity; four
 //! velocities give the ratio of the masses.
 
-use super::{Seen, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, silent, velocity, first_equation, with_inputs};
+use super::{Seen, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, number, rule, velocity, first_equation, with_inputs};
 use crate::mechanics::formula::times;
 use crate::expr::Expr;
 use crate::mechanics::Axis::{X, Y};
@@ -157,7 +157,7 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
             let found = Expr::equation(show.symbol(rule.gives[0]), show.shown_value(rule.gives[0]));
             vec![Line::plain("Momentum is conserved:", vec![equation, found])]
         }
-        _ => silent(),
+        _ => show.statement(rule.gives[0]),
     }
 }
 

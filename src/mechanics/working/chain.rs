@@ -2,8 +2,9 @@
 
 use super::Show;
 use crate::expr::{Expr, Relation, print, written, written_angle};
-use crate::mechanics::{Axis, Moment, Quantity, Sphere};
+use crate::mechanics::{Axis, Line, Moment, Quantity, Sphere};
 use crate::number::{Angle, Fraction, Letter, Places, Value};
+use crate::unit::Unit;
 
 /// The most signs of a value that stands as it is in a longer formula.
 const LONG: usize = 16;
@@ -54,6 +55,37 @@ impl Show<'_> {
     pub fn stated(value: &Value) -> Expr {
         let exact = written(value);
         Show::approximately(&exact, value).unwrap_or(exact)
+    }
+
+    /// What is asked for and needs no equation of its own: `The momentum along i is 14 N s.`
+    pub fn statement(&self, quantity: Quantity) -> Vec<Line> {
+        if !self.is_asked(quantity) {
+            return Vec::new();
+        }
+        let size = match self.angle(quantity) {
+            Some(angle) => match (Show::angle_expr(&angle), Show::approximate_angle(&Expr::name("x"), &angle)) {
+                (exact, Some(Expr::Relation(_, _, decimal))) if Show::is_long(&exact) => *decimal,
+                (exact, _) => Show::approximate_angle(&exact, &angle).unwrap_or(exact),
+            },
+            None => Show::stated(&self.exact(quantity)),
+        };
+        let what = match quantity {
+            Quantity::DeflectionCross(sphere) => {
+                format!("vector product of the velocities of *{}* before and after", sphere.name())
+            }
+            Quantity::AngleFromI(sphere, moment) => {
+                format!("angle from {{i}} to the velocity of *{}* {moment} the impact", sphere.name())
+            }
+            Quantity::AngleFromN(sphere, moment) => {
+                format!("angle from the line of centres to the velocity of *{}* {moment} the impact", sphere.name())
+            }
+            Quantity::AngleBetween(moment) => format!("angle between the velocities {moment} the impact"),
+            Quantity::Tangent(Axis::X) => "component along {i} of the unit vector along the common tangent".to_owned(),
+            Quantity::Tangent(_) => "component along {j} of the unit vector along the common tangent".to_owned(),
+            other => other.in_words(),
+        };
+        let unit = if quantity.unit() == Unit::NewtonSecond { " N s" } else { "" };
+        vec![Line::with(&format!("The {what} is {{size{unit}}}."), &[("size", size)], vec![])]
     }
 
     /// The same of a velocity, along i and j.
