@@ -131,6 +131,17 @@ fn carom_explains_what_each_mistake_leads_to() {
 }
 
 #[test]
+fn an_example_numbers_its_equations_as_its_sheet_does_and_each_mark_has_the_id_that_others_name() {
+    let (words, _) = done(Path::new("."), &["explain", "successive/three-in-a-line"]);
+    let example = words.split("An example").last().unwrap();
+    for number in ["(1)", "(2)", "(3)", "(4)"] {
+        let numbered = example.lines().filter(|line| line.starts_with("    ") && line.ends_with(number)).count();
+        assert_eq!(numbered, 1, "{number} in {example}");
+    }
+    assert!(words.lines().any(|line| line.starts_with("  (a)  M1b  M1")), "{words}");
+}
+
+#[test]
 fn the_starting_question_explains_every_key_that_it_has() {
     let here = folder("comments");
     done(&here, &["new-bank", "b"]);
@@ -304,17 +315,17 @@ condition-without-equation crlf depends-on-nothing derived-beside-parameter deri
 derived-in-wrong-order division-by-nought empty-title empty-words exact-of-no-answer formulas-that-cannot-be-read
 function-that-is-none hidden-slips-misspelt impossible-restitution impossible key-below-parameters
 later-line-of-centres-missing later-mass-given-again later-newcomer-without-mass later-newcomer-without-velocity
-later-struck-by-nobody later-wall-along-the-line letter-called-as-a-unit letter-nowhere-declared letters-beyond-ascii
-long-line mass-of-nought method-on-accuracy no-relation not-equal-misspelt numbers-squared-without-end
-parameter-and-letter range-in-words range-with-a-dash reference-lacks-parameter requirement-as-a-sentence
-requirement-in-words-misspelt requirement-of-another-kind requirement-that-says-two-things requirement-twice
-requirement-without-truth restitution-above-one restitution-nowhere-declared result-in-stem result-without-show
-reversed-range second-component-tested shown-is-an-equation shown-is-not-found shown-letter-given
-shown-letter-undeclared shown-without-a-result shown-without-a-star sine-shown-for-a-tangent
-star-where-nothing-is-shown style-lacks-parameter tabs three-dots two-answers-of-one-name underdetermined
-unit-misspelt unit-of-grams unit-per-hour unit-with-a-power unit-without-a-space unknown-name
-unknown-quantity-required unknown-that-is-given unreadable-formula unused-parameter value-from-parameter
-value-left-empty value-twice-in-other-words value-without-value wrong-kind
+later-struck-by-nobody later-wall-along-the-line law-with-a-number letter-called-as-a-unit letter-nowhere-declared
+letters-beyond-ascii long-line mass-of-b-beside-a-wall mass-of-nought method-on-accuracy no-relation
+not-equal-misspelt numbers-squared-without-end parameter-and-letter range-in-words range-with-a-dash
+reference-lacks-parameter requirement-as-a-sentence requirement-in-words-misspelt requirement-of-another-kind
+requirement-that-says-two-things requirement-twice requirement-without-truth restitution-above-one
+restitution-nowhere-declared result-in-stem result-without-show reversed-range second-component-tested
+shown-is-an-equation shown-is-not-found shown-letter-given shown-letter-undeclared shown-without-a-result
+shown-without-a-star sine-shown-for-a-tangent star-where-nothing-is-shown style-lacks-parameter tabs three-dots
+two-answers-of-one-name underdetermined unit-misspelt unit-of-grams unit-per-hour unit-with-a-power
+unit-without-a-space unknown-name unknown-quantity-required unknown-that-is-given unreadable-formula unused-parameter
+value-from-parameter value-left-empty value-twice-in-other-words value-without-value wrong-kind
 ";
 
 /// Files, each with its contents as JSON, judged by Python's jsonschema: the names of those that are not valid.

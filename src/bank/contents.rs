@@ -76,6 +76,11 @@ impl Contents {
         Ok(Contents::of(&folder.display().to_string(), headings, unreadable))
     }
 
+    /// Is it the bank inside the binary?
+    pub fn is_shipped(&self) -> bool {
+        self.name == "shipped"
+    }
+
     fn of(name: &str, mut headings: Vec<Heading>, unreadable: Vec<Diagnostic>) -> Contents {
         headings.sort_by_cached_key(|heading| {
             let mirrors = heading.mirrors.as_deref().map(natural);

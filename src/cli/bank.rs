@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::failure::Failure;
+use super::new_question::typed;
 use super::output::listed;
 use crate::bank::{Contents, Heading};
 use crate::diagnostic::near;
@@ -66,11 +67,14 @@ fn unknown(contents: &Contents, name: &str) -> Failure {
     let near = near(name, ids.chain(last).chain(mirrors)).map(str::to_owned);
     let near = near.into_iter().collect::<Vec<_>>();
     let meant = if near.is_empty() { with_a_word_near(contents, name) } else { near };
+    let of =
+        if contents.is_shipped() { String::new() } else { format!(" --bank {}", typed(Path::new(&contents.name))) };
+    let list = format!("`carom list{of}` names every question");
     let help = match meant.as_slice() {
-        [] => "`carom list` names every question".to_owned(),
+        [] => list,
         meant => {
             let meant = meant.iter().map(|id| format!("`{id}`")).collect::<Vec<_>>().join(" or ");
-            format!("did you mean {meant}? `carom list` names every question")
+            format!("did you mean {meant}? {list}")
         }
     };
     Failure::with_help(format!("unknown question `{name}`"), help)

@@ -198,8 +198,13 @@ fn fault(question: &KeyedQuestion, student: &Student, marked: &[MarkedPart], wit
         Expected::Wrong { part, blank } | Expected::Mistake { part, blank, .. } => Some((*part, "answers", *blank)),
         _ => rows.first().map(|(part, row)| (*part, "marks", *row)),
     };
-    // The lines of the model solution are many, and `carom preview` shows them.
-    let wrote = if student.expected == Expected::Everything { String::new() } else { student.wrote() };
+    // The lines of the model solution are many; that which was to earn the mark is one.
+    let line_of =
+        |(part, row): &(usize, usize)| question.parts[*part].scheme[*row].equation.as_ref().map(print::unicode);
+    let wrote = match student.expected {
+        Expected::Everything => rows.iter().find_map(line_of).unwrap_or_default(),
+        _ => student.wrote(),
+    };
     let (who, with) = (student.who.clone(), with.to_owned());
     what.map(|what| Fault { help: help(question, student, &what), what, who, wrote, with, row })
 }

@@ -60,21 +60,37 @@ impl Finding {
         let row = self.row.and_then(|(part, list, row)| row_span(&source.text, part, list, row));
         let within = self.within.clone().unwrap_or(0..source.text.len());
         let text = source.text.get(within.clone()).unwrap_or_default();
-        let found = place(text, &self.at).map(|place| within.start + place.start..within.start + place.end);
+        // What is asked for may be named in the scene and in the marks too.
+        let asked = |list: &str| {
+            if self.at.starts_with('"') { place(text, &format!("find = {list}{}", self.at)) } else { None }
+        };
+        let found = asked("").or_else(|| asked("[")).or_else(|| place(text, &self.at));
+        let found = found.map(|place| within.start + place.start..within.start + place.end);
         let found = found.or(self.within.clone());
         let span = key.or(row).or(found);
         let label = if span.is_some() { self.label.as_str() } else { "" };
         let fault = Diagnostic::new(format!("`{id}`: {}", self.message), source, span.unwrap_or(0..0), label);
-        Diagnostic { severity: self.severity, help: self.help.clone(), ..fault }
+        Diagnostic { severity: self.severity, help: self.help.as_ref().map(|help| typed(help, id, source)), ..fault }
     }
 }
 
-/// Where words stand in a text, which may break the line between any two of them.
+/// Commands that name a question as it is found from where the person is: in a bank of one's own by its file.
+fn typed(help: &str, id: &str, source: &Source) -> String {
+    let is_shipped = *source.file == format!("question_bank/{id}.toml");
+    let plain = |sign: char| sign.is_alphanumeric() || "-_./\\:~+".contains(sign);
+    let file = if source.file.chars().all(plain) { source.file.to_string() } else { format!("\"{}\"", source.file) };
+    let commands = ["explain", "preview"].into_iter().filter(|_| !is_shipped);
+    commands.fold(help.to_owned(), |help, command| {
+        help.replace(&format!("`carom {command} {id}`"), &format!("`carom {command} {file}`"))
+    })
+}
+
+/// Where words stand in a text, which may break the line between any two of them; not in a comment, if they stand elsewhere.
 fn place(text: &str, words: &str) -> Option<Range<usize>> {
     let mut rest = words.split_whitespace();
     let first = rest.next()?;
     let rest: Vec<&str> = rest.collect();
-    text.match_indices(first).find_map(|(start, _)| {
+    let found = |(start, _): (usize, &str)| {
         let mut end = start + first.len();
         for word in &rest {
             let after = &text[end..];
@@ -85,12 +101,37 @@ fn place(text: &str, words: &str) -> Option<Range<usize>> {
             end = text.len() - next.len() + word.len();
         }
         Some(start..end)
-    })
+    };
+    let is_comment = |place: &Range<usize>| {
+        let line = text[..place.start].rfind('\n').map_or(0, |end| end + 1);
+        text[line..].trim_start().starts_with('#')
+    };
+    let mut places: Vec<Range<usize>> = text.match_indices(first).filter_map(found).collect();
+    let plain = places.iter().position(|place| !is_comment(place)).unwrap_or(0);
+    (plain < places.len()).then(|| places.swap_remove(plain))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn commands_name_the_file_of_a_bank_of_ones_own() {
+        let help = "`carom preview walls/q` shows its marks";
+        let of = |file: &str| typed(help, "walls/q", &Source::new(file, ""));
+        assert_eq!(of("question_bank/walls/q.toml"), help);
+        assert_eq!(of("mine/walls/q.toml"), "`carom preview mine/walls/q.toml` shows its marks");
+        assert_eq!(of("my bank/walls/q.toml"), "`carom preview \"my bank/walls/q.toml\"` shows its marks");
+    }
+
+    #[test]
+    fn a_place_is_no_comment_and_an_answer_is_where_it_is_asked_for() {
+        let text = "# A second [[part]] or none.\ne = \"e\"\n[[part]]\nanswers = [{ find = \"e\" }]\n";
+        let source = Source::new("q.toml", text);
+        let line = |at: &str| Finding::new("it", at, "here").diagnostic("q", &source).to_string();
+        assert!(line("[[part]]").contains("q.toml:3:1"), "{}", line("[[part]]"));
+        assert!(line("\"e\"").contains("q.toml:4:13"), "{}", line("\"e\""));
+    }
 
     #[test]
     fn words_are_found_across_the_ends_of_lines_and_only_whole() {

@@ -27,6 +27,10 @@ pub fn help(question: &Question, style: &Style, reason: &Unfit) -> Option<String
 /// beside each other, one beside a value, or a product beside a number, as in `e*mB > mA`.
 fn requirement(question: &Question, style: &Style, reason: &Unfit) -> Option<String> {
     let tried = tried(question, style, reason);
+    if tried.is_empty() {
+        // Of nothing everything is true.
+        return None;
+    }
     let names: Vec<&str> = style.parameters.iter().map(|(name, _)| name.as_str()).collect();
     let separates = |sides: &dyn Fn(&[Given]) -> [f64; 2], is_strict: bool| {
         tried.iter().all(|set| {

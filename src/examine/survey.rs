@@ -24,6 +24,9 @@ pub const MARKED: usize = 3;
 /// How many sets of numbers a thread takes at a time.
 const PORTION: u64 = 64;
 
+/// So many sets of numbers are tried to see which requirements exclude each other.
+const MOST_TRIED: u64 = 20_000;
+
 /// A style and which of its variants; none for the reference numbers.
 type Dealt = Option<(usize, usize)>;
 
@@ -214,7 +217,10 @@ fn unposed(question: &Question, style: &Style, tally: &Tally) -> Vec<Finding> {
     }
     if census.fit == 0 {
         let message = format!("style `{}` has no variant", style.name);
-        let help = format!("`carom explain {}` says what turns the numbers away", question.id);
+        let help = match Sieve::new(question, style).exclusive(style.size().min(MOST_TRIED)) {
+            Some([one, other]) => format!("take out `{one}` or `{other}`, of which no set of numbers meets both"),
+            None => format!("`carom explain {}` says what turns the numbers away", question.id),
+        };
         findings.push(Finding::new(message, at.as_str(), "nothing of it can be printed").with_help(help));
     }
     for (reason, what) in [

@@ -102,6 +102,24 @@ impl<'q> Sieve<'q> {
         refused.map(|(place, _)| Unfit::Givens(place))
     }
 
+    /// Two requirements on what is given that exclude each other: of so many sets none meets both, though some meet the one
+    /// and some the other. Their texts.
+    pub fn exclusive(&self, sets: u64) -> Option<[&'q str; 2]> {
+        let places = || (0..self.holds.len()).filter(|place| self.holds[*place].is_some());
+        let mut pairs: Vec<[usize; 2]> = places()
+            .flat_map(|one| places().filter(move |other| one < *other).map(move |other| [one, other]))
+            .collect();
+        let mut met = BTreeSet::new();
+        for index in 0..sets {
+            let refused: BTreeSet<Unfit> = self.givens_refused(&Numbers::new(self, index)).collect();
+            let is_met = |place: usize| !refused.contains(&Unfit::Givens(place));
+            met.extend(places().filter(|place| is_met(*place)));
+            pairs.retain(|pair| !pair.iter().all(|place| is_met(*place)));
+        }
+        let pair = pairs.into_iter().find(|pair| pair.iter().all(|place| met.contains(place)))?;
+        Some(pair.map(|place| self.style.require[place].text.as_str()))
+    }
+
     /// The requirements on results, with their places.
     pub(super) fn on_results(&self) -> impl Iterator<Item = (usize, &'q Requirement)> {
         let of_results = self.holds.iter().zip(&self.style.require).enumerate();

@@ -8,7 +8,7 @@ use super::names::NamesUsed;
 use super::quantities;
 use super::styles::line;
 use crate::diagnostic::near;
-use crate::mechanics::{Law, Quantity};
+use crate::mechanics::{LATER, Law, Quantity};
 
 /// The marks of a part.
 pub fn marks(written: &[MarkFile], unknowns: &[String], used: &mut NamesUsed, faults: &mut Faults) -> Vec<Mark> {
@@ -66,6 +66,13 @@ fn read_earned_for(words: &Words, unknowns: &[String], faults: &mut Faults) -> O
         return Some(found);
     }
     let laws = EarnedFor::names();
+    let numbered = text.split_once('.').filter(|(number, law)| LATER.contains(number) && laws.contains(law));
+    if let Some((number, law)) = numbered {
+        let help =
+            format!("write `{law}`: the {number} mark of its code that is for it in a part is for the {number} impact");
+        faults.report(words.span(), format!("unknown step `{text}`"), "a law has no number", help);
+        return None;
+    }
     if text.contains('.') {
         quantities::unknown_at(words.span(), "step", text, &[], faults);
         return None;

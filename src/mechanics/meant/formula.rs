@@ -134,7 +134,9 @@ pub fn formula_meant(sentence: &str) -> Option<String> {
     if let Some((start, end, sign)) = found {
         // `Prime` is no name.
         let is_word = |text: &str| text.len() > 2 && text.chars().all(|sign| sign.is_ascii_lowercase());
-        if is_word(text[end.min(text.len())..].trim()) && Quantity::meant(&text[end..]).is_none() {
+        let right = text[end.min(text.len())..].trim();
+        let right = ["a ", "an ", "the "].iter().find_map(|article| right.strip_prefix(article)).unwrap_or(right);
+        if is_word(right) && Quantity::meant(&text[end..]).is_none() {
             return None;
         }
         return Some(format!("{} {sign} {}", side(&padded[..start])?, side(&padded[end..])?));

@@ -42,9 +42,6 @@ impl Reader<'_> {
             ("before.B", text.before.b.is_some()),
             ("after.B", text.after.b.is_some()),
         ];
-        if let Some((field, _)) = of_b.into_iter().find(|(_, given)| alone && *given) {
-            refuse(field, "there is no sphere B in this scene", "`A` alone, with a `wall` or an `impulse`");
-        }
         let others = [
             ("line_of_centres", text.line_of_centres.is_some()),
             ("sense", text.sense.is_some()),
@@ -61,6 +58,13 @@ impl Reader<'_> {
                 _ => "it is given beside velocities along one line, which leave no place for it",
             };
             refuse(field, message, &format!("no `{field}`"));
+        }
+        if let Some((field, _)) = of_b.into_iter().find(|(_, given)| alone && *given) {
+            let alone = if setting == Setting::Wall { "wall" } else { "impulse" };
+            let list = field.trim_end_matches(".B");
+            let expected = "`A` alone, with a `wall` or an `impulse`";
+            let fault = Fault::new("there is no sphere B in this scene", Span::default(), expected);
+            self.fault(field, fault.try_this(format!("take `B` out of `{list}`, or take `{alone}` out")));
         }
         setting
     }
