@@ -658,6 +658,18 @@ fn parts_speak_of_parts_that_come_before_them() {
 }
 
 #[test]
+fn requirements_that_exclude_each_other_are_named() {
+    found(
+        "ranges/direction-reversed",
+        &[(
+            "exclusive",
+            &[("require = [\"mA < mB\"]", "require = [\"mA > 4\", \"mA < 3\"]")],
+            "take out `mA > 4` or `mA < 3`, of which no set of numbers meets both",
+        )],
+    );
+}
+
+#[test]
 fn a_requirement_that_is_wanted_is_named() {
     found(
         "walls/turned-through-a-right-angle",
@@ -995,4 +1007,48 @@ fn what_is_remembered_hides_no_fault() {
     fs::write(folder.join("cache"), "no folder").expect("a file can be written");
     assert!(check(&sound, &[]).0);
     fs::remove_dir_all(&folder).expect("the folder is there");
+}
+
+#[test]
+fn who_is_no_sphere_of_the_scene_cannot_be_asked_for() {
+    let asked = "impulse exerted on *B* in";
+    found(
+        "both-moving/energy-lost-and-impulse",
+        &[("stranger", &[(asked, "impulse exerted on *C* in")], "error: `question`: the words speak of `*C*`")],
+    );
+    found(
+        "ranges/direction-reversed",
+        &[(
+            "number",
+            &[("direction of motion of *A* is", "direction of motion of *e* is")],
+            "the words speak of `e` as of a sphere, and it is a number",
+        )],
+    );
+}
+
+#[test]
+fn whose_speed_is_asked_for_is_that_which_is_found() {
+    found(
+        "successive/sphere-wall-sphere",
+        &[(
+            "whose",
+            &[(
+                "speed of *A* immediately after it collides with *B*",
+                "speed of *B* immediately after it collides with *A*",
+            )],
+            "the words ask of `*B*`, and the answer `speed of A after the second collision` is of *A*",
+        )],
+    );
+}
+
+#[test]
+fn what_several_impacts_lose_is_not_what_one_does() {
+    found(
+        "successive/walls-at-an-angle",
+        &[(
+            "total",
+            &[("kinetic energy that *A* loses at the second wall", "total kinetic energy lost in the two impacts")],
+            "what several impacts lose",
+        )],
+    );
 }

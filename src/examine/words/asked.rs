@@ -61,6 +61,7 @@ pub fn beside_the_point(question: &Question) -> Vec<Finding> {
     findings.extend(extremes(question));
     findings.extend(strangers(question));
     findings.extend(called_otherwise(question));
+    findings.extend(numbers_for_spheres(question));
     findings.extend(absent(question));
     findings.extend(in_one_line(question));
     findings
@@ -238,7 +239,11 @@ fn absent(question: &Question) -> Vec<Finding> {
             if !told.contains(&message) {
                 told.push(message);
                 let at = all[place.saturating_sub(2)..all.len().min(place + 2)].join(" ");
-                findings.push(Finding::new(format!("the words {message}"), at, label).with_help(help).as_warning());
+                let found = Finding::new(format!("the words {message}"), at, label).with_help(help);
+                // A rough sketch may be asked for.
+                let is_sure =
+                    bare == "rough" && !["sketch", "diagram", "estimate", "idea"].iter().any(|it| next.starts_with(it));
+                findings.push(if is_sure { found } else { found.as_warning() });
             }
         }
     }
@@ -298,6 +303,34 @@ fn called_otherwise(question: &Question) -> Option<Finding> {
     Some(Finding::new(message, format!("*{of_spheres}*"), "no sphere of the scene").with_help(help))
 }
 
+/// Is the letter of a sphere perhaps that of a point or a line: `from *B* to *C*`, `the line *BC*`?
+fn is_a_point(question: &Question, sphere: Sphere) -> bool {
+    const BEFORE: [&str; 12] =
+        ["point", "points", "from", "to", "through", "at", "between", "line", "lines", "corner", "wall", "distance"];
+    let all = texts(question).flat_map(sentences);
+    let mut pairs = all.flat_map(|sentence| sentence.windows(2).map(|pair| pair.to_vec()).collect::<Vec<_>>());
+    pairs.any(|pair| matches!(pair[1], Token::Sphere(of) if of == sphere) && is_one_of(&pair[0], &BEFORE))
+}
+
+/// A number or letter where a sphere is to stand: `the direction of motion of *e*`, `the mass of *mA* is`.
+fn numbers_for_spheres(question: &Question) -> Option<Finding> {
+    let found = texts(question).flat_map(sentences).find_map(|sentence| {
+        sentence.windows(3).zip(sentence.get(3..).unwrap_or_default().iter().map(Some).chain([None])).find_map(
+            |(words, next)| {
+                let [noun, of, Token::Number(Expr::Name(name), Unit::None, _)] = words else { return None };
+                let moves = is_one_of(noun, &["motion", "path"]);
+                // `The speed of u` may be given, and is not said to be something.
+                let has = is_one_of(noun, &["mass"]) && next.is_some_and(|next| is_one_of(next, &["is", "was"]));
+                let is_vector = matches!(name.text.as_str(), "i" | "j");
+                (is_one_of(of, &["of"]) && (moves || has) && !is_vector).then(|| name.text.clone())
+            },
+        )
+    })?;
+    let message = format!("the words speak of `{found}` as of a sphere, and it is a number");
+    let help = "name the sphere that is meant: `*A*`, `*B*` or `*C*`";
+    Some(Finding::new(message, format!("*{found}*"), "no sphere").with_help(help))
+}
+
 /// Names of spheres in the words that stand for nothing in the scene.
 fn strangers(question: &Question) -> Vec<Finding> {
     let scene = &question.scene;
@@ -326,7 +359,8 @@ fn strangers(question: &Question) -> Vec<Finding> {
             let name = format!("*{}*", sphere.name());
             let message = format!("the words speak of `{name}`, and no sphere of the scene has this name");
             let found = Finding::new(message, name, "no sphere");
-            found.with_help("name a sphere that there is; a point has another letter").as_warning()
+            let found = found.with_help("name a sphere that there is; a point has another letter");
+            if is_a_point(question, sphere) { found.as_warning() } else { found }
         })
         .collect()
 }

@@ -42,6 +42,26 @@ pub fn energy_of_another(question: &Question, answer: &Answer, asked: &[Sentence
     }
 }
 
+/// The words ask for what is lost in several impacts, and the answer is what one of them loses.
+pub fn of_several_impacts(question: &Question, answer: &Answer, asked: &[Sentence]) -> Option<Finding> {
+    let quantity = *answer.find.quantities().first()?;
+    let is_loss = matches!(quantity.of_its_impact(), Quantity::EnergyLost | Quantity::SphereEnergyLost(_));
+    let is_of_all = |sentence: &Sentence| {
+        says(sentence, &["energy"])
+            && says(sentence, &["total", "two", "both", "three", "all", "altogether"])
+            && says(sentence, &["collisions", "impacts"])
+            && !says(sentence, &["first", "second", "third", "each", "between"])
+    };
+    if question.scene.then.is_empty() || !is_loss || !asked.iter().any(is_of_all) {
+        return None;
+    }
+    let name = print::text_unicode(&answer.name);
+    let message =
+        format!("the words ask for what several impacts lose, and the answer `{name}` is what one of them does");
+    let help = "ask for the loss of one impact, or for each by itself: `ke.lost` is of the first, `second.ke.lost` of the second";
+    Some(Finding::new(message, "", "of one impact").with_help(help))
+}
+
 /// Is an energy the very thing that a sentence asks for: `find the total kinetic energy`?
 fn asks_at_once(sentence: &[Token]) -> bool {
     const DESCRIBED: [&str; 5] = ["the", "total", "kinetic", "combined", "their"];

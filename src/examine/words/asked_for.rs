@@ -1,6 +1,6 @@
 //! Do the words of a part ask for this very answer: of this sphere, this angle, one value or a set of them?
 
-use super::asked_energy::{energy_of_another, other_energy};
+use super::asked_energy::{energy_of_another, of_several_impacts, other_energy};
 use super::sentence::{Sentence, Token, is_one_of, is_supposed, says, sentences};
 use crate::answer::Kind;
 use crate::bank::{Answer, Find, Part, Question};
@@ -17,13 +17,16 @@ pub fn others(question: &Question) -> Vec<Finding> {
         let all: Vec<Sentence> = part.ask.iter().flat_map(sentences).filter(|words| !is_supposed(words)).collect();
         for (row, answer) in part.answers.iter().enumerate() {
             let found = of_another_by_name(answer).or_else(|| of_another(answer, part, &all));
+            let found = found.or_else(|| of_another_at_once(answer, part, &all));
+            let found = found.or_else(|| of_several_impacts(question, answer, &all));
             let found = found.or_else(|| energy_of_another(question, answer, &all));
             let found = found.or_else(|| another_letter(answer, &all)).or_else(|| no_coefficient(answer, &all));
             let found = found.or_else(|| another_angle(answer, &all)).or_else(|| set(answer, &all));
             let found = found.or_else(|| another_function(answer, &all)).or_else(|| other_energy(answer, &all));
             let found = found.or_else(|| size_alone(answer, part, &all));
             let help = "ask for what `find` finds, or find what is asked for";
-            findings.extend(found.map(|found| found.with_help(help).at_row(place, "answers", row)));
+            let with_help = |found: Finding| if found.help.is_some() { found } else { found.with_help(help) };
+            findings.extend(found.map(|found| with_help(found).at_row(place, "answers", row)));
         }
         findings.extend(one_of_each(part, &all).map(|found| found.at_row(place, "answers", 0).as_warning()));
         let more = more_than_asked(part, &all).into_iter();
@@ -176,6 +179,30 @@ fn of_another(answer: &Answer, part: &Part, asked: &[Sentence]) -> Option<Findin
     let message = format!("the words ask of `*{other}*`, and the answer `{name}` is of *{own}*");
     let found = Finding::new(message, "", format!("found of {own}"));
     Some(if is_plain { found } else { found.as_warning() })
+}
+
+/// `Find the speed of *B* after it has met *A*`, and no answer of the part is of *B*.
+fn of_another_at_once(answer: &Answer, part: &Part, asked: &[Sentence]) -> Option<Finding> {
+    const ASKING: [&str; 4] = ["find", "calculate", "determine", "state"];
+    const NOUNS: [&str; 3] = ["speed", "velocity", "mass"];
+    let own = sphere_of(&answer.find)?;
+    let of = |words: &[Token]| match words {
+        [noun, of, Token::Sphere(sphere)] if is_one_of(noun, &NOUNS) && is_one_of(of, &["of"]) => Some(*sphere),
+        _ => None,
+    };
+    let at_once = |words: &[Token]| {
+        let is_asked = is_one_of(&words[0], &ASKING) && is_one_of(&words[1], &["the"]);
+        of(&words[2..]).filter(|_| is_asked)
+    };
+    let other = asked.iter().flat_map(|sentence| sentence.windows(5)).find_map(at_once)?;
+    let is_own = asked.iter().flat_map(|sentence| sentence.windows(3)).any(|words| of(words) == Some(own));
+    let is_found = part.answers.iter().any(|answer| sphere_of(&answer.find).is_none_or(|found| found == other));
+    if is_own || is_found || part.answers.iter().any(|answer| answer.kind == Kind::Shown) {
+        return None;
+    }
+    let (name, own, other) = (print::text_unicode(&answer.name), own.name(), other.name());
+    let message = format!("the words ask of `*{other}*`, and the answer `{name}` is of *{own}*");
+    Some(Finding::new(message, "", format!("found of {own}")))
 }
 
 /// The sphere whose mass, speed, velocity, angle or energy is to be found.

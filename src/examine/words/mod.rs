@@ -57,6 +57,8 @@ pub fn of_question(question: &Question) -> Vec<Finding> {
         letters::of_other_angles,
         typed::beside_the_scene,
         untold::conditions,
+        untold::elasticity,
+        untold::turned_back,
         untold::unit_vectors,
         untold::lines_of_angles,
         units::astray,

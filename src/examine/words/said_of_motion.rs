@@ -83,10 +83,11 @@ impl Seen<'_> {
             if has(Quantity::Speed(sphere, Moment::Before)).is_some_and(|speed| speed.is_zero()) {
                 let message =
                     format!("the words say that `*{}*` is moving, and in the scene it is at rest", sphere.name());
-                let at = sentence.get(place + 1).map_or("is moving".to_owned(), |next| match next {
-                    Token::Word(next) => format!("moving {next}"),
-                    _ => "moving".to_owned(),
-                });
+                let at = match &sentence[place..] {
+                    [Token::Word(moving), Token::Word(next), ..] => format!("{moving} {next}"),
+                    [Token::Word(moving), ..] => moving.clone(),
+                    _ => String::new(),
+                };
                 findings.push(self.finding(message, &at, "say that it is at rest, or give it a velocity in `[scene]`"));
             }
             let (way, sense) = match &sentence[place + 1..] {

@@ -2,10 +2,10 @@
 //! line an angle is measured.
 
 use super::sentence::{Noun, Sentence, Token, is_one_of, noun_of, says, sentences};
-use crate::bank::Question;
+use crate::bank::{Question, Style};
 use crate::examine::Finding;
-use crate::expr::{Expr, print};
-use crate::mechanics::{Axis, Moment, Quantity};
+use crate::expr::{Angles, Expr, print, read};
+use crate::mechanics::{Axis, Moment, Quantity, Sphere, VelocityText};
 use crate::unit::Unit;
 
 /// Conditions on a turn, on the way in which a sphere goes on, or on who is the faster afterwards, where no word tells of
@@ -19,14 +19,62 @@ pub fn conditions(question: &Question) -> Vec<Finding> {
             let said: Vec<Sentence> = texts.flat_map(sentences).collect();
             untold(condition, &said)
         });
-        if let Some((what, example)) = untold {
+        if let Some(Untold { what, example, is_hinted }) = untold {
             let message = format!("the words never tell of {what}, which the condition `{condition}` takes");
             let help = format!("say it in the stem or in the part, as in `{example}`; or take the condition out");
-            let found = Finding::new(message, format!("\"{condition}\""), "a student cannot know it");
-            findings.push(found.with_help(help));
+            let found = Finding::new(message, format!("\"{condition}\""), "a student cannot know it").with_help(help);
+            findings.push(if is_hinted { found.as_warning() } else { found });
         }
     }
     findings
+}
+
+/// A coefficient of restitution that is a number in the scene, where no word tells of it.
+pub fn elasticity(question: &Question) -> Vec<Finding> {
+    const TOLD: [&str; 8] =
+        ["elastic", "elastically", "inelastic", "inelastically", "restitution", "coalesce", "coalesced", "energy"];
+    let is_number = |text: &&String| read(text, Angles::Degrees).is_ok_and(|expr| expr.names().is_empty());
+    let scene = &question.scene;
+    let given = scene.e.iter().chain(scene.then.iter().filter_map(|then| then.e.as_ref())).find(is_number);
+    let is_told = |style: &Style| {
+        let asks = question.parts.iter().flat_map(|part| &part.ask);
+        let mut said = style.stem.iter().chain([&style.note]).chain(asks).flat_map(sentences);
+        said.any(|sentence| says(&sentence, &TOLD))
+    };
+    let Some(e) = given.filter(|_| !question.styles.iter().all(is_told)) else { return Vec::new() };
+    let message = format!("the words never tell of the coefficient of restitution, which is {e} in the scene");
+    let example =
+        if e == "1" { "The collision is perfectly elastic." } else { "The coefficient of restitution is …" };
+    let found = Finding::new(message, format!("e = \"{e}\""), "a student cannot know it");
+    vec![found.with_help(format!("say it in the stem, as in `{example}`"))]
+}
+
+/// A sphere that turns back in one line, as its velocity after the impact is given with the other sign, where no word tells
+/// of it.
+pub fn turned_back(question: &Question) -> Vec<Finding> {
+    let scene = &question.scene;
+    let is_negative = |velocity: &Option<VelocityText<String>>| match velocity {
+        Some(VelocityText::Along(text)) if text.trim() != "0" => Some(text.trim().starts_with('-')),
+        _ => None,
+    };
+    let of = [(Sphere::A, &scene.before.a, &scene.after.a), (Sphere::B, &scene.before.b, &scene.after.b)];
+    let is_turned =
+        |before, after| is_negative(before).zip(is_negative(after)).is_some_and(|(one, other)| one != other);
+    let is_told = |style: &Style| {
+        let asks = question.parts.iter().flat_map(|part| &part.ask);
+        let mut said = style.stem.iter().chain([&style.note]).chain(asks).flat_map(sentences);
+        said.any(|sentence| tells_of_the_way_after(&sentence))
+    };
+    let Some((sphere, ..)) = of.into_iter().find(|(_, before, after)| is_turned(before, after)) else {
+        return Vec::new();
+    };
+    if question.styles.iter().all(is_told) {
+        return Vec::new();
+    }
+    let name = sphere.name();
+    let message = format!("the words never tell that `*{name}*` turns back, as it does in the scene");
+    let help = format!("say it in the stem, as in `The direction of motion of *{name}* is reversed.`");
+    vec![Finding::new(message, "after =", "a student cannot know it").with_help(help)]
 }
 
 /// Vectors in **i** and **j** of which no sentence says that they are unit vectors, or how they lie.
@@ -86,8 +134,17 @@ pub fn lines_of_angles(question: &Question) -> Vec<Finding> {
     found.into_iter().collect()
 }
 
-/// What a condition takes that no sentence tells of, and how it might be told.
-fn untold(condition: &str, said: &[Sentence]) -> Option<(&'static str, &'static str)> {
+/// What no sentence tells of.
+struct Untold {
+    what: &'static str,
+    /// How it might be told.
+    example: &'static str,
+    /// Are there words that may speak of it, though perhaps of another time?
+    is_hinted: bool,
+}
+
+/// What a condition takes that no sentence tells of.
+fn untold(condition: &str, said: &[Sentence]) -> Option<Untold> {
     let (left, right) = condition.split_once(['=', '<', '>'])?;
     let right = right.trim_start_matches('=').trim();
     let sides = [left.trim(), right].map(|side| side.parse::<Quantity>().ok().map(Quantity::of_its_impact));
@@ -100,20 +157,73 @@ fn untold(condition: &str, said: &[Sentence]) -> Option<(&'static str, &'static 
             // What is said to be turned through another angle is told where it is said.
             let is_turned = |sentence: &Sentence| says(sentence, &["through"]) && !says(sentence, &["which"]);
             let is_right = said.iter().any(|sentence| tells_of_a_right_angle(sentence) || is_turned(sentence));
-            let is_sharp = !is_equation && any(&["acute", "obtuse"]);
+            // The angle of a path with a line may be acute too.
+            let is_of_turn = |sentence: &Sentence| {
+                says(sentence, &["acute", "obtuse"]) && says(sentence, &["turned", "turns", "deflected", "deflection"])
+            };
+            let is_sharp = !is_equation && said.iter().any(is_of_turn);
             is_told(!is_right && !is_sharp)?;
-            Some(("the right angle", "The direction of motion of *A* is turned through a right angle."))
+            let is_hinted = !is_equation && any(&["acute", "obtuse"]) && any(&["turned", "deflected", "deflection"]);
+            let example = "The direction of motion of *A* is turned through a right angle.";
+            Some(Untold { what: "the right angle", example, is_hinted })
+        }
+        ([side, None], "0") if along(side) && is_equation => {
+            is_told(!said.iter().any(|sentence| tells_of_rest(sentence) || tells_of_the_way_after(sentence)))?;
+            let example = "Immediately after the collision *A* is at rest.";
+            Some(Untold { what: "a sphere that is brought to rest", example, is_hinted: false })
         }
         ([side, None], "0") if along(side) => {
-            is_told(!any(&WAYS))?;
-            Some(("the way in which a sphere goes on", "The direction of motion of *A* is reversed."))
+            is_told(!said.iter().any(|sentence| tells_of_the_way_after(sentence)))?;
+            let example = match condition.contains('>') {
+                true => "The direction of motion of *A* is not changed.",
+                false => "The direction of motion of *A* is reversed.",
+            };
+            Some(Untold { what: "the way in which a sphere goes on", example, is_hinted: false })
         }
         ([one, other], _) if along(one) && along(other) => {
             is_told(!any(&AGAIN))?;
-            Some(("who meets again, or does not", "*A* and *B* do not collide again."))
+            let example = "*A* and *B* do not collide again.";
+            Some(Untold { what: "who meets again, or does not", example, is_hinted: false })
         }
         _ => None,
     }
+}
+
+/// `Is brought to rest`, `stops`, and not `which is at rest`; along a line of centres `moves perpendicular to it` too.
+fn tells_of_rest(sentence: &[Token]) -> bool {
+    const STOPS: [&str; 9] =
+        ["stops", "stop", "stopped", "stationary", "zero", "nought", "perpendicular", "right", "motionless"];
+    const THEN: [&str; 10] =
+        ["after", "afterwards", "brought", "brings", "bring", "comes", "come", "reduced", "left", "then"];
+    says(sentence, &STOPS) || (says(sentence, &["rest"]) && says(sentence, &THEN))
+}
+
+/// `Rebounds`, `is reversed`, `goes on in the same direction after it`: a way, and not the one before the impact.
+fn tells_of_the_way_after(sentence: &[Token]) -> bool {
+    const TURNED: [&str; 18] = [
+        "reversed",
+        "reverses",
+        "reverse",
+        "unchanged",
+        "changed",
+        "changes",
+        "change",
+        "rebound",
+        "rebounds",
+        "rebounding",
+        "back",
+        "backwards",
+        "continues",
+        "continue",
+        "turned",
+        "turns",
+        "goes",
+        "carries",
+    ];
+    const THEN: [&str; 8] = ["after", "afterwards", "result", "then", "leaves", "subsequently", "old", "original"];
+    let is_as_before = |pair: &[Token]| is_one_of(&pair[0], &["as"]) && is_one_of(&pair[1], &["before"]);
+    let is_then = says(sentence, &THEN) || sentence.windows(2).any(is_as_before);
+    says(sentence, &TURNED) || (is_then && says(sentence, &WAYS))
 }
 
 /// Words of which way something moves.
@@ -186,6 +296,23 @@ mod tests {
     }
 
     #[test]
+    fn an_elastic_impact_and_a_sphere_that_turns_back_are_told_of() {
+        let elastic = "deflection/elastic";
+        let said = |id, edits: Edits| {
+            let question = edited(id, edits);
+            let found = elasticity(&question).into_iter().chain(turned_back(&question));
+            found.map(|finding| finding.message).collect::<String>()
+        };
+        assert_eq!(said(elastic, &[]), "");
+        let untold = said(elastic, &[(" The collision is perfectly elastic.", "")]);
+        assert!(untold.contains("the coefficient of restitution, which is 1 in the scene"), "{untold}");
+        let line = "direct/restitution-from-one-speed";
+        assert_eq!(said(line, &[]), "");
+        let untold = said(line, &[(", and the direction of\nmotion of *A* is reversed", "")]);
+        assert!(untold.contains("never tell that `*A*` turns back"), "{untold}");
+    }
+
+    #[test]
     fn angles_are_measured_from_a_line() {
         let (id, line) = ("rest/speeds-and-directions", " with the line of centres");
         let found = |edits: Edits| {
@@ -204,7 +331,27 @@ mod tests {
         let (wall, letters) = ("walls/turned-through-a-right-angle", "rest-letters/turned-through-a-right-angle");
         let turn = "The impact turns\nthe direction of motion of *A* through a right angle.";
         let line = "successive/no-more-collisions";
-        let table: [(&str, Edits, &str); 13] = [
+        let (reversed, goes_on) = ("ranges/direction-reversed", "ranges/mass-ratio-when-a-goes-on");
+        let back = "The direction of motion of *A* is reversed by the collision. Find";
+        let on = "The direction of motion of *A* is not changed by the collision. Find";
+        let at_rest = ("conditions = [\"A.after.x < 0\"]", "conditions = [\"A.after.x = 0\"]");
+        let more = "The direction of motion of *A* is turned through more than a right angle by the impact. Find";
+        let table: [(&str, Edits, &str); 28] = [
+            (reversed, &[(back, "Find")], "the way in which a sphere goes on"),
+            (reversed, &[(back, "As a result *A* moves away from *B*. Find")], ""),
+            (reversed, &[(back, "For *A* to rebound, find")], ""),
+            (reversed, &[(back, "The collision reverses the motion of *A*. Find")], ""),
+            (reversed, &[(back, "*A* moves in the opposite direction after the collision. Find")], ""),
+            (goes_on, &[(on, "Find")], "the way in which a sphere goes on"),
+            (goes_on, &[(on, "*A* moves in the same direction as before. Find")], ""),
+            (goes_on, &[(on, "*A* continues in its direction. Find")], ""),
+            ("ranges/turned-through-more-than-a-right-angle", &[(more, "Find")], "the right angle"),
+            (reversed, &[at_rest, (back, "Find")], "a sphere that is brought to rest"),
+            (reversed, &[at_rest, (back, "*A* is brought to rest by the collision. Find")], ""),
+            (reversed, &[at_rest, (back, "Immediately after the collision *A* is at rest. Find")], ""),
+            (reversed, &[at_rest, (back, "*A* stops. Find")], ""),
+            (reversed, &[at_rest, (back, "The velocity of *A* is then zero. Find")], ""),
+            (reversed, &[at_rest, (back, "The collision leaves *A* stationary. Find")], ""),
             (wall, &[], ""),
             (wall, &[(turn, "")], "never tell of the right angle, which the condition `A.deflection_dot = 0` takes"),
             (wall, &[(turn, "The impact turns it through 90°.")], ""),
