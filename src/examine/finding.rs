@@ -130,7 +130,7 @@ mod tests {
         let source = Source::new("q.toml", text);
         let line = |at: &str| Finding::new("it", at, "here").diagnostic("q", &source).to_string();
         assert!(line("[[part]]").contains("q.toml:3:1"), "{}", line("[[part]]"));
-        assert!(line("\"e\"").contains("q.toml:4:13"), "{}", line("\"e\""));
+        assert!(line("\"e\"").contains("q.toml:4:14"), "{}", line("\"e\""));
     }
 
     #[test]

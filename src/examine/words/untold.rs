@@ -335,6 +335,7 @@ mod tests {
         let back = "The direction of motion of *A* is reversed by the collision. Find";
         let on = "The direction of motion of *A* is not changed by the collision. Find";
         let at_rest = ("conditions = [\"A.after.x < 0\"]", "conditions = [\"A.after.x = 0\"]");
+        let single = (", kind = \"range\"", "");
         let more = "The direction of motion of *A* is turned through more than a right angle by the impact. Find";
         let table: [(&str, Edits, &str); 28] = [
             (reversed, &[(back, "Find")], "the way in which a sphere goes on"),
@@ -346,12 +347,12 @@ mod tests {
             (goes_on, &[(on, "*A* moves in the same direction as before. Find")], ""),
             (goes_on, &[(on, "*A* continues in its direction. Find")], ""),
             ("ranges/turned-through-more-than-a-right-angle", &[(more, "Find")], "the right angle"),
-            (reversed, &[at_rest, (back, "Find")], "a sphere that is brought to rest"),
-            (reversed, &[at_rest, (back, "*A* is brought to rest by the collision. Find")], ""),
-            (reversed, &[at_rest, (back, "Immediately after the collision *A* is at rest. Find")], ""),
-            (reversed, &[at_rest, (back, "*A* stops. Find")], ""),
-            (reversed, &[at_rest, (back, "The velocity of *A* is then zero. Find")], ""),
-            (reversed, &[at_rest, (back, "The collision leaves *A* stationary. Find")], ""),
+            (reversed, &[at_rest, single, (back, "Find")], "a sphere that is brought to rest"),
+            (reversed, &[at_rest, single, (back, "*A* is brought to rest by the collision. Find")], ""),
+            (reversed, &[at_rest, single, (back, "Immediately after the collision *A* is at rest. Find")], ""),
+            (reversed, &[at_rest, single, (back, "*A* stops. Find")], ""),
+            (reversed, &[at_rest, single, (back, "The velocity of *A* is then zero. Find")], ""),
+            (reversed, &[at_rest, single, (back, "The collision leaves *A* stationary. Find")], ""),
             (wall, &[], ""),
             (wall, &[(turn, "")], "never tell of the right angle, which the condition `A.deflection_dot = 0` takes"),
             (wall, &[(turn, "The impact turns it through 90°.")], ""),
