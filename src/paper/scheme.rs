@@ -169,7 +169,7 @@ fn unknown(
 }
 
 /// The equation of the step that uses a law, or of the next one if earlier marks have had it. A mark for several
-/// components at once has an equation for each, and the last for energies all that are left, of which it makes one.
+/// components at once has an equation for each, and the last method for energies all that are left, of which it makes one.
 fn law_equations(step: &EarnedFor, place: usize, worked: &[WorkedPart]) -> Vec<Expr> {
     let Some(here) = worked.last() else { return Vec::new() };
     let (marks, code) = (&here.part.marks, here.part.marks[place].code);
@@ -193,7 +193,7 @@ fn law_equations(step: &EarnedFor, place: usize, worked: &[WorkedPart]) -> Vec<E
         if code == Code::B1 && found.len() > 1 {
             return Vec::new();
         }
-        if law.adds_up() && is_last && before < found.len() {
+        if law.adds_up() && code.is_method() && is_last && before < found.len() {
             return found.into_iter().skip(before).flat_map(|(_, equations)| equations).collect();
         }
         let own = found.get(before).or(found.last()).and_then(|(_, equations)| equations.first());

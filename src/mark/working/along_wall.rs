@@ -52,11 +52,9 @@ impl Working<'_> {
     }
 
     fn is_last_of_its_statement(&self, studied: &Studied, member: &Member) -> bool {
-        let members = studied.reading.iter().flat_map(|reading| &reading.members);
-        members
-            .filter(|other| other.statement == member.statement)
-            .last()
-            .is_some_and(|last| std::ptr::eq(last, member))
+        let mut members = studied.reading.iter().flat_map(|reading| &reading.members);
+        let last = members.rfind(|other| other.statement == member.statement);
+        last.is_some_and(|last| std::ptr::eq(last, member))
     }
 
     /// Is it *e* times a number of these sizes, as it stands or worked out?
