@@ -2,6 +2,7 @@
 
 use crate::answer::Kind;
 use crate::mark::reading::{FURTHER, MEETING, NEVER, Reading, Statement};
+use crate::mechanics::Sphere;
 
 use super::otherwise::spheres_in_remark;
 use super::spheres::named_sphere;
@@ -18,9 +19,10 @@ pub(super) fn denies_a_meeting(remark: &str) -> bool {
     has(remark, &NEVER) && says_that_they_meet(remark)
 }
 
-/// `after the first collision` and `after B has hit the wall` tell when, and not what happens.
+/// `after the first collision` and `after B has hit the wall` tell when, and not what happens; `A hits B once` and `B hits C`
+/// speak of what has happened.
 fn says_that_they_meet(text: &str) -> bool {
-    (has(text, &MEETING) || has(text, &["again"])) && !has(text, &["before", "after", "wall"])
+    (has(text, &MEETING) || has(text, &["again"])) && !has(text, &["before", "after", "wall", "once", "c"])
 }
 
 /// Is another collision spoken of beside what is no range: that there is none, or which of several it is?
@@ -40,10 +42,11 @@ pub(super) fn is_of_another_event(model: &Model, statements: &[Statement]) -> bo
     let is_another_way = match model.turns_back {
         Some(turns_back) => said.is_some_and(|said| said != turns_back),
         // Where the letter is to be such that something else happens.
-        None => said.is_some() && (model.letter.is_some() || model.quantity.is_some()),
+        None => said.is_some() && model.meet_again.is_some(),
     };
-    let is_of_stranger =
-        || texts.iter().flat_map(|text| spheres_in_remark(text)).any(|sphere| model.strangers.contains(&sphere));
+    // `A hits B and rebounds` is of A.
+    let named: Vec<Sphere> = texts.iter().flat_map(|text| spheres_in_remark(text)).collect();
+    let is_of_stranger = || !named.is_empty() && named.iter().all(|sphere| model.strangers.contains(sphere));
     let texts: Vec<String> = texts.iter().map(|text| text.to_lowercase()).collect();
     let says = |says: fn(&str) -> bool| texts.iter().any(|text| says(text));
     let is_meeting = says(says_that_they_meet).then(|| !says(|text| has(text, &NEVER)));
@@ -52,8 +55,8 @@ pub(super) fn is_of_another_event(model: &Model, statements: &[Statement]) -> bo
         senses.filter_map(|sense| Some((named_sphere(statement)?, sense)))
     });
     // `e > 7/8, so A moves towards B`
-    let mut is_towards_another = goes.map(|(sphere, sense)| {
-        model.strangers.contains(&sphere) || sense::agrees(Some(sense), model.turns_back) != Some(true)
+    let mut is_towards_another = goes.filter(|_| model.turns_back.is_some()).map(|(sphere, sense)| {
+        model.strangers.contains(&sphere) || sense::agrees(Some(sense), model.turns_back) == Some(false)
     });
     is_another_way
         || is_towards_another.any(|is_another| is_another)

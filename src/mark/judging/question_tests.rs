@@ -51,6 +51,7 @@ fn a_sphere_that_is_said_to_go_another_way_is_for_a_person() {
             ("A rebounds at 10 m/s", "unreadable"),
             ("A changes direction, 10 m/s", "unreadable"),
             ("10 m/s in its original direction", "correct"),
+            ("10 m/s in B's original direction", "correct"),
         ],
     );
     let along_with_b = Model { same_way: Some(true), ..goes_on };
@@ -75,6 +76,7 @@ fn a_sphere_that_is_said_to_go_another_way_is_for_a_person() {
             ("A rebounds if e > 1/3", "correct"),
             ("A continues if e > 1/3", "unreadable"),
             ("e > 1/3 for A to reverse", "correct"),
+            ("A hits B and rebounds, 1/3 < e ≤ 1", "correct"),
             ("e > 1/3 so A keeps going", "unreadable"),
             ("e > 1/3 so A moves away from B", "correct"),
             ("e > 1/3 so A moves towards B", "unreadable"),
@@ -163,6 +165,7 @@ fn the_event_that_is_named_beside_a_range_is_the_one_that_is_asked_of() {
             ("collision for e ≤ 5/9", "unreadable"),
             ("e ≤ 5/9 for another collision", "unreadable"),
             ("e ≤ 5/9 if A strikes B", "unreadable"),
+            ("when B hits C, e ≤ 5/9", "correct"),
             ("A rebounds if e ≤ 5/9", "unreadable"),
         ],
     );

@@ -64,8 +64,20 @@ pub(super) fn judge(model: &Model, reading: &Reading) -> Finding {
     // `A rebounds if k > 2`, where it is then that it goes on; where it is not, it may be so of the other values.
     match events::is_of_another_event(model, &reading.statements) {
         true => Finding::unreadable(Note::NamedOtherwise),
-        false => alternatives.map(of).reduce(Finding::and).unwrap_or(Finding::unreadable(Note::CannotBeRead)),
+        false => {
+            let finding = alternatives.map(of).reduce(Finding::and).unwrap_or(Finding::unreadable(Note::CannotBeRead));
+            // `1/8 < e ≤ 1, the maximum is 1`
+            let is_told = reading.statements.len() > 1 && reading.statements.iter().any(tells_an_end);
+            if is_told && !finding.is_credited() { Finding::unreadable(Note::CannotBeCompared) } else { finding }
+        }
     }
+}
+
+/// Does a statement name the greatest value or the least?
+fn tells_an_end(statement: &Statement) -> bool {
+    const ENDS: [&str; 4] = ["max", "maximum", "greatest", "largest"];
+    let label = statement.label.iter().map(|label| &label.typed);
+    label.chain(statement.remarks()).flat_map(|text| sorts::words(text)).any(|word| ENDS.contains(&word))
 }
 
 /// `v = 4(1 - 3e) < 0, so e > 1/3`, `angle > 90, so e > 1/3`: what goes before and is no inequality of the letter alone is the

@@ -20,7 +20,12 @@ pub(super) fn is_said_to_go_otherwise(model: &Model, statement: &Statement) -> b
             let is_above =
                 model.vector.as_ref().filter(|_| matches!(asked, Speed(..))).and_then(|[_, y]| is_positive(y));
             let label = statement.label.iter().map(|label| &label.typed);
-            let texts: Vec<&String> = label.chain(remarks.iter().copied()).collect();
+            // `in A's original direction` is said of B too.
+            let is_of_another = |text: &&String| {
+                !text.contains("toward") && spheres_in_remark(text).iter().any(|named| Some(*named) != sphere(asked))
+            };
+            let texts: Vec<&String> =
+                label.chain(remarks.iter().copied()).filter(|text| !is_of_another(text)).collect();
             is_else(says_upwards(&remarks), is_above)
                 || is_else(says_which_way(&texts), model.turns_back)
                 || is_else(says_the_way_of_another(asked, &remarks), model.same_way)

@@ -36,7 +36,25 @@ impl Working<'_> {
         let changes = |studied: &Studied| has_e_times(studied, &along) || self.says_another_along(studied, &along);
         let line = self.lines.iter().position(|studied| !studied.line.is_crossed_out() && changes(studied))?;
         let is_alike = along.iter().zip(&into).all(|(one, other)| (one.abs() - other.abs()).abs() < 1e-9);
-        (!is_alike).then_some(line)
+        (!is_alike && !self.reckons_with(&along, line)).then_some(line)
+    }
+
+    /// Is a component in a formula that is not *e* times it, or said again after a line? `½ × 16 = 8` beside `√(16² + 6²)`
+    /// cancels a fraction.
+    fn reckons_with(&self, component: &[f64], line: usize) -> bool {
+        let sizes = [component.to_vec()];
+        self.lines.iter().enumerate().filter(|(_, studied)| !studied.line.is_crossed_out()).any(|(place, studied)| {
+            self.members(studied).any(|(member, _)| {
+                let is_said = || place > line && self.is_one_of(&member.expr, &sizes);
+                !self.is_e_times(&member.expr, component) && (self.has_part(&member.expr, &sizes) || is_said())
+            })
+        })
+    }
+
+    /// Is one of these sizes in it, but for *e* times it?
+    fn has_part(&self, expr: &Expr, sizes: &[Vec<f64>; 1]) -> bool {
+        let mut parts = expr.children().into_iter().filter(|part| !self.is_e_times(part, &sizes[0]));
+        parts.any(|part| self.is_one_of(part, sizes) || self.has_part(part, sizes))
     }
 
     /// Does a line say that the component along the wall is another after the impact?

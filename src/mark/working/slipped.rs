@@ -43,13 +43,18 @@ pub(super) fn undone(lines: &[Line], before: &[Slip], prepared: &Prepared) -> (O
 }
 
 fn slip(formula: &Expr, number: &Expr, prepared: &Prepared) -> Option<Slip> {
-    if is_plain(formula) || !is_plain(number) || !is_false(formula, number, prepared) {
+    // `5 cos α = 5` is no slip of the calculator.
+    if is_plain(formula) || has(formula, number) || !is_plain(number) || !is_false(formula, number, prepared) {
         return None;
     }
     Some(match number {
         Expr::Negative(size) => Slip { formula: formula.clone().negated(), number: (**size).clone() },
         size => Slip { formula: formula.clone(), number: size.clone() },
     })
+}
+
+fn has(formula: &Expr, number: &Expr) -> bool {
+    formula.children().into_iter().any(|child| child == number || has(child, number))
 }
 
 fn with_formulas(expr: &Expr, slips: &[Slip]) -> Expr {
