@@ -2,10 +2,6 @@
 
 use std::process::ExitCode;
 
-/// Exact numbers live on the heap: a sixth of the time of `carom check` went into the C library's allocator.
-#[global_allocator]
-static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
-
 fn main() -> ExitCode {
     carom::cli::run()
 }
