@@ -589,3 +589,14 @@ fn a_reader_that_goes_away_is_no_failure() {
     let output = child.wait_with_output().unwrap();
     assert_eq!((code(&output), stderr(&output)), (0, String::new()));
 }
+
+#[test]
+fn explain_has_the_whole_of_what_earns_a_mark() {
+    let said = stdout(&carom(&["explain", "walls/wall-along-a-vector"]));
+    assert!(
+        said.contains("before the impact: ") && !said.contains(" and (needs") && !said.contains(" and\n"),
+        "{said}"
+    );
+    let said = stdout(&carom(&["explain", "walls/wall-along-a-vector", "--json"]));
+    assert!(!said.contains(" and\""), "{said}");
+}

@@ -176,7 +176,7 @@ fn marks(printed: &PrintedQuestion) -> String {
     for part in &printed.parts {
         for row in &part.scheme {
             let label = if part.label.is_empty() { String::new() } else { format!("({})", part.label) };
-            let mut earned = written::text_unicode(&row.earned);
+            let mut earned = written::text_unicode(&row.in_one_line());
             if !row.note.is_empty() {
                 earned.push_str(&format!(" [{}]", written::text_unicode(&row.note)));
             }

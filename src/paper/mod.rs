@@ -35,7 +35,7 @@ pub use sheet::Sheet;
 pub use words::{Words, words};
 
 use crate::diagram::Diagram;
-use crate::expr::{Expr, Text};
+use crate::expr::{Expr, Piece, Text};
 use crate::unit::Unit;
 
 /// A sheet of questions with its solutions.
@@ -150,6 +150,20 @@ pub struct SchemeRow {
     pub note: Text,
     /// Ids of the marks it depends on.
     pub depends: Vec<String>,
+}
+
+impl SchemeRow {
+    /// What earns it with its equation or value behind it, for where a row has no place of its own for that.
+    pub fn in_one_line(&self) -> Text {
+        let mut whole = self.earned.clone();
+        if let Some(equation) = &self.equation {
+            // The last of several equations comes after `and`.
+            let is_last = matches!(whole.0.last(), Some(Piece::Words(words)) if words.ends_with(" and"));
+            whole.0.push(Piece::Words(if is_last { " " } else { ": " }.to_owned()));
+            whole.0.push(Piece::Formula(equation.clone()));
+        }
+        whole
+    }
 }
 
 impl PrintedPart {

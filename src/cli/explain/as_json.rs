@@ -59,7 +59,7 @@ fn of_part(part: &PrintedPart) -> Json {
         answers.map(|answer| json!({"name": written::text_unicode(&answer.name), "value": value_in_words(answer)}));
     let marks = part.scheme.iter().map(|row| {
         json!({
-            "code": row.code, "for": written::text_unicode(&row.earned), "note": written::text_unicode(&row.note),
+            "code": row.code, "for": written::text_unicode(&row.in_one_line()), "note": written::text_unicode(&row.note),
             "depends": row.depends,
         })
     });
