@@ -591,6 +591,22 @@ fn a_reader_that_goes_away_is_no_failure() {
 }
 
 #[test]
+fn help_is_a_command_too_and_colours_can_be_refused_before_any_command() {
+    let (help, flag) = (carom(&["help", "sheet"]), carom(&["sheet", "--help"]));
+    assert_eq!((code(&help), stdout(&help)), (0, stdout(&flag)));
+    assert_eq!(stdout(&carom(&["help"])), stdout(&carom(&["--help"])));
+    assert_eq!(code(&carom(&["help", "shete"])), 2);
+    for arguments in
+        [&["--color", "never", "shete"][..], &["shete", "--colour=never"], &["sheet", "--help", "--color", "never"]]
+    {
+        let said = carom(arguments);
+        assert!(!format!("{}{}", stdout(&said), stderr(&said)).contains('\u{1b}'), "{arguments:?}");
+    }
+    let said = carom(&["--color", "always", "shete"]);
+    assert!(stderr(&said).contains('\u{1b}'), "{}", stderr(&said));
+}
+
+#[test]
 fn explain_has_the_whole_of_what_earns_a_mark() {
     let said = stdout(&carom(&["explain", "walls/wall-along-a-vector"]));
     assert!(

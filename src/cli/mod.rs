@@ -31,9 +31,11 @@ mod template_folder;
 mod text_file;
 mod write;
 
+use std::env;
+use std::ffi::OsString;
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand, ValueEnum};
+use clap::{ColorChoice, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 
 use failure::Failure;
 pub use template_folder::read_templates;
@@ -90,10 +92,39 @@ enum Command {
     Manual(manual::ManualArguments),
 }
 
+/// The arguments as they were typed; `help sheet`, as other programs have it, is `sheet --help`.
+fn typed() -> Vec<OsString> {
+    let mut typed: Vec<OsString> = env::args_os().collect();
+    if typed.get(1).is_some_and(|first| first == "help") {
+        typed.remove(1);
+        typed.push("--help".into());
+    }
+    typed
+}
+
+/// The colours that are asked for, which hold for faults in the arguments and for help too.
+fn colour_of(typed: &[OsString]) -> ColorChoice {
+    let said: Vec<&str> =
+        typed.iter().skip(1).map_while(|word| word.to_str()).take_while(|word| *word != "--").collect();
+    let when = |at: usize| match said[at].split_once('=') {
+        Some(("--color" | "--colour", when)) => Some(when),
+        None if matches!(said[at], "--color" | "--colour") => said.get(at + 1).copied(),
+        _ => None,
+    };
+    match (0..said.len()).find_map(when) {
+        Some("never") => ColorChoice::Never,
+        Some("always") => ColorChoice::Always,
+        _ => ColorChoice::Auto,
+    }
+}
+
 /// Runs the command that the arguments name and reports what went wrong.
 pub fn run() -> ExitCode {
     // Faults in arguments, and requests for help, are clap's: it prints them and exits with 2 or 0.
-    let arguments = match Arguments::try_parse() {
+    let typed = typed();
+    let command = Arguments::command().color(colour_of(&typed));
+    let read = command.try_get_matches_from(typed).and_then(|matches| Arguments::from_arg_matches(&matches));
+    let arguments = match read {
         Ok(arguments) => arguments,
         Err(error) => {
             let code = if error.use_stderr() { 2 } else { 0 };

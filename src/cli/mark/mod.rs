@@ -43,11 +43,11 @@ SUBMISSIONS is a table, as `carom sheet` writes an empty one beside the key, sav
 UTF-8:
 
   student,question,part,blank,answer,working
-  Ada,1,a,,4√39/9,
-  Ben,1,a,speed of A,2.78 m/s,\"6cos10 = 5.91
-  5.91 = v + w\"
+  Ada,1,,speed of A,4.54,
+  Ben,1,,speed of A,5.36 m/s,\"7cos22 = 6.49
+  5 × 6.49 = 5v + 2w\"
 
-`part`, `blank` and `working` may be left out. Without a blank an answer says all that its part
+`part` is empty where a question has none; it, `blank` and `working` may be left out. Without a blank an answer says all that its part
 asks. Working has one line of it a line of the cell. Or each line is a JSON object with these
 fields, or all are in one JSON array.
 
@@ -56,7 +56,7 @@ Written are `marks.csv`, `marks.jsonl` with every reading and reason, a page for
 class did: marks by student and by question, how hard each mark was, which mistakes were made and
 by whom, what looks wrong with a question. Its figures are in `report.csv`, `report-marks.csv` and
 `report-mistakes.csv`. Where you know better, say so in a table
-`student,question,part,mark,given,comment`, such as `Ada,1,a,M1a,1,method seen in the margin`, and
+`student,question,part,mark,given,comment`, such as `Ada,1,,M1a,1,method seen in the margin`, and
 mark again with `--overrides`: it has the last word, and the marks that depend on it follow.";
 
 /// Mark what students handed in
