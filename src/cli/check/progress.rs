@@ -1,6 +1,9 @@
 //! How far the examination has come, on a terminal; nothing in a pipe.
 
-use indicatif::{ProgressBar, ProgressStyle};
+use std::fmt::Write;
+use std::time::Duration;
+
+use indicatif::{HumanDuration, ProgressBar, ProgressState, ProgressStyle};
 use serde_json::{Value as Json, json};
 
 use crate::bank::{Question, Style, StyleName};
@@ -17,8 +20,13 @@ impl Progress {
     pub fn new<'q>(questions: impl IntoIterator<Item = &'q Question>) -> Progress {
         // The bar draws itself on stderr, and not at all if that is no terminal.
         let bar = ProgressBar::new(work(questions));
-        if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} sets of numbers, {eta} left") {
-            bar.set_style(style);
+        if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} sets of numbers{left}") {
+            let left = |state: &ProgressState, line: &mut dyn Write| {
+                let left = left(state.elapsed(), state.fraction());
+                // A line that cannot be drawn is drawn again at once.
+                let _ = left.map_or(Ok(()), |left| write!(line, ", {:#} left", HumanDuration(left)));
+            };
+            bar.set_style(style.with_key("left", left));
         }
         Progress { bar }
     }
@@ -40,6 +48,12 @@ impl Progress {
     pub fn finish(&self) {
         self.bar.finish_and_clear();
     }
+}
+
+/// How long the rest will take at the pace so far; nothing while so little is done that it would be a guess.
+fn left(elapsed: Duration, done: f32) -> Option<Duration> {
+    let is_known = elapsed >= Duration::from_secs(2) && done >= 0.05;
+    is_known.then(|| elapsed.mul_f32((1.0 - done).max(0.0) / done))
 }
 
 /// A style with what became of its sets of numbers.
@@ -67,4 +81,15 @@ pub fn counts(question: &Question, progress: &Progress) -> Vec<StyleCount> {
         StyleCount { style: style.name, census }
     };
     question.styles.iter().map(one).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_left_is_said_when_enough_is_done() {
+        let left = |elapsed, done| left(Duration::from_secs(elapsed), done).map(|left| left.as_secs());
+        assert_eq!((left(1, 0.5), left(10, 0.01), left(3, 0.25), left(4, 1.0)), (None, None, Some(9), Some(0)));
+    }
 }
