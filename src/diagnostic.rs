@@ -228,6 +228,7 @@ pub fn of_another_kind(said: &str) -> Option<(String, String)> {
 /// use carom::diagnostic::near;
 /// assert_eq!(near("restituton", ["momentum", "restitution"]), Some("restitution"));
 /// assert_eq!(near("speed", ["momentum", "restitution"]), None);
+/// assert_eq!(near("deflection", ["deflection_dot", "deflection_deg"]), Some("deflection_deg"));
 /// ```
 pub fn near<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let candidates: Vec<&str> = candidates.into_iter().collect();
@@ -242,6 +243,10 @@ pub fn near<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Op
     // What several names begin with is none of them more than the others.
     let begun: Vec<&str> =
         candidates.iter().copied().filter(|candidate| candidate.to_lowercase().starts_with(&wanted)).collect();
+    // Of what an angle has it is mostly its degrees.
+    if let Some(degrees) = begun.iter().copied().find(|candidate| candidate.strip_prefix(name) == Some("_deg")) {
+        return Some(degrees);
+    }
     if let Some((apart, nearest)) = nearest {
         // A name of one letter is near every other such name, which helps nobody; but not if only the case differs.
         let (own, other) = without_shared_start(&wanted, nearest);

@@ -319,7 +319,7 @@ later-struck-by-nobody later-wall-along-the-line law-with-a-number letter-called
 letters-beyond-ascii long-line mass-of-b-beside-a-wall mass-of-nought method-on-accuracy no-relation
 not-equal-misspelt numbers-squared-without-end parameter-and-letter range-in-words range-with-a-dash
 reference-lacks-parameter requirement-as-a-sentence requirement-in-words-misspelt requirement-of-another-kind
-requirement-that-says-two-things requirement-twice requirement-without-truth restitution-above-one
+requirement-that-says-two-things requirement-twice requirement-without-truth requirements-of-both restitution-above-one
 restitution-nowhere-declared result-in-stem result-without-show reversed-range second-component-tested
 shown-is-an-equation shown-is-not-found shown-letter-given shown-letter-undeclared shown-without-a-result
 shown-without-a-star sine-shown-for-a-tangent star-where-nothing-is-shown style-lacks-parameter tabs three-dots

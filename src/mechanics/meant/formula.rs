@@ -4,9 +4,9 @@ use crate::expr::{Angles, Expr, read};
 use crate::mechanics::Quantity;
 
 /// Words that stand in no formula.
-const OF_SENTENCES: [&str; 22] = [
+const OF_SENTENCES: [&str; 24] = [
     "the", "of", "is", "are", "as", "out", "through", "not", "be", "must", "should", "and", "or", "to", "with", "when",
-    "has", "than", "equals", "no", "whole", "between",
+    "has", "than", "equals", "no", "whole", "between", "both", "each",
 ];
 
 /// How a relation is said, and its sign; the longer before what it begins with.
@@ -47,11 +47,12 @@ const RELATIONS: [(&str, &str); 33] = [
 ];
 
 /// What is said of a number in words, the formula for it, and that for its contrary.
-const SAID: [(&[&str], &str, &str); 7] = [
+const SAID: [(&[&str], &str, &str); 8] = [
     (&["integer", "integers", "whole"], "{} is an integer", "denominator({}) > 1"),
     (&["even"], "{}/2 is an integer", "({} + 1)/2 is an integer"),
     (&["odd"], "({} + 1)/2 is an integer", "{}/2 is an integer"),
-    (&["rational", "surd", "surds", "fraction"], "{} is rational", "radicand({}) > 1"),
+    (&["surd", "surds", "irrational"], "radicand({}) > 1", "{} is rational"),
+    (&["rational", "fraction"], "{} is rational", "radicand({}) > 1"),
     (&["positive"], "{} > 0", "{} <= 0"),
     (&["negative"], "{} < 0", "{} >= 0"),
     (&["zero", "nought"], "{} = 0", "{} != 0"),
@@ -124,7 +125,7 @@ pub fn formula_meant(sentence: &str) -> Option<String> {
         let word = || of.iter().filter_map(|word| text.find(&format!(" {word}"))).min();
         let end = verbs.filter_map(|verb| text.find(verb)).next().or_else(word).unwrap_or(text.len());
         let what = side(&text[..end]).unwrap_or_else(|| "A.after.speed".to_owned());
-        return Some(if says(&["not"]) { contrary } else { said }.replace("{}", &what));
+        return Some(if says(&["not", "no", "without", "never"]) { contrary } else { said }.replace("{}", &what));
     }
     let padded = format!("{text} ");
     let found = RELATIONS.iter().find_map(|(said, sign)| {
@@ -161,6 +162,13 @@ pub fn formulas_meant(sentence: &str) -> Vec<String> {
         let ends = || Some((side(what)?, side(low)?, side(high)?));
         return ends()
             .map_or_else(Vec::new, |(what, low, high)| vec![format!("{what} > {low}"), format!("{what} < {high}")]);
+    }
+    // Of both it is required of each.
+    let of_both = ["speed", "mass"].into_iter().find(|noun| text.contains(&format!("both {noun}")));
+    if let Some(noun) = of_both {
+        let plural = if text.contains("both masses") { "masses".to_owned() } else { format!("{noun}s") };
+        let each = ["A", "B"].map(|sphere| text.replace(&format!("both {plural}"), &format!("the {noun} of {sphere}")));
+        return each.iter().filter_map(|each| formula_meant(each)).collect();
     }
     let is_said = |half: &str| RELATIONS.iter().any(|(said, _)| format!("{half} ").contains(&format!(" {said} ")));
     match text.split_once(" and ") {
@@ -220,6 +228,9 @@ mod tests {
             ("A does not rebound", "A.after.n > 0"),
             ("mA and mB are different", "mA != mB"),
             ("no surds", "A.after.speed is rational"),
+            ("the speed of B is a surd", "radicand(B.after.speed) > 1"),
+            ("the speed of B has no surd", "B.after.speed is rational"),
+            ("the speed of A without surds", "A.after.speed is rational"),
             ("A.deflection_deg between 30 and 60", ""),
             ("A is turned through a right angle", "A.deflection_deg = 90"),
             ("A is deflected through 30 degrees", "A.deflection_deg = 30"),
@@ -252,6 +263,8 @@ mod tests {
             ("the deflection of A is between 30 and 60 degrees", "A.deflection_deg > 30, A.deflection_deg < 60"),
             ("A.after.speed > 3 and A.after.speed < 6", "A.after.speed > 3, A.after.speed < 6"),
             ("mA and mB are different", "mA != mB"),
+            ("both speeds are integers", "A.after.speed is an integer, B.after.speed is an integer"),
+            ("both masses are even", "A.mass/2 is an integer, B.mass/2 is an integer"),
         ];
         for (sentence, formulas) in all {
             assert_eq!(formulas_meant(sentence).join(", "), formulas);
