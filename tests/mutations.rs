@@ -1052,3 +1052,87 @@ fn what_several_impacts_lose_is_not_what_one_does() {
         )],
     );
 }
+
+#[test]
+fn units_beside_the_braces_and_units_of_something_else_are_named() {
+    let (speed, impulse) = ("is {u m/s} and", "Find the magnitude of the impulse");
+    found(
+        "direct/velocities-after-impact",
+        &[
+            ("grams", &[("{mA kg} and", "{mA} grams and")], "`mA` is said in `grams`, and the scene takes it in kg"),
+            ("per-hour", &[(speed, "is {u} kilometres per hour and")], "`u` is said in `kilometres per hour`"),
+            ("in-words", &[(speed, "is {u} metres per second and")], "write `{u m/s}`"),
+            ("in-joules", &[(impulse, "Find, in joules, the magnitude of the impulse")], "ask for it in `joules`"),
+        ],
+    );
+}
+
+#[test]
+fn what_is_asked_for_and_found_by_no_answer_is_named() {
+    let asked = "Find the speed of *B* immediately after the collision.";
+    found(
+        "direct/one-sphere-catches-the-other",
+        &[
+            ("friction", &[(asked, "Find the coefficient of friction.")], "ask for `coefficient of friction`, and no"),
+            (
+                "ratio",
+                &[(asked, "Find the ratio of the speeds of *A* and *B*.")],
+                "ask for `ratio of the speeds`, and no",
+            ),
+            ("approach", &[(asked, "Find the speed of approach of the spheres.")], "ask for `speed of approach of`"),
+            ("nothing", &[(asked, "What happens next?")], "the words name nothing that is to be found"),
+            ("given", &[(asked, "Find the value of {e}.")], "the value of `e`, which the paper prints as a number"),
+        ],
+    );
+    let impulse = "Find the magnitude of the impulse";
+    found(
+        "direct/velocities-after-impact",
+        &[
+            (
+                "besides",
+                &[(impulse, "State the direction of *A*, and find the magnitude of the impulse")],
+                "`direction of *A*`",
+            ),
+            (
+                "explained",
+                &[(impulse, "Explain what happens, and find the magnitude of the impulse")],
+                "say `explain`, and no",
+            ),
+        ],
+    );
+    found(
+        "vector-impulse/impulse-from-two-velocities",
+        &[(
+            "magnitude",
+            &[("Find, in terms of {i} and {j}, the impulse on", "Find the magnitude of the impulse on")],
+            "ask for the magnitude of the impulse on *A*, and the answer is a vector",
+        )],
+    );
+    found(
+        "backwards/velocity-of-b-and-line-of-centres",
+        &[(
+            "tangent",
+            &[("parallel to the line of centres of", "parallel to the common tangent of")],
+            "a vector along the common tangent, and the answer is one along the line of centres",
+        )],
+    );
+}
+
+#[test]
+fn an_answer_with_a_letter_is_asked_for_in_no_unit() {
+    found(
+        "direct/mass-from-the-velocities",
+        &[(
+            "in-kilograms",
+            &[("Find, in terms of {m}, the mass of *B*.", "Find the mass of *B*, in kilograms.")],
+            "an answer with the letter `m` is asked for in `kilograms`",
+        )],
+    );
+}
+
+#[test]
+fn letters_that_are_not_named_are_told_where_they_are_asked_for() {
+    let edits = [("Find, in terms of {u} and {e}, the velocity", "Find, in terms of {u}, the velocity")];
+    let (_, said) = checked("in-terms-place", "direct/velocities-in-letters", &edits);
+    assert!(said.contains("| ask = \"Find, in terms of {u}, the"), "{said}");
+}

@@ -4,9 +4,10 @@
 //! 'In terms of *m*' promises an answer with that letter in it.
 
 use super::remark::Remark;
+use super::words::unit_asked;
 use crate::answer::{Accept, Kind};
 use crate::bank::{Answer, Question, StyleName};
-use crate::expr::{Expr, Piece, Text};
+use crate::expr::{Expr, Piece, Text, print};
 use crate::generate::{Form, Variant};
 use crate::paper::Words;
 
@@ -29,6 +30,7 @@ pub fn broken(question: &Question, variant: &Variant, words: &Words, remarks: &m
         let answers: Vec<&Answer> = part.answers.iter().collect();
         let named = in_terms(ask, &answers, variant, remarks);
         beyond(&named, &answers, variant, remarks);
+        in_a_unit(ask, &answers, variant, remarks);
     }
     let all: Vec<&Answer> = question.parts.iter().flat_map(|part| &part.answers).collect();
     for paragraph in &words.stem {
@@ -53,7 +55,7 @@ fn in_terms(text: &Text, answers: &[&Answer], variant: &Variant, remarks: &mut V
                     let what = format!("an answer is asked for in terms of `{}` and does not have it", name.text);
                     let label = "no answer has the letter";
                     let help = "take the letter out of the words, or give it in `[scene]`";
-                    remarks.push(Remark::new(what, "in terms of", label, help));
+                    remarks.push(Remark::new(what, "in terms of {", label, help));
                 }
             }
             _ => is_listing = false,
@@ -73,8 +75,18 @@ fn beyond(named: &[String], answers: &[&Answer], variant: &Variant, remarks: &mu
                 named.join("`, `")
             );
             let help = "name all letters that the answer has, or give the letter a value";
-            remarks.push(Remark::new(what, "in terms of", "not all letters are named", help));
+            remarks.push(Remark::new(what, format!("in terms of {{{}", named[0]), "not all letters are named", help));
         }
+    }
+}
+
+/// What is asked for in a unit is a number, and has no letter.
+fn in_a_unit(text: &Text, answers: &[&Answer], variant: &Variant, remarks: &mut Vec<Remark>) {
+    let Some((unit, _)) = unit_asked(&print::text_unicode(text)) else { return };
+    if let Some(letter) = answers.iter().find_map(|answer| letters(answer, variant).into_iter().next()) {
+        let what = format!("an answer with the letter `{letter}` is asked for in `{unit}`");
+        let help = format!("ask for it in terms of `{letter}`, or give the letter a value");
+        remarks.push(Remark::new(what, format!("in {unit}"), "it has a letter", help));
     }
 }
 

@@ -7,6 +7,7 @@ mod agreement;
 mod asked;
 mod asked_energy;
 mod asked_for;
+mod asked_things;
 mod asked_when;
 mod asked_where;
 mod asked_whose;
@@ -20,6 +21,7 @@ mod marked_laws;
 mod marked_lines;
 mod misspelt;
 mod own_words;
+mod requests;
 mod said;
 mod said_of_angles;
 mod said_of_components;
@@ -41,6 +43,7 @@ mod typed;
 mod units;
 mod untold;
 
+pub use asked_things::unit_asked;
 pub use own_words::Heard;
 pub use said::contradicted;
 
@@ -66,6 +69,7 @@ pub fn of_question(question: &Question) -> Vec<Finding> {
         figures::otherwise,
         asked::beside_the_point,
         asked_for::others,
+        asked_things::unfound,
         asked_when::otherwise,
         asked_when::marked_otherwise,
         asked_where::otherwise,

@@ -76,6 +76,15 @@ fn of_words(words: &str, before: &str, remarks: &mut Vec<Remark>) {
             remarks.push(remark_at("marks in words", shown, shown, help));
         }
     }
+    for figure in ["significant figure", "decimal place"] {
+        const SEVERAL: [&str; 8] = ["2", "3", "4", "5", "two", "three", "four", "five"];
+        let is_alone = |at: usize| !words[at + figure.len()..].starts_with('s');
+        let is_of_several =
+            |at: usize| words[..at].split_whitespace().last().is_some_and(|count| SEVERAL.contains(&count));
+        if let Some(at) = words.find(figure).filter(|at| is_alone(*at) && is_of_several(*at)) {
+            remarks.push(remark_at("several of one", around(words, at), figure, "write the word in the plural"));
+        }
+    }
     let mut before = "";
     let mut at = 0;
     for word in words.split_whitespace() {

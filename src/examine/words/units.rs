@@ -42,6 +42,14 @@ fn of_text(pieces: &[Piece], question: &Question, style: &Style, findings: &mut 
             findings.push(beside(unit, &after, expr, said));
             continue;
         }
+        let own = match expr {
+            Expr::Name(name) if is_in_degrees(&name.text, question) => Unit::Degree,
+            _ => unit_of(expr, &question.scene),
+        };
+        if let Some((written, _)) = after.strip_prefix(' ').and_then(stated) {
+            findings.push(foreign(written, own, expr));
+            continue;
+        }
         if said != Unit::None && is_coefficient(expr, question) {
             let (name, said) = (print::plain(expr), said.plain());
             let message = format!("`{name}` is said in {said}, and a coefficient of restitution has no unit");
@@ -49,10 +57,6 @@ fn of_text(pieces: &[Piece], question: &Question, style: &Style, findings: &mut 
             findings.push(found.with_help(format!("write `{{{name}}}`")));
             continue;
         }
-        let own = match expr {
-            Expr::Name(name) if is_in_degrees(&name.text, question) => Unit::Degree,
-            _ => unit_of(expr, &question.scene),
-        };
         // A letter brings its unit with it, and a bare mass or speed may be one of several: 'masses 3m and {k}m'.
         let is_bare = said == Unit::None
             && match expr {
@@ -76,8 +80,22 @@ fn of_text(pieces: &[Piece], question: &Question, style: &Style, findings: &mut 
     }
 }
 
-/// How units are written by hand.
-const BY_HAND: [(&str, Unit); 13] = [
+/// How units are written by hand; the longer before what it begins with.
+const BY_HAND: [(&str, Unit); 27] = [
+    ("metres per second", Unit::MetrePerSecond),
+    ("meters per second", Unit::MetrePerSecond),
+    ("newton seconds", Unit::NewtonSecond),
+    ("newton second", Unit::NewtonSecond),
+    ("newton-seconds", Unit::NewtonSecond),
+    ("kilograms", Unit::Kilogram),
+    ("kilogram", Unit::Kilogram),
+    ("joules", Unit::Joule),
+    ("joule", Unit::Joule),
+    ("degree", Unit::Degree),
+    ("kg m/s", Unit::NewtonSecond),
+    ("kg m s^-1", Unit::NewtonSecond),
+    ("kg ms^-1", Unit::NewtonSecond),
+    ("kg m s⁻¹", Unit::NewtonSecond),
     ("m/s", Unit::MetrePerSecond),
     ("m s^-1", Unit::MetrePerSecond),
     ("ms^-1", Unit::MetrePerSecond),
@@ -93,11 +111,61 @@ const BY_HAND: [(&str, Unit); 13] = [
     ("degrees", Unit::Degree),
 ];
 
+/// Units in which no scene takes a number and no answer is stated.
+const FOREIGN: [&str; 24] = [
+    "grams",
+    "gram",
+    "g",
+    "tonnes",
+    "cm/s",
+    "cm s^-1",
+    "cm s⁻¹",
+    "centimetres per second",
+    "km/h",
+    "kmh",
+    "km h^-1",
+    "km h⁻¹",
+    "kph",
+    "kilometres per hour",
+    "mph",
+    "miles per hour",
+    "newtons",
+    "newton",
+    "N",
+    "kilojoules",
+    "kilojoule",
+    "kJ",
+    "radians",
+    "rad",
+];
+
+/// A unit by which something is stated.
+pub enum Stated {
+    /// One that Carom has.
+    In(Unit),
+    /// One that it does not have.
+    Foreign,
+}
+
+/// The unit with which words begin, as it is written there.
+pub fn stated(words: &str) -> Option<(&'static str, Stated)> {
+    let known = typed_unit(words).map(|(written, unit)| (written, Stated::In(unit)));
+    known.or_else(|| {
+        FOREIGN.into_iter().find(|written| begins(words, written)).map(|written| (written, Stated::Foreign))
+    })
+}
+
+/// Do words begin with a unit, and not with a word of which it is a part?
+fn begins(words: &str, written: &str) -> bool {
+    words
+        .strip_prefix(written)
+        .is_some_and(|rest| !rest.starts_with(|sign: char| sign.is_alphanumeric() || sign == '^'))
+}
+
 /// A unit that stands in the words after a number, as it is written there.
 pub(super) fn typed_unit(after: &str) -> Option<(&'static str, Unit)> {
     let after = after.strip_prefix(' ').unwrap_or(after);
-    let ends = |rest: &str| !rest.starts_with(|sign: char| sign.is_alphanumeric() || sign == '^');
-    BY_HAND.into_iter().find(|(written, _)| after.strip_prefix(written).is_some_and(ends))
+    BY_HAND.into_iter().find(|(written, _)| begins(after, written))
 }
 
 fn beside((written, unit): (&str, Unit), after: &str, expr: &Expr, said: Unit) -> Finding {
@@ -109,6 +177,20 @@ fn beside((written, unit): (&str, Unit), after: &str, expr: &Expr, said: Unit) -
         _ => (format!("{name} {}", said.plain()), "take it out: the braces have a unit already".to_owned()),
     };
     Finding::new(message, format!("{{{inside}}}{space}{written}"), "expected it within them").with_help(help)
+}
+
+/// A number with a unit behind it in which the scene does not take it.
+fn foreign(written: &str, own: Unit, expr: &Expr) -> Finding {
+    let name = print::plain(expr);
+    let (takes, help) = match own.plain() {
+        "" => ("", "say it in a unit that Carom has: kg, m/s, N s, J or deg, within the braces".to_owned()),
+        own => (own, format!("write `{{{name} {own}}}`, and change its values if they are others in that unit")),
+    };
+    let message = match takes {
+        "" => format!("`{name}` is said in `{written}`, which is no unit of a scene"),
+        takes => format!("`{name}` is said in `{written}`, and the scene takes it in {takes}"),
+    };
+    Finding::new(message, format!("}} {written}"), "another unit").with_help(help)
 }
 
 /// Do the words before and after say that a number is a mass or a speed, and not how many times another it is?
@@ -169,8 +251,14 @@ mod tests {
     #[test]
     fn each_number_is_said_in_its_unit() {
         let (line, size) = ("successive/no-more-collisions", "vector-impulse/size-of-the-impulse");
-        let table: [(&str, Edits, &str); 6] = [
+        let direct = "direct/velocities-after-impact";
+        let table: [(&str, Edits, &str); 11] = [
             (line, &[], ""),
+            (direct, &[("{mA kg} and", "{mA} grams and")], "`mA` is said in `grams`, and the scene takes it in kg"),
+            (direct, &[("{u m/s} and", "{u} cm/s and")], "`u` is said in `cm/s`, and the scene takes it in m/s"),
+            (direct, &[("{u m/s} and", "{u} kilometres per hour and")], "`u` is said in `kilometres per hour`"),
+            (direct, &[("{u m/s} and", "{u} metres per second and")], "`metres per second` stands beside the braces"),
+            (direct, &[("{mB kg} resp", "{mB} kg resp")], "`kg` stands beside the braces of `mB`"),
             (line, &[("{mC kg}", "{mC N s}")], "`mC` is said in N s, and the scene takes it in kg"),
             (size, &[], ""),
             (size, &[("*A* is {v m/s}", "*A* is {v m}")], "`v` is said in m, and the scene takes it in m/s"),
