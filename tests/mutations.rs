@@ -1065,6 +1065,17 @@ fn units_beside_the_braces_and_units_of_something_else_are_named() {
             ("in-joules", &[(impulse, "Find, in joules, the magnitude of the impulse")], "ask for it in `joules`"),
         ],
     );
+    found(
+        "rest/speeds-and-directions",
+        &[
+            (
+                "radians",
+                &[("[\"30\", \"60\"]", "[\"pi/6\", \"pi/3\"]")],
+                "`alpha` is taken in degrees, and `pi/6` is in",
+            ),
+            ("no-deg", &[("\"atan(3/4)/deg\"", "\"atan(3/4)\"")], "write `atan(3/4)/deg`, or the number of degrees"),
+        ],
+    );
 }
 
 #[test]
@@ -1114,6 +1125,63 @@ fn what_is_asked_for_and_found_by_no_answer_is_named() {
             "tangent",
             &[("parallel to the line of centres of", "parallel to the common tangent of")],
             "a vector along the common tangent, and the answer is one along the line of centres",
+        )],
+    );
+}
+
+#[test]
+fn impacts_that_the_words_count_otherwise_than_the_scene_are_named() {
+    let second = "collides with *B* for the second time";
+    found(
+        "successive/sphere-wall-sphere",
+        &[
+            ("third-time", &[(second, "collides with *B* for the third time")], "is found before it"),
+            ("first-time", &[(second, "collides with *B* for the first time")], "is found after a later one"),
+            (
+                "another-e",
+                &[("of = [\"A\", \"B\"]\ne  = \"e\"", "of = [\"A\", \"B\"]\ne  = \"f\"")],
+                "the words give the coefficient of restitution `e` where the scene gives it",
+            ),
+        ],
+    );
+    found(
+        "successive/second-collision",
+        &[
+            (
+                "none",
+                &[("for which *B* collides with *A* again", "for which there is no second collision")],
+                "do not meet again, and with the conditions of the scene they meet",
+            ),
+            ("equal-velocities", &[("n < A.after.n", "n <= A.after.n")], "do they where their velocities are equal"),
+            (
+                "letter",
+                &[(" The coefficient of restitution between *B* and the wall is {f}.", "")],
+                "the words print `f`, and never tell that it is a coefficient of restitution",
+            ),
+        ],
+    );
+    found(
+        "ranges/direction-reversed",
+        &[("closed", &[("A.after.x < 0", "A.after.x <= 0")], "the condition lets it come to rest")],
+    );
+    found(
+        "ranges/mass-ratio-when-a-goes-on",
+        &[("changed", &[("is not changed", "is changed")], "the direction of `*A*` is changed, and it is not so")],
+    );
+}
+
+#[test]
+fn ways_that_no_word_tells_are_named() {
+    found(
+        "direct/velocities-after-impact",
+        &[("ways", &[("towards each other in opposite directions\n", "\n")], "which way the spheres move before")],
+    );
+    found(
+        "both-moving/components-given",
+        &[(
+            "component-way",
+            &[("along the line of centres, towards *A*, and", "along the line of centres, and")],
+            "which way a component along the line of centres points",
         )],
     );
 }

@@ -73,9 +73,13 @@ fn misplaced(
         Moment::After if quantity.impact() > impact => ("after", "after a later one", "after the later impact"),
         Moment::After => ("after", "before it", "before the impact"),
     };
-    let there = quantities.iter().filter_map(|quantity| at(*quantity, impact, wanted));
+    let is_there = impacts(&question.scene).iter().any(|one| one.number == impact);
+    let there = quantities.iter().filter(|_| is_there).filter_map(|quantity| at(*quantity, impact, wanted));
     let there: Vec<String> = there.map(|quantity| format!("`{quantity}`")).collect();
-    let help = format!("find {}, or ask for what is {found_where}", there.join(" and "));
+    let help = match there.as_slice() {
+        [] => format!("ask for what is {found_where}"),
+        there => format!("find {}, or ask for what is {found_where}", there.join(" and ")),
+    };
     let message = format!("{who} what is {asked} an impact, and `{name}` is found {found}");
     Some(Finding::new(message, "", format!("found {found_where}")).with_help(help))
 }
@@ -121,8 +125,15 @@ pub(super) fn impact(question: &Question, sphere: Sphere, words: &[Token]) -> Op
             Token::Sphere(other) if *other != sphere => {
                 impacts.iter().filter(|one| one.has(sphere) && one.has(*other)).map(|one| one.number).collect()
             }
+            _ if is_one_of(token, &["they"]) && nth_time(words).is_some() => {
+                impacts.iter().filter(|one| !one.is_of_one() && one.has(sphere)).map(|one| one.number).collect()
+            }
             _ => continue,
         };
+        if let Some(time) = nth_time(words) {
+            // A time too many is after all that there are.
+            return Some(its.get(time).copied().unwrap_or(u8::try_from(impacts.len()).ok()?));
+        }
         let nth = place.checked_sub(1).and_then(|before| ordinal(&words[before]));
         return match (its.as_slice(), nth) {
             ([one], _) => Some(*one),
@@ -131,6 +142,11 @@ pub(super) fn impact(question: &Question, sphere: Sphere, words: &[Token]) -> Op
         };
     }
     None
+}
+
+/// `For the second time` is 1.
+fn nth_time(words: &[Token]) -> Option<usize> {
+    words.windows(2).find_map(|pair| ordinal(&pair[0]).filter(|_| is_one_of(&pair[1], &["time"])))
 }
 
 #[cfg(test)]
@@ -142,7 +158,19 @@ mod tests {
     fn what_is_asked_after_an_impact_is_not_found_before_it() {
         let (wall, corner) = ("successive/struck-onto-a-wall", "successive/corner");
         let after = "immediately after *A* has struck it";
-        let table: [(&str, Edits, &str); 10] = [
+        let twice = "successive/sphere-wall-sphere";
+        let (second, first) = ("collides with *B* for the second time", "immediately after they first collide");
+        let table: [(&str, Edits, &str); 16] = [
+            (twice, &[], ""),
+            (twice, &[(second, "collides with *B* for the first time")], "is found after a later one"),
+            (twice, &[(second, "collides with *B* for the third time")], "is found before it"),
+            (twice, &[("after it collides with *B* for", "before it collides with *B* for")], "is found after it"),
+            (
+                twice,
+                &[(first, "immediately after they collide for the second time")],
+                "`speed of A` is found before it",
+            ),
+            (twice, &[(first, "immediately after they collide for the first time")], ""),
             (wall, &[], ""),
             (wall, &[(after, "immediately after it has struck the wall")], "what is after an impact, and `speed of B`"),
             (wall, &[(after, "before it strikes the wall")], ""),

@@ -42,6 +42,7 @@ mod truth;
 mod typed;
 mod units;
 mod untold;
+mod untold_ways;
 
 pub use asked_things::unit_asked;
 pub use own_words::Heard;
@@ -64,6 +65,9 @@ pub fn of_question(question: &Question) -> Vec<Finding> {
         untold::turned_back,
         untold::unit_vectors,
         untold::lines_of_angles,
+        untold_ways::ways,
+        untold_ways::coefficients,
+        untold_ways::in_radians,
         units::astray,
         exact_form::unkept,
         figures::otherwise,

@@ -39,6 +39,7 @@ pub fn contradicted(question: &Question, style: &Style, variant: &Variant) -> Ve
             seen.impulses(&sentence, &mut findings);
             seen.meeting_again(&sentence, &mut findings);
             seen.directed(&sentence, &mut findings);
+            seen.positive(&sentence, &mut findings);
             seen.same_way(&sentence, &mut findings);
             seen.old_way(&sentence, &mut findings);
             seen.across(&sentence, &mut findings);

@@ -19,9 +19,12 @@ impl Seen<'_> {
     /// Two spheres that are said to meet again, or not to, where a condition compares their velocities: the one ahead is
     /// slower than the one behind, or it is not.
     pub(super) fn meeting_again(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
-        let Some(at) = sentence.iter().position(|token| is_one_of(token, &["again", "further", "more"])) else {
-            return;
+        let is_second = |at: usize| {
+            let after = sentence.get(at + 1).is_some_and(|next| is_one_of(next, &["collision", "impact", "time"]));
+            is_one_of(&sentence[at], &["second"]) && after
         };
+        let again = |at: &usize| is_one_of(&sentence[*at], &["again", "further", "more"]) || is_second(*at);
+        let Some(at) = (0..sentence.len()).find(again) else { return };
         let meets =
             ["strike", "strikes", "collide", "collides", "hit", "hits", "meet", "meets", "collision", "collisions"];
         if !says(sentence, &meets) {
@@ -43,7 +46,23 @@ impl Seen<'_> {
             // The positive direction is from A towards the others.
             let (ahead, behind) = if left > right { (left, right) } else { (right, left) };
             let is_met = if left == ahead { is_slower } else { !is_slower };
-            let names_both = [ahead, behind].into_iter().all(|sphere| sentence.contains(&Token::Sphere(sphere)));
+            // `There is no second collision` is said of them too.
+            let is_named = |sphere: Sphere| sentence.contains(&Token::Sphere(sphere));
+            let names_both = [ahead, behind].into_iter().all(is_named) || !Sphere::ALL.into_iter().any(is_named);
+            let is_strict = matches!(condition.relation, Relation::Less | Relation::Greater);
+            if left != right && names_both && is_met != is_denied && is_strict == is_denied {
+                let (said, other) = if is_denied { ("never meet", "nor") } else { ("meet", "and never") };
+                let message = format!(
+                    "the words say that `*{}*` and `*{}*` {said} again, {other} do they where their velocities are equal",
+                    behind.name(),
+                    ahead.name()
+                );
+                let relation = if is_denied { "`<=` or `>=`" } else { "`<` or `>`" };
+                let Token::Word(word) = &sentence[at] else { continue };
+                let help = format!("compare them by {relation} in `conditions`");
+                let found = self.finding(message, word, &help);
+                findings.push(if is_denied { found.as_warning() } else { found });
+            }
             if left != right && names_both && is_met == is_denied {
                 let (said, other) = if is_denied { ("do not meet", "meet") } else { ("meet", "do not meet") };
                 let message = format!(
@@ -54,6 +73,24 @@ impl Seen<'_> {
                 let Token::Word(word) = &sentence[at] else { continue };
                 findings.push(self.finding(message, word, MEND));
             }
+        }
+    }
+
+    /// `Taking the direction of motion of A before it as positive`: the way from A towards the others is positive in answers.
+    pub(super) fn positive(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        let at = |word: &str| sentence.iter().position(|token| is_one_of(token, &[word]));
+        let (Some(start), Some(end)) = (at("taking"), at("positive")) else { return };
+        let way = sentence.get(start..end).unwrap_or_default();
+        let spheres: Vec<&Token> = way.iter().filter(|token| matches!(token, Token::Sphere(_))).collect();
+        let [Token::Sphere(sphere)] = spheres.as_slice() else { return };
+        let moves =
+            self.known.number(Quantity::Velocity(*sphere, Moment::Before, Axis::N)).and_then(|along| along.sign());
+        let wanted = if says(way, &["opposite"]) { Ordering::Less } else { Ordering::Greater };
+        let is_of_motion = says(way, &["motion"]) && !says(way, &["after", "towards", "away"]);
+        if is_of_motion && self.question.scene.then.is_empty() && moves == Some(wanted.reverse()) {
+            let message = "the words take the other direction as positive than the answers have".to_owned();
+            let help = "say that the direction of motion of *A* before the impact is positive";
+            findings.push(self.finding(message, "taking the direction", help));
         }
     }
 

@@ -167,6 +167,8 @@ impl Seen<'_> {
         let is_back = match (word.as_str(), is_not) {
             ("reversed", false) => true,
             ("reversed", true) | ("unchanged", false) | ("changed", true) => false,
+            // In a line there is one other direction.
+            ("changed", false) if self.is_direct() => true,
             _ => return,
         };
         let of: Vec<Sphere> = sentence[at..end].iter().filter_map(sphere).collect();
@@ -176,11 +178,27 @@ impl Seen<'_> {
             return;
         }
         if self.goes_on(*of, is_back) == Some(false) {
-            let said = if is_back { "reversed" } else { "not changed" };
+            let said = match word.as_str() {
+                "changed" if is_back => "changed",
+                _ if is_back => "reversed",
+                _ => "not changed",
+            };
             let message = format!("the words say that the direction of `*{}*` is {said}, and it is not so", of.name());
             let help = "mend the `conditions` or velocities of `[scene]`, or say what happens";
             findings.push(self.finding(message, &format!("is {}{word}", if is_not { "not " } else { "" }), help));
+        } else if is_back && self.may_come_to_rest(*of) {
+            let message = format!(
+                "the words say that the direction of `*{}*` is {word}, and the condition lets it come to rest",
+                of.name()
+            );
+            let help = "write `<` or `>` in `conditions`, in the place of `<=` or `>=`";
+            findings.push(self.finding(message, &format!("is {word}"), help));
         }
+    }
+
+    /// Has a condition on the way in which a sphere goes on nought among its values?
+    fn may_come_to_rest(&self, sphere: Sphere) -> bool {
+        matches!(self.way_required(sphere), Some(Relation::LessOrEqual | Relation::GreaterOrEqual))
     }
 
     /// Is the component of a sphere's velocity along the line of centres turned round?
@@ -341,13 +359,17 @@ impl Seen<'_> {
 
     /// The sign that a condition gives to the velocity of a sphere afterwards.
     pub(super) fn required(&self, sphere: Sphere) -> Option<Ordering> {
-        let after = [Axis::X, Axis::N].map(|axis| Quantity::Velocity(sphere, Moment::After, axis).to_string());
-        let of_it =
-            |condition: &&Condition| after.contains(&print::plain(&condition.left)) && condition.right.is_zero();
-        match self.variant.scene.conditions.iter().find(of_it)?.relation {
+        match self.way_required(sphere)? {
             Relation::Less | Relation::LessOrEqual => Some(Ordering::Less),
             Relation::Greater | Relation::GreaterOrEqual => Some(Ordering::Greater),
             _ => None,
         }
+    }
+
+    fn way_required(&self, sphere: Sphere) -> Option<Relation> {
+        let after = [Axis::X, Axis::N].map(|axis| Quantity::Velocity(sphere, Moment::After, axis).to_string());
+        let of_it =
+            |condition: &&Condition| after.contains(&print::plain(&condition.left)) && condition.right.is_zero();
+        Some(self.variant.scene.conditions.iter().find(of_it)?.relation)
     }
 }

@@ -36,9 +36,15 @@ impl Seen<'_> {
             let (Some(said), Some(has)) = (self.number(expr), self.coefficient_between(&before[between..])) else {
                 continue;
             };
-            if !has.is_empty() && !has.iter().any(|has| has.equals(&said)) {
+            // Two that meet more than once have one coefficient, unless the words tell their impacts apart.
+            let named = Sphere::ALL.into_iter().filter(|sphere| before.contains(&Token::Sphere(*sphere))).count();
+            let is_third = impacts(&self.question.scene).iter().any(|impact| impact.has(Sphere::C));
+            let is_of_two = named == 2 || (named == 0 && !is_third && says(before, &["spheres", "them"]));
+            let is_of_all = is_of_two && !says(sentence, &["first", "second", "third", "again"]);
+            let other = has.iter().find(|has| !has.equals(&said));
+            if let Some(other) = other.filter(|_| is_of_all || !has.iter().any(|has| has.equals(&said))) {
                 let shown = print::plain(expr);
-                let has = print::unicode(&written(&has[0]));
+                let has = print::unicode(&written(other));
                 let message =
                     format!("the words give the coefficient of restitution `{shown}` where the scene gives it {has}");
                 let help = "name in the words the `e` that `[scene]` has for this impact, or change it there";

@@ -148,6 +148,12 @@ fn words_that_the_scene_contradicts_are_found() {
             "spheres is {e}, and {sin(alpha) = 5/7}.",
             "the words say that `sin(alpha) = 5/7`",
         ),
+        (
+            "direct/velocities-in-letters",
+            "taking the direction of motion of *A* before it as",
+            "taking the direction opposite to the motion of *A* as",
+            "take the other direction as positive",
+        ),
         ("rest/speeds-and-directions", "is {e}.", "is {e}. Sphere *A* rebounds.", "`*A*` rebounds, and it is not so"),
         ("rest/speeds-and-directions", "have equal radii", "have different radii", "the radii are different"),
         (

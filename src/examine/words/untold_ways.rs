@@ -1,0 +1,224 @@
+//! What a scene has by a sign or by a letter, and a student only by the words: which way things move, and what a letter is.
+
+use super::sentence::{Sentence, Token, is_one_of, says, sentences};
+use crate::bank::{Question, Style};
+use crate::examine::Finding;
+use crate::expr::{Angles, Expr, Function, Text, print, read};
+use crate::mechanics::VelocityText;
+
+/// Words by which one motion is told from another in its line.
+const WAYS: [&str; 26] = [
+    "towards",
+    "toward",
+    "opposite",
+    "opposing",
+    "same",
+    "behind",
+    "catches",
+    "catch",
+    "overtakes",
+    "overtake",
+    "away",
+    "positive",
+    "negative",
+    "approach",
+    "approaching",
+    "approaches",
+    "follows",
+    "following",
+    "ahead",
+    "front",
+    "left",
+    "right",
+    "east",
+    "west",
+    "north",
+    "south",
+];
+
+/// Two spheres that move in one line, and components along the line of centres, of which no word says which way.
+pub fn ways(question: &Question) -> Vec<Finding> {
+    let found = question.styles.iter().find_map(|style| in_a_line(question, style).or_else(|| component(style)));
+    found.into_iter().map(Finding::as_warning).collect()
+}
+
+fn said(style: &Style) -> Vec<Sentence<'_>> {
+    style.stem.iter().chain([&style.note]).flat_map(sentences).collect()
+}
+
+/// Two spheres that move before a direct impact, and none of them is said to go towards the other or after it.
+fn in_a_line(question: &Question, style: &Style) -> Option<Finding> {
+    let before = &question.scene.before;
+    let moves = |velocity: &Option<VelocityText<String>>| match velocity {
+        Some(VelocityText::Along(text)) => text.trim() != "0",
+        _ => false,
+    };
+    let is_vector = |expr: &Expr| expr.names().iter().any(|name| name.text == "i");
+    let said = said(style);
+    // `The same straight line` has two ways.
+    let is_of_a_way =
+        |next: Option<&Token>| next.is_some_and(|next| is_one_of(next, &["direction", "directions", "sense", "way"]));
+    let tells = |sentence: &Sentence, place: usize| match &sentence[place] {
+        Token::Number(expr, ..) => matches!(expr, Expr::Vector(..)) || is_vector(expr),
+        token if is_one_of(token, &["same"]) => is_of_a_way(sentence.get(place + 1)),
+        token => is_one_of(token, &WAYS),
+    };
+    let is_told = said.iter().any(|sentence| (0..sentence.len()).any(|place| tells(sentence, place)));
+    if !moves(&before.a) || !moves(&before.b) || is_told {
+        return None;
+    }
+    let message = "the words never tell which way the spheres move before they collide";
+    let help = "say `towards each other in opposite directions`, or `in the same direction`, as the scene has it";
+    Some(Finding::new(message, "collide", "a student cannot know it").with_help(help))
+}
+
+/// `A component of 3 m/s along the line of centres`, which has two ends.
+fn component(style: &Style) -> Option<Finding> {
+    said(style).iter().find_map(|sentence| {
+        let is_one = |token: &Token| is_one_of(token, &["component", "components"]);
+        let mut clauses = sentence.split(is_one).skip(1);
+        let is_open = |clause: &&[Token]| {
+            let begins = matches!(clause.first(), Some(Token::Number(..)));
+            let is_along = clause.iter().skip(1).take(6).any(|token| is_one_of(token, &["centres", "centers"]))
+                && clause.get(1).is_some_and(|token| is_one_of(token, &["along"]));
+            let others = ["directed", "direction", "from", "sense", "each"];
+            begins && is_along && !says(clause, &WAYS) && !says(clause, &others)
+        };
+        let clause = clauses.find(is_open)?;
+        let Some(Token::Number(_, _, lead)) = clause.first() else { return None };
+        let message = "the words never tell which way a component along the line of centres points";
+        let help = "go on with `towards *B*` or `away from *B*`";
+        Some(Finding::new(message, lead.trim(), "it may point either way").with_help(help))
+    })
+}
+
+/// Coefficients of restitution that are a letter, of which no sentence says so.
+pub fn coefficients(question: &Question) -> Vec<Finding> {
+    let scene = &question.scene;
+    let asks: Vec<&Text> = question.parts.iter().flat_map(|part| &part.ask).collect();
+    let has =
+        |text: &Text, name: &str| text.formulas().iter().any(|expr| expr.names().iter().any(|own| own.text == name));
+    let of = scene.e.iter().chain(scene.then.iter().filter_map(|then| then.e.as_ref()));
+    let untold = |name: &&String| {
+        let is_printed = asks.iter().any(|text| has(text, name))
+            || question.styles.iter().any(|style| style.stem.iter().any(|text| has(text, name)));
+        let tells = |sentence: &Sentence| {
+            let is_in = |token: &Token| match token {
+                Token::Number(expr, ..) => expr.names().iter().any(|own| own.text == **name),
+                _ => false,
+            };
+            says(sentence, &["restitution", "elastic", "elasticity", "newton's"]) && sentence.iter().any(is_in)
+        };
+        let is_told = |style: &Style| {
+            style
+                .stem
+                .iter()
+                .chain([&style.note])
+                .chain(asks.iter().copied())
+                .flat_map(sentences)
+                .any(|sentence| tells(&sentence))
+        };
+        scene.symbols.contains_key(*name) && is_printed && !question.styles.iter().all(is_told)
+    };
+    let Some(name) = of.into_iter().find(untold) else { return Vec::new() };
+    let message = format!("the words print `{name}`, and never tell that it is a coefficient of restitution");
+    let help = format!("say it in the stem, as in `The coefficient of restitution between *A* and *B* is {{{name}}}.`");
+    vec![Finding::new(message, format!("{{{name}}}"), "a student cannot know it").with_help(help).as_warning()]
+}
+
+/// Angles that the scene takes in degrees, and whose values or formulas are in radians.
+pub fn in_radians(question: &Question) -> Vec<Finding> {
+    let scene = &question.scene;
+    let velocities = [&scene.before.a, &scene.before.b, &scene.after.a, &scene.after.b].into_iter().flatten();
+    let angles = velocities.filter_map(|velocity| match velocity {
+        VelocityText::Polar(polar) => polar.angle_deg.as_ref(),
+        _ => None,
+    });
+    let mut findings = Vec::new();
+    for angle in angles {
+        let Ok(taken) = read(angle, Angles::Degrees) else { continue };
+        if is_small(&taken) {
+            let message = format!("`angle_deg` is in degrees, and `{angle}` has so many radians");
+            let found = Finding::new(message, format!("\"{angle}\""), "a number of degrees");
+            findings.push(found.with_help("write the number of degrees alone, without `deg`"));
+        }
+        for style in &question.styles {
+            for (name, domain) in
+                style.parameters.iter().filter(|(name, _)| taken.names().iter().any(|own| own.text == *name))
+            {
+                let Some(value) = domain.formulas().iter().find(|value| is_radian(value)) else { continue };
+                let shown = print::plain(value);
+                let message = format!("`{name}` is taken in degrees, and `{shown}` is in radians");
+                let found = Finding::at_parameter(message, style.name, name, "a number of degrees");
+                findings.push(found.with_help(format!("write `{shown}/deg`, or the number of degrees")));
+            }
+        }
+    }
+    findings
+}
+
+/// Has it an angle by a letter or an inverse function, which nothing turns into degrees?
+fn is_radian(expr: &Expr) -> bool {
+    let has = |of: &dyn Fn(&Expr) -> bool| any(expr, of);
+    has(&|inner| matches!(inner, Expr::Pi | Expr::Call(Function::Asin | Function::Acos | Function::Atan, _)))
+        && !has(&|inner| matches!(inner, Expr::Degrees(_)))
+}
+
+/// Is it a number of degrees turned into radians?
+fn is_small(expr: &Expr) -> bool {
+    let has_degrees = |inner: &Expr| any(inner, &|inner| matches!(inner, Expr::Degrees(_)));
+    match expr {
+        Expr::Quotient(_, below) if has_degrees(below) => false,
+        expr => has_degrees(expr),
+    }
+}
+
+fn any(expr: &Expr, of: &dyn Fn(&Expr) -> bool) -> bool {
+    of(expr) || expr.children().into_iter().any(|inner| any(inner, of))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::examine::{Edits, edited};
+
+    #[test]
+    fn ways_and_letters_are_told() {
+        let line = "direct/velocities-after-impact";
+        let (components, again, rest) =
+            ("both-moving/components-given", "successive/second-collision", "rest/speeds-and-directions");
+        let table: [(&str, Edits, &str); 9] = [
+            (line, &[], ""),
+            (
+                line,
+                &[("are moving towards each other in opposite directions", "are moving")],
+                "which way the spheres move",
+            ),
+            ("direct/one-sphere-catches-the-other", &[], ""),
+            (components, &[], ""),
+            (
+                components,
+                &[("along the line of centres, towards *A*, and", "along the line of centres, and")],
+                "which way a component",
+            ),
+            (again, &[], ""),
+            (
+                again,
+                &[(" The coefficient of restitution between *B* and the wall is {f}.", "")],
+                "print `f`, and never tell",
+            ),
+            (
+                rest,
+                &[("[\"30\", \"60\"]", "[\"pi/6\", \"pi/3\"]")],
+                "`alpha` is taken in degrees, and `pi/6` is in radians",
+            ),
+            (rest, &[("angle_deg = \"alpha\"", "angle_deg = \"alpha*deg\"")], "`alpha*deg` has so many radians"),
+        ];
+        for (id, edits, words) in table {
+            let question = edited(id, edits);
+            let found = [ways, coefficients, in_radians].into_iter().flat_map(|check| check(&question));
+            let said: String = found.map(|finding| finding.message).collect();
+            assert!(said.contains(words) && said.is_empty() == words.is_empty(), "{id}: {edits:?}: {said}");
+        }
+    }
+}
