@@ -1187,6 +1187,52 @@ fn ways_that_no_word_tells_are_named() {
 }
 
 #[test]
+fn words_of_marks_that_are_of_another_value_are_named() {
+    let lost = "{ code = \"A1\", for = \"ke.lost\" }";
+    found(
+        "direct/one-sphere-catches-the-other",
+        &[
+            (
+                "another-thing",
+                &[(lost, "{ code = \"A1\", for = \"ke.lost\", text = \"impulse on *B*\" }")],
+                "the text of the mark A1b speaks of `impulse`, and it is for `ke.lost`",
+            ),
+            (
+                "one-variant",
+                &[(lost, "{ code = \"A1\", for = \"ke.lost\", note = \"accept 7.5 J only\" }")],
+                "gives `7.5 J` in plain digits",
+            ),
+            (
+                "other-figures",
+                &[(lost, "{ code = \"A1\", for = \"ke.lost\", note = \"awrt 2sf\" }")],
+                "is given for `2sf`, and the answer is accepted to `3sf`",
+            ),
+            (
+                "energy-for-momentum",
+                &[("\"M1\", for = \"momentum\"", "\"M1\", for = \"momentum\", text = \"conservation of energy\"")],
+                "the text of the mark M1a speaks of energy, and it is for `momentum`",
+            ),
+            (
+                "no-wall",
+                &[(
+                    "\"M1\", for = \"restitution\"",
+                    "\"M1\", for = \"restitution\", text = \"restitution at the wall\"",
+                )],
+                "speak of a wall, and the scene has none",
+            ),
+        ],
+    );
+    found(
+        "rest/speeds-and-directions",
+        &[(
+            "nothing-to-follow",
+            &[("\"A1\", for = \"momentum\"", "\"A1ft\", for = \"momentum\"")],
+            "follows an earlier value, and none is found before it",
+        )],
+    );
+}
+
+#[test]
 fn an_answer_with_a_letter_is_asked_for_in_no_unit() {
     found(
         "direct/mass-from-the-velocities",

@@ -221,7 +221,8 @@ fn absent(question: &Question) -> Vec<Finding> {
     let (name, mend) = ("name what there is", "give in `[scene]` what is said, or say what it has");
     let mut told: Vec<&str> = Vec::new();
     let mut findings = Vec::new();
-    for said in texts(question).flat_map(|text| &text.0).filter_map(words) {
+    let marks = question.parts.iter().flat_map(|part| &part.marks).flat_map(|mark| &mark.text);
+    for said in texts(question).chain(marks).flat_map(|text| &text.0).filter_map(words) {
         let all: Vec<&str> = said.split_whitespace().collect();
         for (place, word) in all.iter().enumerate() {
             let bare = word.trim_matches(|sign: char| !sign.is_alphanumeric()).to_lowercase();

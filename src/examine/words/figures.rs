@@ -70,7 +70,7 @@ fn unlike<'q>(
 }
 
 /// All figures that a sentence asks for: `to 3 significant figures`, `to the nearest degree`.
-fn asked(sentence: &[Token]) -> Vec<Places> {
+pub(super) fn asked(sentence: &[Token]) -> Vec<Places> {
     const COUNTS: [&str; 5] = ["one", "two", "three", "four", "five"];
     let word = |token: &Token| match token {
         Token::Word(word) => word.clone(),
@@ -84,7 +84,10 @@ fn asked(sentence: &[Token]) -> Vec<Places> {
         let is_rule = first == "nearest" || first.parse::<u32>().is_ok();
         let rest = |length: usize| words.get(at + 1..at + length).map(|rest| format!("{first} {}", rest.join(" ")));
         let said = |length| Accept::said(&rest(length)?).ok();
-        [3, 2].into_iter().filter(|_| is_rule).find_map(said)?.places().cloned()
+        // `3sf` is one word.
+        let is_short = first.starts_with(|sign: char| sign.is_ascii_digit()) && first.ends_with(['f', 'p']);
+        let short = || Accept::said(first).ok().filter(|_| is_short);
+        [3, 2].into_iter().filter(|_| is_rule).find_map(said).or_else(short)?.places().cloned()
     });
     at.collect()
 }
@@ -119,6 +122,7 @@ mod tests {
         let table = [
             ("Give it to three significant figures, or to the nearest degree.", 2),
             ("Give it to 3 s.f.", 1),
+            ("Give it to 3sf, or 1dp.", 2),
             ("The 3 spheres move with the nearest at {2 m/s} in 3 figures.", 0),
         ];
         for (words, figures) in table {

@@ -17,7 +17,11 @@ pub fn of_another_law(question: &Question) -> Vec<Finding> {
             let (EarnedFor::Law(own, _), Some(text)) = (&mark.earned_for, &mark.text) else { continue };
             let text = print::text_unicode(text);
             let other = Law::meant(&text).filter(|other| other.gives_equation() && other != own);
-            let Some(other) = other.filter(|_| has_words_of_its_own(*own) && !own.is_named_in(&text)) else { continue };
+            let other = other.filter(|_| has_words_of_its_own(*own) && !own.is_named_in(&text));
+            // What is conserved may be momentum, and is said of energy.
+            let lower = text.to_lowercase();
+            let is_of_energy = own.gives_equation() && lower.contains("energy") && !lower.contains(own.name());
+            let Some(other) = other.or_else(|| Law::meant("energy").filter(|_| is_of_energy)) else { continue };
             let message = format!(
                 "the text of the mark {} speaks of {}, and it is for `{}`",
                 mark.id,
@@ -45,6 +49,7 @@ mod tests {
         };
         let table = [
             ("momentum", "Newton's law of restitution", "the mark M1a speaks of restitution, and it is for `momentum`"),
+            ("momentum", "conservation of energy", "the mark M1a speaks of energy, and it is for `momentum`"),
             ("momentum", "conservation of momentum, all terms", ""),
             ("momentum", "all four terms, consistent signs", ""),
             ("restitution", "conservation of momentum", "speaks of momentum, and it is for `restitution`"),

@@ -19,6 +19,7 @@ mod letters;
 mod lines;
 mod marked_laws;
 mod marked_lines;
+mod marked_values;
 mod misspelt;
 mod own_words;
 mod requests;
@@ -82,6 +83,7 @@ pub fn of_question(question: &Question) -> Vec<Finding> {
         lines::from_another_line,
         marked_lines::of_another_line,
         marked_laws::of_another_law,
+        marked_values::of_another_value,
     ];
     checks.into_iter().flat_map(|check| check(question)).collect()
 }
