@@ -1187,7 +1187,7 @@ fn ways_that_no_word_tells_are_named() {
 }
 
 #[test]
-fn words_of_marks_that_are_of_another_value_are_named() {
+fn words_of_marks_that_are_of_another_value_or_misspelt_are_named() {
     let lost = "{ code = \"A1\", for = \"ke.lost\" }";
     found(
         "direct/one-sphere-catches-the-other",
@@ -1211,6 +1211,16 @@ fn words_of_marks_that_are_of_another_value_are_named() {
                 "energy-for-momentum",
                 &[("\"M1\", for = \"momentum\"", "\"M1\", for = \"momentum\", text = \"conservation of energy\"")],
                 "the text of the mark M1a speaks of energy, and it is for `momentum`",
+            ),
+            (
+                "slip-in-a-title",
+                &[("the kinetic energy lost\"\n", "the knetic energy lost\"\n")],
+                "slip of the pen: `knetic`",
+            ),
+            (
+                "slip-in-a-note",
+                &[(lost, "{ code = \"A1\", for = \"ke.lost\", note = \"see the refrence\" }")],
+                "a slip of the pen: `refrence`",
             ),
             (
                 "no-wall",

@@ -1,5 +1,9 @@
 //! Slips of the pen in the words of the subject: `sphere`, `perpendicular`, `coefficient`.
 
+use crate::bank::Question;
+use crate::examine::Finding;
+use crate::expr::print;
+
 /// Words of which questions are made, and from which no other word that might stand there is one letter away: `fraction`
 /// (friction) and `impact` (impart) are left out.
 const WORDS: [&str; 45] = [
@@ -50,12 +54,28 @@ const WORDS: [&str; 45] = [
     "vertical",
 ];
 
+/// Slips that are further from their words, or in words too short to be told from others by one letter.
+const KNOWN: [(&str, &str); 9] = [
+    ("verticle", "vertical"),
+    ("horizontle", "horizontal"),
+    ("smoth", "smooth"),
+    ("speeed", "speed"),
+    ("sphre", "sphere"),
+    ("recieves", "receives"),
+    ("refrence", "reference"),
+    ("consevation", "conservation"),
+    ("occured", "occurred"),
+];
+
 /// Endings by which one word is made of another, and spellings that some have.
 const ENDINGS: [&str; 8] = ["s", "d", "r", "ly", "ed", "al", "er", "n"];
 
 /// The word that is meant by one that begins as it does, is no form of it, and is one letter away: wrong, missing, too many,
 /// or exchanged with the next.
 pub(super) fn meant(word: &str) -> Option<&'static str> {
+    if let Some((_, right)) = KNOWN.iter().find(|(slip, _)| *slip == word) {
+        return Some(right);
+    }
     let is_plain = word.len() > 5 && word.chars().all(|letter| letter.is_ascii_lowercase());
     let is_american = word.starts_with("center");
     if !is_plain || is_american || WORDS.contains(&word) {
@@ -69,6 +89,22 @@ pub(super) fn meant(word: &str) -> Option<&'static str> {
         other.len() > 5 && other.as_bytes()[0] == word.as_bytes()[0] && strsim::osa_distance(word, other) == 1
     };
     WORDS.into_iter().find(|other| is_near(other) && !is_form(other))
+}
+
+/// Slips in words that no student reads: the title, and the texts and notes of marks.
+pub fn behind_the_paper(question: &Question) -> Vec<Finding> {
+    let marks = question.parts.iter().flat_map(|part| &part.marks);
+    let texts = marks.flat_map(|mark| mark.text.iter().chain(&mark.note)).map(print::text_unicode);
+    let all: Vec<String> = [question.title.clone()].into_iter().chain(texts).collect();
+    let mut findings: Vec<Finding> = Vec::new();
+    for word in all.iter().flat_map(|text| text.split(|sign: char| !sign.is_alphabetic())) {
+        let Some(right) = meant(word) else { continue };
+        let found = Finding::new(format!("a slip of the pen: `{word}`"), word, "here");
+        if !findings.iter().any(|known| known.message == found.message) {
+            findings.push(found.with_help(format!("write `{right}`")).as_warning());
+        }
+    }
+    findings
 }
 
 #[cfg(test)]
@@ -88,6 +124,8 @@ mod tests {
             ("colide", "collide"),
             ("velocites", "velocities"),
             ("paralel", "parallel"),
+            ("verticle", "vertical"),
+            ("smoth", "smooth"),
         ];
         for (typed, word) in table {
             assert_eq!(meant(typed), Some(word), "{typed}");
