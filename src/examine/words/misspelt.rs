@@ -2,7 +2,6 @@
 
 use crate::bank::Question;
 use crate::examine::Finding;
-use crate::expr::print;
 
 /// Words of which questions are made, and from which no other word that might stand there is one letter away: `fraction`
 /// (friction) and `impact` (impart) are left out.
@@ -91,20 +90,15 @@ pub(super) fn meant(word: &str) -> Option<&'static str> {
     WORDS.into_iter().find(|other| is_near(other) && !is_form(other))
 }
 
-/// Slips in words that no student reads: the title, and the texts and notes of marks.
-pub fn behind_the_paper(question: &Question) -> Vec<Finding> {
-    let marks = question.parts.iter().flat_map(|part| &part.marks);
-    let texts = marks.flat_map(|mark| mark.text.iter().chain(&mark.note)).map(print::text_unicode);
-    let all: Vec<String> = [question.title.clone()].into_iter().chain(texts).collect();
-    let mut findings: Vec<Finding> = Vec::new();
-    for word in all.iter().flat_map(|text| text.split(|sign: char| !sign.is_alphabetic())) {
-        let Some(right) = meant(word) else { continue };
+/// Slips in the title, which is no text of the paper and is read nowhere else.
+pub fn in_the_title(question: &Question) -> Vec<Finding> {
+    let words = question.title.split(|sign: char| !sign.is_alphabetic());
+    let slip = words.into_iter().find_map(|word| Some((word, meant(word)?)));
+    let found = slip.map(|(word, right)| {
         let found = Finding::new(format!("a slip of the pen: `{word}`"), word, "here");
-        if !findings.iter().any(|known| known.message == found.message) {
-            findings.push(found.with_help(format!("write `{right}`")).as_warning());
-        }
-    }
-    findings
+        found.with_help(format!("write `{right}`")).as_warning()
+    });
+    found.into_iter().collect()
 }
 
 #[cfg(test)]

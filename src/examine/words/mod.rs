@@ -84,7 +84,7 @@ pub fn of_question(question: &Question) -> Vec<Finding> {
         marked_lines::of_another_line,
         marked_laws::of_another_law,
         marked_values::of_another_value,
-        misspelt::behind_the_paper,
+        misspelt::in_the_title,
     ];
     checks.into_iter().flat_map(|check| check(question)).collect()
 }
