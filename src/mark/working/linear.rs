@@ -3,7 +3,6 @@
 use super::points::Points;
 use super::spread::Spread;
 use crate::expr::{Expr, Function};
-use crate::number::Fraction;
 
 /// A number, or a sum of unknowns with numbers before them, and a number.
 #[derive(Clone, Debug, PartialEq)]
@@ -236,7 +235,7 @@ fn multiplied(one: Sum, other: Sum) -> Option<Sum> {
 
 /// A decimal with the width of its last figure, unless it is one of the question's own.
 fn decimal(text: &str, context: &Context) -> Option<Spread> {
-    let value = text.parse::<Fraction>().ok()?.to_f64();
+    let value = text.parse::<f64>().ok()?;
     let figures = figures(text);
     if figures < context.rounded_from || context.exact.iter().any(|given| given == text) {
         return Some(Spread::exactly(value));

@@ -63,15 +63,16 @@ pub(super) fn with_number_misread(
         let mut place = 0;
         let mut with = |side: &Expr| replaced(side, &mut place, put);
         let equation = (with(left), with(right));
-        laws.exactly(&differences(&equation, prepared)?, &Apiece::of(&equation, prepared), convention)
+        laws.exactly(&differences(&equation, prepared)?, || Apiece::of(&equation, prepared), convention)
     };
     let choices = written.iter().enumerate().flat_map(|(at, typed)| {
         let may_be = move |given: &&Expr| *given != typed && !prepared.are_masses(typed, given);
         prepared.given_numbers.iter().filter(may_be).map(move |given| (at, typed, given))
     });
     let mut found = choices.filter_map(|(at, typed, given)| {
-        law(&|place, _| (place == at).then(|| given.clone()))
-            .or_else(|| law(&|_, number| (number == typed).then(|| given.clone())))
+        let stands_again = written.iter().filter(|number| *number == typed).count() > 1;
+        let everywhere = || law(&|_, number| (number == typed).then(|| given.clone()));
+        law(&|place, _| (place == at).then(|| given.clone())).or_else(|| stands_again.then(everywhere).flatten())
     });
     found.next().map(|equation| Matched::with(equation, Departure::NumberMisread))
 }

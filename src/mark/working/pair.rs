@@ -181,6 +181,10 @@ impl Laws {
         let sides: Vec<Side> = line.iter().map(|line| Side::of(line, convention)).collect();
         let has = |unknowns: &Vec<[f64; 2]>| unknowns.iter().zip(&sides).all(|(numbers, side)| side.has(*numbers));
         let in_proportion: Vec<bool> = self.unknowns.iter().map(has).collect();
+        // Most lines are neither law, however changed.
+        if !in_proportion.contains(&true) {
+            return Vec::new();
+        }
         let is_line = |changed: &&Changed| {
             let change @ Change { tolerance, departures, .. } = &changes()[changed.change];
             let factors = || -> Vec<Spread> {
@@ -235,10 +239,28 @@ impl Laws {
         })
     }
 
-    /// The law that a line is as it stands.
-    pub(super) fn exactly(&self, line: &[Linear], apiece: &Apiece, convention: &Convention) -> Option<Quantity> {
-        let found = self.as_it_stands(line, apiece, convention, false);
-        found.into_iter().find(|one| one.departures.is_empty()).map(|one| one.equation)
+    /// The law that a line is as it stands; what it has of each sphere is asked for where all else is right.
+    pub(super) fn exactly(
+        &self,
+        line: &[Linear],
+        apiece: impl Fn() -> Apiece,
+        convention: &Convention,
+    ) -> Option<Quantity> {
+        let sides: Vec<Side> = line.iter().map(|line| Side::of(line, convention)).collect();
+        let has_others =
+            line.iter().flat_map(|line| &line.unknowns).any(|(name, _)| !convention.letters.contains(name));
+        // What is not changed at all comes first.
+        let laws = self.changed.iter().map(|changed| (&changes()[changed.change], &changed.numbers));
+        let mut unchanged = laws.take_while(|(change, _)| change.departures.is_empty());
+        let is_line = |(change, numbers): &(&Change, &Vec<[f64; 3]>)| {
+            let factors =
+                || numbers.iter().zip(&sides).map(|([p, q, _], side)| side.factor([*p, *q])).collect::<Vec<_>>();
+            numbers.iter().zip(&sides).all(|(numbers, side)| {
+                let [p, q, _] = *numbers;
+                side.has([p, q]) && side.is_law(*numbers, change.tolerance)
+            }) && apiece().may_be(change, &self.inputs, &factors())
+        };
+        unchanged.find(|law| !has_others && is_line(law)).map(|(change, _)| change.equation)
     }
 
     /// Momentum with one velocity for both spheres, `16 cos 30° = (4 + 2)v`: that they move on together stands in it too.
