@@ -11,6 +11,8 @@ pub(super) const LEAST_TERMS: usize = 3;
 /// How a line agrees with a law.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Agrees {
+    /// In every term but for signs, once it is multiplied by something.
+    ButForSignsAndFactor,
     /// In every term but for signs.
     ButForSigns,
     Fully,
@@ -34,10 +36,12 @@ pub(super) fn agreement(terms: &[Spread], law: &[f64]) -> Option<(Agrees, f64)> 
     let mut best: Option<(Agrees, f64)> = None;
     for one in &law {
         let scale = terms[0].middle() / one;
-        for (agrees, scale) in [(Agrees::Fully, scale), (Agrees::ButForSigns, scale)] {
+        let is_as_it_stands = (scale.abs() - 1.0).abs() <= SLACK;
+        let but_for_signs = if is_as_it_stands { Agrees::ButForSigns } else { Agrees::ButForSignsAndFactor };
+        for agrees in [Agrees::Fully, but_for_signs] {
             let is = |term: Spread, own: f64| match agrees {
                 Agrees::Fully => term.may_be(own * scale),
-                Agrees::ButForSigns => near(term.absolute(), (own * scale).abs()),
+                _ => near(term.absolute(), (own * scale).abs()),
             };
             if best.is_none_or(|(found, _)| found < agrees) && pairs_off(&terms, &law, &is) {
                 best = Some((agrees, scale));

@@ -6,6 +6,7 @@ use super::examine::context;
 use super::line::{Line, Member, ReadLine};
 use super::linear::constant;
 use super::prepared::Prepared;
+use super::slipped::false_number;
 use crate::expr::{Expr, Function, Relation};
 use crate::mark::reading::Form;
 use crate::number::{Letter, Range};
@@ -86,7 +87,13 @@ fn put_short_letters_in_place(lines: &mut [Line], letters: &[Letter], prepared: 
             put_everywhere(reading, &put);
         }
         let members = line.readings.iter().flat_map(|reading| &reading.members);
-        let defined: Vec<(String, Expr)> = members.filter_map(|member| short(member, prepared)).collect();
+        let mut defined: Vec<(String, Expr)> = members.filter_map(|member| short(member, prepared)).collect();
+        // In `9cos26 = 8.59 = k` the letter is the number, which the formula is not.
+        let equations = line.readings.iter().flat_map(|reading| &reading.equations);
+        let false_numbers = equations.filter_map(|(formula, number)| false_number(formula, number, prepared));
+        for number in false_numbers {
+            defined.sort_by_key(|(_, value)| value != number);
+        }
         for (letter, value) in defined {
             // What stood in an equation before is an unknown that has been found.
             if !used.contains(&letter) && known.iter().all(|(own, _)| *own != letter) {

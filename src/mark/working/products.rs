@@ -58,7 +58,9 @@ impl Products {
 /// Do a and b stand on one side of an equals sign, or on both, each by itself?
 fn has_a_and_b(line: &str) -> bool {
     let stands = |own: &str| line.split(|sign: char| !sign.is_alphabetic()).any(|word| word == own);
-    let in_words = line.split_whitespace().any(|word| word.len() > 4 && word.chars().all(char::is_alphabetic));
+    // `cosα` is no word, nor is `evcosα`.
+    let is_word = |word: &str| word.len() > 4 && word.bytes().all(|sign| sign.is_ascii_alphabetic());
+    let in_words = line.split_whitespace().any(is_word);
     line.contains('=') && !in_words && stands("a") && stands("b")
 }
 
@@ -114,6 +116,7 @@ mod tests {
     #[test]
     fn a_mass_beside_the_students_own_letters_is_a_factor() {
         assert_eq!(signed(&["m"], &["4m - 5m = ma + 3mb", "b - a = 6"])[0], "4m - 5m = m a + 3m b");
+        assert_eq!(signed(&["m", "v"], &["7mv = 7ma", "b - a = ev cosα"])[0], "7mv = 7m a");
         assert_eq!(signed(&["m"], &["ma u + mb w = 3"]), ["ma u + mb w = 3"]);
         assert_eq!(signed(&["m"], &["½m5² + 1/2 m 13² = 97m"]), ["½m × 5² + 1/2 m × 13² = 97m"]);
         assert_eq!(signed(&["m"], &["√80 = m 3√2", "m1u1 = 3", "m 1 = 3"]), ["√80 = m × 3√2", "m1u1 = 3", "m 1 = 3"]);

@@ -42,12 +42,14 @@ pub(super) fn undone(lines: &[Line], before: &[Slip], prepared: &Prepared) -> (O
     (is_used.then_some(undone), slips)
 }
 
+/// The number that a formula is said to come to and does not; `5 cos α = 5` is no slip of the calculator.
+pub(super) fn false_number<'e>(formula: &Expr, number: &'e Expr, prepared: &Prepared) -> Option<&'e Expr> {
+    let is_worked_out = !is_plain(formula) && !has(formula, number) && is_plain(number);
+    (is_worked_out && is_false(formula, number, prepared)).then_some(number)
+}
+
 fn slip(formula: &Expr, number: &Expr, prepared: &Prepared) -> Option<Slip> {
-    // `5 cos α = 5` is no slip of the calculator.
-    if is_plain(formula) || has(formula, number) || !is_plain(number) || !is_false(formula, number, prepared) {
-        return None;
-    }
-    Some(match number {
+    Some(match false_number(formula, number, prepared)? {
         Expr::Negative(size) => Slip { formula: formula.clone().negated(), number: (**size).clone() },
         size => Slip { formula: formula.clone(), number: size.clone() },
     })

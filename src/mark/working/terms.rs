@@ -113,14 +113,14 @@ impl Working<'_> {
             })
         };
         let but_for_signs = || {
-            let place = line(right, Agrees::ButForSigns)?;
+            let place = line(right, Agrees::ButForSignsAndFactor)?;
             // What is as near to the other law is neither.
             let other = BOTH.into_iter().find(|other| *other != equation)?;
-            right_of(other).get(place).is_none_or(Option::is_none).then_some(place)
+            (right_of(other).get(place).copied().flatten() < right[place]).then_some(place)
         };
         let (place, note, feedback) = match but_for_signs() {
             Some(place) => (place, Some("sign-error"), "a sign or a number in it is wrong"),
-            None => (line(own(), Agrees::ButForSigns)?, None, "it starts from a value that is not right"),
+            None => (line(own(), Agrees::ButForSignsAndFactor)?, None, "it starts from a value that is not right"),
         };
         let evidence = Evidence::given(place, law.name());
         match code.is_accuracy() {

@@ -17,13 +17,19 @@ pub(super) struct Found {
 
 impl Found {
     /// How unlikely it is to be meant.
-    fn weight(&self) -> u32 {
-        self.matched.weight() + if self.has_needless_mass { NEEDLESS } else { 0 }
+    pub(super) fn weight(&self) -> u32 {
+        let needless = if self.has_needless_mass { NEEDLESS } else { 0 };
+        let unlikely = if self.which > 0 { UNLIKELY } else { 0 };
+        self.matched.weight() + needless + unlikely
     }
 }
 
 /// What a mass in the law of restitution costs.
 const NEEDLESS: u32 = 3;
+
+/// What a reading costs that is not the likeliest: more than a wrong sign. `2/3(4/3 - 5/3)` is two thirds of the bracket, and
+/// wrong, though two over three times the bracket be right.
+const UNLIKELY: u32 = 4;
 
 /// What it costs if neither of the two laws is as it should be.
 const NONE_EXACT: u32 = 2;

@@ -132,7 +132,7 @@ impl Working<'_> {
         let is_wall = self.prepared.setting == Setting::Wall;
         let components = self.components_to_resolve(is_wall);
         let is_line_known = is_wall || self.lines.iter().any(|studied| self.has_line(studied));
-        let mut best: Option<(usize, usize, bool)> = None;
+        let mut best: Option<(usize, usize, usize, bool)> = None;
         for scale in self.scales() {
             let seen = |alike: &Vec<Component>| {
                 let size = |sign: f64| alike[0].1.iter().map(|right| sign * right.abs() * scale).collect::<Vec<f64>>();
@@ -164,17 +164,19 @@ impl Working<'_> {
                     true => [is_shown || stated(&|_| true) >= alike.len(); 2],
                     false => [1.0, -1.0].map(|direction| is_shown || with_signs(direction)),
                 };
-                Some((first, each))
+                Some((first, stated(&|_| true).min(alike.len()), each))
             };
-            let found: Vec<(usize, [bool; 2])> = components.iter().filter_map(seen).collect();
+            let found: Vec<(usize, usize, [bool; 2])> = components.iter().filter_map(seen).collect();
             if found.len() > best.map_or(0, |(count, ..)| count) {
-                let last = found.iter().map(|(place, _)| *place).max().unwrap_or(0);
-                let each = (0..2).any(|direction| found.iter().all(|(_, each)| each[direction]));
-                best = Some((found.len(), last, each));
+                let last = found.iter().map(|(place, ..)| *place).max().unwrap_or(0);
+                let stated = found.iter().map(|(_, stated, _)| stated).sum();
+                let each = (0..2).any(|direction| found.iter().all(|(.., each)| each[direction]));
+                best = Some((found.len(), stated, last, each));
             }
         }
-        let (count, place, each) = best?;
-        let is_method = count >= if is_wall { 1 } else { 2.min(components.len()) };
+        let (count, stated, place, each) = best?;
+        // Two velocities may have components of one size.
+        let is_method = stated >= 2 || count >= if is_wall { 1 } else { 2.min(components.len()) };
         let is_complete = count == components.len();
         let evidence = Evidence::given(place, "components along the line of centres");
         match code.is_accuracy() {
