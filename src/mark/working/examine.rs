@@ -8,7 +8,6 @@ use super::going_on::{follow, follow_to};
 use super::impacts::{set_aside_of_others, short_of_law};
 use super::line::{self, Line, ReadLine};
 use super::linear::{Context, Sum};
-use super::offered::differences;
 use super::pair::{BOTH, Convention, Departure, Matched};
 use super::points::sizes;
 use super::prepared::Prepared;
@@ -354,45 +353,5 @@ impl Working<'_> {
             _ => String::new(),
         };
         Some(Shown { line, given, note, feedback, role: law.name().to_owned() })
-    }
-
-    /// The mark for solving the two equations: a value of one of the unknowns follows them, or so much of one is known. With
-    /// the other still in it nothing has been solved: an equation is only written the other way round.
-    fn solved(&self) -> Option<Shown> {
-        let convention = self.convention.as_ref()?;
-        let states = |studied: &Studied| {
-            let members = studied.reading.as_ref().map(|reading| reading.members.as_slice()).unwrap_or_default();
-            members.iter().zip(&studied.values).any(|(member, value)| {
-                let is_unknown = member.letter.as_ref().is_some_and(|letter| convention.letters.contains(letter));
-                let mut names = member.expr.names().into_iter();
-                is_unknown && value.is_some() && !names.any(|name| convention.letters.contains(&name.text))
-            })
-        };
-        // `9x = 5v - 4ev` comes of both equations; before them it could be anything.
-        let has_law = |equation: &Quantity| {
-            self.lines.iter().position(|studied| studied.matched.iter().any(|matched| matched.equation == *equation))
-        };
-        let laws: Option<Vec<usize>> = BOTH.iter().map(has_law).collect();
-        let both = laws.and_then(|places| places.into_iter().max());
-        let eliminates = |(place, studied): (usize, &Studied)| {
-            let mut equations = studied.reading.iter().flat_map(|reading| &reading.equations);
-            both.is_some_and(|both| place > both)
-                && studied.matched.iter().all(|matched| !matched.is_method())
-                && equations.any(|equation| self.has_one_unknown(equation, convention))
-        };
-        let mut lines = self.lines.iter().enumerate();
-        let line = lines.position(|(place, studied)| states(studied) || eliminates((place, studied)));
-        let line = line.or_else(|| self.solved_in_vectors())?;
-        Some(Shown { line, given: true, note: None, feedback: String::new(), role: "the equations solved".to_owned() })
-    }
-
-    /// Is one of the student's two letters the only unknown in an equation?
-    fn has_one_unknown(&self, equation: &(Expr, Expr), convention: &Convention) -> bool {
-        differences(equation, self.prepared).is_some_and(|linear| {
-            linear.iter().all(|linear| match linear.unknowns.as_slice() {
-                [(name, _)] => convention.letters.contains(name),
-                _ => false,
-            })
-        })
     }
 }

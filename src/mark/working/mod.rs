@@ -46,6 +46,7 @@ mod remarks;
 mod said;
 mod shapes;
 mod slipped;
+mod solved;
 mod spread;
 mod squares;
 mod substituted;

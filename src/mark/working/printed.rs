@@ -49,10 +49,29 @@ impl Working<'_> {
         self.printed_models().any(is)
     }
 
+    /// Is it either side of a result that is printed?
+    pub(super) fn is_side_of_result(&self, expr: &Expr) -> bool {
+        self.printed_models().filter_map(sides_of).any(|(left, right)| left == expr || right == expr)
+    }
+
+    /// `tan θ = 1/2` where tan²θ = 1/4 is to be shown: the letter that is sought, alone under its function or power, set equal to
+    /// a number, which may have been read off the result.
+    pub(super) fn restates_number(&self, (left, right): &(Expr, Expr)) -> bool {
+        let is_number = |expr: &Expr| expr.names().is_empty();
+        let is_of_result = |side: &Expr| {
+            let mut results = self.printed_models().filter_map(sides_of).filter(|(_, number)| is_number(number));
+            bare_letter(side)
+                .is_some_and(|letter| self.has_sought(side) && results.any(|(own, _)| bare_letter(own) == Some(letter)))
+        };
+        is_of_result(left) && is_number(right) || is_of_result(right) && is_number(left)
+    }
+
     /// Is the line what was to be shown, written once more? A step on the way to it is not as it is printed, and has more in
     /// it.
     pub(super) fn is_printed_result(&self, studied: &Studied) -> bool {
-        let Some(reading) = &studied.reading else { return false };
+        let Some(reading) = studied.reading.as_ref().filter(|_| self.printed_models().next().is_some()) else {
+            return false;
+        };
         let line = Reading { statements: reading.statements.clone(), printed: String::new(), decided: Vec::new() };
         let equations = reading.equations.iter().map(|(left, right)| leaves(left) + leaves(right));
         // What stands alone is said of the one thing to the left of the result.
@@ -72,8 +91,11 @@ impl Working<'_> {
         let end = |place: usize| self.lines[place].reading.as_ref()?.statements.last().cloned();
         let Some(mut end) = end(last) else { return false };
         // What `= 9 tan α/4` goes on from says what it is.
-        let goes_on = |place: &usize| !self.lines[*place].line.typed.trim_start().starts_with('=');
-        let begin = (0..=last).rfind(goes_on).and_then(|place| self.lines[place].reading.as_ref());
+        let begins = |place: &usize| {
+            let typed = self.lines[*place].line.typed.trim_start();
+            !typed.starts_with('=') && !is_remark(typed)
+        };
+        let begin = (0..=last).rfind(begins).and_then(|place| self.lines[place].reading.as_ref());
         if end.label.is_none() {
             end.label = begin.and_then(|line| self.called(line)).cloned();
         }
@@ -101,8 +123,11 @@ impl Working<'_> {
             .lines
             .iter()
             .map(|studied| {
-                let goes_on = studied.line.typed.trim_start().starts_with('=');
                 let Some(reading) = &studied.reading else { return Truth::Unknown };
+                if is_remark(&studied.line.typed) {
+                    return Truth::Unknown;
+                }
+                let goes_on = studied.line.typed.trim_start().starts_with('=');
                 let (equations, name) = self.equations(reading, named.take().filter(|_| goes_on));
                 named = name;
                 self.truth_of_all(&equations, &everywhere, &where_found)
@@ -254,6 +279,15 @@ impl Working<'_> {
     }
 }
 
+/// The letter in `θ`, `tan θ` or `tan²θ`.
+fn bare_letter(expr: &Expr) -> Option<&str> {
+    match expr {
+        Expr::Name(name) => Some(&name.text),
+        Expr::Call(_, inner) | Expr::Power(inner, _) => bare_letter(inner),
+        _ => None,
+    }
+}
+
 /// Both sides of a result that is an equation.
 fn sides_of(model: &Model) -> Option<(&Expr, &Expr)> {
     match &model.value {
@@ -272,6 +306,16 @@ fn expanded(expr: &Expr) -> Option<Expr> {
     let below = Expr::Sum(vec![Expr::integer(1), Expr::Product(vec![from, taken])]);
     Some(Expr::Quotient(Box::new(above), Box::new(below)))
 }
+
+/// `multiply top and bottom by 7 - 3e`: words with which nothing is set equal, so that a chain goes on after them.
+fn is_remark(typed: &str) -> bool {
+    let is_word = |word: &str| word.chars().count() > 2 && word.chars().all(char::is_alphabetic);
+    let words = typed.split_whitespace().filter(|word| is_word(word)).count();
+    words >= LEAST_WORDS && !typed.contains(['=', '<', '>', '≤', '≥', '≈'])
+}
+
+/// Fewer words may be the name of what stands beside them.
+const LEAST_WORDS: usize = 3;
 
 /// How many numbers and letters stand in a formula.
 fn leaves(expr: &Expr) -> usize {
