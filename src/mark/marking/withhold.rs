@@ -70,6 +70,7 @@ pub(super) fn contradicts(shown: &Award) -> bool {
         "not-resolved",
         "term-missing",
         "coalesce",
+        "inequality-reversed",
         "energy-square-of-difference",
         "energy-components-added",
         // A value that is stated, and is another though not by much.

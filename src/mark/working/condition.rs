@@ -1,14 +1,14 @@
 //! Lines that use what is given of the motion after the impact.
 
 use super::compare::{comes_to, is_composite};
+use super::departure::Departure;
 use super::evidence::Evidence;
-use super::examine::Working;
+use super::examine::{Studied, Working};
 use super::line::ReadLine;
 use super::linear::Context;
 use super::points::sizes;
-use super::shapes::two_squares;
-use super::theirs::{is_of_velocity, numbers};
-use crate::expr::{Expr, Function, Relation};
+use super::theirs::numbers;
+use crate::expr::{Expr, Relation};
 use crate::mark::key::KeyedMark;
 use crate::mark::reading::Form;
 use crate::mechanics::{Axis, Known, Moment, Quantity, Sphere};
@@ -19,24 +19,48 @@ impl Working<'_> {
         if mark.code.is_accuracy() {
             return None;
         }
+        // Who starts from the result has not found it: what is true of it says nothing from there on.
+        let restates = |studied: &Studied| {
+            studied.reading.iter().flat_map(|reading| &reading.equations).any(|equation| self.restates_number(equation))
+        };
+        let copied_from = self.lines.iter().position(restates).unwrap_or(self.lines.len());
         let line = (0..self.lines.len()).find(|place| {
             let studied = &self.lines[*place];
             let Some(reading) = &studied.reading else { return false };
             let statements = || reading.statements.iter().flat_map(|statement| &statement.said);
             let is_demanded = |form: &Form| {
-                self.is_demanded(form, mark, *place) || self.is_of_angles(form) || self.is_own_inequality(form, *place)
+                self.is_demanded(form, mark, *place, 1.0)
+                    || self.is_of_angles(form)
+                    || self.is_own_inequality(form, *place)
             };
             let is_inequality = || statements().any(|said| is_demanded(&said.form));
-            let mut worked = reading.equations.iter().filter(|(_, right)| !self.is_printed_value(right));
+            let is_copied =
+                |equation: &(Expr, Expr)| self.is_printed_value(&equation.1) || self.restates_number(equation);
+            let mut worked = reading.equations.iter().filter(|equation| !is_copied(equation));
             let holds = |equation: &(Expr, Expr)| {
-                self.holds_only_where_found(equation)
+                *place < copied_from && self.holds_only_where_found(equation)
                     || self.is_of_own_speed(equation, *place)
                     || self.makes_right_angle(equation)
+                    || self.is_set_on_own(equation, *place)
             };
-            let mut holds = || worked.any(holds) || self.is_set_on_own(reading, *place);
+            let mut holds = || worked.any(holds);
             !self.is_printed_result(studied) && studied.matched.is_empty() && (holds() || is_inequality())
-        })?;
-        Some(Evidence::given(line, "uses what is given of the motion after the impact"))
+        });
+        let role = "uses what is given of the motion after the impact";
+        line.map(|line| Evidence::given(line, role)).or_else(|| {
+            let (line, departure) = (self.turned_round(mark)?, Departure::InequalityReversed);
+            let (note, feedback) = (Some(departure.tag()), departure.sentence().to_owned());
+            Some(Evidence { given: false, note, feedback, ..Evidence::given(line, role) })
+        })
+    }
+
+    /// The line of the inequality that is demanded, if it points the wrong way.
+    fn turned_round(&self, mark: &KeyedMark) -> Option<usize> {
+        self.lines.iter().enumerate().position(|(place, studied)| {
+            let statements = studied.reading.iter().flat_map(|reading| &reading.statements);
+            let mut said = statements.flat_map(|statement| &statement.said);
+            !studied.line.is_crossed_out() && said.any(|said| self.is_demanded(&said.form, mark, place, -1.0))
+        })
     }
 
     /// Is it the inequality of the scheme for the student's own components at a wall?
@@ -49,7 +73,7 @@ impl Working<'_> {
         }
     }
 
-    fn holds_only_where_found(&self, (left, right): &(Expr, Expr)) -> bool {
+    pub(super) fn holds_only_where_found(&self, (left, right): &(Expr, Expr)) -> bool {
         let mut held = 0;
         for point in 0..self.prepared.points.count {
             let Some(there) = self.prepared.where_found(point) else { continue };
@@ -68,52 +92,15 @@ impl Working<'_> {
         held > 0 && !(0..self.prepared.points.count).all(|point| self.holds_at(left, right, point))
     }
 
-    /// `(3 + k)² + (1 + 2k)² = 50`: is the speed that is given set equal to that of the student's own velocity, which a line
-    /// before this one has in the letter that is sought?
-    fn is_of_own_speed(&self, (left, right): &(Expr, Expr), place: usize) -> bool {
-        let Some(given) = self.given_speed() else { return false };
-        let squares: Vec<f64> = given.iter().map(|speed| speed * speed).collect();
-        let is = |expr: &Expr, sizes: &Vec<f64>| self.is_one_of(expr, std::slice::from_ref(sizes));
-        let is_speed = |speed: &Expr, other: &Expr| match speed {
-            Expr::Call(Function::Sqrt, sum) => self.is_of_own_velocity(sum, place) && is(other, &given),
-            sum => self.is_of_own_velocity(sum, place) && is(other, &squares),
-        };
-        is_speed(left, right) || is_speed(right, left)
-    }
-
-    /// The speed after the impact, where that is what is given.
-    fn given_speed(&self) -> Option<Vec<f64>> {
-        let condition = self.question.scene.conditions.first().filter(|condition| !condition.is_inequality())?;
-        let Expr::Name(name) = &condition.left else { return None };
-        let Ok(Quantity::Speed(_, Moment::After)) = name.text.parse() else { return None };
-        numbers(&self.values_of(&condition.right)?)
-    }
-
-    /// Is it the sum of the squares of both components of a velocity that was stated before, in the letter that is sought?
-    fn is_of_own_velocity(&self, sum: &Expr, place: usize) -> bool {
-        let Some((one, other)) = two_squares(sum) else { return false };
-        let is = |expr: &Expr, component: &Expr| {
-            self.values_of(component)
-                .and_then(|values| numbers(&values))
-                .is_some_and(|own| self.is_one_of(expr, &[own]))
-        };
-        let members = self.lines[..place].iter().flat_map(|studied| self.members(studied));
-        let mut own = members.filter_map(|(member, _)| match &member.expr {
-            Expr::Vector(x, y) if member.letter.as_deref().is_some_and(is_of_velocity) => Some((x, y)),
-            _ => None,
-        });
-        own.any(|(x, y)| self.has_sought(sum) && (is(&one, x) && is(&other, y) || is(&one, y) && is(&other, x)))
-    }
-
     /// Does the letter that is sought stand in it?
     pub(super) fn has_sought(&self, expr: &Expr) -> bool {
         let sought = |name: &str| self.question.scene.unknowns.iter().any(|letter| letter.name() == name);
         expr.names().into_iter().any(|name| sought(&name.text))
     }
 
-    /// Is it the inequality of the scheme, or what that is for the student's own velocity, up to a positive factor? The
+    /// Is it the inequality of the scheme, or what that is for the student's own velocity, up to a factor of this sign? The
     /// letter alone on one side is what has been concluded from it.
-    fn is_demanded(&self, form: &Form, mark: &KeyedMark, place: usize) -> bool {
+    fn is_demanded(&self, form: &Form, mark: &KeyedMark, place: usize, sign: f64) -> bool {
         let Form::Equation(Expr::Relation(left, relation, right)) = form else { return false };
         let alone = self.left_alone(place);
         let is_stated = |side: &Expr| !self.is_sought(side) && self.is_of_stated(side, &alone);
@@ -121,7 +108,8 @@ impl Working<'_> {
             return false;
         }
         let [left, right] = [left, right].map(|side| self.with_stated_tangents(side, place));
-        let Some(stated) = self.excess_of(&left, *relation, &right, &alone) else { return false };
+        let Some(mut stated) = self.excess_of(&left, *relation, &right, &alone) else { return false };
+        stated.iter_mut().for_each(|excess| *excess *= sign);
         let is = |demanded: &Vec<f64>| self.is_positive_multiple(&stated, demanded);
         self.demanded_by_scheme(mark).as_ref().is_some_and(is) || self.demanded_of_own(place).iter().any(is)
     }

@@ -19,6 +19,7 @@ pub(super) enum Departure {
     Coalesced,
     WrongAxis,
     WeightsForMasses,
+    InequalityReversed,
 }
 
 impl Departure {
@@ -49,6 +50,7 @@ impl Departure {
             Departure::Coalesced => "coalesce",
             Departure::WrongAxis => "wrong-axis",
             Departure::WeightsForMasses => "weights-for-masses",
+            Departure::InequalityReversed => "inequality-reversed",
         }
     }
 
@@ -72,6 +74,7 @@ impl Departure {
             Departure::RestitutionOnWrongSide => "e is on the wrong side: it multiplies the speed of approach",
             Departure::WrongAxis => "the components that change are those along the line of centres",
             Departure::WeightsForMasses => "weights are taken for the masses: there is no g in momentum",
+            Departure::InequalityReversed => "the inequality points the wrong way",
             Departure::Coalesced => "the spheres separate after the impact; they do not move on together",
         }
     }
@@ -112,6 +115,7 @@ mod tests {
             Coalesced,
             WrongAxis,
             WeightsForMasses,
+            InequalityReversed,
         ];
         for departure in all {
             let costs = if departure.is_condoned() { "A" } else { "M and A" };

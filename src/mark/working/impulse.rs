@@ -146,19 +146,21 @@ impl Working<'_> {
         (0..self.prepared.points.count).map(at).collect::<Option<Vec<_>>>()?.into_iter().min()
     }
 
-    /// `(2 + 2/m)² + (2 + 4/m)²`: the components of the velocity that is sought, squared.
+    /// `(2 + 2/m)² + (2 + 4/m)²`, `(2m + 2)² + (2m + 4)²`: the components of the velocity that is sought, or of its momentum,
+    /// squared.
     fn has_squares(&self, expr: &Expr, x: &Along, y: &Along) -> bool {
         // A vector of impulse has a size too, but that comes after it is found.
-        let is_squared = |along: &Along| {
-            !along.is_impulse
-                && any_within(expr, &|inner| match inner {
-                    Expr::Power(base, exponent) if **exponent == Expr::integer(2) => {
-                        self.is_one_of(base, std::slice::from_ref(&along.sought))
-                    }
-                    _ => false,
-                })
+        let is_squared = |component: Vec<f64>| {
+            any_within(expr, &|inner| match inner {
+                Expr::Power(base, exponent) if **exponent == Expr::integer(2) => {
+                    self.is_one_of(base, std::slice::from_ref(&component))
+                }
+                _ => false,
+            })
         };
-        is_squared(x) && is_squared(y)
+        let momentum = |along: &Along| along.sought.iter().zip(&along.weight).map(|(v, m)| m * v).collect();
+        let are_squared = |of: &dyn Fn(&Along) -> Vec<f64>| is_squared(of(x)) && is_squared(of(y));
+        !x.is_impulse && (are_squared(&|along| along.sought.clone()) || are_squared(&momentum))
     }
 }
 

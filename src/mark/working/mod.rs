@@ -36,6 +36,7 @@ mod misread;
 mod offered;
 mod own;
 mod own_condition;
+mod own_speed;
 mod pair;
 mod points;
 mod prepared;

@@ -3,7 +3,6 @@
 
 use super::condition::oriented;
 use super::examine::{Working, context};
-use super::line::ReadLine;
 use super::linear::{Context, Sum, difference, sum};
 use super::offered::differences;
 use super::theirs::{is_of_velocity, numbers};
@@ -19,7 +18,8 @@ impl Working<'_> {
         let alone = readings.flat_map(|reading| reading.equations.iter().rev()).filter_map(|equation| {
             let linear = differences(equation, self.prepared)?;
             let [(name, _)] = linear.first()?.unknowns.as_slice() else { return None };
-            let name = Some(name.clone()).filter(|name| is_of_velocity(name) && !name.contains(' '))?;
+            let is_theirs = |name: &String| is_of_velocity(name) || self.is_unknown(name);
+            let name = Some(name.clone()).filter(|name| is_theirs(name) && !name.contains(' '))?;
             let value = |linear: &super::linear::Linear| {
                 let is_it = matches!(linear.unknowns.as_slice(), [(own, _)] if *own == name);
                 is_it
@@ -52,15 +52,12 @@ impl Working<'_> {
         self.left_alone(place).into_iter().filter_map(own).collect()
     }
 
-    /// Does a line set what is given on what the student has found for it, though that is wrong?
-    pub(super) fn is_set_on_own(&self, reading: &ReadLine, place: usize) -> bool {
-        let mut equations = reading.equations.iter();
-        equations.any(|(left, right)| {
-            self.is_own_tangent(left, right, place)
-                || self.is_own_tangent(right, left, place)
-                || self.is_own_turn(left, Relation::Equal, right, place)
-                || self.is_own_greatest(left, right, place)
-        })
+    /// Does an equation set what is given on what the student has found for it, though that is wrong?
+    pub(super) fn is_set_on_own(&self, (left, right): &(Expr, Expr), place: usize) -> bool {
+        self.is_own_tangent(left, right, place)
+            || self.is_own_tangent(right, left, place)
+            || self.is_own_turn(left, Relation::Equal, right, place)
+            || self.is_own_greatest(left, right, place)
     }
 
     /// `e/2 = 4/3` after `tan β = e/2`, or that itself: the tangent that is given of the angle with the wall, as a formula in

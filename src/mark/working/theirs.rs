@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::by_components::momentum_by_components;
 use super::components::whole;
 use super::examine::{Studied, Value};
+use super::own_speed::multiple;
 use super::pair::{Convention, sphere};
 use super::points::sizes;
 use super::prepared::Prepared;
@@ -226,6 +227,14 @@ pub(super) fn own_values(
                     found.insert(own, (sizes.collect(), written));
                 }
                 _ => {}
+            }
+        }
+        // `0.8v = 1.2i - 3.2j`, where what is said of the letter itself goes before.
+        for own in reading.equations.iter().filter_map(|equation| multiple(equation, prepared)) {
+            let of = sphere(own.letter).or(unknown_sphere(prepared));
+            for (of, [x, y]) in of.into_iter().zip(own.divided()) {
+                found.entry(Quantity::Velocity(of, Moment::After, Axis::X)).or_insert(x);
+                found.entry(Quantity::Velocity(of, Moment::After, Axis::Y)).or_insert(y);
             }
         }
         if let Some(convention) = convention.filter(|_| studied.matched.is_empty()) {

@@ -20,7 +20,8 @@ impl Working<'_> {
     pub(super) fn demanded_of_turn(&self, law: Law) -> Option<Evidence> {
         self.demanded_dot().filter(|dot| law.gives(*dot))?;
         let mark = self.part.scheme.iter().find(|mark| mark.earned_for == EarnedFor::Condition)?;
-        let line = self.uses_condition(mark).map(|found| found.line).or_else(|| self.critical_line(mark))?;
+        let line = self.uses_condition(mark).filter(|found| found.given).map(|found| found.line);
+        let line = line.or_else(|| self.critical_line(mark))?;
         Some(Evidence::given(line, law.name()))
     }
 

@@ -47,7 +47,7 @@ const ACCURACY: [(&str, &str); 8] = [
 ];
 
 /// What lines of working show and answers do not.
-const OF_WORKING: [(&str, &str); 7] = [
+const OF_WORKING: [(&str, &str); 8] = [
     ("sign-error", "wrote a wrong sign in an equation"),
     ("e-misread", "took another e than the one that is given"),
     ("number-misread", "copied a number of the question wrongly"),
@@ -55,6 +55,7 @@ const OF_WORKING: [(&str, &str); 7] = [
     ("term-missing", "left a term out of an equation"),
     ("mass-missing", "left a mass out of one term"),
     ("letter-missing", "left out a letter of the question"),
+    ("inequality-reversed", "turned an inequality the wrong way round"),
 ];
 
 /// Slips, and what was lost for figures, those of the most students first.
