@@ -9,13 +9,15 @@ use crate::mark::key::{KeyedBlank, KeyedPart};
 use crate::mark::reading::{Form, Reading, Statement};
 use crate::mark::script::PartScript;
 
-/// Of answers that are right though the working has found nothing but another value for them, says so: they are partly right,
-/// and imply nothing.
-pub(super) fn contradict(part: &KeyedPart, script: &PartScript, answers: &mut [MarkedAnswer]) {
+/// Of answers that are right though the working has found nothing but another value for them, or its equations deny them, says
+/// so: they are partly right, and imply nothing.
+pub(super) fn contradict(part: &KeyedPart, script: &PartScript, denied: bool, answers: &mut [MarkedAnswer]) {
     let lines = Lines::default();
     for (blank, answer) in part.blanks.iter().zip(answers) {
         let is_typed = script.answers.iter().any(|(_, typed)| Some(typed) == answer.typed.as_ref());
-        if answer.judgement.verdict == Verdict::Correct && is_typed && comes_to_another(blank, script, &lines) {
+        let is_denied = || denied && matches!(blank.find, Find::Unknown(_));
+        let is_contradicted = || is_denied() || comes_to_another(blank, script, &lines);
+        if answer.judgement.verdict == Verdict::Correct && is_typed && is_contradicted() {
             answer.judgement.verdict = Verdict::Partial;
             answer.judgement.note = Some("contradicted");
             answer.judgement.feedback = "This is the right value, but your working comes to another.".to_owned();

@@ -48,6 +48,8 @@ pub(crate) struct Examined {
     pub(super) letters: Option<[String; 2]>,
     /// What each line is short of one of the two equations, if it is one.
     pub(super) short_of_law: Vec<Option<u32>>,
+    /// Do equations deny the right value of the letter that is to be found?
+    pub(crate) denies_what_is_found: bool,
 }
 
 /// Of the letters for the velocities of A and B, is it that of the other sphere?
@@ -194,6 +196,7 @@ fn examine_lines(
     let solution = working.own_solution();
     let to_be_subtracted = working.to_be_subtracted();
     let turns = working.turns();
+    let denies_what_is_found = working.denies_what_is_found();
     let shows = |studied: &Studied| {
         studied.reading.iter().flat_map(|reading| &reading.members).any(|member| shows_e(&member.expr, prepared))
     };
@@ -218,6 +221,7 @@ fn examine_lines(
         turns,
         letters,
         short_of_law,
+        denies_what_is_found,
     }
 }
 

@@ -140,6 +140,7 @@ impl Examined {
             turns: Vec::new(),
             letters: None,
             short_of_law,
+            denies_what_is_found: false,
         }
     }
 
@@ -202,6 +203,7 @@ impl Examined {
         self.theirs = later.theirs;
         self.to_be_subtracted = later.to_be_subtracted.or(self.to_be_subtracted.take());
         self.turns.extend(later.turns);
+        self.denies_what_is_found &= later.denies_what_is_found;
         // Each impact has an e of its own.
         self.has_e = [self.has_e, later.has_e].into_iter().flatten().reduce(|one, other| one && other);
         (self.followed, self.solution, self.letters) = (None, None, None);

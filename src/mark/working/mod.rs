@@ -19,6 +19,7 @@ mod components;
 mod condition;
 mod convention;
 mod crossed_out;
+mod denied;
 mod departure;
 mod doubtful;
 mod elastic;
