@@ -1,6 +1,6 @@
 //! The component along a wall, which the wall cannot change, and *e* times a component of the student's own.
 
-use super::compare::comes_to;
+use super::compare::{comes_to, is_vector};
 use super::examine::{Studied, Value, Working};
 use super::line::Member;
 use super::points::sizes;
@@ -53,6 +53,10 @@ impl Working<'_> {
 
     /// Is one of these sizes in it, but for *e* times it?
     fn has_part(&self, expr: &Expr, sizes: &[Vec<f64>; 1]) -> bool {
+        // The size in `-6` is no part of it.
+        if let Expr::Negative(inner) = expr {
+            return self.has_part(inner, sizes);
+        }
         let mut parts = expr.children().into_iter().filter(|part| !self.is_e_times(part, &sizes[0]));
         parts.any(|part| self.is_one_of(part, sizes) || self.has_part(part, sizes))
     }
@@ -89,12 +93,13 @@ impl Working<'_> {
     /// Is it the product of a factor and of something else that are both so?
     fn is_product_with(&self, expr: &Expr, is_factor: &dyn Fn(&Expr) -> bool, is_rest: &dyn Fn(&Expr) -> bool) -> bool {
         let factors = factors(expr);
+        let chosen = |chosen: usize, is_in: bool| {
+            let all = factors.iter().enumerate().filter(|(place, _)| (chosen >> place & 1 == 1) == is_in);
+            Expr::product(all.map(|(_, factor)| factor.clone()))
+        };
+        // In `-6 × 2/3` the factor is 2 with a third.
         (2..=MOST_FACTORS).contains(&factors.len())
-            && (0..factors.len()).any(|place| {
-                let others = factors.iter().enumerate().filter(|(other, _)| *other != place);
-                let rest = || Expr::product(others.map(|(_, factor)| factor.clone()));
-                is_factor(&factors[place]) && is_rest(&rest())
-            })
+            && (1..(1 << factors.len()) - 1).any(|some| is_factor(&chosen(some, true)) && is_rest(&chosen(some, false)))
     }
 
     /// Is a value one to which *e* leads, from the component with which the wall is hit?
@@ -146,6 +151,17 @@ impl Working<'_> {
             own.extend(sizes.filter(|sizes| !is(sizes, &along) && !is(sizes, &speed)));
         }
         None
+    }
+
+    /// *e* times the whole velocity, as a vector: restitution has been used, and on the component along the wall as well.
+    pub(super) fn rebound_of_all(&self) -> Option<usize> {
+        let before = |axis| sizes(&self.prepared.known, Quantity::Velocity(Sphere::A, Moment::Before, axis));
+        let ([e], x, y) = (self.restitution()?, before(Axis::X)?, before(Axis::Y)?);
+        let times = |sizes: &[f64]| sizes.iter().zip(&e).map(|(size, e)| size * e).collect::<Vec<f64>>();
+        let (x, y) = (times(&x), times(&y));
+        let is = |values: &[Value]| [1.0, -1.0].into_iter().any(|sign| is_vector(values, &x, &y, sign));
+        let is_alike = e.iter().all(|e| (e - 1.0).abs() < 1e-9);
+        self.lines.iter().position(|studied| !is_alike && self.members(studied).any(|(_, values)| is(values)))
     }
 }
 

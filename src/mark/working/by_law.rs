@@ -320,8 +320,14 @@ impl Working<'_> {
     /// The part of a line in which a value stands; all of it where that cannot be told.
     pub(super) fn clause<'s>(&self, studied: &'s Studied, member: &Member) -> &'s str {
         let clauses = clauses(&studied.line.typed);
-        let statements = studied.reading.as_ref().map_or(0, |reading| reading.statements.len());
-        if clauses.len() == statements { clauses[member.statement] } else { &studied.line.typed }
+        let Some(reading) = &studied.reading else { return &studied.line.typed };
+        // `parallel 8, perp 6` may be one list of two values.
+        let place = match clauses.len() {
+            all if all == reading.statements.len() => Some(member.statement),
+            all if all == reading.members.len() => reading.members.iter().position(|own| std::ptr::eq(own, member)),
+            _ => None,
+        };
+        place.map_or(&studied.line.typed, |place| clauses[place])
     }
 
     /// Is it in words that a number is perpendicular to the line of centres? At a wall that is the component along the wall.

@@ -9,7 +9,7 @@ use super::theirs::numbers;
 use super::values::names_loss;
 use crate::bank::Code;
 use crate::expr::Expr;
-use crate::mechanics::{Axis, Law, Moment, Quantity, Shape, Sphere};
+use crate::mechanics::{Axis, Law, Moment, Quantity, Setting, Shape, Sphere};
 
 /// All the energy before an impact and all that after it, where no line takes one from the other.
 pub(crate) struct ToBeSubtracted {
@@ -85,6 +85,35 @@ impl Working<'_> {
         })
     }
 
+    /// `½ × 3(6.6² - 4.4²)` at a wall where e is 2/3: half the mass times the square of a component of the student's own, less the
+    /// same with e times it.
+    pub(super) fn is_loss_of_own_at_wall(&self, expr: &Expr) -> bool {
+        let known = |quantity| sizes(&self.prepared.known, quantity);
+        let mut squares = Vec::new();
+        collect_squares(expr, &mut squares);
+        let is_wall = self.prepared.setting == Setting::Wall && squares.len() <= MOST_SQUARES;
+        let Some((mass, e)) = known(Quantity::Mass(Sphere::A)).zip(known(Quantity::Restitution)).filter(|_| is_wall)
+        else {
+            return false;
+        };
+        let number = |expr: &Expr| numbers(&self.values_of(expr)?);
+        let near = |one: f64, other: f64| (one - other).abs() <= 0.005 * other.abs();
+        squares.iter().any(|after| {
+            squares.iter().filter(|before| *before != after).any(|before| {
+                let (Some(rest), Some(first), Some(second)) =
+                    (number(&without(expr, &[after])), number(before), number(after))
+                else {
+                    return false;
+                };
+                let all = number(&without(expr, &[before, after]));
+                all.is_some_and(|all| all.iter().all(|left| left.abs() < 1e-9))
+                    && (0..mass.len()).all(|at| {
+                        near(rest[at].abs(), mass[at] * first[at] / 2.0) && near(second[at], e[at] * e[at] * first[at])
+                    })
+            })
+        })
+    }
+
     /// A line with the square of a sum that no velocity is, where energies are looked for and none stands rightly.
     pub(super) fn squared_wrongly(&self, law: Law, shape: Shape) -> Option<Evidence> {
         if shape != Shape::DifferenceOfSquares {
@@ -125,13 +154,19 @@ impl Working<'_> {
         if bases.iter().any(|base| self.is_approach(base)) {
             return None;
         }
-        sums.filter(|base| is_loss || !self.is_one_of(base, &velocities)).find_map(|base| {
+        // At a wall nobody takes one velocity from another for a third.
+        let is_wall = self.prepared.setting == Setting::Wall;
+        sums.filter(|base| is_loss || is_wall || !self.is_one_of(base, &velocities)).find_map(|base| {
             let Expr::Sum(terms) = base else { return None };
             Sphere::BOTH.into_iter().find_map(|sphere| {
-                let of = |moment| components(sphere, moment);
-                let is = |term: &Expr, moment| self.is_one_of(term, &of(moment));
+                let is = |term: &Expr, moment| self.is_one_of(term, &components(sphere, moment));
+                let speed = |moment| either(Quantity::Speed(sphere, moment)).collect::<Vec<_>>();
+                let is_speed = |term: &Expr, moment| self.is_one_of(term, &speed(moment));
                 let [one, other] = [&terms[0], &terms[1]];
-                let is_change = |one: &Expr, other: &Expr| is(one, Moment::Before) && is(other, Moment::After);
+                let is_change = |one: &Expr, other: &Expr| {
+                    is(one, Moment::Before) && is(other, Moment::After)
+                        || is_speed(one, Moment::Before) && is_speed(other, Moment::After)
+                };
                 match moments.into_iter().any(|moment| is(one, moment) && is(other, moment)) {
                     true => Some("energy-components-added"),
                     false => (is_change(one, other) || is_change(other, one)).then_some("energy-square-of-difference"),

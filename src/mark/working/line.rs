@@ -261,12 +261,7 @@ fn candidates(typed: &str) -> Vec<(Option<&str>, String)> {
     all.extend(along_impulse(typed).map(|along| (None, along)));
     all.extend(after_impact(typed).map(|after| (None, after)));
     all.extend(after_remark(typed).map(|formula| (None, formula.to_owned())));
-    // `after 2/3 × 5 = 10/3`: the moment is the name of what is worked out.
-    let of_moment = ["after", "before"].into_iter().find_map(|moment| {
-        let formula = typed.strip_prefix(moment)?.strip_prefix(' ')?;
-        formula.starts_with(|sign: char| sign.is_ascii_digit()).then(|| (Some(moment), formula.to_owned()))
-    });
-    all.extend(of_moment);
+    all.extend(named_by_moment(typed).map(|(name, formula)| (Some(name), formula.to_owned())));
     all.push((None, typed.to_owned()));
     if let Some((before, after)) = typed.split_once(':')
         && after.contains(RELATIONS)
@@ -317,6 +312,17 @@ fn candidates(typed: &str) -> Vec<(Option<&str>, String)> {
         all.push((None, without_lead_in(&words[last + 1..].join(" ")).to_owned()));
     }
     all
+}
+
+/// `after 2/3 × 5 = 10/3`, `after: along wall -6 × 2/3 = -4`: the moment, and of which component, name what is worked out.
+fn named_by_moment(typed: &str) -> Option<(&str, &str)> {
+    const COMPONENT: [&str; 7] = ["along", "the", "wall", "perp", "perpendicular", "parallel", "normal"];
+    let (words, formula) = typed.split_at(typed.find(|sign: char| sign.is_ascii_digit() || "-−".contains(sign))?);
+    let name = words.strip_suffix(' ')?.trim_end_matches([':', ' ']);
+    let mut each = name.split_whitespace().map(|word| word.trim_end_matches([':', ',']));
+    let is_moment = |word: &str| matches!(word, "after" | "before");
+    let is_named = each.clone().any(is_moment) && each.all(|word| is_moment(word) || COMPONENT.contains(&word));
+    (is_named && formula.contains('=')).then_some((name, formula))
 }
 
 /// What follows from it that something is stationary: `d/dt = 0 gives 1 - e = 2tan²t`.

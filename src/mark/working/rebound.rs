@@ -37,13 +37,14 @@ impl Working<'_> {
         let right = right.or_else(|| self.inequality_with(&sizes(&self.prepared.known, after)?));
         let right = right.or_else(|| self.rebound_as_vector()).or_else(|| self.rebound_along_axis());
         let right = right.or_else(|| self.rebound_in_axes(code)).or_else(|| self.said_to_rebound(after, code));
-        let by_method = || self.exchanged(after, code).or_else(|| self.rebound_of_own());
+        let by_method =
+            || self.exchanged(after, code).or_else(|| self.rebound_of_own()).or_else(|| self.rebound_of_all());
         let line = right.or_else(|| if code.is_accuracy() { None } else { by_method() })?;
         Some(Evidence::given(line, "restitution"))
     }
 
     /// A value that is said to be that of the rebound, and is: `rebound 4.67`.
-    fn said_to_rebound(&self, after: Quantity, code: Code) -> Option<usize> {
+    pub(super) fn said_to_rebound(&self, after: Quantity, code: Code) -> Option<usize> {
         let right = sizes(&self.prepared.known, after)?;
         let is_right = |values: &[Value]| values.iter().zip(&right).all(|(value, right)| comes_to(*value, *right));
         self.lines.iter().position(|studied| {

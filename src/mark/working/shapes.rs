@@ -32,6 +32,7 @@ impl Working<'_> {
                     (is_energy_difference(expr) && self.has_both_spheres(expr))
                         || self.is_difference_of_totals(expr)
                         || self.is_difference_of_worked_out(expr)
+                        || self.is_loss_of_own_at_wall(expr)
                 }
                 Shape::ChangeOfMomentum => self.is_change_of_momentum(expr, self.is_called(member)),
                 Shape::Any => false,

@@ -99,6 +99,13 @@ impl Working<'_> {
             let line = self.line_that_is(&self.followed, quantity)?;
             return Some(Evidence::followed(line, quantity.in_plain_words()));
         }
+        if let Some(place) = letter.as_ref().and_then(|(letter, sign)| self.undivided(along, letter, *sign)) {
+            return Some(Evidence::given(place, quantity.in_plain_words()));
+        }
+        if along == Quantity::Velocity(Sphere::A, Moment::After, Axis::N) && self.prepared.setting == Setting::Wall {
+            let place = self.said_to_rebound(along, Code::M1);
+            return place.map(|place| Evidence::given(place, quantity.in_plain_words()));
+        }
         let letter = own_letter?;
         let place = self.wrongly_stated(along, letter)?;
         let feedback = format!("{letter} is not right");
@@ -118,6 +125,17 @@ impl Working<'_> {
         let place = Sphere::BOTH.into_iter().position(|one| one == sphere)?;
         let letters = &self.convention.as_ref()?.letters;
         across.iter().all(|size| *size == 0.0).then(|| letters[place].as_str())
+    }
+
+    /// The line of `9x = 5v - 4ev`: in letters a component that is left alone is known, divided out or not.
+    fn undivided(&self, along: Quantity, letter: &str, sign: f64) -> Option<usize> {
+        let right = sizes(&self.prepared.known, along).filter(|right| right.windows(2).any(|two| two[0] != two[1]))?;
+        let is = |(own, right): (&f64, &f64)| (sign * own - right).abs() <= 1e-6 * right.abs();
+        (0..self.lines.len()).filter(|place| self.lines[*place].matched.is_empty()).find(|place| {
+            let alone = self.left_alone(*place);
+            let mut own = alone.iter().filter(|(name, _)| name == letter);
+            own.any(|(_, values)| values.iter().zip(&right).all(is))
+        })
     }
 
     /// The last line that states a value by the letter of a component after the impact, where none is right.
