@@ -7,6 +7,7 @@ mod accuracy;
 mod angle;
 mod as_printed;
 mod besides;
+mod bounds;
 mod called;
 mod chain;
 mod changes;
@@ -88,6 +89,8 @@ pub struct Model {
     /// Does the sphere whose speed is asked go the same way along the line of centres as the other one of its impact, where
     /// both move along it?
     pub same_way: Option<bool>,
+    /// Of the size of an impulse: does it act from B to A, or away from a wall? Known only where the question says on whom.
+    pub pushes_back: Option<bool>,
     /// Are two spheres to meet again, or not to, where a range is asked?
     pub meet_again: Option<bool>,
     /// Does an angle that is asked turn anticlockwise, from **i** or from the path before?
@@ -121,6 +124,7 @@ impl Model {
             rebounds: None,
             turns_back: None,
             same_way: None,
+            pushes_back: None,
             meet_again: None,
             anticlockwise: None,
             strangers: Vec::new(),

@@ -110,6 +110,37 @@ fn an_impulse_is_not_on_a_sphere_that_takes_no_part() {
 }
 
 #[test]
+fn an_impulse_on_one_body_has_a_sense() {
+    let on_b = Model { pushes_back: Some(false), ..model("3.38", "impulse.magnitude", &[]) };
+    earn(
+        &on_b,
+        &[
+            ("3.38 N s", "correct"),
+            ("3.38 N s from A to B", "correct"),
+            ("3.38 N s towards B", "correct"),
+            ("3.38 N s towards A", "partial"),
+            ("3.38 in the direction BA", "partial"),
+            ("3.38 to the right", "correct"),
+            ("3.38 to the left", "unreadable"),
+            ("3.38 N s towards A on A", "correct"),
+            ("2.38 N s towards A", "wrong"),
+        ],
+    );
+    let of_wall = Model { pushes_back: Some(true), ..model("5.2", "impulse.magnitude", &[]) };
+    earn(
+        &of_wall,
+        &[
+            ("5.2 N s away from the wall", "correct"),
+            ("5.2 N s towards the wall", "unreadable"),
+            ("5.2 N s into the wall", "unreadable"),
+            ("5.2 N s perpendicular to the wall", "correct"),
+        ],
+    );
+    let unsaid = Model { pushes_back: None, ..on_b };
+    earn(&unsaid, &[("3.38 N s towards A", "correct"), ("3.38 N s towards B", "correct")]);
+}
+
+#[test]
 fn a_letter_that_is_asked_has_its_own_name_and_unit() {
     let of_k = Model { letter: Some("k".to_owned()), ..model("8", "", &[("k", Range::Positive)]) };
     earn(

@@ -9,35 +9,23 @@
 use std::cmp::Ordering;
 
 use crate::answer::Kind;
-use crate::expr::{Expr, Meaning, Relation, evaluate, written};
+use crate::expr::{Expr, Relation, written};
 use crate::mark::reading::{End, Form, Reading, Said, Statement};
 use crate::mechanics::Moment;
-use crate::number::{Letter, Span, Value};
+use crate::number::Letter;
 
 use super::accuracy::Written;
-use super::exact::{self, meaning_of};
+use super::bounds::{Bound, bounds, is_natural, letter, order_to_natural, relations};
+use super::exact;
 use super::finding::Finding;
 use super::statements::{is_concluded, is_rival};
 use super::units::{self, UnitCheck};
 use super::{Model, Note, events, moments, number, sorts};
 
-/// One inequality, solved for the letter: the letter lies on this side of the bound.
-struct Bound {
-    /// Is the letter above it?
-    above: bool,
-    /// Does it belong to the range? Words such as `from 1 to 3` do not say.
-    included: Option<bool>,
-    value: Value,
-    /// As it was written, where the letter stands by itself.
-    shown: Expr,
-    /// Does the letter stand by itself?
-    solved: bool,
-}
-
 /// Judges a whole reading against a range.
 pub(super) fn judge(model: &Model, reading: &Reading) -> Finding {
     let letters = &model.vocabulary.letters;
-    let right = relations(&model.value);
+    let right = relations([&model.value], letters);
     let Some(letter) = letter(&right, letters) else { return Finding::unreadable(Note::CannotBeCompared) };
     let Some(right) = bounds(&right, letter, letters) else { return Finding::unreadable(Note::CannotBeCompared) };
     let is_reason = |statement: &Statement| is_reason(statement, letter);
@@ -143,25 +131,32 @@ fn one(model: &Model, right: &[Bound], letter: Letter, statements: &[Statement])
     let letters = &model.vocabulary.letters;
     let mut own = Vec::new();
     let mut bare = Vec::new();
-    for (statement, said) in statements.iter().flat_map(|s| s.said.iter().map(move |said| (s, said))) {
-        let found = match &said.form {
-            Form::Equation(relation) if exact::unknown_letter(relation, letters).is_some() => {
-                return Finding::wrong(Note::UnknownLetter);
-            }
-            Form::Equation(relation) => bounds(&relations(relation), letter, letters),
-            Form::Range(low, high) if is_of(letter, statement) => ends_of(said, low, high, letters),
-            // Coordinates, where brackets are open to doubt.
-            Form::Vector(..) => return Finding::WRONG,
-            // `e over 1/3`, which reads as a quotient: the letter itself is no bound of it.
-            Form::Value(value) if value.names().iter().any(|name| name.text == letter.name()) => None,
-            Form::Value(value) => {
-                bare.push(value.clone());
-                continue;
-            }
+    for statement in statements {
+        let equations = statement.said.iter().filter_map(|said| match &said.form {
+            Form::Equation(relation) => Some(relation),
             _ => None,
-        };
-        match found {
-            Some(found) => own.extend(found),
+        });
+        if equations.clone().any(|relation| exact::unknown_letter(relation, letters).is_some()) {
+            return Finding::wrong(Note::UnknownLetter);
+        }
+        let mut found = vec![bounds(&relations(equations, letters), letter, letters)];
+        for said in &statement.said {
+            found.push(match &said.form {
+                Form::Equation(_) => continue,
+                Form::Range(low, high) if is_of(letter, statement) => ends_of(said, low, high, letters),
+                // Coordinates, where brackets are open to doubt.
+                Form::Vector(..) => return Finding::WRONG,
+                // `e over 1/3`, which reads as a quotient: the letter itself is no bound of it.
+                Form::Value(value) if value.names().iter().any(|name| name.text == letter.name()) => None,
+                Form::Value(value) => {
+                    bare.push(value.clone());
+                    continue;
+                }
+                _ => None,
+            });
+        }
+        match found.into_iter().collect::<Option<Vec<_>>>() {
+            Some(found) => own.extend(found.into_iter().flatten()),
             None => return Finding::unreadable(Note::CannotBeCompared),
         }
     }
@@ -271,68 +266,6 @@ fn at(model: &Model, end: &Bound, shown: &Expr) -> Finding {
     number::value(&model.of_value(written(&end.value)), shown, &Written::of(shown))
 }
 
-/// Every relation, of a chain both.
-fn relations(expr: &Expr) -> Vec<Expr> {
-    match expr {
-        Expr::Relation(left, relation, right) => match &**left {
-            Expr::Relation(_, _, middle) => {
-                let last = Expr::Relation(middle.clone(), *relation, right.clone());
-                relations(left).into_iter().chain([last]).collect()
-            }
-            _ => vec![expr.clone()],
-        },
-        _ => Vec::new(),
-    }
-}
-
-/// The letter that the relations are about: the one that stands by itself.
-fn letter(relations: &[Expr], letters: &[Letter]) -> Option<Letter> {
-    let named = |expr: &Expr| match expr {
-        Expr::Name(name) => letters.iter().find(|letter| letter.name() == name.text).copied(),
-        _ => None,
-    };
-    relations.iter().find_map(|relation| match relation {
-        Expr::Relation(left, _, right) => named(left).or_else(|| named(right)),
-        _ => None,
-    })
-}
-
-/// Each relation solved for the letter, in which it must be linear.
-fn bounds(relations: &[Expr], letter: Letter, letters: &[Letter]) -> Option<Vec<Bound>> {
-    relations.iter().map(|relation| bound(relation, letter, letters)).collect()
-}
-
-fn bound(relation: &Expr, letter: Letter, letters: &[Letter]) -> Option<Bound> {
-    let Expr::Relation(left, relation, right) = relation else { return None };
-    let value = |expr: &Expr| match evaluate(expr, &|name| meaning_of(letters, name)).ok()? {
-        Meaning::Number(value) => Some(value),
-        _ => None,
-    };
-    let difference = &value(left)? - &value(right)?;
-    let slope = difference.derivative(letter)?;
-    let turns = slope.sign()?.is_lt();
-    if slope.is_zero() || slope.letters().contains(&letter) {
-        return None;
-    }
-    let (greater, included) = match relation {
-        Relation::Greater => (true, false),
-        Relation::GreaterOrEqual => (true, true),
-        Relation::Less => (false, false),
-        Relation::LessOrEqual => (false, true),
-        _ => return None,
-    };
-    let value = (-difference.substitute(letter, &Value::ZERO)?).divided_by(&slope)?;
-    let is_letter = |expr: &Expr| matches!(expr, Expr::Name(name) if name.text == letter.name());
-    let by_itself = match (is_letter(left), is_letter(right)) {
-        (true, false) => Some(right),
-        (false, true) => Some(left),
-        _ => None,
-    };
-    let by_itself = by_itself.filter(|bound| bound.names().iter().all(|name| name.text != letter.name()));
-    let shown = by_itself.map_or_else(|| written(&value), |bound| (**bound).clone());
-    Some(Bound { above: greater != turns, included: Some(included), value, shown, solved: by_itself.is_some() })
-}
-
 /// Is it said of this letter, or of none?
 fn is_of(letter: Letter, statement: &Statement) -> bool {
     let named = statement.label.as_ref().and_then(|label| label.expr.as_ref());
@@ -353,19 +286,4 @@ fn ends_of(said: &Said, low: &Option<End>, high: &Option<End>, letters: &[Letter
     };
     let ends = [(true, low), (false, high)].into_iter().filter_map(|(above, end)| Some((above, end.as_ref()?)));
     ends.map(|(above, end)| bound(above, end)).collect()
-}
-
-/// Is the bound no more than what the letter can be anyway?
-fn is_natural(bound: &Bound, letter: Letter) -> bool {
-    order_to_natural(bound, letter).is_some_and(Ordering::is_ge)
-}
-
-/// How far out a bound lies, compared with the last value that the letter can have on that side.
-fn order_to_natural(bound: &Bound, letter: Letter) -> Option<Ordering> {
-    let Span { low, high } = Span::of(letter.range());
-    let order = |end: &Value| (&bound.value - end).sign();
-    match bound.above {
-        true => order(&low?.value).map(Ordering::reverse),
-        false => order(&high?.value),
-    }
 }

@@ -43,9 +43,9 @@ pub(super) fn counted<'r>(model: &Model, reading: &'r Reading) -> Option<Cow<'r,
 fn is_rejected(statement: &Statement) -> bool {
     let label = statement.label.iter().map(|label| label.typed.to_lowercase());
     let remarks = statement.remarks().cloned();
-    // `2.78, not 3.08`, `8, −8 (N/A)`
-    let mut own = statement.remarks();
-    let is_denied = own.any(|remark| matches!(remark.as_str(), "not" | "n/a"));
+    // `2.78, not 3.08`, `8, −8 (N/A)`, `8 or −8 (not possible)`
+    const DENIED: [&str; 5] = ["not", "n/a", "not possible", "not valid", "not allowed"];
+    let is_denied = statement.remarks().any(|remark| DENIED.contains(&remark.as_str()));
     if is_denied || is_taken_back(statement) {
         return true;
     }
@@ -209,7 +209,13 @@ fn is_sum_of_squares(said: &Said) -> bool {
 /// `k = 8 or k = −8, k > 0`: an inequality beside values is no value, and rules out those that do not meet it.
 fn meeting_conditions(model: &Model, statements: Vec<Statement>) -> Vec<Statement> {
     let statements = without_ranges_besides(model, statements);
-    let conditions: Vec<(Relation, &Expr)> = statements.iter().filter_map(conditions_of).flatten().collect();
+    let nought = Expr::integer(0);
+    let mut conditions: Vec<(Relation, &Expr)> = statements.iter().filter_map(conditions_of).flatten().collect();
+    // `k = 8 or −8, take positive`
+    let takes_positive = |remark: &String| remark.starts_with("tak") && remark.contains("positive");
+    let is_chosen = |remark: &String| takes_positive(remark) || remark == "positive only";
+    conditions
+        .extend(statements.iter().flat_map(Statement::remarks).any(is_chosen).then_some((Relation::Greater, &nought)));
     if conditions.is_empty() {
         return statements;
     }

@@ -14,6 +14,7 @@ use crate::mechanics::{Axis, Quantity, Sphere};
 
 use super::finding::Finding;
 use super::known::Prepared;
+use super::otherwise::spheres_in_remark;
 use super::{Model, Note, Verdict, angle, exact, number, selection, sides};
 
 /// Does a sphere that moves so, backwards or not, move in the sense that is said? `None` if nobody knows.
@@ -49,6 +50,16 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Option
                 _ => true,
             };
             return (!(agrees && lies)).then(|| plain().at_most_partial(Note::DirectionUnchecked));
+        }
+        // `3.38 N s from A to B, on B`: on the other sphere the sense is the other one.
+        Quantity::ImpulseMagnitude => {
+            let is_of_one = said
+                .remarks
+                .iter()
+                .chain(label.map(|label| &label.typed))
+                .all(|text| spheres_in_remark(text).is_empty());
+            let is_else = is_of_one && agrees(line.sense(), model.pushes_back) == Some(false);
+            return is_else.then(|| plain().at_most_partial(Note::DirectionUnchecked));
         }
         _ => return None,
     };
@@ -116,9 +127,9 @@ pub(super) fn is_beside_the_path(model: &Model, reading: &Reading) -> bool {
 /// Is it an angle with **i** or **j** at which the vector whose size is asked does not lie? Of an impulse there are two, the
 /// one opposite to the other.
 fn is_beside_the_vector(model: &Model, said: &Said) -> bool {
-    let Some(line) = said.reference.filter(|_| selection::is_angular(said)) else { return false };
     let Some([x, y]) = &model.vector else { return false };
     let (Some(x), Some(y)) = (about(x, &[]), about(y, &[])) else { return false };
+    let Some(line) = said.reference.filter(|_| selection::is_angular(said)) else { return false };
     let degrees = match line {
         ReferenceLine::I => y.abs().atan2(x),
         ReferenceLine::J => x.abs().atan2(y),

@@ -9,6 +9,7 @@ use crate::mark::enclosure::about;
 use crate::mark::reading::{Form, Label, Reading, Said, Statement};
 use crate::mechanics::{Moment, Quantity, Sphere};
 
+use super::bounds::rounds_to;
 use super::chain::{chain, is_bare_number};
 use super::finding::Finding;
 use super::left_side::{self, Left};
@@ -227,13 +228,22 @@ fn last_or_rivals(model: &Model, statements: &[&Statement], one: One) -> Finding
             Finding::unreadable(Note::SeveralAnswers)
         }
         // `m = 2 or −18/13, so m = 2`
-        _ if spoilt && is_concluded(statements) => last,
+        _ if spoilt && (is_concluded(statements) || is_chosen_from_the_others(statements)) => last,
         _ if spoilt && last.is_credited() && is_made_of_the_others(statements) => last,
         Some(_) if spoilt => Finding::wrong(Note::RivalAnswers),
         Some(right) => right,
         None if spoilt && findings.iter().any(Finding::is_credited) => Finding::wrong(Note::RivalAnswers),
         None => last,
     }
+}
+
+/// `k = 8 or −14, k = 8`: is the last of them, under its name, one between which somebody chooses?
+fn is_chosen_from_the_others(statements: &[&Statement]) -> bool {
+    let Some((last, others)) = statements.split_last() else { return false };
+    let form = |statement: &Statement| statement.said.last().map(|said| said.form.clone());
+    let any_rival = others.iter().flat_map(|other| &other.said).any(is_rival);
+    let is_it = |other: &&Statement| form(other) == form(last);
+    any_rival && last.label.is_some() && !last.said.iter().any(is_rival) && others.iter().any(is_it)
 }
 
 /// Two bare numbers, of which the second is drawn from the first, where a loss or an impulse is asked.
@@ -276,16 +286,11 @@ fn is_made_of_the_others(statements: &[&Statement]) -> bool {
     }
 }
 
-/// `1/14 i.e. 0.07`: is it a decimal without a name, to which an exact value rounds?
+/// `1/14 i.e. 0.07`, `1/14 or 0.07`: is it a decimal without a name, to which an exact value rounds?
 fn is_rounded_from(exact: &Statement, rounded: &Statement) -> bool {
     let ([exact], [said]) = (exact.said.as_slice(), rounded.said.as_slice()) else { return false };
-    let (Form::Value(exact), Form::Value(Expr::Decimal(text))) = (&exact.form, &said.form) else { return false };
-    if rounded.label.is_some() || is_rival(said) || !matches!(exact, Expr::Quotient(..) | Expr::Call(..)) {
-        return false;
-    }
-    let places = text.split_once('.').map_or(0, |(_, decimals)| decimals.len());
-    let half = 0.500_001 * 0.1_f64.powi(i32::try_from(places).unwrap_or(0));
-    about(exact, &[]).zip(text.parse::<f64>().ok()).is_some_and(|(exact, rounded)| (exact - rounded).abs() <= half)
+    let (Form::Value(exact), Form::Value(decimal)) = (&exact.form, &said.form) else { return false };
+    rounded.label.is_none() && matches!(exact, Expr::Quotient(..) | Expr::Call(..)) && rounds_to(exact, decimal)
 }
 
 /// Is it called by a single letter?

@@ -7,18 +7,19 @@ use std::cmp::Ordering;
 use crate::bank::Find;
 use crate::expr::{Expr, Function, Relation, written};
 use crate::mark::judging::Model;
-use crate::mechanics::{Axis, Derivation, Known, Moment, Quantity, Scene, Sphere};
+use crate::mechanics::{Axis, Derivation, Known, Moment, Quantity, Scene, Setting, Sphere};
 use crate::number::Value;
 
-/// Tells a model answer what is known.
-pub(super) fn tell(model: &mut Model, find: &Find, scene: &Scene, known: &Known<Value>) {
+/// Tells a model answer what is known, of a blank with this name.
+pub(super) fn tell(model: &mut Model, name: &str, find: &Find, scene: &Scene, known: &Known<Value>) {
     model.rebounds = rebounds(find, known);
     model.path = path(find, known);
     model.turns_back = turns_back(find, scene, known);
     model.same_way = same_way(find, scene, known);
+    model.pushes_back = pushes_back(name, find, scene);
     model.meet_again = meet_again(find, scene);
     model.anticlockwise = anticlockwise(find, known);
-    model.vector = vector(find, known);
+    model.vector = vector(find, known, model.vocabulary.vectors);
     model.strangers = strangers(find, scene);
     // A wall has no share in it.
     model.is_of_both &= Quantity::Mass(Sphere::B).is_in(scene.setting);
@@ -129,7 +130,7 @@ fn anticlockwise(find: &Find, known: &Known<Value>) -> Option<bool> {
 }
 
 /// The vector in **i** and **j** of which the size is asked.
-fn vector(find: &Find, known: &Known<Value>) -> Option<[Expr; 2]> {
+fn vector(find: &Find, known: &Known<Value>, is_in_i_and_j: bool) -> Option<[Expr; 2]> {
     let Find::Quantity(quantity) = find else { return None };
     let along = |axis: Axis| {
         let own = match quantity.of_its_impact() {
@@ -137,9 +138,30 @@ fn vector(find: &Find, known: &Known<Value>) -> Option<[Expr; 2]> {
             Quantity::ImpulseMagnitude => Quantity::Impulse(Sphere::A, axis),
             _ => return None,
         };
-        Some(written(&known.number(own.in_impact(quantity.impact())?)?))
+        let own = own.in_impact(quantity.impact())?;
+        // Of an impulse along one axis its size is found without them.
+        let mut known = Cow::Borrowed(known);
+        if known.number(own).is_none() && is_in_i_and_j {
+            Derivation::carry_out(known.to_mut(), &[own]);
+        }
+        Some(written(&known.number(own)?))
     };
     Some([along(Axis::X)?, along(Axis::Y)?])
+}
+
+/// Does the impulse of which the size is asked act from B to A, or away from a wall? Its name tells on whom: `impulse on B`.
+fn pushes_back(name: &str, find: &Find, scene: &Scene) -> Option<bool> {
+    let Find::Quantity(quantity) = find else { return None };
+    let then = scene.then.iter().find(|then| then.meeting.number == quantity.impact());
+    let is_of_wall = then.map_or(scene.setting == Setting::Wall, |then| then.meeting.with_wall);
+    let (_, on) = name.split_once(" on ").unwrap_or_default();
+    match then.map_or(Sphere::BOTH, |then| then.meeting.of) {
+        _ if quantity.of_its_impact() != Quantity::ImpulseMagnitude => None,
+        _ if is_of_wall => Some(true),
+        Sphere::BOTH => Some(Sphere::BOTH.into_iter().find(|sphere| sphere.name() == on)? == Sphere::A),
+        // Which way C lies nobody has said.
+        _ => None,
+    }
 }
 
 /// The spheres that take no part in the impact to which a quantity belongs, or of whose way a condition says nothing.

@@ -33,7 +33,7 @@ impl KeyedPart {
         asked.extend(marked.collect::<BTreeSet<_>>());
         let (derivation, _) = Derivation::carry_out(known, &asked);
         for blank in &mut blanks {
-            motion::tell(&mut blank.model, &blank.find, scene, known);
+            motion::tell(&mut blank.model, &blank.name, &blank.find, scene, known);
         }
         let last = derivation.steps.iter().map(|step| step.impact()).max();
         let then = scene.then.iter().find(|then| Some(then.meeting.number) == last);

@@ -224,6 +224,7 @@ fn plain(character: char, before: Option<char>) -> Option<&'static str> {
         '㎧' => " m/s ",
         '㎏' => " kg ",
         '✓' | '✔' | '☑' => " ",
+        '✗' | '✘' | '❌' => " rejected ",
         // The number of an equation.
         '①'..='⑳' | '❶'..='❿' => " ",
         '’' | '‘' | '′' | '´' | 'ʹ' | '`' => "'",

@@ -73,7 +73,7 @@ const SINGLE: [(Sort, &str); 9] = [
     (Sort::Gradient, "gradient grad slope"),
     (
         Sort::Negation,
-        "minimum impossible wrong incorrect not never no isn't isnt aren't doesn't doesnt don't dont cannot can't cant won't wasn't neither nor unless \
+        "minimum wrong incorrect not never no isn't isnt aren't doesn't doesnt don't dont cannot can't cant won't wasn't neither nor unless \
          except least most than under over less more half twice double triple treble quarter third \
          hundred hundreds thousand thousands million dozen ten twenty squared cubed power unsure guess maybe \
          negative opposite reverse backwards one two three four five six seven eight nine zero \
@@ -82,7 +82,7 @@ const SINGLE: [(Sort, &str); 9] = [
     (
         Sort::Rejection,
         "reject rejected rejecting discard discarded disregard disregarded ignore ignored inadmissible invalid scrap \
-         scrapped cancel cancelled canceled delete deleted void withdrawn mistake error crossed",
+         scrapped impossible cancel cancelled canceled delete deleted void withdrawn mistake error crossed",
     ),
     (
         Sort::Plain,

@@ -11,7 +11,7 @@ use super::units::is_unit_word;
 use crate::expr::Expr;
 
 /// Words that stand for signs or functions, and these.
-const SIGNS: [(&str, &str); 87] = [
+const SIGNS: [(&str, &str); 92] = [
     ("times", "*"),
     ("lots of", "*"),
     ("multiplied by", "*"),
@@ -99,6 +99,11 @@ const SIGNS: [(&str, &str); 87] = [
     ("infinity", "∞"),
     ("element of", "∈"),
     ("must exceed", ">"),
+    ("is positive", ">0"),
+    ("must be positive", ">0"),
+    ("has to be positive", ">0"),
+    ("can't be negative", "≥0"),
+    ("cannot be negative", "≥0"),
 ];
 
 /// Words that stand for signs before a number alone: `negative 0.75`, `e above 1/3`.

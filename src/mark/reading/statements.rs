@@ -4,7 +4,7 @@ use super::choices::Choices;
 use super::commands::simple;
 use super::equation_number::without_number;
 use super::formula::formula;
-use super::inequalities::is_inequality;
+use super::inequalities::{has_inequality, is_inequality};
 use super::lexicon::is_rejection;
 use super::line;
 use super::part_label::{with_arrows_after_names, without_arrow, without_part_label};
@@ -149,8 +149,19 @@ impl Statements<'_> {
         if !reason.is_empty() {
             let words = self.slice(reason).to_lowercase();
             self.remark(words);
+            self.condition_of_choice(&reason[1..]);
         }
         Ok(())
+    }
+
+    /// `k = 8 or -8 since k > 0`: of values between which somebody chooses, the reason may tell which it is.
+    fn condition_of_choice(&mut self, reason: &[Placed]) {
+        let before = self.found.len();
+        let is_rival = |said: &Said| said.remarks.iter().any(|remark| remark.split(' ').any(|word| word == "or"));
+        let is_choice = self.found.iter().flat_map(|found| &found.said).any(is_rival);
+        if is_choice && has_inequality(reason) && self.chain(reason).is_err() {
+            self.found.truncate(before);
+        }
     }
 
     /// What a value is called: as it was typed, but for commands, so that `\tan\beta` is the name that `tan β` is.

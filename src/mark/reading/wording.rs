@@ -202,7 +202,7 @@ pub(super) const AFTER_A_LINE: [&str; 10] = [
 ];
 
 /// Runs of words that say nothing about the value.
-pub(super) const REMARKS: [&str; 37] = [
+pub(super) const REMARKS: [&str; 43] = [
     "surd form",
     "in surd form",
     "as a surd",
@@ -240,6 +240,12 @@ pub(super) const REMARKS: [&str; 37] = [
     "i think",
     "i found",
     "i believe",
+    "not possible",
+    "not valid",
+    "not allowed",
+    "take positive",
+    "taking positive",
+    "positive only",
 ];
 
 /// What stands for an equals sign.
