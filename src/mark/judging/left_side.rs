@@ -2,9 +2,8 @@
 //!
 //! * A single name, words, or what the quantity is made of (`E_1 − E_2` for an energy lost) name what stands on the right.
 //! * An expression in one letter that can be what is asked is an equation: `2v = 17.9`, `90 − θ = 26.6`, `1/e = 14/11`. It
-//!   must be true of the right value. Sums and signs are undone first, so that the figures are those of the value itself;
-//!   what is left is worked out for the right value and compared. With powers, roots, sines and tangents the last step is
-//!   still missing.
+//!   must be true of the right value, and then the last step is still missing. Sums and signs are undone first, so that the
+//!   figures are those of the value itself; what is left is worked out for the right value and compared.
 //! * Anything else, as `v_A/v_B`, is the name of something else.
 
 use std::cell::OnceCell;
@@ -242,7 +241,7 @@ impl Equation {
         let (left, form, unit) = self.peeled(said);
         let said = &Said { form, unit, ..said.clone() };
         if matches!(&left, Expr::Name(_)) {
-            return one(said, None);
+            return unsolved_if(has_sum(&self.left), one(said, None));
         }
         let is_atom = |expr: &Expr| match expr {
             Expr::Name(_) => true,
@@ -281,7 +280,8 @@ impl Equation {
             Some(Note::SquareLeft) => finding.at_most_partial(Note::SquareLeft),
             Some(note) if finding.is_correct() => Finding::partial(note),
             Some(_) => Finding::WRONG,
-            None => finding,
+            // `2v = 17.9`
+            None => unsolved_if(!is_atom(&left), finding),
         }
     }
 
@@ -311,6 +311,11 @@ impl Equation {
         }
         (left, form, unit)
     }
+}
+
+/// What is found of an equation that is true, and may still have to be solved.
+fn unsolved_if(is_left: bool, finding: Finding) -> Finding {
+    if is_left && finding.is_correct() { Finding::partial(Note::Unsolved) } else { finding }
 }
 
 fn has_sum(expr: &Expr) -> bool {

@@ -44,6 +44,10 @@ fn compared(model: &Model, (right_x, right_y): (&Expr, &Expr), said: &Said, labe
     if let Some((x, y, _)) = vector::said_components(model, said) {
         return parallel(model, (right_x, right_y), (&x, &y));
     }
+    // `i : j = -1 : 3`
+    if let Form::Ratio(x, y) = &said.form {
+        return parallel(model, (right_x, right_y), (x, y));
+    }
     // `45° below i`, `arctan 3`: which way it is measured is for a person to see.
     if let (Form::Value(angle), true) = (&said.form, selection::is_angular(said)) {
         let is_inverse = exact::is_angle(angle, &model.vocabulary.letters);
@@ -64,7 +68,7 @@ fn compared(model: &Model, (right_x, right_y): (&Expr, &Expr), said: &Said, labe
             if named { finding } else { finding.at_most_partial(Note::GradientUnstated) }
         }
         Form::Mixed(_) => Finding::wrong(Note::NumberPlusVector),
-        Form::Ratio(..) | Form::Percentage(_) => Finding::WRONG,
+        Form::Percentage(_) => Finding::WRONG,
         _ => Finding::unreadable(Note::CannotBeCompared),
     }
 }

@@ -184,7 +184,12 @@ pub struct Judgement {
 impl Judgement {
     /// The same of an answer that is wrong, and nothing more to be said of its figures.
     pub(crate) fn simply_wrong(self) -> Judgement {
-        Judgement { note: None, feedback: note::plain_sentence(Verdict::Wrong).to_owned(), ..self }
+        Judgement {
+            verdict: Verdict::Wrong,
+            note: None,
+            feedback: note::plain_sentence(Verdict::Wrong).to_owned(),
+            ..self
+        }
     }
 
     /// The same in the words of a setting: what is the common tangent of two spheres is a wall for one.

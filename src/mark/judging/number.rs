@@ -7,7 +7,7 @@ use crate::expr::{Expr, Function, Meaning, Relation};
 use crate::mark::enclosure::enclose_roughly;
 use crate::mark::reading::{Form, Label, Notation, Said};
 use crate::mechanics::Quantity;
-use crate::number::{FloatInterval, Fraction, Places, Range, Value};
+use crate::number::{FloatInterval, Fraction, Places, Range, Span, Value};
 use crate::unit::Unit;
 
 use super::accuracy::{Target, Written, decimal, is_far, places};
@@ -177,13 +177,25 @@ fn signed(model: &Model, expr: &Expr, written: &Option<Written>, label: Option<&
         return plain;
     }
     let positive = model.known().value().and_then(Value::sign);
-    if positive != Some(Ordering::Greater) || has_a_sense(model.quantity) {
+    if positive != Some(Ordering::Greater) || has_a_sense(model.quantity) || is_never_negative(model) {
         return Finding::wrong(Note::Sign);
     }
     match label {
         Some(label) if changes::is_change(&label.typed) => Finding { note: Some(Note::ChangeNotLoss), ..turned },
         _ => Finding::partial(Note::Sign),
     }
+}
+
+/// Is it one of which a negative value shows that nobody looked: a mass, e, a letter that is positive? Of a speed and an
+/// impulse the sign tells a sense.
+fn is_never_negative(model: &Model) -> bool {
+    let asked = model.quantity.map(Quantity::of_its_impact);
+    let is_positive = |name: &String| {
+        let mut letters = model.vocabulary.letters.iter();
+        letters.any(|letter| letter.name() == name && Span::of(letter.range()).low.is_some())
+    };
+    matches!(asked, Some(Quantity::Restitution | Quantity::Mass(_) | Quantity::MassRatio | Quantity::FractionLost))
+        || asked.is_none() && model.letter.as_ref().is_some_and(is_positive)
 }
 
 /// Is it so plainly a number of another size that its sign need not be looked at?

@@ -52,8 +52,9 @@ fn a_value_and_its_opposite_are_rivals_unless_one_is_chosen() {
     earn(
         &Asked("5", None, "B.after.speed", None),
         &[
-            ("w = 5, v = -3", "partial several-answers"),
-            ("v = -3, w = 5", "partial several-answers"),
+            ("w = 5, v = -3", "correct"),
+            ("v = -3, w = 5", "correct"),
+            ("v = 5, w = 3", "partial several-answers"),
             ("w = 5, speed = 3", "wrong"),
             ("5 m/s at 56.3° to the line of centres", "correct"),
             ("5 m/s or 56.3°", RIVALS),
@@ -139,8 +140,8 @@ fn what_leads_to_the_answer_or_is_true_besides_is_no_rival() {
     earn(
         &Asked("25/9", None, "A.after.speed", None),
         &[
-            ("v - 2.78 = 0", "correct"),
-            ("v - 25/9 = 0", "correct"),
+            ("v - 2.78 = 0", "partial not-solved"),
+            ("v - 25/9 = 0", "partial not-solved"),
             ("v - 2.8 = 0", "partial under-accurate"),
             ("speed before 5, speed after 2.78", "correct"),
             ("speed before 2.78, speed after 5", "wrong"),

@@ -44,7 +44,7 @@ fn is_rejected(statement: &Statement) -> bool {
     let label = statement.label.iter().map(|label| label.typed.to_lowercase());
     let remarks = statement.remarks().cloned();
     // `2.78, not 3.08`, `8, −8 (N/A)`, `8 or −8 (not possible)`
-    const DENIED: [&str; 5] = ["not", "n/a", "not possible", "not valid", "not allowed"];
+    const DENIED: [&str; 8] = ["not", "n/a", "not possible", "not valid", "not allowed", "✗", "✘", "❌"];
     let is_denied = statement.remarks().any(|remark| DENIED.contains(&remark.as_str()));
     if is_denied || is_taken_back(statement) {
         return true;

@@ -139,6 +139,9 @@ fn last_or_rivals(model: &Model, statements: &[&Statement], one: One) -> Finding
     {
         return chain(model, last, one);
     }
+    if let Some(right) = by_custom(model, statements).map(|own| chain(model, own, one)).filter(Finding::is_credited) {
+        return right;
+    }
     let findings: Vec<Finding> = statements.iter().map(|statement| chain(model, statement, one)).collect();
     let typed = |statement: &&Statement| statement.label.as_ref().map(|label| label.typed.trim().to_lowercase());
     let labels: Vec<Option<String>> = statements.iter().map(typed).collect();
@@ -244,6 +247,24 @@ fn is_chosen_from_the_others(statements: &[&Statement]) -> bool {
     let any_rival = others.iter().flat_map(|other| &other.said).any(is_rival);
     let is_it = |other: &&Statement| form(other) == form(last);
     any_rival && last.label.is_some() && !last.said.iter().any(is_rival) && others.iter().any(is_it)
+}
+
+/// `v = 4, w = 5`, `v1 = 4, v2 = 5` where the speed of one of two spheres is asked: by custom the first letter is of *A*.
+fn by_custom<'s>(model: &Model, statements: &[&'s Statement]) -> Option<&'s Statement> {
+    const PAIRS: [[&str; 2]; 3] = [["v", "w"], ["v1", "v2"], ["v_1", "v_2"]];
+    let [first, second] = statements else { return None };
+    let typed = |statement: &Statement| Some(statement.label.as_ref()?.typed.trim().to_lowercase());
+    let names = [typed(first)?, typed(second)?];
+    let is_pair = |pair: &[&str; 2]| pair.iter().all(|name| names.iter().any(|own| own == name));
+    let pair = PAIRS.iter().find(|pair| is_pair(pair))?;
+    let asked = model.quantity.map(Quantity::of_its_impact)?;
+    let at = match asked {
+        Quantity::Speed(..) | Quantity::Velocity(..) => sphere(asked)? as usize,
+        _ => return None,
+    };
+    let own = names.iter().position(|name| Some(&name.as_str()) == pair.get(at))?;
+    let any_rival = statements.iter().flat_map(|statement| &statement.said).any(is_rival);
+    statements.get(own).filter(|_| !any_rival).copied()
 }
 
 /// Two bare numbers, of which the second is drawn from the first, where a loss or an impulse is asked.

@@ -45,11 +45,23 @@ fn shared_out(models: &[Model], reading: &Reading) -> Vec<Option<Reading>> {
     let share =
         |statements: Vec<Statement>| (!statements.is_empty()).then(|| Reading { statements, ..reading.clone() });
     if !named {
-        return (0..models.len()).map(|at| share(reading.statements.get(at).cloned().into_iter().collect())).collect();
+        let mut statements = reading.statements.iter().peekable();
+        let of_one = |(at, model): (usize, &Model)| {
+            // `56.3°` by itself is no speed.
+            let is_missing = statements.len() < models.len() - at
+                && model.kind != Kind::Angle
+                && models[at..].iter().any(|later| later.kind == Kind::Angle);
+            let next = statements.next_if(|next| !(is_missing && next.said.last().is_some_and(is_in_degrees)));
+            share(next.cloned().into_iter().collect())
+        };
+        return models.iter().enumerate().map(of_one).collect();
     }
     // Within the statements of one sphere its quantities are in the order asked.
     let mut next = [0; 3];
-    let mut sphere = None;
+    // `7.21 at 56.3° to the line of centres, B 6`: what stands before the second sphere is of the first.
+    let first_named = reading.statements.iter().find_map(spheres::named_sphere);
+    let first_asked = models.iter().find_map(|model| model.quantity.and_then(spheres::sphere));
+    let mut sphere = first_asked.filter(|asked| first_named.is_some_and(|named| named > *asked));
     let placed: Vec<(Option<_>, &Statement)> = reading
         .statements
         .iter()
@@ -63,6 +75,16 @@ fn shared_out(models: &[Model], reading: &Reading) -> Vec<Option<Reading>> {
         .map(|model| {
             let asked = model.quantity.and_then(spheres::sphere)?;
             let own = placed.iter().filter(|(named, _)| *named == Some(asked)).map(|(_, statement)| *statement);
+            let is_alone = models
+                .iter()
+                .filter_map(|model| model.quantity.and_then(spheres::sphere))
+                .filter(|sphere| *sphere == asked)
+                .count()
+                == 1;
+            // `v_A = 2i + 2j so |v_A| = 2√2`
+            if is_alone {
+                return share(own.cloned().collect());
+            }
             let count = &mut next[asked as usize];
             *count += 1;
             share(own.clone().nth(*count - 1).cloned().into_iter().collect())
@@ -80,7 +102,7 @@ fn with_directions_apart<'r>(models: &[Model], reading: &'r Reading) -> Cow<'r, 
         let mut statement = statement.clone();
         let sphere = spheres::named_sphere(&statement);
         let direction = statement.said.last_mut().and_then(|said| {
-            let is_size = matches!(said.form, Form::Value(_)) && !said.unit.as_ref().is_some_and(|unit| unit.degrees);
+            let is_size = matches!(said.form, Form::Value(_)) && !is_in_degrees(said);
             said.reference.take_if(|line| is_size && line.is_direction())
         });
         statements.push(statement);
@@ -91,4 +113,8 @@ fn with_directions_apart<'r>(models: &[Model], reading: &'r Reading) -> Cow<'r, 
         }
     }
     Cow::Owned(Reading { statements, ..reading.clone() })
+}
+
+fn is_in_degrees(said: &Said) -> bool {
+    said.unit.as_ref().is_some_and(|unit| unit.degrees)
 }

@@ -58,11 +58,15 @@ pub(super) fn name(
         }
         // An unknown that was found wrongly goes into all that is worked out with it.
         found.retain(|found| !(found.is_of_law && seen.is_unknown_wrong));
-        // A mistake leads to just this value: it is no other that was rounded.
-        if found.iter().any(|found| found.is_of_law) && answer.judgement.note == Some(Note::TooFewFigures.tag()) {
+        let follows = seen.followed[place].is_some();
+        // A mistake leads to just this value: it is no other that was rounded, and none that comes near by rounding early.
+        let is_of_few = answer.judgement.note == Some(Note::TooFewFigures.tag());
+        let is_slip = |found: &Found| found.is_of_law && !found.cause.tag.contains('+');
+        let is_rounded = found.iter().any(|found| found.cause.tag == EARLY_ROUNDING);
+        let is_no_miss = is_near_miss(&answer.judgement) && !is_rounded && !follows && found.iter().any(is_slip);
+        if is_no_miss || is_of_few && found.iter().any(|found| found.is_of_law) {
             answer.judgement = answer.judgement.clone().simply_wrong();
         }
-        let follows = seen.followed[place].is_some();
         if follows && (seen.is_wrong_before || !found.iter().any(|found| found.explains)) {
             found.clear();
             say_of(answer);

@@ -2,8 +2,9 @@
 
 use super::Vocabulary;
 use super::choices::Choices;
-use super::phrases::Walk;
-use super::said_again::{of_one_figure, said_again};
+use super::inequalities::has_inequality;
+use super::phrases::{Phrase, Walk};
+use super::said_again::{closes, compares, measured, of_one_figure, parts, said_again};
 use super::tokens::{Placed, Token};
 use super::units::unit;
 use crate::expr::Expr;
@@ -118,11 +119,35 @@ pub(super) fn with_asides_set_off(
 ) -> Vec<Placed> {
     let mut start = 1;
     while start < tokens.len() {
+        if let Some(close) = told_besides(&tokens, start, vocabulary) {
+            let whole =
+                Placed { token: Token::Phrase(Phrase::Remark), end: tokens[close].end, ..tokens[start].clone() };
+            tokens.splice(start..=close, [whole]);
+            start += 1;
+            continue;
+        }
+        // `56.3° (to the line of centres)`
+        if let [open, line, close, ..] = &tokens[start..]
+            && open.is('(')
+            && close.is(')')
+            && matches!(line.token, Token::Phrase(Phrase::Line(_)))
+        {
+            tokens.remove(start + 2);
+            tokens.remove(start);
+            continue;
+        }
         if let Some(mut end) = said_again(&tokens, start, vocabulary, choices) {
             // `0.7 (5/7)`: one figure is no value by itself. Nor is what is said to be about as much: `1/14 (≈ 0.07)`.
+            // `k > 32/3 (10.7)`: a bound is said again.
+            let is_of_bound = has_inequality(&tokens) && !has_inequality(&tokens[start..end]);
             if tokens[start + 1].is('=') || tokens[start + 1].is('≈') {
                 tokens.remove(start);
                 end -= 1;
+            } else if is_of_bound && tokens[start - 1..].first().is_some_and(|before| !before.is(',')) {
+                tokens[start].token = Token::Sign('=');
+                tokens.remove(end);
+                start += 1;
+                continue;
             } else {
                 let sign = if of_one_figure(&tokens[start - 1]) { '=' } else { ',' };
                 tokens[start].token = Token::Sign(sign);
@@ -154,6 +179,56 @@ pub(super) fn with_asides_set_off(
         }
     }
     tokens
+}
+
+/// The closing bracket of what is told besides a value: `5 (w = 15)`, `75.9° (at α = 7.07°)`, `0.5 (0 ≤ e ≤ 1)`, `8 (check: 5 + 3
+/// = 8)`. It is said of another letter than the value is, or else it is another value of the answer.
+fn told_besides(tokens: &[Placed], start: usize, vocabulary: &Vocabulary) -> Option<usize> {
+    let after_value = |placed: &Placed| {
+        matches!(placed.token, Token::Number(_) | Token::Word(_) | Token::Greek(_) | Token::Sign(')' | '°' | '%' | '⟧'))
+    };
+    if !tokens[start].is('(') || !after_value(&tokens[start - 1]) {
+        return None;
+    }
+    let close = start + closes(&tokens[start..], ')')?;
+    let inside = &tokens[start + 1..close];
+    let is_word = |placed: &Placed| matches!(placed.token, Token::Phrase(_));
+    let lead = inside.iter().take_while(|placed| is_word(placed) || placed.is(':')).count();
+    let told = &inside[lead..];
+    // What is rejected in brackets is no aside, and `when e = 1` is a condition on which the answer holds.
+    let says_no_more =
+        |placed: &Placed| matches!(placed.token, Token::Phrase(Phrase::Joiner | Phrase::Remark | Phrase::Unknown));
+    if told.iter().any(is_word) || !inside[..lead].iter().all(|placed| placed.is(':') || says_no_more(placed)) {
+        return None;
+    }
+    let name = |placed: &Placed| match &placed.token {
+        Token::Word(word) => Some(word.clone()),
+        Token::Greek(letter) => Some(letter.to_string()),
+        _ => None,
+    };
+    let relations = told.iter().filter(|placed| placed.is('=') || compares(placed)).count();
+    let own = told.iter().filter_map(name).next()?;
+    let begins = tokens[..start]
+        .iter()
+        .rposition(|placed| placed.is(',') || placed.is(';') || placed.is('\n') || placed.is('⇒'));
+    let before = &tokens[begins.map_or(0, |at| at + 1)..start];
+    let is_named_before = before.iter().filter_map(name).any(|before| before == own);
+    let stated =
+        before.iter().rposition(|placed| parts(placed) || is_word(placed)).map_or(before, |at| &before[at + 1..]);
+    let is_far = |value: &[Placed]| {
+        let sizes = measured(stated, vocabulary).zip(measured(value, vocabulary));
+        sizes.is_some_and(|((one, _), (other, _))| (one - other).abs() > 0.01 * one.abs())
+    };
+    let is_told = match told {
+        [first, equals, value @ ..] if relations == 1 && equals.is('=') => name(first).is_some() && is_far(value),
+        // A condition on a letter of the question may choose between values.
+        _ => {
+            relations > 0
+                && told.iter().all(|placed| !placed.is('='))
+                && !vocabulary.letters.iter().any(|letter| letter.name() == own)
+        }
+    };
+    (is_told && !is_named_before).then_some(close)
 }
 
 /// Where the unit ends that stands after a note on accuracy, and belongs to the number before: `3.61 (3sf) m/s`.

@@ -12,11 +12,14 @@ const MOST_DIGITS: usize = 30;
 /// The highest power of ten that is read.
 const HIGHEST_POWER: i32 = 20;
 
-/// The glyphs with letter O between or beside digits as nought, and with an I or l before a point as one.
+/// The glyphs with letter O between or beside digits as nought, and with an I or l before a point or a digit, or above a
+/// stroke, as one.
 ///
 /// Between digits other letters are left as they are, and are found to make no sense.
 pub(super) fn repaired(glyphs: &[Glyph], letters: &[Letter], choices: &mut Choices) -> Vec<Glyph> {
     let mut out = glyphs.to_vec();
+    // `I2 = 28` is an impulse, and beside a J the I is **i**.
+    let may_be_name = glyphs.iter().any(|glyph| matches!(glyph.sign, '=' | 'J' | 'j'));
     for at in 0..out.len() {
         let before = at.checked_sub(1).map_or(' ', |before| out[before].sign);
         let sign = |ahead: usize| glyphs.get(at + ahead).map_or(' ', |glyph| glyph.sign);
@@ -35,11 +38,11 @@ pub(super) fn repaired(glyphs: &[Glyph], letters: &[Letter], choices: &mut Choic
                 choices.note(|| "letter O read as 0".to_owned());
             }
             letter @ ('I' | 'l')
-                if sign(1) == '.'
-                    && !is_letter(letter)
-                    && sign(2).is_ascii_digit()
+                if !is_letter(letter)
+                    && (sign(1) == '.' || !may_be_name && matches!(sign(1), '/' | '0'..='9'))
+                    && (sign(1).is_ascii_digit() || sign(2).is_ascii_digit())
                     && !before.is_alphanumeric()
-                    && !matches!(before, '.' | ',') =>
+                    && !matches!(before, '.' | ',' | '_' | '^') =>
             {
                 out[at].sign = '1';
                 choices.note(|| format!("letter {letter} read as 1"));
@@ -254,7 +257,9 @@ impl Digits<'_> {
             1 => ("", decimals.as_str(), 2),
             _ => repeated(&decimals),
         };
-        if times < 2 || (times == 2 && block.len() == 1 && choices.otherwise(Doubt::Recurring, place)) {
+        // `7.2111…` may be 2√13 on a calculator.
+        let is_open = block.len() == 1 && (times == 2 || !before.is_empty());
+        if times < 2 || (is_open && choices.otherwise(Doubt::Recurring, place)) {
             return Ok(None);
         }
         let value = self.repeating(before, block);

@@ -109,9 +109,10 @@ impl Walk<'_> {
             }
             return Ok(None);
         }
-        // `in the i direction`, `in the -i direction`
+        // `in the i direction`, `in the -i direction`, `in the +i direction`
+        let is_sign = |at: usize| self.tokens.get(at).is_some_and(|sign| sign.is('-') || sign.is('+'));
         if let Some(next) = self.words(at, "in").map(|next| self.article(next))
-            && self.unit_vector(next + usize::from(self.tokens.get(next).is_some_and(|sign| sign.is('-')))).is_some()
+            && self.unit_vector(next + usize::from(is_sign(next))).is_some()
         {
             return Ok(Some((Phrase::Toward, next)));
         }

@@ -4,6 +4,7 @@
 //! left is formulas, read by a grammar that is a student's and not a programmer's. Where notation is open to doubt, the
 //! likely reading comes first and the other follows; a report says which was used.
 
+mod alone;
 mod angle_names;
 mod asides;
 mod centres;

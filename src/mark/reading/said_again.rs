@@ -32,7 +32,6 @@ pub(super) fn said_again(
     let inner = tokens.get(start + 1)?;
     let close = start + tokens[start..].iter().position(|placed| placed.is(')'))?;
     let inside = &tokens[start + 1..close];
-    let compares = |placed: &Placed| matches!(placed.token, Token::Sign('<' | '>' | '≤' | '≥' | '≠'));
     if inner.is('=') || inner.is('≈') || inside.iter().any(compares) {
         let opens = inside.iter().any(|placed| placed.is('('));
         return (!opens).then_some(close);
@@ -64,9 +63,7 @@ fn same_or_rival(tokens: &[Placed], start: usize, vocabulary: &Vocabulary, choic
     let (before, after) = tokens.split_at(start);
     let close = closes(after, closing)?;
     let inside = &after[1..close];
-    let begins = |placed: &Placed| {
-        matches!(placed.token, Token::Phrase(_) | Token::Sign('=' | '≈' | ',' | ';' | ':' | '\n' | '⇒'))
-    };
+    let begins = |placed: &Placed| matches!(placed.token, Token::Phrase(_)) || parts(placed) || compares(placed);
     let stated = before.iter().rposition(begins).map_or(before, |at| &before[at + 1..]);
     let only_decimal = |tokens: &[Placed]| matches!(tokens, [Placed { token: Token::Number(Expr::Decimal(_)), .. }]);
     let measure = matches!(tokens[start - 1].token, Token::Word(_) | Token::Sign('°' | '%'));
@@ -74,7 +71,7 @@ fn same_or_rival(tokens: &[Placed], start: usize, vocabulary: &Vocabulary, choic
         // `0.5 \frac{1}{2} v` is a product.
         _ if closing == '⟧' => false,
         Token::Word(word) => is_unit_word(word),
-        Token::Phrase(_) | Token::Sign(',' | ';' | '.' | '\n' | '⇒') => true,
+        Token::Phrase(_) | Token::Sign(',' | ';' | '.' | '\n' | '⇒' | '<' | '>' | '≤' | '≥') => true,
         _ => false,
     };
     let ends = after.get(close + 1).is_none_or(follows);
@@ -100,6 +97,10 @@ fn same_or_rival(tokens: &[Placed], start: usize, vocabulary: &Vocabulary, choic
     if is_formula || has_letters {
         return (is_again && !is_product()).then_some(start + close);
     }
+    // `k > 32/3 (10.7)`
+    if is_same && closing != '⟧' && before.iter().any(compares) {
+        return Some(start + close);
+    }
     if is_last && closing == ')' && only_decimal(inside) {
         // `25/7 (3.57)`, where nothing more is said, or another answer.
         let is_set_off = measure || of_one_figure(&tokens[start - 1]) || (!is_same && !is_product());
@@ -109,8 +110,18 @@ fn same_or_rival(tokens: &[Placed], start: usize, vocabulary: &Vocabulary, choic
     (is_decimal && is_same || is_again && !is_product()).then_some(start + close)
 }
 
+/// Does it stand between two things that are said?
+pub(super) fn parts(placed: &Placed) -> bool {
+    matches!(placed.token, Token::Sign('=' | '≈' | ',' | ';' | ':' | '\n' | '⇒'))
+}
+
+/// Does it compare two sides, and not as equals?
+pub(super) fn compares(placed: &Placed) -> bool {
+    matches!(placed.token, Token::Sign('<' | '>' | '≤' | '≥' | '≠'))
+}
+
 /// Where the bracket closes with which the tokens begin.
-fn closes(tokens: &[Placed], closing: char) -> Option<usize> {
+pub(super) fn closes(tokens: &[Placed], closing: char) -> Option<usize> {
     let opening = &tokens.first()?.token;
     let mut depth = 0_usize;
     tokens.iter().position(|placed| {
@@ -124,7 +135,7 @@ fn closes(tokens: &[Placed], closing: char) -> Option<usize> {
 }
 
 /// About how much is said, in degrees if it is an angle, of a vector its size; and whether letters or a vector are in it.
-fn measured(tokens: &[Placed], vocabulary: &Vocabulary) -> Option<(f64, bool)> {
+pub(super) fn measured(tokens: &[Placed], vocabulary: &Vocabulary) -> Option<(f64, bool)> {
     let (value, scale) = match tokens {
         [value @ .., percent] if percent.is('%') => (value, 0.01),
         // `9m` is a mass where the question has an m.

@@ -13,8 +13,7 @@ use super::ranges;
 use super::segments::{outside, segments, unquoted};
 use super::sides::{filling, is_called, without_value_of};
 use super::tokens::{Placed, Token, excerpt};
-use super::values::Values;
-use super::{Form, Label, ReferenceLine, Said, Statement, Unreadable, Vocabulary};
+use super::{Form, Said, Statement, Unreadable, Vocabulary};
 use crate::expr::Expr;
 
 /// Every statement of an answer.
@@ -37,9 +36,16 @@ pub(super) fn statements(
         passes_over,
     };
     let tokens = ranges::without_set_builder(without_part_label(without_arrow(unquoted(&tokens)), vocabulary));
-    for (concludes, segment) in segments(tokens) {
+    let segments = segments(tokens);
+    for (at, (concludes, segment)) in segments.iter().enumerate() {
         let segment = without_number(segment, reader.choices);
-        reader.segment(segment, concludes)?;
+        let before = reader.found.len();
+        let read = reader.segment(segment, *concludes);
+        if read.is_err() && at + 1 < segments.len() && reader.is_passed_over(segment) {
+            reader.found.truncate(before);
+        } else {
+            read?;
+        }
     }
     let Statements { mut found, remarks, lines, .. } = reader;
     if line::are_unknowns(&lines, &found) {
@@ -95,7 +101,7 @@ impl Statements<'_> {
         let conclusion = |placed: &Placed| {
             let word = self.slice(std::slice::from_ref(placed)).to_lowercase();
             placed.token == Token::Phrase(Phrase::Joiner)
-                && matches!(&*word, "so" | "hence" | "therefore" | "thus" | "then" | "and" | "but" | "&")
+                && matches!(&*word, "so" | "hence" | "therefore" | "thus" | "then" | "and" | "also" | "but" | "&")
         };
         // `and` only adds.
         let draws = |placed: &Placed| {
@@ -138,9 +144,15 @@ impl Statements<'_> {
         if start < tokens.len() {
             found.push((link, &tokens[start..]));
         }
-        for (link, statement) in found {
+        let last = found.len().saturating_sub(1);
+        for (at, (link, statement)) in found.into_iter().enumerate() {
             let before = self.found.len();
-            self.alternatives(statement)?;
+            let read = self.alternatives(statement);
+            if read.is_err() && at < last && self.is_passed_over(statement) {
+                self.found.truncate(before);
+                continue;
+            }
+            read?;
             let first = self.found.get_mut(before).and_then(|first| first.said.first_mut());
             if let Some((first, link)) = first.zip(link) {
                 first.remarks.push(link.to_owned());
@@ -152,6 +164,23 @@ impl Statements<'_> {
             self.condition_of_choice(&reason[1..]);
         }
         Ok(())
+    }
+
+    /// `48 = 6v + 2w, w - v = 2, so v = 5.5`: is it an equation in letters, and may such lead to what follows?
+    fn is_passed_over(&mut self, tokens: &[Placed]) -> bool {
+        let is_of_formula = |placed: &Placed| match placed.token {
+            Token::Phrase(phrase) => phrase == Phrase::Joiner,
+            Token::Sign(sign) => !is_inequality(sign) && !matches!(sign, '≠' | '≈'),
+            _ => true,
+        };
+        let has_letter = tokens.iter().any(|placed| matches!(placed.token, Token::Word(_) | Token::Greek(_)));
+        let equals = tokens.iter().filter(|placed| placed.is('=')).count();
+        let is_equation = self.passes_over && equals == 1 && has_letter && tokens.iter().all(is_of_formula);
+        if is_equation {
+            let equation = self.slice(tokens).to_owned();
+            self.choices.note(|| format!("{equation} read as a step to what follows"));
+        }
+        is_equation
     }
 
     /// `k = 8 or -8 since k > 0`: of values between which somebody chooses, the reason may tell which it is.
@@ -295,79 +324,6 @@ impl Statements<'_> {
             }
             _ => self.equality(&sides),
         }
-    }
-
-    /// A side without relations: `A: 3.08`, `2 : 3`, `1.04 ms^-1 at right angles to LOC`.
-    pub(super) fn alone(&mut self, tokens: &[Placed]) -> Result<(), Unreadable> {
-        let colon = tokens.iter().position(|placed| placed.is(':'));
-        if let Some(at) = colon {
-            let (left, right) = (&tokens[..at], &tokens[at + 1..]);
-            if right.is_empty() {
-                self.remark(self.slice(left).to_lowercase());
-                return Ok(());
-            }
-            let name = matches!(left, [Placed { token: Token::Word(_) | Token::Greek(_), .. }]) && !tokens[at].spaced;
-            // `ratio 2:3`
-            let number = left.iter().position(|placed| matches!(placed.token, Token::Number(_)));
-            let count = left.iter().take_while(|placed| matches!(placed.token, Token::Phrase(_))).count();
-            if let Some(number) = number.filter(|number| *number == count && count > 0) {
-                let label = Label { typed: self.slice(&left[..number]).to_owned(), expr: None };
-                return self.labelled(Some(label), &[&tokens[number..]]);
-            }
-            let words = count > 0;
-            if !left.is_empty() && (name || words) {
-                let label = Label { typed: self.plain_name(left), expr: self.named(left) };
-                return self.labelled(Some(label), &[right]);
-            }
-            return self.ratio(left, right);
-        }
-        if let Some(said) = self.range(tokens)?.or(self.any_multiple(tokens)?) {
-            self.found.push(Statement { label: None, said: vec![said] });
-            return Ok(());
-        }
-        // `2.78 (A), 3.08 (B)`
-        if let [Placed { token: Token::Phrase(Phrase::Sphere), start, .. }] = tokens
-            && self.text.get(..*start).is_some_and(|before| before.ends_with('('))
-            && let typed = self.slice(tokens).to_owned()
-            && let Some(last) = self.found.last_mut().filter(|last| last.label.is_none())
-        {
-            last.label = Some(Label { typed, expr: None });
-            return Ok(());
-        }
-        self.is_worked_out(tokens)?;
-        let mut values = Values { text: self.text, vocabulary: self.vocabulary, choices: self.choices };
-        let stretch = values.stretch(tokens)?;
-        stretch.remarks.into_iter().for_each(|words| self.remark(words));
-        for (label, said) in stretch.values {
-            let label = label.map(|typed| Label { typed, expr: None });
-            // `71.6° to the line of centres, towards B`; `…, A towards B` says of what it is, too.
-            let only = self.found.len() == 1;
-            // `along the line of centres, A to B` says it of the line that was named.
-            let is_named = self.found.last().and_then(|last| last.said.last()?.reference).is_some();
-            let is_sense = |line: &ReferenceLine| {
-                line.is_sense_alone() || is_named && matches!(line, ReferenceLine::AlongAToB | ReferenceLine::AlongBToA)
-            };
-            if let (Form::Direction, Some(sense)) = (&said.form, said.reference.filter(is_sense))
-                && let Some(before) = self.found.last_mut()
-                && (label.is_none() || (only && before.label.is_none()))
-                && let Some(last) = before.said.last_mut()
-                && let Some(joined) = last.reference.map_or(Some(sense), |line| line.and(sense))
-            {
-                last.reference = Some(joined);
-                last.remarks.extend(said.remarks);
-                before.label = before.label.take().or(label);
-                continue;
-            }
-            self.found.push(Statement { label, said: vec![said] });
-        }
-        Ok(())
-    }
-
-    fn ratio(&mut self, left: &[Placed], right: &[Placed]) -> Result<(), Unreadable> {
-        let (left, right) = (self.scalar(left)?, self.scalar(right)?);
-        let said = Said { form: Form::Ratio(left, right), unit: None, reference: None, remarks: Vec::new() };
-        self.found.push(Statement { label: None, said: vec![said] });
-        Ok(())
     }
 
     /// A formula that fills its tokens and is no vector.
