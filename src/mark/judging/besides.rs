@@ -6,14 +6,15 @@ use std::cmp::Ordering;
 use crate::answer::{Accept, Kind};
 use crate::expr::{Expr, Function, Relation};
 use crate::mark::reading::{Form, ReferenceLine, Said, Statement};
-use crate::mechanics::Quantity;
+use crate::mechanics::{Quantity, Sphere};
 use crate::number::Places;
 use crate::unit::Unit;
 
 use super::selection::{holds, is_angular, order};
 use super::sorts::{Sort, sort, words};
+use super::spheres::{named_spheres, sphere};
 use super::statements::is_rival;
-use super::{Model, angle, number, vector};
+use super::{Model, angle, letters, number, vector};
 
 /// `u(1-e)/2 > 0`, `3.57 < 5`: what is remarked of the only value there is, where that is so.
 pub(super) fn compared_with_a_bound(model: &Model, mut statements: Vec<Statement>) -> Vec<Statement> {
@@ -195,4 +196,25 @@ fn without_the_other_of_a_pair(unit: Unit, mut statements: Vec<Statement>) -> Ve
         _ => {}
     }
     statements
+}
+
+/// The letter of an aside in brackets, as w in `5 (w = 15)`.
+pub(super) fn letter_of_aside(remark: &str) -> Option<&str> {
+    let (before, _) = remark.strip_prefix('(')?.strip_suffix(')')?.split_once('=')?;
+    before.split_whitespace().last()
+}
+
+/// Do words beside a value tell another value of what is asked? `5 (v = 6)`; in `v_A = 5 (v_B = 15)` it is of the other sphere.
+pub(super) fn is_told_otherwise(model: &Model, statement: &Statement) -> bool {
+    let is_of_other = |letter: &str| {
+        let asked = model.quantity.and_then(sphere);
+        let by_custom = match letter {
+            "v" | "v1" | "v_1" => Some(Sphere::A),
+            "w" | "v2" | "v_2" => Some(Sphere::B),
+            _ => named_spheres(letter).first().copied(),
+        };
+        asked.zip(by_custom).is_some_and(|(asked, named)| asked != named)
+    };
+    let mut letters = statement.remarks().filter_map(|remark| letter_of_aside(remark));
+    letters.any(|letter| letters::may_be_called(model, letter, letter) && !is_of_other(letter))
 }

@@ -83,16 +83,13 @@ impl Chain<'_> {
     }
 }
 
-/// Of a bound and what it is said to come to: the one that is exact, if they are the same or the one rounds to the other. A
-/// formula in angles of the question, which has no exact value here, is taken at its word.
+/// Of a bound and what it is said to come to: the one that is exact, if they are the same or the one rounds to the other.
 fn worked_out<'e>(bound: &'e Expr, end: &'e Expr, letters: &[Letter]) -> Option<&'e Expr> {
     let value = |expr: &Expr| exact::value(expr, letters).filter(|value| value.letters().is_empty());
     let found = value(end)?;
-    let is_of_angles = || !bound.names().is_empty() && exact::unknown_letter(bound, letters).is_none();
-    match value(bound) {
-        Some(first) if first == found || rounds_to(bound, end) => Some(bound),
-        Some(_) => rounds_to(end, bound).then_some(end),
-        None => is_of_angles().then_some(end),
+    match value(bound)? {
+        first if first == found || rounds_to(bound, end) => Some(bound),
+        _ => rounds_to(end, bound).then_some(end),
     }
 }
 

@@ -17,7 +17,7 @@ use super::multiplied::is_multiplied;
 use super::otherwise::{is_another_of_its_sort, is_changed_to, remark_names_another};
 use super::sorts::{LOSSES, Sort, is_of_loss, sort, suits, words};
 use super::spheres::{self, named_sphere, sphere};
-use super::{Model, Note, letters, quotients, sides};
+use super::{Model, Note, besides, letters, quotients, sides};
 
 /// What was found of a value, if it is called what is asked for.
 pub(super) fn as_called(model: &Model, statement: &Statement, finding: Finding) -> Finding {
@@ -179,6 +179,9 @@ pub(in crate::mark) fn is_of_a_part(label: &str, asked: Quantity) -> bool {
 
 /// What was found of a value, if the words around it say nothing else of it.
 pub(super) fn as_remarked(model: &Model, statement: &Statement, finding: Finding) -> Finding {
+    if finding.is_credited() && besides::is_told_otherwise(model, statement) {
+        return Finding::unreadable(Note::SeveralAnswers);
+    }
     let Some(asked) = model.quantity else { return finding };
     if finding.is_credited() && sides::is_said_to_go_otherwise(model, statement) {
         return Finding::unreadable(Note::DirectionUnchecked);

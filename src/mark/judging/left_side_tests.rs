@@ -74,6 +74,7 @@ fn a_letter_is_the_name_of_what_the_subject_calls_by_it() {
             ("m = 5m/2", OTHERWISE),
             ("m_B = 5m/2", "correct"),
             ("2m_B = 5m", "partial not-solved"),
+            ("m_B/m = 5/2 so 5m/2", "correct"),
             ("M = 5m/2", "correct"),
         ],
     );
@@ -90,7 +91,7 @@ fn a_letter_is_the_name_of_what_the_subject_calls_by_it() {
         &Asked("4*i - 29/20*j", Some(Kind::Vector), "A.after.x", None),
         &[
             ("2v = 4i - 1.45j", "wrong"),
-            ("2v = 8i - 2.9j", "correct"),
+            ("2v = 8i - 2.9j", "partial not-solved"),
             ("v_A - u_A = 4i - 1.45j", OTHERWISE),
             ("I = 4i - 1.45j", OTHERWISE),
         ],
@@ -159,7 +160,7 @@ fn an_equation_for_an_angle_or_its_tangent_is_true_of_it() {
             ("β = arctan(e tan α)", "partial angle-for-tangent"),
         ],
     );
-    earn(&Asked("8", None, "", None), &[("k = 8", "correct"), ("2k = 16", "correct"), ("k/2 = 8", "wrong")]);
+    earn(&Asked("8", None, "", None), &[("k = 8", "correct"), ("2k = 16", "partial not-solved"), ("k/2 = 8", "wrong")]);
 }
 
 #[test]

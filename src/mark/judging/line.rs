@@ -44,8 +44,12 @@ fn compared(model: &Model, (right_x, right_y): (&Expr, &Expr), said: &Said, labe
     if let Some((x, y, _)) = vector::said_components(model, said) {
         return parallel(model, (right_x, right_y), (&x, &y));
     }
-    // `i : j = -1 : 3`
+    // `-1 : 3`, `i : j = -1 : 3`; under another name it may be the other way round.
     if let Form::Ratio(x, y) = &said.form {
+        let name: String = label.map(|label| label.typed.split_whitespace().collect()).unwrap_or_default();
+        if !matches!(&*name, "" | "i:j" | "x:y") && !name.ends_with("ratio") {
+            return Finding::unreadable(Note::CannotBeCompared);
+        }
         return parallel(model, (right_x, right_y), (x, y));
     }
     // `45° below i`, `arctan 3`: which way it is measured is for a person to see.

@@ -70,7 +70,7 @@ fn as_it_stands(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
                 |expr: &Expr| as_it_stands(model, &Said { form: Form::Value(expr.clone()), ..said.clone() }, label);
             let finding = sized(size).or_better(sized(&size.clone().negated()));
             let is_impulse = model.quantity.map(Quantity::of_its_impact) == Some(Quantity::ImpulseMagnitude)
-                && !is_across(model, x, y);
+                && !sense::is_across_the_vector(model, x, y);
             return if is_impulse { finding } else { finding.at_most_partial(Note::DirectionUnchecked) };
         }
         Form::Vector(x, y, _) => return magnitude_left(model, x, y),
@@ -115,12 +115,6 @@ fn as_it_stands(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
             converted.or_better(plain.at_most_partial(Note::UnitWrong))
         }
     }
-}
-
-/// Is it along **i** or **j**, and the vector whose size is asked along the other?
-fn is_across(model: &Model, x: &Expr, y: &Expr) -> bool {
-    let Some([right_x, right_y]) = &model.vector else { return false };
-    right_x.is_zero() && y.is_zero() || right_y.is_zero() && x.is_zero()
 }
 
 /// `5m/2 × 8u = 20mu`: two ways of writing one value, of which the second is the answer.

@@ -136,8 +136,44 @@ fn an_impulse_on_one_body_has_a_sense() {
             ("5.2 N s perpendicular to the wall", "correct"),
         ],
     );
+    let downwards = Some([Expr::integer(0), read("-26/5", Angles::Radians).unwrap()]);
+    let vocabulary = Vocabulary { vectors: true, ..of_wall.vocabulary.clone() };
+    let in_i_and_j = Model { vector: downwards, vocabulary, ..of_wall };
+    earn(
+        &in_i_and_j,
+        &[
+            ("5.2 N s in the direction -j", "correct"),
+            ("5.2 N s in the -j direction", "correct"),
+            ("5.2 N s, direction of -j", "correct"),
+            ("5.2 N s in the +j direction", "partial"),
+            ("5.2 N s in the direction of i", "partial"),
+        ],
+    );
     let unsaid = Model { pushes_back: None, ..on_b };
     earn(&unsaid, &[("3.38 N s towards A", "correct"), ("3.38 N s towards B", "correct")]);
+}
+
+#[test]
+fn an_aside_tells_of_something_else() {
+    let of_a = model("5", "A.after.speed", &[]);
+    earn(
+        &of_a,
+        &[
+            ("5 (w = 15)", "correct"),
+            ("v_A = 5 (v_B = 15)", "correct"),
+            ("5 (e = 2/3)", "correct"),
+            ("5 (v = 15)", "unreadable"),
+            ("5 (v_A = 15)", "unreadable"),
+            ("15 (v = 5)", "wrong"),
+            ("v = 5, w = 15", "correct"),
+            ("v = 15, w = 5", "partial"),
+        ],
+    );
+    earn(&model("15", "B.after.speed", &[]), &[("5 (w = 15)", "wrong"), ("w = 15 (v = 5)", "correct")]);
+    let of_angle = model("75.9*deg", "A.deflection_deg", &[]);
+    earn(&of_angle, &[("75.9° (δ = 70)", "unreadable")]);
+    let later = Model { strangers: vec![Sphere::A], ..model("4", "second.B.after.speed", &[]) };
+    earn(&later, &[("v = 4, w = 10", "partial"), ("w = 4, v = 10", "partial")]);
 }
 
 #[test]

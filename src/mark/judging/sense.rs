@@ -150,6 +150,18 @@ fn is_beside_the_vector(model: &Model, said: &Said) -> bool {
     !(is_right(degrees) || is_of_either && is_right(180.0 - degrees))
 }
 
+/// Is it along **i** or **j**, and the vector whose size is asked along the other? Or the other way, where the question asks for
+/// the impulse on one body?
+pub(super) fn is_across_the_vector(model: &Model, x: &Expr, y: &Expr) -> bool {
+    let Some([right_x, right_y]) = &model.vector else { return false };
+    let is_opposite = || {
+        let product = |one: &Expr, other: &Expr| about(&Expr::product([one.clone(), other.clone()]), &[]);
+        let along = product(x, right_x).zip(product(y, right_y));
+        along.is_some_and(|(along_i, along_j)| along_i + along_j < 0.0)
+    };
+    right_x.is_zero() && y.is_zero() || right_y.is_zero() && x.is_zero() || model.pushes_back.is_some() && is_opposite()
+}
+
 fn is_negative(expr: &Expr) -> bool {
     let sign = exact::value(expr, &[]).and_then(|value| value.sign());
     matches!(expr, Expr::Negative(_)) || sign == Some(Ordering::Less)

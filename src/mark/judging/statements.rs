@@ -7,7 +7,7 @@ use crate::answer::Kind;
 use crate::expr::Expr;
 use crate::mark::enclosure::about;
 use crate::mark::reading::{Form, Label, Reading, Said, Statement};
-use crate::mechanics::{Moment, Quantity, Sphere};
+use crate::mechanics::{Axis, Moment, Quantity, Sphere};
 
 use super::bounds::rounds_to;
 use super::chain::{chain, is_bare_number};
@@ -88,7 +88,15 @@ fn choose(model: &Model, statements: &[&Statement], one: One) -> Finding {
                     return last_or_rivals(model, &statements[..before], one);
                 }
             }
-            [single] => return chain(model, single, one),
+            [single] => {
+                let finding = chain(model, single, one);
+                // `m_B/m = 5 so 5m`
+                let is_solved = finding.note == Some(Note::Unsolved) && is_concluded(statements);
+                return match statements.last().filter(|_| is_solved) {
+                    Some(last) => finding.or_better(chain(model, last, one)),
+                    None => finding,
+                };
+            }
             several => return last_or_rivals(model, several, one),
         }
     }
@@ -257,9 +265,11 @@ fn by_custom<'s>(model: &Model, statements: &[&'s Statement]) -> Option<&'s Stat
     let names = [typed(first)?, typed(second)?];
     let is_pair = |pair: &[&str; 2]| pair.iter().all(|name| names.iter().any(|own| own == name));
     let pair = PAIRS.iter().find(|pair| is_pair(pair))?;
-    let asked = model.quantity.map(Quantity::of_its_impact)?;
-    let at = match asked {
-        Quantity::Speed(..) | Quantity::Velocity(..) => sphere(asked)? as usize,
+    // What happens in a later impact, or to one sphere twice, has no such custom.
+    let is_of_both =
+        |asked: &Quantity| asked.impact() == 0 && !Sphere::BOTH.iter().any(|own| model.strangers.contains(own));
+    let at = match model.quantity.filter(is_of_both)? {
+        asked @ (Quantity::Speed(..) | Quantity::Velocity(_, _, Axis::N)) => sphere(asked)? as usize,
         _ => return None,
     };
     let own = names.iter().position(|name| Some(&name.as_str()) == pair.get(at))?;

@@ -5,8 +5,10 @@ use std::borrow::Cow;
 use crate::answer::Kind;
 use crate::mark::reading::{Form, Label, Reading, Said, Statement, Unreadable};
 
+use crate::mechanics::Sphere;
+
 use super::finding::Finding;
-use super::{BLANK, Judgement, Model, Note, one, refused, report, spheres};
+use super::{BLANK, Judgement, Model, Note, besides, one, refused, report, spheres};
 
 /// Judges one answer in which several things are asked: labelled with their spheres, or in the order asked.
 ///
@@ -17,6 +19,10 @@ pub fn judge_together(models: &[Model], readings: &Result<Vec<Reading>, Unreadab
         Err(unreadable) => return models.iter().map(|_| refused(unreadable)).collect(),
     };
     let each = |reading: &Reading| -> Vec<Finding> {
+        // `5 (w = 15)`: what is an aside to one thing may be the answer to another.
+        if reading.remarks().any(|remark| besides::letter_of_aside(remark).is_some()) {
+            return vec![Finding::unreadable(Note::SeveralAnswers); models.len()];
+        }
         let shares = shared_out(models, &with_directions_apart(models, reading));
         models
             .iter()
@@ -44,52 +50,41 @@ fn shared_out(models: &[Model], reading: &Reading) -> Vec<Option<Reading>> {
     let named = reading.statements.iter().any(|statement| spheres::named_sphere(statement).is_some());
     let share =
         |statements: Vec<Statement>| (!statements.is_empty()).then(|| Reading { statements, ..reading.clone() });
-    if !named {
-        let mut statements = reading.statements.iter().peekable();
-        let of_one = |(at, model): (usize, &Model)| {
-            // `56.3°` by itself is no speed.
-            let is_missing = statements.len() < models.len() - at
-                && model.kind != Kind::Angle
-                && models[at..].iter().any(|later| later.kind == Kind::Angle);
-            let next = statements.next_if(|next| !(is_missing && next.said.last().is_some_and(is_in_degrees)));
-            share(next.cloned().into_iter().collect())
-        };
-        return models.iter().enumerate().map(of_one).collect();
-    }
-    // Within the statements of one sphere its quantities are in the order asked.
-    let mut next = [0; 3];
+    let asked = |model: &Model| asked_of(model, named);
     // `7.21 at 56.3° to the line of centres, B 6`: what stands before the second sphere is of the first.
     let first_named = reading.statements.iter().find_map(spheres::named_sphere);
-    let first_asked = models.iter().find_map(|model| model.quantity.and_then(spheres::sphere));
+    let first_asked = models.iter().find_map(asked);
     let mut sphere = first_asked.filter(|asked| first_named.is_some_and(|named| named > *asked));
-    let placed: Vec<(Option<_>, &Statement)> = reading
-        .statements
-        .iter()
-        .map(|statement| {
-            sphere = spheres::named_sphere(statement).or(sphere);
-            (sphere, statement)
-        })
-        .collect();
-    models
-        .iter()
-        .map(|model| {
-            let asked = model.quantity.and_then(spheres::sphere)?;
-            let own = placed.iter().filter(|(named, _)| *named == Some(asked)).map(|(_, statement)| *statement);
-            let is_alone = models
-                .iter()
-                .filter_map(|model| model.quantity.and_then(spheres::sphere))
-                .filter(|sphere| *sphere == asked)
-                .count()
-                == 1;
-            // `v_A = 2i + 2j so |v_A| = 2√2`
-            if is_alone {
-                return share(own.cloned().collect());
-            }
-            let count = &mut next[asked as usize];
-            *count += 1;
-            share(own.clone().nth(*count - 1).cloned().into_iter().collect())
-        })
-        .collect()
+    let mut left: Vec<(Option<Sphere>, &Statement)> = Vec::with_capacity(reading.statements.len());
+    for statement in &reading.statements {
+        sphere = spheres::named_sphere(statement).or(sphere);
+        left.push((sphere.filter(|_| named), statement));
+    }
+    let of_each = |(at, model): (usize, &Model)| {
+        let asked = asked(model);
+        if named && asked.is_none() {
+            return None;
+        }
+        let of_same = |models: &[Model]| models.iter().filter(|other| asked_of(other, named) == asked).count();
+        // `v_A = 2i + 2j so |v_A| = 2√2`
+        if named && of_same(models) == 1 {
+            return share(
+                left.iter().filter(|(own, _)| *own == asked).map(|(_, statement)| (*statement).clone()).collect(),
+            );
+        }
+        // Of one sphere its quantities are in the order asked, but that `56.3°` is no speed.
+        let own: Vec<usize> = (0..left.len()).filter(|place| left[*place].0 == asked).collect();
+        let is_of_kind = |place: &&usize| is_angular(left[**place].1) == (model.kind == Kind::Angle);
+        let in_order = own.first().filter(|_| own.len() >= of_same(&models[at..]));
+        let place = own.iter().find(is_of_kind).or(in_order).copied()?;
+        share(vec![left.remove(place).1.clone()])
+    };
+    models.iter().enumerate().map(of_each).collect()
+}
+
+/// The sphere of which a thing is asked, where spheres are named.
+fn asked_of(model: &Model, named: bool) -> Option<Sphere> {
+    model.quantity.and_then(spheres::sphere).filter(|_| named)
 }
 
 /// `B: 5 m/s along the line of centres` where a speed and a direction are asked: two things in one.
@@ -113,6 +108,11 @@ fn with_directions_apart<'r>(models: &[Model], reading: &'r Reading) -> Cow<'r, 
         }
     }
     Cow::Owned(Reading { statements, ..reading.clone() })
+}
+
+/// Is it an angle, or a direction in words?
+fn is_angular(statement: &Statement) -> bool {
+    statement.said.last().is_some_and(|said| is_in_degrees(said) || matches!(said.form, Form::Direction))
 }
 
 fn is_in_degrees(said: &Said) -> bool {

@@ -19,7 +19,7 @@ pub(super) fn tell(model: &mut Model, name: &str, find: &Find, scene: &Scene, kn
     model.pushes_back = pushes_back(name, find, scene);
     model.meet_again = meet_again(find, scene);
     model.anticlockwise = anticlockwise(find, known);
-    model.vector = vector(find, known, model.vocabulary.vectors);
+    model.vector = vector(find, known);
     model.strangers = strangers(find, scene);
     // A wall has no share in it.
     model.is_of_both &= Quantity::Mass(Sphere::B).is_in(scene.setting);
@@ -130,8 +130,9 @@ fn anticlockwise(find: &Find, known: &Known<Value>) -> Option<bool> {
 }
 
 /// The vector in **i** and **j** of which the size is asked.
-fn vector(find: &Find, known: &Known<Value>, is_in_i_and_j: bool) -> Option<[Expr; 2]> {
+fn vector(find: &Find, known: &Known<Value>) -> Option<[Expr; 2]> {
     let Find::Quantity(quantity) = find else { return None };
+    let is_in_i_and_j = known.number(Quantity::Velocity(Sphere::A, Moment::Before, Axis::X)).is_some();
     let along = |axis: Axis| {
         let own = match quantity.of_its_impact() {
             Quantity::Speed(sphere, moment) => Quantity::Velocity(sphere, moment, axis),

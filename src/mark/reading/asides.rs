@@ -130,7 +130,7 @@ pub(super) fn with_asides_set_off(
         if let [open, line, close, ..] = &tokens[start..]
             && open.is('(')
             && close.is(')')
-            && matches!(line.token, Token::Phrase(Phrase::Line(_)))
+            && matches!(line.token, Token::Phrase(Phrase::Line(line)) if !line.is_direction())
         {
             tokens.remove(start + 2);
             tokens.remove(start);
@@ -219,8 +219,12 @@ fn told_besides(tokens: &[Placed], start: usize, vocabulary: &Vocabulary) -> Opt
         let sizes = measured(stated, vocabulary).zip(measured(value, vocabulary));
         sizes.is_some_and(|((one, _), (other, _))| (one - other).abs() > 0.01 * one.abs())
     };
+    let is_same =
+        |value: &[Placed]| value.iter().map(|placed| &placed.token).eq(stated.iter().map(|placed| &placed.token));
     let is_told = match told {
-        [first, equals, value @ ..] if relations == 1 && equals.is('=') => name(first).is_some() && is_far(value),
+        [first, equals, value @ ..] if relations == 1 && equals.is('=') => {
+            name(first).is_some() && (is_far(value) || is_same(value))
+        }
         // A condition on a letter of the question may choose between values.
         _ => {
             relations > 0

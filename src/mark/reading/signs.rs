@@ -146,7 +146,10 @@ pub(super) fn with_signs(tokens: &[Placed], vocabulary: &Vocabulary, choices: &m
             let begins = |words: &str| words.bytes().next() == initial;
             let is_number = matches!(tokens.get(at + 1).map(|next| &next.token), Some(Token::Number(_)));
             let before_number = BEFORE_A_NUMBER.iter().filter(|_| is_number);
-            let standing = SIGNS.iter().chain(before_number).filter(|(words, _)| begins(words));
+            // `k is positive`; in `1/2 (must be positive)` nobody says what.
+            let after_name = matches!(out.last().map(|last| &last.token), Some(Token::Word(_) | Token::Greek(_)));
+            let fits = |signs: &str| after_name || !signs.ends_with('0');
+            let standing = SIGNS.iter().chain(before_number).filter(|(words, signs)| begins(words) && fits(signs));
             standing.filter_map(|(words, signs)| Some((stands(words)?, signs))).max_by_key(|(next, _)| *next)
         });
         // `0.3 recurring`, `0.3 (recurring)`: the last digit recurs.

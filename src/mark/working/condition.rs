@@ -54,13 +54,25 @@ impl Working<'_> {
         })
     }
 
-    /// The line of the inequality that is demanded, if it points the wrong way.
+    /// The line of the inequality that is demanded, if it points the wrong way. Who says for which values it holds, as in `not
+    /// reversed if 30 - 150e ≥ 0, e ≤ 1/5`, argues from the others.
     fn turned_round(&self, mark: &KeyedMark) -> Option<usize> {
-        self.lines.iter().enumerate().position(|(place, studied)| {
+        let said = |studied: &Studied, is: &dyn Fn(&Form) -> bool| {
             let statements = studied.reading.iter().flat_map(|reading| &reading.statements);
-            let mut said = statements.flat_map(|statement| &statement.said);
-            !studied.line.is_crossed_out() && said.any(|said| self.is_demanded(&said.form, mark, place, -1.0))
-        })
+            statements.flat_map(|statement| &statement.said).any(|said| is(&said.form))
+        };
+        let place = self.lines.iter().enumerate().position(|(place, studied)| {
+            let is_turned = |form: &Form| self.is_demanded(form, mark, place, -1.0);
+            !studied.line.is_crossed_out() && said(studied, &is_turned)
+        })?;
+        let demanded = self.demanded_by_scheme(mark)?;
+        let says_of_others = |form: &Form| {
+            let Form::Equation(Expr::Relation(left, relation, right)) = form else { return false };
+            let excess = self.excess(left, *relation, right).filter(|_| self.is_sought(left) || self.is_sought(right));
+            let opposite = excess.map(|excess| excess.into_iter().map(|excess| -excess).collect::<Vec<f64>>());
+            opposite.is_some_and(|opposite| self.is_positive_multiple(&opposite, &demanded))
+        };
+        (!self.lines[place..].iter().any(|studied| said(studied, &says_of_others))).then_some(place)
     }
 
     /// Is it the inequality of the scheme for the student's own components at a wall?

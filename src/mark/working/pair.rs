@@ -366,8 +366,9 @@ pub(super) fn conventions(names: &[String]) -> Vec<Convention> {
         orders.reverse();
     }
     let are_told = sphere(one).is_some() && sphere(other).is_some() && sphere(one) != sphere(other);
-    // `v_A` is the velocity of A; `v_1` is what the equations make of it.
-    if are_told && [one, other].iter().any(|letter| letter.ends_with(['A', 'B'])) {
+    // `v_A` is the velocity of A, and so is a beside b; `v_1` is what the equations make of it.
+    let are_of_spheres = matches!([one.as_str(), other.as_str()], ["a", "b"]);
+    if are_of_spheres || are_told && [one, other].iter().any(|letter| letter.ends_with(['A', 'B'])) {
         orders.truncate(1);
     }
     let signs = [[1.0, 1.0], [-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]];

@@ -233,6 +233,15 @@ pub(super) fn own_values(
         for own in reading.equations.iter().filter_map(|equation| multiple(equation, prepared)) {
             let of = sphere(own.letter).or(unknown_sphere(prepared));
             for (of, [x, y]) in of.into_iter().zip(own.divided()) {
+                // What is right is no value of their own.
+                let is_right = |axis: Axis, own: &[f64]| {
+                    let right = sizes(&prepared.known, Quantity::Velocity(of, Moment::After, axis));
+                    let near = |(own, right): (&f64, &f64)| (own - right).abs() <= 1e-9 * right.abs().max(1.0);
+                    right.is_some_and(|right| own.iter().zip(&right).all(near))
+                };
+                if is_right(Axis::X, &x.0) && is_right(Axis::Y, &y.0) {
+                    continue;
+                }
                 found.entry(Quantity::Velocity(of, Moment::After, Axis::X)).or_insert(x);
                 found.entry(Quantity::Velocity(of, Moment::After, Axis::Y)).or_insert(y);
             }
