@@ -82,7 +82,8 @@ fn beyond(named: &[String], answers: &[&Answer], variant: &Variant, remarks: &mu
 
 /// What is asked for in a unit is a number, and has no letter.
 fn in_a_unit(text: &Text, answers: &[&Answer], variant: &Variant, remarks: &mut Vec<Remark>) {
-    let Some((unit, _)) = unit_asked(&print::text_unicode(text)) else { return };
+    let asked = print::text_unicode(text);
+    let Some((unit, _)) = unit_asked(&asked).filter(|_| !asked.contains("in terms of")) else { return };
     if let Some(letter) = answers.iter().find_map(|answer| letters(answer, variant).into_iter().next()) {
         let what = format!("an answer with the letter `{letter}` is asked for in `{unit}`");
         let help = format!("ask for it in terms of `{letter}`, or give the letter a value");

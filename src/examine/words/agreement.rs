@@ -4,6 +4,7 @@ use super::sentence::{Sentence, Token, is_one_of, sentences};
 use super::sentences::remark_at;
 use crate::examine::remark::Remark;
 use crate::expr::Text;
+use crate::mechanics::Sphere;
 
 /// Things of which there may be several, each in the singular.
 const THINGS: [&str; 4] = ["sphere", "particle", "ball", "wall"];
@@ -71,7 +72,9 @@ fn miscounted(sentence: &Sentence, place: usize, remarks: &mut Vec<Remark>) {
         return;
     }
     let (_, named) = row(&sentence[place + 1 + length..]);
-    if named > 0 && named != said {
+    // `Two spheres *A*, of mass 2 kg, and *B*` names them one by one.
+    let all = Sphere::ALL.into_iter().filter(|sphere| sentence[place..].contains(&Token::Sphere(*sphere))).count();
+    if named > 0 && named != said && all != said {
         let count = if named == 1 { "one is named".to_owned() } else { format!("{named} are named") };
         let what = format!("{word} of which {count}");
         let help = "name as many as there are, or say another number";
@@ -171,6 +174,9 @@ mod tests {
         let table = [
             ("Two small smooth spheres *A* and *B* have equal radii.", ""),
             ("Two smooth spheres *A*, *B* and *C* lie in a line.", "two of which 3 are named"),
+            ("Two smooth spheres *A*, of mass {m}, and *B*, of mass {k}, have equal radii.", ""),
+            ("Two balls *A* (mass {m}) and *B* (mass {k}) roll towards each other.", ""),
+            ("Two smooth spheres *A*, of mass {m}, lie in a line.", "two of which one is named"),
             ("Three small smooth spheres *A* and *B*, of equal radius, lie in a line.", "three of which 2 are named"),
             ("Three spheres *A*, *B* and *C*, of masses {m}, {k} and {l}, are at rest.", ""),
             ("Two spheres lie between *A* and the wall.", ""),

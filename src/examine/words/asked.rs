@@ -1,28 +1,13 @@
 //! Do the words ask for what the answers are, and speak of what the scene has?
 
+use super::asked_units::stated_otherwise;
 use super::sentence::{Token, is_one_of, is_supposed, sentences};
 use crate::answer::Kind;
-use crate::bank::{Answer, Find, Part, Question};
+use crate::bank::{Part, Question};
 use crate::examine::Finding;
 use crate::expr::{Expr, Piece, Text, print};
 use crate::mechanics::{Quantity, Sphere, VelocityText};
 use crate::unit::Unit;
-
-/// Words that name a quantity, and the unit in which it is stated.
-const QUANTITIES: [(&str, Unit); 12] = [
-    ("speed", Unit::MetrePerSecond),
-    ("speeds", Unit::MetrePerSecond),
-    ("velocity", Unit::MetrePerSecond),
-    ("velocities", Unit::MetrePerSecond),
-    ("angle", Unit::Degree),
-    ("angles", Unit::Degree),
-    ("direction", Unit::Degree),
-    ("directions", Unit::Degree),
-    ("impulse", Unit::NewtonSecond),
-    ("momentum", Unit::NewtonSecond),
-    ("energy", Unit::Joule),
-    ("mass", Unit::Kilogram),
-];
 
 /// Words that tell a student to show what is printed, and words that tell to find what is not.
 const TO_SHOW: [&str; 8] = ["show", "prove", "verify", "deduce", "explain", "establish", "confirm", "demonstrate"];
@@ -35,28 +20,8 @@ pub fn beside_the_point(question: &Question) -> Vec<Finding> {
     for (place, part) in question.parts.iter().enumerate() {
         let asked = part.ask.iter().map(print::text_unicode).collect::<Vec<_>>().join(" ");
         findings.extend(shown(&asked, part).map(|found| found.at_row(place, "answers", 0)));
-        let names = part.answers.iter().enumerate().filter_map(|(row, answer)| {
-            let (said, unit) = misnamed(&print::text_unicode(&answer.name), &[answer])?;
-            let message = format!("the answer `{}` is stated in {unit}", print::text_unicode(&answer.name));
-            let help = "give it the name of what `find` finds, or find what it is called";
-            Some(
-                Finding::new(message, "", format!("its name says {said}"))
-                    .with_help(help)
-                    .at_row(place, "answers", row),
-            )
-        });
-        findings.extend(names);
-        for (row, answer) in part.answers.iter().enumerate() {
-            let Some((said, unit)) = misnamed(&asked, &[answer]).filter(|_| !is_beside(&asked, answer)) else {
-                continue;
-            };
-            let name = print::text_unicode(&answer.name);
-            let message = format!("the words ask for what is stated in {said}, and the answer `{name}` is in {unit}");
-            let found = Finding::new(message, "", "found here");
-            let help = "ask for what `find` finds, or find what is asked for";
-            findings.push(found.with_help(help).at_row(place, "answers", row));
-        }
     }
+    findings.extend(stated_otherwise(question));
     findings.extend(out_of_order(question));
     findings.extend(extremes(question));
     findings.extend(strangers(question));
@@ -65,29 +30,6 @@ pub fn beside_the_point(question: &Question) -> Vec<Finding> {
     findings.extend(absent(question));
     findings.extend(in_one_line(question));
     findings
-}
-
-/// A unit that the words name, and that of the answers, if none of these has any that the words name.
-fn misnamed(words: &str, answers: &[&Answer]) -> Option<(&'static str, &'static str)> {
-    let lower = words.to_lowercase();
-    let words = lower.split(|sign: char| !sign.is_alphabetic());
-    let said: Vec<Unit> =
-        words.filter_map(|word| QUANTITIES.iter().find(|(known, _)| *known == word)).map(|(_, unit)| *unit).collect();
-    let unit = |answer: &&Answer| match &answer.find {
-        // A vector may be asked for as a direction.
-        Find::Quantity(quantity) if !matches!(answer.kind, Kind::Shown | Kind::Range) => quantity.unit(),
-        _ => Unit::None,
-    };
-    let is_other = |answer: &&Answer| !matches!(unit(answer), Unit::None) && !said.contains(&unit(answer));
-    let (first, is_beside) = (said.first()?, answers.iter().all(is_other));
-    is_beside.then(|| Some((first.plain(), unit(answers.first()?).plain()))).flatten()
-}
-
-/// Is an angle asked for beside what has a unit, as the direction of a velocity or a deflection is?
-fn is_beside(asked: &str, answer: &Answer) -> bool {
-    const ANGLES: [&str; 7] = ["velocit", "deflect", "inclin", "bearing", "turn", "theta", "alpha"];
-    let is_angle = matches!(&answer.find, Find::Quantity(quantity) if quantity.unit() == Unit::Degree);
-    is_angle && ANGLES.iter().any(|word| asked.contains(word))
 }
 
 /// A result that is printed and to be found, or to be shown and of no answer.

@@ -232,6 +232,12 @@ fn another_angle(answer: &Answer, asked: &[Sentence]) -> Option<Finding> {
         .iter()
         .flatten()
         .any(|token| matches!(token, Token::Word(word) if TURNED.iter().any(|begin| word.starts_with(begin))));
+    // `The angle between its directions before and after`
+    let words = |list: &[&str]| asked.iter().any(|sentence| says(sentence, list));
+    let is_between = words(&["between"])
+        && words(&["before", "initial", "original"])
+        && words(&["after", "final", "afterwards", "new"]);
+    let says_turned = says_turned || is_between;
     let names_line = asked.iter().flatten().any(|token| is_one_of(token, &LINES));
     let is_asked = asked.iter().flatten().any(|token| is_one_of(token, &["angle", "angles"]));
     let Find::Quantity(quantity) = &answer.find else { return None };

@@ -6,7 +6,7 @@ use super::units::{Stated, stated};
 use crate::answer::Kind;
 use crate::bank::{Answer, Code, Find, Part, Question};
 use crate::examine::Finding;
-use crate::expr::{Expr, print};
+use crate::expr::{Expr, Piece, print};
 use crate::mechanics::{Axis, Quantity};
 
 /// Things that are requested and that no answer finds, and answers of another form than that in which they are requested.
@@ -38,11 +38,14 @@ fn all<'s>(asked: &'s [Sentence<'s>]) -> impl Iterator<Item = Request<'s>> {
 /// `What happens next?`
 fn nothing(part: &Part, asked: &[Sentence]) -> Option<Finding> {
     let is_of_something = |token: &Token| {
-        let is_other = is_one_of(token, &["vector", "fast", "far", "quickly", "much", "loss", "values", "value"]);
+        let is_other =
+            is_one_of(token, &["vector", "fast", "far", "quickly", "much", "loss", "reduction", "values", "value"]);
         thing(token).is_some() || is_other || matches!(token, Token::Number(..))
     };
     let is_shown = part.answers.iter().any(|answer| answer.kind == Kind::Shown);
-    if is_shown || part.answers.is_empty() || asked.iter().flatten().any(is_of_something) {
+    // `Calculate _e_.`
+    let has_letter = part.ask.iter().flat_map(|text| &text.0).any(|piece| matches!(piece, Piece::Italic(_)));
+    if is_shown || has_letter || part.answers.is_empty() || asked.iter().flatten().any(is_of_something) {
         return None;
     }
     let name = part.answers.first().map(|answer| print::text_unicode(&answer.name)).unwrap_or_default();
@@ -132,7 +135,12 @@ fn explained(part: &Part, asked: &[Sentence]) -> Option<Finding> {
         return None;
     }
     let is_shown = |pair: &[Token]| is_one_of(&pair[0], &["show", "prove"]) && is_one_of(&pair[1], &["that"]);
-    let word = asked.iter().flatten().find(|token| is_one_of(token, &TO_EXPLAIN));
+    // `Describe the direction` is answered by an angle.
+    let is_described = part.answers.iter().any(|answer| {
+        answer.kind == Kind::Range || answer.find.quantities().iter().any(|quantity| quantity.is_angle())
+    });
+    let is_open = |token: &&Token| is_one_of(token, &TO_EXPLAIN) && !(is_described && is_one_of(token, &["describe"]));
+    let word = asked.iter().flatten().find(is_open);
     let said = match word {
         Some(Token::Word(word)) => word.clone(),
         // Where nothing is to be found besides, this is told as of the whole part.
@@ -188,7 +196,9 @@ fn other_line(part: &Part, asked: &[Sentence]) -> Option<Finding> {
         let message = "the words ask for a unit vector, and any vector along the line is accepted";
         Finding::new(message, "", "of any length").with_help("ask for a vector parallel to the line").as_warning()
     };
-    says(sentence, &["unit"]).then(found)
+    // `In terms of the unit vectors {i} and {j}` is how.
+    let is_unit = |pair: &[Token]| is_one_of(&pair[0], &["unit"]) && is_one_of(&pair[1], &["vector"]);
+    sentence.windows(2).any(is_unit).then(found)
 }
 
 /// The unit in which words ask for something: `in km/h`.
@@ -228,7 +238,7 @@ mod tests {
         let energy = "Find the total kinetic energy lost in the collision.";
         let vector = "Find a vector parallel to the line of centres of";
         let back = "backwards/velocity-of-b-and-line-of-centres";
-        let table: [(&str, Edits, &str); 27] = [
+        let table: [(&str, Edits, &str); 31] = [
             (line, &[], ""),
             (line, &[(speed, "Find the coefficient of restitution.")], "`coefficient of restitution`, and no answer"),
             (line, &[(speed, "Find the ratio of the speeds of *A* and *B*.")], "`ratio of the speeds`"),
@@ -241,6 +251,8 @@ mod tests {
             (line, &[(speed, "Find the value of {e}.")], "the value of `e`, which the paper prints"),
             (line, &[(speed, "Find, in km/h, the speed of *B* immediately after the collision.")], "in `km/h`"),
             (line, &[(speed, "Find, in m/s, the speed of *B* immediately after the collision.")], ""),
+            (line, &[(energy, "Work out the reduction in the total KE.")], ""),
+            (line, &[(energy, "Find the KE lost.")], ""),
             (line, &[(energy, "Find, in kilojoules, the total kinetic energy lost in the collision.")], "`kilojoules`"),
             (line, &[(energy, "Find the total kinetic energy lost in the collision, in newtons.")], "stated in J"),
             (after, &[], ""),
@@ -284,6 +296,22 @@ mod tests {
             (back, &[(vector, "Find a vector perpendicular to the line of centres of")], "along the common tangent"),
             (back, &[(vector, "Find a vector perpendicular to the common tangent of")], ""),
             (back, &[(vector, "Find a unit vector parallel to the line of centres of")], "ask for a unit vector"),
+            (
+                back,
+                &[(
+                    vector,
+                    "Find, in terms of the unit vectors {i} and {j}, a vector in the direction of the line of centres of",
+                )],
+                "",
+            ),
+            (
+                "rest/speeds-and-directions",
+                &[(
+                    "Find the speed and the direction of motion of each",
+                    "Find the speed, and describe the direction of motion, of each",
+                )],
+                "",
+            ),
         ];
         for (id, edits, words) in table {
             let said: String = unfound(&edited(id, edits)).into_iter().map(|finding| finding.message).collect();

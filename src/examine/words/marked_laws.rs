@@ -20,7 +20,12 @@ pub fn of_another_law(question: &Question) -> Vec<Finding> {
             let other = other.filter(|_| has_words_of_its_own(*own) && !own.is_named_in(&text));
             // What is conserved may be momentum, and is said of energy.
             let lower = text.to_lowercase();
-            let is_of_energy = own.gives_equation() && lower.contains("energy") && !lower.contains(own.name());
+            // `PCLM`, `M0 for use of energy`
+            let names_it = ["clm", "com", "plm", "pcom", "nlr", "nel"].iter().any(|short| lower.contains(short));
+            let denies_it = ["no ", "not ", "m0", "a0", "without"].iter().any(|word| lower.contains(word));
+            let is_of_energy = own.gives_equation()
+                && lower.contains("energy")
+                && !(lower.contains(own.name()) || names_it || denies_it);
             let Some(other) = other.or_else(|| Law::meant("energy").filter(|_| is_of_energy)) else { continue };
             let message = format!(
                 "the text of the mark {} speaks of {}, and it is for `{}`",
@@ -52,6 +57,8 @@ mod tests {
             ("momentum", "conservation of energy", "the mark M1a speaks of energy, and it is for `momentum`"),
             ("momentum", "conservation of momentum, all terms", ""),
             ("momentum", "all four terms, consistent signs", ""),
+            ("momentum", "PCLM, no energy used", ""),
+            ("momentum", "all terms. M0 for use of energy", ""),
             ("restitution", "conservation of momentum", "speaks of momentum, and it is for `restitution`"),
             ("restitution", "separation over approach", ""),
             ("energy", "Newton's law of restitution", "speaks of restitution, and it is for `energy`"),

@@ -71,7 +71,11 @@ fn components(text: &Text) -> Vec<Along> {
                 _ if is_one_of(token, &["parallel", "along"]) => false,
                 _ => continue,
             };
-            let is_of_one = sentence[..place].iter().any(|token| is_one_of(token, &["component", "components"]));
+            // `The impulse is parallel to {j}`
+            let is_of_impulse =
+                sentence[place.saturating_sub(4)..place].iter().any(|token| is_one_of(token, &["impulse"]));
+            let is_of_one =
+                !is_of_impulse && sentence[..place].iter().any(|token| is_one_of(token, &["component", "components"]));
             let turned = |axis: Axis| match (axis, is_across) {
                 (axis, false) => axis,
                 (Axis::N, _) => Axis::T,

@@ -2,13 +2,13 @@
 //! value can be followed to it.
 
 use super::figures;
-use super::requests::thing;
-use super::sentence::{Token, is_one_of, says, sentences};
+use super::requests::{Thing, thing};
+use super::sentence::{Sentence, Token, is_one_of, says, sentences};
 use super::typed::quantities;
 use crate::answer::Accept;
 use crate::bank::{Code, EarnedFor, Find, Mark, Part, Question};
 use crate::examine::Finding;
-use crate::expr::Text;
+use crate::expr::{Text, print};
 use crate::mechanics::Quantity;
 use crate::number::Places;
 
@@ -24,7 +24,8 @@ pub fn of_another_value(question: &Question) -> Vec<Finding> {
                 .or_else(|| other_sign(question, mark))
                 .or_else(|| nothing_to_follow(mark, is_value_before));
             findings.extend(found.map(|found| found.at_row(place, "marks", row).as_warning()));
-            is_value_before |= matches!(mark.earned_for, EarnedFor::Quantity(_) | EarnedFor::Unknown(_));
+            let is_value = matches!(mark.earned_for, EarnedFor::Quantity(_) | EarnedFor::Unknown(_));
+            is_value_before |= is_value || mark.code.is_accuracy();
         }
     }
     findings
@@ -33,9 +34,25 @@ pub fn of_another_value(question: &Question) -> Vec<Finding> {
 /// `Kinetic energy lost`, for a speed.
 fn of_another_thing(mark: &Mark) -> Option<Finding> {
     let EarnedFor::Quantity(quantity) = mark.earned_for else { return None };
+    // `From their speeds`, `ratio of components`: what it is found from.
+    const MEANS: [&str; 14] = [
+        "from", "ft", "their", "using", "uses", "use", "ratio", "over", "times", "by", "correct", "both", "all",
+        "inverse",
+    ];
     let words = sentences(mark.text.as_ref()?);
-    let named: Vec<_> = words.iter().flatten().filter_map(|token| Some((token, thing(token)?))).collect();
-    if named.iter().any(|(_, thing)| thing.is(quantity)) {
+    let said = words
+        .iter()
+        .flat_map(|sentence| sentence.iter().take_while(|token| **token != Token::Comma && !is_one_of(token, &MEANS)));
+    let named: Vec<_> = said.filter_map(|token| Some((token, thing(token)?))).collect();
+    // An impulse is a mass times a change of velocity, and e one speed over another.
+    let is_made_of = |thing: Thing| match quantity.of_its_impact() {
+        Quantity::Impulse(..) | Quantity::ImpulseMagnitude => {
+            matches!(thing, Thing::Mass | Thing::Velocity | Thing::Momentum)
+        }
+        Quantity::Restitution => matches!(thing, Thing::Speed | Thing::Velocity | Thing::Ratio | Thing::Share),
+        _ => false,
+    };
+    if named.iter().any(|(_, thing)| thing.is(quantity) || is_made_of(*thing)) {
         return None;
     }
     let (Token::Word(noun), _) = named.first()? else { return None };
@@ -79,7 +96,10 @@ fn other_figures(question: &Question, part: &Part, mark: &Mark) -> Option<Findin
     let answer = part.answers.iter().find(|answer| is_for(&answer.find))?;
     let own: Vec<&Places> = question.styles.iter().filter_map(|style| answer.accept(style.name).places()).collect();
     let texts = mark.text.iter().chain(&mark.note);
-    let asked = texts.flat_map(sentences).find_map(|sentence| figures::asked(&sentence).into_iter().next())?;
+    // `A0 if 2 s.f.`
+    let is_denied = |sentence: &Sentence| says(sentence, &["a0", "not", "if", "no"]);
+    let wanted = texts.flat_map(sentences).filter(|sentence| !is_denied(sentence));
+    let asked = wanted.into_iter().find_map(|sentence| figures::asked(&sentence).into_iter().next())?;
     let own = own.first().filter(|_| !own.contains(&&asked))?;
     let [asked, own] = [asked, (*own).clone()].map(Accept::Rounded);
     let message = format!("the mark {} is given for `{asked}`, and the answer is accepted to `{own}`", mark.id);
@@ -96,7 +116,10 @@ fn other_sign(question: &Question, mark: &Mark) -> Option<Finding> {
     let (own, other) = if condition.contains('<') { ("negative", "positive") } else { ("positive", "negative") };
     let words = sentences(mark.text.as_ref()?);
     let says = |word: &str| words.iter().any(|sentence| says(sentence, &[word]));
-    if !is_of_sign || !says(other) || says(own) || says("not") {
+    // `Their v < 0, with the original direction positive`
+    let text = print::text_unicode(mark.text.as_ref()?);
+    let is_of_convention = text.contains(['<', '>']) || ["direction", "taken", "right"].into_iter().any(says);
+    if !is_of_sign || !says(other) || says(own) || says("not") || is_of_convention {
         return None;
     }
     let message = format!("the text of the mark {} says `{other}`, and the condition is `{condition}`", mark.id);
@@ -128,6 +151,9 @@ mod tests {
         let texts = [
             ("text = \"speed after\"", "speaks of `speed`, and it is for `ke.lost`"),
             ("text = \"loss of kinetic energy\"", ""),
+            ("text = \"KE lost, ft their speeds\"", ""),
+            ("text = \"from their speeds\"", ""),
+            ("note = \"awrt 3sf; A0 if 2 sf\"", ""),
             ("text = \"7.5 J\"", "gives `7.5 J` in plain digits"),
             ("note = \"accept 7.5 J only\"", "gives `7.5 J` in plain digits"),
             ("note = \"awrt 46.1\"", "gives `awrt 46.1` in plain digits"),
@@ -140,10 +166,15 @@ mod tests {
             let said: String = of_another_value(&edited(line, edits)).into_iter().map(|found| found.message).collect();
             assert!(said.contains(words) && said.is_empty() == words.is_empty(), "{more}: {said}");
         }
-        let table: [(&str, Edits, &str); 4] = [
+        let table: [(&str, Edits, &str); 5] = [
             (rest, &[], ""),
             (rest, &[("\"A1\", for = \"momentum\"", "\"A1ft\", for = \"momentum\"")], "none is found before it"),
             ("ranges/direction-reversed", &[], ""),
+            (
+                "ranges/direction-reversed",
+                &[("velocity of *A* negative", "*v* < 0, with the original direction positive")],
+                "",
+            ),
             (
                 "ranges/direction-reversed",
                 &[("velocity of *A* negative", "velocity of *A* positive")],

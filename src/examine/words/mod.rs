@@ -8,6 +8,7 @@ mod asked;
 mod asked_energy;
 mod asked_for;
 mod asked_things;
+mod asked_units;
 mod asked_when;
 mod asked_where;
 mod asked_whose;

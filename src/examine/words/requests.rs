@@ -33,7 +33,7 @@ pub enum Thing {
 }
 
 /// Nouns, each with what it stands for.
-const NOUNS: [(&str, Thing); 40] = [
+const NOUNS: [(&str, Thing); 41] = [
     ("speed", Thing::Speed),
     ("speeds", Thing::Speed),
     ("velocity", Thing::Velocity),
@@ -50,6 +50,7 @@ const NOUNS: [(&str, Thing); 40] = [
     ("bearing", Thing::Angle),
     ("energy", Thing::Energy),
     ("energies", Thing::Energy),
+    ("ke", Thing::Energy),
     ("fraction", Thing::Share),
     ("proportion", Thing::Share),
     ("percentage", Thing::Share),
@@ -133,7 +134,7 @@ pub fn requests<'s>(sentence: &'s [Token<'s>]) -> Vec<Request<'s>> {
 
 /// The thing with which words begin, behind articles and what describes it: `the magnitude of the impulse`.
 fn request<'s>(words: &'s [Token<'s>]) -> Option<Request<'s>> {
-    const DESCRIBED: [&str; 28] = [
+    const DESCRIBED: [&str; 27] = [
         "is",
         "are",
         "the",
@@ -160,7 +161,6 @@ fn request<'s>(words: &'s [Token<'s>]) -> Option<Request<'s>> {
         "common",
         "how",
         "much",
-        "by",
         "also",
     ];
     const SIZES: [&str; 2] = ["magnitude", "size"];
@@ -172,6 +172,10 @@ fn request<'s>(words: &'s [Token<'s>]) -> Option<Request<'s>> {
             let words = &words[place..];
             let end = words.iter().position(|token| *token == Token::Comma || is_one_of(token, &["and", "in"]));
             let words = &words[..end.unwrap_or(words.len())];
+            // `The direction of *A* being positive` and `by momentum considerations` request nothing.
+            if words.iter().any(|token| is_one_of(token, &["being", "having", "considerations"])) {
+                return None;
+            }
             // There is one of friction too.
             let is_friction = thing == Thing::Restitution && words.iter().any(|token| is_one_of(token, &["friction"]));
             let thing = if is_friction { Thing::Strange } else { thing };
@@ -181,6 +185,10 @@ fn request<'s>(words: &'s [Token<'s>]) -> Option<Request<'s>> {
             token if is_one_of(token, &SIZES) => is_size = true,
             token if is_one_of(token, &CHANGES) => is_change = true,
             token if is_one_of(token, &["of", "in"]) && is_behind => {}
+            // `By how much`, and not `by momentum`.
+            token if is_one_of(token, &["by"]) => {
+                words.get(place + 1).filter(|next| is_one_of(next, &["how"])).map(drop)?
+            }
             token if is_one_of(token, &DESCRIBED) => {}
             _ => return None,
         }
@@ -263,6 +271,11 @@ mod tests {
             ("The direction of motion of *A* is reversed.", ""),
             ("Find the set of values of {e}.", ""),
             ("What is the loss in kinetic energy?", "energy"),
+            ("By how much is the KE reduced? Find how much KE is lost.", "ke is lost"),
+            (
+                "Find, by momentum considerations, the speed of *B*, the direction of *A* being positive.",
+                "speed of *B*",
+            ),
             ("Write down the ratio of the speed of *A* and the speed of *B*.", "ratio of the speed"),
         ];
         for (words, said) in table {

@@ -238,6 +238,8 @@ fn beside(before: &[Token]) -> Option<Sphere> {
     match joined.collect::<Vec<_>>().as_slice() {
         // Of two in a row it is neither's alone.
         [Token::Sphere(_), Word(and), Token::Sphere(_), ..] if and == "and" => None,
+        // `with the same radius as *A*, has mass`
+        [Token::Sphere(_), Word(like), ..] if like == "as" => None,
         [Token::Sphere(owner), ..] => Some(*owner),
         _ => None,
     }

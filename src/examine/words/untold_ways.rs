@@ -7,7 +7,7 @@ use crate::expr::{Angles, Expr, Function, Text, print, read};
 use crate::mechanics::VelocityText;
 
 /// Words by which one motion is told from another in its line.
-const WAYS: [&str; 26] = [
+const WAYS: [&str; 38] = [
     "towards",
     "toward",
     "opposite",
@@ -34,6 +34,18 @@ const WAYS: [&str; 26] = [
     "west",
     "north",
     "south",
+    "head-on",
+    "head",
+    "meet",
+    "meets",
+    "chasing",
+    "chases",
+    "pursuing",
+    "rear",
+    "back",
+    "trailing",
+    "sense",
+    "faster",
 ];
 
 /// Two spheres that move in one line, and components along the line of centres, of which no word says which way.
@@ -107,7 +119,9 @@ pub fn coefficients(question: &Question) -> Vec<Finding> {
                 Token::Number(expr, ..) => expr.names().iter().any(|own| own.text == **name),
                 _ => false,
             };
-            says(sentence, &["restitution", "elastic", "elasticity", "newton's"]) && sentence.iter().any(is_in)
+            const TELLING: [&str; 7] =
+                ["restitution", "coefficient", "elastic", "elasticity", "newton's", "denote", "denoted"];
+            says(sentence, &TELLING) && sentence.iter().any(is_in)
         };
         let is_told = |style: &Style| {
             style
@@ -187,13 +201,14 @@ mod tests {
         let line = "direct/velocities-after-impact";
         let (components, again, rest) =
             ("both-moving/components-given", "successive/second-collision", "rest/speeds-and-directions");
-        let table: [(&str, Edits, &str); 9] = [
+        let table: [(&str, Edits, &str); 11] = [
             (line, &[], ""),
             (
                 line,
                 &[("are moving towards each other in opposite directions", "are moving")],
                 "which way the spheres move",
             ),
+            (line, &[("are moving towards each other in opposite directions", "are moving, and collide head-on")], ""),
             ("direct/one-sphere-catches-the-other", &[], ""),
             (components, &[], ""),
             (
@@ -202,6 +217,11 @@ mod tests {
                 "which way a component",
             ),
             (again, &[], ""),
+            (
+                again,
+                &[("coefficient of restitution between *B* and the wall", "corresponding coefficient for the wall")],
+                "",
+            ),
             (
                 again,
                 &[(" The coefficient of restitution between *B* and the wall is {f}.", "")],

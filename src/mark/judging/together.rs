@@ -74,9 +74,14 @@ fn shared_out(models: &[Model], reading: &Reading) -> Vec<Option<Reading>> {
         }
         // Of one sphere its quantities are in the order asked, but that `56.3°` is no speed.
         let own: Vec<usize> = (0..left.len()).filter(|place| left[*place].0 == asked).collect();
-        let is_of_kind = |place: &&usize| is_angular(left[**place].1) == (model.kind == Kind::Angle);
-        let in_order = own.first().filter(|_| own.len() >= of_same(&models[at..]));
-        let place = own.iter().find(is_of_kind).or(in_order).copied()?;
+        let is_other_kind = |other: &Model| (other.kind == Kind::Angle) != (model.kind == Kind::Angle);
+        let is_mixed = models.iter().any(|other| asked_of(other, named) == asked && is_other_kind(other));
+        let is_of_kind = |place: &&usize| is_mixed && is_angular(left[**place].1) == (model.kind == Kind::Angle);
+        let is_in_order = |place: &&usize| {
+            let is_speed = is_mixed && model.kind != Kind::Angle && is_angular(left[**place].1);
+            !is_speed || own.len() >= of_same(&models[at..])
+        };
+        let place = own.iter().find(is_of_kind).or(own.first().filter(is_in_order)).copied()?;
         share(vec![left.remove(place).1.clone()])
     };
     models.iter().enumerate().map(of_each).collect()

@@ -108,6 +108,53 @@ fn a_label_names_one_of_three_spheres() {
 }
 
 #[test]
+fn of_a_speed_and_an_angle_each_has_its_own() {
+    let of = |right: &str, quantity: &str| {
+        let kind = quantity.ends_with("deg").then_some(Kind::Angle);
+        let options = ModelOptions { kind, quantity: Some(quantity.parse().unwrap()), ..ModelOptions::default() };
+        Model::read(right, &options).unwrap()
+    };
+    let models = [
+        of("2*sqrt(13)", "A.after.speed"),
+        of("atan(3/2)/deg", "A.after.angle_to_loc_deg"),
+        of("6", "B.after.speed"),
+        of("0", "B.after.angle_to_loc_deg"),
+    ];
+    // r for right, w for wrong, b for blank, p for a person.
+    let each = |models: &[Model], typed: &str| -> String {
+        let judged = judge_together(models, &read_answer(typed, &models[0].vocabulary));
+        let letter = |judged: &Judgement| match judged.verdict {
+            Verdict::Correct => 'r',
+            Verdict::Partial => 'h',
+            Verdict::Wrong => 'w',
+            Verdict::Unreadable => 'p',
+            Verdict::Blank => 'b',
+        };
+        judged.iter().map(letter).collect()
+    };
+    for (typed, expected) in [
+        ("A: 7.21 at 56.3° to the line of centres, B: 6 along the line of centres", "rrrr"),
+        ("7.21 at 56.3° to the line of centres, B 6", "rrrb"),
+        ("56.3°, 7.21; B 6, 0°", "rrrr"),
+        ("7.21, 56.3, 6, 0", "rrrr"),
+        ("56.3°", "brbb"),
+        ("7.21", "rbbb"),
+        ("7.21 (v = 6)", "pppp"),
+    ] {
+        assert_eq!(each(&models, typed), expected, "{typed}");
+    }
+    let angles = [of("12.3", "alpha_deg"), of("65.4", "A.deflection_deg")];
+    for (typed, expected) in [("12.3", "rb"), ("12.3, 65.4°", "rr"), ("12.3°, 65.4", "rr")] {
+        assert_eq!(each(&angles, typed), expected, "{typed}");
+    }
+    let speeds = [of("2*sqrt(2)", "A.after.speed"), of("sqrt(41)", "B.after.speed")];
+    for (typed, expected) in [("|v_A| = 2√2, |v_B| = √41", "rr"), ("v_A = 2√2, so |v_A| = 2√2; v_B = √41", "rr")]
+    {
+        assert_eq!(each(&speeds, typed), expected, "{typed}");
+    }
+}
+
+#[test]
 fn two_equations_are_rivals_where_one_is_offered_for_the_other() {
     let letters = ["u", "v", "w"].map(|name| crate::number::Letter::new(name, crate::number::Range::Real).unwrap());
     let options = ModelOptions { letters: letters.into(), ..ModelOptions::default() };
