@@ -57,6 +57,9 @@ fn options_change_the_verdict() {
     for (arguments, verdict) in [
         (&["48/25", "1.92 m/s"][..], "correct"),
         (&["48/25", "1.92 m/s", "--find", "ke.lost"], "partial"),
+        (&["4*i + j", "4i + j", "--find", "A.after.x,A.after.y"], "correct"),
+        (&["8", "v = 8", "--find", "k", "--symbols", "k=positive"], "unreadable"),
+        (&["8", "k = 8", "--find", "k", "--symbols", "k=positive"], "correct"),
         (&["atan(7)", "82"], "partial"),
         (&["atan(7)", "82", "--accept", "nearest degree"], "correct"),
         (&["2/3", "2:3", "--kind", "ratio"], "correct"),
@@ -127,6 +130,8 @@ fn a_stream_answers_every_line_in_order_whatever_comes() {
     line(b"{\"model\": \"2*(\", \"answer\": \"2\"}", "unreadable");
     line(b"{\"model\": \"2\", \"answer\": \"2\", \"kind\": \"sphere\"}", "unreadable");
     line(b"{\"model\": \"u\", \"answer\": \"u\", \"symbols\": [\"u\"]}", "unreadable");
+    line(b"{\"model\": \"2*i\", \"answer\": \"2i\", \"find\": [\"A.after.x\", \"A.after.y\"]}", "correct");
+    line(b"{\"model\": \"2*i\", \"answer\": \"2i\", \"find\": [1, 2]}", "unreadable");
     line(b"\xff\xfe{}", "unreadable");
     line("[".repeat(50_000).as_bytes(), "unreadable");
     line(&vec![b'x'; 3_000_000], "unreadable");

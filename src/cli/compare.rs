@@ -46,7 +46,8 @@ pub struct CompareArguments {
     /// Letters with their ranges: `u=positive,e=unit,alpha=acute,x=real`
     #[arg(long, value_name = "LETTERS", value_delimiter = ',')]
     symbols: Vec<String>,
-    /// The quantity asked for, such as `A.after.speed`: its unit is then known
+    /// What is asked for: a quantity such as `A.after.speed`, whose unit is then known, both components of a vector, as
+    /// `A.after.x,A.after.y`, or a letter of `--symbols`
     #[arg(long, value_name = "QUANTITY")]
     find: Option<String>,
     /// Print the verdict as JSON
@@ -66,13 +67,16 @@ pub fn run(arguments: &CompareArguments) -> Result<(), Failure> {
         Some((name, range)) => declared(name.trim(), range.trim()),
         None => Err(Wrong::plain(format!("`{symbol}` declares no letter"), "write `u=positive`")),
     });
+    let letters = letters.collect::<Result<Vec<_>, _>>()?;
+    let asked = arguments.find.as_deref().map(|find| Asked::read(find, &letters)).transpose()?.unwrap_or_default();
     let options = ModelOptions {
         kind: arguments.kind.as_deref().map(kind).transpose()?,
         accept: arguments.accept.as_deref().map(accept).transpose()?,
-        letters: letters.collect::<Result<_, _>>()?,
-        quantity: arguments.find.as_deref().map(quantity).transpose()?,
+        letters,
+        quantity: asked.quantity,
     };
     let model = Model::read(model, &options).map_err(|fault| Failure::Faults(vec![diagnosed(fault, model)]))?;
+    let model = Model { letter: asked.letter, ..model };
     let judgement = judge(&model, &read_answer(answer, &model.vocabulary));
     if arguments.json { print_json(&as_json(&judgement)) } else { print(&in_words(&judgement)) }
 }
@@ -138,8 +142,29 @@ pub(super) fn accept(words: &str) -> Result<Accept, Wrong> {
     Accept::said(words).map_err(|_| Wrong::plain(format!("unknown rule of acceptance `{words}`"), help))
 }
 
+/// What is asked for, as the `find` of a key says it.
+#[derive(Clone, Default, PartialEq)]
+pub(super) struct Asked {
+    /// Of a vector the first component.
+    pub(super) quantity: Option<Quantity>,
+    /// A letter that is to be found.
+    pub(super) letter: Option<String>,
+}
+
+impl Asked {
+    /// A quantity, two components with a comma between them, or one of the letters.
+    pub(super) fn read(find: &str, letters: &[Letter]) -> Result<Asked, Wrong> {
+        let find = find.trim();
+        if letters.iter().any(|letter| letter.name() == find) {
+            return Ok(Asked { quantity: None, letter: Some(find.to_owned()) });
+        }
+        let quantities = find.split(',').map(|name| quantity(name.trim())).collect::<Result<Vec<_>, _>>()?;
+        Ok(Asked { quantity: quantities.first().copied(), letter: None })
+    }
+}
+
 /// A quantity by its name.
-pub(super) fn quantity(name: &str) -> Result<Quantity, Wrong> {
+fn quantity(name: &str) -> Result<Quantity, Wrong> {
     let names: Vec<String> = Quantity::all().iter().map(Quantity::to_string).collect();
     name.parse().map_err(|_| match near(name, names.iter().map(String::as_str)) {
         Some(near) => Wrong::plain(format!("unknown quantity `{name}`"), format!("did you mean `{near}`?")),

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use serde_json::{Map, Value as Json, json};
 
-use super::compare::{accept, as_json, declared, kind, quantity};
+use super::compare::{Asked, accept, as_json, declared, kind};
 use super::failure::Failure;
 use super::text_file::unread;
 use crate::mark::judging::{Model, ModelOptions, judge};
@@ -72,13 +72,15 @@ fn verdict(line: &[u8], models: &mut Models) -> Result<Json, String> {
             letters.push(declared(name, range).map_err(wrong)?);
         }
     }
+    let find = names(fields, "find")?;
+    let asked = find.map(|find| Asked::read(&find, &letters)).transpose().map_err(wrong)?.unwrap_or_default();
     let options = ModelOptions {
         kind: optional(fields, "kind")?.map(kind).transpose().map_err(wrong)?,
         accept: optional(fields, "accept")?.map(accept).transpose().map_err(wrong)?,
         letters,
-        quantity: optional(fields, "find")?.map(quantity).transpose().map_err(wrong)?,
+        quantity: asked.quantity,
     };
-    let model = models.read(model, options)?;
+    let model = models.read(model, options, asked.letter)?;
     Ok(as_json(&judge(model, &read_answer(answer, &model.vocabulary))))
 }
 
@@ -91,14 +93,16 @@ struct Models(VecDeque<(String, ModelOptions, Model)>);
 
 impl Models {
     /// The model with this text and these options, read if it is not remembered.
-    fn read(&mut self, text: &str, options: ModelOptions) -> Result<&Model, String> {
-        let is_it = |(known, with, _): &(String, ModelOptions, Model)| known == text && *with == options;
+    fn read(&mut self, text: &str, options: ModelOptions, letter: Option<String>) -> Result<&Model, String> {
+        let is_it = |(known, with, model): &(String, ModelOptions, Model)| {
+            known == text && *with == options && model.letter == letter
+        };
         let remembered = self.0.iter().position(is_it).and_then(|place| self.0.remove(place));
         let latest = match remembered {
             Some(latest) => latest,
             None => {
                 let model = Model::read(text, &options).map_err(|fault| format!("model: {}", fault.message))?;
-                (text.to_owned(), options, model)
+                (text.to_owned(), options, Model { letter, ..model })
             }
         };
         self.0.truncate(REMEMBERED - 1);
@@ -109,6 +113,13 @@ impl Models {
 
 fn required<'a>(fields: &'a Map<String, Json>, name: &str) -> Result<&'a str, String> {
     optional(fields, name)?.ok_or_else(|| format!("`{name}` is missing"))
+}
+
+/// A string, or a list of them with commas between, as a key has both components of a vector.
+fn names(fields: &Map<String, Json>, name: &str) -> Result<Option<String>, String> {
+    let Some(Json::Array(all)) = fields.get(name) else { return Ok(optional(fields, name)?.map(str::to_owned)) };
+    let all: Option<Vec<&str>> = all.iter().map(Json::as_str).collect();
+    all.map(|all| Some(all.join(","))).ok_or_else(|| format!("`{name}` is neither a string nor a list of strings"))
 }
 
 fn optional<'a>(fields: &'a Map<String, Json>, name: &str) -> Result<Option<&'a str>, String> {

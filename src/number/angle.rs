@@ -93,7 +93,7 @@ impl Angle {
     /// one, or one as fine as the angles that were given. Found by measuring, then proved.
     pub fn whole_degrees(&self) -> Option<Fraction> {
         let letters = self.letters();
-        if !letters.iter().all(Letter::is_constant) {
+        if !letters.iter().all(Letter::is_constant) || self.is_no_rational_number_of_degrees() {
             return None;
         }
         let fine = letters.iter().filter_map(|letter| letter.name().parse::<Fraction>().ok());
@@ -107,6 +107,15 @@ impl Angle {
         let candidate = &steps / &denominator;
         let gap = (&middle - &candidate).abs();
         (gap < Fraction::new(1, 1 << 40) && self.is_degrees(&candidate)).then_some(candidate)
+    }
+
+    /// Does the square of its tangent `t²` show it? If that is rational, so is `cos 2θ = (1 − t²)/(1 + t²)`, and of rational
+    /// numbers of degrees only cosines of 0, ±1/2 and ±1 are rational (Niven's theorem): `t²` is 0, 1/3, 1 or 3.
+    fn is_no_rational_number_of_degrees(&self) -> bool {
+        let square = |value: &Value| (value * value).as_fraction().cloned();
+        let Some((y, x)) = square(&self.y).zip(square(&self.x)) else { return false };
+        let three = Fraction::from(3);
+        !(y.is_zero() || x.is_zero() || y == x || y == &x * &three || &y * &three == x)
     }
 
     /// Is it exactly this number of degrees?

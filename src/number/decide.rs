@@ -9,6 +9,7 @@
 //!   product of its conjugates is a whole number. If the sum is not nought, that product is at least
 //!   one in size; with at most `D` conjugates, each at most `M`, the sum is at least `M^-(D-1)`.
 //!   An enclosure finer than that decides.
+//!   Most that are nought are so because angles add up, which the sum written as one of cosines shows at once.
 //! * A formula in letters is nought exactly if each coefficient of each product of letters is; its
 //!   sign is known if all these coefficients have one sign once a coefficient of restitution `e` is
 //!   written `1/(1+x)`, `x` positive.
@@ -20,7 +21,7 @@ use dashu_int::ops::BitTest;
 
 use super::polynomial::{Monomial, Polynomial};
 use super::value::{Root, Terms, Value};
-use super::{Fraction, Interval, Letter, Range};
+use super::{Fraction, Interval, Letter, Range, waves};
 
 /// Beyond this many binary places a decision is not tried any further. No angle in whole
 /// hundredths of a degree comes near it.
@@ -194,6 +195,10 @@ fn constant_is_zero(value: &Value) -> bool {
     let mut angles = value.letters();
     angles.retain(Letter::is_constant);
     let highest: Vec<u32> = angles.iter().map(|t| terms.values().map(|p| p.degree(*t)).max().unwrap_or(0)).collect();
+    // Times these powers, angles that add up cancel; what does is nought, however long the product of its conjugates.
+    if waves::vanishes(&terms, &angles, &highest) {
+        return true;
+    }
     let scaled = angles.iter().zip(&highest).fold(value.clone(), |product, (tangent, power)| {
         (0..*power).fold(product, |product, _| &product * &Value::cosine(*tangent))
     });

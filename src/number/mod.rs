@@ -27,6 +27,7 @@ mod trigonometry;
 mod value;
 #[cfg(test)]
 mod value_tests;
+mod waves;
 
 pub use angle::Angle;
 pub use arithmetic::Number;

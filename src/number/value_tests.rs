@@ -103,6 +103,24 @@ fn angles_of_whole_degrees_are_found_and_proved() {
     assert_eq!(angle.whole_degrees(), Some(Fraction::from(10)));
     assert_eq!(Angle::of(&root(3), &Value::from(-3)).unwrap().whole_degrees(), Some(Fraction::from(150)));
     assert_eq!(Angle::of(&Value::ZERO, &Value::from(-3)).unwrap().whole_degrees(), Some(Fraction::from(180)));
+    for angle in (-165..=180).step_by(15) {
+        let direction = degrees(angle);
+        let size = root(7);
+        let found = Angle::of(&(&direction.sin * &size), &(&direction.cos * &size)).unwrap().whole_degrees();
+        assert_eq!(found, Some(Fraction::from(angle)), "{angle}");
+    }
+    // What adds up is proved at once, though its conjugates are thousands: 116.23° − 32.37° = 83.86°.
+    let exact = |text: &str| Direction::degrees(&text.parse().unwrap()).unwrap();
+    let turned = exact("116.23").plus(&exact("32.37").reversed());
+    assert_eq!(Angle::of(&turned.sin, &turned.cos).unwrap().whole_degrees(), Some("83.86".parse().unwrap()));
+    let (one, other) = (exact("17.123"), exact("12.345"));
+    assert!(!turned.sin.equals(&one.sin) && one.plus(&other).sin.equals(&exact("29.468").sin));
+    let thrice = exact("12.345").times(3);
+    assert!(thrice.cos.equals(&exact("37.035").cos) && !thrice.cos.equals(&exact("37.036").cos));
+    // Tangents whose squares are 1/2, 2 and 9/16.
+    for (y, x) in [(root(1), root(2)), (root(6), -&root(3)), (Value::from(3), Value::from(4))] {
+        assert_eq!(Angle::of(&y, &x).unwrap().whole_degrees(), None);
+    }
     let seed = Angle::acute(&Value::from(2), &(&root(3) * &Value::fraction(10, 9))).unwrap();
     assert_eq!(seed.whole_degrees(), None);
     assert_eq!(seed.rounded(&Places::SignificantFigures(3)).unwrap().to_string(), "46.1");

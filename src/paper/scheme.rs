@@ -7,7 +7,7 @@ use super::working::{Step, WorkedPart, result};
 use super::{SchemeRow, wording};
 use crate::answer::Kind;
 use crate::bank::{Answer, Code, EarnedFor, Find, Mark};
-use crate::expr::{Expr, Piece, Text, read_markup, written};
+use crate::expr::{Expr, Piece, Text, print, read_markup, written};
 use crate::generate::Variant;
 use crate::mechanics::{Axis, Derivation, Known, Moment, Quantity, Rule, Scene, Setting, Show, Sphere, pose};
 use crate::number::{Places, Value};
@@ -129,12 +129,17 @@ fn equations(
     let Some(here) = worked.last() else { return Default::default() };
     let marks = &here.part.marks;
     let mark = &marks[place];
-    let one = |(equation, rounded): (Option<Expr>, _)| (equation.into_iter().collect(), rounded);
+    let one = |(equation, rounded): (Option<Expr>, _)| (Vec::from_iter(equation), rounded);
     match &mark.earned_for {
         _ if mark.code == Code::A1Shown => {
             (here.part.answers.iter().filter_map(|answer| result(answer, variant)).take(1).collect(), None)
         }
-        EarnedFor::Quantity(quantity) => one(value(*quantity, here, variant, with_units)),
+        EarnedFor::Quantity(quantity) => {
+            let (mut equations, rounded) = one(value(*quantity, here, variant, with_units));
+            equations
+                .extend(other_of_both(mark, *quantity).and_then(|other| value(other, here, variant, with_units).0));
+            (equations, rounded)
+        }
         EarnedFor::Unknown(name) => one(unknown(name, here, variant, with_units)),
         EarnedFor::Condition => (here.conditions(), None),
         // What solving comes to stands in the next row.
@@ -142,6 +147,24 @@ fn equations(
         _ if mark.code.is_method() && has_accuracy(place, marks) => Default::default(),
         step => (law_equations(step, place, worked), None),
     }
+}
+
+/// `both components along the line of centres after the collision`: the other sphere's; where one sphere is named, the other of its own.
+fn other_of_both(mark: &Mark, quantity: Quantity) -> Option<Quantity> {
+    let text = print::text_unicode(mark.text.as_ref()?);
+    let mut words = text.split(|letter: char| !letter.is_alphanumeric());
+    let Quantity::Velocity(sphere, moment, axis) = quantity else { return None };
+    if !words.clone().any(|word| word == "both") {
+        return None;
+    }
+    let is_of_one = words.any(|word| word == sphere.name());
+    Some(match axis {
+        _ if !is_of_one => Quantity::Velocity(sphere.other(), moment, axis),
+        Axis::N => Quantity::Velocity(sphere, moment, Axis::T),
+        Axis::T => Quantity::Velocity(sphere, moment, Axis::N),
+        Axis::X => Quantity::Velocity(sphere, moment, Axis::Y),
+        Axis::Y => Quantity::Velocity(sphere, moment, Axis::X),
+    })
 }
 
 /// A letter that was found, or the values that it may have.

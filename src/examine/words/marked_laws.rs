@@ -21,7 +21,8 @@ pub fn of_another_law(question: &Question) -> Vec<Finding> {
             // What is conserved may be momentum, and is said of energy.
             let lower = text.to_lowercase();
             // `PCLM`, `M0 for use of energy`
-            let names_it = ["clm", "com", "plm", "pcom", "nlr", "nel"].iter().any(|short| lower.contains(short));
+            let mut words = lower.split(|letter: char| !letter.is_alphanumeric());
+            let names_it = words.any(|word| ["clm", "pclm", "com", "plm", "pcom", "nlr", "nel"].contains(&word));
             let denies_it = ["no ", "not ", "m0", "a0", "without"].iter().any(|word| lower.contains(word));
             let is_of_energy = own.gives_equation()
                 && lower.contains("energy")
@@ -58,6 +59,9 @@ mod tests {
             ("momentum", "conservation of momentum, all terms", ""),
             ("momentum", "all four terms, consistent signs", ""),
             ("momentum", "PCLM, no energy used", ""),
+            ("momentum", "COM along the line; energy is not kept", ""),
+            ("momentum", "conservation of energy, components", "speaks of energy, and it is for `momentum`"),
+            ("momentum", "energy, with both panels compared", "speaks of energy, and it is for `momentum`"),
             ("momentum", "all terms. M0 for use of energy", ""),
             ("restitution", "conservation of momentum", "speaks of momentum, and it is for `restitution`"),
             ("restitution", "separation over approach", ""),

@@ -102,10 +102,15 @@ impl Written {
         is_far(FloatInterval::from_fraction(&self.value), last_place, exact, wanted)
     }
 
+    /// Is it the number, rounded to the places that it has?
+    pub(super) fn is_rounding_of(&self, exact: &Value) -> bool {
+        let rounded = decimal_places(self.places).and_then(|places| exact.rounded(&places).ok());
+        rounded.is_some_and(|rounded| rounded.to_fraction() == self.value)
+    }
+
     /// Is it the other, rounded to fewer places?
-    pub(super) fn is_rounding_of(&self, other: &Written) -> bool {
-        let places = decimal_places(self.places).filter(|_| self.places < other.places);
-        places.is_some_and(|places| round(&other.value, &places).to_fraction() == self.value)
+    pub(super) fn is_short_for(&self, other: &Written) -> bool {
+        self.places < other.places && self.is_rounding_of(&other.value.clone().into())
     }
 
     /// The decimal with its sign changed.
@@ -140,6 +145,11 @@ pub(super) fn suffices(figures: u32, places: i64, wanted: &Places) -> bool {
         Places::DecimalPlaces(count) => places >= i64::from(*count),
         Places::Nearest(_) => true,
     }
+}
+
+/// Does the last figure stand as far on as the last significant one of the model?
+fn reaches(places: i64, model: &Decimal, wanted: &Places) -> bool {
+    !matches!(wanted, Places::SignificantFigures(_)) || places >= i64::from(model.places)
 }
 
 /// Is a last figure of that place no coarser than the rule asks? `2 kJ` is not 1923 J to the nearest joule.
@@ -260,7 +270,8 @@ pub(super) fn decimal(written: &Written, target: &Target, accept: &Accept) -> Fi
         return Finding::EXACT;
     }
     let Ok(model) = target.rounded(&wanted) else { return Finding::unreadable(Note::CannotBeCompared) };
-    let enough = suffices(written.figures, written.places, &wanted);
+    // `10.0` has three figures, and 9.96 has its third one place further on.
+    let enough = suffices(written.figures, written.places, &wanted) && reaches(written.places, &model, &wanted);
     let is_fine = is_as_fine_as(written.places, &wanted);
     let last = last_place(written, target);
     let coarse = Written { places: -i64::from(written.noughts), ..written.clone() };

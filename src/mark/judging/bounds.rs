@@ -3,9 +3,9 @@
 use std::cmp::Ordering;
 
 use crate::expr::{Expr, Meaning, Relation, evaluate, written};
-use crate::mark::enclosure::about;
 use crate::number::{Letter, Span, Value};
 
+use super::accuracy::Written;
 use super::exact::{self, meaning_of};
 
 /// One inequality, solved for the letter: the letter lies on this side of the bound.
@@ -95,10 +95,11 @@ fn worked_out<'e>(bound: &'e Expr, end: &'e Expr, letters: &[Letter]) -> Option<
 
 /// Is the second a decimal to which the first, a number, rounds?
 pub(super) fn rounds_to(exact: &Expr, rounded: &Expr) -> bool {
-    let Expr::Decimal(text) = rounded else { return false };
-    let places = text.split_once('.').map_or(0, |(_, decimals)| decimals.len());
-    let half = 0.500_001 * 0.1_f64.powi(i32::try_from(places).unwrap_or(0));
-    about(exact, &[]).zip(text.parse::<f64>().ok()).is_some_and(|(exact, rounded)| (exact - rounded).abs() <= half)
+    let Some(written) = Some(rounded).filter(|rounded| matches!(rounded, Expr::Decimal(_))).and_then(Written::of)
+    else {
+        return false;
+    };
+    exact::value(exact, &[]).is_some_and(|exact| written.is_rounding_of(&exact))
 }
 
 /// The letter that the relations are about: the one that stands by itself.

@@ -7,7 +7,7 @@
 use crate::answer::Kind;
 use crate::expr::Expr;
 use crate::mark::reading::{Label, Statement, is_strange};
-use crate::mechanics::{Axis, Moment, Quantity};
+use crate::mechanics::{Axis, Moment, Quantity, Sphere};
 
 use super::changes::{is_change, is_gain, is_turned_round};
 use super::finding::Finding;
@@ -60,7 +60,12 @@ pub(super) fn as_called(model: &Model, statement: &Statement, finding: Finding) 
     // `angle of deflection` is no other angle.
     let is_special = |sort: &&Sort| matches!(sort, Sort::Deflection | Sort::Bearing);
     let is_else = sorts.iter().find(is_special).is_some_and(|sort| !suits(asked, *sort));
-    if others || is_else || !(sorts.is_empty() || sorts.iter().any(|sort| suits(asked, *sort))) {
+    if others
+        || is_else
+        || is_of_other_sphere(asked, &label.typed)
+        || is_of_another_angle(asked, label)
+        || !(sorts.is_empty() || sorts.iter().any(|sort| suits(asked, *sort)))
+    {
         return Finding::unreadable(Note::NamedOtherwise);
     }
     let is_loss = is_of_loss(asked);
@@ -177,6 +182,29 @@ pub(in crate::mark) fn is_of_a_part(label: &str, asked: Quantity) -> bool {
     })
 }
 
+/// Words for an angle that is not the one to a line of centres.
+const OTHER_ANGLES: [&str; 4] = ["perpendicular", "perp", "change", "changes"];
+
+/// `perpendicular: 46.1°`, `change of direction 46.1°`
+fn is_of_another_angle(asked: Quantity, label: &Label) -> bool {
+    matches!(asked, Quantity::AngleToLine(..))
+        && label.expr.is_none()
+        && words(&label.typed).any(|word| OTHER_ANGLES.contains(&word.to_lowercase().as_str()))
+}
+
+/// `speed of the other sphere`, and where it is A that is asked, `speed of the second sphere`.
+fn is_of_other_sphere(asked: Quantity, label: &str) -> bool {
+    const SPHERES: [&str; 8] = ["sphere", "spheres", "ball", "balls", "particle", "particles", "disc", "one"];
+    let words: Vec<String> = words(label).map(str::to_lowercase).collect();
+    let is_other = |word: &str| match word {
+        "other" => sphere(asked).is_some(),
+        "second" => sphere(asked) == Some(Sphere::A),
+        "first" => sphere(asked) == Some(Sphere::B),
+        _ => false,
+    };
+    words.windows(2).any(|pair| is_other(&pair[0]) && SPHERES.contains(&&*pair[1]))
+}
+
 /// What was found of a value, if the words around it say nothing else of it.
 pub(super) fn as_remarked(model: &Model, statement: &Statement, finding: Finding) -> Finding {
     if finding.is_credited() && besides::is_told_otherwise(model, statement) {
@@ -218,6 +246,12 @@ pub(super) fn as_remarked(model: &Model, statement: &Statement, finding: Finding
         Quantity::Velocity(_, _, Axis::N) => {
             has(&["perpendicular", "perp", "left", "leftwards", "back", "backwards"])
                 || remarks.iter().any(|remark| sides::says_that_it_goes_back(remark))
+        }
+        // `46.1° tangent`, `46.1° to B`: from which line?
+        Quantity::AngleToLine(..) => {
+            let is_alone = statement.said.iter().all(|said| said.reference.is_none());
+            let is_to_no_line = |remark: &&String| matches!(remark.trim(), "to a" | "to b" | "to c" | "to it");
+            is_alone && (has(&OTHER_ANGLES) || has(&["tangent"]) || remarks.iter().any(is_to_no_line))
         }
         _ => false,
     };

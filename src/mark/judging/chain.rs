@@ -195,7 +195,7 @@ fn is_rounding(first: &Said, second: &Said) -> bool {
         Form::Value(expr) => Written::of(expr),
         _ => None,
     };
-    written(first).zip(written(second)).is_some_and(|(first, second)| second.is_rounding_of(&first))
+    written(first).zip(written(second)).is_some_and(|(first, second)| second.is_short_for(&first))
 }
 
 /// Is it a number as it stands, with nothing left to work out?

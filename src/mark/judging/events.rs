@@ -61,5 +61,6 @@ pub(super) fn is_of_another_event(model: &Model, statements: &[Statement]) -> bo
     is_another_way
         || is_towards_another.any(|is_another| is_another)
         || (said.is_some() && is_of_stranger())
-        || is_meeting.zip(model.meet_again).is_some_and(|(said, is)| said != is)
+        // Where nobody says what is to happen, it is hardly nothing.
+        || is_meeting.is_some_and(|said| said != model.meet_again.unwrap_or(true))
 }

@@ -1,8 +1,9 @@
 //! What letters stand for by the custom of the subject.
 
-use crate::mechanics::Quantity;
+use crate::mechanics::{Moment, Quantity};
 use crate::unit::Unit;
 
+use super::moments::moment;
 use super::sorts::{Sort, sort, suits};
 use super::{Model, left_side};
 
@@ -25,7 +26,11 @@ pub(super) fn may_be_called(model: &Model, name: &str, typed: &str) -> bool {
     }
     let letter = of_letter(name);
     // `v_x`: a component.
-    if matches!(asked, Quantity::Speed(..)) && matches!(name, "v_x" | "v_y" | "vx" | "vy" | "V_x" | "V_y") {
+    const COMPONENTS: [&str; 9] = ["v_x", "v_y", "vx", "vy", "V_x", "V_y", "v_n", "v_t", "v_perp"];
+    if matches!(asked, Quantity::Speed(..)) && COMPONENTS.contains(&name) {
+        return false;
+    }
+    if is_own && moment(asked) == Some(Moment::After) && is_of_before(name) {
         return false;
     }
     match is_own {
@@ -33,6 +38,18 @@ pub(super) fn may_be_called(model: &Model, name: &str, typed: &str) -> bool {
         false => {
             matches!((asked, letter), (Quantity::Restitution, Some(Sort::Restitution)) | (Quantity::Alpha, Some(_)))
         }
+    }
+}
+
+/// `u_A`, `v_0`: the custom has such for what was before the impact.
+fn is_of_before(name: &str) -> bool {
+    let mut letters = name.chars();
+    let first = letters.next();
+    let subscript = letters.as_str().trim_start_matches('_');
+    match first {
+        Some('u' | 'U') => matches!(subscript, "A" | "B" | "C" | "P" | "Q" | "1" | "2"),
+        Some('v' | 'V') => matches!(subscript, "0" | "i" | "before" | "initial"),
+        _ => false,
     }
 }
 

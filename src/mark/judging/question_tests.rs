@@ -177,6 +177,67 @@ fn an_aside_tells_of_something_else() {
 }
 
 #[test]
+fn a_name_is_of_one_sphere_at_one_moment() {
+    let of_a = model("2.78", "A.after.speed", &[]);
+    earn(
+        &of_a,
+        &[
+            ("v_A = 2.78", "correct"),
+            ("u_A = 2.78", "unreadable"),
+            ("u_1 = 2.78", "unreadable"),
+            ("v_0 = 2.78", "unreadable"),
+            ("v_i = 2.78", "unreadable"),
+            ("u = 2.78", "correct"),
+            ("v_n = 2.78", "unreadable"),
+            ("speed of the second sphere = 2.78", "unreadable"),
+            ("speed of the other sphere = 2.78", "unreadable"),
+        ],
+    );
+    earn(&model("2.78", "A.before.speed", &[]), &[("u_A = 2.78", "correct")]);
+}
+
+#[test]
+fn an_angle_is_to_the_line_that_is_named() {
+    earn(
+        &model("46.1*deg", "A.after.angle_to_loc_deg", &[]),
+        &[
+            ("46.1°", "correct"),
+            ("46.1^0", "correct"),
+            ("angle 46.1°", "correct"),
+            ("46.1° to AB", "correct"),
+            ("46.1° tangent", "unreadable"),
+            ("46.1° to B", "unreadable"),
+            ("46.1° to it", "unreadable"),
+            ("perpendicular: 46.1°", "unreadable"),
+            ("change of direction 46.1°", "unreadable"),
+        ],
+    );
+}
+
+#[test]
+fn at_rest_is_at_rest_and_no_less() {
+    let at_rest = model("0", "B.after.speed", &[]);
+    earn(
+        &at_rest,
+        &[
+            ("at rest", "correct"),
+            ("B is at rest", "correct"),
+            ("B comes to rest", "correct"),
+            ("comes to a stop", "correct"),
+            ("B is now at rest", "correct"),
+            ("0 (at rest)", "correct"),
+            ("nearly at rest", "unreadable"),
+            ("almost at rest", "unreadable"),
+            ("hardly at rest", "unreadable"),
+            ("momentarily at rest", "unreadable"),
+            ("B was initially at rest", "unreadable"),
+            ("before the collision B is at rest", "unreadable"),
+            ("at rest along the line of centres", "unreadable"),
+        ],
+    );
+}
+
+#[test]
 fn a_letter_that_is_asked_has_its_own_name_and_unit() {
     let of_k = Model { letter: Some("k".to_owned()), ..model("8", "", &[("k", Range::Positive)]) };
     earn(

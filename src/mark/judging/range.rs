@@ -15,7 +15,7 @@ use crate::mechanics::Moment;
 use crate::number::Letter;
 
 use super::accuracy::Written;
-use super::bounds::{Bound, bounds, is_natural, letter, order_to_natural, relations};
+use super::bounds::{Bound, bounds, is_natural, letter, order_to_natural, relations, rounds_to};
 use super::exact;
 use super::finding::Finding;
 use super::statements::{is_concluded, is_rival};
@@ -129,9 +129,12 @@ pub(super) fn out_of_place(model: &Model, reading: &Reading) -> Option<Finding> 
 /// Judges statements that are all to hold.
 fn one(model: &Model, right: &[Bound], letter: Letter, statements: &[Statement]) -> Finding {
     let letters = &model.vocabulary.letters;
-    let mut own = Vec::new();
+    let mut own: Vec<Bound> = Vec::new();
     let mut bare = Vec::new();
     for statement in statements {
+        // `k > 17/18 (0.944 to 3 s.f.)`: the bound again.
+        let is_bound_again =
+            |value: &Expr| statement.label.is_none() && own.iter().any(|bound| rounds_to(&bound.shown, value));
         let equations = statement.said.iter().filter_map(|said| match &said.form {
             Form::Equation(relation) => Some(relation),
             _ => None,
@@ -148,6 +151,7 @@ fn one(model: &Model, right: &[Bound], letter: Letter, statements: &[Statement])
                 Form::Vector(..) => return Finding::WRONG,
                 // `e over 1/3`, which reads as a quotient: the letter itself is no bound of it.
                 Form::Value(value) if value.names().iter().any(|name| name.text == letter.name()) => None,
+                Form::Value(value) if is_bound_again(value) => continue,
                 Form::Value(value) => {
                     bare.push(value.clone());
                     continue;

@@ -144,6 +144,11 @@ fn axis(label: &str) -> Option<char> {
 /// Judges one value against a vector.
 pub(super) fn judge(model: &Model, said: &Said) -> Finding {
     let Some((right_x, right_y)) = components(model) else { return Finding::unreadable(Note::CannotBeCompared) };
+    // `at rest along the line of centres`, `component is zero`: one of two.
+    let is_of_line = said.reference.is_some_and(|line| line.is_direction());
+    if matches!(said.form, Form::AtRest) && is_of_line {
+        return Finding::unreadable(Note::NamedOtherwise);
+    }
     let Some((x, y, notation)) = said_components(model, said) else {
         return match &said.form {
             // Nought is the one vector that is written like a number.

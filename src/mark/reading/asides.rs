@@ -207,12 +207,10 @@ fn told_besides(tokens: &[Placed], start: usize, vocabulary: &Vocabulary) -> Opt
         _ => None,
     };
     let relations = told.iter().filter(|placed| placed.is('=') || compares(placed)).count();
-    let own = told.iter().filter_map(name).next()?;
     let begins = tokens[..start]
         .iter()
         .rposition(|placed| placed.is(',') || placed.is(';') || placed.is('\n') || placed.is('⇒'));
     let before = &tokens[begins.map_or(0, |at| at + 1)..start];
-    let is_named_before = before.iter().filter_map(name).any(|before| before == own);
     let stated =
         before.iter().rposition(|placed| parts(placed) || is_word(placed)).map_or(before, |at| &before[at + 1..]);
     let is_far = |value: &[Placed]| {
@@ -221,6 +219,11 @@ fn told_besides(tokens: &[Placed], start: usize, vocabulary: &Vocabulary) -> Opt
     };
     let is_same =
         |value: &[Placed]| value.iter().map(|placed| &placed.token).eq(stated.iter().map(|placed| &placed.token));
+    let Some(own) = told.iter().filter_map(name).next() else {
+        let made = told.iter().position(|placed| placed.is('=')).filter(|at| relations == 1 && *at > 0);
+        return made.filter(|at| is_same(&told[at + 1..])).map(|_| close);
+    };
+    let is_named_before = before.iter().filter_map(name).any(|before| before == own);
     let is_told = match told {
         [first, equals, value @ ..] if relations == 1 && equals.is('=') => {
             name(first).is_some() && (is_far(value) || is_same(value))

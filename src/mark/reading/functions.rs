@@ -19,7 +19,13 @@ impl Parser<'_> {
         let bracket = matches!(self.sign(0), Some('(' | '[' | '{' | '|')) || self.group_is_all();
         let mut squared = None;
         let argument = if bracket || function == Function::Abs {
-            self.nested(Self::operand)?
+            let group = self.group_is_all();
+            let argument = self.nested(Self::operand)?;
+            // `sin ½x`
+            match self.close_angle().filter(|_| group) {
+                Some(angle) => Expr::Product(vec![argument, angle]),
+                None => argument,
+            }
         } else if inverse {
             self.whole_argument(function, start)?
         } else {
@@ -130,6 +136,15 @@ impl Parser<'_> {
         loop {
             self.choices.step(self.place())?;
             match self.token(0) {
+                // `sin 1/2x`
+                Some(Token::Number(above)) if factors.is_empty() && self.is_fraction_of_an_angle() => {
+                    let above = above.clone();
+                    self.at += 2;
+                    if let Some(Token::Number(below)) = self.token(0).cloned() {
+                        factors.push(Expr::Quotient(Box::new(above), Box::new(below)));
+                        self.at += 1;
+                    }
+                }
                 Some(Token::Number(value)) if factors.is_empty() => {
                     factors.push(value.clone());
                     self.at += 1;
@@ -181,6 +196,32 @@ impl Parser<'_> {
             }
         }
         Ok(if minus { negative(argument) } else { argument })
+    }
+
+    /// A letter for an angle close behind what was read.
+    fn close_angle(&mut self) -> Option<Expr> {
+        if self.spaced(0) || !self.angle_follows() {
+            return None;
+        }
+        let Some(Token::Letter(name)) = self.token(0).cloned() else { return None };
+        self.at += 1;
+        Some(Expr::name(name))
+    }
+
+    /// `1/2x`, all of it close together, with an x that may be an angle.
+    fn is_fraction_of_an_angle(&self) -> bool {
+        let is_number = |ahead: usize| matches!(self.token(ahead), Some(Token::Number(_)));
+        let name = match self.token(3) {
+            Some(Token::Word(name) | Token::Letter(name)) => name.as_str(),
+            Some(Token::Greek(name)) => name,
+            _ => return false,
+        };
+        let is_letter = self.vocabulary.letters.iter().any(|letter| letter.name() == name);
+        is_letter
+            && self.is_angle(name)
+            && self.sign(1) == Some('/')
+            && is_number(2)
+            && (1..=3).all(|ahead| !self.spaced(ahead))
     }
 
     /// Where `sin x/2` ends in the text.

@@ -110,6 +110,7 @@ impl<'a> Parser<'a> {
             Some(Token::Phrase(_)) => self.fault("words where a number or letter is expected"),
             Some(Token::Sign(CLOSE | OPEN)) => self.fault("something is missing here"),
             Some(Token::Sign('\n')) => self.fault("the line ends too early"),
+            Some(Token::Sign(sign @ ('±' | '∓'))) => self.fault(format!("`{sign}` says two things at once")),
             Some(Token::Sign(sign)) => self.fault(format!("`{sign}` where a number or letter is expected")),
             Some(_) => self.fault("something is missing here"),
         }

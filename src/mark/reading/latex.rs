@@ -74,6 +74,12 @@ impl Rewriter<'_> {
                 self.at += 1;
                 Ok(())
             }
+            // `2{,}78`: braces keep a comma from being set as the end of a clause.
+            '{' if matches!(self.glyphs[self.at + 1..], [Glyph { sign: ',', .. }, Glyph { sign: '}', .. }, ..]) => {
+                self.at += 3;
+                self.put(',', from);
+                Ok(())
+            }
             '{' => self.group(),
             '}' => Err(self.fault(from.place, "`}` closes nothing")),
             '^' if self.raises_degrees() => {

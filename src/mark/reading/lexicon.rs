@@ -97,7 +97,7 @@ const SINGLE: [(Sort, &str); 9] = [
          remains remaining retained kept hopefully think calculator working see diagram there here now very nearly almost precisely overall resultant \
          scalar using used calculated find found get got have we solution value values part question result results \
          answers both my our checked units metric decimal fraction respectively clm com colm pclm plm mom cons nel nlr nlor nli \
-         collide collides meet meets catch catches hit hits strike strikes again continue does do will clearly obviously eventually need needs provided requires conservation linear law eq eqn equation substituting subtracting adding pythagoras pythag trig trigonometry",
+         collide collides meet meets catch catches hit hits strike strikes again continue does do will clearly obviously eventually need needs provided requires needed condition conservation linear law eq eqn equation substituting subtracting adding pythagoras pythag trig trigonometry",
     ),
 ];
 

@@ -7,6 +7,7 @@
 mod alone;
 mod angle_names;
 mod asides;
+mod both_signs;
 mod centres;
 mod characters;
 mod choices;

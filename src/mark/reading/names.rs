@@ -41,7 +41,7 @@ const RECIPROCALS: [(&str, Function); 12] = [
 ];
 
 /// Names of the root sign.
-const ROOTS: [&str; 3] = ["squareroot", "sqrt", "root"];
+const ROOTS: [&str; 4] = ["squareroot", "sqrt", "root", "rt"];
 
 /// Capitals that name spheres, unit vectors or units, and are no slips for small letters.
 const CAPITALS_OF_THEIR_OWN: &str = "ABCIJNOPQS";

@@ -297,10 +297,12 @@ impl Parser<'_> {
             return false;
         }
         let number = |expr: &Expr| matches!(expr, Expr::Number(_) | Expr::Decimal(_));
-        let coefficient = (number(above) && number(&below.value))
-            || below.bracket
-            || beside[0].bracket
-            || (beside[0].spaced && !below.spaced);
+        let is_fraction = number(above) && number(&below.value);
+        // `3/7 √3`: nobody leaves a blank within what he divides by.
+        if is_fraction && beside[0].spaced && !below.spaced {
+            return false;
+        }
+        let coefficient = is_fraction || below.bracket || beside[0].bracket || (beside[0].spaced && !below.spaced);
         let place = self.tokens.get(below.start).map_or(0, |placed| placed.start);
         coefficient == self.choices.otherwise(Doubt::Stroke, place)
     }

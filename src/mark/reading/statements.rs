@@ -1,5 +1,6 @@
 //! Statements: what stands between separators, and what each is called.
 
+use super::both_signs::with_both_signs;
 use super::choices::Choices;
 use super::commands::simple;
 use super::equation_number::without_number;
@@ -25,6 +26,7 @@ pub(super) fn statements(
     passes_over: bool,
 ) -> Result<Vec<Statement>, Unreadable> {
     let tokens = with_arrows_after_names(ranges::with_round_brackets(tokens));
+    let tokens = with_both_signs(tokens);
     let mut reader = Statements {
         text,
         vocabulary,

@@ -213,6 +213,8 @@ impl Lexer<'_> {
             ('\'', '\'') => ('"', 2),
             // The circle of degrees, as a letter.
             ('^', 'o') if ends_word => ('°', 2),
+            // The circle as a nought: nobody raises a number to that power.
+            ('^', '0') if ends_word && self.sign(2) != Some('.') && self.is_after_a_measure() => ('°', 2),
             ('.', '.') if self.sign(2) == Some('.') => ('…', 3),
             ('.', '.') => return Err(Unreadable::Sign(place, "two points, one after the other".to_owned())),
             _ => (sign, 1),
@@ -246,15 +248,12 @@ impl Lexer<'_> {
                 return Ok(());
             }
             '+' | '-' | '*' | '/' | '^' | '|' | ',' | ';' | ':' | '=' | '<' | '>' | '%' | '°' | '\'' | '.' | '\n'
-            | '?' | '!' | '≠' | '≤' | '≥' | '≈' | '⇒' | '¦' | '…' | '"' | '∈' | '∞' | '÷' => {}
+            | '?' | '!' | '≠' | '≤' | '≥' | '≈' | '⇒' | '¦' | '…' | '"' | '∈' | '∞' | '÷' | '±' | '∓' =>
+                {}
             '·' | '⋅' => {
                 self.put(Token::Sign('*'), 1);
                 return Ok(());
             }
-            // `±(2i - j)`: the line along it.
-            // `±(i - 3j)`, `±1/√10(i - 3j)`
-            '±' if self.sign(1) == Some('(') || self.glyphs.last().is_some_and(|last| last.sign == ')') => {}
-            '±' | '∓' => return Err(Unreadable::Sign(place, format!("`{token}` says two things at once"))),
             _ => return Err(Unreadable::Sign(place, format!("`{token}` has no meaning here"))),
         }
         self.put(Token::Sign(token), length);
@@ -276,6 +275,15 @@ impl Lexer<'_> {
     /// Does a letter stand straight before it?
     fn follows_letter(&self) -> bool {
         self.at > 0 && self.glyphs[self.at - 1].sign.is_alphabetic()
+    }
+
+    /// Is what stands straight before it a number that is not the ten of a power of ten?
+    fn is_after_a_measure(&self) -> bool {
+        let ends_here = |placed: &Placed| placed.end == self.glyphs[self.at].place;
+        match self.out.last().filter(|placed| ends_here(placed)).map(|placed| &placed.token) {
+            Some(Token::Number(number)) => *number != Expr::integer(10),
+            _ => false,
+        }
     }
 
     /// `2. 78`: a point after a digit, a blank, a digit.

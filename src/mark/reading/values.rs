@@ -180,8 +180,9 @@ impl Values<'_> {
             Phrase::Rest => {
                 if found.values.is_empty() {
                     let label = self.label(tokens, lead);
+                    let said = self.at_rest(tokens, lead)?;
                     lead.clear();
-                    found.values.push((label, said_in_words(Form::AtRest, None)));
+                    found.values.push((label, said));
                 } else {
                     let words = self.slice(tokens, at, at + 1).to_lowercase();
                     self.remark(found, words);
@@ -198,6 +199,35 @@ impl Values<'_> {
                 Ok(at + 1)
             }
         }
+    }
+
+    /// At rest, with what is said before it: `initially at rest` is of another moment, and `nearly at rest` is something else.
+    fn at_rest(&self, tokens: &[Placed], lead: &[usize]) -> Result<Said, Unreadable> {
+        let word = |at: &usize| self.slice(tokens, *at, *at + 1).to_lowercase();
+        let short_of = lead.iter().copied().find(|at| matches!(&*word(at), "nearly" | "almost" | "very"));
+        if let Some(strange) = self.strange(tokens, lead).or(short_of) {
+            return Err(self.strange_word(tokens, strange));
+        }
+        let name = lead.iter().position(|at| names_something(tokens, *at)).filter(|name| *name > 0);
+        let before_name = name.map(|name| self.slice(tokens, lead[0], lead[name - 1] + 1).to_lowercase());
+        let remarks = before_name.into_iter().chain(self.after_name(tokens, lead)).collect();
+        Ok(Said { form: Form::AtRest, unit: None, reference: None, remarks })
+    }
+
+    /// `A rebounds with 2.41`: what is said between the name, if there is one, and the value.
+    fn after_name(&self, tokens: &[Placed], lead: &[usize]) -> Option<String> {
+        let last_name = lead.iter().rposition(|at| names_something(tokens, *at));
+        let between = &lead[last_name.map_or(0, |last| last + 1)..];
+        let is_plain = |at: &usize| matches!(phrase_at(tokens, *at), Some(Phrase::Remark | Phrase::Unknown));
+        between
+            .iter()
+            .any(is_plain)
+            .then(|| self.slice(tokens, between[0], between[between.len() - 1] + 1).to_lowercase())
+    }
+
+    /// A word before a value that nobody knows.
+    fn strange(&self, tokens: &[Placed], lead: &[usize]) -> Option<usize> {
+        lead.iter().copied().find(|at| is_strange(self.slice(tokens, *at, *at + 1)))
     }
 
     fn strange_word(&self, tokens: &[Placed], at: usize) -> Unreadable {
@@ -234,17 +264,11 @@ impl Values<'_> {
         let label = self.label(tokens, lead);
         let phrases: Vec<Phrase> = lead.iter().filter_map(|at| phrase_at(tokens, *at)).collect();
         let words = lead.first().map(|first| self.slice(tokens, *first, lead[lead.len() - 1] + 1).to_lowercase());
-        // `A rebounds with 2.41`: what is said between the name and the value.
-        let last_name = lead.iter().rposition(|at| names_something(tokens, *at));
-        let between = last_name.map_or(&[][..], |last| &lead[last + 1..]);
-        let is_plain = |at: &usize| matches!(phrase_at(tokens, *at), Some(Phrase::Remark | Phrase::Unknown));
-        let after_name = between
-            .iter()
-            .any(is_plain)
-            .then(|| self.slice(tokens, between[0], between[between.len() - 1] + 1).to_lowercase());
+        let has_name = lead.iter().any(|at| names_something(tokens, *at));
+        let after_name = self.after_name(tokens, lead).filter(|_| has_name);
         // `cube root of 13`, `scrap 13`: what is done to the value?
-        if let Some(strange) = lead.iter().find(|at| is_strange(self.slice(tokens, **at, **at + 1))) {
-            return Err(self.strange_word(tokens, *strange));
+        if let Some(strange) = self.strange(tokens, lead) {
+            return Err(self.strange_word(tokens, strange));
         }
         let toward = phrases.last() == Some(&Phrase::Toward);
         let across = phrases.contains(&Phrase::Across);
@@ -282,7 +306,11 @@ impl Values<'_> {
             return Ok(parsed.next);
         }
         if phrases.contains(&Phrase::Or) || toward {
-            said.remarks.extend(words);
+            // `±8` has no word for it.
+            let signs_alone =
+                words.as_ref().filter(|words| !words.contains(char::is_alphabetic) || words.starts_with('\\'));
+            let joined = signs_alone.map(|_| "or".to_owned());
+            said.remarks.extend(joined.or(words));
         } else if let Some(words) = words.filter(|_| label.is_none() && !phrases.contains(&Phrase::Gradient)) {
             // `2.78 m/s at 46.1`: a direction follows.
             let joins = phrases.iter().all(|phrase| matches!(phrase, Phrase::Joiner | Phrase::Is));

@@ -1,7 +1,7 @@
 //! What students write around their values in several words: how they say it.
 
 /// At rest, in words.
-pub(super) const REST: [&str; 27] = [
+pub(super) const REST: [&str; 32] = [
     "at rest",
     "is at rest",
     "remains at rest",
@@ -11,6 +11,11 @@ pub(super) const REST: [&str; 27] = [
     "comes to rest",
     "came to rest",
     "come to rest",
+    "comes to stop",
+    "comes to halt",
+    "is brought to stop",
+    "zero vector",
+    "remains stationary",
     "to rest",
     "stationary",
     "is stationary",

@@ -1,0 +1,83 @@
+//! Sums of products of sines and cosines of given degrees, written as sums of cosines.
+//!
+//! `2 cos a cos b = cos(a − b) + cos(a + b)`, and a sine is the cosine of the complement. So what vanishes because angles add up,
+//! as `sin 70° cos 20° + cos 70° sin 20° − 1` does, is seen to vanish term by term, whatever the angles are.
+
+use std::collections::BTreeMap;
+
+use super::value::{Root, Terms, Value};
+use super::{Direction, Fraction, Letter};
+
+/// Powers of sines and cosines beyond which a sum is not written out.
+const HIGHEST: u32 = 64;
+
+/// Of each angle in degrees, from nought up to 90, how many times its cosine.
+type Cosines = BTreeMap<Fraction, Fraction>;
+
+/// Is it nought as a sum of cosines, times the `highest` powers of the cosines of its `angles`? If not, it may still be nought.
+pub(super) fn vanishes(terms: &Terms, angles: &[Letter], highest: &[u32]) -> bool {
+    let mut sum = Value::ZERO;
+    for (roots, polynomial) in terms {
+        let surds = roots.iter().filter(|root| matches!(root, Root::Prime(_)));
+        let surds = surds.fold(Value::ONE, |product, root| &product * &Value::root(root.clone()));
+        let mut cosines = Cosines::new();
+        for (monomial, coefficient) in polynomial.terms() {
+            let power =
+                |angle: &Letter| monomial.iter().find(|(letter, _)| letter == angle).map_or(0, |(_, power)| *power);
+            let powers = angles.iter().zip(highest).map(|(angle, highest)| {
+                let sines = power(angle);
+                (angle, sines, highest - sines + u32::from(roots.contains(&Root::Cosine(*angle))))
+            });
+            let Some(product) = product(coefficient, powers) else { return false };
+            for (degrees, times) in product {
+                add(&mut cosines, degrees, times);
+            }
+        }
+        for (degrees, times) in cosines {
+            let Some(direction) = Direction::degrees(&degrees) else { return false };
+            sum = &sum + &(&(&surds * &direction.cos) * &Value::from(times));
+        }
+    }
+    sum.is_written_zero()
+}
+
+/// A number times powers of the sine and of the cosine of each angle.
+fn product<'a>(coefficient: &Fraction, powers: impl Iterator<Item = (&'a Letter, u32, u32)>) -> Option<Cosines> {
+    let mut product = Cosines::from([(Fraction::ZERO, coefficient.clone())]);
+    let mut factors = 0;
+    for (angle, sines, cosines) in powers {
+        let degrees: Fraction = angle.name().parse().ok()?;
+        let complement = &Fraction::from(90) - &degrees;
+        factors += sines + cosines;
+        if factors > HIGHEST {
+            return None;
+        }
+        for (angle, count) in [(&complement, sines), (&degrees, cosines)] {
+            for _ in 0..count {
+                product = times_cosine(&product, angle);
+            }
+        }
+    }
+    Some(product)
+}
+
+fn times_cosine(cosines: &Cosines, angle: &Fraction) -> Cosines {
+    let mut product = Cosines::new();
+    for (degrees, times) in cosines {
+        let half = times * &Fraction::new(1, 2);
+        add(&mut product, degrees - angle, half.clone());
+        add(&mut product, degrees + angle, half);
+    }
+    product
+}
+
+/// Adds so many times the cosine of any angle, which is that of an angle up to 90 degrees or its negative.
+fn add(cosines: &mut Cosines, degrees: Fraction, times: Fraction) {
+    let turns = (&degrees / &Fraction::from(360)).floor();
+    let within = &degrees - &(&Fraction::from(turns) * &Fraction::from(360));
+    let (straight, right) = (Fraction::from(180), Fraction::from(90));
+    let within = if within > straight { &Fraction::from(360) - &within } else { within };
+    let (acute, times) = if within > right { (&straight - &within, -times) } else { (within, times) };
+    let sum = cosines.entry(acute).or_insert(Fraction::ZERO);
+    *sum = &*sum + &times;
+}
