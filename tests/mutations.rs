@@ -928,7 +928,7 @@ fn what_does_not_agree_with_what_stands_beside_it_is_named() {
         "direct/velocities-after-impact",
         &[
             ("counted", &[("Two small smooth", "Three small smooth")], "three of which 2 are named"),
-            ("one-of-several", &[("Two small smooth", "A small smooth")], "one of several: `a … spheres`"),
+            ("one-of-several", &[("Two small smooth", "A small smooth")], "one of several: `A … spheres`"),
             ("verb", &[("are moving towards", "is moving towards")], "a verb of one for several"),
             (
                 "text-of-another",
@@ -1259,4 +1259,107 @@ fn letters_that_are_not_named_are_told_where_they_are_asked_for() {
     let edits = [("Find, in terms of {u} and {e}, the velocity", "Find, in terms of {u}, the velocity")];
     let (_, said) = checked("in-terms-place", "direct/velocities-in-letters", &edits);
     assert!(said.contains("| ask = \"Find, in terms of {u}, the"), "{said}");
+}
+
+#[test]
+fn verbs_counts_and_articles_of_another_number_than_their_nouns_are_named() {
+    found(
+        "direct/velocities-after-impact",
+        &[
+            ("row", &[("spheres *A* and *B*", "spheres *A*, *B*")], "a row of names without `and`"),
+            ("their", &[("are moving towards", "change its directions. They are moving towards")], "several … its"),
+        ],
+    );
+    found(
+        "direct/one-sphere-catches-the-other",
+        &[
+            ("masses", &[("have masses {mA kg}", "have mass {mA kg}")], "one of several: `mass … and …`"),
+            (
+                "collides",
+                &[("The spheres\ncollide directly", "The spheres\ncollides directly")],
+                "`several … collides`",
+            ),
+            (
+                "walls",
+                &[("horizontal floor", "horizontal floor, 3 wall of which are smooth")],
+                "several of one: `3 wall`",
+            ),
+            ("each", &[("The speed of *A* is", "Each sphere have a mass. The speed of *A* is")], "`one … have`"),
+            ("speed", &[("The speed of *A* is", "The speed of *A* are")], "a verb of several for one: `one … are`"),
+            ("asked", &[("Find the total", "The spheres is smooth. Find the total")], "`several … is`"),
+            (
+                "in-a-mark",
+                &[("\"A1\", for = \"ke.lost\"", "\"A1\", for = \"ke.lost\", note = \"these value must agree\"")],
+                "several of one: `These value`",
+            ),
+        ],
+    );
+    found(
+        "successive/three-in-a-line",
+        &[
+            ("order", &[("lie in that order", "lies in that order")], "a verb of one for several: `several … lies`"),
+            ("strike", &[("then *B* strikes", "then *B* strike")], "a verb of several for one: `one … strike`"),
+        ],
+    );
+    found(
+        "rest/speeds-and-directions",
+        &[("which-are", &[("which is at rest", "which are at rest")], "a verb of several for one: `one … are`")],
+    );
+}
+
+#[test]
+fn words_taken_for_others_small_letters_and_foreign_signs_are_named() {
+    found(
+        "direct/one-sphere-catches-the-other",
+        &[
+            ("small-letter", &[("ask = \"Find the total", "ask = \"find the total")], "a sentence without a capital"),
+            ("tag", &[("horizontal floor", "<b>horizontal</b> floor")], "a sign of another language: `<b>`"),
+            ("there", &[("between them is", "between there is")], "a slip of the pen: `there`"),
+        ],
+    );
+}
+
+#[test]
+fn words_that_turn_the_scene_round_are_named() {
+    found(
+        "direct/one-sphere-catches-the-other",
+        &[
+            ("in-front", &[("*A* behind *B*", "*A* in front of *B*")], "`A is in front of B`"),
+            (
+                "slower",
+                &[("The spheres\ncollide", "*A* is slower than *B*. The spheres\ncollide")],
+                "A is slower than B",
+            ),
+        ],
+    );
+    let at_rest = "Spheres *B* and *C* are at rest.";
+    found(
+        "successive/three-in-a-line",
+        &[(
+            "all-rest",
+            &[(at_rest, "Spheres *A*, *B* and *C* are at rest.")],
+            "a motion that is not so: `A is at rest`",
+        )],
+    );
+    let directly = "when it strikes *B* directly";
+    found(
+        "successive/second-collision",
+        &[(
+            "struck-by",
+            &[(directly, "when it is struck by *B* directly")],
+            "`*B*` strikes, and in the scene it is at",
+        )],
+    );
+    found(
+        "walls/rebound-speed-and-direction",
+        &[("square", &[("it strikes a", "it strikes at right angles a")], "the wall is struck at right angles")],
+    );
+}
+
+#[test]
+fn a_letter_that_no_words_introduce_is_named() {
+    let constant = ", where {k} is a positive constant";
+    for id in ["vector-impulse/size-of-the-impulse", "ranges/mass-ratio-when-a-goes-on"] {
+        found(id, &[("no-k", &[(constant, "")], "the words never say what `k` is")]);
+    }
 }

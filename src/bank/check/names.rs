@@ -111,12 +111,18 @@ impl NamesUsed {
                 unknown = true;
             } else if !lacking.contains(&(style, name)) {
                 lacking.push((style, name));
-                faults.report(
-                    used.span.clone(),
-                    format!("style `{style}` gives no values to `{name}`"),
-                    "used in every style",
-                    format!("add `{name}` to the parameters of style `{style}`"),
-                );
+                // `W` for `w` in the parameters: a name of this style alone that nothing uses.
+                let other = |given: &&str| {
+                    given.eq_ignore_ascii_case(name) && !self.uses.iter().any(|used| used.name == **given)
+                };
+                let own = scopes.iter().find(|scope| scope.0 == *style).map_or(&[][..], |scope| &scope.1.given);
+                let meant = own.iter().map(|(given, ..)| given.as_str()).find(other);
+                let help = match meant {
+                    Some(meant) => format!("did you mean `{meant}`, which has values there? Write one of the two"),
+                    None => format!("add `{name}` to the parameters of style `{style}`"),
+                };
+                let message = format!("style `{style}` gives no values to `{name}`");
+                faults.report(used.span.clone(), message, "used in every style", help);
             }
         }
         if !unknown {

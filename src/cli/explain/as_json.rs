@@ -67,7 +67,7 @@ fn of_part(part: &PrintedPart) -> Json {
 }
 
 fn of_law(mistakes: &LawMistakes) -> Vec<Json> {
-    let one = |Mistake { slip, leads_to }: &Mistake| {
+    let one = |Mistake { slip, leads_to, .. }: &Mistake| {
         let wrong = leads_to.iter().map(|wrong| {
             json!({"part": wrong.part, "answer": wrong.name, "values": wrong.values, "unit": wrong.unit.trim()})
         });

@@ -24,6 +24,8 @@ pub struct LawMistakes {
 pub struct Mistake {
     /// The slip.
     pub slip: &'static Slip,
+    /// Does the question say that its numbers hide it, and do these?
+    pub is_hidden: bool,
     /// The answers that it changes.
     pub leads_to: Vec<WrongAnswer>,
 }
@@ -52,9 +54,10 @@ pub fn mistakes(question: &Question, variant: &Variant, printed: &PrintedQuestio
         }
     }
     let keyed = KeyedQuestion::read(&key_question(question, variant, printed)).ok();
-    let wrong = |slip: &'static Slip| Mistake {
-        slip,
-        leads_to: keyed.as_ref().map_or_else(Vec::new, |keyed| led_to(slip, question, variant, printed, keyed)),
+    let wrong = |slip: &'static Slip| {
+        let leads_to = keyed.as_ref().map_or_else(Vec::new, |keyed| led_to(slip, question, variant, printed, keyed));
+        let is_hidden = leads_to.is_empty() && question.hidden.iter().any(|hidden| hidden == slip.tag);
+        Mistake { slip, is_hidden, leads_to }
     };
     laws.into_iter()
         .filter(|law| !law.slips().is_empty())
@@ -120,14 +123,17 @@ fn form(asked: &Asked, solution: &Solution) -> (bool, bool) {
 
 /// As the command prints them.
 pub fn in_words(all: &[LawMistakes]) -> String {
-    let not_here = "does not show here";
     let mut text = "\nSlips that students make, and what each leads to with the reference numbers\n".to_owned();
     for LawMistakes { law, slips } in all {
         text.push_str(&format!("  {}\n", law.name()));
-        for Mistake { slip, leads_to } in slips {
+        for Mistake { slip, is_hidden, leads_to } in slips {
             text.push_str(&format!("    {}: {}\n", slip.tag, slip.sentence));
             let wrong: Vec<String> = leads_to.iter().map(wrong_in_words).collect();
-            let wrong = if wrong.is_empty() { not_here.to_owned() } else { wrong.join("; ") };
+            let wrong = match wrong.is_empty() {
+                true if *is_hidden => "hidden: with these numbers the answers come out right".to_owned(),
+                true => "does not show here".to_owned(),
+                false => wrong.join("; "),
+            };
             text.push_str(&format!("      → {wrong}\n"));
         }
     }
@@ -163,7 +169,28 @@ fn three_figures(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::three_figures;
+    use super::*;
+    use crate::bank::{read_question, shipped};
+    use crate::diagnostic::Source;
+    use crate::generate::reference;
+    use crate::paper::compose;
+
+    #[test]
+    fn no_slip_leads_to_the_right_answer() {
+        // The masses of the reference numbers let a division go unnoticed, and the greatest deflection is at one angle.
+        for (id, right) in
+            [("backwards/velocity-of-b-and-restitution", 5.0 / 7.0), ("deflection/greatest-deflection", 38.3285)]
+        {
+            let (_, text) = shipped().find(|(shipped, _)| *shipped == id).unwrap();
+            let question = read_question(id, &Source::new(id, text)).unwrap_or_else(|_| panic!("{id}"));
+            let variant = reference(&question).unwrap();
+            let all = mistakes(&question, &variant, &compose(&question, &variant, 1));
+            let wrong = all.iter().flat_map(|law| &law.slips).flat_map(|mistake| &mistake.leads_to);
+            for value in wrong.flat_map(|wrong| wrong.values.iter().flatten()) {
+                assert!((value - right).abs() > 1e-3, "{id}: {value}");
+            }
+        }
+    }
 
     #[test]
     fn wrong_values_have_three_figures() {

@@ -184,7 +184,7 @@ fn names_of_expr(expr: &Expr) -> impl Iterator<Item = String> {
 }
 
 /// The names with those from which they are derived.
-fn origins(names: &BTreeSet<String>, style: &Style) -> BTreeSet<String> {
+pub(super) fn origins(names: &BTreeSet<String>, style: &Style) -> BTreeSet<String> {
     let mut all = names.clone();
     for (name, meaning) in style.lets.iter().rev() {
         if all.contains(name) {

@@ -90,6 +90,19 @@ pub(super) fn meant(word: &str) -> Option<&'static str> {
     WORDS.into_iter().find(|other| is_near(other) && !is_form(other))
 }
 
+/// The word that is meant by one that is another, by the word before it: `heavier then`, `between there`, `it's`.
+pub(super) fn meant_after(before: &str, word: &str) -> Option<&'static str> {
+    const COMPARED: [&str; 10] =
+        ["greater", "less", "heavier", "lighter", "faster", "slower", "larger", "smaller", "rather", "higher"];
+    const JOINING: [&str; 3] = ["between", "of", "with"];
+    match word {
+        "it's" | "it’s" | "its'" | "its’" => Some("its"),
+        "then" if COMPARED.contains(&before) => Some("than"),
+        "there" if JOINING.contains(&before) => Some("them` or `their"),
+        _ => None,
+    }
+}
+
 /// Slips in the title, which is no text of the paper and is read nowhere else.
 pub fn in_the_title(question: &Question) -> Vec<Finding> {
     let words = question.title.split(|sign: char| !sign.is_alphabetic());
@@ -104,6 +117,21 @@ pub fn in_the_title(question: &Question) -> Vec<Finding> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_word_is_told_from_another_by_the_word_before_it() {
+        let table = [
+            ("heavier", "then", Some("than")),
+            ("rest", "then", None),
+            ("between", "there", Some("them` or `their")),
+            ("and", "there", None),
+            ("in", "it's", Some("its")),
+            ("in", "its", None),
+        ];
+        for (before, word, wanted) in table {
+            assert_eq!(meant_after(before, word), wanted, "{before} {word}");
+        }
+    }
 
     #[test]
     fn slips_of_the_pen_are_told_from_forms_and_other_words() {

@@ -15,14 +15,17 @@ mod asked_whose;
 mod exact_form;
 mod figures;
 mod given;
+mod grammar;
 mod impacts;
 mod letters;
+mod letters_introduced;
 mod lines;
 mod marked_laws;
 mod marked_lines;
 mod marked_values;
 mod misspelt;
 mod own_words;
+mod phrases;
 mod requests;
 mod said;
 mod said_of_angles;
@@ -34,6 +37,7 @@ mod said_of_motion;
 mod said_of_restitution;
 mod said_of_results;
 mod said_of_spheres;
+mod said_of_strikes;
 mod said_of_walls;
 #[cfg(test)]
 mod said_tests;
@@ -61,6 +65,7 @@ pub fn of_question(question: &Question) -> Vec<Finding> {
     let checks = [
         given::unsaid,
         letters::of_other_angles,
+        letters_introduced::never,
         typed::beside_the_scene,
         untold::conditions,
         untold::elasticity,

@@ -3,9 +3,9 @@
 use std::collections::HashMap;
 
 use super::agreement::disagreeing;
-use super::misspelt::meant;
+use super::misspelt::{meant, meant_after};
 use super::sentence::in_order;
-use super::sentences::{around, is_plural, remark_at};
+use super::sentences::{around, remark_at};
 use crate::examine::remark::Remark;
 use crate::expr::{Expr, Piece, Text};
 use crate::mechanics::Sphere;
@@ -55,7 +55,7 @@ fn closing(piece: &Piece) -> &'static str {
 
 /// Words alone: punctuation and doubled words; `before` is the sign that stands before them in the file.
 fn of_words(words: &str, before: &str, remarks: &mut Vec<Remark>) {
-    for sign in [" .", " ,", " ;", "..", ",,", "( ", " )", "$", "\\", "*", "_", "{", "}"] {
+    for sign in [" .", " ,", " ;", "..", ",,", "( ", " )", "$", "\\", "*", "_", "{", "}", "`"] {
         if let Some(at) = words.find(sign).filter(|_| !words.contains("...")) {
             let place = around(words, at);
             // Signs alone stand everywhere; with what is before them they have a place.
@@ -65,6 +65,10 @@ fn of_words(words: &str, before: &str, remarks: &mut Vec<Remark>) {
             };
             remarks.push(remark_at("a stray sign", &place, words.trim(), &format!("mend `{sign}`")));
         }
+    }
+    if let Some((at, tag)) = markup(words) {
+        let help = "take it out: a text holds words, formulas in braces, and `*A*` for letters";
+        remarks.push(remark_at("a sign of another language", around(words, at), tag, help));
     }
     for close in ["mark)", "marks)", "mark]", "marks]"] {
         let before = |at: usize| words[..at].trim_end().trim_end_matches(|sign: char| sign.is_ascii_digit());
@@ -104,14 +108,9 @@ fn of_words(words: &str, before: &str, remarks: &mut Vec<Remark>) {
             let shown = format!("{before} {word}");
             remarks.push(remark_at("a word said twice", around(words, at), &shown, "take one of them out"));
         }
-        if let Some(meant) = meant(bare) {
+        if let Some(meant) = meant(bare).or_else(|| meant_after(before, bare)) {
             let help = format!("write `{meant}`");
             remarks.push(remark_at("a slip of the pen", around(words, at), bare, &help));
-        }
-        let is_counted = ["two", "three", "both"].iter().any(|count| word.eq_ignore_ascii_case(count));
-        if let Some(one) = words[at..].split(['.', ',', ';']).next().filter(|_| is_counted).and_then(one_of_several) {
-            let shown = format!("{word} … {one}");
-            remarks.push(remark_at("several of one", around(words, at), &shown, "write the word in the plural"));
         }
         if word.starts_with(|c: char| c.is_ascii_lowercase()) && takes_the_other_article(before, word) {
             let (shown, help) = (format!("{before} {word}"), "write the other of the two");
@@ -122,13 +121,16 @@ fn of_words(words: &str, before: &str, remarks: &mut Vec<Remark>) {
     }
 }
 
-/// The word in the singular that comes after a count and what describes it, before any in the plural.
-fn one_of_several(counted: &str) -> Option<&str> {
-    const THINGS: [&str; 4] = ["sphere", "particle", "ball", "wall"];
-    const JOIN: [&str; 6] = ["of", "with", "the", "and", "to", "in"];
-    let described = counted.split_whitespace().skip(1).take(5);
-    let mut words = described.take_while(|word| !is_plural(word) && !JOIN.contains(word));
-    words.find(|word| THINGS.contains(word))
+/// Signs of HTML in words, `<b>` or `&nbsp;`: where they begin, and what they are.
+fn markup(words: &str) -> Option<(usize, &str)> {
+    let begun = words.match_indices(['<', '&']);
+    begun.into_iter().find_map(|(at, sign)| {
+        let close = if sign == "<" { '>' } else { ';' };
+        let end = words[at..].find(close)?;
+        let inner = &words[at + 1..at + end];
+        let is_tag = inner.chars().all(|sign| sign.is_ascii_alphanumeric() || "/#".contains(sign)) && !inner.is_empty();
+        is_tag.then(|| (at, &words[at..=at + end]))
+    })
 }
 
 /// Before a sound of a vowel stands `an`, before any other `a`; words in which the sound is not that of the letter are left

@@ -44,6 +44,8 @@ pub fn contradicted(question: &Question, style: &Style, variant: &Variant) -> Ve
             seen.old_way(&sentence, &mut findings);
             seen.across(&sentence, &mut findings);
             seen.about_a_wall(&sentence, is_struck, &mut findings);
+            seen.striking(&sentence, is_struck, &mut findings);
+            seen.squarely(&sentence, &mut findings);
             is_struck |= says(&sentence, &STRUCK);
             seen.growing(&sentence, &mut findings);
             seen.declared(&sentence, &mut findings);

@@ -3,6 +3,7 @@
 
 use std::cmp::Ordering;
 
+use super::impacts::{impacts, ordinal};
 use super::said::{Seen, moment};
 use super::sentence::{Sentence, Token, is_one_of, says, subject};
 use crate::examine::Finding;
@@ -19,18 +20,17 @@ impl Seen<'_> {
     /// Two spheres that are said to meet again, or not to, where a condition compares their velocities: the one ahead is
     /// slower than the one behind, or it is not.
     pub(super) fn meeting_again(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
-        let is_second = |at: usize| {
-            let after = sentence.get(at + 1).is_some_and(|next| is_one_of(next, &["collision", "impact", "time"]));
-            is_one_of(&sentence[at], &["second"]) && after
+        let again = |at: &usize| {
+            is_one_of(&sentence[*at], &["again", "further", "more", "another"]) || self.is_next(&sentence[*at..])
         };
-        let again = |at: &usize| is_one_of(&sentence[*at], &["again", "further", "more"]) || is_second(*at);
-        let Some(at) = (0..sentence.len()).find(again) else { return };
+        let counted = (0..sentence.len()).find_map(|at| Some((at, self.is_last(&sentence[at..])?)));
+        let Some(at) = (0..sentence.len()).find(again).or(counted.map(|(at, _)| at)) else { return };
         let meets =
             ["strike", "strikes", "collide", "collides", "hit", "hits", "meet", "meets", "collision", "collisions"];
         if !says(sentence, &meets) {
             return;
         }
-        let is_denied = says(sentence, &["not", "no", "never"]);
+        let is_denied = counted.map_or_else(|| says(sentence, &["not", "no", "never"]), |(_, is_last)| is_last);
         let sphere = |quantity: Quantity| match quantity.of_its_impact() {
             Quantity::Velocity(sphere, Moment::After, Axis::N | Axis::X) => Some(sphere),
             _ => None,
@@ -74,6 +74,29 @@ impl Seen<'_> {
                 findings.push(self.finding(message, word, MEND));
             }
         }
+    }
+
+    /// How many impacts the scene has, and how many of them are between spheres.
+    fn impacts_counted(&self) -> [usize; 2] {
+        let all = impacts(&self.question.scene);
+        [all.len(), all.iter().filter(|impact| !impact.is_wall).count()]
+    }
+
+    /// `A third collision`, where the scene has two; a second one is always another between spheres.
+    fn is_next(&self, words: &[Token]) -> bool {
+        let [nth, of, ..] = words else { return false };
+        let is_nth = |nth| nth == 1 || self.impacts_counted().contains(&nth);
+        ordinal(nth).is_some_and(is_nth) && is_one_of(of, &["collision", "impact", "time"])
+    }
+
+    /// Whether `exactly two collisions` are all that the scene has; `exactly three` are one more.
+    fn is_last(&self, words: &[Token]) -> Option<bool> {
+        let [exactly, count, of, ..] = words else { return None };
+        let is_count = is_one_of(exactly, &["exactly", "only"]) && is_one_of(of, &["collisions", "impacts"]);
+        let nth =
+            ["one", "two", "three", "four"].iter().position(|word| is_one_of(count, &[word])).filter(|_| is_count)?;
+        let scene = self.impacts_counted();
+        if scene.contains(&(nth + 1)) { Some(true) } else { scene.contains(&nth).then_some(false) }
     }
 
     /// `Taking the direction of motion of A before it as positive`: the way from A towards the others is positive in answers.

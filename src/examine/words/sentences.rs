@@ -23,6 +23,7 @@ pub fn unreadable(words: &Words, variant: &Variant, heard: &mut Heard, remarks: 
         }
     }
     for text in words.stem.iter().chain(&words.asks) {
+        without_a_capital(text, words, remarks);
         let ends = match text.0.last() {
             Some(Piece::Words(words)) => words.trim_end().ends_with(['.', '?', '!', ':', ']', ')']),
             Some(Piece::Formula(_) | Piece::Quantity(..)) => false,
@@ -31,6 +32,16 @@ pub fn unreadable(words: &Words, variant: &Variant, heard: &mut Heard, remarks: 
         if !ends {
             remarks.push(remark("a sentence without a full stop", &tail(text), "end it with a full stop"));
         }
+    }
+}
+
+/// A text that begins in small letters, unless what stands before it leads up to it: `Find`, `(a) the speed of *A*`.
+fn without_a_capital(text: &Text, words: &Words, remarks: &mut Vec<Remark>) {
+    let leads_up = words.stem.last().is_some_and(|last| !tail(last).ends_with(['.', '?', '!', ']']));
+    let Some(Piece::Words(start)) = text.0.first().filter(|_| !leads_up) else { return };
+    if start.starts_with(|first: char| first.is_lowercase()) {
+        let at = start.split_whitespace().take(4).collect::<Vec<_>>().join(" ");
+        remarks.push(remark_at("a sentence without a capital", &at, &at, "begin it with a capital letter"));
     }
 }
 
@@ -158,7 +169,7 @@ const SINGULAR: [&str; 9] = ["second", "metre", "kilogram", "newton", "joule", "
 const NO_PLURALS: [&str; 12] =
     ["is", "was", "has", "as", "its", "this", "thus", "less", "makes", "across", "does", "gives"];
 
-pub(super) fn is_plural(word: &str) -> bool {
+fn is_plural(word: &str) -> bool {
     let ends = word.ends_with('s') && !word.ends_with("ss") && !word.ends_with("wards");
     ends && word.chars().all(char::is_lowercase) && !NO_PLURALS.contains(&word)
 }

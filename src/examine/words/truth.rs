@@ -7,7 +7,7 @@ use super::sentences::around;
 use crate::examine::remark::Remark;
 use crate::expr::{Expr, Meaning, Piece, Text, Turn, evaluate};
 use crate::generate::Variant;
-use crate::mechanics::{Axis, Moment, Quantity, Sphere};
+use crate::mechanics::{Axis, Moment, Quantity, Setting, Sphere};
 use crate::number::Value;
 use crate::paper::Words;
 use crate::unit::Unit;
@@ -99,17 +99,23 @@ fn is_open(variant: &Variant, sphere: Sphere) -> bool {
     is_at_rest(variant, sphere).is_none() && variant.solution.known().0.keys().any(is_its_mass)
 }
 
-/// The spheres named at the end: `*B*`, or `*B* and *C*`.
+/// The spheres named at the end: `*B*`, `*B* and *C*`, or `*A*, *B* and *C*`.
 fn named_before(pieces: &[&Piece]) -> Vec<Sphere> {
     let name = |piece: Option<&&Piece>| match piece {
         Some(Piece::Formula(Expr::Name(name))) => Sphere::ALL.into_iter().find(|sphere| sphere.name() == name.text),
         _ => None,
     };
-    let Some(last) = name(pieces.last()) else { return Vec::new() };
-    match pieces {
-        [.., one, Piece::Words(and), _] if and.trim() == "and" => name(Some(one)).into_iter().chain([last]).collect(),
-        _ => vec![last],
+    let mut named: Vec<Sphere> = name(pieces.last()).into_iter().collect();
+    let mut before = pieces;
+    while let [earlier @ .., Piece::Words(between), _] = before {
+        let joins = if named.len() == 1 { between.trim() == "and" } else { between.trim() == "," };
+        match name(earlier.last()).filter(|_| joins && !named.is_empty()) {
+            Some(one) => named.insert(0, one),
+            None => break,
+        }
+        before = earlier;
     }
+    named
 }
 
 /// What one sphere is said to be beside another, and how what it has is then to that of the other.
@@ -119,6 +125,17 @@ const BESIDE: [(&str, Ordering); 4] = [
     ("faster", Ordering::Greater),
     ("slower", Ordering::Less),
 ];
+
+/// The speed before the collision; in one line it is the size of the velocity.
+fn speed(variant: &Variant, sphere: Sphere) -> Option<Value> {
+    let known = variant.solution.known();
+    known.number(Quantity::Speed(sphere, Moment::Before)).or_else(|| {
+        let along = [Axis::N, Axis::X].map(|axis| Quantity::Velocity(sphere, Moment::Before, axis));
+        let along = along.into_iter().find_map(|along| known.number(along));
+        let along = along.filter(|_| variant.scene.setting == Setting::Direct)?;
+        Some(if along.sign()?.is_lt() { -&along } else { along })
+    })
+}
 
 /// A sphere that is said to be heavier or faster than another is so.
 fn beside_each_other(text: &Text, variant: &Variant, remarks: &mut Vec<Remark>) {
@@ -139,7 +156,7 @@ fn beside_each_other(text: &Text, variant: &Variant, remarks: &mut Vec<Remark>) 
             let of = |sphere| match *said {
                 "heavier" | "lighter" => known.number(Quantity::Mass(sphere)),
                 _ if is_later => None,
-                _ => known.number(Quantity::Speed(sphere, Moment::Before)),
+                _ => speed(variant, sphere),
             };
             let (Some(one_has), Some(other_has)) = (of(one), of(other)) else { continue };
             if (&one_has - &other_has).sign().is_some_and(|sign| sign != *wanted) {
@@ -190,7 +207,7 @@ fn is_acute(expr: &Expr, piece: &Piece, variant: &Variant) -> Option<bool> {
 
 /// Words of who moves which way along the line of centres, and what they say of *A* and of *B*: with the line from *A* to
 /// *B* or against it. What is said of the other is said of both.
-const WAYS: [(&str, Whom); 9] = [
+const WAYS: [(&str, Whom); 11] = [
     ("towards each other", Whom::Both(1.0, -1.0)),
     ("towards the other", Whom::Both(1.0, -1.0)),
     ("towards", Whom::Next(1.0)),
@@ -200,6 +217,8 @@ const WAYS: [(&str, Whom); 9] = [
     ("in opposite directions", Whom::Opposite(-1.0)),
     ("in the same direction", Whom::Opposite(1.0)),
     ("behind", Whom::Behind),
+    ("in front of", Whom::Ahead),
+    ("ahead of", Whom::Ahead),
 ];
 
 /// Whom such words are said of.
@@ -213,6 +232,8 @@ enum Whom {
     Opposite(f64),
     /// The sphere before it, which goes the way of that after it.
     Behind,
+    /// The sphere before it, which the one after it follows.
+    Ahead,
 }
 
 /// Who is said to move towards *A* or *B* or away from it, or as the other does, moves so along the line of centres before
@@ -224,7 +245,7 @@ fn ways(text: &Text, variant: &Variant, remarks: &mut Vec<Remark>) {
         for sentence in words.split_inclusive('.') {
             is_after = is_after || sentence.to_lowercase().contains("after ");
             let is_said = |way: &&(&str, Whom)| match way.1 {
-                Whom::Next(_) | Whom::Behind => sentence.trim_end().ends_with(way.0),
+                Whom::Next(_) | Whom::Behind | Whom::Ahead => sentence.trim_end().ends_with(way.0),
                 _ => sentence.contains(way.0),
             };
             if let Some((way, whom)) = WAYS.iter().find(is_said).filter(|_| !is_after) {
@@ -235,7 +256,7 @@ fn ways(text: &Text, variant: &Variant, remarks: &mut Vec<Remark>) {
                 if let Some(said) = untrue_way(way, *whom, next, variant) {
                     let help = "turn its velocity round in `[scene]`, or say which way it is";
                     let at = match whom {
-                        Whom::Next(_) | Whom::Behind => format!("{way} *{next}*"),
+                        Whom::Next(_) | Whom::Behind | Whom::Ahead => format!("{way} *{next}*"),
                         _ => around(words, words.find(way).unwrap_or(0)).to_owned(),
                     };
                     remarks.push(remark("a direction that is not so", &at, &said, help));
@@ -264,10 +285,12 @@ fn untrue_way(way: &str, whom: Whom, next: &str, variant: &Variant) -> Option<St
         (Whom::Both(a, b), _) => of_one(Sphere::A, a, "B").or_else(|| of_one(Sphere::B, b, "A")),
         (Whom::Opposite(sense), _) if !is_third => of_both(sense)?.then(|| format!("A and B move {way}")),
         // Who is behind goes towards the other.
-        (Whom::Behind, "A" | "B") => {
-            let sense = if next == "B" { 1.0 } else { -1.0 };
+        (Whom::Behind | Whom::Ahead, "A" | "B") => {
+            let is_ahead = matches!(whom, Whom::Ahead);
+            let sense = if (next == "B") != is_ahead { 1.0 } else { -1.0 };
             let is_wrong = [Sphere::A, Sphere::B].into_iter().any(|sphere| wrong(sphere, sense));
-            is_wrong.then(|| format!("{} is behind {next}", if next == "B" { "A" } else { "B" }))
+            let said = if is_ahead { way } else { "behind" };
+            is_wrong.then(|| format!("{} is {said} {next}", if next == "B" { "A" } else { "B" }))
         }
         _ => None,
     }

@@ -250,8 +250,11 @@ const WAYS: [&str; 19] = [
 ];
 
 /// Words of spheres that meet again, or never do, and of those that are faster than others.
-const AGAIN: [&str; 11] = [
+const AGAIN: [&str; 14] = [
     "again",
+    "another",
+    "third",
+    "exactly",
     "further",
     "more",
     "second",
@@ -337,7 +340,7 @@ mod tests {
         let at_rest = ("conditions = [\"A.after.x < 0\"]", "conditions = [\"A.after.x = 0\"]");
         let single = (", kind = \"range\"", "");
         let more = "The direction of motion of *A* is turned through more than a right angle by the impact. Find";
-        let table: [(&str, Edits, &str); 28] = [
+        let table: [(&str, Edits, &str); 30] = [
             (reversed, &[(back, "Find")], "the way in which a sphere goes on"),
             (reversed, &[(back, "As a result *A* moves away from *B*. Find")], ""),
             (reversed, &[(back, "For *A* to rebound, find")], ""),
@@ -372,6 +375,22 @@ mod tests {
             ),
             (line, &[], ""),
             (line, &[("After *B* has struck *C*, *A* does not strike *B* again. Find", "Find")], "who meets again"),
+            (
+                line,
+                &[(
+                    "After *B* has struck *C*, *A* does not strike *B* again. Find",
+                    "There is no third collision. Find",
+                )],
+                "",
+            ),
+            (
+                line,
+                &[(
+                    "After *B* has struck *C*, *A* does not strike *B* again. Find",
+                    "There are exactly two collisions. Find",
+                )],
+                "",
+            ),
             ("ranges/turned-through-more-than-a-right-angle", &[], ""),
         ];
         for (id, edits, words) in table {

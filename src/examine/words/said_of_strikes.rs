@@ -1,0 +1,123 @@
+//! What the words say of who strikes, and how: a sphere at rest strikes nobody, and who meets a wall along it or at an angle
+//! does not strike it at right angles.
+
+use super::impacts::impacts;
+use super::said::Seen;
+use super::said_of_walls::STRUCK;
+use super::sentence::{Sentence, Token, is_one_of, says, subject};
+use super::truth::is_at_rest;
+use crate::examine::Finding;
+use crate::mechanics::{Axis, Moment, Quantity, Sphere};
+
+/// One who does it is the sphere that moves.
+const STRIKES: [&str; 3] = ["strikes", "hits", "meets"];
+
+impl Seen<'_> {
+    /// `*A* is struck by *B*` or `*B* strikes *A*`, where *B* is at rest until the first collision, which is theirs.
+    pub(super) fn striking(&self, sentence: &Sentence, is_struck: bool, findings: &mut Vec<Finding>) {
+        if is_struck || says(sentence, &["not", "no", "never", "again"]) {
+            return;
+        }
+        // Of what comes after the first impact nothing is known here.
+        let Some(at) = sentence.iter().position(|token| is_one_of(token, &STRUCK)) else { return };
+        let said = match &sentence[at..] {
+            [struck, by, Token::Sphere(striker), ..]
+                if is_one_of(struck, &["struck", "hit"]) && is_one_of(by, &["by"]) =>
+            {
+                Some((*striker, format!("by *{}*", striker.name())))
+            }
+            [strikes, Token::Sphere(other), ..] if is_one_of(strikes, &STRIKES) => subject(&sentence[..at])
+                .filter(|striker| striker != other)
+                .map(|striker| (striker, format!("*{}*", other.name()))),
+            _ => None,
+        };
+        let Some((striker, at)) = said else { return };
+        let is_first =
+            impacts(&self.question.scene).first().is_some_and(|first| first.has(striker) && !first.is_of_one());
+        if is_first && is_at_rest(self.variant, striker) == Some(true) {
+            let name = striker.name();
+            let message = format!("the words say that `*{name}*` strikes, and in the scene it is at rest before that");
+            findings.push(self.finding(message, &at, "name the one that moves as the one that strikes"));
+        }
+    }
+
+    /// `Strikes a wall at right angles`, where the path makes another angle with it.
+    pub(super) fn squarely(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        let Some(at) = sentence.iter().position(|token| is_one_of(token, &STRIKES)) else { return };
+        let is_oblique = || {
+            let along = Quantity::Velocity(Sphere::A, Moment::Before, Axis::T);
+            self.known.number(along).is_some_and(|along| along.sign().is_some_and(|sign| sign.is_ne()))
+        };
+        if self.question.scene.wall.is_none() || !self.question.scene.then.is_empty() || !is_oblique() {
+            return;
+        }
+        let near = &sentence[at..sentence.len().min(at + 8)];
+        let how = near.iter().enumerate().find_map(|(place, token)| match token {
+            Token::Word(word) if ["perpendicularly", "head-on", "squarely"].contains(&word.as_str()) => {
+                Some(word.clone())
+            }
+            Token::Word(word) if word == "at" => {
+                let is_right = near.get(place + 1).is_some_and(|next| is_one_of(next, &["right"]))
+                    && near.get(place + 2).is_some_and(|next| is_one_of(next, &["angles"]));
+                // `At right angles to its old path` is said of something else.
+                let is_of_other = near.get(place + 3).is_some_and(|next| is_one_of(next, &["to", "with"]));
+                let comes_late = near[..place].iter().any(|token| is_one_of(token, &["and", "moves", "rebounds"]));
+                (is_right && !is_of_other && !comes_late).then(|| "at right angles".to_owned())
+            }
+            _ => None,
+        });
+        if let Some(how) = how {
+            let message = format!("the words say that the wall is struck {how}, and in the scene it is not");
+            findings.push(self.finding(
+                message,
+                &how,
+                "say `obliquely`, or turn the wall or the velocity in `[scene]`",
+            ));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::said::contradicted;
+    use crate::examine::{Edits, edited};
+    use crate::generate::Deal;
+
+    #[test]
+    fn who_strikes_is_who_moves_and_a_third_collision_is_one_more_than_two() {
+        let (second, wall) = ("successive/second-collision", "walls/rebound-speed-and-direction");
+        let line = "successive/no-more-collisions";
+        let meeting = "After *B* has struck *C*, *A* does not strike *B* again.";
+        let directly = "when it strikes *B* directly";
+        let table: [(&str, Edits, &str); 12] = [
+            (second, &[], ""),
+            (
+                second,
+                &[(directly, "when it is struck by *B* directly")],
+                "`*B*` strikes, and in the scene it is at rest",
+            ),
+            (second, &[(directly, "when *B* strikes *A* directly")], "`*B*` strikes, and in the scene it is at rest"),
+            (second, &[(directly, "when *B* is struck by *A* directly")], ""),
+            (
+                wall,
+                &[("it strikes a smooth", "it strikes at right angles a smooth")],
+                "the wall is struck at right angles",
+            ),
+            (wall, &[("it strikes a smooth", "it strikes head-on a smooth")], "the wall is struck head-on"),
+            (line, &[], ""),
+            (line, &[(meeting, "There is no third collision.")], ""),
+            (line, &[(meeting, "There is a third collision.")], "they do not meet"),
+            (line, &[(meeting, "There are exactly two collisions.")], ""),
+            (line, &[(meeting, "There are exactly three collisions.")], "they do not meet"),
+            (line, &[(meeting, "There are only two collisions between the spheres.")], ""),
+        ];
+        for (id, edits, words) in table {
+            let question = edited(id, edits);
+            let style = &question.styles[0];
+            let variant = Deal::new(&question, style, 1).next().unwrap();
+            let found = contradicted(&question, style, &variant);
+            let said: String = found.into_iter().map(|finding| finding.message).collect();
+            assert!(said.contains(words) && said.is_empty() == words.is_empty(), "{id}: {edits:?}: {said}");
+        }
+    }
+}
