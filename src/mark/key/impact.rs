@@ -7,8 +7,10 @@ use std::cmp::Ordering;
 use super::{KeyedMark, KeyedPart, KeyedQuestion};
 use crate::bank::{EarnedFor, Find};
 use crate::expr::{Expr, Meaning, evaluate};
-use crate::mark::working::Theirs;
-use crate::mechanics::{Axis, Datum, Derivation, Known, Meeting, Moment, Quantity, Scene, Setting, Sphere, Then};
+use crate::mark::working::{Misread, Theirs};
+use crate::mechanics::{
+    Axis, Datum, Derivation, Known, Meeting, Moment, Quantity, Scene, Setting, Sphere, Then, Velocity, pose,
+};
 use crate::number::Value;
 
 impl KeyedQuestion {
@@ -74,10 +76,32 @@ impl KeyedQuestion {
         let mut wrong = own.wrong(self).filter(|(quantity, _)| is_cause(quantity)).peekable();
         wrong.peek()?;
         let given = self.given_with(wrong);
+        Some(self.of_scene(self.scene.clone(), given, self.parts_unstated()))
+    }
+
+    /// The question as it is for who has copied a number of its velocities wrongly.
+    pub(in crate::mark) fn as_read(&self, misread: &Misread) -> Option<KeyedQuestion> {
+        let mut scene = self.scene.clone();
+        for velocity in scene.before.iter_mut().flatten() {
+            let given = match velocity {
+                Velocity::Components(x, y) => vec![x, y],
+                Velocity::Polar { speed, .. } => vec![speed],
+            };
+            for given in given {
+                given.shown = misread.read(&given.shown);
+                given.value = self.exact(&given.shown)?;
+            }
+        }
+        let given = pose(&scene).ok().filter(|given| *given != self.given)?;
+        Some(self.of_scene(scene, given, self.parts_unstated()))
+    }
+
+    /// The parts, with nothing of what was worked out for the right values.
+    fn parts_unstated(&self) -> Vec<KeyedPart> {
         let of_mark = |mark: &KeyedMark| KeyedMark { stated: Default::default(), ..mark.clone() };
         let of_part =
             |part: &KeyedPart| KeyedPart { scheme: part.scheme.iter().map(of_mark).collect(), ..part.clone() };
-        Some(self.of_scene(self.scene.clone(), given, self.parts.iter().map(of_part).collect()))
+        self.parts.iter().map(of_part).collect()
     }
 
     /// What is given, and these values of the student's own as if they were given too.

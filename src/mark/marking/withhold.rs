@@ -70,6 +70,8 @@ pub(super) fn contradicts(shown: &Award) -> bool {
         "not-resolved",
         "term-missing",
         "coalesce",
+        "e-misread",
+        "number-misread",
         "inequality-reversed",
         "energy-square-of-difference",
         "energy-components-added",

@@ -153,7 +153,7 @@ impl Working<'_> {
         None
     }
 
-    /// *e* times the whole velocity, as a vector: restitution has been used, and on the component along the wall as well.
+    /// *e* times the whole velocity, as a vector: nothing has been resolved to use restitution on.
     pub(super) fn rebound_of_all(&self) -> Option<usize> {
         let before = |axis| sizes(&self.prepared.known, Quantity::Velocity(Sphere::A, Moment::Before, axis));
         let ([e], x, y) = (self.restitution()?, before(Axis::X)?, before(Axis::Y)?);

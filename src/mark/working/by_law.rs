@@ -16,7 +16,7 @@ use super::said::{clauses, is_called_otherwise, says_across, says_along, says_in
 use super::shapes::components_in;
 use crate::answer::Kind;
 use crate::bank::{Code, EarnedFor};
-use crate::expr::Expr;
+use crate::expr::{Expr, Function};
 use crate::mark::judging::{is_of_a_part, may_be_named};
 use crate::mark::key::KeyedMark;
 use crate::mechanics::{Axis, Datum, Known, Law, Moment, Quantity, Seen, Setting, Shape, Sphere};
@@ -291,8 +291,25 @@ impl Working<'_> {
         let is_open = |member: &&Member| studied.matched.is_empty() && !self.says_along(studied, member);
         let formulas = reading.members.iter().filter(is_open);
         let mut components = formulas.clone().flat_map(|member| components_in(&member.expr, is_tangent(member)));
+        let is_over_unknown = |inner: &Expr| match inner {
+            Expr::Quotient(above, below) => {
+                self.is_along_or_tangent(below) && self.values_of(above).is_some_and(|values| is_right(&values))
+            }
+            _ => false,
+        };
         components.any(|expr| self.values_of(&expr).is_some_and(|values| is_right(&values)))
+            || formulas.clone().any(|member| any_within(&member.expr, &is_over_unknown))
             || formulas.into_iter().any(|member| self.has_sum_of_squares(&member.expr, sphere, right))
+    }
+
+    /// Is it the student's letter for a component along the line of centres, or the tangent of an angle? What stands over it
+    /// is across: the gradient `v sin θ/p`, and `u sin α/tan β`.
+    fn is_along_or_tangent(&self, expr: &Expr) -> bool {
+        match expr {
+            Expr::Name(name) => self.is_unknown(&name.text),
+            Expr::Call(Function::Tan, _) => self.values_of(expr).is_none(),
+            _ => false,
+        }
     }
 
     /// Is a value one that the student takes for a component along the line of centres: because it is said to be, or because it

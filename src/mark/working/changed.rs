@@ -29,6 +29,8 @@ fn changes_of(equation: Quantity, tolerance: f64, found: &mut Vec<Change>) {
         Quantity::MomentumEquation => &[
             ([0, 1, 0, 1], &[]),
             ([1, 0, 1, 0], &[Departure::MassesExchanged]),
+            ([0, 1, 1, 0], &[Departure::MassesExchanged]),
+            ([1, 0, 0, 1], &[Departure::MassesExchanged]),
             ([2, 2, 2, 2], &[Departure::MassesOmitted]),
             ([2, 1, 0, 1], &[Departure::MassMissing]),
             ([0, 2, 0, 1], &[Departure::MassMissing]),

@@ -24,6 +24,7 @@ impl Working<'_> {
             studied.reading.iter().flat_map(|reading| &reading.equations).any(|equation| self.restates_number(equation))
         };
         let copied_from = self.lines.iter().position(restates).unwrap_or(self.lines.len());
+        let copied_from = copied_from.min(self.end_of_finding());
         let line = (0..self.lines.len()).find(|place| {
             let studied = &self.lines[*place];
             let Some(reading) = &studied.reading else { return false };

@@ -76,7 +76,9 @@ pub(super) fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option
             continue;
         }
         let is_unusual = convention.is_unusual || is_against_axes(&convention, prepared);
-        let of_letters = if convention.is_unusual && prepared.has_equal_masses() { EXCHANGED } else { 0 };
+        let is_shown = short == 0 || parts_the_spheres(&convention, &found);
+        let is_doubtful = convention.is_unusual && (prepared.has_equal_masses() || !is_shown);
+        let of_letters = if is_doubtful { EXCHANGED } else { 0 };
         let weight = short + u32::from(is_unusual) + of_letters + disagreement(lines, &convention, prepared);
         if best.as_ref().is_none_or(|(least, ..)| weight < *least) {
             best = Some((weight, convention, found));
@@ -98,9 +100,10 @@ pub(super) fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option
     }
     for (place, which, equation) in &said {
         let studied = &mut lines[*place];
-        if studied.matched.is_empty()
-            && let Some(law) = with_number_misread(equation, laws, &convention, prepared)
-        {
+        // Of two mistakes in one line and one number that is copied wrongly, that is likelier.
+        let is_unlikely = studied.matched.iter().all(|one| !one.is_method() && one.departures.len() > 1);
+        if is_unlikely && let Some((law, misread)) = with_number_misread(equation, laws, &convention, prepared) {
+            studied.misread = Some(misread);
             (studied.reading, studied.matched) = (Some(studied.line.readings[*which].clone()), vec![law]);
         }
     }
@@ -110,9 +113,15 @@ pub(super) fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option
     Some(convention)
 }
 
-/// What it costs to take the first letter for B where masses are equal: more than a wrong sign and the values that follow
-/// from it, for there every wrong sign would be right with the letters exchanged.
+/// What it costs to take the first letter for B where nothing shows that it is: more than masses on the wrong spheres, for
+/// they would be right with the letters exchanged; and so would every wrong sign where the masses are equal.
 const EXCHANGED: u32 = 7;
+
+/// Does restitution say by itself which letter is of the sphere in front: `v - w = e u` with v for B?
+fn parts_the_spheres(convention: &Convention, found: &[Found]) -> bool {
+    let restitution = Matched { equation: Quantity::RestitutionEquation, departures: Vec::new() };
+    convention.signs == [1.0, 1.0] && found.iter().any(|found| found.matched == restitution)
+}
 
 /// The equations of a line, where a law in general letters is passed over between two sides: in
 /// `w - v = e u_A = ⅓(4 cos 30°)` the number is what the difference of the velocities is.

@@ -1,5 +1,6 @@
 //! Equations that deny what is to be found: `80 = 18m²` has not led to `m = 4`.
 
+use super::compare::any_within;
 use super::examine::{Working, value};
 use super::theirs::numbers;
 use crate::expr::Expr;
@@ -20,8 +21,11 @@ impl Working<'_> {
             !self.is_sought(left) && !self.is_sought(right) && (self.has_sought(left) || self.has_sought(right))
         });
         let set_up: Vec<&(Expr, Expr)> = set_up.collect();
-        set_up.iter().any(|equation| self.is_denied(equation))
-            && !set_up.iter().any(|equation| self.holds_only_where_found(equation))
+        let holds = |equation: &&(Expr, Expr)| self.holds_only_where_found(equation);
+        // What was right at first may have been worked out wrongly: the last of them leads to the value.
+        let last = set_up.last().filter(|last| !has_rounded_nought(last) && !holds(last));
+        last.is_some_and(|last| self.is_denied(last))
+            || set_up.iter().any(|equation| self.is_denied(equation)) && !set_up.iter().any(holds)
     }
 
     /// Is an equation in nothing but the letter that is sought, and plainly false of what that is?
@@ -37,4 +41,10 @@ impl Working<'_> {
         let is_far = |(one, other): (&f64, &f64)| (one - other).abs() > ROUNDED * one.abs().max(other.abs());
         found(left).zip(found(right)).is_some_and(|(left, right)| left.iter().zip(&right).all(is_far))
     }
+}
+
+/// Is it set equal to nought with decimals, which are rounded? Of nought no part is small.
+fn has_rounded_nought((left, right): &(Expr, Expr)) -> bool {
+    let is_decimal = |inner: &Expr| matches!(inner, Expr::Decimal(_));
+    [left, right].into_iter().any(Expr::is_zero) && [left, right].into_iter().any(|side| any_within(side, &is_decimal))
 }

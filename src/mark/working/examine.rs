@@ -5,9 +5,10 @@ use super::crossed_out::set_aside_replaced;
 use super::energies::ToBeSubtracted;
 use super::evidence::Evidence as Shown;
 use super::going_on::{follow, follow_to};
-use super::impacts::{set_aside_of_others, short_of_law};
+use super::impacts::{set_aside_of_others, short_of_law_or_step};
 use super::line::{self, Line, ReadLine};
 use super::linear::{Context, Sum};
+use super::misread::Misread;
 use super::pair::{BOTH, Convention, Departure, Matched};
 use super::points::sizes;
 use super::prepared::Prepared;
@@ -48,6 +49,8 @@ pub(crate) struct Examined {
     pub(super) letters: Option<[String; 2]>,
     /// What each line is short of one of the two equations, if it is one.
     pub(super) short_of_law: Vec<Option<u32>>,
+    /// A number of the question that is copied wrongly into an equation.
+    pub(super) misread: Option<Misread>,
     /// Do equations deny the right value of the letter that is to be found?
     pub(crate) denies_what_is_found: bool,
 }
@@ -98,6 +101,8 @@ pub(super) struct Studied {
     /// Which of the two equations it is; one of each if it has both.
     pub(super) matched: Vec<Matched>,
     pub(super) role: String,
+    /// A number of the question that is copied wrongly into it.
+    pub(super) misread: Option<Misread>,
 }
 
 /// What a member comes to at a point.
@@ -159,14 +164,21 @@ fn examine_lines(
         .into_iter()
         .map(|line| {
             let reading = line.readings.first().cloned();
-            Studied { line, reading, values: Vec::new(), matched: Vec::new(), role: String::new() }
+            Studied { line, reading, values: Vec::new(), matched: Vec::new(), role: String::new(), misread: None }
         })
         .collect();
     let mut convention = take_as_laws(&mut lines, prepared);
     if set_aside_of_others(&mut lines, of_others) {
         convention = take_as_laws(&mut lines, prepared);
     }
-    let short_of_law = lines.iter().map(short_of_law).collect();
+    // In restitution the numbers are those of velocities themselves.
+    let misread_in = |equation| {
+        let is_it = |studied: &&Studied| studied.matched.iter().any(|matched| matched.equation == equation);
+        lines.iter().filter(is_it).find_map(|studied| studied.misread.clone())
+    };
+    let misread = misread_in(Quantity::RestitutionEquation).or_else(|| misread_in(Quantity::MomentumEquation));
+    let short_of_law =
+        lines.iter().map(|studied| short_of_law_or_step(studied, convention.as_ref(), prepared)).collect();
     set_aside_replaced(&mut lines);
     evaluate(&mut lines, prepared, &prepared.names);
     let mut theirs = before.clone();
@@ -221,6 +233,7 @@ fn examine_lines(
         turns,
         letters,
         short_of_law,
+        misread,
         denies_what_is_found,
     }
 }

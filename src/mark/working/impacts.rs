@@ -1,9 +1,14 @@
 //! Working of several impacts that follow one another: each is looked through by itself, in its own letters.
 
+use super::convention::is_value;
+use super::departure::Departure;
 use super::examine::{Examined, Studied, examine_one};
-use super::pair::Matched;
+use super::offered::differences;
+use super::pair::{Convention, Matched, sphere};
+use super::prepared::Prepared;
 use super::theirs::Theirs;
-use crate::bank::EarnedFor;
+use crate::bank::{Code, EarnedFor};
+use crate::expr::Expr;
 use crate::mark::award::{Award, Evidence, MarkedLine, Place};
 use crate::mark::key::{KeyedMark, KeyedPart, KeyedQuestion};
 use crate::mechanics::{Law, Meeting, Quantity, Sphere};
@@ -17,6 +22,7 @@ pub(crate) fn examine(question: &KeyedQuestion, part: &KeyedPart, working: &[Str
     if question.scene.then.is_empty() {
         let mut all = examine_one(question, part, working, before, &[]);
         all.follow_laws(question, part, working, before);
+        all.follow_misread(question, part, working, before);
         return all;
     }
     let mut impacts = part.impacts();
@@ -34,6 +40,7 @@ pub(crate) fn examine(question: &KeyedQuestion, part: &KeyedPart, working: &[Str
     for meeting in impacts.into_iter().filter_map(|number| question.meeting(number)) {
         if let Some(mut later) = examine_later(question, part, working, &all, meeting) {
             later.keep_of(meeting.number, &about);
+            all.lose_condition_on_other(question, part, meeting, &later);
             all.join(later);
         }
     }
@@ -78,7 +85,7 @@ fn examine_as_begun(
         role: meeting.in_words(&line.role),
         ..line
     });
-    Some(Examined { lines: lines.collect(), theirs, followed: None, solution: None, letters: None, ..examined })
+    Some(Examined { lines: lines.collect(), theirs, followed: None, solution: None, ..examined })
 }
 
 /// Is the first impact the business of an earlier part alone, so that letters here are of what comes later?
@@ -140,6 +147,7 @@ impl Examined {
             turns: Vec::new(),
             letters: None,
             short_of_law,
+            misread: None,
             denies_what_is_found: false,
         }
     }
@@ -153,14 +161,46 @@ impl Examined {
             return;
         }
         let Some(own) = question.with_own(before) else { return };
+        let feedback = "followed through from your own values";
+        self.follow(&own, part, working, before, &is_open, ("follow-through", feedback));
+    }
+
+    /// With the methods that are seen where the question is taken as the student has read it, with one number of it copied
+    /// wrongly, and what is accurate by follow-through.
+    fn follow_misread(&mut self, question: &KeyedQuestion, part: &KeyedPart, working: &[String], before: &Theirs) {
+        let Some(misread) = &self.misread else { return };
+        let follows = |mark: &KeyedMark| {
+            let is_of_law = matches!(mark.earned_for, EarnedFor::Law(..));
+            is_of_law && (mark.code.is_method() || mark.code == Code::A1FollowThrough)
+        };
+        let is_open = |(mark, award): (&KeyedMark, &Option<Award>)| {
+            follows(mark) && !award.as_ref().is_some_and(|award| award.given)
+        };
+        if !part.scheme.iter().zip(&self.awards).any(is_open) {
+            return;
+        }
+        let Some(own) = question.as_read(misread) else { return };
+        let departure = Departure::NumberMisread;
+        self.follow(&own, part, working, before, &is_open, (departure.tag(), departure.sentence()));
+    }
+
+    /// With the marks that are open and that the working earns as one of another question.
+    fn follow(
+        &mut self,
+        own: &KeyedQuestion,
+        part: &KeyedPart,
+        working: &[String],
+        before: &Theirs,
+        is_open: &dyn Fn((&KeyedMark, &Option<Award>)) -> bool,
+        (note, feedback): (&'static str, &str),
+    ) {
         let Some(part) = own.parts.iter().find(|other| other.label == part.label) else { return };
-        let followed = examine_one(&own, part, working, before, &[]);
+        let followed = examine_one(own, part, working, before, &[]);
         for ((mark, award), other) in part.scheme.iter().zip(&mut self.awards).zip(followed.awards) {
             if is_open((mark, award))
                 && let Some(other) = other.filter(|other| other.given)
             {
-                let (note, feedback) = (Some("follow-through"), "followed through from your own values".to_owned());
-                *award = Some(Award { note, feedback, ..other });
+                *award = Some(Award { note: Some(note), feedback: feedback.to_owned(), ..other });
             }
         }
         for (line, other) in self.lines.iter_mut().zip(followed.lines) {
@@ -174,6 +214,41 @@ impl Examined {
     fn keep_of(&mut self, number: u8, about: &[Option<u8>]) {
         for (award, _) in self.awards.iter_mut().zip(about).filter(|(_, own)| own.is_some_and(|own| own != number)) {
             *award = None;
+        }
+    }
+
+    /// Without the condition on a velocity after a later impact where its line has the letter of the other sphere there, as
+    /// the equations of that impact show, and not that of its own.
+    fn lose_condition_on_other(
+        &mut self,
+        question: &KeyedQuestion,
+        part: &KeyedPart,
+        meeting: Meeting,
+        later: &Examined,
+    ) {
+        let sides = question.scene.conditions.iter().flat_map(|condition| [&condition.left, &condition.right]);
+        let quantities = sides.filter_map(|side| match side {
+            Expr::Name(name) => name.text.parse::<Quantity>().ok(),
+            _ => None,
+        });
+        let mut spheres = quantities.filter_map(|quantity| meeting.in_law(quantity)?.sphere());
+        // `v_B` names its sphere by itself, and there goes by another name.
+        let letters = later.letters.as_ref().filter(|letters| letters.iter().all(|own| sphere(own).is_none()));
+        let (Some(of), Some(letters)) = (spheres.next(), letters) else { return };
+        let is_of_other = |line: usize| {
+            let typed = self.lines.get(line.wrapping_sub(1)).map_or("", |line| &line.typed);
+            let has = |sphere: Sphere| {
+                let mut words = typed.split(|sign: char| !sign.is_alphanumeric() && sign != '_');
+                Sphere::BOTH.iter().zip(letters).any(|(own, letter)| *own == sphere && words.any(|word| word == letter))
+            };
+            has(of.other()) && !has(of)
+        };
+        let is_condition = |mark: &KeyedMark| matches!(mark.earned_for, EarnedFor::Condition);
+        for (_, award) in part.scheme.iter().zip(&mut self.awards).filter(|(mark, _)| is_condition(mark)) {
+            *award = award.take().filter(|award| match award.evidence {
+                Some(Evidence { place: Place::Line(line), .. }) => !is_of_other(line),
+                _ => true,
+            });
         }
     }
 
@@ -224,6 +299,24 @@ pub(super) fn short_of_law(studied: &Studied) -> Option<u32> {
     studied.matched.iter().filter(|matched| matched.is_method()).map(Matched::weight).min()
 }
 
+/// The same of a line that is no law but a step from both, `10w = 52.5`: it is of this impact too.
+pub(super) fn short_of_law_or_step(
+    studied: &Studied,
+    convention: Option<&Convention>,
+    prepared: &Prepared,
+) -> Option<u32> {
+    let is_step = |equation: &(Expr, Expr)| {
+        let after = convention.zip(prepared.laws.as_ref());
+        !is_value(equation)
+            && after.is_some_and(|(convention, laws)| {
+                differences(equation, prepared).is_some_and(|line| laws.is_step(&line, convention))
+            })
+    };
+    let mut equations = studied.reading.iter().flat_map(|reading| &reading.equations);
+    let step = || (studied.matched.is_empty() && equations.any(is_step)).then_some(0);
+    short_of_law(studied).or_else(step)
+}
+
 /// An equation of one impact is none of another, unless it comes nearer to that or is right for both. Are there any?
 pub(super) fn set_aside_of_others(lines: &mut [Studied], of_others: &[Option<u32>]) -> bool {
     let mut any = false;
@@ -233,6 +326,7 @@ pub(super) fn set_aside_of_others(lines: &mut [Studied], of_others: &[Option<u32
         if !is_own {
             studied.line.readings.clear();
             (studied.reading, studied.matched) = (None, Vec::new());
+            studied.role.clear();
             any = true;
         }
     }

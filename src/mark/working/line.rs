@@ -3,10 +3,10 @@
 use std::borrow::Cow;
 
 use super::angles::{is_short, tangent_letter};
-use super::products::Products;
+use super::products::{FUNCTIONS, Products, factors_of_functions, has_letters};
 use super::remarks::{
-    after_impact, after_remark, along_impulse, is_formula, turned_round, without_arrow, without_cancelling,
-    without_lead_in, without_remark,
+    after_impact, after_remark, after_stationary, along_impulse, is_formula, named_by_moment, turned_round,
+    without_arrow, without_cancelling, without_lead_in, without_remark,
 };
 use crate::expr::{Expr, Relation};
 use crate::mark::reading::{Form, Reading, Said, Statement, Vocabulary, is_never_letters, read_whole};
@@ -143,7 +143,6 @@ fn own_capitals(working: &[String], letters: &[Letter]) -> Vec<String> {
 
 /// Letters that a student sets equal to a sine, cosine or tangent, or to a component: `let T = tan α`, `k = v cos α`.
 fn short_letters(working: &[String], letters: &[Letter]) -> Vec<String> {
-    const FUNCTIONS: [&str; 3] = ["sin", "cos", "tan"];
     let mut found: Vec<String> = Vec::from_iter(tangent_letter(typed(working), letters));
     for typed in
         working.iter().flat_map(|cell| cell.lines()).filter(|line| FUNCTIONS.iter().any(|name| line.contains(name)))
@@ -192,7 +191,12 @@ fn readings(typed: &str, vocabularies: &[Vocabulary]) -> Vec<ReadLine> {
     let may_equate =
         typed.contains(['=', '≈', '<', '>', '≤', '≥']) || typed.contains("equal") || typed.contains(" is ");
     let typed = &*without_arrow(typed);
+    let has_factors = |vocabulary: &Vocabulary| factors_of_functions(typed).all(|own| has_letters(vocabulary, own));
+    let may_have = vocabularies.iter().any(has_factors);
     for (place, vocabulary) in vocabularies.iter().enumerate() {
+        if may_have && !has_factors(vocabulary) {
+            continue;
+        }
         if place > 0 && !says_more(typed, &vocabularies[place - 1], vocabulary) {
             continue;
         }
@@ -269,7 +273,13 @@ fn candidates(typed: &str) -> Vec<(Option<&str>, String)> {
         // A law in general letters is no name of its numbers: `mu = m_A v_A + m_B v_B: 16 cos 30° = …`.
         let is_law = before.contains('=') && !before.contains(|sign: char| sign.is_ascii_digit());
         let name = if is_law { None } else { Some(before.trim()).filter(|before| !before.contains('=')) };
+        // `product = -1: …` says in words what the formula is set equal to.
+        let is_said = before
+            .split_once('=')
+            .map(|(name, _)| name.trim())
+            .is_some_and(|name| name.len() > 3 && !is_formula(name) && name.chars().all(char::is_alphabetic));
         match name {
+            _ if is_said => all = vec![(None, after.trim().to_owned())],
             _ if is_law => all.insert(0, (None, after.trim().to_owned())),
             None => {}
             name => all.push((name, after.trim().to_owned())),
@@ -312,28 +322,6 @@ fn candidates(typed: &str) -> Vec<(Option<&str>, String)> {
         all.push((None, without_lead_in(&words[last + 1..].join(" ")).to_owned()));
     }
     all
-}
-
-/// `after 2/3 × 5 = 10/3`, `after: along wall -6 × 2/3 = -4`: the moment, and of which component, name what is worked out.
-fn named_by_moment(typed: &str) -> Option<(&str, &str)> {
-    const COMPONENT: [&str; 7] = ["along", "the", "wall", "perp", "perpendicular", "parallel", "normal"];
-    let (words, formula) = typed.split_at(typed.find(|sign: char| sign.is_ascii_digit() || "-−".contains(sign))?);
-    let name = words.strip_suffix(' ')?.trim_end_matches([':', ' ']);
-    let mut each = name.split_whitespace().map(|word| word.trim_end_matches([':', ',']));
-    let is_moment = |word: &str| matches!(word, "after" | "before");
-    let is_named = each.clone().any(is_moment) && each.all(|word| is_moment(word) || COMPONENT.contains(&word));
-    (is_named && formula.contains('=')).then_some((name, formula))
-}
-
-/// What follows from it that something is stationary: `d/dt = 0 gives 1 - e = 2tan²t`.
-fn after_stationary(typed: &str) -> Option<&str> {
-    let (derivative, after) = typed.split_once('=')?;
-    let after = after.trim_start().strip_prefix('0')?;
-    let is_derivative = derivative.trim_start().starts_with('d') && derivative.contains("/d");
-    let after = after.trim_start_matches([' ', ',', ';', ':', '⇒', '→', '∴', '=', '>']);
-    let words = ["gives", "when", "so", "if", "where", "hence"];
-    let after = words.into_iter().find_map(|word| after.strip_prefix(word)).unwrap_or(after);
-    (is_derivative && after.contains('=')).then(|| after.trim())
 }
 
 /// How the sign of a scalar product stands before a vector: `(2i + 5j).(i - j)`, `u_A·(1, -1)`.

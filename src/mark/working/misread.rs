@@ -9,6 +9,24 @@ use crate::expr::Expr;
 use crate::mechanics::{Scene, Velocity};
 use crate::number::Fraction;
 
+/// A number that is given, and what a student has for it.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::mark) struct Misread {
+    given: Expr,
+    written: Expr,
+}
+
+impl Misread {
+    /// A formula of the question as the student has read it.
+    pub(in crate::mark) fn read(&self, shown: &Expr) -> Expr {
+        match shown {
+            number if *number == self.given => self.written.clone(),
+            number if *number == self.given.clone().negated() => self.written.clone().negated(),
+            other => other.map_children(&mut |child| self.read(child)),
+        }
+    }
+}
+
 /// An equation with more numbers is not gone through for one that is copied wrongly.
 const MOST_NUMBERS: usize = 8;
 
@@ -42,13 +60,13 @@ pub(in crate::mark) fn numbers_of_masses(scene: &Scene) -> Vec<Expr> {
     own.chain(scene.then.iter().flat_map(|then| numbers_of_masses(&then.scene))).collect()
 }
 
-/// The law that an equation is once one of its numbers, in one place or wherever it stands, is what is given.
+/// The law that an equation is once one of its numbers, in one place or several, is what is given.
 pub(super) fn with_number_misread(
     (left, right): &(Expr, Expr),
     laws: &Laws,
     convention: &Convention,
     prepared: &Prepared,
-) -> Option<Matched> {
+) -> Option<(Matched, Misread)> {
     let has = |letter: &String| [left, right].iter().any(|side| side.names().iter().any(|name| name.text == *letter));
     let written: Vec<Expr> = [left, right].into_iter().flat_map(numbers).collect();
     if !convention.letters.iter().all(has) || written.len() > MOST_NUMBERS {
@@ -65,17 +83,39 @@ pub(super) fn with_number_misread(
         let equation = (with(left), with(right));
         laws.exactly(&differences(&equation, prepared)?, || Apiece::of(&equation, prepared), convention)
     };
-    let choices = written.iter().enumerate().flat_map(|(at, typed)| {
+    let firsts =
+        written.iter().enumerate().filter(|(at, typed)| !written[..*at].contains(typed)).map(|(_, typed)| typed);
+    let mut found = firsts.flat_map(|typed| {
+        let places: Vec<usize> = (0..written.len()).filter(|place| written[*place] == *typed).collect();
         let may_be = move |given: &&Expr| *given != typed && !prepared.are_masses(typed, given);
-        prepared.given_numbers.iter().filter(may_be).map(move |given| (at, typed, given))
+        let some = some_of(&places);
+        prepared
+            .given_numbers
+            .iter()
+            .filter(may_be)
+            .flat_map(move |given| some.clone().into_iter().map(move |some| (some, given, typed)))
     });
-    let mut found = choices.filter_map(|(at, typed, given)| {
-        let stands_again = written.iter().filter(|number| *number == typed).count() > 1;
-        let everywhere = || law(&|_, number| (number == typed).then(|| given.clone()));
-        law(&|place, _| (place == at).then(|| given.clone())).or_else(|| stands_again.then(everywhere).flatten())
-    });
-    found.next().map(|equation| Matched::with(equation, Departure::NumberMisread))
+    found.find_map(|(some, given, typed)| {
+        let equation = law(&|place, _| some.contains(&place).then(|| given.clone()))?;
+        let misread = Misread { given: given.clone(), written: typed.clone() };
+        Some((Matched::with(equation, Departure::NumberMisread), misread))
+    })
 }
+
+/// The places in which a number may have been copied wrongly: one of them, all, or some of a few.
+fn some_of(places: &[usize]) -> Vec<Vec<usize>> {
+    if places.len() > MOST_PLACES {
+        return places.iter().map(|place| vec![*place]).chain([places.to_vec()]).collect();
+    }
+    let chosen =
+        |bits: usize| (0..places.len()).filter(|place| bits >> place & 1 == 1).map(|place| places[place]).collect();
+    let mut all: Vec<Vec<usize>> = (1..1_usize << places.len()).map(chosen).collect();
+    all.sort_by_key(Vec::len);
+    all
+}
+
+/// Of more places not every choice is tried.
+const MOST_PLACES: usize = 3;
 
 fn without_sign(number: Expr) -> Expr {
     match number {

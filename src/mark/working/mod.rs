@@ -64,6 +64,6 @@ mod vectors;
 pub(super) use examine::{Examined, has_these_sizes};
 pub(super) use impacts::examine;
 pub(super) use line::MOST_LINES;
-pub(super) use misread::numbers_of_masses;
+pub(super) use misread::{Misread, numbers_of_masses};
 pub(super) use prepared::Prepared;
 pub(super) use theirs::Theirs;

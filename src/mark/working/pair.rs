@@ -217,6 +217,13 @@ impl Laws {
         either
     }
 
+    /// Is it what both equations say of one of the velocities after the impact?
+    pub(super) fn is_step(&self, line: &[Linear], convention: &Convention) -> bool {
+        let is_of_one =
+            |line: &Linear| matches!(line.unknowns.as_slice(), [(name, _)] if convention.letters.contains(name));
+        line.iter().all(is_of_one) && self.is_true(line, convention)
+    }
+
     /// Of one velocity alone it is not asked which, nor which way.
     fn is_true(&self, line: &[Linear], convention: &Convention) -> bool {
         let is_of_one = |(line, after): (&Linear, &[f64; 2])| match line.unknowns.as_slice() {
@@ -365,10 +372,10 @@ pub(super) fn conventions(names: &[String]) -> Vec<Convention> {
     if sphere(one) == Some(Sphere::B) || sphere(other) == Some(Sphere::A) {
         orders.reverse();
     }
-    let are_told = sphere(one).is_some() && sphere(other).is_some() && sphere(one) != sphere(other);
-    // `v_A` is the velocity of A, and so is a beside b; `v_1` is what the equations make of it.
-    let are_of_spheres = matches!([one.as_str(), other.as_str()], ["a", "b"]);
-    if are_of_spheres || are_told && [one, other].iter().any(|letter| letter.ends_with(['A', 'B'])) {
+    let has_both = sphere(one).is_some() && sphere(other).is_some() && sphere(one) != sphere(other);
+    // `v_A` is the velocity of A; `v_1`, and a beside b, are what both equations make of them.
+    let are_told = has_both || matches!([one.as_str(), other.as_str()], ["a", "b"]);
+    if has_both && [one, other].iter().any(|letter| letter.ends_with(['A', 'B'])) {
         orders.truncate(1);
     }
     let signs = [[1.0, 1.0], [-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]];

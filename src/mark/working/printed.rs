@@ -33,6 +33,7 @@ impl Working<'_> {
         let role = "the result as it is printed";
         if let Some(line) = self.false_line() {
             let feedback = "this line is not true, so the result does not follow from it".to_owned();
+            let role = "not true";
             return Some(Evidence { given: false, note: Some("not-shown"), feedback, ..Evidence::given(line, role) });
         }
         let last = self.lines.len().checked_sub(1)?;
@@ -85,6 +86,22 @@ impl Working<'_> {
                 longest <= leaves(&result.value) && reading.equations.iter().all(|(left, _)| is_left(left));
             is(Note::Restated, &found) || is_no_more && is(Note::NotAsPrinted, &found)
         })
+    }
+
+    /// The last line on which anything may be found: what stands behind the printed result follows from that. What is to be
+    /// shown may be said at the beginning, or be what somebody wants.
+    pub(super) fn end_of_finding(&self) -> usize {
+        const WANTED: [&str; 7] = ["show", "need", "want", "prove", "rtp", "require", "aim"];
+        if self.printed_models().next().is_none() {
+            return self.lines.len();
+        }
+        let states = |studied: &Studied| {
+            let typed = studied.line.typed.to_lowercase();
+            let mut members = studied.reading.iter().flat_map(|reading| &reading.members);
+            !WANTED.iter().any(|word| typed.contains(word))
+                && (members.any(|member| self.is_printed_value(&member.expr)) || self.is_printed_result(studied))
+        };
+        self.lines.iter().skip(1).rposition(states).map_or(self.lines.len(), |place| place + 1)
     }
 
     fn ends_with_result(&self, last: usize) -> bool {
@@ -239,7 +256,10 @@ impl Working<'_> {
         // `e = 1` says what is looked at, and not what follows.
         let is_given =
             |expr: &Expr| matches!(expr, Expr::Name(name) if self.prepared.points.letter(&name.text, 0).is_some());
-        if is_given(left) || is_given(right) {
+        // `m₁ = tan θ`, `m₁m₂ = -1`: gradients, and no masses.
+        let of_numbers =
+            |expr: &Expr| !expr.names().is_empty() && expr.names().iter().all(|name| is_gradient(&name.text));
+        if is_given(left) || is_given(right) || of_numbers(left) || of_numbers(right) {
             return Truth::Unknown;
         }
         let holds = |spot: &Spot| {
@@ -277,6 +297,11 @@ impl Working<'_> {
             }
         }
     }
+}
+
+/// May a name be that of a gradient, or of a mass, as a student may say as well?
+fn is_gradient(name: &str) -> bool {
+    matches!(name, "m_1" | "m_2")
 }
 
 /// The letter in `θ`, `tan θ` or `tan²θ`.

@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 
+use crate::mark::reading::Vocabulary;
 use crate::number::Letter;
 
 /// Which products a student types in a working.
@@ -90,6 +91,22 @@ fn is_number_times(before: &str, after: &str) -> bool {
         && number.starts_with(|sign: char| sign.is_ascii_digit())
         && is_factor
         && (is_squared || rest.starts_with('√') || is_apart && !rest.trim_start().starts_with(char::is_alphabetic))
+}
+
+/// Functions of an angle.
+pub(super) const FUNCTIONS: [&str; 3] = ["sin", "cos", "tan"];
+
+/// The letters that stand before a sine, cosine or tangent as in `xcosθ`, which is no word.
+pub(super) fn factors_of_functions(typed: &str) -> impl Iterator<Item = &str> {
+    let words = typed.split(|sign: char| !sign.is_ascii_alphabetic());
+    let before = |word: &'_ str| FUNCTIONS.iter().find_map(|name| word.find(name));
+    let factors = words.filter_map(move |word| before(word).map(|at| &word[..at]));
+    factors.filter(|own| (1..=2).contains(&own.len()) && *own != "a")
+}
+
+/// Is each a letter by itself?
+pub(super) fn has_letters(vocabulary: &Vocabulary, own: &str) -> bool {
+    own.chars().all(|sign| vocabulary.letters.iter().any(|letter| letter.name().chars().eq([sign])))
 }
 
 #[cfg(test)]

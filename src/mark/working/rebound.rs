@@ -1,6 +1,7 @@
 //! What a wall does to a sphere: restitution gives the one component after it at once, and all that follows from that.
 
 use super::compare::{comes_to, is_vector};
+use super::departure::Departure;
 use super::evidence::Evidence;
 use super::examine::{Value, Working};
 use super::line::Member;
@@ -37,10 +38,24 @@ impl Working<'_> {
         let right = right.or_else(|| self.inequality_with(&sizes(&self.prepared.known, after)?));
         let right = right.or_else(|| self.rebound_as_vector()).or_else(|| self.rebound_along_axis());
         let right = right.or_else(|| self.rebound_in_axes(code)).or_else(|| self.said_to_rebound(after, code));
-        let by_method =
-            || self.exchanged(after, code).or_else(|| self.rebound_of_own()).or_else(|| self.rebound_of_all());
-        let line = right.or_else(|| if code.is_accuracy() { None } else { by_method() })?;
-        Some(Evidence::given(line, "restitution"))
+        let by_method = || self.exchanged(after, code).or_else(|| self.rebound_of_own());
+        // Along i or j the components are there already.
+        let is_resolved = || self.lies_along_axis().then(|| self.rebound_of_all()).flatten();
+        let found = right.or_else(|| if code.is_accuracy() { None } else { by_method().or_else(is_resolved) });
+        // From the result itself nothing has been found.
+        if let Some(line) = found.filter(|line| *line <= self.end_of_finding()) {
+            return Some(Evidence::given(line, "restitution"));
+        }
+        let unresolved = Departure::Unresolved;
+        let (note, feedback) = (Some(unresolved.tag()), unresolved.sentence().to_owned());
+        Some(Evidence { given: false, note, feedback, ..Evidence::given(self.rebound_of_all()?, "restitution") })
+    }
+
+    /// Does the line of centres lie along i or j?
+    fn lies_along_axis(&self) -> bool {
+        let lies =
+            |axis| sizes(&self.prepared.known, Quantity::Line(axis)).is_some_and(|line| line[0].abs() > 1.0 - 1e-9);
+        lies(Axis::X) || lies(Axis::Y)
     }
 
     /// A value that is said to be that of the rebound, and is: `rebound 4.67`.

@@ -79,6 +79,28 @@ pub(super) fn turned_round(typed: &str) -> Option<String> {
     (is_name && !negated.is_empty()).then(|| format!("{letter} = {}{rest}", negated.join(" = ")))
 }
 
+/// `after 2/3 × 5 = 10/3`, `after: along wall -6 × 2/3 = -4`: the moment, and of which component, name what is worked out.
+pub(super) fn named_by_moment(typed: &str) -> Option<(&str, &str)> {
+    const COMPONENT: [&str; 7] = ["along", "the", "wall", "perp", "perpendicular", "parallel", "normal"];
+    let (words, formula) = typed.split_at(typed.find(|sign: char| sign.is_ascii_digit() || "-−".contains(sign))?);
+    let name = words.strip_suffix(' ')?.trim_end_matches([':', ' ']);
+    let mut each = name.split_whitespace().map(|word| word.trim_end_matches([':', ',']));
+    let is_moment = |word: &str| matches!(word, "after" | "before");
+    let is_named = each.clone().any(is_moment) && each.all(|word| is_moment(word) || COMPONENT.contains(&word));
+    (is_named && formula.contains('=')).then_some((name, formula))
+}
+
+/// What follows from it that something is stationary: `d/dt = 0 gives 1 - e = 2tan²t`.
+pub(super) fn after_stationary(typed: &str) -> Option<&str> {
+    let (derivative, after) = typed.split_once('=')?;
+    let after = after.trim_start().strip_prefix('0')?;
+    let is_derivative = derivative.trim_start().starts_with('d') && derivative.contains("/d");
+    let after = after.trim_start_matches([' ', ',', ';', ':', '⇒', '→', '∴', '=', '>']);
+    let words = ["gives", "when", "so", "if", "where", "hence"];
+    let after = words.into_iter().find_map(|word| after.strip_prefix(word)).unwrap_or(after);
+    (is_derivative && after.contains('=')).then(|| after.trim())
+}
+
 /// A line without the remark in brackets of what has gone from both sides: `u cos α = x + y (m cancels)`.
 pub(super) fn without_cancelling(typed: &str) -> &str {
     let Some((before, remark)) = typed.trim_end_matches(['.', ' ']).rsplit_once('(') else { return typed };
@@ -151,8 +173,17 @@ const NO_CHANGE: [&str; 8] = [
     "no change",
 ];
 
-/// Is it a function or `sinθ`, which looks like a word?
+/// Is it a function or `sinθ`, which looks like a word, perhaps with a letter before it: `xcosθ`?
 pub(super) fn is_formula(word: &str) -> bool {
+    let mut signs = word.chars();
+    let is_one = |word: &str| is_function(word);
+    is_one(word)
+        || signs.next().is_some_and(char::is_alphabetic)
+            && ["sin", "cos", "tan"].iter().any(|name| signs.as_str().starts_with(name))
+            && is_one(signs.as_str())
+}
+
+fn is_function(word: &str) -> bool {
     let of_angle = |function: &str| {
         let angle = word.strip_prefix(function).unwrap_or_default();
         angle.chars().count() == 1 || FUNCTIONS.contains(&angle)

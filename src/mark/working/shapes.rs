@@ -1,17 +1,17 @@
 //! Laws known by the shape of their formula.
 
 use super::compare::{any_within, comes_to};
+use super::departure::Departure;
 use super::energies::is_energy_difference;
 use super::evidence::Evidence;
 use super::examine::{Working, context};
-use super::line::Member;
+use super::line::{Member, ReadLine};
 use super::linear::{Context, constant};
 use super::points::sizes;
 use super::squares::squared;
 use crate::answer::Kind;
 use crate::bank::Code;
 use crate::expr::{Expr, Function};
-use crate::mark::judging::Note;
 use crate::mechanics::{Axis, Datum, Known, Law, Moment, Quantity, Setting, Shape, Sphere};
 use crate::number::Range;
 
@@ -38,9 +38,15 @@ impl Working<'_> {
                 Shape::Any => false,
             }
         };
+        let is_tangent = |equation: &(Expr, Expr)| {
+            let tangent =
+                Some(equation).filter(|_| shape == Shape::Tangent).and_then(|equation| self.tangent_in(equation));
+            tangent.is_some_and(|tangent| self.is_tangent(&tangent, sphere))
+        };
         let line = self.lines.iter().position(|studied| {
-            let members = studied.reading.as_ref().map(|reading| reading.members.as_slice()).unwrap_or_default();
-            studied.matched.is_empty() && members.iter().any(has_form)
+            let has =
+                |reading: &ReadLine| reading.members.iter().any(has_form) || reading.equations.iter().any(is_tangent);
+            studied.matched.is_empty() && studied.reading.as_ref().is_some_and(has)
         })?;
         let mut found = Evidence::given(line, law.name());
         if shape == Shape::Tangent && self.is_upside_down(line, sphere) {
@@ -64,24 +70,42 @@ impl Working<'_> {
         let mut factors = letters.clone();
         factors.extend(letters.iter().flat_map(|one| letters.iter().map(|other| times(one, other))));
         factors.extend(letters.iter().flat_map(|one| letters.iter().map(|other| times(one, &times(other, other)))));
-        let line = quantities.iter().filter(is_of_mass).find_map(|quantity| {
-            let right = sizes(&self.prepared.known, *quantity)?;
-            factors.iter().find_map(|factor| {
-                let at = |(right, factor): (&f64, &f64)| {
-                    let mut known = Known::default();
-                    known.0.insert(*quantity, Datum::Number(right / factor));
-                    known
-                };
-                let without: Vec<Known<f64>> = right.iter().zip(factor).map(at).collect();
-                self.line_that_is(&without, *quantity)
+        let line_without = |factors: &[Vec<f64>]| {
+            quantities.iter().filter(is_of_mass).find_map(|quantity| {
+                let right = sizes(&self.prepared.known, *quantity)?;
+                factors.iter().find_map(|factor| {
+                    let at = |(right, factor): (&f64, &f64)| {
+                        let mut known = Known::default();
+                        known.0.insert(*quantity, Datum::Number(right / factor));
+                        known
+                    };
+                    let without: Vec<Known<f64>> = right.iter().zip(factor).map(at).collect();
+                    self.line_that_is(&without, *quantity)
+                })
             })
-        })?;
-        let feedback = match code.is_accuracy() {
-            true => "a letter of the question is left out of every term",
-            false => "condoned here: a letter of the question is left out of every term",
         };
-        let (given, note) = (!code.is_accuracy(), Some(Note::LetterMissing.tag()));
-        Some(Evidence { given, note, feedback: feedback.to_owned(), ..Evidence::given(line, law.name()) })
+        let letter = line_without(&factors).map(|line| (line, Departure::LetterMissing));
+        let number = || line_without(&self.number_of_mass(&letters)).map(|line| (line, Departure::NumberMisread));
+        let (line, departure) = letter.or_else(number)?;
+        let feedback = match code.is_accuracy() {
+            true => departure.sentence().to_owned(),
+            false => format!("condoned here: {}", departure.sentence()),
+        };
+        let (given, note) = (!code.is_accuracy(), Some(departure.tag()));
+        Some(Evidence { given, note, feedback, ..Evidence::given(line, law.name()) })
+    }
+
+    /// The number before the letter of a mass, `m` for 2m, where it is that of no other sphere.
+    fn number_of_mass(&self, letters: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        let mass =
+            sizes(&self.prepared.known, Quantity::Mass(Sphere::A)).filter(|_| self.prepared.setting == Setting::Wall);
+        let over = |letter: &Vec<f64>| -> Option<Vec<f64>> {
+            let numbers: Vec<f64> = mass.as_ref()?.iter().zip(letter).map(|(mass, letter)| mass / letter).collect();
+            let is_number =
+                numbers.iter().all(|number| (number - numbers[0]).abs() < 1e-9) && (numbers[0] - 1.0).abs() > 1e-9;
+            is_number.then_some(numbers)
+        };
+        letters.iter().filter_map(over).collect()
     }
 
     /// The sizes that a component after the impact may have: the right one, the student's own, and across the line also
@@ -184,6 +208,21 @@ impl Working<'_> {
         let is = |expr: &Expr, axis| self.is_one_of(expr, &of(axis));
         self.prepared.setting == Setting::Impulse
             && (is(one, Axis::X) && is(other, Axis::Y) || is(one, Axis::Y) && is(other, Axis::X))
+    }
+
+    /// What the tangent of an angle that is not given is in `x tan β = u sin α` or `x = u sin α/tan β`.
+    fn tangent_in(&self, (left, right): &(Expr, Expr)) -> Option<Expr> {
+        let is_tangent = |expr: &Expr| matches!(expr, Expr::Call(Function::Tan, _)) && self.values_of(expr).is_none();
+        let of = |side: &Expr, other: &Expr| match side {
+            Expr::Quotient(above, below) if is_tangent(below) => Some((**above).clone().over(other.clone())),
+            Expr::Product(factors) => {
+                let at = factors.iter().position(is_tangent)?;
+                let rest = factors.iter().enumerate().filter(|(place, _)| *place != at);
+                Some(other.clone().over(Expr::product(rest.map(|(_, factor)| factor.clone()))))
+            }
+            _ => None,
+        };
+        of(left, right).or_else(|| of(right, left))
     }
 
     /// `v/p`.

@@ -33,7 +33,9 @@ impl Working<'_> {
                 && equations
                     .any(|equation| self.has_one_unknown(equation, convention) && !self.has_side_of_result(equation))
         };
-        let mut lines = self.lines.iter().enumerate();
+        // Who has both equations and then the result has found nothing that follows from it.
+        let end = Some(self.end_of_finding()).filter(|end| both.is_some_and(|both| both < *end));
+        let mut lines = self.lines.iter().enumerate().take(end.map_or(usize::MAX, |end| end + 1));
         let line = lines.position(|(place, studied)| states(studied) || eliminates((place, studied)));
         let line = line.or_else(|| self.solved_in_vectors())?;
         Some(Evidence::given(line, "the equations solved"))
