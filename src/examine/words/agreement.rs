@@ -92,8 +92,9 @@ fn counted_otherwise(sentence: &Sentence, place: usize, remarks: &mut Vec<Remark
     let is_counted_again = between
         .iter()
         .any(|token| is_one_of(token, &COUNTS) || matches!(token, Token::Word(word) if determiner(word).is_some()));
-    let is_each = word == "both" && says(&sentence[at..], &["and"]);
     let noun = word_at(sentence, at);
+    // `unchanged for both (impulse is parallel to {j})` has a bracket there.
+    let is_each = word == "both" && (says(&sentence[at..], &["and"]) || body(noun).is_none());
     if is_counted_again || is_each || counted(noun) == Some(said) {
         return;
     }
@@ -361,6 +362,7 @@ mod tests {
             ("This spheres is smooth.", "This spheres"),
             ("Both sphere *A* and sphere *B* are smooth.", ""),
             ("Both the mass and the speed are doubled.", ""),
+            ("{i} components unchanged for both (impulse is parallel to {j})", ""),
             ("A mass ratio of {k} is possible.", ""),
             ("The two velocity components are equal.", ""),
             ("Each sphere have mass {m}.", "one … have"),

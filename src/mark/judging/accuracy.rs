@@ -147,9 +147,12 @@ pub(super) fn suffices(figures: u32, places: i64, wanted: &Places) -> bool {
     }
 }
 
-/// Does the last figure stand as far on as the last significant one of the model?
+/// Does the last figure stand as far on as the last of the figures of the model that are asked for?
 fn reaches(places: i64, model: &Decimal, wanted: &Places) -> bool {
-    !matches!(wanted, Places::SignificantFigures(_)) || places >= i64::from(model.places)
+    let Places::SignificantFigures(count) = wanted else { return true };
+    let figures = model.figures.to_string().trim_start_matches('-').len() as i64;
+    let before_the_point = figures - i64::from(model.places);
+    places >= i64::from(*count) - before_the_point
 }
 
 /// Is a last figure of that place no coarser than the rule asks? `2 kJ` is not 1923 J to the nearest joule.
@@ -271,7 +274,8 @@ pub(super) fn decimal(written: &Written, target: &Target, accept: &Accept) -> Fi
     }
     let Ok(model) = target.rounded(&wanted) else { return Finding::unreadable(Note::CannotBeCompared) };
     // `10.0` has three figures, and 9.96 has its third one place further on.
-    let enough = suffices(written.figures, written.places, &wanted) && reaches(written.places, &model, &wanted);
+    let enough = suffices(written.figures, written.places, &wanted)
+        && (written.worked_out || reaches(written.places, &model, &wanted));
     let is_fine = is_as_fine_as(written.places, &wanted);
     let last = last_place(written, target);
     let coarse = Written { places: -i64::from(written.noughts), ..written.clone() };

@@ -6,7 +6,7 @@
 
 use crate::answer::Kind;
 use crate::expr::Expr;
-use crate::mark::reading::{Label, Statement, is_strange};
+use crate::mark::reading::{Form, Label, Said, Statement, is_strange};
 use crate::mechanics::{Axis, Moment, Quantity, Sphere};
 
 use super::changes::{is_change, is_gain, is_turned_round};
@@ -213,6 +213,11 @@ pub(super) fn as_remarked(model: &Model, statement: &Statement, finding: Finding
     let Some(asked) = model.quantity else { return finding };
     if finding.is_credited() && sides::is_said_to_go_otherwise(model, statement) {
         return Finding::unreadable(Note::DirectionUnchecked);
+    }
+    // `at rest along the line of centres`: that component of it.
+    let is_of_line = |said: &Said| said.form == Form::AtRest && said.reference.is_some();
+    if finding.is_credited() && matches!(asked, Quantity::Speed(..)) && statement.said.iter().any(is_of_line) {
+        return Finding::unreadable(Note::NamedOtherwise);
     }
     let remarks: Vec<&String> = statement.remarks().collect();
     if remarks.is_empty() || !(finding.is_credited() || finding.note == Some(Note::Sign)) {

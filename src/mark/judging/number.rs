@@ -58,8 +58,6 @@ fn as_it_stands(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
     let (expr, percent) = match &said.form {
         Form::Value(expr) => (expr, false),
         Form::Percentage(expr) => (expr, true),
-        // `at rest along the line of centres`: that component of it.
-        Form::AtRest if said.reference.is_some() => return Finding::unreadable(Note::NamedOtherwise),
         Form::AtRest => (&nought, false),
         // `4.8 N s in the direction -j`: the size, and a direction that is not asked.
         Form::Vector(x, y, Notation::Words) if !has_a_sense(model.quantity) && (!x.is_zero() || !y.is_zero()) => {

@@ -215,6 +215,16 @@ fn an_angle_is_to_the_line_that_is_named() {
 }
 
 #[test]
+fn the_third_figure_is_that_of_the_unit_that_is_used() {
+    // 2.7755… m/s is 9.99 km/h.
+    earn(&model("4*sqrt(39)/9", "A.after.speed", &[]), &[("10.0 km/h", "correct"), ("9.99 km/h", "correct")]);
+    earn(
+        &model("1234567/100", "ke.lost", &[]),
+        &[("12.3 kJ", "correct"), ("12300 J", "correct"), ("12.35 kJ", "correct")],
+    );
+}
+
+#[test]
 fn at_rest_is_at_rest_and_no_less() {
     let at_rest = model("0", "B.after.speed", &[]);
     earn(

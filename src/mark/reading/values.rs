@@ -307,9 +307,8 @@ impl Values<'_> {
         }
         if phrases.contains(&Phrase::Or) || toward {
             // `±8` has no word for it.
-            let signs_alone =
-                words.as_ref().filter(|words| !words.contains(char::is_alphabetic) || words.starts_with('\\'));
-            let joined = signs_alone.map(|_| "or".to_owned());
+            let is_sign = words.as_ref().is_some_and(|words| words.contains('±') || words.starts_with('\\'));
+            let joined = (phrases.contains(&Phrase::Or) && is_sign).then(|| "or".to_owned());
             said.remarks.extend(joined.or(words));
         } else if let Some(words) = words.filter(|_| label.is_none() && !phrases.contains(&Phrase::Gradient)) {
             // `2.78 m/s at 46.1`: a direction follows.

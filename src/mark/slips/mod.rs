@@ -173,8 +173,7 @@ impl Mistakes {
             let values = values.iter().map(|value| value.0[0]).collect();
             (self.ways[way].tags(), values)
         };
-        let shown = |known| Answer::rows(known).filter(|(values, _)| !known.is_hidden(values)).map(row);
-        self.answers.iter().filter(|known| known.asked == *asked).flat_map(shown).collect()
+        self.answers.iter().filter(|known| known.asked == *asked).flat_map(Answer::rows).map(row).collect()
     }
 
     /// The value as it was written, in the unit of the answer.

@@ -84,14 +84,6 @@ impl Answer {
         self.are_same(values, &self.truth)
     }
 
-    /// Is it the right value with the numbers of the variant, though not with others? With a mass of 1 a division by it that
-    /// was forgotten changes nothing.
-    pub(super) fn is_hidden(&self, values: &Values) -> bool {
-        let here = |value: &Sample| if self.signed { value.0[0] } else { value.0[0].abs() };
-        let pairs = || values.iter().map(here).zip(self.truth.iter().map(here));
-        pairs().all(|(value, truth)| (value - truth).abs() <= SAME * truth.abs().max(1.0))
-    }
-
     fn are_same(&self, one: &Values, two: &Values) -> bool {
         if self.is_line() {
             return are_parallel(one, two);
