@@ -213,7 +213,7 @@ impl Lexer<'_> {
             ('\'', '\'') => ('"', 2),
             // The circle of degrees, as a letter.
             ('^', 'o') if ends_word => ('°', 2),
-            // The circle as a nought: nobody raises a number to that power.
+            // The circle as a nought: nobody raises a decimal to that power.
             ('^', '0') if ends_word && self.sign(2) != Some('.') && self.is_after_a_measure() => ('°', 2),
             ('.', '.') if self.sign(2) == Some('.') => ('…', 3),
             ('.', '.') => return Err(Unreadable::Sign(place, "two points, one after the other".to_owned())),
@@ -277,11 +277,11 @@ impl Lexer<'_> {
         self.at > 0 && self.glyphs[self.at - 1].sign.is_alphabetic()
     }
 
-    /// Is what stands straight before it a number that is not the ten of a power of ten?
+    /// Is what stands straight before it a decimal?
     fn is_after_a_measure(&self) -> bool {
         let ends_here = |placed: &Placed| placed.end == self.glyphs[self.at].place;
         match self.out.last().filter(|placed| ends_here(placed)).map(|placed| &placed.token) {
-            Some(Token::Number(number)) => *number != Expr::integer(10),
+            Some(Token::Number(Expr::Decimal(_))) => true,
             _ => false,
         }
     }

@@ -96,6 +96,10 @@ impl Values<'_> {
                         let number = matches!(tokens[at].token, Token::Number(_));
                         let angle = number && tokens.get(at + 1).is_some_and(|next| next.is('°'));
                         let size = !last.unit.as_ref().is_some_and(|unit| unit.degrees);
+                        if let Token::Sign(sign @ ('±' | '∓')) = tokens[at].token {
+                            let message = format!("`{sign}` says two things at once");
+                            return Err(Unreadable::Sign(tokens[at].start, message));
+                        }
                         if !(after_words || angle && size) {
                             return Err(Unreadable::Sign(
                                 tokens[at].start,
