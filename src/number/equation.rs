@@ -201,6 +201,7 @@ fn roots_of(equation: &Value, unknown: Letter) -> Result<Vec<Value>, NoRoots> {
     if equation.is_zero() {
         return Err(NoRoots::Always);
     }
+    let equation = &without_common_roots(equation);
     let factors: Vec<Value> = match equation.as_quotient() {
         Some((polynomial, _)) => {
             let (_, factors) = polynomial.square_free();
@@ -226,6 +227,23 @@ fn roots_of(equation: &Value, unknown: Letter) -> Result<Vec<Value>, NoRoots> {
         Some(reason) => Err(reason),
         None => Ok(roots),
     }
+}
+
+/// Divided by the roots that all its terms share, as that of an angle's sine and cosine: they are not nought, and beneath
+/// the root of a discriminant they would only come back as factors that nothing cancels.
+fn without_common_roots(equation: &Value) -> Value {
+    let (mut terms, denominator) = equation.parts();
+    let mut shared = terms.keys().next().cloned().unwrap_or_default();
+    shared.retain(|root| terms.keys().all(|key| key.contains(root)));
+    if shared.is_empty() {
+        return equation.clone();
+    }
+    let without = |mut key: Vec<Root>| {
+        key.retain(|root| !shared.contains(root));
+        key
+    };
+    terms = terms.into_iter().map(|(key, coefficient)| (without(key), coefficient)).collect();
+    Value::build(terms, denominator)
 }
 
 /// With surds among the coefficients: what all polynomials share is solved apart from the rest only if

@@ -22,6 +22,7 @@ mod polynomial_roots;
 mod root;
 mod rounding;
 mod shared_factors;
+mod square;
 pub(crate) mod steps;
 mod trigonometry;
 mod value;

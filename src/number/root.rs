@@ -67,7 +67,7 @@ impl Value {
         let inside = if rest.is_empty() { inside } else { &inside * &Value::build(rest, Polynomial::one()) };
         let root = match inside.as_fraction() {
             Some(number) => root_of_fraction(number)?,
-            None => Value::nested(inside),
+            None => inside.root_of_surds().unwrap_or_else(|| Value::nested(inside)),
         };
         (&outside * &root).divided_by(&Value::quotient(denominator.clone(), Polynomial::one()).absolute())
     }

@@ -232,20 +232,6 @@ impl Value {
         self.parts().1
     }
 
-    /// `f` where the value is written as `f²`, which the absolute value of a formula of unknown sign is.
-    pub fn square_root_of_square(&self) -> Option<Value> {
-        let (above, below) = self.as_quotient()?;
-        let half = |polynomial: &Polynomial| -> Option<Polynomial> {
-            let (number, factors) = polynomial.square_free();
-            let mut root = Polynomial::constant(number.square_root()?);
-            for (factor, power) in factors {
-                root = &root * &factor.power(if power % 2 == 0 { power / 2 } else { return None });
-            }
-            Some(root)
-        };
-        Some(Value::quotient(half(&above)?, half(&below)?))
-    }
-
     /// How many terms it takes to write it down, above and below.
     pub fn terms(&self) -> usize {
         match self {
