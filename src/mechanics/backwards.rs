@@ -7,7 +7,7 @@
 use std::cmp::Ordering;
 use std::sync::Arc;
 
-use super::condition::{fault, name_of, put_back, residual, vanishes};
+use super::condition::{beyond_its_range, fault, name_of, put_back, residual, vanishes};
 use super::conditions_in_words::{condition_line, no_roots};
 use super::extreme;
 use super::law::{Known, Rule};
@@ -95,6 +95,10 @@ pub fn backwards(scene: &Scene) -> Result<Vec<Found>, Refusal> {
             )));
         }
     }
+    let letters = |name: &str| meaning(&scene.letters, name);
+    if let Some(refusal) = scene.conditions.iter().find_map(|condition| beyond_its_range(condition, &letters)) {
+        return Err(refusal);
+    }
     let posed = Arc::new(Posed::new(scene)?);
     let scene = &posed.scene;
     if scene.conditions.iter().any(Condition::is_inequality) {
@@ -105,24 +109,45 @@ pub fn backwards(scene: &Scene) -> Result<Vec<Found>, Refusal> {
     }
     let candidates = posed.candidates()?;
     let mut found = Vec::new();
-    let mut left_out = Vec::new();
+    let (mut left_out, mut undecided) = (Vec::new(), Vec::new());
     for values in candidates {
+        let named = || in_words(&posed.scene.unknowns, &values);
         match tried(&posed, &values) {
             Ok(one) => found.push(one),
-            Err(reason) => left_out.push(format!("{} is left out: {reason}", in_words(&posed.scene.unknowns, &values))),
+            Err(Reason::Not(reason)) => left_out.push(format!("{} is left out: {reason}", named())),
+            Err(Reason::Undecided) => {
+                undecided.push(format!("{} has too many roots to decide whether it satisfies the conditions", named()));
+            }
         }
     }
     if let Some(quantity) = scene.maximise {
         extreme::only_largest(&mut found, quantity);
+    }
+    if found.is_empty() && !undecided.is_empty() {
+        return Err(Refusal::beyond(undecided.join("; ")));
     }
     if found.is_empty() {
         let reasons = if left_out.is_empty() { "it has no real solution".to_string() } else { left_out.join("; ") };
         return Err(Refusal::impossible(format!("no collision satisfies the conditions: {reasons}")));
     }
     for one in &mut found {
-        one.remarks.extend(left_out.iter().cloned());
+        one.remarks.extend(left_out.iter().chain(&undecided).cloned());
     }
     Ok(found)
+}
+
+/// Why a candidate is no solution.
+enum Reason {
+    /// It is none, in words.
+    Not(String),
+    /// The exact methods do not tell.
+    Undecided,
+}
+
+impl From<String> for Reason {
+    fn from(reason: String) -> Reason {
+        Reason::Not(reason)
+    }
 }
 
 /// `e = 1/2`, or for an angle `theta = 30°`.
@@ -203,6 +228,12 @@ impl Posed {
         solve_system(&equations, unknowns).map_err(no_roots)
     }
 
+    /// Does a condition hold at these values, by what was derived in letters? `None` where that is not told.
+    fn holds_at(&self, condition: &Condition, values: &[Value]) -> Option<bool> {
+        let letters = |name: &str| meaning(&self.scene.letters, name);
+        residual(condition, &letters, &self.known).ok()?.vanishes_at(&self.scene.unknowns, values)
+    }
+
     /// The one equation for the one unknown, where there is no other.
     fn equation(&self) -> Option<Value> {
         let [unknown] = self.scene.unknowns.as_slice() else { return None };
@@ -245,23 +276,21 @@ impl Posed {
 }
 
 /// A candidate put back: its ranges, the original conditions, and whether it can happen.
-fn tried(posed: &Arc<Posed>, values: &[Value]) -> Result<Found, String> {
+fn tried(posed: &Arc<Posed>, values: &[Value]) -> Result<Found, Reason> {
     let unknowns = &posed.scene.unknowns;
     let mut remarks = Vec::new();
     for (unknown, value) in unknowns.iter().zip(values) {
         in_range(*unknown, value, &mut remarks)?;
     }
-    let scene = substituted(&posed.scene, unknowns, values).ok_or("a quantity does not exist there")?;
+    let scene = substituted(&posed.scene, unknowns, values)
+        .ok_or_else(|| Reason::Not("a quantity does not exist there".to_owned()))?;
     let mut known = pose(&scene).map_err(|refusal| refusal.reason)?;
     let derived = check(&known).map_err(|refusal| refusal.reason)?;
     Derivation::carry_out_with(&mut known, &derived, &posed.asked);
-    for condition in &posed.scene.conditions {
+    for given in &posed.scene.conditions {
         let put_back = |expr: &Expr| put_back(expr, unknowns, values);
-        let condition = Condition {
-            left: put_back(&condition.left),
-            relation: condition.relation,
-            right: put_back(&condition.right),
-        };
+        let condition =
+            Condition { left: put_back(&given.left), relation: given.relation, right: put_back(&given.right) };
         let relation = Expr::equation(condition.left.clone(), condition.right.clone());
         let letters = |name: &str| {
             let place = unknowns.iter().position(|unknown| unknown.name() == name);
@@ -270,22 +299,22 @@ fn tried(posed: &Arc<Posed>, values: &[Value]) -> Result<Found, String> {
                 None => meaning(&scene.letters, name),
             }
         };
-        let near = || residual(&condition, &letters, &known).is_ok_and(|gap| vanishes(&gap.value));
-        let of_angles = || residual(&condition, &letters, &known).is_ok_and(|gap| gap.of_angles);
+        let gap = || residual(&condition, &letters, &known);
+        let near = || gap().is_ok_and(|gap| vanishes(&gap.value));
         match holds(&relation, &|name| name_of(name, &letters, &known)) {
             Ok(Some(true)) => {}
             // The sine of the gap is nought half a turn away too.
-            Ok(Some(false)) if of_angles() => {
-                return Err(format!(
-                    "it does not satisfy `{}`: the direction would be opposite",
-                    print::plain(&relation)
-                ));
+            Ok(Some(false)) if gap().is_ok_and(|gap| gap.is_of_angles()) => {
+                let relation = print::plain(&relation);
+                return Err(format!("it does not satisfy `{relation}`: the direction would be opposite").into());
             }
             _ if near() => {}
+            // What it speaks of has no short exact form there.
+            Err(_) if posed.holds_at(given, values).ok_or(Reason::Undecided)? => {}
             _ if posed.scene.conditions.len() > 1 => {
-                return Err(format!("it does not satisfy `{}`", print::plain(&relation)));
+                return Err(format!("it does not satisfy `{}`", print::plain(&relation)).into());
             }
-            _ => return Err("it does not satisfy the condition itself, only its square".to_string()),
+            _ => return Err("it does not satisfy the condition itself, only its square".to_owned().into()),
         }
     }
     if let Some(quantity) = posed.scene.maximise {

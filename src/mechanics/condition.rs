@@ -4,8 +4,8 @@ use super::law::Known;
 use super::refusal::Refusal;
 use super::scene::Condition;
 use super::{Datum, Quantity};
-use crate::expr::{Expr, Fault, Meaning, Turn, evaluate, written};
-use crate::number::{Angle, Letter, Range, Value};
+use crate::expr::{Expr, Fault, Meaning, Relation, Turn, evaluate, print, written};
+use crate::number::{Angle, Fraction, Letter, Range, Value};
 
 /// The unknowns of a condition's own formulas replaced, but for angles: these keep their names.
 pub(super) fn put_back(expr: &Expr, unknowns: &[Letter], values: &[Value]) -> Expr {
@@ -15,10 +15,49 @@ pub(super) fn put_back(expr: &Expr, unknowns: &[Letter], values: &[Value]) -> Ex
     })
 }
 
+/// An equation that asks of an angle what it never is, whatever moves how.
+pub(super) fn beyond_its_range(condition: &Condition, letters: &dyn Fn(&str) -> Option<Meaning>) -> Option<Refusal> {
+    if condition.relation != Relation::Equal {
+        return None;
+    }
+    let sides = [(&condition.left, &condition.right), (&condition.right, &condition.left)];
+    sides.into_iter().find_map(|(named, target)| {
+        let Expr::Name(name) = named else { return None };
+        let (least, most) = range_of(name.text.parse().ok()?)?;
+        let degrees = match evaluate(target, letters).ok()? {
+            Meaning::Number(value) => value.enclose_constant(64)?,
+            Meaning::Degrees(turn) | Meaning::Angle(turn) => turn.enclose(64)?,
+            _ => return None,
+        };
+        let is_beyond = degrees.upper() < Fraction::from(least) || degrees.lower() > Fraction::from(most);
+        is_beyond.then(|| {
+            let asked = print::plain(&Expr::equation(condition.left.clone(), condition.right.clone()));
+            Refusal::impossible(format!(
+                "`{asked}` never holds: this angle is from {}° to {most}°",
+                least.to_string().replace("-", "−")
+            ))
+        })
+    })
+}
+
+/// The least and the greatest number of degrees of an angle.
+fn range_of(quantity: Quantity) -> Option<(i64, i64)> {
+    use Quantity::{
+        Alpha, AngleBetween, AngleFromI, AngleFromN, AngleToLine, AngleToWall, Deflection, ImpulseAngle,
+        SignedDeflection,
+    };
+    match quantity.of_its_impact() {
+        AngleToLine(..) | AngleToWall(..) | ImpulseAngle | Alpha => Some((0, 90)),
+        Deflection(_) | AngleBetween(_) => Some((0, 180)),
+        AngleFromN(..) | AngleFromI(..) | SignedDeflection(_) => Some((-180, 180)),
+        _ => None,
+    }
+}
+
 /// Nought at points inside the ranges of its letters, where it exists: for a formula whose roots do
 /// not show that it is nought.
 pub(super) fn vanishes(value: &Value) -> bool {
-    use crate::number::{Fraction, Interval};
+    use crate::number::Interval;
     let mut tried = 0;
     for sample in 1..40_i64 {
         let at = |letter: Letter| {
@@ -58,7 +97,29 @@ pub(super) fn name_of(name: &str, letters: &dyn Fn(&str) -> Option<Meaning>, kno
 pub(super) struct Gap {
     /// The difference of its sides, or the sine of the difference of angles.
     pub(super) value: Value,
-    pub(super) of_angles: bool,
+    /// Of angles the same multiple of the cosine of the difference: below nought where the directions are opposite.
+    pub(super) cosine: Option<Value>,
+}
+
+impl Gap {
+    pub(super) fn is_of_angles(&self) -> bool {
+        self.cosine.is_some()
+    }
+
+    /// Is it nought where the unknowns have these values, as far as an enclosure tells? `None` where there is none, as where
+    /// other letters remain. Values with many roots cannot be put in: every quotient would be rationalised root after root.
+    pub(super) fn vanishes_at(&self, unknowns: &[Letter], values: &[Value]) -> Option<bool> {
+        const BITS: usize = 256;
+        let at = |letter: Letter| {
+            let place = unknowns.iter().position(|unknown| *unknown == letter)?;
+            values[place].enclose_constant(BITS)
+        };
+        let is_opposite = match &self.cosine {
+            Some(cosine) => cosine.enclose(BITS, &at)?.sign()?.is_lt(),
+            None => false,
+        };
+        Some(!is_opposite && self.value.enclose(BITS, &at)?.contains_zero())
+    }
 }
 
 pub(super) fn residual(
@@ -87,11 +148,11 @@ pub(super) fn residual(
     };
     let unlike = || Fault::new("the two sides are not of one kind", Default::default(), "two numbers or two angles");
     match (&left, &right) {
-        (Meaning::Number(a), Meaning::Number(b)) => Ok(Gap { value: a - b, of_angles: false }),
+        (Meaning::Number(a), Meaning::Number(b)) => Ok(Gap { value: a - b, cosine: None }),
         _ => {
             let (a, b) = turn(&left).zip(turn(&right)).ok_or_else(unlike)?;
             let gap = a.plus(&b.reversed()).ok_or_else(unlike)?;
-            Ok(Gap { value: gap.cross().ok_or_else(unlike)?, of_angles: true })
+            Ok(Gap { value: gap.cross().ok_or_else(unlike)?, cosine: Some(gap.dot().ok_or_else(unlike)?) })
         }
     }
 }

@@ -285,7 +285,7 @@ impl Posed {
         let letters = |name: &str| meaning(&self.scene.letters, name);
         let one = |condition: &Condition| {
             let gap = residual(condition, &letters, &self.known).map_err(super::condition::fault)?;
-            if gap.of_angles {
+            if gap.is_of_angles() {
                 return Err(Refusal::beyond("an inequality between angles is not solved here")
                     .try_this("compare their tangents, as `A.after.tan_to_loc`"));
             }
