@@ -42,8 +42,8 @@ pub fn check_with(known: &Known<Value>, computed: &Known<Value>) -> Result<Known
 
 /// One impact.
 fn one(known: &Known<Value>) -> Result<(), Refusal> {
-    masses(known)?;
     impulse_given(known)?;
+    masses(known)?;
     approach(known)?;
     restitution(known)?;
     kept(known)

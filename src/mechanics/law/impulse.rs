@@ -98,6 +98,7 @@ const COMPONENTS: u8 = 5;
 const ACROSS: u8 = 6;
 const AFTER_GIVEN: u8 = 7;
 const BEFORE_GIVEN: u8 = 8;
+const MASS: u8 = 9;
 
 pub fn rules() -> Vec<Rule> {
     let mut rules = Vec::new();
@@ -125,6 +126,9 @@ pub fn rules() -> Vec<Rule> {
         needs.extend([X, Y].map(Quantity::GivenImpulse));
         rules.push(rule(Law::Impulse, form, &needs, &of_a(to), 2));
     }
+    let mut needs = [X, Y].map(Quantity::GivenImpulse).to_vec();
+    needs.extend([Before, After].into_iter().flat_map(of_a));
+    rules.push(rule(Law::Impulse, MASS, &needs, &[Quantity::Mass(Sphere::A)], 2));
     rules
 }
 
@@ -155,6 +159,16 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
             let (along_x, along_y) = (i.over(&mass)?, j.over(&mass)?);
             let (along_x, along_y) = if rule.form == AFTER_GIVEN { (along_x, along_y) } else { (-along_x, -along_y) };
             Some(vec![Datum::Number(x + along_x), Datum::Number(y + along_y)])
+        }
+        MASS => {
+            let n = &rule.needs;
+            let [i, j, u_x, u_y] = known.numbers([n[0], n[1], n[2], n[3]])?;
+            let [v_x, v_y] = known.numbers([n[4], n[5]])?;
+            let (x, y) = (v_x - u_x, v_y - u_y);
+            // No mass makes one of the other where they are not parallel.
+            let is_parallel = (i.clone() * y.clone() - j.clone() * x.clone()).is_nought();
+            let along = if x.is_nought() { j.over(&y) } else { i.over(&x) };
+            number(along.filter(|_| is_parallel)?)
         }
         _ => number(known.number(rule.needs[0])?.nought()),
     }
@@ -238,6 +252,7 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
         (OF_COMPONENT, Quantity::Impulse(sphere, _)) => along(show, sphere),
         (OF_VECTOR, Quantity::Impulse(sphere, _)) => vector(show, sphere),
         (AFTER_GIVEN | BEFORE_GIVEN, Quantity::Velocity(sphere, moment, _)) => of_given(show, sphere, moment),
+        (MASS, _) => mass(show),
         (SIZE, _) => size(show, None),
         (SIZE_OF_VECTOR, _) => size(show, Some([X, Y].map(|axis| show.exact(Quantity::Impulse(Sphere::A, axis))))),
         _ => silent(),
@@ -278,6 +293,17 @@ fn of_given(show: &Show, sphere: Sphere, moment: Moment) -> Vec<Line> {
     equations.extend(show.approximate_velocity(&name, sphere, moment));
     let words = "The impulse on {A} is its change of momentum:";
     vec![Line::with(words, &[("A", Expr::name(sphere.name()))], equations)]
+}
+
+/// `I = m (v - u)`, for the mass.
+fn mass(show: &Show) -> Vec<Line> {
+    let at = |axis| Box::new(written(&show.exact(Quantity::GivenImpulse(axis))));
+    let name = show.symbol(Quantity::Mass(Sphere::A));
+    let change = difference(show.vector(Sphere::A, After), show.vector(Sphere::A, Before));
+    let equation = Expr::equation(Expr::Vector(at(X), at(Y)), times(name.clone(), change));
+    let found = Expr::equation(name, show.shown_value(Quantity::Mass(Sphere::A)));
+    let words = "The impulse on {A} is its change of momentum:";
+    vec![Line::with(words, &[("A", Expr::name("A"))], vec![equation, found])]
 }
 
 /// The magnitude, of a vector by Pythagoras, with its decimal.
