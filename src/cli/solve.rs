@@ -12,7 +12,7 @@ use crate::expr::{print as written, written as plainest, written_angle};
 use crate::mechanics::{Axis, Line, Moment, Quantity, Scene, Setting, Sphere, Velocity};
 use crate::number::{Angle, Letter, Range, Value};
 use crate::paper::WorkingLine;
-use crate::solve::{Answer, Solution, report, solve_all};
+use crate::solve::{Answer, Inexact, Solution, report, solve_all};
 
 const AFTER: &str = "Examples:
   carom solve scene.json
@@ -127,20 +127,66 @@ fn is_vector(velocity: &Velocity) -> bool {
     matches!(velocity, Velocity::Components(x, y) if !(x.value.is_zero() && y.value.is_zero()))
 }
 
-/// Says what the scene leaves open; a scene that determines nothing has no solution.
+/// Says what the scene leaves open, and what it determines though not exactly; a scene that determines nothing has no
+/// solution.
 fn open_ends(solutions: &[Solution], wanted: &[Quantity]) -> Result<(), Failure> {
     let Some(solution) = solutions.first() else { return Ok(()) };
-    let open: Vec<String> =
-        wanted.iter().filter(|quantity| !solution.knows(**quantity)).map(Quantity::to_string).collect();
-    if open.len() == wanted.len() && solution.found().is_empty() {
+    let missing: Vec<&Quantity> = wanted.iter().filter(|quantity| Answer::of(solution, **quantity).is_none()).collect();
+    if missing.is_empty() {
+        return Ok(());
+    }
+    let inexact: Vec<Inexact> =
+        solution.without_exact_form().into_iter().filter(|inexact| missing.contains(&&inexact.quantity)).collect();
+    let named = inexact.iter().map(Inexact::to_string).collect::<Vec<_>>().join(", ");
+    let is_nothing = missing.len() == wanted.len() && solution.found().is_empty();
+    if is_nothing && !inexact.is_empty() {
+        let message = format!("too many roots for an exact form of what the scene determines: {named}");
+        return Err(Failure::with_help(
+            message,
+            "give numbers with fewer different roots, or a decimal for some of them",
+        ));
+    }
+    if is_nothing {
         let help = "give both masses, both velocities before, the line of centres and e, or velocities after in \
                     place of some of them";
-        return Err(Failure::with_help("what is given determines nothing more", help));
+        let absent = absent(solution.scene());
+        let message = match absent.is_empty() {
+            true => "what is given determines nothing more".to_owned(),
+            false => format!("what is given determines nothing more: there is no {}", absent.join(", no ")),
+        };
+        return Err(Failure::with_help(message, help));
     }
+    if !inexact.is_empty() {
+        say(&format!("too many roots for a short exact form: {named}"));
+    }
+    let is_inexact = |quantity: &Quantity| inexact.iter().any(|inexact| inexact.quantity == *quantity);
+    let open: Vec<String> =
+        missing.into_iter().filter(|quantity| !is_inexact(quantity)).map(Quantity::to_string).collect();
     if !open.is_empty() {
         say(&format!("left open by what is given: {}", listed(open.iter().map(String::as_str))));
     }
     Ok(())
+}
+
+/// The fields of a collision that a scene has not, where the velocities after do not take their place.
+fn absent(scene: &Scene) -> Vec<String> {
+    let spheres = if scene.setting.is_of_one() { &Sphere::BOTH[..1] } else { &Sphere::BOTH };
+    if spheres.iter().any(|sphere| scene.velocity(*sphere, Moment::After).is_some()) {
+        return Vec::new();
+    }
+    let masses = spheres.iter().filter(|sphere| scene.setting != Setting::Wall && scene.mass(**sphere).is_none());
+    let velocities = spheres.iter().filter(|sphere| scene.velocity(**sphere, Moment::Before).is_none());
+    let is_impulse = scene.setting == Setting::Impulse;
+    let mut absent: Vec<String> = masses.map(|sphere| format!("`masses.{}`", sphere.name())).collect();
+    absent.extend(velocities.map(|sphere| format!("`before.{}`", sphere.name())));
+    for (field, is_absent) in [
+        ("line_of_centres", scene.contact.is_none() && !is_impulse),
+        ("e", scene.restitution.is_none() && !is_impulse),
+        ("impulse", scene.impulse.is_none() && is_impulse),
+    ] {
+        absent.extend(is_absent.then(|| format!("`{field}`")));
+    }
+    absent
 }
 
 /// The first solution's report, with all of them and a remark if there are several.

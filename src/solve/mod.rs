@@ -1,13 +1,15 @@
 //! A scene solved: the derivation carried out in exact numbers, with its working.
 
 mod answer_path;
+mod inexact;
 mod report;
 
+pub use inexact::Inexact;
 pub use report::{Answer, Report, StepReport, report};
 
 use answer_path::answer_path;
 
-use crate::expr::{Expr, in_degrees, written, written_angle};
+use crate::expr::{Expr, in_degrees, print, written, written_angle};
 use crate::mechanics::{
     Derivation, Found, Known, Line, Quantity, Refusal, Rule, Scene, Show, Sought, Values, backwards, check_with, pose,
 };
@@ -66,6 +68,9 @@ fn all_solutions(scene: &Scene, asked: &[Quantity]) -> Result<Vec<Solution>, Ref
             Some(derived) => derived,
             None => check_with(&known, path.as_ref().map_or(&nothing, |path| &path.computed))?,
         };
+        if root.scene.restitution.is_none() {
+            root.remarks.extend(computed.number(Quantity::Restitution).iter().flat_map(within_unit));
+        }
         let (derivation, _) = Derivation::carry_out_with(&mut known, &computed, asked);
         Ok(Solution {
             root,
@@ -76,6 +81,19 @@ fn all_solutions(scene: &Scene, asked: &[Quantity]) -> Result<Vec<Solution>, Ref
         })
     };
     roots.into_iter().map(one).collect()
+}
+
+/// What letters must satisfy, so that a coefficient of restitution that was found in them is one.
+fn within_unit(e: &Value) -> Vec<String> {
+    let shown = print::unicode(&written(e));
+    let mut remarks = Vec::new();
+    if e.sign().is_none() {
+        remarks.push(format!("this needs {shown} ≥ 0"));
+    }
+    if (&Value::ONE - e).sign().is_none() {
+        remarks.push(format!("this needs {shown} ≤ 1"));
+    }
+    remarks
 }
 
 impl Solution {

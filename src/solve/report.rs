@@ -3,9 +3,9 @@
 use serde::Serialize;
 use serde_json::{Map, Value as Json, json};
 
-use super::Solution;
+use super::{Inexact, Solution};
 use crate::expr::{Expr, print, ratio, written};
-use crate::mechanics::{Axis, Line, Moment, Quantity};
+use crate::mechanics::{Axis, Line, Moment, Quantity, Sphere};
 use crate::number::{Angle, Decimal, Fraction, Letter, Places, Range, Uncertain, Value, round_certified};
 
 /// A solution in the exchange format.
@@ -23,7 +23,7 @@ pub struct Report {
     pub quantities: Map<String, Json>,
     /// The worked solution.
     pub steps: Vec<StepReport>,
-    /// Roots that were left out and why.
+    /// Roots that were left out and why, and which quantities have no short exact form.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub remarks: Vec<String>,
 }
@@ -73,22 +73,29 @@ impl Answer {
 
     /// A quotient that was not carried out because its denominator holds many roots.
     fn quotient(solution: &Solution, quantity: Quantity) -> Option<Answer> {
-        let (above, below) = match quantity {
-            Quantity::TOverN(sphere, moment) | Quantity::TanToLine(sphere, moment) => {
-                let at = |axis| solution.number(Quantity::Velocity(sphere, moment, axis));
+        let of_impact = quantity.of_its_impact();
+        // Of a later impact the other quantities are those of that impact too.
+        let number = |other: Quantity| solution.number(other.in_impact(quantity.impact())?);
+        let (above, below) = match of_impact {
+            Quantity::TOverN(sphere, moment)
+            | Quantity::TanToLine(sphere, moment)
+            | Quantity::TanToWall(sphere, moment) => {
+                let at = |axis| number(Quantity::Velocity(sphere, moment, axis));
                 (at(Axis::T)?, at(Axis::N)?)
             }
             Quantity::TanDeflection(sphere) => {
-                (solution.number(Quantity::DeflectionCross(sphere))?, solution.number(Quantity::DeflectionDot(sphere))?)
+                (number(Quantity::DeflectionCross(sphere))?, number(Quantity::DeflectionDot(sphere))?)
             }
-            Quantity::Restitution => (solution.number(Quantity::Separation)?, solution.number(Quantity::Approach)?),
-            Quantity::FractionLost => {
-                (solution.number(Quantity::EnergyLost)?, solution.number(Quantity::TotalEnergy(Moment::Before))?)
+            Quantity::Restitution => (number(Quantity::Separation)?, number(Quantity::Approach)?),
+            Quantity::MassRatio if quantity == of_impact => {
+                (number(Quantity::Mass(Sphere::B))?, number(Quantity::Mass(Sphere::A))?)
             }
+            Quantity::FractionLost => (number(Quantity::EnergyLost)?, number(Quantity::TotalEnergy(Moment::Before))?),
             _ => return None,
         };
-        let (above, below) = match quantity {
+        let (above, below) = match of_impact {
             Quantity::TanToLine(..) => (above.absolute(), below.absolute()),
+            Quantity::TanToWall(..) => (below.absolute(), above.absolute()),
             _ => (above, below),
         };
         if below.is_zero() {
@@ -166,8 +173,15 @@ pub fn report(solution: &Solution) -> Report {
         why,
         quantities,
         steps: [steps(&solution.finding()), steps(&solution.lines())].concat(),
-        remarks: solution.remarks().to_vec(),
+        remarks: solution.remarks().iter().cloned().chain(without_exact_form(solution)).collect(),
     }
+}
+
+/// Which quantities are determined and not here, if there are any.
+fn without_exact_form(solution: &Solution) -> Option<String> {
+    let inexact = solution.without_exact_form();
+    let named: Vec<String> = inexact.iter().map(Inexact::to_string).collect();
+    (!named.is_empty()).then(|| format!("too many roots for a short exact form: {}", named.join(", ")))
 }
 
 fn steps(lines: &[Line]) -> Vec<StepReport> {

@@ -1,0 +1,122 @@
+//! What a scene determines is there, exactly or named with its decimal: nothing is left out in silence.
+
+use carom::mechanics::{Datum, Derivation, Known, Quantity};
+use carom::number::Value;
+use carom::solve::{Solution, report, solve_all};
+use serde_json::{Value as Json, json};
+
+use super::scenes::read;
+
+fn solved(scene: &Json) -> Solution {
+    let scene = read(scene);
+    solve_all(&scene, &scene.quantities()).unwrap().remove(0)
+}
+
+/// The quantities that follow in doubles from what is given.
+fn determined(solution: &Solution) -> Vec<Quantity> {
+    let float = |value: &Value| value.to_f64();
+    let datum = |datum: &Datum<Value>| {
+        Some(match datum {
+            Datum::Number(value) => Datum::Number(float(value)?),
+            Datum::Direction { y, x } => Datum::Direction { y: float(y)?, x: float(x)? },
+            Datum::Equation([p, q, r]) => Datum::Equation([float(p)?, float(q)?, float(r)?]),
+        })
+    };
+    let given = carom::mechanics::pose(solution.scene()).unwrap();
+    let mut known = Known(given.0.iter().map(|(quantity, known)| (*quantity, datum(known).unwrap())).collect());
+    let asked = solution.scene().quantities();
+    Derivation::carry_out(&mut known, &asked);
+    let exists = |quantity: &Quantity| {
+        let is_finite = |number: f64| number.is_finite() && number.abs() < 1e9;
+        known.number(*quantity).is_some_and(is_finite) || known.direction(*quantity).is_some()
+    };
+    asked.into_iter().filter(exists).collect()
+}
+
+#[test]
+fn carom_leaves_no_quantity_out_in_silence() {
+    let wall = json!({
+        "masses": { "A": "4" }, "before": { "A": ["1", "6.4"] }, "wall": ["5*sqrt(5)", "7"], "e": "sqrt(2)/2"
+    });
+    let later = json!({
+        "masses": { "A": "2", "B": "sqrt(3)" }, "before": { "A": ["sqrt(5)", "2"], "B": ["0", "1"] },
+        "line_of_centres": ["1", "sqrt(2)"], "e": "1/2",
+        "then": [{ "of": ["B"], "wall": ["1", "-3"], "e": "sqrt(2)/2" }]
+    });
+    let many = json!({
+        "masses": { "A": "sqrt(2)+sqrt(3)+sqrt(5)+sqrt(7)", "B": "3" }, "before": { "A": ["4", "1"], "B": ["0", "0"] },
+        "line_of_centres": ["1", "0"], "e": "1/2"
+    });
+    for scene in [wall, later, many] {
+        let solution = solved(&scene);
+        let report = report(&solution);
+        let remarks = report.remarks.join("; ");
+        let all = determined(&solution);
+        assert!(all.len() > 40, "{}", all.len());
+        for quantity in all {
+            let name = quantity.to_string();
+            let is_there = report.quantities.contains_key(&name) || remarks.contains(&format!("`{name}`"));
+            assert!(is_there, "{name} of {scene}: {remarks}");
+        }
+    }
+}
+
+#[test]
+fn carom_knows_the_decimals_of_what_has_no_exact_form() {
+    let scene = json!({
+        "masses": { "A": "sqrt(2)+sqrt(3)+sqrt(5)+sqrt(7)", "B": "3" }, "before": { "A": ["4", "1"], "B": ["0", "0"] },
+        "line_of_centres": ["1", "0"], "e": "1/2"
+    });
+    let inexact = solved(&scene).without_exact_form();
+    let of = |name: &str| {
+        let one = inexact.iter().find(|inexact| inexact.quantity.to_string() == name);
+        one.map(ToString::to_string).unwrap_or_default()
+    };
+    // m = √2 + √3 + √5 + √7 = 8.0280; v = 4 (m - 3/2)/(m + 3), w = 4 (3/2) m/(m + 3).
+    assert_eq!(of("A.after.n"), "`A.after.n` ≈ 2.37 m/s");
+    assert_eq!(of("B.after.n"), "`B.after.n` ≈ 4.37 m/s");
+    assert_eq!(of("A.after.angle_to_loc_deg"), "`A.after.angle_to_loc_deg` ≈ 22.9°");
+    assert_eq!(of("A.before.n"), "");
+}
+
+#[test]
+fn carom_finds_the_mass_that_an_impulse_acts_on() {
+    let mass = |before: [&str; 2], after: [&str; 2], impulse: [&str; 2]| {
+        let scene = json!({
+            "masses": { "A": null }, "before": { "A": before }, "after": { "A": after }, "impulse": impulse
+        });
+        solved(&scene).number("A.mass".parse().unwrap())
+    };
+    assert_eq!(mass(["1", "1"], ["3", "1"], ["6", "0"]), Some(Value::from(3)));
+    assert_eq!(mass(["1", "1"], ["1", "-1"], ["0", "-5"]), Some(Value::fraction(5, 2)));
+    assert_eq!(mass(["1", "0"], ["5", "3"], ["8", "6"]), Some(Value::from(2)));
+}
+
+#[test]
+fn carom_finds_a_mass_with_more_roots_than_the_rest_can_be_written_in() {
+    let scene = json!({
+        "masses": { "A": "6", "B": "x" }, "before": { "A": { "speed": "7", "angle_deg": "30" }, "B": ["-sqrt(2)", "1"] },
+        "line_of_centres": ["1", "0"], "sense": "A_to_B", "e": "3/4", "symbols": { "x": "positive" },
+        "unknowns": ["x"], "conditions": ["A.after.angle_to_loc_deg = 51"]
+    });
+    let scene = read(&scene);
+    let solutions = solve_all(&scene, &scene.quantities()).unwrap();
+    // v = ±(7/2)/tan 51°, w = v + (3/4)(7√3/2 + √2), x = 6 (7√3/2 - v)/(w + √2).
+    let tangent = 51f64.to_radians().tan();
+    let (along, two) = (3.5 * 3f64.sqrt(), 2f64.sqrt());
+    let mut expected = [1.0, -1.0].map(|sign| {
+        let v = sign * 3.5 / tangent;
+        6.0 * (along - v) / (v + 0.75 * (along + two) + two)
+    });
+    expected.sort_by(f64::total_cmp);
+    let mut found: Vec<f64> = solutions.iter().map(|solution| solution.found()[0].1.to_f64().unwrap()).collect();
+    found.sort_by(f64::total_cmp);
+    assert_eq!(found.len(), 2);
+    assert!(found.iter().zip(expected).all(|(one, other)| (one / other - 1.0).abs() < 1e-12), "{found:?} {expected:?}");
+    let angle: Quantity = "A.after.angle_to_loc_deg".parse().unwrap();
+    for solution in &solutions {
+        let inexact = solution.without_exact_form();
+        let is_said = inexact.iter().any(|inexact| inexact.to_string() == format!("`{angle}` ≈ 51.0°"));
+        assert!(solution.angle(angle).is_some() || is_said, "{inexact:?}");
+    }
+}
