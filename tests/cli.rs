@@ -364,6 +364,51 @@ fn the_momentum_of_a_sphere_at_rest_is_a_product_and_no_number_of_two_digits() {
 }
 
 #[test]
+fn a_scene_that_cannot_be_solved_is_told_what_is_the_matter_with_it() {
+    let scene = |masses: &str, velocity: &str, rest: &str| {
+        let before = format!(r#""before": {{"A": {velocity}, "B": ["0", "0"]}}"#);
+        format!(r#"{{"masses": {masses}, {before}{rest}}}"#)
+    };
+    let masses = r#"{"A": "1", "B": "1"}"#;
+    let line = r#", "line_of_centres": ["1", "0"]"#;
+    let asks = |condition: &str| {
+        let unknown = r#""e": "x", "symbols": {"x": "unit"}, "unknowns": ["x"]"#;
+        scene(masses, r#"["1", "1"]"#, &format!(r#"{line}, {unknown}, "conditions": ["{condition}"]"#))
+    };
+    let with = |rest: &str| scene(masses, r#"["1", "1"]"#, rest);
+    let many = r#"{"A": "sqrt(2)+sqrt(3)+sqrt(5)+sqrt(7)", "B": "3"}"#;
+    for (scene, said) in [
+        (scene(many, r#"["4", "1"]"#, &format!(r#"{line}, "e": "1/2""#)), "too many roots for an exact form"),
+        (scene(many, r#"["4", "1"]"#, &format!(r#"{line}, "e": "1/2""#)), "`A.after.x` ≈ 2.37 m/s"),
+        (with(line), "there is no `e`"),
+        (with(r#", "e": "1/2""#), "there is no `line_of_centres`"),
+        (scene(r#"{"A": "1"}"#, r#"["1", "1"]"#, &format!(r#"{line}, "e": "1/2""#)), "there is no `masses.B`"),
+        (scene(masses, "\"4i+j\"", &format!(r#"{line}, "e": "1/2""#)), r#"`["4", "1"]`"#),
+        (with(r#", "line_of_centres": ["0", "0"], "e": "1/2""#), "help: give any vector from the centre of A"),
+        (with(&format!(r#"{line}, "e": "1/0""#)), "help: change what stands below the line"),
+        (with(&format!(r#"{line}, "e": "sqrt(-1)""#)), "help: check the sign"),
+        (scene(r#"{"A": "m", "B": "1"}"#, r#"["1", "1"]"#, r#", "symbols": {"m": "pos"}"#), "did you mean `positive`?"),
+        (asks("A.after.angle_to_loc_deg = -60"), "this angle is from 0° to 90°"),
+        (asks("A.deflection_deg = 200"), "this angle is from 0° to 180°"),
+        (asks("A.deflection_signed_deg = 200"), "this angle is from −180° to 180°"),
+        ("[1, 2]".to_owned(), "expected `{` and the fields of a scene"),
+    ] {
+        let output = with_stdin(&["solve", "-"], scene.as_bytes());
+        assert_eq!(code(&output), 1, "{scene}");
+        assert!(stderr(&output).contains(said), "{scene}: {}", stderr(&output));
+        assert_eq!(stderr(&output).matches("error: ").count(), 1, "{scene}: {}", stderr(&output));
+    }
+}
+
+#[test]
+fn letters_in_a_coefficient_of_restitution_have_their_limits() {
+    let scene = r#"{"masses": {"A": "m", "B": "m"}, "before": {"A": ["u", "0"], "B": ["0", "0"]}, "after": {"A": ["v", "0"]},
+        "line_of_centres": ["1", "0"], "symbols": {"m": "positive", "u": "positive", "v": "positive"}}"#;
+    let output = with_stdin(&["solve", "-"], scene.as_bytes());
+    assert!(stdout(&output).contains("this needs (u − 2v)/u ≥ 0"), "{}", stdout(&output));
+}
+
+#[test]
 fn an_impossible_scene_is_refused_with_the_mechanics() {
     // Exercise 12 as it is printed: the spheres would pass through each other.
     let scene = r#"{"masses": {"A": "1", "B": "2"}, "before": {"A": ["2", "5"], "B": ["3", "-1"]}, "after": {"A": ["3", "2"]}}"#;

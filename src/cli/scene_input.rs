@@ -32,7 +32,8 @@ pub fn scene(path: &Path) -> Result<Scene, Failure> {
     let is_json = match ending.as_deref() {
         Some("json") => true,
         Some("toml") => false,
-        _ => text.trim_start().starts_with('{'),
+        // A list is no scene in either language; `[masses]` is a heading of TOML, and no list.
+        _ => text.trim_start().starts_with('{') || serde_json::from_str::<Vec<serde_json::Value>>(text).is_ok(),
     };
     let scene = if is_json { json_scene::read(&source) } else { read_scene(&source) };
     Ok(scene?)

@@ -50,8 +50,8 @@ const AT_A_WALL: &[(&str, &str)] = &[
         "The sphere does not stay at the wall: the law of restitution says how fast it leaves.",
     ),
     (
-        "That is the angle with the common tangent; the angle with the line of centres is 90° less that.",
-        "That is the angle with the perpendicular to the wall; the angle with the wall is 90° less that.",
+        "That is the angle with the common tangent; the angle with the line of centres is 90° minus that.",
+        "That is the angle with the perpendicular to the wall; the angle with the wall is 90° minus that.",
     ),
     (
         "the velocities of A and B have equal components along the line of centres: the spheres do not approach, so there is no impact",
@@ -160,8 +160,8 @@ const ON_A_PARTICLE: &[(&str, &str)] = &[
         "angle between them is not the sum of their angles with one line",
     ),
     (
-        "That is the angle with the common tangent; the angle with the line of centres is 90° less that.",
-        "That is the angle with the other unit vector; the angle that is asked for is 90° less that.",
+        "That is the angle with the common tangent; the angle with the line of centres is 90° minus that.",
+        "That is the angle with the other unit vector; the angle that is asked for is 90° minus that.",
     ),
     ("The sphere turns back along the line of centres", "The particle turns back"),
     ("impulse as the change of momentum of one sphere", "impulse as the change of momentum"),

@@ -56,7 +56,8 @@ fn located(source: &Source, fault: KeyFault) -> Diagnostic {
     };
     let message = if fault.path.is_empty() { fault.message } else { format!("`{}`: {}", fault.path, fault.message) };
     let whole = fault.path.is_empty();
-    let diagnostic = Diagnostic::new(message, source, span, format!("expected {}", fault.expected));
+    let diagnostic =
+        Diagnostic::new(message, source, span, format!("expected {}", fault.expected.trim_start_matches("expected ")));
     if !fault.help.is_empty() {
         return diagnostic.with_help(fault.help);
     }

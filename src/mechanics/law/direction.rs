@@ -42,7 +42,7 @@ pub const SLIPS: &[Slip] = &[
         place: 23,
         tag: "angle-complement",
         did: "divided the components the other way up",
-        sentence: "That is the angle with the common tangent; the angle with the line of centres is 90° less that.",
+        sentence: "That is the angle with the common tangent; the angle with the line of centres is 90° minus that.",
         also: &[],
         condoned: true,
     },

@@ -16,13 +16,18 @@ impl Reader<'_> {
             ("after.A", &text.after.a),
             ("after.B", &text.after.b),
         ];
-        let given = || velocities.iter().filter_map(|(field, velocity)| Some((*field, velocity.as_ref()?)));
-        let is_direct = |velocity: &VelocityText<S>| matches!(velocity, VelocityText::Along(_));
+        // A vector in one text is a fault of its own.
+        let is_direct = |velocity: &VelocityText<S>| match velocity {
+            VelocityText::Along(text) => self.vector_in_words(text.as_ref()).is_none(),
+            _ => false,
+        };
+        let given = velocities.iter().filter_map(|(field, velocity)| Some((*field, is_direct(velocity.as_ref()?))));
+        let given: Vec<(&str, bool)> = given.collect();
         let setting = if text.wall.is_some() {
             Setting::Wall
         } else if text.impulse.is_some() || is_of_one_particle(text) {
             Setting::Impulse
-        } else if given().any(|(_, velocity)| is_direct(velocity)) {
+        } else if given.iter().any(|(_, is_direct)| *is_direct) {
             Setting::Direct
         } else {
             return Setting::Oblique;
@@ -30,8 +35,8 @@ impl Reader<'_> {
         let mut refuse = |field: &str, message: &str, expected: &str| {
             self.fault(field, Fault::new(message, Span::default(), expected));
         };
-        for (field, velocity) in given() {
-            if is_direct(velocity) != (setting == Setting::Direct) {
+        for (field, is_direct) in given {
+            if is_direct != (setting == Setting::Direct) {
                 let expected = "`\"u\"` for every velocity, along one line, or `[\"x\", \"y\"]` for every one";
                 refuse(field, "velocities along a line and in a plane are mixed", expected);
             }
@@ -77,6 +82,7 @@ impl Reader<'_> {
                 let [x, y] = self.pair(wall, "wall")?;
                 if x.value.is_zero() && y.value.is_zero() {
                     self.whole_fault("wall[1]", wall[1].as_ref(), "the vector nought has no direction:", "a vector");
+                    self.help("give any vector along the wall: `[\"1\", \"0\"]` is along i");
                     return None;
                 }
                 return Some(Contact::Along(-y.value, x.value, None));
@@ -96,6 +102,7 @@ impl Reader<'_> {
             let (x, y_value) = (x?.value, y_given?.value);
             if x.is_zero() && y_value.is_zero() {
                 self.whole_fault("line_of_centres[1]", y.as_ref(), "the vector nought has no direction:", "a vector");
+                self.help("give any vector from the centre of A to that of B: `[\"1\", \"0\"]` is along i");
                 return None;
             }
             let sense = text.sense.filter(|sense| *sense == Sense::FromAToB);

@@ -1,15 +1,20 @@
 //! Reads a scene: every expression evaluated, every fault kept with its field.
 
 mod contact;
+mod letters;
 mod then;
 
 use std::collections::BTreeMap;
+
+use letters::known_letters;
 
 use super::Sphere;
 use super::scene::{Condition, Given, Scene, Velocity};
 use super::scene_text::{Pair, SceneText, VelocityText};
 use super::setting::Setting;
-use crate::expr::{Angles, Expr, Fault, Meaning, Relation, Span, Turn, degrees, number, read};
+use crate::expr::{
+    Angles, Expr, Fault, Meaning, Relation, Span, Turn, degrees, evaluate, number, print, read, written,
+};
 use crate::number::{Angle, Letter, Range, Value};
 
 /// A fault in one expression of a scene.
@@ -121,38 +126,17 @@ impl Reader<'_> {
         self.faults.push(SceneFault { field: field.to_string(), fault, is_of_the_form: true });
     }
 
+    /// One thing to try about the last fault.
+    fn help(&mut self, help: &str) {
+        if let Some(SceneFault { fault, .. }) = self.faults.last_mut() {
+            fault.help.get_or_insert_with(|| help.to_owned());
+        }
+    }
+
     /// A fault of a whole text.
     fn whole_fault(&mut self, field: &str, text: &str, message: &str, expected: &str) {
         let span = Span { start: 0, end: text.len() };
         self.fault(field, Fault::new(format!("{message} `{text}`"), span, expected));
-    }
-
-    fn declare<S: AsRef<str>>(&mut self, text: &SceneText<S>) {
-        for (name, range) in &text.symbols {
-            let field = format!("symbols.{name}");
-            let Some((_, found)) = Range::DECLARED.into_iter().find(|(word, _)| *word == range.as_ref()) else {
-                self.whole_fault(&field, range.as_ref(), "unknown range", "`positive`, `unit`, `acute` or `real`");
-                continue;
-            };
-            match Letter::new(name, found) {
-                Some(letter) if !name.is_empty() => self.letters.push(letter),
-                _ => self.whole_fault(&field, name, "a letter's name is too long", &at_most()),
-            }
-        }
-    }
-
-    /// `e`, `A.mass` and `B.mass` need no declaration to be found: their meaning is their range.
-    fn imply<S: AsRef<str>>(&mut self, text: &SceneText<S>) {
-        for name in &text.unknowns {
-            let range = match name.as_ref() {
-                "e" => Range::Unit,
-                "A.mass" | "B.mass" => Range::Positive,
-                _ => continue,
-            };
-            if self.letters.iter().all(|letter| letter.name() != name.as_ref()) {
-                self.letters.extend(Letter::new(name.as_ref(), range));
-            }
-        }
     }
 
     fn expression(&mut self, text: &str, field: &str) -> Option<Expr> {
@@ -175,7 +159,7 @@ impl Reader<'_> {
             }
             Ok(value) => {
                 let worked_out = value.as_fraction().is_some() && !is_decimal(&expr);
-                let shown = if worked_out { crate::expr::written(&value) } else { expr };
+                let shown = if worked_out { written(&value) } else { expr };
                 Some(Given { value, shown })
             }
             Err(fault) => {
@@ -195,6 +179,18 @@ impl Reader<'_> {
             fault.help = Some(not_a_letter(text, &fault).unwrap_or(known));
         }
         self.fault(field, fault);
+        self.help_with_number();
+    }
+
+    /// What to try about a number that does not exist.
+    fn help_with_number(&mut self) {
+        let message = self.faults.last().map_or("", |found| &found.fault.message);
+        let help = match message {
+            "division by nought" => "change what stands below the line, or leave the field out if it is not given",
+            "the square root of a negative number" => "check the sign of what stands under the root",
+            _ => return,
+        };
+        self.help(help);
     }
 
     fn optional<S: AsRef<str>>(&mut self, text: Option<&S>, field: &str) -> Option<Given> {
@@ -215,9 +211,24 @@ impl Reader<'_> {
         })
     }
 
+    /// The components of a vector that was typed as one text, `4i + j`.
+    fn vector_in_words(&self, text: &str) -> Option<[String; 2]> {
+        let expr = read(text, self.angles).ok()?.substitute(&|name| self.parameters.get(name).cloned());
+        match evaluate(&expr, &|name| meaning(&self.letters, name)) {
+            Ok(Meaning::Vector(x, y)) => Some([x, y].map(|part| print::plain(&written(&part)))),
+            _ => None,
+        }
+    }
+
     fn velocity<S: AsRef<str>>(&mut self, text: &VelocityText<S>, field: &str) -> Option<Velocity> {
         let polar = match text {
             VelocityText::Along(velocity) => {
+                if let Some([x, y]) = self.vector_in_words(velocity.as_ref()) {
+                    let expected = format!("`[\"{x}\", \"{y}\"]`");
+                    self.whole_fault(field, velocity.as_ref(), "a vector in one text", &expected);
+                    self.help("write the components along i and along j as a list of two texts");
+                    return None;
+                }
                 return Some(Velocity::Components(self.value(velocity.as_ref(), field)?, Given::nought()));
             }
             VelocityText::Components(components) => {
@@ -234,6 +245,7 @@ impl Reader<'_> {
                 "a negative speed",
                 "a speed, not negative",
             );
+            self.help("leave the sign out, and turn the direction round by 180° if it is meant to be the opposite one");
         }
         match (&polar.angle_deg, &polar.cos, &polar.sin) {
             (Some(angle), None, None) => {
@@ -317,15 +329,6 @@ impl Reader<'_> {
             }
         }
         conditions
-    }
-}
-
-/// Which letters there are, or how they are declared.
-fn known_letters(letters: &[Letter]) -> String {
-    let known: Vec<String> = letters.iter().map(|letter| format!("`{}`", letter.name())).collect();
-    match known.is_empty() {
-        true => "declare letters in `symbols`, each as `positive`, `unit`, `acute` or `real`".to_owned(),
-        false => format!("the letters declared in `symbols` are {}", known.join(", ")),
     }
 }
 
