@@ -235,8 +235,7 @@ fn begins_a_clause(sentence: &Sentence, place: usize, subject: &Phrase, verb: &s
     match &sentence[before] {
         // `*A* and then *B* strike the wall`
         Token::Word(word) if word == "then" => {
-            !before.checked_sub(1).is_some_and(|and| word_at(sentence, and) == "and")
-                || subject.count() == Count::Several
+            before.checked_sub(1).is_none_or(|and| word_at(sentence, and) != "and") || subject.count() == Count::Several
         }
         Token::Word(word) if IN_TIME.contains(&word.as_str()) => {
             let is_body = row(sentence, place).is_some()

@@ -97,8 +97,8 @@ pub fn noun_after(sentence: &Sentence, at: usize) -> Option<usize> {
         determiner(word).is_some() || DESCRIBING.contains(&word) || ["the", "its", "their", "another"].contains(&word)
     });
     let is_any = word(sentence, at).is_some_and(|word| ["a", "an", "the", "two", "three", "its"].contains(&word));
-    let mut place = at + usize::from(is_led);
-    for _ in 0..6 {
+    let start = at + usize::from(is_led);
+    for place in start..start + 6 {
         let here = word(sentence, place)?;
         if noun(here).is_some() {
             // What comes before another noun describes it: `a mass ratio`.
@@ -109,7 +109,6 @@ pub fn noun_after(sentence: &Sentence, at: usize) -> Option<usize> {
         if !describes || (ends_a_phrase(here) && !DESCRIBING.contains(&here)) {
             return None;
         }
-        place += 1;
     }
     None
 }

@@ -280,10 +280,8 @@ impl Lexer<'_> {
     /// Is what stands straight before it a decimal?
     fn is_after_a_measure(&self) -> bool {
         let ends_here = |placed: &Placed| placed.end == self.glyphs[self.at].place;
-        match self.out.last().filter(|placed| ends_here(placed)).map(|placed| &placed.token) {
-            Some(Token::Number(Expr::Decimal(_))) => true,
-            _ => false,
-        }
+        let last = self.out.last().filter(|placed| ends_here(placed));
+        last.is_some_and(|placed| matches!(placed.token, Token::Number(Expr::Decimal(_))))
     }
 
     /// `2. 78`: a point after a digit, a blank, a digit.

@@ -154,10 +154,10 @@ impl Examined {
 
     /// With the methods that are seen where laws are used with wrong values of earlier parts, as if these had been given.
     fn follow_laws(&mut self, question: &KeyedQuestion, part: &KeyedPart, working: &[String], before: &Theirs) {
-        let is_open = |(mark, award): (&KeyedMark, &Option<Award>)| {
+        let is_open = |mark: &KeyedMark, award: &Option<Award>| {
             is_method_of_law(mark) && !award.as_ref().is_some_and(|it| it.given)
         };
-        if !part.scheme.iter().zip(&self.awards).any(is_open) {
+        if !part.scheme.iter().zip(&self.awards).any(|(mark, award)| is_open(mark, award)) {
             return;
         }
         let Some(own) = question.with_own(before) else { return };
@@ -173,10 +173,9 @@ impl Examined {
             let is_of_law = matches!(mark.earned_for, EarnedFor::Law(..));
             is_of_law && (mark.code.is_method() || mark.code == Code::A1FollowThrough)
         };
-        let is_open = |(mark, award): (&KeyedMark, &Option<Award>)| {
-            follows(mark) && !award.as_ref().is_some_and(|award| award.given)
-        };
-        if !part.scheme.iter().zip(&self.awards).any(is_open) {
+        let is_open =
+            |mark: &KeyedMark, award: &Option<Award>| follows(mark) && !award.as_ref().is_some_and(|award| award.given);
+        if !part.scheme.iter().zip(&self.awards).any(|(mark, award)| is_open(mark, award)) {
             return;
         }
         let Some(own) = question.as_read(misread) else { return };
@@ -191,13 +190,13 @@ impl Examined {
         part: &KeyedPart,
         working: &[String],
         before: &Theirs,
-        is_open: &dyn Fn((&KeyedMark, &Option<Award>)) -> bool,
+        is_open: &dyn Fn(&KeyedMark, &Option<Award>) -> bool,
         (note, feedback): (&'static str, &str),
     ) {
         let Some(part) = own.parts.iter().find(|other| other.label == part.label) else { return };
         let followed = examine_one(own, part, working, before, &[]);
         for ((mark, award), other) in part.scheme.iter().zip(&mut self.awards).zip(followed.awards) {
-            if is_open((mark, award))
+            if is_open(mark, award)
                 && let Some(other) = other.filter(|other| other.given)
             {
                 *award = Some(Award { note: Some(note), feedback: feedback.to_owned(), ..other });
