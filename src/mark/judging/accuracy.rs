@@ -123,6 +123,13 @@ impl Written {
         Written { value: &self.value * factor, places: self.places - places, ..self.clone() }
     }
 
+    /// The decimal in another unit. A power of ten moves the point; any other factor leaves no place that was written.
+    pub(super) fn converted(&self, scale: &Fraction) -> Written {
+        let moved = (-60..=60).find(|power| Fraction::from(10).power(*power).as_ref() == Some(scale));
+        let written = self.times(scale, moved.map_or(0, i64::from));
+        Written { worked_out: self.worked_out || moved.is_none(), ..written }
+    }
+
     /// A value that was worked out with decimals: it is worth no more figures than the shortest of them, nor than it has
     /// itself where it ends as they do, as `28 − 22.7` has two.
     pub(super) fn worked_out(value: Fraction, decimals: &Coarsest) -> Written {

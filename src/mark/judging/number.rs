@@ -105,11 +105,7 @@ fn as_it_stands(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
         }
         UnitCheck::Spoilt(note) => plain.spoilt_by(note),
         UnitCheck::Converted(scale) => {
-            let written = Written::of(expr).map(|written| {
-                // A power of ten moves the point; any other factor leaves no place that was written.
-                let moved = (-60..=60).find(|power| Fraction::from(10).power(*power).as_ref() == Some(&scale));
-                written.times(&scale, moved.map_or(0, i64::from))
-            });
+            let written = Written::of(expr).map(|written| written.converted(&scale));
             let scaled = Expr::product([Expr::Number(scale), expr.clone()]);
             let converted = signed(model, &scaled, &written, label).remarked(Note::UnitConverted);
             converted.or_better(plain.at_most_partial(Note::UnitWrong))
