@@ -7,6 +7,9 @@ use crate::number::{Angle, Direction, Fraction, Interval, Value};
 /// The longest number, in bits, in an angle that is multiplied: about 300 figures.
 const LONGEST: usize = 1_000;
 
+/// A multiple of a multiple of an angle grows by its factor, and has no more terms than these.
+const MOST_TERMS: usize = 48;
+
 /// The most nested roots inside each other in an angle that is halved: every halving puts a root around the last, so that an
 /// eighth of an acute letter has two.
 const DEEPEST: u32 = 1;
@@ -92,7 +95,8 @@ impl Turn {
 
     /// Are its numbers such as can be worked with?
     fn is_short(&self) -> bool {
-        self.rest.as_ref().is_none_or(|angle| angle.y().longest_number().max(angle.x().longest_number()) <= LONGEST)
+        let is_short = |value: &Value| value.longest_number() <= LONGEST && value.count() <= MOST_TERMS;
+        self.rest.as_ref().is_none_or(|angle| is_short(angle.y()) && is_short(angle.x()))
     }
 
     /// A positive multiple of the sine, without the root that makes it the sine itself: nought where the

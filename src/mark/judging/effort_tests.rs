@@ -23,7 +23,7 @@ const MODELS: [(&str, Option<Kind>); 14] = [
 ];
 
 /// Formulas that are short to write and long to work out.
-const LABORIOUS: [&str; 67] = [
+const LABORIOUS: [&str; 69] = [
     // Halves of halves: a root in a root for each.
     "θ½½½½½½",
     "tan(θ/2/2/2/2/2/2)",
@@ -66,6 +66,9 @@ const LABORIOUS: [&str; 67] = [
     "1/(sin(1)+sin(2)+sin(3))",
     "cos(12θ)+cos(11θ)",
     "cos(99999θ)",
+    // A multiple of a multiple of a multiple.
+    "9 (4θ)x6(6)",
+    "12(12(12θ))",
     "tan(12θ)",
     "tan(θ+α+β)",
     "sin(3θ+4α+5β)",
