@@ -95,7 +95,7 @@ impl Turn {
 
     /// Are its numbers such as can be worked with?
     fn is_short(&self) -> bool {
-        let is_short = |value: &Value| value.longest_number() <= LONGEST && value.count() <= MOST_TERMS;
+        let is_short = |value: &Value| value.longest_number() <= LONGEST && value.terms() <= MOST_TERMS;
         self.rest.as_ref().is_none_or(|angle| is_short(angle.y()) && is_short(angle.x()))
     }
 

@@ -296,17 +296,6 @@ impl Value {
         Some(&(&a - &(&b * &Value::root(root))) * &norm.reciprocal()?)
     }
 
-    /// How many products of letters and numbers it adds up.
-    pub(crate) fn count(&self) -> usize {
-        match self {
-            Value::Rational(_) => 1,
-            Value::Compound(compound) => {
-                let all = compound.terms.values().chain([&compound.denominator]);
-                all.map(|polynomial| polynomial.terms().len()).sum()
-            }
-        }
-    }
-
     /// The length of the longest number in it, in bits.
     pub(crate) fn longest_number(&self) -> usize {
         let Value::Compound(compound) = self else { return self.as_fraction().map_or(0, Fraction::length) };

@@ -214,7 +214,7 @@ const CLOSED: [&str; 40] = [
 ];
 
 /// Words that describe a noun of a collision and are nothing else there.
-pub const DESCRIBING: [&str; 34] = [
+pub const DESCRIBING: [&str; 33] = [
     "small",
     "large",
     "smooth",
@@ -248,7 +248,6 @@ pub const DESCRIBING: [&str; 34] = [
     "unequal",
     "resulting",
     "common",
-    "elastic",
 ];
 
 /// How many things a word for a body is of.
