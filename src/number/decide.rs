@@ -33,10 +33,15 @@ const MOST_POINTS: u32 = 12;
 impl Value {
     /// Is it nought (for a formula: whatever its letters stand for)?
     pub fn is_zero(&self) -> bool {
-        let Value::Compound(_) = self else { return self.is_written_zero() };
-        if let Some(root @ Root::Nested { .. }) = self.roots().pop() {
-            // Nearly always one point tells, and to square root after root is long.
-            return self.may_vanish(0, 64) && self.is_zero_with(&root);
+        let Value::Compound(compound) = self else { return self.is_written_zero() };
+        let roots = self.roots();
+        if let Some(root @ Root::Nested { .. }) = roots.last() {
+            if is_one_product(&compound.terms) {
+                let is_nought = |root: &Root| matches!(root, Root::Nested { .. }) && root.square().is_zero();
+                return roots.iter().any(is_nought);
+            }
+            // Nearly always one point tells, of what is very small more finely; and to square root after root is long.
+            return self.may_vanish(0, 64) && self.may_vanish(0, 512) && self.is_zero_with(root);
         }
         if !self.letters().iter().any(Letter::is_constant) {
             // No nested root and no given angle: the normal form is nought only as nought itself.
@@ -101,6 +106,13 @@ impl Value {
     pub fn equals(&self, other: &Value) -> bool {
         self == other || (self - other).is_zero()
     }
+}
+
+/// Is there a single product of roots and letters, and nothing in it that is given as a number of degrees?
+fn is_one_product(terms: &Terms) -> bool {
+    let mut products = terms.values().flat_map(Polynomial::terms);
+    let is_free = |(letters, _): &(Monomial, Fraction)| !letters.iter().any(|(letter, _)| letter.is_constant());
+    products.next().is_some_and(is_free) && products.next().is_none()
 }
 
 /// The value's coefficient of each product of letters (and of roots that hold letters).

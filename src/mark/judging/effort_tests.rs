@@ -99,7 +99,7 @@ const LABORIOUS: [&str; 69] = [
 ];
 
 /// Pieces that are repeated until the answer is as long as any that is read.
-const REPEATED: [&str; 42] = [
+const REPEATED: [&str; 44] = [
     "½",
     "(",
     "√",
@@ -142,6 +142,8 @@ const REPEATED: [&str; 42] = [
     "e^",
     "gradient 1 ",
     "tanβ",
+    "3√3/5",
+    "3√3/53√3/5√√",
 ];
 
 /// The most steps that judging one answer may take. A step is an operation on short numbers; so many are
@@ -190,6 +192,13 @@ fn no_answer_takes_long_to_judge() {
         let tangents = |count: usize| "tanβ".repeat(count);
         let [first, second, third, last] = [28, 6, 26, 8].map(tangents);
         answers.push(format!("133{first}arctan0000000{second}–0000000{third}arctan0000000{last}=0=1=0"));
+        // Small beyond 64 binary places, and in it a root in a root in a root.
+        let [first, last] = [13, 9].map(|count| "3√3/5".repeat(count));
+        for depth in [4, 8, 10, 11] {
+            let roots = "√".repeat(depth);
+            answers.push(format!("3√3/54u{first}{roots}3√3/52.782"));
+            answers.push(format!("3√3/54u{first}{roots}3√3/52.782from BA{last}"));
+        }
         for answer in answers {
             let readings = read_answer(&answer, &model.vocabulary);
             judge(model, &readings);
