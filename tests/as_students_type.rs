@@ -38,6 +38,7 @@ fn model(question: &Question) -> Model {
         accept: question.accept.as_ref().map(|rule| Accept::said(rule).unwrap()),
         letters: question.letters.iter().map(|name| Letter::new(name, range(name)).unwrap()).collect(),
         quantity: question.find.as_ref().map(|name| name.parse().unwrap()),
+        letter: None,
     };
     Model::read(&question.model, &options).unwrap_or_else(|fault| panic!("{}: {fault:?}", question.model))
 }

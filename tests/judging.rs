@@ -270,6 +270,7 @@ fn finished(text: &str, kind: Kind, quantity: Option<Quantity>, vectors: bool) -
         // The letters of the exercises, and the angle of A's path before, which many solutions call alpha.
         letters: ["m", "u", "v"].into_iter().filter_map(letter).chain(Letter::new("alpha", Range::Acute)).collect(),
         quantity,
+        letter: None,
     };
     let mut model = Model::read(text, &options).unwrap_or_else(|fault| panic!("{text}: {}", fault.message));
     model.vocabulary.vectors |= vectors;

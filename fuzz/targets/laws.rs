@@ -50,7 +50,7 @@ struct Pair {
 static MODELS: LazyLock<Vec<Pair>> = LazyLock::new(|| {
     let letters: Vec<Letter> = LETTERS.iter().map(|(name, range)| Letter::new(name, *range).expect("short")).collect();
     let read = |text: &str, kind, accept| {
-        let options = ModelOptions { kind, accept: Some(accept), letters: letters.clone(), quantity: None };
+        let options = ModelOptions { kind, accept: Some(accept), letters: letters.clone(), ..ModelOptions::default() };
         Model::read(text, &options).unwrap_or_else(|fault| panic!("{text}: {fault:?}"))
     };
     let pair = |(right, other, kind): &(&str, &str, Option<Kind>)| Pair {

@@ -74,9 +74,9 @@ pub fn run(arguments: &CompareArguments) -> Result<(), Failure> {
         accept: arguments.accept.as_deref().map(accept).transpose()?,
         letters,
         quantity: asked.quantity,
+        letter: asked.letter,
     };
     let model = Model::read(model, &options).map_err(|fault| Failure::Faults(vec![diagnosed(fault, model)]))?;
-    let model = Model { letter: asked.letter, ..model };
     let judgement = judge(&model, &read_answer(answer, &model.vocabulary));
     if arguments.json { print_json(&as_json(&judgement)) } else { print(&in_words(&judgement)) }
 }

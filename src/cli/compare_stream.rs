@@ -79,8 +79,9 @@ fn verdict(line: &[u8], models: &mut Models) -> Result<Json, String> {
         accept: optional(fields, "accept")?.map(accept).transpose().map_err(wrong)?,
         letters,
         quantity: asked.quantity,
+        letter: asked.letter,
     };
-    let model = models.read(model, options, asked.letter)?;
+    let model = models.read(model, options)?;
     Ok(as_json(&judge(model, &read_answer(answer, &model.vocabulary))))
 }
 
@@ -93,16 +94,14 @@ struct Models(VecDeque<(String, ModelOptions, Model)>);
 
 impl Models {
     /// The model with this text and these options, read if it is not remembered.
-    fn read(&mut self, text: &str, options: ModelOptions, letter: Option<String>) -> Result<&Model, String> {
-        let is_it = |(known, with, model): &(String, ModelOptions, Model)| {
-            known == text && *with == options && model.letter == letter
-        };
+    fn read(&mut self, text: &str, options: ModelOptions) -> Result<&Model, String> {
+        let is_it = |(known, with, _): &(String, ModelOptions, Model)| known == text && *with == options;
         let remembered = self.0.iter().position(is_it).and_then(|place| self.0.remove(place));
         let latest = match remembered {
             Some(latest) => latest,
             None => {
                 let model = Model::read(text, &options).map_err(|fault| format!("model: {}", fault.message))?;
-                (text.to_owned(), options, Model { letter, ..model })
+                (text.to_owned(), options, model)
             }
         };
         self.0.truncate(REMEMBERED - 1);

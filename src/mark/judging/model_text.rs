@@ -19,6 +19,8 @@ pub struct ModelOptions {
     pub letters: Vec<Letter>,
     /// What is asked for, if that is known.
     pub quantity: Option<Quantity>,
+    /// The letter that is to be found, where one is.
+    pub letter: Option<String>,
 }
 
 /// Words after the size of a velocity that say its direction.
@@ -74,7 +76,8 @@ impl Model {
         let model = Model::new(value, kind, accept, Vocabulary { letters, vectors });
         // An answer is judged alike of whichever impact it is.
         let quantity = options.quantity.map(Quantity::of_its_impact);
-        Ok(Model { quantity, is_of_both: quantity.is_some_and(Quantity::is_of_all), ..model })
+        let is_of_both = quantity.is_some_and(Quantity::is_of_all);
+        Ok(Model { quantity, letter: options.letter.clone(), is_of_both, ..model })
     }
 }
 

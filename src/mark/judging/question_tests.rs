@@ -21,7 +21,7 @@ fn earn(model: &Model, rows: &[(&str, &str)]) {
 fn model(right: &str, quantity: &str, letters: &[(&str, Range)]) -> Model {
     let letters = letters.iter().map(|(name, range)| Letter::new(name, *range).unwrap()).collect();
     let quantity = (!quantity.is_empty()).then(|| quantity.parse().unwrap());
-    Model::read(right, &ModelOptions { kind: None, accept: None, letters, quantity }).unwrap()
+    Model::read(right, &ModelOptions { letters, quantity, ..ModelOptions::default() }).unwrap()
 }
 
 #[test]

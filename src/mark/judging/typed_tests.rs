@@ -24,7 +24,8 @@ pub(super) fn earn(Asked(right, kind, quantity, rebounds): &Asked, rows: &[(&str
     let letters = letters.map(|(name, range)| Letter::new(name, range).unwrap()).to_vec();
     let letters = letters.into_iter().filter(|letter| right.contains(letter.name()) || letter.name() == "k").collect();
     let quantity = (!quantity.is_empty()).then(|| quantity.parse().unwrap());
-    let mut model = Model::read(right, &ModelOptions { kind: *kind, quantity, letters, accept: None }).unwrap();
+    let options = ModelOptions { kind: *kind, quantity, letters, ..ModelOptions::default() };
+    let mut model = Model::read(right, &options).unwrap();
     model.rebounds = *rebounds;
     let mut faults = Vec::new();
     for (typed, expected) in rows {

@@ -83,14 +83,13 @@ impl KeyedBlank {
             _ => None,
         };
         let find = find.ok_or_else(|| {
-            at("find", format!("{} is nothing to find", blank.find), "a quantity, such as `A.after.speed`")
+            at("find", format!("{} is nothing to find", blank.find), "expected a quantity, such as `A.after.speed`")
         })?;
-        let kind: Kind = blank
-            .kind
-            .parse()
-            .map_err(|_| at("kind", format!("unknown kind of answer `{}`", blank.kind), "a kind such as `number`"))?;
+        let kind: Kind = blank.kind.parse().map_err(|_| {
+            at("kind", format!("unknown kind of answer `{}`", blank.kind), "expected a kind such as `number`")
+        })?;
         let accept: Accept = blank.accept.parse().map_err(|_| {
-            at("accept", format!("unknown rule of acceptance `{}`", blank.accept), "a rule such as `awrt 3sf`")
+            at("accept", format!("unknown rule of acceptance `{}`", blank.accept), "expected a rule such as `awrt 3sf`")
         })?;
         let text = match &blank.exact {
             _ if printed.is_some() => printed.cloned().unwrap_or_default(),
@@ -103,17 +102,14 @@ impl KeyedBlank {
             }
             _ => String::new(),
         };
-        let asked = match &find {
-            Find::Quantity(quantity) => Some(*quantity),
-            Find::Vector(x, _) => Some(*x),
-            Find::Unknown(_) => None,
+        let (quantity, letter) = match &find {
+            Find::Quantity(quantity) => (Some(*quantity), None),
+            Find::Vector(x, _) => (Some(*x), None),
+            Find::Unknown(name) => (None, Some(name.clone())),
         };
-        let options =
-            ModelOptions { kind: Some(kind), accept: Some(accept), letters: scene.letters.clone(), quantity: asked };
-        let mut model = Model::read(&text, &options).map_err(|fault| at("exact", fault.message, &fault.expected))?;
-        if let Find::Unknown(name) = &find {
-            model.letter = Some(name.clone());
-        }
+        let letters = scene.letters.clone();
+        let options = ModelOptions { kind: Some(kind), accept: Some(accept), letters, quantity, letter };
+        let model = Model::read(&text, &options).map_err(|fault| at("exact", fault.message, &fault.expected))?;
         Ok(KeyedBlank { name: blank.name.clone(), find, model })
     }
 }
@@ -161,18 +157,20 @@ impl KeyedMark {
             ..KeyFault::new(message, expected)
         };
         let code = Code::ALL.into_iter().find(|code| code.name() == mark.code);
-        let code =
-            code.ok_or_else(|| at("code", format!("unknown mark code `{}`", mark.code), "a code such as `M1`"))?;
+        let code = code
+            .ok_or_else(|| at("code", format!("unknown mark code `{}`", mark.code), "expected a code such as `M1`"))?;
         let unknowns: Vec<String> = scene.unknowns.iter().map(|letter| letter.name().to_owned()).collect();
         let earned_for = EarnedFor::read(&mark.earned_for, &unknowns)
-            .ok_or_else(|| at("for", format!("unknown step `{}`", mark.earned_for), "a law or a quantity"))?;
+            .ok_or_else(|| at("for", format!("unknown step `{}`", mark.earned_for), "expected a law or a quantity"))?;
         let place = |id: &String| part.scheme.iter().position(|other| other.id == *id);
         let depends = mark.depends.iter().map(|id| {
-            place(id).ok_or_else(|| at("depends", format!("no mark `{id}` in this part"), "the id of an earlier mark"))
+            place(id).ok_or_else(|| {
+                at("depends", format!("no mark `{id}` in this part"), "expected the id of an earlier mark")
+            })
         });
         let belongs = mark.blanks.iter().map(|name| {
             let found = part.blanks.iter().position(|blank| blank.name == *name);
-            found.ok_or_else(|| at("blanks", format!("no blank `{name}` in this part"), "the name of a blank"))
+            found.ok_or_else(|| at("blanks", format!("no blank `{name}` in this part"), "expected the name of a blank"))
         });
         // What is only approximately equal proves nothing.
         let equation = match mark.equation.as_ref().filter(|text| !text.contains('~')) {
