@@ -8,7 +8,7 @@ use crate::generate::Variant;
 use crate::mark::KeyedQuestion;
 use crate::mark::slips::Asked;
 use crate::mechanics::{Law, Quantity, Slip};
-use crate::number::Range;
+use crate::number::{Range, Value};
 use crate::paper::{PrintedQuestion, key_question};
 use crate::solve::Solution;
 
@@ -79,14 +79,17 @@ fn led_to(
             let rows = keyed.mistaken_values(&asked);
             let mut values: Vec<Vec<f64>> =
                 rows.into_iter().filter(|(tags, _)| *tags == [slip.tag]).map(|(_, values)| values).collect();
-            if let Some(right) = right(&asked, &variant.solution) {
-                values.retain(|wrong| !are_same(wrong, &right));
+            let right = right(&asked, &variant.solution);
+            if let Some(sizes) = right.iter().map(|one| one.size).collect::<Option<Vec<f64>>>() {
+                values.retain(|wrong| !are_same(wrong, &sizes));
             }
             if values.is_empty() {
                 continue;
             }
             values.dedup();
-            let (in_letters, degrees) = form(&asked, &variant.solution);
+            // What is lettered has no wrong number, but a wrong formula.
+            let in_letters = right.iter().any(|one| one.has_letters);
+            let degrees = right.iter().any(|one| one.in_degrees);
             let unit = shown_answer.unit.plain();
             found.push(WrongAnswer {
                 part: shown.label.clone(),
@@ -100,21 +103,43 @@ fn led_to(
     found
 }
 
-/// The right answer as wrong ones are printed: an angle in degrees, of a vector both components.
-fn right(asked: &Asked, solution: &Solution) -> Option<Vec<f64>> {
-    let degrees = |y: Option<f64>, x: Option<f64>| Some(y?.atan2(x?).to_degrees());
-    let one = |quantity: &Quantity| match solution.number(*quantity) {
-        Some(value) => value.to_f64(),
-        None => solution.angle(*quantity).and_then(|angle| degrees(angle.y().to_f64(), angle.x().to_f64())),
+/// The right value of one thing that is asked for.
+struct Right {
+    /// As wrong ones are printed; `None` for what has letters, and for an end of a range.
+    size: Option<f64>,
+    has_letters: bool,
+    in_degrees: bool,
+}
+
+/// The right values of what is asked for, of a vector both components.
+fn right(asked: &Asked, solution: &Solution) -> Vec<Right> {
+    let number =
+        |value: &Value| Right { size: value.to_f64(), has_letters: !value.letters().is_empty(), in_degrees: false };
+    let angle = |y: Option<f64>, x: Option<f64>, has_letters| Right {
+        size: y.zip(x).map(|(y, x)| y.atan2(x).to_degrees()),
+        has_letters,
+        in_degrees: true,
     };
     match asked {
-        Asked::Quantities(quantities) => quantities.iter().map(one).collect(),
-        Asked::Unknown => {
-            let (letter, value) = solution.found().first()?;
-            let size = if letter.range() == Range::Acute { degrees(value.to_f64(), Some(1.0)) } else { value.to_f64() };
-            Some(vec![size?])
+        Asked::Quantities(quantities) => {
+            let of_one = |quantity: &Quantity| match (solution.number(*quantity), solution.angle(*quantity)) {
+                (Some(value), _) => Right { in_degrees: quantity.is_angle(), ..number(&value) },
+                (None, Some(found)) => angle(found.y().to_f64(), found.x().to_f64(), !found.letters().is_empty()),
+                (None, None) => Right { size: None, has_letters: false, in_degrees: quantity.is_angle() },
+            };
+            quantities.iter().map(of_one).collect()
         }
-        Asked::Ends => None,
+        // Of an acute angle the tangent is known.
+        Asked::Unknown => match solution.found().first() {
+            Some((letter, tangent)) if letter.range() == Range::Acute => {
+                vec![angle(tangent.to_f64(), Some(1.0), !tangent.letters().is_empty())]
+            }
+            found => found.into_iter().map(|(_, value)| number(value)).collect(),
+        },
+        Asked::Ends => {
+            let ends = solution.range().into_iter().flat_map(|values| values.span.low.iter().chain(&values.span.high));
+            ends.map(|end| Right { size: None, ..number(&end.value) }).collect()
+        }
     }
 }
 
@@ -123,30 +148,6 @@ fn right(asked: &Asked, solution: &Solution) -> Option<Vec<f64>> {
 fn are_same(wrong: &[f64], right: &[f64]) -> bool {
     let is_near = |(wrong, right): (&f64, &f64)| (wrong - right).abs() <= 1e-6 * right.abs().max(1.0);
     wrong.len() == right.len() && wrong.iter().zip(right).all(is_near)
-}
-
-/// Has the answer letters, and is it so many degrees? What is lettered has no wrong number, but a wrong formula.
-fn form(asked: &Asked, solution: &Solution) -> (bool, bool) {
-    match asked {
-        Asked::Quantities(quantities) => {
-            let has_letters = |quantity: &Quantity| match (solution.number(*quantity), solution.angle(*quantity)) {
-                (Some(value), _) => !value.letters().is_empty(),
-                (None, angle) => angle.is_some_and(|angle| !angle.letters().is_empty()),
-            };
-            (quantities.iter().any(has_letters), quantities.iter().any(|quantity| quantity.is_angle()))
-        }
-        Asked::Unknown => {
-            let found = solution.found().first();
-            (
-                found.is_some_and(|(_, value)| !value.letters().is_empty()),
-                found.is_some_and(|(letter, _)| letter.range() == Range::Acute),
-            )
-        }
-        Asked::Ends => {
-            let ends = solution.range().into_iter().flat_map(|values| values.span.low.iter().chain(&values.span.high));
-            (ends.into_iter().any(|end| !end.value.letters().is_empty()), false)
-        }
-    }
 }
 
 /// As the command prints them.
@@ -206,19 +207,21 @@ mod tests {
     #[test]
     fn no_slip_leads_to_the_right_answer() {
         // The masses of the reference numbers let a division go unnoticed, and the greatest deflection is at one angle.
-        for (id, right) in
-            [("backwards/velocity-of-b-and-restitution", 5.0 / 7.0), ("deflection/greatest-deflection", 38.328_818)]
-        {
+        let rows = [
+            ("backwards/velocity-of-b-and-restitution", "coefficient of restitution", 5.0 / 7.0),
+            ("deflection/greatest-deflection", "value of α", 38.328_818),
+            ("deflection/greatest-deflection", "greatest deflection", 13.342_364),
+        ];
+        for (id, name, right) in rows {
             let (_, text) = shipped().find(|(shipped, _)| *shipped == id).unwrap();
             let question = read_question(id, &Source::new(id, text)).unwrap_or_else(|_| panic!("{id}"));
             let variant = reference(&question).unwrap();
             let all = mistakes(&question, &variant, &compose(&question, &variant, 1));
             let wrong = all.iter().flat_map(|law| &law.slips).flat_map(|mistake| &mistake.leads_to);
-            // `perpendicular-dropped` makes the greatest deflection what α is.
-            let wrong = wrong.filter(|wrong| !wrong.name.contains("deflection"));
-            for value in wrong.flat_map(|wrong| wrong.values.iter().flatten()) {
-                assert!((value - right).abs() > 1e-3, "{id}: {value}");
-            }
+            let wrong: Vec<f64> =
+                wrong.filter(|wrong| wrong.name == name).flat_map(|wrong| wrong.values.concat()).collect();
+            assert!(wrong.len() > 3, "{id}: {name}");
+            assert!(wrong.iter().all(|value| (value - right).abs() > 1e-3), "{id}: {name}: {wrong:?}");
         }
     }
 

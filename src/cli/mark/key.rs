@@ -56,8 +56,7 @@ fn located(source: &Source, fault: KeyFault) -> Diagnostic {
     };
     let message = if fault.path.is_empty() { fault.message } else { format!("`{}`: {}", fault.path, fault.message) };
     let whole = fault.path.is_empty();
-    let diagnostic =
-        Diagnostic::new(message, source, span, format!("expected {}", fault.expected.trim_start_matches("expected ")));
+    let diagnostic = Diagnostic::new(message, source, span, fault.expected);
     if !fault.help.is_empty() {
         return diagnostic.with_help(fault.help);
     }

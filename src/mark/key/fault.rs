@@ -9,7 +9,7 @@ pub struct KeyFault {
     pub path: String,
     /// What is wrong.
     pub message: String,
-    /// What was expected.
+    /// What stands under the caret: what was expected there.
     pub expected: String,
     /// One thing to try; empty if there is nothing but to look.
     pub help: String,
@@ -39,7 +39,7 @@ impl KeyFault {
             help: help.to_owned(),
             ..KeyFault::new(
                 format!("this is no key: {}", why_no_json(error)),
-                "the `key.json` that `carom sheet` writes",
+                "expected the `key.json` that `carom sheet` writes",
             )
         }
     }

@@ -194,7 +194,7 @@ impl AnswerKey {
             }
             _ => {
                 let message = "a key has `questions`, or `papers` with questions";
-                return Err(vec![KeyFault::new(message, "the `key.json` that `carom sheet` writes")]);
+                return Err(vec![KeyFault::new(message, "expected the `key.json` that `carom sheet` writes")]);
             }
         };
         if !faults.is_empty() {
@@ -205,7 +205,8 @@ impl AnswerKey {
             papers.iter().enumerate().filter_map(|(place, paper)| Some((place, paper.student.clone()?)))
         {
             if places.insert(student, place).is_some() {
-                let fault = KeyFault::new("there is another paper for the same student", "a paper for each student");
+                let fault =
+                    KeyFault::new("there is another paper for the same student", "expected a paper for each student");
                 return Err(vec![fault.below(&format!("papers[{place}].student"))]);
             }
         }
@@ -235,7 +236,7 @@ impl KeyedQuestion {
         })?;
         let refused = |refusal| KeyFault {
             path: "scene".to_owned(),
-            ..KeyFault::new(format!("{refusal}"), "a collision that can happen")
+            ..KeyFault::new(format!("{refusal}"), "expected a collision that can happen")
         };
         let given = pose(&scene).map_err(refused)?;
         let letters = scene.letters.clone();

@@ -41,7 +41,7 @@ impl Other {
             help,
             ..KeyFault::new(
                 format!("this key was written by carom {version}, and this is carom {OWN}"),
-                "a key of this version or of an earlier one",
+                "expected a key of this version or of an earlier one",
             )
         }
     }

@@ -31,6 +31,9 @@ pub(super) enum Sort {
     Plain,
 }
 
+/// What is only so much of a state is not in it: `nearly at rest`.
+pub(super) const SHORT_OF: [&str; 3] = ["nearly", "almost", "very"];
+
 /// Words before a noun that make it the name of something else.
 pub(super) const OTHERS: [&str; 14] = [
     "each",

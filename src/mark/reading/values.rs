@@ -2,7 +2,7 @@
 
 use super::choices::{Choices, Doubt};
 use super::formula::formula;
-use super::lexicon::{OTHERS, is_strange};
+use super::lexicon::{OTHERS, SHORT_OF, is_strange};
 use super::line;
 use super::phrases::Phrase;
 use super::tokens::{Placed, Token, excerpt};
@@ -207,8 +207,8 @@ impl Values<'_> {
 
     /// At rest, with what is said before it: `initially at rest` is of another moment, and `nearly at rest` is something else.
     fn at_rest(&self, tokens: &[Placed], lead: &[usize]) -> Result<Said, Unreadable> {
-        let word = |at: &usize| self.slice(tokens, *at, *at + 1).to_lowercase();
-        let short_of = lead.iter().copied().find(|at| matches!(&*word(at), "nearly" | "almost" | "very"));
+        let falls_short = |at: &usize| SHORT_OF.contains(&&*self.slice(tokens, *at, *at + 1).to_lowercase());
+        let short_of = lead.iter().copied().find(falls_short);
         if let Some(strange) = self.strange(tokens, lead).or(short_of) {
             return Err(self.strange_word(tokens, strange));
         }
