@@ -10,7 +10,8 @@ mod scene;
 
 use scene::{later_impact, scene, vector, velocity};
 
-use super::question::{Code, EarnedFor, StyleName};
+use super::EarnedFor;
+use super::question::{Code, StyleName};
 use crate::answer::Kind;
 use crate::mechanics::{LATER, Quantity, Sphere};
 
@@ -68,7 +69,7 @@ pub fn question_schema() -> Json {
     schema["if"] = json!({"properties": {"scene": {"required": ["unknowns"]}}});
     schema["else"] = json!({"properties": {"part": {"items": {"properties": {
         "answers": {"items": {"properties": {"find": either(&[quantity(), list_of(quantity())])}}},
-        "marks": {"items": {"properties": {"for": either(&[one_of(&steps()), of_later()])}}},
+        "marks": {"items": {"properties": {"for": either(&[one_of(&steps()), of_later(), of_two()])}}},
     }}}}});
     let mut whole = Map::new();
     whole.insert("$schema".to_owned(), "http://json-schema.org/draft-07/schema#".into());
@@ -292,6 +293,11 @@ fn quantity() -> Json {
 /// `second.B.after.speed`.
 fn of_later() -> Json {
     json!({"type": "string", "pattern": format!("^({})\\.[A-Za-z_.]+$", LATER.join("|"))})
+}
+
+/// Two quantities that a mark is for.
+fn of_two() -> Json {
+    json!({"type": "string", "pattern": "^[A-Za-z_.]+ and [A-Za-z_.]+$"})
 }
 
 fn quantities() -> Vec<String> {

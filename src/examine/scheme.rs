@@ -65,7 +65,7 @@ pub fn unrewarded(question: &Question) -> Vec<Finding> {
 
 /// Marks that are earned with others: twice for one value in a part, or again for what an earlier part has found.
 pub fn paid_twice(question: &Question) -> Vec<Finding> {
-    let is_value = |mark: &Mark| matches!(mark.earned_for, EarnedFor::Quantity(_) | EarnedFor::Unknown(_));
+    let is_value = |mark: &Mark| matches!(mark.earned_for, EarnedFor::Quantity(_) | EarnedFor::Both(_) | EarnedFor::Unknown(_));
     let mut findings = used_twice(question);
     for (place, part) in question.parts.iter().enumerate() {
         let mut told: Vec<&EarnedFor> = Vec::new();
@@ -120,9 +120,8 @@ fn used_twice(question: &Question) -> Vec<Finding> {
 /// Is a step the value that an answer finds?
 fn is_value_of(step: &EarnedFor, find: &Find) -> bool {
     match step {
-        EarnedFor::Quantity(quantity) => find.quantities().contains(quantity),
         EarnedFor::Unknown(name) => *find == Find::Unknown(name.clone()),
-        _ => false,
+        values => values.quantities().iter().any(|quantity| find.quantities().contains(quantity)),
     }
 }
 
@@ -130,7 +129,7 @@ fn is_value_of(step: &EarnedFor, find: &Find) -> bool {
 fn is_for(earned_for: &EarnedFor, find: &Find) -> bool {
     let quantities = find.quantities();
     match earned_for {
-        EarnedFor::Quantity(_) | EarnedFor::Unknown(_) => is_value_of(earned_for, find),
+        EarnedFor::Quantity(_) | EarnedFor::Both(_) | EarnedFor::Unknown(_) => is_value_of(earned_for, find),
         EarnedFor::Condition => matches!(find, Find::Unknown(_)),
         EarnedFor::Law(law, _) => quantities.iter().any(|quantity| law.gives(quantity.of_its_impact())),
     }

@@ -7,7 +7,7 @@ use super::working::{Step, WorkedPart, result};
 use super::{SchemeRow, wording};
 use crate::answer::Kind;
 use crate::bank::{Answer, Code, EarnedFor, Find, Mark};
-use crate::expr::{Expr, Piece, Text, print, read_markup, written};
+use crate::expr::{Expr, Piece, Text, read_markup, written};
 use crate::generate::Variant;
 use crate::mechanics::{Axis, Derivation, Known, Moment, Quantity, Rule, Scene, Setting, Show, Sphere, pose};
 use crate::number::{Places, Value};
@@ -41,7 +41,7 @@ pub fn rows(worked: &[WorkedPart], variant: &Variant, with_units: &[String]) -> 
 fn impact_of(place: usize, here: &WorkedPart) -> u8 {
     let marks = &here.part.marks;
     let mark = &marks[place];
-    if let EarnedFor::Quantity(quantity) = mark.earned_for {
+    if let Some(quantity) = mark.earned_for.quantities().first() {
         return quantity.impact();
     }
     let steps = here.behind.iter().chain(&here.steps).filter(|step| is_of(&step.rule, &mark.earned_for));
@@ -65,15 +65,18 @@ pub fn answers_of(mark: &Mark, here: &WorkedPart) -> Vec<usize> {
     };
     let belongs = answers.filter(|(_, answer)| {
         let asked = answer.find.quantities();
-        match &mark.earned_for {
-            EarnedFor::Quantity(quantity) if here.asked.contains(quantity) => asked.contains(quantity),
+        let has_value = |quantity: &Quantity| match here.asked.contains(quantity) {
+            true => asked.contains(quantity),
             // A step on the way to every answer about its sphere, and to those about both.
-            EarnedFor::Quantity(quantity) => {
+            false => {
                 let about = |asked: &Quantity| {
                     Sphere::ALL.into_iter().all(|of| is_about(*asked, of) || !is_about(*quantity, of))
                 };
                 from_conditions(answer) || asked.iter().any(about)
             }
+        };
+        match &mark.earned_for {
+            EarnedFor::Quantity(_) | EarnedFor::Both(_) => mark.earned_for.quantities().iter().any(has_value),
             EarnedFor::Unknown(name) => answer.find == Find::Unknown(name.clone()),
             // Where no answer is what was found, each follows from it.
             EarnedFor::Condition => from_conditions(answer) || !here.part.answers.iter().any(from_conditions),
@@ -96,8 +99,7 @@ fn is_of(rule: &Rule, step: &EarnedFor) -> bool {
             rule.law == *law
                 && sphere.is_none_or(|sphere| rule.gives.first().is_none_or(|gives| is_about(*gives, sphere)))
         }
-        EarnedFor::Quantity(quantity) => rule.gives.contains(quantity),
-        _ => false,
+        value => value.quantities().iter().any(|quantity| rule.gives.contains(quantity)),
     }
 }
 
@@ -134,11 +136,10 @@ fn equations(
         _ if mark.code == Code::A1Shown => {
             (here.part.answers.iter().filter_map(|answer| result(answer, variant)).take(1).collect(), None)
         }
-        EarnedFor::Quantity(quantity) => {
-            let (mut equations, rounded) = one(value(*quantity, here, variant, with_units));
-            equations
-                .extend(other_of_both(mark, *quantity).and_then(|other| value(other, here, variant, with_units).0));
-            (equations, rounded)
+        EarnedFor::Quantity(quantity) => one(value(*quantity, here, variant, with_units)),
+        EarnedFor::Both(both) => {
+            let values = both.iter().filter_map(|quantity| value(*quantity, here, variant, with_units).0);
+            (values.collect(), None)
         }
         EarnedFor::Unknown(name) => one(unknown(name, here, variant, with_units)),
         EarnedFor::Condition => (here.conditions(), None),
@@ -147,24 +148,6 @@ fn equations(
         _ if mark.code.is_method() && has_accuracy(place, marks) => Default::default(),
         step => (law_equations(step, place, worked), None),
     }
-}
-
-/// `both components along the line of centres after the collision`: the other sphere's; where one sphere is named, the other of its own.
-fn other_of_both(mark: &Mark, quantity: Quantity) -> Option<Quantity> {
-    let text = print::text_unicode(mark.text.as_ref()?);
-    let mut words = text.split(|letter: char| !letter.is_alphanumeric());
-    let Quantity::Velocity(sphere, moment, axis) = quantity else { return None };
-    if !words.clone().any(|word| word == "both") {
-        return None;
-    }
-    let is_of_one = words.any(|word| word == sphere.name());
-    Some(match axis {
-        _ if !is_of_one => Quantity::Velocity(sphere.other(), moment, axis),
-        Axis::N => Quantity::Velocity(sphere, moment, Axis::T),
-        Axis::T => Quantity::Velocity(sphere, moment, Axis::N),
-        Axis::X => Quantity::Velocity(sphere, moment, Axis::Y),
-        Axis::Y => Quantity::Velocity(sphere, moment, Axis::X),
-    })
 }
 
 /// A letter that was found, or the values that it may have.
@@ -321,6 +304,10 @@ fn known_with(quantity: Quantity, here: &WorkedPart, scene: Option<&Scene>) -> O
 
 /// What earns a mark, where the file does not say.
 fn usual_words(mark: &Mark, here: &WorkedPart, setting: Setting, scene: &Scene) -> Text {
+    let name = |quantity: &Quantity| {
+        let answer = here.part.answers.iter().find(|answer| answer.find.quantities().contains(quantity));
+        answer.map_or_else(|| in_words(*quantity, setting), |answer| answer.name.clone())
+    };
     match &mark.earned_for {
         _ if mark.code == Code::A1Shown => Text::words("the printed result, with no errors seen"),
         EarnedFor::Law(law, _) if mark.code.is_accuracy() => marked_up(&setting.say(law.accuracy())),
@@ -333,9 +320,10 @@ fn usual_words(mark: &Mark, here: &WorkedPart, setting: Setting, scene: &Scene) 
         EarnedFor::Condition if scene.maximise.is_some() => Text::words("differentiates, or completes a square"),
         EarnedFor::Condition => Text::words("uses what is given of the motion after the impact"),
         EarnedFor::Unknown(_) => Text::words("correct value"),
-        EarnedFor::Quantity(quantity) => {
-            let answer = here.part.answers.iter().find(|answer| answer.find.quantities().contains(quantity));
-            answer.map_or_else(|| in_words(*quantity, setting), |answer| answer.name.clone())
+        EarnedFor::Quantity(quantity) => name(quantity),
+        EarnedFor::Both([one, other]) => {
+            let pieces = [name(one).0, vec![Piece::Words(" and ".to_owned())], name(other).0];
+            Text(pieces.concat())
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::super::document::{Faults, listed};
 use super::super::file::MarkFile;
 use super::super::literal::Words;
-use super::super::question::{Code, EarnedFor, Mark};
+use super::super::{Code, EarnedFor, Mark};
 use super::names::NamesUsed;
 use super::quantities;
 use super::styles::line;

@@ -186,6 +186,7 @@ impl KeyedPart {
         let mark = |mark: &KeyedMark| KeyedMark {
             earned_for: match &mark.earned_for {
                 EarnedFor::Quantity(quantity) => EarnedFor::Quantity(in_law(quantity)),
+                EarnedFor::Both(both) => EarnedFor::Both(both.each_ref().map(in_law)),
                 other => other.clone(),
             },
             // What is stated of a quantity was worked out under its other name.

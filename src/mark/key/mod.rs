@@ -128,14 +128,19 @@ pub struct KeyedMark {
     pub blanks: Vec<usize>,
     /// The equation or value that earns it.
     pub equation: Option<Expr>,
-    /// What a line that states its value is judged by, in either positive direction.
-    stated: [OnceLock<Option<Model>>; 2],
+    /// What a line that states its value, or the second of two, is judged by, in either positive direction.
+    stated: [[OnceLock<Option<Model>>; 2]; 2],
 }
 
 impl KeyedMark {
-    /// The model that a line stating the mark's value is judged by, made when it is first needed.
-    pub(super) fn stated(&self, is_reversed: bool, make: impl FnOnce() -> Option<Model>) -> Option<&Model> {
-        self.stated[usize::from(is_reversed)].get_or_init(make).as_ref()
+    /// The model that a line stating a value of the mark is judged by, made when it is first needed.
+    pub(super) fn stated(
+        &self,
+        value: usize,
+        is_reversed: bool,
+        make: impl FnOnce() -> Option<Model>,
+    ) -> Option<&Model> {
+        self.stated[value][usize::from(is_reversed)].get_or_init(make).as_ref()
     }
 }
 

@@ -26,10 +26,7 @@ impl KeyedPart {
         });
         let scheme = scheme.collect::<Result<Vec<_>, _>>()?;
         let mut asked: Vec<Quantity> = blanks.iter().flat_map(|blank| blank.find.quantities()).collect();
-        let marked = scheme.iter().filter_map(|mark| match mark.earned_for {
-            EarnedFor::Quantity(quantity) => Some(quantity),
-            _ => None,
-        });
+        let marked = scheme.iter().flat_map(|mark| mark.earned_for.quantities().iter().copied());
         asked.extend(marked.collect::<BTreeSet<_>>());
         let (derivation, _) = Derivation::carry_out(known, &asked);
         for blank in &mut blanks {

@@ -1,7 +1,7 @@
 //! What the lines of working say of the mistakes that may be behind an answer: a law that stands there rightly was not
 //! mistaken.
 
-use super::decide::own_blank;
+use super::decide::is_own;
 use crate::bank::{Code, EarnedFor};
 use crate::mark::award::{Award, Cause, Place};
 use crate::mark::key::KeyedPart;
@@ -88,8 +88,11 @@ impl ByLines {
                     all.wrong.extend(note.map(|note| (*law, note)));
                 }
                 // A speed may be right though its law was not used rightly: the root of one square is its base.
-                EarnedFor::Quantity(quantity @ Quantity::Velocity(..)) => all.values.extend(given.map(|_| *quantity)),
-                _ => {}
+                value => {
+                    let is_velocity = |quantity: &&Quantity| matches!(quantity, Quantity::Velocity(..));
+                    let velocities = value.quantities().iter().filter(is_velocity);
+                    all.values.extend(velocities.filter(|_| given.is_some()));
+                }
             }
         }
         all.has_all_equations = !equations.is_empty() && equations.iter().all(|given| *given);
@@ -121,7 +124,7 @@ impl ByLines {
 
     /// Where every equation is right and the method for the answer is seen, what is left is a slip in the arithmetic.
     pub(super) fn arithmetic(&self, part: &KeyedPart, blank: usize, follows: bool) -> Option<Cause> {
-        let own = part.scheme.iter().find(|mark| own_blank(mark, part) == Some(blank))?;
+        let own = part.scheme.iter().find(|mark| is_own(mark, &part.blanks[blank]))?;
         let has_method = follows || !own.depends.is_empty() && own.depends.iter().all(|mark| self.earned[*mark]);
         let last = self.last_line.filter(|_| has_method && self.has_all_equations)?;
         let sentence = format!("What you need is there: look for an error in the arithmetic after line {last}.");

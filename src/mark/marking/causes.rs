@@ -12,7 +12,7 @@ use crate::mark::key::{KeyedBlank, KeyedPart, KeyedQuestion};
 use crate::mark::reading::{Form, Reading, Said};
 use crate::mark::slips::{self, Asked, EARLY_ROUNDING, Mistakes, early_rounding};
 use crate::mark::working::Examined;
-use crate::mechanics::{Slip, Velocity};
+use crate::mechanics::{Quantity, Slip, Velocity};
 
 /// The most mistakes that are listed for one answer.
 const MOST: usize = 12;
@@ -189,7 +189,10 @@ fn explained(cause: &slips::Cause, part: &KeyedPart, has_angles: bool) -> Cause 
         let own = match &mark.earned_for {
             EarnedFor::Law(law, _) if mark.code.is_method() => cause.earns_method(*law),
             EarnedFor::Law(law, _) => cause.earns_accuracy(*law),
-            EarnedFor::Quantity(quantity) => cause.keeps(*quantity) && !is_asked(part, *quantity),
+            EarnedFor::Quantity(_) | EarnedFor::Both(_) => {
+                let is_kept = |quantity: &Quantity| cause.keeps(*quantity) && !is_asked(part, *quantity);
+                mark.earned_for.quantities().iter().all(is_kept)
+            }
             // Wrong values in a condition are no reason not to have set it up.
             EarnedFor::Condition => mark.code.is_method(),
             EarnedFor::Unknown(_) => false,
@@ -202,6 +205,6 @@ fn explained(cause: &slips::Cause, part: &KeyedPart, has_angles: bool) -> Cause 
 }
 
 /// The answer itself is wrong, whatever else is right.
-fn is_asked(part: &KeyedPart, quantity: crate::mechanics::Quantity) -> bool {
+fn is_asked(part: &KeyedPart, quantity: Quantity) -> bool {
     part.blanks.iter().any(|blank| blank.find.quantities().contains(&quantity))
 }

@@ -6,7 +6,7 @@ use super::withhold::{contradicts, drop_dependent, lacks_letter, withhold_for_di
 use crate::bank::{Code, EarnedFor, Find};
 use crate::mark::award::{Award, Evidence, Examiner, MarkedAnswer, Place};
 use crate::mark::judging::{Note, Verdict};
-use crate::mark::key::{KeyedMark, KeyedPart};
+use crate::mark::key::{KeyedBlank, KeyedMark, KeyedPart};
 use crate::mark::profile::{Charge, Profile};
 use crate::mechanics::{Quantity, Seen};
 
@@ -42,7 +42,7 @@ pub(super) fn awards(part: &KeyedPart, found: Findings, profile: &Profile, charg
     for (((mark, by_working), needed), contradicted) in part.scheme.iter().zip(by_working).zip(needed).zip(contradicted)
     {
         // Where the answer itself was given, it is the student's last word on the value.
-        let own = own_blank(mark, part).map(|place| answers[place].judgement.verdict);
+        let own = least(own_blanks(mark, part).into_iter().map(|place| answers[place].judgement.verdict));
         let answered = own.is_some_and(|verdict| verdict != Verdict::Blank);
         let by_working = by_working
             .filter(|_| !answered || mark.code == Code::A1Shown)
@@ -120,7 +120,7 @@ fn in_profile(award: Award, mark: &KeyedMark, profile: &Profile) -> Award {
 /// A value on the way with too few figures, for which they are enough, or which have been charged already.
 fn in_figures(award: Award, mark: &KeyedMark, profile: &Profile, charged: &mut Charged) -> Award {
     let is = |notes: &[Note]| notes.iter().any(|note| award.note == Some(note.tag()));
-    let is_value = matches!(mark.earned_for, EarnedFor::Quantity(_));
+    let is_value = !mark.earned_for.quantities().is_empty();
     let is_enough = is(&[Note::UnderAccurate]) && profile.figures <= ENOUGH;
     let costs = is(&[Note::UnderAccurate, Note::Truncated]) && !is_enough;
     let given =
@@ -139,8 +139,8 @@ fn by_followed(mark: &KeyedMark, part: &KeyedPart, followed: &[Option<Followed>]
 
 fn by_one_followed(mark: &KeyedMark, part: &KeyedPart, blank: usize, followed: &Followed) -> Option<Award> {
     let Followed { judgement, is_marked } = followed;
-    let is_value =
-        matches!(&mark.earned_for, EarnedFor::Quantity(q) if part.blanks[blank].find.quantities().contains(q));
+    let asked = part.blanks[blank].find.quantities();
+    let is_value = mark.earned_for.quantities().iter().any(|quantity| asked.contains(quantity));
     // The method that leads to it is implied, and what follows on the way; what stands before the student's own value is not.
     let is_on_the_way = matches!(mark.earned_for, EarnedFor::Law(law, _) if matches!(law.seen(), Seen::Value(..)));
     // Nor is there another way to it where the scheme has one method alone.
@@ -149,7 +149,7 @@ fn by_one_followed(mark: &KeyedMark, part: &KeyedPart, blank: usize, followed: &
         && (*is_marked || is_on_the_way || is_only_method())
         && part.scheme.iter().any(|other| {
             let is_own =
-                if *is_marked { other.code == Code::A1FollowThrough } else { own_blank(other, part) == Some(blank) };
+                if *is_marked { other.code == Code::A1FollowThrough } else { is_own(other, &part.blanks[blank]) };
             is_own && other.blanks.contains(&blank) && other.depends.iter().any(|id| part.scheme[*id].id == mark.id)
         });
     let follows = is_method || (mark.code == Code::A1FollowThrough && (is_value || is_on_the_way));
@@ -242,17 +242,31 @@ fn charge(how_often: Charge, charged: &mut bool) -> Worth {
     if costs { Worth::Method } else { Worth::Everything }
 }
 
-/// The blank whose value the mark is for.
-pub(super) fn own_blank(mark: &KeyedMark, part: &KeyedPart) -> Option<usize> {
-    part.blanks.iter().position(|blank| match &mark.earned_for {
-        EarnedFor::Quantity(quantity) => blank.find.quantities().contains(quantity),
+/// The blanks whose values the mark is for.
+pub(super) fn own_blanks(mark: &KeyedMark, part: &KeyedPart) -> Vec<usize> {
+    (0..part.blanks.len()).filter(|place| is_own(mark, &part.blanks[*place])).collect()
+}
+
+/// Is the mark for the value of a blank?
+pub(super) fn is_own(mark: &KeyedMark, blank: &KeyedBlank) -> bool {
+    match &mark.earned_for {
         EarnedFor::Unknown(name) => blank.find == Find::Unknown(name.clone()),
         // The line of centres as it is asked for is the answer itself.
         EarnedFor::Law(law, _) if law.seen() == Seen::AlongLine && mark.code.is_accuracy() => {
             blank.find.quantities().iter().any(|quantity| law.gives(*quantity))
         }
-        _ => false,
-    })
+        values => {
+            let asked = blank.find.quantities();
+            values.quantities().iter().any(|quantity| asked.contains(quantity))
+        }
+    }
+}
+
+/// Of several verdicts the one that is furthest from right; a blank says less than a wrong answer.
+fn least(verdicts: impl Iterator<Item = Verdict>) -> Option<Verdict> {
+    const FROM_RIGHT: [Verdict; 5] =
+        [Verdict::Correct, Verdict::Partial, Verdict::Unreadable, Verdict::Wrong, Verdict::Blank];
+    verdicts.max_by_key(|verdict| FROM_RIGHT.iter().position(|known| known == verdict))
 }
 
 /// A mark that final answers earn.
@@ -263,17 +277,22 @@ fn by_answers(
     answers: &[MarkedAnswer],
     worth: &[Worth],
 ) -> Option<Award> {
-    let is_value = |place: usize| own_blank(mark, part) == Some(place);
+    let is_value = |place: usize| is_own(mark, &part.blanks[place]);
     let mut candidates = mark
         .blanks
         .iter()
         .copied()
         .filter(|place| (needed[*place] || is_value(*place)) && !is_shown(&part.blanks[*place]));
-    let earned = candidates.find(|place| match worth[*place] {
+    let earns = |place: &usize| match worth[*place] {
         Worth::Everything => mark.code != Code::A1Shown,
         Worth::Method => !is_value(*place) && mark.code != Code::A1Shown,
         Worth::Nothing => false,
-    })?;
+    };
+    // One right answer implies one value, and not the other as well.
+    if matches!(mark.earned_for, EarnedFor::Both(_)) && !candidates.clone().all(|place| earns(&place)) {
+        return None;
+    }
+    let earned = candidates.find(earns)?;
     let judgement = &answers[earned].judgement;
     let reading = judgement.reading.clone().unwrap_or_default();
     let (note, feedback) = match is_value(earned) {

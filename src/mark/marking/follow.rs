@@ -6,7 +6,7 @@ use std::rc::Rc;
 
 use super::memory::Judged;
 use crate::answer::{Accept, Kind};
-use crate::bank::{Code, EarnedFor, Find};
+use crate::bank::{Code, Find};
 use crate::expr::{Expr, Text, written};
 use crate::mark::award::MarkedAnswer;
 use crate::mark::judging::{Judgement, Model, Note, Verdict, judge};
@@ -45,7 +45,7 @@ pub(super) fn answers(
         let is_marked = part
             .scheme
             .iter()
-            .any(|mark| mark.code == Code::A1FollowThrough && mark.earned_for == EarnedFor::Quantity(quantity));
+            .any(|mark| mark.code == Code::A1FollowThrough && mark.earned_for.quantities().contains(&quantity));
         // What is right but for its form follows from nothing wrong.
         let is_right =
             answer.judgement.verdict == Verdict::Correct || answer.judgement.note == Some(Note::ExactWanted.tag());

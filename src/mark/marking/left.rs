@@ -6,7 +6,7 @@
 use std::rc::Rc;
 
 use super::answers::is_shown;
-use super::decide::own_blank;
+use super::decide::is_own;
 use super::memory::{Judged, Lines};
 use crate::answer::Kind;
 use crate::bank::{Code, Find};
@@ -151,7 +151,7 @@ impl<'s> Left<'s> {
     /// the line itself.
     fn has_method(&self, blank: usize, line: usize) -> bool {
         let scheme = &self.part.scheme;
-        let own = scheme.iter().find(|mark| own_blank(mark, self.part) == Some(blank));
+        let own = scheme.iter().find(|mark| is_own(mark, &self.part.blanks[blank]));
         let mut leads = own.map(|mark| mark.depends.as_slice()).unwrap_or_default().iter();
         let elsewhere = |mark: usize| self.seen(mark).is_some_and(|number| number != line);
         let mut methods = (0..scheme.len()).filter(|mark| scheme[*mark].code.is_method());
@@ -162,7 +162,7 @@ impl<'s> Left<'s> {
     /// Does a line show the method on which the own mark of a blank depends?
     fn works_out(&self, blank: usize, line: usize) -> bool {
         let mut scheme = self.part.scheme.iter();
-        let own = scheme.find(|mark| own_blank(mark, self.part) == Some(blank));
+        let own = scheme.find(|mark| is_own(mark, &self.part.blanks[blank]));
         let leads = own.map(|mark| mark.depends.as_slice()).unwrap_or_default();
         !leads.is_empty() && leads.iter().all(|mark| self.seen(*mark) == Some(line))
     }

@@ -28,7 +28,7 @@ use super::key::{KeyedMark, KeyedPart, KeyedQuestion};
 use super::profile::Profile;
 use super::script::{PartScript, Script};
 use super::working::{Theirs, examine};
-use crate::bank::{Code, EarnedFor, Find};
+use crate::bank::{Code, Find};
 use crate::mechanics::Quantity;
 
 /// Marks what a student handed in for a question: a [`MarkedPart`] for each part, in the order of the key.
@@ -151,10 +151,8 @@ fn say_shown(part: &KeyedPart, awards: &[Award], answers: &mut [MarkedAnswer]) {
 fn contradicted(question: &KeyedQuestion, part: &KeyedPart, before: &Theirs, now: &Theirs) -> Vec<bool> {
     let wrong: Vec<Quantity> = now.wrong(question).map(|(quantity, _)| quantity).collect();
     let is_stated = |quantity| wrong.contains(&quantity) && !before.0.contains_key(&quantity);
-    let states_another = |mark: &KeyedMark| match mark.earned_for {
-        EarnedFor::Quantity(quantity) => is_stated(quantity) || is_stated(question.prepared().along(quantity)),
-        _ => false,
-    };
+    let is_another = |quantity: &Quantity| is_stated(*quantity) || is_stated(question.prepared().along(*quantity));
+    let states_another = |mark: &KeyedMark| mark.earned_for.quantities().iter().any(is_another);
     part.scheme.iter().map(states_another).collect()
 }
 

@@ -1,7 +1,7 @@
 //! Marks withheld though something earned them: for a wrong direction, after a wrong method, without those on which they
 //! depend.
 
-use super::decide::{own_blank, withheld};
+use super::decide::{is_own, own_blanks, withheld};
 use crate::answer::Kind;
 use crate::bank::Find;
 use crate::mark::award::{Award, Evidence, Examiner, MarkedAnswer, Place};
@@ -12,7 +12,7 @@ use crate::mark::key::{KeyedBlank, KeyedMark, KeyedPart};
 pub(super) fn withhold_for_direction(part: &KeyedPart, answers: &[MarkedAnswer], awards: &mut [Award]) {
     for (place, blank) in part.blanks.iter().enumerate() {
         let Find::Quantity(direction) = blank.find else { continue };
-        let is_marked = part.scheme.iter().any(|mark| own_blank(mark, part) == Some(place));
+        let is_marked = part.scheme.iter().any(|mark| is_own(mark, blank));
         if is_marked || answers[place].judgement.verdict != Verdict::Wrong {
             continue;
         }
@@ -37,14 +37,16 @@ pub(super) fn withhold_from_wrong_method(
     let is_wrong = |place: &usize| !awards[*place].given && contradicts(&awards[*place]);
     let wrong: Vec<usize> = (0..awards.len()).filter(is_wrong).collect();
     for (place, mark) in part.scheme.iter().enumerate() {
-        let Some(blank) = own_blank(mark, part) else { continue };
+        let own = own_blanks(mark, part);
         let by_answer = matches!(&awards[place].evidence, Some(Evidence { place: Place::Answer(_), .. }));
         // What is worked out with the letter has come of the same luck.
         let is_letter = |blank: &KeyedBlank| matches!(blank.find, Find::Unknown(_));
-        let is_to_be_found = part.blanks.iter().any(is_letter) || part.blanks[blank].model.kind == Kind::Range;
+        let is_range = own.iter().any(|blank| part.blanks[*blank].model.kind == Kind::Range);
+        let is_to_be_found = part.blanks.iter().any(is_letter) || is_range;
         let is_by_luck = is_to_be_found && !has_right_value;
         let counts = |wrong: &usize| part.scheme[*wrong].code.is_method() || is_by_luck;
-        let is_before = |wrong: &usize| needed[*wrong][blank] && part.scheme[*wrong].blanks.contains(&blank);
+        let leads = |wrong: usize, blank: usize| needed[wrong][blank] && part.scheme[wrong].blanks.contains(&blank);
+        let is_before = |wrong: &usize| own.iter().any(|blank| leads(*wrong, *blank));
         let missing = wrong.iter().find(|wrong| counts(wrong) && is_before(wrong));
         if let Some(missing) = missing
             && awards[place].given

@@ -324,7 +324,7 @@ impl Working<'_> {
                 shown => self.by_own(*law, code).or_else(|| self.by_direction(*law, *sphere, code)).or(shown),
             },
             (EarnedFor::Condition, _) => self.uses_condition(mark),
-            (EarnedFor::Quantity(quantity), code) => self.value_of(*quantity, code, mark),
+            (EarnedFor::Quantity(_) | EarnedFor::Both(_), code) => self.own_values(code, mark),
             (EarnedFor::Unknown(_), _) => None,
         }?;
         let studied = &mut self.lines[shown.line];

@@ -179,17 +179,13 @@ impl Prepared {
         }
         let mut right = self.given[0].clone();
         let (derivation, _) = Derivation::carry_out(&mut right, &asked);
-        let along = match step {
-            EarnedFor::Quantity(quantity) => Some(along_for(*quantity, self)),
-            _ => None,
-        };
+        let along: Vec<Quantity> = step.quantities().iter().map(|quantity| along_for(*quantity, self)).collect();
         let is_step = |rule: &Rule, quantity: Quantity| match step {
             EarnedFor::Law(law, sphere) => {
                 let about = rule.gives.first().and_then(|gives| gives.of_its_impact().sphere());
                 rule.law == *law && (sphere.is_none() || about.is_none() || about == *sphere)
             }
-            EarnedFor::Quantity(own) => quantity == *own || Some(quantity) == along,
-            _ => false,
+            value => value.quantities().contains(&quantity) || along.contains(&quantity),
         };
         // On another way to the answer nothing can be told.
         let on_the_way = |rule: &Rule| rule.gives.iter().any(|quantity| is_step(rule, *quantity));
@@ -203,7 +199,7 @@ impl Prepared {
                 results += 1;
                 let datum = match (is_step(rule, *quantity), datum) {
                     // A value that is nought could have been another.
-                    (true, Datum::Number(0.0)) if along.is_some() => Datum::Number(0.1),
+                    (true, Datum::Number(0.0)) if !along.is_empty() => Datum::Number(0.1),
                     (true, datum) => changed(datum, results),
                     (false, datum) => datum,
                 };

@@ -17,8 +17,16 @@ use crate::mark::reading::{Form, Label, Reading, Said, Statement, Vocabulary};
 use crate::mechanics::{Axis, Datum, Moment, Quantity, Setting, Sphere};
 
 impl Working<'_> {
-    /// A mark for a value: a line states it, with the figures that are asked for.
-    pub(super) fn value_of(&self, quantity: Quantity, code: Code, mark: &KeyedMark) -> Option<Evidence> {
+    /// A mark for a value, or for two: what is not right of them, or else the line by which all is there.
+    pub(super) fn own_values(&self, code: Code, mark: &KeyedMark) -> Option<Evidence> {
+        let each = mark.earned_for.quantities().iter().enumerate();
+        let found = each.map(|(place, quantity)| self.value_of(*quantity, place, code, mark));
+        let found = found.collect::<Option<Vec<Evidence>>>()?;
+        found.into_iter().max_by_key(|evidence| (!evidence.given, evidence.line))
+    }
+
+    /// A line states a value, the first or second of those that the mark is for, with the figures that are asked for.
+    fn value_of(&self, quantity: Quantity, place_in_mark: usize, code: Code, mark: &KeyedMark) -> Option<Evidence> {
         if let Some(Expr::Vector(..)) = mark.equation.as_ref().map(right_side) {
             return self.vector_of(quantity);
         }
@@ -68,7 +76,7 @@ impl Working<'_> {
                 let is_rebound = self.prepared.setting == Setting::Wall && matches!(along, Quantity::Velocity(..));
                 let ways: &[bool] = if is_rebound { &[false, true] } else { std::slice::from_ref(&is_reversed) };
                 for is_reversed in ways.iter().copied() {
-                    let model = mark.stated(is_reversed, || self.model_of(along, is_reversed, is_exact))?;
+                    let model = mark.stated(place_in_mark, is_reversed, || self.model_of(along, is_reversed, is_exact))?;
                     let verdict = |statement: Statement| {
                         let (statements, printed) = (vec![statement], String::new());
                         let reading = Reading { statements, printed, decided: Vec::new() };
