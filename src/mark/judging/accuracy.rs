@@ -301,10 +301,8 @@ pub(super) fn decimal(written: &Written, target: &Target, accept: &Accept) -> Fi
         let right = Finding::correct(later.then_some(Note::LaterFigures));
         return if *accept == Accept::Exact { right.at_most_partial(Note::ExactWanted) } else { right };
     }
-    // Nobody rounds 32 to 30.
-    let is_whole = |number: &Fraction| number.is_integer();
-    let was_rounded =
-        !(is_whole(&written.value) && is_whole(&model.to_fraction()) && target.equals(&model.to_fraction()));
+    // Nobody rounds 32 to 30, nor 1/2 to 1.
+    let was_rounded = !(written.value.is_integer() && target.equals(&model.to_fraction()));
     match last {
         LastPlace::Rounded if written.figures >= FEWEST => Finding::partial(Note::UnderAccurate),
         LastPlace::CutOff if written.figures >= FEWEST => Finding::partial(Note::Truncated),

@@ -203,11 +203,32 @@ fn shown(place: usize, part: &KeyedPart, answers: &[MarkedAnswer], awards: &[Awa
 enum Worth {
     /// All marks that lead to it.
     Everything,
-    /// All but the last: the value is there, its accuracy or its unit is not.
+    /// All but the last: the value is there, its accuracy, its form or its unit is not.
     Method,
+    /// All but the last and what the last step of the method earns: that step is missing.
+    BeforeLastStep,
     /// Nothing by itself.
     Nothing,
 }
+
+/// Answers that come of the whole method, though the last mark is not theirs: the value is right and its form is not, or the
+/// condition is there and not what it comes to.
+const NOT_FINISHED: [Note; 14] = [
+    Note::ExactWanted,
+    Note::DirectionMissing,
+    Note::GradientUnstated,
+    Note::Sign,
+    Note::LetterMissing,
+    Note::RatioOfAngle,
+    Note::RadiansUnstated,
+    Note::RatioForNumber,
+    Note::SquareLeft,
+    Note::Unsolved,
+    Note::RangeUnsolved,
+    Note::RangeEnd,
+    Note::RangeTooFar,
+    Note::RangeWanted,
+];
 
 impl Worth {
     fn of(answer: &MarkedAnswer, profile: &Profile, charged: &mut Charged) -> Worth {
@@ -219,15 +240,13 @@ impl Worth {
             }
             // What is rounded too early costs its mark every time.
             Verdict::Partial if is(&[Note::EarlyRounding]) => Worth::Method,
-            Verdict::Partial if is(&[Note::UnitWrong]) => charge(profile.units, &mut charged.units),
+            Verdict::Partial if is(&[Note::UnitWrong, Note::UnitNotNeeded]) => {
+                charge(profile.units, &mut charged.units)
+            }
             // One who writes coordinates writes them throughout.
             Verdict::Partial if is(&[Note::Coordinates]) => charge(Charge::Once, &mut charged.coordinates),
-            // The value is right and its form is not.
-            Verdict::Partial if is(&[Note::ExactWanted, Note::DirectionMissing, Note::GradientUnstated]) => {
-                Worth::Method
-            }
-            // The condition is there, and not what it comes to.
-            Verdict::Partial if is(&[Note::RangeUnsolved]) => Worth::Method,
+            Verdict::Partial if is(&NOT_FINISHED) => Worth::Method,
+            Verdict::Partial if is(&[Note::VectorForScalar, Note::ComponentsLeft]) => Worth::BeforeLastStep,
             _ => Worth::Nothing,
         }
     }
@@ -286,6 +305,9 @@ fn by_answers(
     let earns = |place: &usize| match worth[*place] {
         Worth::Everything => mark.code != Code::A1Shown,
         Worth::Method => !is_value(*place) && mark.code != Code::A1Shown,
+        Worth::BeforeLastStep => {
+            !is_value(*place) && mark.code != Code::A1Shown && !is_last_step(mark, &part.blanks[*place])
+        }
         Worth::Nothing => false,
     };
     // One right answer implies one value, and not the other as well.
@@ -308,6 +330,12 @@ fn by_answers(
         evidence: Some(Evidence { place: Place::Answer(earned), reading }),
         feedback,
     })
+}
+
+/// Is the mark for the law that gives the value of a blank itself, as Pythagoras gives a speed?
+fn is_last_step(mark: &KeyedMark, blank: &KeyedBlank) -> bool {
+    let EarnedFor::Law(law, _) = mark.earned_for else { return false };
+    blank.find.quantities().iter().any(|quantity| law.gives(quantity.of_its_impact()))
 }
 
 /// A mark that nothing earns: where it is for an answer that was given, the verdict on that is the reason.

@@ -30,7 +30,7 @@ use crate::mechanics::{Carried, Datum, Known, Law, Quantity, Road, Slip, Sought,
 use crate::number::{Letter, Value};
 
 use backwards::{Backwards, Landed};
-use last_step::LastStep;
+use last_step::{FACTOR_OF_TEN, LastStep};
 use sample::Sample;
 use table::{Answer, Values};
 use written::Written;
@@ -136,7 +136,14 @@ impl Mistakes {
         let asked = of_angle.map_or_else(|| asked.clone(), Asked::Quantities);
         let Some(answer) = self.answers.iter().find(|known| known.asked == asked) else { return Vec::new() };
         let Some(written) = self.written(answer, said) else { return Vec::new() };
-        self.behind(answer.matching(&written).collect())
+        self.behind(self.ways_to(answer, &written))
+    }
+
+    /// The ways that lead to what was written. A decimal point stands elsewhere only in figures.
+    fn ways_to(&self, answer: &Answer, written: &[Written]) -> Vec<usize> {
+        let is_in_figures = written.iter().all(|written| written.is_in_figures);
+        let moves_point = |way: &usize| matches!(self.ways[*way].origin, Origin::LastStep(FACTOR_OF_TEN));
+        answer.matching(written).filter(|way| is_in_figures || !moves_point(way)).collect()
     }
 
     /// The same of the values that a letter can have: what leads to an end of them that is none.
@@ -145,11 +152,7 @@ impl Mistakes {
         let answers = || self.answers.iter().filter(|known| known.asked == Asked::Ends);
         let ends = written::ends(said, backwards.letter, &self.letters);
         let wrong = ends.into_iter().filter(|end| !answers().any(|answer| answer.is_written(&[*end])));
-        self.behind(
-            wrong
-                .flat_map(|end| answers().flat_map(move |answer| answer.matching(&[end]).collect::<Vec<_>>()))
-                .collect(),
-        )
+        self.behind(wrong.flat_map(|end| answers().flat_map(move |answer| self.ways_to(answer, &[end]))).collect())
     }
 
     /// The causes that ways are, each once.

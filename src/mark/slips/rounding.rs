@@ -124,6 +124,9 @@ fn from_shown(
         // What is a little off has been rounded on the way to it.
         let little_off = || written.range().filter(|_| off(written, *right) < NEAR);
         let (low, high) = written.range_around(*right).or_else(little_off)?;
+        // What is exactly right has not been rounded: 3 is no 2.5 to 3.5.
+        let is_exact = written.is_exactly(*right);
+        let (low, high) = if is_exact { ((low + high) / 2.0, (low + high) / 2.0) } else { (low, high) };
         entered.push((*quantity, Datum::Number(interval(low).hull(&interval(high)))));
     }
     let said = last.map(|(low, high)| interval(low).hull(&interval(high)))?;

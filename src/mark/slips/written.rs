@@ -19,6 +19,8 @@ pub(super) struct Written {
     pub(super) value: Sample,
     /// One in the last figure, as a part of the value; `None` if no decimal is in it, or one with too few figures.
     unit: Option<f64>,
+    /// Is it written in figures, without a fraction, a root or a function?
+    pub(super) is_in_figures: bool,
 }
 
 /// How a value compares with what was written.
@@ -47,7 +49,7 @@ impl Written {
 
     fn with_figures(expr: &Expr, value: Sample) -> Option<Written> {
         let unit = Decimals::of(expr).filter(|decimals| decimals.figures >= FEWEST).map(|decimals| decimals.unit);
-        value.is_finite().then_some(Written { value, unit })
+        value.is_finite().then_some(Written { value, unit, is_in_figures: is_in_figures(expr) })
     }
 
     /// So many times the value.
@@ -59,7 +61,7 @@ impl Written {
     pub(super) fn less_from(self, degrees: f64) -> Written {
         let value = self.value.map(|value| degrees - value);
         let unit = self.unit.map(|unit| (unit * self.value.0[0] / value.0[0]).abs()).filter(|unit| unit.is_finite());
-        Written { value, unit }
+        Written { value, unit, ..self }
     }
 
     /// The sizes between which a value must lie that can have been written so, at the first point.
@@ -114,6 +116,11 @@ impl Written {
         Some((one.min(two), one.max(two)))
     }
 
+    /// Is it this value itself, in either sense, and no rounded one?
+    pub(super) fn is_exactly(self, truth: Sample) -> bool {
+        self.value.size().is_near(truth.size(), EXACT)
+    }
+
     fn fit(self, value: Sample, signed: bool) -> Fit {
         let (value, own) = if signed { (value, self.value) } else { (value.size(), self.value.size()) };
         if value.is_near(own, EXACT) {
@@ -138,6 +145,15 @@ impl Written {
         let Some(unit) = self.unit else { return one.is_near(two, EXACT) };
         let place = |value: f64, own: f64| (value.abs() / (own.abs() * unit) + 1e-7).round();
         one.0.iter().zip(two.0).zip(self.value.0).all(|((one, two), own)| place(*one, own) == place(two, own))
+    }
+}
+
+/// Is nothing in it but figures and letters?
+fn is_in_figures(expr: &Expr) -> bool {
+    match expr {
+        Expr::Quotient(..) | Expr::Call(..) | Expr::Pi => false,
+        Expr::Number(number) => number.is_integer(),
+        other => other.children().into_iter().all(is_in_figures),
     }
 }
 
@@ -228,7 +244,8 @@ fn end([left, right]: &[&Expr; 2], letter: Letter, letters: &[Letter]) -> Option
     let is_linear = (at_1 - at_0).is_near(at_2 - at_1, EXACT);
     let value = at_0.with(at_1, |at_0, at_1| at_0 / (at_0 - at_1));
     let unit = Decimals::within(left).into_iter().chain(Decimals::within(right)).map(|decimals| decimals.unit);
-    (is_linear && value.is_finite()).then(|| Written { value, unit: unit.reduce(f64::max) })
+    let is_in_figures = is_in_figures(left) && is_in_figures(right);
+    (is_linear && value.is_finite()).then(|| Written { value, unit: unit.reduce(f64::max), is_in_figures })
 }
 
 /// How far the sides of a condition are apart: of angles in degrees, beside which a plain number is one of degrees.

@@ -13,7 +13,7 @@ use super::line::Member;
 use super::pair::{Departure, Matched};
 use super::points::sizes;
 use super::said::{clauses, is_called_otherwise, says_across, says_along, says_into_wall};
-use super::shapes::components_in;
+use super::shapes::{components_in, is_tangent};
 use crate::answer::Kind;
 use crate::bank::{Code, EarnedFor};
 use crate::expr::{Expr, Function};
@@ -287,7 +287,6 @@ impl Working<'_> {
         if reading.members.iter().filter(is_own).any(|member| self.has_component_beside_unknown(&member.expr, sphere)) {
             return true;
         }
-        let is_tangent = |member: &Member| member.label.as_ref().is_some_and(|label| label.trim().starts_with("tan"));
         let is_open = |member: &&Member| studied.matched.is_empty() && !self.says_along(studied, member);
         let formulas = reading.members.iter().filter(is_open);
         let mut components = formulas.clone().flat_map(|member| components_in(&member.expr, is_tangent(member)));

@@ -7,6 +7,7 @@ use super::examine::{Value, Working};
 use super::line::Member;
 use super::points::sizes;
 use super::said::says_into_wall;
+use super::shapes::{components_in, is_tangent};
 use crate::answer::Kind;
 use crate::bank::Code;
 use crate::expr::{Expr, Function};
@@ -38,6 +39,7 @@ impl Working<'_> {
         let right = right.or_else(|| self.inequality_with(&sizes(&self.prepared.known, after)?));
         let right = right.or_else(|| self.rebound_as_vector()).or_else(|| self.rebound_along_axis());
         let right = right.or_else(|| self.rebound_in_axes(code)).or_else(|| self.said_to_rebound(after, code));
+        let right = right.or_else(|| self.rebound_in_tangent());
         let by_method = || self.exchanged(after, code).or_else(|| self.rebound_of_own());
         // Along i or j the components are there already.
         let is_resolved = || self.lies_along_axis().then(|| self.rebound_of_all()).flatten();
@@ -70,6 +72,25 @@ impl Working<'_> {
             };
             let mut members = self.members(studied).filter(|(member, _)| member.label.is_none());
             members.any(|(member, values)| (says || says_of(member)) && is_right(values))
+        })
+    }
+
+    /// The component after the impact within a tangent, above the line or below it: `tan β = eu sin α/(u cos α)`.
+    fn rebound_in_tangent(&self) -> Option<usize> {
+        let velocity = |moment, axis| sizes(&self.prepared.known, Quantity::Velocity(Sphere::A, moment, axis));
+        let after = velocity(Moment::After, Axis::N)?;
+        let is_after = |other: &Vec<f64>| other.iter().zip(&after).all(|(one, after)| (one.abs() - after.abs()).abs() < 1e-9);
+        let mut before = [Axis::N, Axis::T].into_iter().filter_map(|axis| velocity(Moment::Before, axis));
+        // Of two that are alike nobody can tell which is meant.
+        if before.any(|component| is_after(&component)) {
+            return None;
+        }
+        let after = [after];
+        self.lines.iter().position(|studied| {
+            self.members(studied).any(|(member, _)| {
+                let components = components_in(&member.expr, is_tangent(member));
+                components.iter().any(|component| self.is_one_of(component, &after))
+            })
         })
     }
 

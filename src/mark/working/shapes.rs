@@ -278,6 +278,11 @@ impl Working<'_> {
     }
 }
 
+/// Is it called the tangent of an angle?
+pub(super) fn is_tangent(member: &Member) -> bool {
+    member.label.as_ref().is_some_and(|label| label.trim().starts_with("tan"))
+}
+
 /// The formulas within one that stand where a component of a velocity does: squared, or over another within a tangent.
 pub(super) fn components_in(expr: &Expr, in_tangent: bool) -> Vec<Expr> {
     let mut all = Vec::new();
