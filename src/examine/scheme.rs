@@ -65,7 +65,8 @@ pub fn unrewarded(question: &Question) -> Vec<Finding> {
 
 /// Marks that are earned with others: twice for one value in a part, or again for what an earlier part has found.
 pub fn paid_twice(question: &Question) -> Vec<Finding> {
-    let is_value = |mark: &Mark| matches!(mark.earned_for, EarnedFor::Quantity(_) | EarnedFor::Both(_) | EarnedFor::Unknown(_));
+    let is_value =
+        |mark: &Mark| matches!(mark.earned_for, EarnedFor::Quantity(_) | EarnedFor::Both(_) | EarnedFor::Unknown(_));
     let mut findings = used_twice(question);
     for (place, part) in question.parts.iter().enumerate() {
         let mut told: Vec<&EarnedFor> = Vec::new();

@@ -301,8 +301,13 @@ pub(super) fn decimal(written: &Written, target: &Target, accept: &Accept) -> Fi
         let right = Finding::correct(later.then_some(Note::LaterFigures));
         return if *accept == Accept::Exact { right.at_most_partial(Note::ExactWanted) } else { right };
     }
-    // Nobody rounds 32 to 30, nor 1/2 to 1.
-    let was_rounded = !(written.value.is_integer() && target.equals(&model.to_fraction()));
+    // Nobody rounds 32 to 30, nor 0.5, which is short already, to 1.
+    let is_short = |number: &Fraction| {
+        let one_figure = round(number, &Places::SignificantFigures(1)).to_fraction();
+        number.is_integer() || one_figure == *number
+    };
+    let exactly = model.to_fraction();
+    let was_rounded = !(written.value.is_integer() && is_short(&exactly) && target.equals(&exactly));
     match last {
         LastPlace::Rounded if written.figures >= FEWEST => Finding::partial(Note::UnderAccurate),
         LastPlace::CutOff if written.figures >= FEWEST => Finding::partial(Note::Truncated),

@@ -134,6 +134,7 @@ const DECIMALS: &[(&str, &str, &str, &str)] = &[
     ("48/25", "awrt 3sf", "1.920", "correct"),
     ("48/25", "awrt 3sf", "1.9", "partial under-accurate"),
     ("48/25", "awrt 3sf", "2", "wrong too-few-figures"),
+    ("1/2", "awrt 3sf", "1", "wrong"),
     ("48/25", "awrt 3sf", "1.93", "partial near-miss"),
     ("12", "3sf", "12", "correct"),
     ("12", "3sf", "12.0", "correct"),

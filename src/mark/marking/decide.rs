@@ -213,7 +213,7 @@ enum Worth {
 
 /// Answers that come of the whole method, though the last mark is not theirs: the value is right and its form is not, or the
 /// condition is there and not what it comes to.
-const NOT_FINISHED: [Note; 14] = [
+const NOT_FINISHED: [Note; 11] = [
     Note::ExactWanted,
     Note::DirectionMissing,
     Note::GradientUnstated,
@@ -225,9 +225,6 @@ const NOT_FINISHED: [Note; 14] = [
     Note::SquareLeft,
     Note::Unsolved,
     Note::RangeUnsolved,
-    Note::RangeEnd,
-    Note::RangeTooFar,
-    Note::RangeWanted,
 ];
 
 impl Worth {

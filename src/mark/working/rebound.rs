@@ -79,7 +79,8 @@ impl Working<'_> {
     fn rebound_in_tangent(&self) -> Option<usize> {
         let velocity = |moment, axis| sizes(&self.prepared.known, Quantity::Velocity(Sphere::A, moment, axis));
         let after = velocity(Moment::After, Axis::N)?;
-        let is_after = |other: &Vec<f64>| other.iter().zip(&after).all(|(one, after)| (one.abs() - after.abs()).abs() < 1e-9);
+        let is_after =
+            |other: &Vec<f64>| other.iter().zip(&after).all(|(one, after)| (one.abs() - after.abs()).abs() < 1e-9);
         let mut before = [Axis::N, Axis::T].into_iter().filter_map(|axis| velocity(Moment::Before, axis));
         // Of two that are alike nobody can tell which is meant.
         if before.any(|component| is_after(&component)) {

@@ -76,7 +76,8 @@ impl Working<'_> {
                 let is_rebound = self.prepared.setting == Setting::Wall && matches!(along, Quantity::Velocity(..));
                 let ways: &[bool] = if is_rebound { &[false, true] } else { std::slice::from_ref(&is_reversed) };
                 for is_reversed in ways.iter().copied() {
-                    let model = mark.stated(place_in_mark, is_reversed, || self.model_of(along, is_reversed, is_exact))?;
+                    let model =
+                        mark.stated(place_in_mark, is_reversed, || self.model_of(along, is_reversed, is_exact))?;
                     let verdict = |statement: Statement| {
                         let (statements, printed) = (vec![statement], String::new());
                         let reading = Reading { statements, printed, decided: Vec::new() };

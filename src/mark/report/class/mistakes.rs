@@ -40,7 +40,7 @@ const ACCURACY: [(&str, &str); 8] = [
     ("too-few-figures", "gave a single figure"),
     ("truncated", "cut a number off in place of rounding it"),
     ("early-rounding", "rounded before the last line"),
-    ("near-miss", "was less than one hundredth off"),
+    ("near-miss", "was less than 1 % off"),
     ("exact-wanted", "gave a decimal where the exact value is wanted"),
     ("later-figures", "went on after the right figures with wrong ones"),
     ("inaccurate", "put a number that is not accurate enough into an equation"),
