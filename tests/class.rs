@@ -110,6 +110,67 @@ fn what_is_dealt_is_alike_in_motion_in_surds_and_in_e_and_about_as_long() {
 }
 
 #[test]
+fn answers_come_twice_only_where_there_are_no_others() {
+    let contents = Contents::shipped();
+    let question = |id: &str| -> Question {
+        contents.headings.iter().find(|heading| heading.id == id).unwrap().question().unwrap_or_else(|_| panic!("{id}"))
+    };
+    let answers = |question: &Question, hands: &[Vec<carom::generate::Variant>]| -> Vec<String> {
+        hands.iter().map(|hand| Candidate::of(question, &hand[0]).unwrap().answers).collect()
+    };
+    let different = |answers: &[String]| answers.iter().collect::<BTreeSet<_>>().len();
+    // Of each of them others have the same answers, and of the last, where a result is shown, all have.
+    for (id, students, expected) in [
+        ("rest/speeds-and-directions", 24, 24),
+        ("i-j/velocities-after-impact", 24, 24),
+        ("direct/restitution-from-one-speed", 24, 24),
+        ("deflection/equal-masses", 12, 1),
+    ] {
+        let question = question(id);
+        let style = Some(question.styles[0].name);
+        let class = deal(&[&question], students, 3, style, &[]).unwrap();
+        let dealt = answers(&question, &class.hands);
+        assert_eq!((different(&dealt), class.places[0].different), (expected, expected), "{id}");
+        // Who joins later has none of the answers of the others, as long as there are any.
+        let had: Vec<Vec<_>> = class.hands.iter().map(|hand| vec![(hand[0].style, hand[0].index.unwrap())]).collect();
+        let joined = deal(&[&question], 2, 3, style, &had).unwrap();
+        let of_both: Vec<String> = dealt.into_iter().chain(answers(&question, &joined.hands)).collect();
+        let further = if expected == 1 { 0 } else { 2 };
+        assert_eq!((different(&of_both), joined.places[0].different), (expected + further, further), "{id}");
+        // The same seed deals the same again.
+        let again = deal(&[&question], students, 3, style, &[]).unwrap();
+        assert_eq!(answers(&question, &again.hands), answers(&question, &class.hands), "{id}");
+    }
+}
+
+#[test]
+fn a_teacher_is_told_where_answers_come_twice() {
+    let folder = folder("twice");
+    let output = made(class(
+        &folder,
+        numbered(12),
+        &["deflection/equal-masses", "--style", "friendly", "--seed", "3", "--format", "text"],
+    ));
+    let said = "`deflection/equal-masses`: 1 different answer for 12 students";
+    assert!(stderr(&output).contains(said), "{}", stderr(&output));
+}
+
+#[test]
+fn a_name_that_is_too_long_for_any_page_is_refused() {
+    let folder = folder("long-name");
+    for list in
+        [format!("student,name\n1,{}\n2,Ben\n", "A".repeat(50_000)), format!("student\n{}\nBen\n", "A".repeat(50_000))]
+    {
+        let output = class(&folder, list, &["5C-2", "--seed", "1", "--format", "text"]);
+        assert_eq!(output.status.code(), Some(1));
+        let said = stderr(&output);
+        assert!(said.contains("line 2: `AAAA") && said.contains("has 50000 characters"), "{said}");
+        assert!(said.contains("has at most 20000") && said.len() < 1000, "{said}");
+        assert!(!folder.join("sheet").exists());
+    }
+}
+
+#[test]
 fn the_same_command_prints_the_same_sheets_again_and_fresh_ones_for_who_is_new() {
     let folder = folder("lock");
     let options = ["--count", "2", "--format", "html"];

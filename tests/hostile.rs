@@ -254,6 +254,28 @@ fn a_key_is_read_in_utf_8_with_a_mark_or_without_and_in_nothing_else() {
 }
 
 #[test]
+fn what_is_no_text_and_what_is_no_file_is_said_to_be_so() {
+    let folder = folder("no-text");
+    fs::write(folder.join("picture"), b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\xff\xfe\x01").unwrap();
+    let said = ["`picture` is no text: it has bytes that stand in none", "give the file that you mean"];
+    refused(&folder, &["mark", "picture", "rows.csv"], &said);
+    refused(&folder, &["mark", "sheet/key.json", "picture"], &said);
+    let said = [
+        "there is no file `nofile`, and if it is the code of a sheet, a character of the code is mistyped",
+        "give the `key.json` beside the sheets",
+    ];
+    refused(&folder, &["mark", "nofile", "rows.csv"], &said);
+    fs::create_dir_all(folder.join("bank")).unwrap();
+    fs::write(folder.join("bank/empty.toml"), "").unwrap();
+    let output = carom(&folder, &["sheet", "--bank", "bank", "--seed", "1", "--out", "none"]);
+    assert_eq!(stderr(&output).matches("nothing stands in this file").count(), 1, "{}", stderr(&output));
+    fs::create_dir_all(folder.join("templates")).unwrap();
+    let sheet = ["sheet", "5C-2", "--seed", "1", "--templates", "templates", "--out", "none"];
+    refused(&folder, &sheet, &["no templates in `templates`", "`templates/html/style.css`"]);
+    assert!(!folder.join("none").exists());
+}
+
+#[test]
 fn a_key_of_another_version_is_refused_if_it_is_later_and_explained_if_it_cannot_be_read() {
     let folder = folder("version");
     let key = fs::read_to_string(folder.join("sheet/key.json")).unwrap();

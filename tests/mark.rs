@@ -266,7 +266,9 @@ fn a_quote_that_is_never_closed_is_told_of_where_it_opens() {
 fn a_fault_of_the_key_is_shown_where_it_stands() {
     let folder = folder("key");
     let key = fs::read_to_string(folder.join("sheet/key.json")).unwrap();
-    let cases: [(&str, &str, &[&str]); 5] = [
+    let cases: [(&str, &str, &[&str]); 7] = [
+        ("\"carom\": \"", "\"carom\": \"x", &["is no version of carom", "such as", "leave `carom` out"]),
+        ("\"marks\": ", "\"marks\": 9", &["marks`: 9", "and the scheme has", "one for each mark", "change `marks`"]),
         ("\"code\": \"M1\"", "\"code\": \"M9\"", &["unknown mark code `M9`", "scheme[1].code", "\"M9\"", "^^^^"]),
         ("\"kind\": \"number\"", "\"kind\": \"numbre\"", &["unknown kind of answer `numbre`", "^^^^^^^^"]),
         (

@@ -1363,3 +1363,107 @@ fn a_letter_that_no_words_introduce_is_named() {
         found(id, &[("no-k", &[(constant, "")], "the words never say what `k` is")]);
     }
 }
+
+#[test]
+fn what_may_be_meant_stops_nothing() {
+    let signed = [
+        ("towards each other in opposite directions\nalong the same", "along the same"),
+        (
+            "the speed of *A*\nis {u m/s} and the speed of *B* is {w m/s}.",
+            "the velocity of *A* is {u m/s} and the velocity of *B* is {-w m/s}, where the direction of motion of *A* is taken as \
+             positive.",
+        ),
+    ];
+    let measured = [
+        signed[0],
+        (
+            signed[1].0,
+            "*A* has velocity {u m/s} and *B* has velocity {-w m/s}, both measured in the direction from *A* to *B*.",
+        ),
+    ];
+    let named = [
+        (
+            "ask = \"Find the coefficient of restitution between the spheres.\"",
+            "ask = \"The coefficient of restitution between the spheres is {e}. Find the value of {e}.\"",
+        ),
+        ("after  = { A = \"-v\" }", "after  = { A = \"-v\" }\nsymbols = { e = \"unit\" }"),
+    ];
+    for (name, id, edits, words) in [
+        ("signed", "direct/velocities-after-impact", &signed[..], " 0 findings"),
+        ("measured", "direct/velocities-after-impact", &measured, " 0 findings"),
+        ("named-letter", "direct/restitution-from-one-speed", &named, " 0 findings"),
+        (
+            "equal-components",
+            "both-moving/components-given",
+            &[(
+                "has component {a m/s} along the line of centres of the spheres,\ntowards *B*, and component {p m/s} \
+                 perpendicular to the line of centres.",
+                "has components {a m/s} and {p m/s} along the line of centres of the spheres,\ntowards *B*, and \
+                 perpendicular to it.",
+            )],
+            "warning: `question`: a text that reads badly, the same thing said twice",
+        ),
+        (
+            "one-value-of-components",
+            "rest/components-of-each-velocity",
+            &[("  \"abs(A.after.n - A.after.t) > A.after.t/100\",         # so that no answer\n", "")],
+            "warning: `question`: `A.after.n` and `A.after.t` have one value",
+        ),
+    ] {
+        let (is_sound, said) = checked(name, id, edits);
+        assert!(is_sound && said.contains(words), "{name}: no `{words}` in\n{said}");
+    }
+    let (is_sound, said) = checked(
+        "unsigned",
+        "direct/velocities-after-impact",
+        &[signed[0], (signed[1].0, "the velocity of *A* is {u m/s} and the velocity of *B* is {-w m/s}.")],
+    );
+    assert!(!is_sound && said.contains("a quantity below nought"), "{said}");
+}
+
+#[test]
+fn what_is_given_and_what_is_said_of_another_sphere_are_named() {
+    found(
+        "both-moving/components-given",
+        &[(
+            "given-answer",
+            &[
+                (
+                    "Find the speed of each sphere immediately",
+                    "Find the speed of each sphere and the component of the velocity of *A* perpendicular to the line of centres immediately",
+                ),
+                (
+                    "  { name = \"speed of *B*\", find = \"B.after.speed\", accept = \"awrt 3sf\" },\n",
+                    "  { name = \"speed of *B*\", find = \"B.after.speed\", accept = \"awrt 3sf\" },\n  { name = \"component of *A*\", \
+                     find = \"A.after.t\", accept = \"awrt 3sf\" },\n",
+                ),
+            ],
+            "warning: `question`: the answer `A.after.t` is a number that the words give, in ",
+        )],
+    );
+    found(
+        "ranges/direction-reversed",
+        &[(
+            "cond-wrong-sphere",
+            &[
+                ("conditions = [\"A.after.x < 0\"]", "conditions = [\"B.after.x > w\"]"),
+                (
+                    "The direction of motion of *A* is reversed by the collision. Find",
+                    "After the collision the speed of *A* is greater than {w m/s}. Find",
+                ),
+                ("u  = \"2..12\"", "u  = \"2..12\"\nw = \"1..3\""),
+                ("u  = \"5\"", "u  = \"5\"\nw = \"3\""),
+                ("require = [\"mA < mB\"]", "require = [\"mA < mB\", \"w < mA*u/(mA+mB)*2\", \"w > mA*u/(mA+mB)\"]"),
+            ],
+            "the words compare the motion of `*A*` with `w`, and the condition of the scene that of `*B*`",
+        )],
+    );
+    found(
+        "direct/velocities-after-impact",
+        &[(
+            "alike-where-it-can-stand",
+            &[("alike = [\"impulse-speed-change = impulse-resultant-speeds\"]\n", "")],
+            "write `alike = [\"impulse-speed-change = impulse-resultant-speeds\"]` above the first heading",
+        )],
+    );
+}

@@ -11,10 +11,20 @@ use crate::render::TemplateFile;
 /// The templates in the folder that the arguments name; none if they name none.
 pub fn own_templates(folder: Option<&Path>) -> Result<Vec<TemplateFile>, Failure> {
     let Some(folder) = folder else { return Ok(Vec::new()) };
-    read_templates(folder).map_err(|error| {
-        let message = format!("the templates in `{}` cannot be read: {error}", folder.display());
+    let shown = folder.display();
+    let files = read_templates(folder).map_err(|error| {
+        let message = format!("the templates in `{shown}` cannot be read: {error}");
         Failure::with_help(message, "name a folder of templates; `templates/README.md` says what stands in one")
-    })
+    })?;
+    match files.is_empty() {
+        false => Ok(files),
+        true => Err(Failure::with_help(
+            format!("no templates in `{shown}`"),
+            format!(
+                "each stands in a folder named after its format, as `{shown}/html/style.css` would: see `templates/README.md`"
+            ),
+        )),
+    }
 }
 
 /// Every file below a folder, in the order of their paths; hidden ones are left alone.

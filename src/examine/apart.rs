@@ -1,9 +1,16 @@
-//! Are the answers of a variant told apart? Of two that share a value nobody can see which of them a student has found.
+//! Are the answers of a variant told apart? Of two that share a value nobody can see which of them a student has found, and
+//! of one that is given whether it was found at all.
 
 use super::remark::Remark;
-use crate::bank::{Answer, Question};
+use super::words::in_order;
+use crate::answer::Kind;
+use crate::bank::{Answer, Find, Question};
+use crate::expr::{Meaning, Piece, evaluate};
 use crate::generate::Variant;
+use crate::mechanics::Quantity;
 use crate::number::{Places, Value};
+use crate::paper::Words;
+use crate::unit::Unit;
 
 /// Two figures are one if they round alike; formulas, and exact numbers, if they are equal.
 pub fn alike(question: &Question, variant: &Variant, remarks: &mut Vec<Remark>) {
@@ -14,8 +21,49 @@ pub fn alike(question: &Question, variant: &Variant, remarks: &mut Vec<Remark>) 
                 let what = format!("`{}` and `{}` have one value", one.find.name(), other.find.name());
                 let label = "a student who exchanges the two is marked right";
                 let help = format!("require `{}`", further(one, other, variant));
-                remarks.push(Remark::new(what, format!("\"{}\"", other.find.name()), label, help));
+                let remark = Remark::new(what, format!("\"{}\"", other.find.name()), label, help);
+                let remark = remark.with_help_for_all("ask for one of the two alone, or for what differs from it");
+                // As in 2i + 2j: who finds the one component has not found the other by it.
+                remarks.push(if are_of_one_vector(&one.find, &other.find) { remark.warning() } else { remark });
             }
+        }
+    }
+}
+
+/// The two components of one velocity, or of one impulse?
+fn are_of_one_vector(one: &Find, other: &Find) -> bool {
+    let (Find::Quantity(one), Find::Quantity(other)) = (one, other) else { return false };
+    one.impact() == other.impact()
+        && match (one.of_its_impact(), other.of_its_impact()) {
+            (Quantity::Velocity(a, before, _), Quantity::Velocity(b, after, _)) => (a, before) == (b, after),
+            (Quantity::Impulse(a, _), Quantity::Impulse(b, _)) => a == b,
+            _ => false,
+        }
+}
+
+/// A number with its unit that the words give, and that is to be found: who copies it is right. A few variants may have that,
+/// for who knows which.
+pub fn given(question: &Question, variant: &Variant, words: &Words, remarks: &mut Vec<Remark>) {
+    let mut pieces = Vec::new();
+    words.stem.iter().for_each(|text| in_order(&text.0, &mut pieces));
+    for answer in question.parts.iter().flat_map(|part| &part.answers).filter(|answer| answer.kind == Kind::Number) {
+        let Find::Quantity(quantity) = answer.find else { continue };
+        let Some(value) = variant.solution.number(quantity).filter(|value| value.is_constant() && !value.is_zero())
+        else {
+            continue;
+        };
+        let is_it = |piece: &&Piece| match piece {
+            Piece::Quantity(expr, unit) if *unit == quantity.unit() && *unit != Unit::None => {
+                matches!(evaluate(expr, &|_| None), Ok(Meaning::Number(given)) if given == value)
+            }
+            _ => false,
+        };
+        if pieces.iter().any(is_it) {
+            let name = answer.find.name();
+            let what = format!("the answer `{name}` is a number that the words give");
+            let help = "require other numbers, or ask for something else";
+            let label = "a student who copies a number is marked right";
+            remarks.push(Remark::new(what, format!("\"{name}\""), label, help).of_nearly_all());
         }
     }
 }
@@ -23,6 +71,12 @@ pub fn alike(question: &Question, variant: &Variant, remarks: &mut Vec<Remark>) 
 /// A requirement that keeps two answers so far apart that no rounding makes them one; exact ones need only differ.
 fn further(one: &Answer, other: &Answer, variant: &Variant) -> String {
     let (first, second) = (one.find.name(), other.find.name());
+    let has_letters =
+        |quantity: &Quantity| variant.solution.number(*quantity).is_some_and(|value| !value.is_constant());
+    // Of letters nobody knows which is the greater.
+    if one.find.quantities().iter().any(has_letters) {
+        return format!("{first} != {second}");
+    }
     let places = |answer: &Answer| answer.accept(variant.style).places().cloned();
     let apart = |margin: &str| format!("abs({first} - {second}) > {margin}");
     match places(one).or_else(|| places(other)) {

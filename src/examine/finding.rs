@@ -64,7 +64,10 @@ impl Finding {
         let asked = |list: &str| {
             if self.at.starts_with('"') { place(text, &format!("find = {list}{}", self.at)) } else { None }
         };
-        let found = asked("").or_else(|| asked("[")).or_else(|| place(text, &self.at));
+        // A number may stand in the file in another form than it is told in.
+        let before_number =
+            || place(text, self.at.rsplit_once('{').map(|(before, _)| before).filter(|at| !at.trim().is_empty())?);
+        let found = asked("").or_else(|| asked("[")).or_else(|| place(text, &self.at)).or_else(before_number);
         let found = found.map(|place| within.start + place.start..within.start + place.end);
         let found = found.or(self.within.clone());
         let span = key.or(row).or(found);

@@ -3,6 +3,17 @@
 use crate::bank::Style;
 use crate::expr::print;
 
+/// How much it counts that something is amiss with one variant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Weight {
+    /// It must be mended.
+    Error,
+    /// It may be meant.
+    Warning,
+    /// It may be, and of a few variants nobody need hear.
+    InNearlyAll,
+}
+
 /// Something amiss with one variant; of others with the same words only the first is told, and how many there are.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Remark {
@@ -11,13 +22,32 @@ pub struct Remark {
     pub(super) label: String,
     pub(super) help: String,
     pub(super) shown: String,
+    pub(super) weight: Weight,
+    /// One thing to try where all variants have it, and no requirement could keep one without; empty if it is the same.
+    pub(super) help_for_all: &'static str,
 }
 
 impl Remark {
     /// What it is; what stands in the file at its place; what was expected there; one thing to try.
     pub fn new(what: impl Into<String>, at: impl Into<String>, label: &str, help: impl Into<String>) -> Remark {
         let (what, at, help) = (what.into(), at.into(), help.into());
-        Remark { what, at, label: label.to_owned(), help, shown: String::new() }
+        let (label, shown, weight) = (label.to_owned(), String::new(), Weight::Error);
+        Remark { what, at, label, help, shown, weight, help_for_all: "" }
+    }
+
+    /// As one that stops nothing.
+    pub fn warning(self) -> Remark {
+        Remark { weight: Weight::Warning, ..self }
+    }
+
+    /// As one that stops nothing, and is told only where nearly all variants have it.
+    pub fn of_nearly_all(self) -> Remark {
+        Remark { weight: Weight::InNearlyAll, ..self }
+    }
+
+    /// With another thing to try where no variant is without it.
+    pub fn with_help_for_all(self, help: &'static str) -> Remark {
+        Remark { help_for_all: help, ..self }
     }
 
     /// With what stands on the page of this variant.

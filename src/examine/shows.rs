@@ -235,6 +235,25 @@ fn amiss_in_words(missing: &[&Hidden], needless: &[&str]) -> String {
     said.join("; ")
 }
 
+/// Pairs that no variant tells apart, against the list of the question: one finding, with what is to be written where it can
+/// stand, for there is one list, and it stands above the first heading.
+fn undeclared_pairs(question: &Question, pairs: &[(&str, &str)]) -> Option<Finding> {
+    let ((one, other), rest) = pairs.split_first()?;
+    let further = match rest.len() {
+        0 => String::new(),
+        1 => ", and one pair more".to_owned(),
+        more => format!(", and {more} pairs more"),
+    };
+    let message = format!("the slips `{one}` and `{other}` come to the same in every variant{further}");
+    let written: Vec<String> = pairs.iter().map(|(one, other)| format!("\"{one} = {other}\"")).collect();
+    let written = written.join(", ");
+    let (at, help) = match question.alike.is_empty() {
+        true => ("[[part]]", format!("ask for something more, or write `alike = [{written}]` above the first heading")),
+        false => ("alike", format!("ask for something more, or add `{written}` to the list `alike` of the question")),
+    };
+    Some(Finding::new(message, at, "a student who makes one is told of both").with_help(help))
+}
+
 /// What a question's numbers hide and do not say, and what it says without need.
 pub fn findings(
     question: &Question,
@@ -269,14 +288,8 @@ pub fn findings(
     let is_pair = |pair: &(String, String), one: &str, other: &str| {
         (pair.0 == one && pair.1 == other) || (pair.0 == other && pair.1 == one)
     };
-    for (one, other) in &alike {
-        if !question.alike.iter().any(|pair| is_pair(pair, one, other)) {
-            let message = format!("the slips `{one}` and `{other}` come to the same in every variant");
-            let help = format!("ask for something more, or say `alike = [\"{one} = {other}\"]`");
-            let label = "a student who makes one is told of both";
-            findings.push(Finding::new(message, "[[part]]", label).with_help(help));
-        }
-    }
+    let is_new = |(one, other): &&(&str, &str)| !question.alike.iter().any(|pair| is_pair(pair, one, other));
+    findings.extend(undeclared_pairs(question, &alike.iter().filter(is_new).copied().collect::<Vec<_>>()));
     for (one, other) in &question.alike {
         if !alike.iter().any(|(a, b)| is_pair(&(one.clone(), other.clone()), a, b)) {
             let message =

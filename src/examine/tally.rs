@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::finding::Finding;
-use super::remark::{Remark, numbers};
+use super::remark::{Remark, Weight, numbers};
 use super::shows::Slips;
 use super::{apart, promise, words};
 use crate::bank::Style;
@@ -44,6 +44,7 @@ impl Tally {
         words::of_variant(question, &variant, &words, &mut self.heard, &mut remarks);
         promise::broken(question, &variant, &words, &mut remarks);
         apart::alike(question, &variant, &mut remarks);
+        apart::given(question, &variant, &words, &mut remarks);
         self.slips.follow(question, &variant);
         remarks.sort();
         remarks.dedup_by(|one, other| one.what == other.what);
@@ -79,7 +80,9 @@ impl Tally {
     /// same in every style, and told of the first.
     pub fn findings(&self, style: &Style, told: &mut BTreeSet<(String, String)>) -> Vec<Finding> {
         let found = |seen: &Seen| {
-            let Remark { what, at, label, help, shown } = &seen.remark;
+            let Remark { what, at, label, help, shown, weight, help_for_all } = &seen.remark;
+            let is_in_all = seen.count == self.census.fit && !help_for_all.is_empty();
+            let help = if is_in_all { *help_for_all } else { help.as_str() };
             let shown = if shown.is_empty() { String::new() } else { format!(": `{shown}`") };
             let message = format!(
                 "{what}{shown}, in {} of {} variants of style `{}`, first with {}",
@@ -89,13 +92,19 @@ impl Tally {
                 numbers(style, seen.first)
             );
             let at = if at.is_empty() { format!("[style.{}]", style.name) } else { at.clone() };
-            Finding::new(message, at, label.as_str()).with_help(help.as_str())
+            let found = Finding::new(message, at, label.as_str()).with_help(help);
+            if *weight == Weight::Error { found } else { found.as_warning() }
+        };
+        // Nine in ten are nearly all.
+        let is_told = |seen: &&Seen| {
+            seen.remark.weight != Weight::InNearlyAll
+                || seen.count.saturating_mul(10) >= self.census.fit.saturating_mul(9)
         };
         let is_new = |seen: &&Seen| {
             let Remark { what, at, .. } = &seen.remark;
             at.is_empty() || told.insert((what.clone(), at.clone()))
         };
-        self.seen.values().filter(is_new).map(found).collect()
+        self.seen.values().filter(is_told).filter(is_new).map(found).collect()
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, HashSet};
 
-use super::pool::{Alike, Pool};
+use super::pool::{Alike, Chosen, Pool};
 use crate::bank::{Question, StyleName};
 use crate::generate::{Shuffle, Variant, examine};
 
@@ -27,6 +27,8 @@ pub struct PlaceDealt {
     pub style: StyleName,
     /// How far the variants are alike.
     pub alike: Alike,
+    /// How many different answers they have, without those that others hold already.
+    pub different: usize,
     /// The fewest figures in one of them, and the most.
     pub figures: (usize, usize),
 }
@@ -48,8 +50,9 @@ pub struct TooFew {
 
 /// Deals a class its sheets.
 ///
-/// All students have the same questions in the same order and style. Of each question no two have the same numbers, and
-/// nobody has any of `had`, the hands that others hold already. `had` also says which style and kind the class has.
+/// All students have the same questions in the same order and style. Of each question no two have the same numbers, nor
+/// the same answers while there are others, and nobody has any of `had`, the hands that others hold already. `had` also says
+/// which style and kind the class has.
 ///
 /// # Errors
 ///
@@ -101,8 +104,8 @@ pub fn deal(
             let style = question.style(style);
             hands[student].extend(style.and_then(|style| examine(question, style, *index).ok()));
         }
-        let (alike, figures) = (chosen.alike, chosen.figures);
-        places.push(PlaceDealt { question: question.id.clone(), style, alike, figures });
+        let Chosen { alike, different, figures, .. } = chosen;
+        places.push(PlaceDealt { question: question.id.clone(), style, alike, different, figures });
     }
     Ok(Class { hands, places })
 }

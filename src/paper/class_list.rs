@@ -9,6 +9,9 @@ use crate::table;
 /// The columns of the table.
 const COLUMNS: [&str; 2] = ["student", "name"];
 
+/// A student or a name with more characters than this is none: the quote that ends it is missing, or all is in one cell.
+pub const LONGEST_NAME: usize = 20_000;
+
 /// A class, in its own order.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ClassList {
@@ -39,7 +42,8 @@ impl ClassList {
     ///
     /// # Errors
     ///
-    /// Every row that names no student, or one that is in the list already: nobody is to be left without a sheet.
+    /// Every row that names no student, one of more than [`LONGEST_NAME`] characters, or one that is in the list already:
+    /// nobody is to be left without a sheet.
     ///
     /// ```
     /// use carom::diagnostic::Source;
@@ -51,7 +55,8 @@ impl ClassList {
         let header = source.text.lines().find(|line| !line.trim().is_empty()).unwrap_or_default().to_lowercase();
         let named = |column: &str| header.split([',', ';', '\t']).any(|name| name.trim().trim_matches('"') == column);
         let needed = if named("name") && !named("student") { ["name"] } else { ["student"] };
-        let mut faults = Vec::new();
+        let (mut faults, mut too_long) = (Vec::new(), Vec::new());
+        let is_too_long = |length: &usize| *length > LONGEST_NAME;
         let mut lines: HashMap<String, usize> = HashMap::new();
         let mut students = Vec::new();
         let warnings = table::read(source, &COLUMNS, &needed, |record| {
@@ -64,6 +69,13 @@ impl ClassList {
             let id = if student.is_empty() && needed == ["name"] { name.clone() } else { student };
             if let Some(reason) = record.fault {
                 fault(reason, "this row cannot be read");
+            } else if let Some(length) = [&id, &name].map(|cell| cell.chars().count()).into_iter().find(is_too_long) {
+                // What is that long is not shown: it would fill the terminal.
+                let begins = short(if is_too_long(&id.chars().count()) { &id } else { &name });
+                let message = format!("line {}: {begins} has {length} characters", record.line);
+                let place = Source::new(source.file.clone(), "");
+                let help = format!("a student or a name has at most {LONGEST_NAME}: look where its quotes end");
+                too_long.push(Diagnostic::new(message, &place, 0..0, "").with_help(help));
             } else if id.is_empty() {
                 fault("a row without a student".to_owned(), "expected a student in the column `student`");
             } else if let Some(line) = lines.insert(id.clone(), record.line) {
@@ -74,6 +86,7 @@ impl ClassList {
                 students.push(Student { id, name });
             }
         })?;
+        faults.extend(too_long);
         if faults.is_empty() && students.is_empty() {
             let end = source.text.len().min(1);
             let label = "below the names of the columns a line for each student is expected";

@@ -146,6 +146,8 @@ pub struct SchemeRow {
     pub earned: Text,
     /// The equation or value that earns it, where there is one.
     pub equation: Option<Expr>,
+    /// The unit of a value that is an answer, as the answer has it.
+    pub unit: Unit,
     /// What the marker condones or demands; may be empty.
     pub note: Text,
     /// Ids of the marks it depends on.
@@ -160,7 +162,7 @@ impl SchemeRow {
             // The last of several equations comes after `and`.
             let is_last = matches!(whole.0.last(), Some(Piece::Words(words)) if words.ends_with(" and"));
             whole.0.push(Piece::Words(if is_last { " " } else { ": " }.to_owned()));
-            whole.0.push(Piece::Formula(equation.clone()));
+            whole.0.push(Piece::Quantity(equation.clone(), self.unit));
         }
         whole
     }

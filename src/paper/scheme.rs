@@ -23,6 +23,7 @@ pub fn rows(worked: &[WorkedPart], variant: &Variant, with_units: &[String]) -> 
         let setting = impact.map_or(variant.scene.setting, |scene| scene.setting);
         let (mut equations, rounded) = equations(place, worked, variant, with_units);
         let equation = equations.pop();
+        let unit = if equations.is_empty() { unit(mark, here, variant, with_units) } else { Unit::None };
         let earned = mark.text.as_ref().map(|text| wording::sentence(text, variant, None));
         let note = mark.note.as_ref().map(|text| wording::sentence(text, variant, None));
         SchemeRow {
@@ -30,6 +31,7 @@ pub fn rows(worked: &[WorkedPart], variant: &Variant, with_units: &[String]) -> 
             code: mark.code.name().to_owned(),
             earned: with_others(earned.unwrap_or_else(|| usual_words(mark, here, setting, scene)), equations),
             equation,
+            unit,
             note: with_rounded(rounded, note.unwrap_or_else(|| usual_note(mark, setting))),
             depends: mark.depends.clone(),
         }
@@ -150,6 +152,20 @@ fn equations(
     }
 }
 
+/// The unit of the value that earns a mark where it is that of an answer; an angle has its own sign.
+fn unit(mark: &Mark, here: &WorkedPart, variant: &Variant, with_units: &[String]) -> Unit {
+    let EarnedFor::Quantity(quantity) = mark.earned_for else { return Unit::None };
+    let answer = here.part.answers.iter().find(|answer| answer.find.quantities().contains(&quantity));
+    let is_value = mark.code != Code::A1Shown && !is_worked_with(quantity);
+    let unit = answer.filter(|_| is_value).map_or(Unit::None, |answer| answer::unit(answer, variant, with_units));
+    if unit == Unit::Degree { Unit::None } else { unit }
+}
+
+/// Has the working a letter for it, so that a scheme has the equation with which the letter is found?
+fn is_worked_with(quantity: Quantity) -> bool {
+    matches!(quantity.of_its_impact(), Quantity::Velocity(_, Moment::After, Axis::N))
+}
+
 /// A letter that was found, or the values that it may have.
 fn unknown(
     name: &str,
@@ -237,8 +253,7 @@ fn value(
     with_units: &[String],
 ) -> (Option<Expr>, Option<(Expr, Unit)>) {
     let answer = here.part.answers.iter().find(|answer| answer.find.quantities().contains(&quantity));
-    let along = matches!(quantity.of_its_impact(), Quantity::Velocity(_, Moment::After, Axis::N));
-    if let Some(answer) = answer.filter(|_| !along) {
+    if let Some(answer) = answer.filter(|_| !is_worked_with(quantity)) {
         let rounded = answer::rounded(answer, variant);
         let unit = answer::unit(answer, variant, with_units);
         return (answer::exact(answer, variant), rounded.map(|rounded| (rounded, unit)));

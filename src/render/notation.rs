@@ -8,6 +8,7 @@ use tera::EscapeFn;
 use super::plain_text::{BAR, BREAK, TIE};
 use crate::diagram::{Diagram, svg, tikz};
 use crate::expr::{Expr, Piece, Relation, Text, print};
+use crate::unit::Unit;
 
 /// The notation in which a format has its formulas.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
@@ -37,6 +38,15 @@ impl Notation {
             Notation::Latex => print::latex(formula),
             Notation::Html => print::mathml_inline(formula),
             Notation::Unicode => tied(print::unicode(formula)),
+        }
+    }
+
+    /// A value by itself with its unit.
+    pub(super) fn measured(self, value: &Expr, unit: Unit) -> String {
+        match self {
+            Notation::Latex => print::latex_quantity(value, unit),
+            Notation::Html => print::text_html(&Text(vec![Piece::Quantity(value.clone(), unit)])),
+            Notation::Unicode => tied(print::text_unicode(&Text(vec![Piece::Quantity(value.clone(), unit)]))),
         }
     }
 

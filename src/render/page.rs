@@ -244,7 +244,9 @@ impl<'p> Printer<'p> {
             .with("id", || plain(&row.id))
             .with("code", || plain(&row.code))
             .with("earned", || self.text(&row.earned))
-            .with("equation", || row.equation.as_ref().map_or_else(nothing, |equation| self.formula(equation)))
+            .with("equation", || {
+                row.equation.as_ref().map_or_else(nothing, |equation| self.measured(equation, row.unit))
+            })
             .with("note", || self.text(&row.note))
             .with("depends", || list(&row.depends, |id| plain(id)))
             .value()
@@ -252,6 +254,11 @@ impl<'p> Printer<'p> {
 
     pub fn text(self, text: &Text) -> Value {
         Value::safe_string(&self.notation.text(text))
+    }
+
+    /// A value with its unit, which may be none.
+    fn measured(self, value: &Expr, unit: Unit) -> Value {
+        Value::safe_string(&self.notation.measured(value, unit))
     }
 
     pub fn formula(self, formula: &Expr) -> Value {
@@ -317,6 +324,7 @@ mod tests {
                 code: "B1".into(),
                 earned: Text::default(),
                 equation: None,
+                unit: Unit::None,
                 note: Text::default(),
                 depends: Vec::new(),
             }],

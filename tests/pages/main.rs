@@ -73,7 +73,7 @@ fn carom_knows_that_a_title_may_contain_anything() {
     for rendered in formats.render("latex", &paper).unwrap() {
         assert!(!rendered.contents.contains(r"\input{"), "{}", rendered.name);
         assert!(rendered.contents.contains(r"\}\textbackslash{}input\{/etc/passwd\}"), "{}", rendered.name);
-        assert!(rendered.contents.contains(r"$\$$\&\#\_\textasciicircum{}\textasciitilde{}\%\textbackslash{}"));
+        assert!(rendered.contents.contains(r"$\$$\&\#\_{\normalfont\ttfamily\symbol{94}}$\sim$\%\textbackslash{}"));
     }
     for rendered in formats.render("html", &paper).unwrap() {
         assert!(!rendered.contents.contains("<script"), "{}", rendered.name);

@@ -222,6 +222,7 @@ fn mark(code: &str, earned: &str, equation: &str, note: &str) -> SchemeRow {
         code: code.into(),
         earned: words(earned),
         equation: Some(equation).filter(|equation| !equation.is_empty()).map(formula),
+        unit: Unit::None,
         note: words(note),
         depends: Vec::new(),
     }

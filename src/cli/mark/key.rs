@@ -14,6 +14,9 @@ use crate::paper::{CodeFault, Key, SheetCode};
 /// Reads a key, and its digest; the code of a sheet in place of a file is the key of that sheet.
 pub fn read(path: &Path, bank: Option<&Path>) -> Result<(AnswerKey, Digest), Failure> {
     if let Some(code) = code(path) {
+        if SheetCode::read(code) == Err(CodeFault::Mistyped) {
+            return Err(neither(code));
+        }
         let contents = super::super::bank::open(bank)?;
         let sheet = from_code(code, &contents)?;
         let json = serde_json::to_string(&Key::of_sheet(contents.name, None, &sheet));
@@ -44,6 +47,14 @@ fn code(path: &Path) -> Option<&str> {
         Ok(_) => Some(text),
         Err(fault) => is_code(&fault).then_some(text),
     }
+}
+
+/// What is no file, and would be a code if another character stood in it.
+fn neither(text: &str) -> Failure {
+    let fault = CodeFault::Mistyped;
+    let message = format!("there is no file `{}`, and if it is the code of a sheet, {fault}", text.escape_debug());
+    let help = "give the `key.json` beside the sheets; a code stands below the heading of its sheet: compare them";
+    Failure::with_help(message, help)
 }
 
 fn located(source: &Source, fault: KeyFault) -> Diagnostic {

@@ -1,6 +1,6 @@
 //! The questions of a sheet: chosen as the arguments ask, and checked.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashSet};
 
 use super::super::bank;
 use super::super::failure::Failure;
@@ -92,8 +92,9 @@ fn of_topic<'c>(offered: &[&'c Heading], topic: &str) -> Result<Vec<&'c Heading>
 pub(super) fn checked<'c>(chosen: &[&'c Heading]) -> Result<BTreeMap<&'c str, Question>, Failure> {
     let mut questions = BTreeMap::new();
     let mut faults = Vec::new();
+    let mut seen = HashSet::new();
     for heading in chosen {
-        if questions.contains_key(heading.id.as_str()) {
+        if !seen.insert(heading.id.as_str()) {
             continue;
         }
         match heading.question() {

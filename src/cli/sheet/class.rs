@@ -90,7 +90,7 @@ fn sheets(
     let mut hands = Vec::new();
     if fresh > 0 {
         let class = deal(questions, fresh, seed, style, &had).map_err(|few| too_few(&few))?;
-        class.places.iter().for_each(tell);
+        class.places.iter().for_each(|place| tell(place, fresh));
         hands = class.hands;
     }
     if let Some(old) = lock {
@@ -221,9 +221,16 @@ fn per_student(formats: &FormatsAsked, papers: &[Paper]) -> Result<Vec<OutputFil
     Ok(files)
 }
 
-/// Says how far the variants of a question are alike, if not in all.
-fn tell(place: &PlaceDealt) {
+/// Says how far the variants of a question are alike, if not in all, and that their answers are if they must be.
+fn tell(place: &PlaceDealt, students: usize) {
     let (question, style) = (&place.question, place.style);
+    if place.different < students {
+        let others = count(place.different, "different answer");
+        say(&format!(
+            "`{question}`: {others} for {}: too few {style} variants of one kind differ in them",
+            count(students, "student")
+        ));
+    }
     match place.alike {
         Alike::Wholly => {}
         Alike::ButForE => {

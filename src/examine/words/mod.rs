@@ -53,6 +53,7 @@ mod untold_ways;
 pub use asked_things::unit_asked;
 pub use own_words::Heard;
 pub use said::contradicted;
+pub(in crate::examine) use sentence::in_order;
 
 use super::finding::Finding;
 use super::remark::Remark;

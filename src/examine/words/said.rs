@@ -48,6 +48,7 @@ pub fn contradicted(question: &Question, style: &Style, variant: &Variant) -> Ve
             seen.squarely(&sentence, &mut findings);
             is_struck |= says(&sentence, &STRUCK);
             seen.growing(&sentence, &mut findings);
+            seen.limited(&sentence, &mut findings);
             seen.declared(&sentence, &mut findings);
             if !is_later {
                 seen.moving(&sentence, &mut findings);
@@ -156,7 +157,7 @@ impl<'v> Seen<'v> {
             let message =
                 format!("the words give `*{sphere}*` the {name} `{shown}`{value} where the scene gives it {other}");
             let help = format!("name in the words what `[scene]` has for `{sphere}`, or change it there");
-            findings.push(self.finding(message, lead, &help));
+            findings.push(self.finding(message, &format!("{lead}{{{shown}"), &help));
         }
     }
 

@@ -7,8 +7,8 @@ use super::impacts::{impacts, ordinal};
 use super::said::{Seen, moment};
 use super::sentence::{Sentence, Token, is_one_of, says, subject};
 use crate::examine::Finding;
-use crate::expr::{Relation, print};
-use crate::mechanics::{Axis, Moment, Quantity, Sphere};
+use crate::expr::{Expr, Relation, print};
+use crate::mechanics::{Axis, Condition, Moment, Quantity, Sphere};
 
 /// Words for what a sphere had before the impact.
 const OLD: [&str; 6] = ["old", "original", "previous", "initial", "former", "earlier"];
@@ -233,6 +233,47 @@ impl Seen<'_> {
                 format!("the words say that `*{name}*` then moves across its old direction, and it is not so");
             let Token::Word(word) = &sentence[at] else { return };
             findings.push(self.finding(message, word, MEND));
+        }
+    }
+
+    /// A speed that is said to be more or less than a number which a condition of the scene has for another sphere.
+    pub(super) fn limited(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        const MORE_OR_LESS: [&str; 8] = ["greater", "more", "less", "exceeds", "exceed", "faster", "slower", "least"];
+        if !self.question.scene.then.is_empty() || !says(sentence, &MORE_OR_LESS) {
+            return;
+        }
+        for (place, token) in sentence.iter().enumerate() {
+            let Token::Number(expr, _, lead) = token else { continue };
+            let named = |at: usize| match &sentence[at..(at + 3).min(place)] {
+                [of_motion, of, Token::Sphere(sphere)] => {
+                    let is_named = is_one_of(of_motion, &["speed", "velocity"]) && is_one_of(of, &["of"]);
+                    is_named.then_some(*sphere)
+                }
+                _ => None,
+            };
+            let Some(said) = (0..place).rev().find_map(named) else { continue };
+            let Some(number) = self.number(expr) else { continue };
+            // Whose motion after the impact a condition compares with this number.
+            let limited = |condition: &Condition| {
+                let sides = [&condition.left, &condition.right];
+                let is_it = |side: &&Expr| self.number(side).is_some_and(|value| value.equals(&number));
+                let own = sides.iter().position(is_it)?;
+                match print::plain(sides[1 - own]).parse::<Quantity>().ok()? {
+                    Quantity::Velocity(sphere, Moment::After, _) | Quantity::Speed(sphere, Moment::After) => {
+                        Some(sphere)
+                    }
+                    _ => None,
+                }
+            };
+            let of: Vec<Sphere> = self.variant.scene.conditions.iter().filter_map(limited).collect();
+            if let Some(other) = of.first().filter(|_| !of.contains(&said)) {
+                let (said, other, number) = (said.name(), other.name(), print::plain(expr));
+                let message = format!(
+                    "the words compare the motion of `*{said}*` with `{number}`, and the condition of the scene that of `*{other}*`"
+                );
+                let help = format!("name `*{other}*` in the words, or `{said}` in `conditions`");
+                findings.push(self.finding(message, &format!("{lead}{{{number}"), &help));
+            }
         }
     }
 

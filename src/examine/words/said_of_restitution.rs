@@ -3,6 +3,7 @@
 use super::impacts::{impacts, ordinal};
 use super::said::Seen;
 use super::sentence::{Sentence, Token, is_one_of, says};
+use crate::bank::{Answer, Find};
 use crate::examine::Finding;
 use crate::expr::{Expr, print, written};
 use crate::mechanics::{Quantity, Sphere};
@@ -20,7 +21,7 @@ impl Seen<'_> {
         for (place, token) in sentence.iter().enumerate().skip(start + 1) {
             let Token::Number(expr, Unit::None, lead) = token else { continue };
             let leads = is_one_of(&sentence[place - 1], &["is", "restitution"]);
-            if matches!(expr, Expr::Relation(..) | Expr::Vector(..)) || !leads {
+            if matches!(expr, Expr::Relation(..) | Expr::Vector(..)) || !leads || self.names_what_is_found(expr) {
                 continue;
             }
             let before = &sentence[start..place];
@@ -51,6 +52,18 @@ impl Seen<'_> {
                 findings.push(self.finding(message, lead, help));
             }
         }
+    }
+
+    /// `The coefficient of restitution is e. Find e`: a letter that the scene has nowhere is the name of what comes out.
+    fn names_what_is_found(&self, expr: &Expr) -> bool {
+        let Expr::Name(name) = expr else { return false };
+        let scene = &self.question.scene;
+        let finds = |answer: &Answer| answer.find == Find::Quantity(Quantity::Restitution);
+        name.text == "e"
+            && scene.e.is_none()
+            && scene.then.is_empty()
+            && scene.symbols.contains_key("e")
+            && self.question.parts.iter().flat_map(|part| &part.answers).any(finds)
     }
 
     /// Two that are named, or one and a wall, and that do not meet in any impact.

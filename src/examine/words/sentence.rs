@@ -280,7 +280,7 @@ pub fn subject(before: &[Token]) -> Option<Sphere> {
 }
 
 /// Pieces in the order in which they are read, those in italics among them.
-pub(super) fn in_order<'t>(pieces: &'t [Piece], found: &mut Vec<&'t Piece>) {
+pub(in crate::examine) fn in_order<'t>(pieces: &'t [Piece], found: &mut Vec<&'t Piece>) {
     for piece in pieces {
         match piece {
             Piece::Italic(inner) => in_order(inner, found),

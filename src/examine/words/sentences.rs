@@ -16,7 +16,7 @@ use crate::unit::Unit;
 pub fn unreadable(words: &Words, variant: &Variant, heard: &mut Heard, remarks: &mut Vec<Remark>) {
     for text in words.stem.iter().chain(&words.asks).chain(&words.said) {
         heard.unreadable(text, remarks);
-        of_text(text, remarks);
+        of_text(text, words, remarks);
         for expr in text.formulas().into_iter().filter(|expr| divides_by_nought(expr, variant)) {
             let help = "require that what stands below the line is not nought";
             remarks.push(remark("a division by nought", &print::unicode(expr), help));
@@ -72,7 +72,7 @@ pub(super) fn around(words: &str, at: usize) -> &str {
     words[start..end].trim()
 }
 
-fn of_text(text: &Text, remarks: &mut Vec<Remark>) {
+fn of_text(text: &Text, words: &Words, remarks: &mut Vec<Remark>) {
     let mut pieces = Vec::new();
     in_order(&text.0, &mut pieces);
     for (place, piece) in pieces.iter().enumerate() {
@@ -86,16 +86,58 @@ fn of_text(text: &Text, remarks: &mut Vec<Remark>) {
                     Some(Piece::Words(words)) => words.as_str(),
                     _ => "",
                 };
-                of_number(expr, piece, before, after, remarks);
+                let is_signed = || is_of_a_vector(&pieces[..place]) && tells_the_sense(words);
+                of_number(expr, piece, before, after, &is_signed, remarks);
                 if after.trim() == "and" && pieces.get(place + 2) == Some(piece) && !matches!(expr, Expr::Vector(..)) {
                     let one = shown(piece);
                     let help = "say `each`, or require that the two differ";
-                    remarks.push(remark("the same thing said twice", &format!("{one} and {one}"), help));
+                    let twice = remark("the same thing said twice", &format!("{one} and {one}"), help);
+                    // Components come in twos, and may be equal: 2i + 2j.
+                    remarks.push(if is_of_components(&pieces[..place]) { twice.warning() } else { twice });
                 }
             }
             Piece::Words(_) | Piece::Italic(_) => {}
         }
     }
+}
+
+/// The words of the sentence that leads up to a number.
+fn leading(before: &[&Piece]) -> String {
+    let words = before.iter().map(|piece| match piece {
+        Piece::Words(words) => words.as_str(),
+        _ => " ",
+    });
+    let words = words.collect::<String>();
+    words[words.rfind(". ").map_or(0, |end| end + 2)..].to_lowercase()
+}
+
+/// Is what comes now said of components?
+fn is_of_components(before: &[&Piece]) -> bool {
+    leading(before).contains("components")
+}
+
+/// Is what comes now said of a velocity, or of a component of one, and of no speed?
+fn is_of_a_vector(before: &[&Piece]) -> bool {
+    let words = leading(before);
+    let last = |noun: &str| words.rfind(noun);
+    last("velocit").max(last("component")) > last("speed")
+}
+
+/// Do the words say which way is positive, so that what has a sign has a direction?
+fn tells_the_sense(words: &Words) -> bool {
+    const SENSES: [&str; 6] = [
+        "as positive",
+        "is positive",
+        "positive direction",
+        "positive sense",
+        "measured in the direction",
+        "in the direction from",
+    ];
+    let mut all = words.stem.iter().chain(&words.asks);
+    all.any(|text| {
+        let words = print::text_unicode(text).to_lowercase();
+        SENSES.iter().any(|sense| words.contains(sense))
+    })
 }
 
 fn shown(piece: &Piece) -> String {
@@ -110,7 +152,14 @@ fn tail(text: &Text) -> String {
 }
 
 /// A number or formula, with the words before and after it.
-fn of_number(expr: &Expr, piece: &Piece, before: &str, after: &str, remarks: &mut Vec<Remark>) {
+fn of_number(
+    expr: &Expr,
+    piece: &Piece,
+    before: &str,
+    after: &str,
+    is_signed: &dyn Fn() -> bool,
+    remarks: &mut Vec<Remark>,
+) {
     if let Some(bad) = ill_written(expr) {
         let (what, help) = match bad {
             Ill::Unreduced => ("a fraction that is not in its lowest terms", "write the values in lowest terms"),
@@ -121,7 +170,7 @@ fn of_number(expr: &Expr, piece: &Piece, before: &str, after: &str, remarks: &mu
     }
     let value = constant(expr);
     if let (Piece::Quantity(_, unit), Some(value)) = (piece, &value) {
-        if value.sign().is_lt() {
+        if value.sign().is_lt() && !is_signed() {
             remarks.push(remark("a quantity below nought", &shown(piece), "say which way it is, and give its size"));
         } else if value.is_zero() && *unit != Unit::Degree {
             remarks.push(remark(
@@ -275,7 +324,7 @@ mod tests {
             let mut remarks = Vec::new();
             for text in read_markup(words).unwrap() {
                 Heard::default().unreadable(&text, &mut remarks);
-                of_text(&text, &mut remarks);
+                of_text(&text, &Words::default(), &mut remarks);
             }
             let said = format!("{remarks:?}");
             assert!(remarks.is_empty() == shown.is_empty() && said.contains(shown), "{words}: {said}");

@@ -72,6 +72,9 @@ fn in_a_line(question: &Question, style: &Style) -> Option<Finding> {
         |next: Option<&Token>| next.is_some_and(|next| is_one_of(next, &["direction", "directions", "sense", "way"]));
     let tells = |sentence: &Sentence, place: usize| match &sentence[place] {
         Token::Number(expr, ..) => matches!(expr, Expr::Vector(..)) || is_vector(expr),
+        token if is_one_of(token, &["direction"]) => {
+            sentence.get(place + 1).is_some_and(|next| is_one_of(next, &["from"]))
+        }
         token if is_one_of(token, &["same"]) => is_of_a_way(sentence.get(place + 1)),
         token => is_one_of(token, &WAYS),
     };

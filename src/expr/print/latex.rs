@@ -4,6 +4,7 @@ use super::layout::{Formula, Item, Row, is_tall};
 use super::letter::{Letter, Symbol};
 use super::unit::unit_latex;
 use crate::expr::{Expr, Function, Relation};
+use crate::unit::Unit;
 
 /// The formula in LaTeX, without dollar signs.
 ///
@@ -19,6 +20,13 @@ use crate::expr::{Expr, Function, Relation};
 pub fn latex(expr: &Expr) -> String {
     let mut out = String::with_capacity(super::ROOM);
     write_latex(&Formula::of(expr).row(), &mut out);
+    out
+}
+
+/// A value with its unit, without dollar signs.
+pub fn latex_quantity(expr: &Expr, unit: Unit) -> String {
+    let mut out = String::with_capacity(super::ROOM);
+    write_latex(&Formula::of(expr).quantity(unit), &mut out);
     out
 }
 

@@ -8,7 +8,7 @@ use std::borrow::Cow;
 use super::letter::{Letter, letter};
 use super::shape::{Vectors, is_digits, is_whole_power, tidied};
 use crate::expr::{Expr, Function, Relation};
-use crate::number::Fraction;
+use crate::number::{Decimal, Fraction};
 use crate::unit::Unit;
 
 /// Items from left to right.
@@ -187,13 +187,31 @@ fn digits<'e>(number: i64) -> Cow<'e, str> {
 
 /// Adds an angle of so many degrees.
 fn degrees<'e>(number: &'e Expr, items: &mut Row<'e>) {
-    if is_digits(number) || is_letter(number) {
-        lay(number, items)
-    } else {
-        items.push(bracketed(number))
+    match decimal_of_degrees(number) {
+        Some(decimal) => items.push(Item::Digits(decimal.into())),
+        None if is_digits(number) || is_letter(number) => lay(number, items),
+        None => items.push(bracketed(number)),
     }
     items.push(Item::Degree);
 }
+
+/// A fraction of degrees as angles are given, `116.23` and not `11623/100`, where it has so few figures that somebody may
+/// have written it.
+fn decimal_of_degrees(number: &Expr) -> Option<String> {
+    let value = match number {
+        Expr::Number(value) => value.clone(),
+        Expr::Quotient(above, below) => match (&**above, &**below) {
+            (Expr::Number(above), Expr::Number(below)) => above * &below.reciprocal()?,
+            _ => return None,
+        },
+        _ => return None,
+    };
+    let decimal = Decimal::exact(&value).filter(|decimal| (1..=MOST_PLACES_OF_DEGREES).contains(&decimal.places))?;
+    Some(decimal.to_string())
+}
+
+/// A fraction of degrees with more decimals than this stays a fraction.
+const MOST_PLACES_OF_DEGREES: u32 = 6;
 
 /// Would a sign or factor before or after it bind to a part of it only?
 fn is_loose(expr: &Expr) -> bool {
@@ -315,7 +333,7 @@ fn power<'e>(base: &'e Expr, exponent: &'e Expr) -> Item<'e> {
 /// The argument of a function: a letter, a number or so many degrees stand without brackets.
 fn argument_row(argument: &Expr) -> Row<'_> {
     let alone = match argument {
-        Expr::Degrees(inner) => is_digits(inner) || is_letter(inner),
+        Expr::Degrees(inner) => is_digits(inner) || is_letter(inner) || decimal_of_degrees(inner).is_some(),
         Expr::Quotient(top, bottom) => is_digits(top) && is_digits(bottom),
         Expr::Number(_) => true,
         other => is_digits(other) || is_letter(other),

@@ -18,7 +18,7 @@ mod unit;
 mod words;
 
 pub use extent::extent;
-pub use latex::latex;
+pub use latex::{latex, latex_quantity};
 pub use mathml::{mathml, mathml_block, mathml_inline};
 pub use plain::plain;
 pub use svg::text_svg;

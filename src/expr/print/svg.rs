@@ -34,6 +34,9 @@ const PICTURE: Hand =
 
 /// The class for a style sheet, and the same by itself where there is none.
 const ITALIC: &str = r#"<tspan class="italic" font-style="italic">"#;
+/// Fonts of words lack Greek letters, and what stands in for one is seldom as light: a style sheet has them from a font of
+/// mathematics.
+const GREEK: &str = r#"<tspan class="greek" font-style="italic">"#;
 const BOLD: &str = r#"<tspan class="bold" font-weight="bold">"#;
 /// The shift counts in ems of its own size, and holds until it is taken back.
 const LOWERED: &str = r#"<tspan dy="0.3em" font-size="70%">"#;
@@ -57,7 +60,7 @@ fn write_letter(letter: &Letter, out: &mut String) {
 fn write_symbol(symbol: &Symbol, out: &mut String) {
     match symbol {
         Symbol::Greek(name, character) if name.starts_with(|c: char| c.is_ascii_uppercase()) => out.push(*character),
-        Symbol::Greek(_, character) => span(ITALIC, out, |out| out.push(*character)),
+        Symbol::Greek(_, character) => span(GREEK, out, |out| out.push(*character)),
         Symbol::Vector(letter) => span(BOLD, out, |out| out.push(*letter)),
         Symbol::Italic(text) if text.chars().all(|c| c.is_ascii_digit()) => out.push_str(text),
         Symbol::Italic(text) => span(ITALIC, out, |out| write_words_html(text, out)),

@@ -206,6 +206,14 @@ fn carom_knows_how_a_quantity_stands_with_its_unit() {
         (quantity(over(n(3), n(2)), Unit::Joule), r"$\frac{3}{2}\,\mathrm{J}$", "(3/2) J"),
         (quantity(f(1, 2), Unit::None), r"$\frac{1}{2}$", "1/2"),
         (angle(n(30)), r"$30^\circ$", "30°"),
+        (angle(f(11623, 100)), r"$116.23^\circ$", "116.23°"),
+        (angle(f(-45, 2)), r"$-22.5^\circ$", "−22.5°"),
+        (angle(f(100, 3)), r"$\left(\frac{100}{3}\right)^\circ$", "(100/3)°"),
+        (
+            Text(vec![Piece::Formula(Expr::call(Function::Sin, Expr::degrees(f(65, 4))))]),
+            r"$\sin 16.25^\circ$",
+            "sin 16.25°",
+        ),
         (angle(x("alpha")), r"$\alpha^\circ$", "α°"),
         (angle(deg(30)), r"$30^\circ$", "30°"),
         (angle(n(-30)), r"$-30^\circ$", "−30°"),
@@ -224,8 +232,11 @@ fn carom_knows_that_words_are_only_words() {
     let hostile = "\\ { } $ & # ^ _ ~ % < > \" | ` [a] \u{1b}[31m \u{202e}drow é – 漢 🎱";
     assert_eq!(
         words_latex(hostile),
-        r"\textbackslash{} \{ \} $\$$ \& \# \textasciicircum{} \_ \textasciitilde{} \% \textless{} \textgreater{} '' \textbar{} {}\textquoteleft{} {[}a{]} {[}31m drow é -- ? ?"
+        r"\textbackslash{} \{ \} $\$$ \& \# {\normalfont\ttfamily\symbol{94}} \_ $\sim$ \% \textless{} \textgreater{} {\normalfont\ttfamily\symbol{34}} \textbar{} {\normalfont\ttfamily\`{}} {[}a{]} {[}31m drow é -- ? ?"
     );
+    assert_eq!(words_latex("a--b---c O''N ,,q"), r"a-\kern0pt -b-\kern0pt -\kern0pt -c O'\kern0pt 'N ,\kern0pt ,q");
+    assert_eq!(words_latex("<<q>"), r"\textless{}\kern0pt \textless{}q\textgreater{}");
+    assert_eq!(words_latex("a, b's, “c” 1–2—3"), r"a, b's, ``c'' 1--2---3");
     assert_eq!(words_html("<b a='1'>\"&\u{0}\u{202e}"), "&lt;b a=&#39;1&#39;&gt;&quot;&amp;");
     assert_eq!(words_unicode("a\u{1b}[31m\u{7}\u{200f}\nb"), "a[31m b");
     assert_eq!(latex(&x(r"\input{x}")), r"\mathrm{?input?x?}");

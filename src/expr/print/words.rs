@@ -2,11 +2,13 @@
 
 /// Words for LaTeX's text, readable by pdfLaTeX with its default fonts.
 ///
-/// What those fonts lack becomes its nearest neighbour or `?`; control and direction characters go.
+/// What those fonts lack becomes its nearest neighbour or `?`; control and direction characters go. All else is printed as it
+/// was typed: two hyphens are two hyphens, and no dash.
 ///
 /// ```
 /// use carom::expr::print;
 /// assert_eq!(print::words_latex(r"\input{x} & 50%"), r"\textbackslash{}input\{x\} \& 50\%");
+/// assert_eq!(print::words_latex("Set 3--4"), r"Set 3-\kern0pt -4");
 /// ```
 pub fn words_latex(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
@@ -18,14 +20,29 @@ pub(super) fn write_words_latex(text: &str, out: &mut String) {
     let mut rest = text;
     while let Some(c) = past_plain(&mut rest, out) {
         match latex_command(c) {
-            Some(command) => out.push_str(command),
+            Some(command) => apart(command, out),
             None if c.is_whitespace() => out.push(' '),
             None if is_hidden(c) => {}
-            None if c.is_ascii() || is_composed(c) => out.push(c),
+            None if c.is_ascii() || is_composed(c) => apart(c.encode_utf8(&mut [0; 4]), out),
             None => out.push('?'),
         }
     }
 }
+
+/// Adds what comes next, so that TeX makes no other sign of it and of what is before it: of two hyphens a dash, of two
+/// apostrophes or commas a quote. Empty braces would do for pdfTeX; LuaTeX looks through them.
+fn apart(next: &str, out: &mut String) {
+    let first = next.chars().next().filter(|first| matches!(first, '-' | '\'' | ',' | '`'));
+    let is_pair = first.is_some_and(|first| out.ends_with(first));
+    if is_pair || (matches!(next, LESS | GREATER) && out.ends_with(next)) {
+        out.push_str(r"\kern0pt ");
+    }
+    out.push_str(next);
+}
+
+/// Of two of these LuaTeX makes one quote of a French book.
+const LESS: &str = r"\textless{}";
+const GREATER: &str = r"\textgreater{}";
 
 /// Has LaTeX `?` for a letter of these words?
 ///
@@ -60,12 +77,12 @@ pub(super) fn write_words_html(text: &str, out: &mut String) {
     }
 }
 
-/// Letters, digits, blanks, commas and full stops, by their bytes: most of what is written, and the same everywhere.
+/// Letters, digits, blanks and full stops, by their bytes: most of what is written, and the same everywhere.
 static PLAIN: [bool; 256] = {
     let mut plain = [false; 256];
     let mut byte = 0;
     while byte < 128 {
-        plain[byte] = matches!(byte as u8, b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b' ' | b',' | b'.');
+        plain[byte] = matches!(byte as u8, b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b' ' | b'.');
         byte += 1;
     }
     plain
@@ -121,15 +138,19 @@ fn latex_command(c: char) -> Option<&'static str> {
         '#' => r"\#",
         '_' => r"\_",
         '%' => r"\%",
-        '^' => r"\textasciicircum{}",
-        '~' => r"\textasciitilde{}",
-        '<' => r"\textless{}",
-        '>' => r"\textgreater{}",
+        // Of these the usual fonts have only accents and quotes that turn; the typewriter has them as they are typed, but for
+        // the tilde, which is had from mathematics. It is never bold or italic, since not every TeX has that.
+        '^' => r"{\normalfont\ttfamily\symbol{94}}",
+        '~' => r"$\sim$",
+        '"' => r"{\normalfont\ttfamily\symbol{34}}",
+        '`' => r"{\normalfont\ttfamily\`{}}",
+        '<' => LESS,
+        '>' => GREATER,
         '|' => r"\textbar{}",
-        '"' | '”' | '»' | '„' => "''",
+        '”' | '»' | '„' => "''",
         '“' | '«' => "``",
         // By itself and by name, for `?` before it would make an inverted question mark.
-        '`' | '‘' => r"{}\textquoteleft{}",
+        '‘' => r"{}\textquoteleft{}",
         '’' | '′' => "'",
         // In braces, for after a line break or an item it would open an option.
         '[' => "{[}",

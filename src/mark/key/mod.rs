@@ -3,6 +3,7 @@
 //! A key is enough to mark with, since the bank may have changed since the paper was printed. So its scene is posed
 //! again and its expressions are read again; nothing else is taken from anywhere.
 
+mod agreement;
 mod fault;
 mod impact;
 mod motion;
@@ -170,7 +171,7 @@ impl AnswerKey {
     /// Every fault of the key, each with its place. A key that a later version wrote is not read, since it may say what
     /// this one would pass over; one of an earlier version is, as far as it can be.
     pub fn read(text: &str) -> Result<AnswerKey, Vec<KeyFault>> {
-        let other = version::other(text);
+        let other = version::other(text)?;
         if let Some(later) = other.as_ref().filter(|other| other.is_later()) {
             return Err(vec![later.fault()]);
         }
@@ -181,13 +182,18 @@ impl AnswerKey {
     fn of_any_version(text: &str) -> Result<AnswerKey, Vec<KeyFault>> {
         let text: KeyText = serde_json::from_str(text).map_err(|error| vec![KeyFault::unreadable(&error)])?;
         let mut faults = Vec::new();
-        let mut read = |student, name, code, questions: &[KeyQuestion], path: &str| {
-            let each = questions.iter().enumerate();
+        let mut read = |student, name, code, questions_of_paper: &[KeyQuestion], path: &str| {
+            let each = questions_of_paper.iter().enumerate();
             let questions = each.filter_map(|(place, question)| {
                 let path = format!("{path}questions[{place}]");
-                KeyedQuestion::read(question).map_err(|fault| faults.push(fault.below(&path))).ok()
+                let read = KeyedQuestion::read(question).map_err(|fault| faults.push(fault.below(&path))).ok()?;
+                faults.extend(agreement::of_question(question, &read).into_iter().map(|fault| fault.below(&path)));
+                Some(read)
             });
-            KeyedPaper { student, name, code, questions: questions.collect() }
+            let read = questions.collect();
+            let below = |fault: KeyFault| KeyFault { path: format!("{path}{}", fault.path), ..fault };
+            faults.extend(agreement::of_paper(questions_of_paper).into_iter().map(below));
+            KeyedPaper { student, name, code, questions: read }
         };
         let papers: Vec<KeyedPaper> = match (text.questions, text.papers) {
             (Some(questions), None) => vec![read(None, String::new(), text.code, &questions, "")],
@@ -399,7 +405,7 @@ mod tests {
     use super::*;
     use crate::bank::{read_question, shipped};
     use crate::diagnostic::Source;
-    use crate::generate::reference;
+    use crate::generate::{Deal, reference};
     use crate::paper::{Key, compose, key_question};
 
     fn key_of(all: impl Iterator<Item = (&'static str, &'static str)>) -> String {
@@ -423,6 +429,81 @@ mod tests {
             }
             assert!(part.scheme.iter().all(|mark| !mark.blanks.is_empty()), "{:?}", part.scheme);
         }
+    }
+
+    #[test]
+    fn what_carom_writes_agrees_with_itself() {
+        for (id, text) in shipped() {
+            let question = read_question(id, &Source::new(id, text)).unwrap();
+            let dealt = question.styles.iter().flat_map(|style| Deal::new(&question, style, 11).take(3));
+            let keyed = dealt
+                .enumerate()
+                .map(|(place, variant)| key_question(&question, &variant, &compose(&question, &variant, place + 1)));
+            let key = serde_json::to_string(&Key::new("shipped".to_owned(), None, keyed.collect())).unwrap();
+            assert_eq!(AnswerKey::read(&key).map(|_| ()), Ok(()), "{id}");
+        }
+    }
+
+    #[test]
+    fn a_key_that_contradicts_itself_is_refused() {
+        let of = |ids: [&'static str; 2]| {
+            let text = |id| shipped().find(|(shipped, _)| *shipped == id).unwrap();
+            serde_json::from_str::<serde_json::Value>(&key_of(ids.map(text).into_iter())).unwrap()
+        };
+        let key = of(["rest/speeds-and-directions", "backwards/velocity-of-b-and-restitution"]);
+        let letters = of(["rest-letters/direction-and-deflection", "direct/velocities-in-letters"]);
+        let found = of(["walls/turned-through-a-right-angle", "deflection/elastic"]);
+        let ranges = of(["ranges/direction-reversed", "ranges/mass-ratio-that-can-be"]);
+        type Edit<'t> = (&'t serde_json::Value, &'t str, serde_json::Value, &'t str, &'t str);
+        let blank = |question, part, blank, field| format!("/questions/{question}/parts/{part}/blanks/{blank}/{field}");
+        let cases: [Edit; 12] = [
+            (&key, &blank(0, 0, 0, "exact"), "3".into(), "exact", "`3` is not what the scene of the question leads to"),
+            (&key, &blank(0, 0, 0, "decimal"), "3.5".into(), "decimal", "`3.5` is not the decimal of"),
+            (
+                &key,
+                &blank(1, 0, 0, "exact/1"),
+                "7".into(),
+                "exact",
+                "`7` is not what the scene of the question leads to",
+            ),
+            (
+                &key,
+                &blank(1, 1, 0, "exact"),
+                "1/2".into(),
+                "exact",
+                "`1/2` is not what the scene of the question leads to",
+            ),
+            (&key, "/questions/0/scene/e", "1/8".into(), "exact", "is not what the scene of the question leads to"),
+            (&letters, &blank(1, 0, 0, "exact"), "7*u".into(), "exact", "`7*u` is not what the scene"),
+            (&found, &blank(0, 0, 0, "exact"), "1/7".into(), "exact", "`1/7` is not what the scene"),
+            (&ranges, &blank(0, 0, 0, "exact"), "1/9 < e <= 1".into(), "exact", "`1/9 < e <= 1` is not what"),
+            (&key, "/questions/0/parts/0/marks", 3.into(), "parts[0].marks", "3 marks, and the scheme has "),
+            (&key, "/questions/1/number", 1.into(), "questions[1].number", "there are two questions 1: `rest/speeds"),
+            (
+                &key,
+                "/questions/1/parts/1/label",
+                "a".into(),
+                "parts[1].label",
+                "there are two parts (a): `parts[0]` is",
+            ),
+            (&key, "/carom", "banana".into(), "carom", "`banana` is no version of carom"),
+        ];
+        for (key, pointer, value, path, message) in cases {
+            let mut key = key.clone();
+            assert!(AnswerKey::read(&key.to_string()).is_ok());
+            *key.pointer_mut(pointer).unwrap_or_else(|| panic!("{pointer}")) = value;
+            let fault = AnswerKey::read(&key.to_string()).unwrap_err().remove(0);
+            assert!(fault.path.ends_with(path) && fault.message.contains(message), "{pointer}: {fault:?}");
+            assert!(!fault.expected.is_empty() && !fault.help.is_empty(), "{fault:?}");
+        }
+        // Another form of the right value, fewer figures of it, and another rule are a teacher's own business.
+        let mut own = key.clone();
+        let exact = key.pointer(&blank(0, 0, 0, "exact")).and_then(|exact| exact.as_str()).unwrap();
+        *own.pointer_mut(&blank(0, 0, 0, "exact")).unwrap() = format!("2*({exact})/2").into();
+        *own.pointer_mut(&blank(0, 0, 0, "decimal")).unwrap() =
+            key.pointer(&blank(0, 0, 0, "rounded")).unwrap().clone();
+        *own.pointer_mut(&blank(0, 0, 0, "accept")).unwrap() = "2sf".into();
+        assert_eq!(AnswerKey::read(&own.to_string()).map(|_| ()), Ok(()));
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! The version that wrote a key, where it is not this one.
 
 use serde::Deserialize;
+use serde_json::Value as Json;
 
 use super::KeyFault;
 
@@ -8,16 +9,35 @@ use super::KeyFault;
 const OWN: &str = env!("CARGO_PKG_VERSION");
 
 /// Another version that wrote a key, and the code of its sheet.
-#[derive(Deserialize)]
 pub(super) struct Other {
     carom: String,
-    #[serde(default)]
     code: String,
 }
 
+#[derive(Deserialize)]
+struct Said {
+    carom: Option<Json>,
+    #[serde(default)]
+    code: Json,
+}
+
 /// The version that wrote a key, if it says one and that is not this one.
-pub(super) fn other(text: &str) -> Option<Other> {
-    serde_json::from_str(text).ok().filter(|other: &Other| other.carom != OWN)
+///
+/// # Errors
+///
+/// What stands in place of a version and is none.
+pub(super) fn other(text: &str) -> Result<Option<Other>, Vec<KeyFault>> {
+    let said = serde_json::from_str(text).ok().and_then(|said: Said| Some((said.carom?, said.code)));
+    let Some((carom, code)) = said else { return Ok(None) };
+    let Some(version) = carom.as_str().filter(|version| series(version).is_some()) else {
+        let said = carom.as_str().map_or_else(|| carom.to_string(), |version| version.escape_debug().to_string());
+        let message = format!("`{said}` is no version of carom");
+        let fault = KeyFault::new(message, format!("expected a version, such as `{OWN}`"));
+        let help = "put back what `carom sheet` wrote, or leave `carom` out".to_owned();
+        return Err(vec![KeyFault { help, ..fault.below("carom") }]);
+    };
+    let other = Other { carom: version.to_owned(), code: code.as_str().unwrap_or_default().to_owned() };
+    Ok((version != OWN).then_some(other))
 }
 
 impl Other {
@@ -66,7 +86,15 @@ mod tests {
         for earlier in ["0.0.9", OWN, "", "new", "v9"] {
             assert!(!written_by(earlier).is_later(), "{earlier}");
         }
-        assert!(other(&format!("{{\"carom\": \"{OWN}\"}}")).is_none());
-        assert!(other("{\"carom\": 7}").is_none() && other("{}").is_none() && other("no json").is_none());
+        let is_own = |text: &str| matches!(other(text), Ok(None));
+        assert!(is_own(&format!("{{\"carom\": \"{OWN}\"}}")));
+        assert!(is_own("{}") && is_own("no json") && is_own("{\"carom\": null}"));
+        for none in ["7", "\"banana\"", "\"\"", "\"1\"", "\"v0.1.0\"", "[]"] {
+            let fault = other(&format!("{{\"carom\": {none}}}")).err().unwrap().remove(0);
+            assert_eq!(
+                (fault.path.as_str(), fault.message),
+                ("carom", format!("`{}` is no version of carom", none.trim_matches('"')))
+            );
+        }
     }
 }
