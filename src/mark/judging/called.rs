@@ -246,6 +246,7 @@ pub(super) fn as_remarked(model: &Model, statement: &Statement, finding: Finding
     if moments::are_of_another(asked, &remarks) {
         return Finding::unreadable(Note::NamedOtherwise);
     }
+    let is_to_no_line = |remark: &&String| matches!(remark.trim(), "to a" | "to b" | "to c" | "to it");
     let is_turned = match asked {
         // Back along the line, or to a side of the page that nobody has drawn.
         Quantity::Velocity(_, _, Axis::N) => {
@@ -255,9 +256,9 @@ pub(super) fn as_remarked(model: &Model, statement: &Statement, finding: Finding
         // `46.1° tangent`, `46.1° to B`: from which line?
         Quantity::AngleToLine(..) => {
             let is_alone = statement.said.iter().all(|said| said.reference.is_none());
-            let is_to_no_line = |remark: &&String| matches!(remark.trim(), "to a" | "to b" | "to c" | "to it");
             is_alone && (has(&OTHER_ANGLES) || has(&["tangent"]) || remarks.iter().any(is_to_no_line))
         }
+        Quantity::Deflection(_) | Quantity::SignedDeflection(_) => remarks.iter().any(is_to_no_line),
         _ => false,
     };
     if is_turned { Finding::unreadable(Note::DirectionUnchecked) } else { finding }

@@ -108,6 +108,8 @@ pub(super) fn of_letter(name: &str) -> Option<Sort> {
         'I' | 'J' => Some(Sort::Impulse),
         'E' | 'K' => Some(Sort::Energy),
         'F' => Some(Sort::Unasked),
+        // Gravity, where the question does not have it.
+        'g' if name == "g" => Some(Sort::Unasked),
         'e' => Some(Sort::Restitution),
         'α' | 'β' | 'γ' | 'δ' | 'θ' | 'φ' | 'ψ' => Some(Sort::Angle),
         _ => None,

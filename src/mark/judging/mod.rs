@@ -23,6 +23,7 @@ mod left_side;
 mod letters;
 mod line;
 mod measured;
+mod misnamed;
 mod model_text;
 mod moments;
 mod multiplied;
@@ -292,6 +293,9 @@ fn one(model: &Model, reading: &Reading) -> Finding {
     if finding.is_credited() && is_turned_by_words(model, reading) {
         return Finding::unreadable(Note::CannotBeCompared);
     }
+    if finding.is_credited() && misnamed::is_of_something_else(model, reading) {
+        return Finding::unreadable(Note::NamedOtherwise);
+    }
     // Where north is, no question says.
     let is_of_angle = matches!(model.kind, Kind::Angle | Kind::Velocity);
     let is_open = is_of_angle && finding.verdict != Verdict::Unreadable;
@@ -324,7 +328,11 @@ fn by_kind(model: &Model, reading: &Reading) -> Finding {
                 .unwrap_or_else(|| statements::judge(model, reading, &|said, _| vector::judge(model, said))),
         },
         Kind::Ratio => match ratio::of_its_terms(reading) {
-            Some((said, label)) => ratio::judge(model, &said, label.as_ref()),
+            Some((said, label)) => {
+                let finding = ratio::judge(model, &said, label.as_ref());
+                let is_open = finding.is_credited() && ratio::is_a_list(reading, label.as_ref());
+                if is_open { Finding::unreadable(Note::CannotBeCompared) } else { finding }
+            }
             None => statements::judge(model, reading, &|said, label| ratio::judge(model, said, label)),
         },
         Kind::Line if reading.statements.iter().all(|statement| statement.label.is_some()) => {

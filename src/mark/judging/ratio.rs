@@ -49,6 +49,12 @@ pub(super) fn of_its_terms(reading: &Reading) -> Option<(Said, Option<Label>)> {
     Some((Said { form, unit: None, reference: None, remarks }, label))
 }
 
+/// Are the terms no more than a list? `2, 3` and `2 and 3` may be meant for anything.
+pub(super) fn is_a_list(reading: &Reading, label: Option<&Label>) -> bool {
+    let is_to = |said: &Said| said.remarks.iter().any(|remark| matches!(remark.as_str(), "to" | "is to" | "in"));
+    label.is_none() && !reading.statements.iter().flat_map(|statement| &statement.said).any(is_to)
+}
+
 /// Judges one value against a ratio, with what it is called.
 pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
     let finding = as_it_stands(model, said);

@@ -7,7 +7,9 @@ use std::cmp::Ordering;
 use crate::answer::Kind;
 use crate::expr::{Expr, Function, Relation};
 use crate::mark::enclosure::enclose_roughly;
-use crate::mark::reading::{End, Form, Label, Reading, Said, Statement, is_rejection, is_second_thought};
+use crate::mark::reading::{
+    End, Form, Label, Reading, Said, Statement, is_in_place_of, is_rejection, is_second_thought,
+};
 use crate::mechanics::{Moment, Quantity};
 use crate::number::Fraction;
 
@@ -45,7 +47,7 @@ fn is_rejected(statement: &Statement) -> bool {
     let remarks = statement.remarks().cloned();
     // `2.78, not 3.08`, `8, −8 (N/A)`, `8 or −8 (not possible)`
     const DENIED: [&str; 8] = ["not", "n/a", "not possible", "not valid", "not allowed", "✗", "✘", "❌"];
-    let is_denied = statement.remarks().any(|remark| DENIED.contains(&remark.as_str()));
+    let is_denied = statement.remarks().any(|remark| DENIED.contains(&remark.as_str()) || is_in_place_of(remark));
     if is_denied || is_taken_back(statement) {
         return true;
     }

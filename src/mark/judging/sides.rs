@@ -12,7 +12,7 @@ use super::{Model, exact, sorts};
 
 /// Is what is asked said to go another way than it does?
 pub(super) fn is_said_to_go_otherwise(model: &Model, statement: &Statement) -> bool {
-    use Quantity::{AngleToLine, AngleToWall, ImpulseMagnitude, Speed, Velocity};
+    use Quantity::{AngleToLine, AngleToWall, ImpulseAngle, ImpulseMagnitude, Speed, Velocity};
     let is_else = |said: Option<bool>, own: Option<bool>| said.zip(own).is_some_and(|(said, own)| said != own);
     let remarks: Vec<&String> = statement.remarks().collect();
     match model.quantity.map(Quantity::of_its_impact) {
@@ -39,6 +39,8 @@ pub(super) fn is_said_to_go_otherwise(model: &Model, statement: &Statement) -> b
                 || is_else(says_to_the_left(&remarks), model.pushes_back)
         }
         Some(AngleToLine(..)) => is_else(says_which_way(&remarks), model.turns_back),
+        // Of which of the two impulses it is nobody says: the one that the answer turns to may be the other.
+        Some(ImpulseAngle) if model.anticlockwise.is_none() => says_anticlockwise(&remarks) == Some(false),
         Some(_) => is_else(says_anticlockwise(&remarks), model.anticlockwise),
         None => false,
     }

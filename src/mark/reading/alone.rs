@@ -5,7 +5,8 @@ use super::statements::Statements;
 use super::tokens::{Placed, Token};
 use super::values::Values;
 use super::vectors::along;
-use super::{Form, Label, ReferenceLine, Said, Statement, Unreadable};
+use super::{Form, Label, ReferenceLine, Said, SaidUnit, Statement, Unreadable, names};
+use crate::expr::Expr;
 
 impl Statements<'_> {
     /// A side without relations: `A: 3.08`, `2 : 3`, `1.04 ms^-1 at right angles to LOC`.
@@ -17,7 +18,13 @@ impl Statements<'_> {
                 self.remark(self.slice(left).to_lowercase());
                 return Ok(());
             }
-            let name = matches!(left, [Placed { token: Token::Word(_) | Token::Greek(_), .. }]) && !tokens[at].spaced;
+            // `v : 3`, where there is no v of which it could be the ratio.
+            let is_known = |letter: &Placed| match &letter.token {
+                Token::Word(word) => names::is_made_of_letters(word, self.vocabulary),
+                _ => true,
+            };
+            let is_close = !tokens[at].spaced || left.first().is_some_and(|letter| !is_known(letter));
+            let name = matches!(left, [Placed { token: Token::Word(_) | Token::Greek(_), .. }]) && is_close;
             // `ratio 2:3`
             let number = left.iter().position(|placed| matches!(placed.token, Token::Number(_)));
             let count = left.iter().take_while(|placed| matches!(placed.token, Token::Phrase(_))).count();
@@ -83,8 +90,27 @@ impl Statements<'_> {
         Ok(())
     }
 
+    /// A term of a ratio, beside which no words stand.
+    fn term(&mut self, tokens: &[Placed]) -> Result<(Expr, Option<SaidUnit>), Unreadable> {
+        let found = self.side_with_unit(tokens)?;
+        let is_word = |placed: &&Placed| matches!(placed.token, Token::Phrase(_));
+        match tokens.iter().find(is_word).or(tokens.first().filter(|_| matches!(found.0, Expr::Vector(..)))) {
+            Some(other) => Err(Unreadable::Sign(other.start, "a term of a ratio is a number or formula".to_owned())),
+            None => Ok(found),
+        }
+    }
+
     fn ratio(&mut self, left: &[Placed], right: &[Placed]) -> Result<(), Unreadable> {
-        let (left, right) = (self.scalar(left)?, self.scalar(right)?);
+        let place = right.first().map_or(self.text.len(), |first| first.start);
+        // `3:04` is a time.
+        if self.slice(right).strip_prefix('0').is_some_and(|rest| rest.starts_with(|sign: char| sign.is_ascii_digit()))
+        {
+            return Err(Unreadable::Sign(place, "a time, or a ratio whose second term begins with 0".to_owned()));
+        }
+        let ((left, of_left), (right, of_right)) = (self.term(left)?, self.term(right)?);
+        if of_left.map(|unit| unit.typed) != of_right.map(|unit| unit.typed) {
+            return Err(Unreadable::Sign(place, "the terms of the ratio have different units".to_owned()));
+        }
         let said = Said { form: Form::Ratio(left, right), unit: None, reference: None, remarks: Vec::new() };
         self.found.push(Statement { label: None, said: vec![said] });
         Ok(())

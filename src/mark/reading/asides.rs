@@ -1,12 +1,12 @@
 //! What is said beside a value or an equation and is no part of it: how far it is rounded, which equation is used.
 
-use super::Vocabulary;
 use super::choices::Choices;
 use super::inequalities::has_inequality;
 use super::phrases::{Phrase, Walk};
 use super::said_again::{closes, compares, measured, of_one_figure, parts, said_again};
 use super::tokens::{Placed, Token};
 use super::units::unit;
+use super::{SaidUnit, Vocabulary};
 use crate::expr::Expr;
 
 impl Walk<'_> {
@@ -136,6 +136,21 @@ pub(super) fn with_asides_set_off(
             tokens.remove(start);
             continue;
         }
+        // `3, m/s`
+        if tokens[start].is(',') && vocabulary.letters.is_empty() && ends_with_unit(&tokens, start) {
+            tokens.remove(start);
+            continue;
+        }
+        // `46.1°, measured from AB`
+        if let [comma, line, ..] = &tokens[start..]
+            && comma.is(',')
+            && tokens[start - 1].is('°')
+            && matches!(line.token, Token::Phrase(Phrase::Line(line)) if !line.is_direction())
+            && tokens.get(start + 2).is_none_or(|next| next.is('.') || next.is(','))
+        {
+            tokens.remove(start);
+            continue;
+        }
         if let Some(mut end) = said_again(&tokens, start, vocabulary, choices) {
             // `0.7 (5/7)`: one figure is no value by itself. Nor is what is said to be about as much: `1/14 (≈ 0.07)`.
             // `k > 32/3 (10.7)`: a bound is said again.
@@ -236,6 +251,13 @@ fn told_besides(tokens: &[Placed], start: usize, vocabulary: &Vocabulary) -> Opt
         }
     };
     (is_told && !is_named_before).then_some(close)
+}
+
+/// Does a number stand before the comma, and nothing after it but the unit of a speed, an impulse or an energy?
+fn ends_with_unit(tokens: &[Placed], comma: usize) -> bool {
+    let whole = |unit: &SaidUnit| unit.dimension[1] != 0 && unit.dimension[2] != 0;
+    let is_last = unit(tokens, comma + 1, "").is_some_and(|(unit, end)| end == tokens.len() && whole(&unit));
+    is_last && matches!(tokens[comma - 1].token, Token::Number(_))
 }
 
 /// Where the unit ends that stands after a note on accuracy, and belongs to the number before: `3.61 (3sf) m/s`.

@@ -144,47 +144,6 @@ pub(super) fn say_nothing(glyphs: &[Glyph]) -> bool {
     glyphs.iter().all(|glyph| glyph.sign.is_whitespace() || glyph.sign == '-')
 }
 
-/// `_2.78_`, `*2.78*`: an answer without the marks of Markdown around all of it.
-pub(super) fn without_emphasis(mut glyphs: Vec<Glyph>) -> Vec<Glyph> {
-    let is_blank = |glyph: &Glyph| glyph.sign.is_whitespace();
-    while let Some(first) = glyphs.iter().position(|glyph| !is_blank(glyph)).filter(|at| glyphs.len() > at + 2)
-        && let Some(last) = glyphs.iter().rposition(|glyph| !is_blank(glyph))
-        && matches!(glyphs[first].sign, '*' | '_')
-        && glyphs[first].sign == glyphs[last].sign
-    {
-        glyphs.remove(last);
-        glyphs.remove(first);
-    }
-    glyphs
-}
-
-/// `4**i** + **j**`, `**2.78**`: bold letters of Markdown without its stars. Between a base and a bare exponent two stars
-/// are a power.
-pub(super) fn without_bold(mut glyphs: Vec<Glyph>) -> Vec<Glyph> {
-    let mut from = 0;
-    loop {
-        let sign = |at: usize| glyphs.get(at).map_or(' ', |glyph| glyph.sign);
-        let stars = |at: &usize| sign(*at) == '*' && sign(*at + 1) == '*';
-        let Some(open) = (from..glyphs.len()).find(stars) else { return glyphs };
-        let before = open.checked_sub(1).map_or(' ', sign);
-        let of_vector = matches!(sign(open + 2), 'i' | 'j') && stars(&(open + 3));
-        let may_open = of_vector || matches!(before, ' ' | '+' | '-' | '=' | ',' | '\n');
-        let may_close = |at: &usize| {
-            let after = sign(*at + 2);
-            stars(at) && sign(*at - 1) != ' ' && !after.is_alphanumeric() && after != '('
-        };
-        let close = (open + 3..glyphs.len()).find(may_close).filter(|_| may_open && sign(open + 2) != ' ');
-        match close {
-            Some(close) => {
-                glyphs.drain(close..close + 2);
-                glyphs.drain(open..open + 2);
-                from = open;
-            }
-            None => from = open + 2,
-        }
-    }
-}
-
 fn unknown(character: char, place: usize) -> Unreadable {
     let shown: String =
         if character.is_alphanumeric() { character.into() } else { character.escape_unicode().collect() };
@@ -196,7 +155,9 @@ fn plain(character: char, before: Option<char>) -> Option<&'static str> {
     Some(match character {
         '\n' | '\r' | '\u{85}' | '\u{2028}' | '\u{2029}' => "\n",
         '−' | '‐' | '‑' | '‒' | '–' | '—' | '―' | '﹣' | '－' | '➖' => "-",
-        '➕' | '＋' => "+",
+        '➕' | '＋' | '﹢' => "+",
+        '﹥' => ">",
+        '﹤' => "<",
         '×' | '✕' | '✖' | '∗' | '⨯' => "*",
         '⋅' | '∙' | '•' => "⋅",
         '‧' | '⸱' | '・' => "·",
@@ -206,14 +167,16 @@ fn plain(character: char, before: Option<char>) -> Option<&'static str> {
         '√' => "√",
         '∛' => "∛",
         'ᶜ' => " rad ",
+        // Of a row that is meant as a column.
+        'ᵀ' => "^T",
         '°' | 'º' | '˚' | '∘' => "°",
         '≈' | '≃' | '≅' | '≒' | '≐' => "≈",
-        '≡' | '＝' => "=",
+        '≡' | '＝' | '﹦' => "=",
         '⩽' | '≦' => "≤",
         '⩾' | '≧' => "≥",
         '⇒' | '⟹' | '→' | '⟶' | '∴' => "⇒",
         '∵' => " because ",
-        '∩' => " and ",
+        '∩' | '∧' => " and ",
         'ℝ' => "R",
         '@' => " at ",
         '⊥' | '⟂' => " perpendicular ",
@@ -250,7 +213,7 @@ fn plain(character: char, before: Option<char>) -> Option<&'static str> {
         '\u{335}' | '\u{336}' => "\u{336}",
         '\u{304}' | '\u{305}' if before.is_some_and(|sign| sign.is_ascii_digit()) => "\u{307}",
         '\u{307}' if before.is_some_and(|sign| sign.is_ascii_digit()) => "\u{307}",
-        '\u{302}' | '\u{303}' | '\u{20d7}' | '\u{332}' | '\u{331}' | '\u{330}' | '\u{20d1}'
+        '\u{304}' | '\u{305}' | '\u{302}' | '\u{303}' | '\u{20d7}' | '\u{332}' | '\u{331}' | '\u{330}' | '\u{20d1}'
             if before.is_some_and(|sign| sign.is_ascii_alphabetic()) =>
         {
             ""

@@ -30,6 +30,8 @@ pub(super) fn simple(command: &str) -> Option<&'static str> {
     Some(match command {
         "cdot" | "times" | "ast" => " * ",
         "div" => "÷",
+        "colon" | "ratio" => ":",
+        "land" | "wedge" => " and ",
         "pm" => "±",
         "propto" => " proportional to ",
         "degree" | "circ" | "textdegree" => "°",

@@ -47,13 +47,20 @@ pub(super) fn without_infinite_ends<'s, 't>(
     Ok((sides, relations))
 }
 
+fn is_number(placed: &Placed) -> bool {
+    matches!(placed.token, Token::Number(_))
+}
+
 impl Statements<'_> {
     /// `k < 2 or k > 3`: `or` between inequalities parts statements that are rivals.
     pub(super) fn alternatives(&mut self, tokens: &[Placed]) -> Result<(), Unreadable> {
         let is_or = |placed: &Placed| placed.token == Token::Phrase(Phrase::Or);
         let parts: Vec<&[Placed]> = tokens.split(is_or).collect();
         let is_inequality = |part: &&[Placed]| has_inequality(part);
-        if parts.len() == 1 || !parts.iter().all(is_inequality) {
+        // `3 : 4 or 3/4`
+        let is_ratio = |part: &[Placed]| matches!(part, [first, colon, ..] if is_number(first) && colon.is(':'));
+        let is_said_again = parts.len() == 2 && is_ratio(parts[0]) && parts[1].first().is_some_and(is_number);
+        if parts.len() == 1 || !(is_said_again || parts.iter().all(is_inequality)) {
             return self.chain(tokens);
         }
         for (place, part) in parts.into_iter().enumerate() {

@@ -75,7 +75,11 @@ impl Rewriter<'_> {
                 Ok(())
             }
             // `2{,}78`: braces keep a comma from being set as the end of a clause.
-            '{' if matches!(self.glyphs[self.at + 1..], [Glyph { sign: ',', .. }, Glyph { sign: '}', .. }, ..]) => {
+            '{' if matches!(
+                self.glyphs[self.at + 1..],
+                [Glyph { sign: ',' | '.', .. }, Glyph { sign: '}', .. }, ..]
+            ) =>
+            {
                 self.at += 3;
                 self.put(',', from);
                 Ok(())

@@ -31,11 +31,15 @@ pub(super) enum Sort {
     Plain,
 }
 
+/// Words for what falls short of the value beside it.
+pub(crate) const NOT_QUITE: [&str; 2] = ["nearly", "almost"];
+
 /// What is only so much of a state is not in it: `nearly at rest`.
-pub(super) const SHORT_OF: [&str; 3] = ["nearly", "almost", "very"];
+pub(super) const SHORT_OF: [&str; 9] =
+    ["nearly", "almost", "very", "approximately", "approx", "about", "roughly", "around", "circa"];
 
 /// Words before a noun that make it the name of something else.
-pub(super) const OTHERS: [&str; 14] = [
+pub(super) const OTHERS: [&str; 22] = [
     "each",
     "initial",
     "original",
@@ -50,6 +54,14 @@ pub(super) const OTHERS: [&str; 14] = [
     "perpendicular",
     "perp",
     "parallel",
+    "maximum",
+    "max",
+    "greatest",
+    "largest",
+    "highest",
+    "minimum",
+    "smallest",
+    "lowest",
 ];
 
 /// Words that may turn a value round, but not from within a reason for it.
@@ -60,7 +72,7 @@ pub(super) const COMPARISONS: [&str; 9] =
 const SINGLE: [(Sort, &str); 9] = [
     (
         Sort::Joiner,
-        "and so hence therefore thus then giving gives give at with in makes making make moves moving move moved \
+        "and so hence therefore thus then giving gives give at with in inclined makes making make moves moving move moved \
          which hence also but while whereas travels travelling going leaving leaves having has to from by through",
     ),
     (Sort::Because, "because since as due where if when"),
@@ -89,7 +101,7 @@ const SINGLE: [(Sort, &str); 9] = [
     ),
     (
         Sort::Plain,
-        "maximum max possible range inclusive exclusive strictly any between of the a an its their both approx approximately about roughly around circa say exactly only just after \
+        "maximum max possible all valid range inclusive exclusive strictly any between of the a an its their both approx approximately about roughly around circa say exactly only just after \
          before finally initially final initial new total sphere spheres ball balls disc discs body particle particles \
          along parallel par para perp perpendicular right left up down upwards downwards north south east west rightwards \
          leftwards horizontally vertically acute obtuse clockwise anticlockwise counterclockwise away towards it they \

@@ -35,7 +35,7 @@ impl Typed {
 const PAIRS: [(&str, &str, &str, &str); 2] = [("<sup>", "</sup>", "^⟦", "⟧"), ("<sub>", "</sub>", "_", " ")];
 
 /// Tags that set lines and letters, and say nothing.
-const SILENT: [(&str, &str); 13] = [
+const SILENT: [(&str, &str); 23] = [
     ("<p>", "\n"),
     ("</p>", "\n"),
     ("<br>", "\n"),
@@ -49,6 +49,17 @@ const SILENT: [(&str, &str); 13] = [
     ("</strong>", ""),
     ("<span>", ""),
     ("</span>", ""),
+    ("<u>", ""),
+    ("</u>", ""),
+    ("<i>", ""),
+    ("</i>", ""),
+    // What is crossed out.
+    ("<s>", "~~"),
+    ("</s>", "~~"),
+    ("<del>", "~~"),
+    ("</del>", "~~"),
+    ("<strike>", "~~"),
+    ("</strike>", "~~"),
 ];
 
 /// The signs of an answer in order.

@@ -13,9 +13,11 @@ mod characters;
 mod choices;
 mod columns;
 mod commands;
+mod common_letter;
 mod crossed_out;
 mod digits;
 mod directions;
+mod emphasis;
 mod environments;
 mod equalities;
 mod equation_number;
@@ -59,15 +61,15 @@ mod word;
 mod wording;
 
 pub(crate) use events::{FURTHER, MEETING, NEVER};
-pub(crate) use lexicon::{is_never_letters, is_rejection, is_strange};
+pub(crate) use lexicon::{NOT_QUITE, is_never_letters, is_rejection, is_strange};
 pub(crate) use line::ACROSS;
 pub(crate) use named_line::{NamedLine, named_line};
 pub use reference::{ReferenceLine, Sense};
 pub use said::{End, Form, Label, Notation, Reading, Said, SaidUnit, Statement, Unreadable, Vocabulary};
-pub(crate) use second_thoughts::is_second_thought;
+pub(crate) use second_thoughts::{is_in_place_of, is_second_thought};
 
 use choices::{Choices, Flip};
-use crossed_out::without_crossed_out;
+use crossed_out::{is_withdrawn, without_crossed_out};
 
 /// The longest answer that is read, in bytes; a longer one goes to a person.
 pub const LONGEST: usize = 2000;
@@ -98,6 +100,11 @@ const PATIENCE: usize = 2_000;
 ///
 /// The first thing that makes no sense in the likeliest reading, if no reading makes sense.
 pub fn read_answer(text: &str, vocabulary: &Vocabulary) -> Result<Vec<Reading>, Unreadable> {
+    if text.len() <= LONGEST && is_withdrawn(text) {
+        let mut readings = read_whole(text, vocabulary)?;
+        readings.iter_mut().for_each(Reading::take_back);
+        return Ok(readings);
+    }
     let readings = read_whole(text, vocabulary);
     // `I = m(v − u) = 3(5 − 2) = 9`
     let may_lead_on = matches!(readings, Err(Unreadable::Sign(..))) && text.matches('=').count() > 1;
@@ -146,8 +153,9 @@ fn counted(text: &str, vocabulary: &Vocabulary, passes_over: bool) -> (Result<Ve
         return (Err(Unreadable::TooLong), 0);
     }
     let glyphs = match characters::glyphs(text)
-        .map(characters::without_emphasis)
-        .map(characters::without_bold)
+        .map(emphasis::without_bold)
+        .map(emphasis::without_italics)
+        .map(emphasis::without_emphasis)
         .map(without_crossed_out)
         .and_then(|glyphs| latex::without_latex(&glyphs))
     {
@@ -161,6 +169,8 @@ fn counted(text: &str, vocabulary: &Vocabulary, passes_over: bool) -> (Result<Ve
         let statements = tokens::tokens(&glyphs, &vocabulary.letters, &mut choices)
             .map(|tokens| units::with_joules(tokens, vocabulary))
             .map(|tokens| part_label::without_question_number(tokens, vocabulary))
+            .map(|tokens| common_letter::without_common_letter(tokens, vocabulary, &mut choices))
+            .map(|tokens| vectors::with_numbers_first(tokens, vocabulary))
             .map(|tokens| columns::on_two_lines(tokens, vocabulary, &mut choices))
             .map(|tokens| columns::with_joined_lines(tokens, vocabulary))
             .map(|tokens| angle_names::with_angles(tokens, vocabulary, &mut choices))

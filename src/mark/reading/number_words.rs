@@ -56,7 +56,7 @@ const PARTS: [(&str, &str, i64); 20] = [
     ("twentieth", "twentieths", 20),
 ];
 /// Words and signs between which a number can stand in words.
-const BEFORE: [&str; 11] = ["is", "and", "or", "so", "are", "was", "at", "of", "to", "root", "sqrt"];
+const BEFORE: [&str; 13] = ["is", "and", "or", "so", "are", "was", "at", "of", "to", "root", "sqrt", "between", "than"];
 const AFTER: [&str; 16] = [
     "and", "or", "so", "over", "times", "root", "square", "squared", "plus", "minus", "divided", "percent", "per",
     "all", "degrees", "x",
@@ -155,9 +155,15 @@ impl Words<'_> {
         let (count, next, is_article) = match (self.count(at), self.word(at).as_deref()) {
             (Some(count), _) => (count, at + 1, false),
             (None, Some("a" | "an")) => (1, at + 1, true),
-            (None, Some("nought")) => (0, at + 1, false),
+            (None, Some("nought" | "nil")) => (0, at + 1, false),
+            (None, Some("none")) => {
+                return (self.tokens.len() == 1 && !self.vocabulary.vectors).then_some((0, 1, at + 1));
+            }
             // Half of what, if not of a letter of the question?
-            (None, Some("half")) => return self.is_factor_after(at + 1).then_some((1, 2, at + 1)),
+            (None, Some("half")) => {
+                let is_number = self.vocabulary.letters.is_empty() && self.tokens.get(at + 1).is_none();
+                return (is_number || self.is_factor_after(at + 1)).then_some((1, 2, at + 1));
+            }
             (None, word) => {
                 let (count, next) = self.count_in_words(at, word?)?;
                 (count, next, false)
@@ -203,10 +209,12 @@ impl Words<'_> {
     }
 
     /// Is the number all that is said, or does something follow that goes with a number?
-    fn ends(&self, (_, below, next): Found) -> bool {
+    fn ends(&self, (above, below, next): Found) -> bool {
         let Some(after) = self.tokens.get(next) else { return true };
         match &after.token {
             Token::Sign('-') => after.spaced,
+            // `zero (at rest)`
+            Token::Sign('(') => above == 0 && after.spaced && self.word(next + 1).is_some(),
             Token::Sign(sign) => "=≈<>≤≥,;)].⇒\n+*/°%".contains(*sign) || *sign == CLOSE,
             Token::Root { .. } | Token::Pi => true,
             Token::Word(word) if word.eq_ignore_ascii_case("of") => below > 1 && self.is_factor_after(next),

@@ -28,6 +28,16 @@ pub(super) fn without_question_number(mut tokens: Vec<Placed>, vocabulary: &Voca
         rest = after;
     }
     let begins = |placed: &Placed| placed.spaced && !matches!(placed.token, Token::Sign('+' | '-' | '*' | '/' | '='));
+    // `Q2: 2.78`
+    if tokens.first().is_some_and(is_q)
+        && let [mark, first, ..] = rest
+        && (mark.is(':') || mark.is(')'))
+        && begins(first)
+    {
+        let label = tokens.len() - rest.len() + 1;
+        tokens.drain(..label);
+        return tokens;
+    }
     if number.is_integer() && rest.len() < whole && rest.first().is_some_and(begins) {
         let label = tokens.len() - rest.len();
         tokens.drain(..label);
@@ -53,11 +63,21 @@ pub(super) fn without_arrow(tokens: &[Placed]) -> &[Placed] {
     }
 }
 
-/// `A → 2.78`: an arrow after the name of a sphere alone is a colon.
-pub(super) fn with_arrows_after_names(mut tokens: Vec<Placed>) -> Vec<Placed> {
+/// `A → 2.78`, `v → 2.78`: an arrow after the name of a sphere alone is a colon, and so it is after a letter that the question
+/// does not have.
+pub(super) fn with_arrows_after_names(mut tokens: Vec<Placed>, vocabulary: &Vocabulary) -> Vec<Placed> {
+    let is_known = |name: &str| vocabulary.letters.iter().any(|letter| letter.name() == name);
+    let is_name = |token: &Token, after: &[Placed]| match token {
+        Token::Phrase(Phrase::Sphere) => true,
+        Token::Word(word) => {
+            let is_number = matches!(after, [Placed { token: Token::Number(_) | Token::Root { .. }, .. }, ..]);
+            word.len() == 1 && !is_known(word) && is_number
+        }
+        _ => false,
+    };
     for at in 1..tokens.len() {
         let begins = at < 2 || matches!(tokens[at - 2].token, Token::Sign(',' | ';' | '\n'));
-        if begins && tokens[at].is('⇒') && tokens[at - 1].token == Token::Phrase(Phrase::Sphere) {
+        if begins && tokens[at].is('⇒') && is_name(&tokens[at - 1].token, &tokens[at + 1..]) {
             tokens[at].token = Token::Sign(':');
         }
     }
@@ -79,7 +99,13 @@ pub(super) fn without_part_label<'a>(tokens: &'a [Placed], vocabulary: &Vocabula
         Token::Phrase(Phrase::Remark) => placed.end == placed.start + 1,
         _ => false,
     };
+    // `1) 2.78`
+    let numbered = |placed: &Placed, rest: &[Placed]| {
+        let is_count = |expr: &Expr| matches!(expr, Expr::Number(value) if value.is_integer());
+        matches!(&placed.token, Token::Number(value) if is_count(value)) && begins(rest)
+    };
     match tokens {
+        [name, close, rest @ ..] if close.is(')') && numbered(name, rest) => rest,
         [open, name, close, rest @ ..] if open.is('(') && close.is(')') && !rest.is_empty() && part(name, rest) => rest,
         [name, close, rest @ ..] if close.is(')') && !rest.is_empty() && part(name, rest) => rest,
         _ => tokens,

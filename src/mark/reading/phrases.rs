@@ -7,6 +7,7 @@ use super::signs::with_signs;
 use super::tokens::{Placed, Token, is_greek};
 use super::units::is_unit_word;
 use super::{ReferenceLine, Unreadable, Vocabulary, names, wording};
+use crate::expr::Expr;
 
 /// What words say.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,6 +61,9 @@ pub(super) fn with_phrases(
         _ => String::new(),
     };
     let walk = Walk { tokens: &tokens, words: tokens.iter().map(small).collect(), vocabulary };
+    if let Some(whole) = walk.in_a_word() {
+        return Ok(whole);
+    }
     let mut out: Vec<Placed> = Vec::with_capacity(tokens.len());
     let mut at = 0;
     // Does a word stand before that names or says something?
@@ -75,17 +79,22 @@ pub(super) fn with_phrases(
             at = end;
             continue;
         }
+        if let Some((next, set_off)) = walk.denial(at) {
+            let comma = Placed { token: Token::Sign(','), ..tokens[at].clone() };
+            out.extend(Some(comma).filter(|_| !set_off));
+            let (token, end) = (Token::Phrase(Phrase::Remark), tokens[next - 1].end);
+            out.push(Placed { token, end, ..tokens[at].clone() });
+            at = next;
+            continue;
+        }
         if let Some((word, next)) = walk.second_thought(at) {
             let comma = Placed { token: Token::Sign(','), ..word.clone() };
             out.extend([Placed { token: Token::Phrase(Phrase::Remark), ..word }, comma]);
             at = next;
             continue;
         }
-        if let Some(set_off) = walk.denial(at) {
-            let comma = Placed { token: Token::Sign(','), ..tokens[at].clone() };
-            out.extend(Some(comma).filter(|_| !set_off));
-            out.push(Placed { token: Token::Phrase(Phrase::Remark), ..tokens[at].clone() });
-            at += 1;
+        if let Some(next) = walk.fresh_start(at) {
+            at = next;
             continue;
         }
         let remark = accuracy.or_else(|| walk.named_equation(at)).or_else(|| walk.positive_direction(at));
@@ -131,6 +140,18 @@ pub(super) struct Walk<'a> {
 }
 
 impl Walk<'_> {
+    /// `rest`, `perfectly elastic`: an answer that is no more than that, by what it says.
+    fn in_a_word(&self) -> Option<Vec<Placed>> {
+        let first = self.tokens.first()?;
+        let place = |token: Token| Placed { token, end: self.tokens[self.tokens.len() - 1].end, ..first.clone() };
+        let is_all = |words: &[&str]| self.any(self.article(0), words) == Some(self.tokens.len());
+        if self.any(0, &wording::REST_ALONE) == Some(self.tokens.len()) {
+            return Some(vec![place(Token::Phrase(Phrase::Rest))]);
+        }
+        let is_one = [Token::Word("e".to_owned()), Token::Sign('='), Token::Number(Expr::integer(1))];
+        is_all(&wording::ELASTIC).then(|| is_one.into_iter().map(place).collect())
+    }
+
     /// The word at a token, in small letters.
     pub(super) fn word(&self, at: usize) -> Option<&str> {
         self.words.get(at).map(String::as_str).filter(|word| !word.is_empty())

@@ -58,7 +58,9 @@ pub(super) fn without_set_builder(tokens: &[Placed]) -> &[Placed] {
     };
     let [such_that, rest @ ..] = inside else { return tokens };
     let is_set = is_any(open, &OPENING) && is_any(close, &CLOSING) && is_any(such_that, &[':', '|']);
-    let unbroken = !rest.iter().any(|placed| is_any(placed, &OPENING) || is_any(placed, &CLOSING) || placed.is('|'));
+    // The braces of a fraction are none that were typed.
+    let is_bracket = |placed: &Placed| is_any(placed, &OPENING[..3]) || is_any(placed, &CLOSING[..3]);
+    let unbroken = !rest.iter().any(|placed| is_bracket(placed) || placed.is('|'));
     if is_set && has_inequality(rest) && unbroken { rest } else { tokens }
 }
 

@@ -34,6 +34,12 @@ pub struct Statement {
 }
 
 impl Reading {
+    /// Says of every value that it is crossed out.
+    pub(super) fn take_back(&mut self) {
+        let said = self.statements.iter_mut().flat_map(|statement| &mut statement.said);
+        said.for_each(|said| said.remarks.push("crossed out".to_owned()));
+    }
+
     /// The words beside its values that are neither unit nor line.
     pub(crate) fn remarks(&self) -> impl Iterator<Item = &String> + Clone {
         self.statements.iter().flat_map(Statement::remarks)

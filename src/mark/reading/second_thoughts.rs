@@ -1,60 +1,96 @@
-//! Second thoughts: `3.08 → no, 2.78` takes back the value before it.
+//! Second thoughts: `3.08 → no, 2.78` takes back the value before it, and `not 3.08 but 2.78` the one after it.
 
 use super::phrases::Walk;
 use super::tokens::{Placed, Token};
-use super::units::is_unit_word;
-
-/// Words that take back what stands before them, where another value follows.
-const SECOND_THOUGHTS: [&str; 11] =
-    ["no", "nope", "sorry", "oops", "wait", "actually", "rather", "correction", "wrong", "incorrect", "i mean"];
-/// Those that may be said of the value that follows, too, unless something parts them from it.
-const OPEN: [&str; 5] = ["no", "nope", "wrong", "incorrect", "rather"];
-/// Words between them and the value that follows; of `it's` the first two letters are read.
-const LEADS: [&str; 7] = ["it", "its", "it is", "it should be", "should be", "i meant", "make that"];
+use super::units::{is_unit_word, unit};
+use super::wording::{IN_PLACE_OF, LEADS, OPEN_THOUGHTS, SECOND_THOUGHTS, STARTING_AFRESH};
 
 /// Is the remark one by which a value is taken back?
 pub(crate) fn is_second_thought(remark: &str) -> bool {
     SECOND_THOUGHTS.contains(&remark)
 }
 
+/// Is the remark one by which a value gives way to another?
+pub(crate) fn is_in_place_of(remark: &str) -> bool {
+    IN_PLACE_OF.contains(&remark)
+}
+
 impl Walk<'_> {
-    /// `2.78, not 3.08`, `k = 8 not -24`: the word before a value that is none. Is it set off from the one that is?
-    pub(super) fn denial(&self, at: usize) -> Option<bool> {
-        let token = |at: usize| self.tokens.get(at).map(|placed| &placed.token);
-        let is_number = |at: usize| matches!(token(at), Some(Token::Number(_)));
-        let minus = usize::from(token(at + 1) == Some(&Token::Sign('-')));
-        if self.word(at) != Some("not") || !is_number(at + 1 + minus) {
+    /// `2.78, not 3.08`, `2.78 instead of 3.08`, `not 3.08 but 2.78`: the token after the words before a value that is none.
+    /// Is it set off from the one that is?
+    pub(super) fn denial(&self, at: usize) -> Option<(usize, bool)> {
+        let is_number = |at: usize| matches!(self.token(at), Some(Token::Number(_)));
+        let next = self.words(at, "not").or_else(|| self.any(at, &IN_PLACE_OF))?;
+        let number = next + usize::from(self.token(next) == Some(&Token::Sign('-')));
+        if !is_number(number) {
             return None;
         }
-        match token(at.checked_sub(1)?)? {
-            Token::Sign(',' | '(') => Some(true),
-            Token::Number(_) | Token::Sign('°' | '%') => Some(false),
-            Token::Word(word) if is_unit_word(word) && (0..at).any(is_number) => Some(false),
+        let Some(before) = at.checked_sub(1) else {
+            return (next == 1 && self.gives_way(number + 1)).then_some((next, true));
+        };
+        match self.token(before)? {
+            Token::Sign(',' | '(') => Some((next, true)),
+            Token::Number(_) | Token::Sign('°' | '%') => Some((next, false)),
+            Token::Word(word) if is_unit_word(word) && (0..at).any(is_number) => Some((next, false)),
             _ => None,
         }
     }
 
+    fn token(&self, at: usize) -> Option<&Token> {
+        self.tokens.get(at).map(|placed| &placed.token)
+    }
+
+    /// `but 2.78`, `, 2.78`: after a value that is denied, is another put in its place?
+    fn gives_way(&self, after_number: usize) -> bool {
+        let is_measure = matches!(self.token(after_number), Some(Token::Sign('°' | '%')));
+        let end = unit(self.tokens, after_number, "").map_or(after_number + usize::from(is_measure), |(_, end)| end);
+        let comma = matches!(self.token(end), Some(Token::Sign(',' | ';'))).then_some(end + 1);
+        let Some(next) = self.any(comma.unwrap_or(end), &["but", "but rather"]).or(comma) else { return false };
+        self.is_value(self.any(next, &LEADS).unwrap_or(next))
+    }
+
     /// A word by which the value before it is taken back, and the token at which the other value begins.
     pub(super) fn second_thought(&self, at: usize) -> Option<(Placed, usize)> {
+        let closing = match self.tokens[at].token {
+            Token::Sign('(') => Some(')'),
+            Token::Sign('[') => Some(']'),
+            _ => None,
+        };
+        let first = at + usize::from(closing.is_some() || (self.tokens[at].is('-') && self.tokens[at].spaced));
+        let mut next = self.any(first, &SECOND_THOUGHTS)?;
+        if !self.tokens[..first].iter().any(|placed| matches!(placed.token, Token::Number(_) | Token::Root { .. })) {
+            return None;
+        }
+        let word = Placed { end: self.tokens[next - 1].end, ..self.tokens[first].clone() };
+        if let Some(closing) = closing {
+            next += self.tokens.get(next).filter(|close| close.is(closing)).map(|_| 1)?;
+        }
+        let value = self.after_thoughts(next);
+        // `3.08 → no 2.78`, `3.08, rather 2.78`
+        let follows = |sign: char| at > 0 && self.tokens[at - 1].is(sign);
+        let is_led = closing.is_some() || follows('⇒') || follows(',') && self.word(first) == Some("rather");
+        let is_open = self.any(first, &OPEN_THOUGHTS).is_some() && value == next && !is_led;
+        (self.is_value(value) && !is_open).then_some((word, value))
+    }
+
+    /// `no, 2.78`, `scrap that, 2.78`: the token at which the value begins, where nothing that was said is taken back.
+    pub(super) fn fresh_start(&self, at: usize) -> Option<usize> {
+        let begins = at == 0 || matches!(self.token(at - 1), Some(Token::Sign('\n')));
+        let next = self.any(at, &STARTING_AFRESH).filter(|_| begins)?;
+        let value = self.after_thoughts(next);
+        let is_open = self.any(at, &OPEN_THOUGHTS).is_some() && value == next;
+        (self.is_value(value) && !is_open).then_some(value)
+    }
+
+    /// The token after signs and further words of the kind: `wait`, `it should be`.
+    fn after_thoughts(&self, at: usize) -> usize {
         let parts = |at: usize| {
             let sign = |sign: char| self.tokens.get(at).is_some_and(|placed| placed.is(sign));
             // A minus sign stands close before its number.
             let dash = sign('-') && self.tokens.get(at + 1).is_some_and(|next| next.spaced);
             dash || [',', ':', ';', '.', '⇒', '\n'].into_iter().any(sign)
         };
-        let in_brackets = self.tokens[at].is('(');
-        let first = at + usize::from(in_brackets || (self.tokens[at].is('-') && self.tokens[at].spaced));
-        let mut next = self.any(first, &SECOND_THOUGHTS)?;
-        let is_open = self.any(first, &OPEN).is_some();
-        let is_value = |placed: &Placed| matches!(placed.token, Token::Number(_) | Token::Root { .. });
-        if !self.tokens[..first].iter().any(is_value) {
-            return None;
-        }
-        let word = Placed { end: self.tokens[next - 1].end, ..self.tokens[first].clone() };
-        if in_brackets {
-            next += self.tokens.get(next).filter(|close| close.is(')')).map(|_| 1)?;
-        }
-        let after_word = next;
+        let mut next = at;
         while let Some(more) = parts(next)
             .then_some(next + 1)
             .or_else(|| self.any(next, &SECOND_THOUGHTS))
@@ -62,9 +98,13 @@ impl Walk<'_> {
         {
             next = more;
         }
-        let follows =
-            self.tokens.get(next).is_some_and(|placed| is_value(placed) || placed.is('-') || self.names(next));
-        (follows && !(is_open && next == after_word && !in_brackets)).then_some((word, next))
+        next
+    }
+
+    /// Does a value begin here, or a name with its equals sign?
+    fn is_value(&self, at: usize) -> bool {
+        let is_value = |token: &Token| matches!(token, Token::Number(_) | Token::Root { .. } | Token::Sign('-'));
+        self.token(at).is_some_and(is_value) || self.names(at)
     }
 
     /// Does a name with its equals sign stand here?

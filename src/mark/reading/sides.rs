@@ -153,10 +153,15 @@ impl Statements<'_> {
         let read = formula(tokens.to_vec(), 0, self.text, self.vocabulary, self.choices)?;
         let rest = &read.tokens[read.next..];
         let words = rest.iter().all(|placed| {
-            matches!(placed.token, Token::Phrase(Phrase::Remark | Phrase::Joiner | Phrase::Noun) | Token::Sign('.'))
+            matches!(
+                placed.token,
+                Token::Phrase(Phrase::Remark | Phrase::Joiner | Phrase::Noun | Phrase::Is) | Token::Sign('.')
+            )
         });
         match read.form {
             Form::Value(value) if words => Ok((value, read.unit)),
+            // `60% < e`
+            Form::Percentage(value) if words => Ok((value.over(Expr::integer(100)), read.unit)),
             Form::Vector(x, y, _) if words => Ok((Expr::Vector(Box::new(x), Box::new(y)), read.unit)),
             _ => Err(Unreadable::Sign(place, "one side of the equation is no formula".to_owned())),
         }

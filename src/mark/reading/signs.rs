@@ -8,6 +8,7 @@ use super::names;
 use super::number_words::{added_fraction, number_in_words};
 use super::tokens::{Placed, Token};
 use super::units::is_unit_word;
+use super::wording::NOTHING_OF;
 use crate::expr::Expr;
 
 /// Words that stand for signs or functions, and these.
@@ -107,7 +108,7 @@ const SIGNS: [(&str, &str); 92] = [
 ];
 
 /// Words that stand for signs before a number alone: `negative 0.75`, `e above 1/3`.
-const BEFORE_A_NUMBER: [(&str, &str); 3] = [("negative", "-"), ("above", ">"), ("below", "<")];
+const BEFORE_A_NUMBER: [(&str, &str); 4] = [("negative", "-"), ("above", ">"), ("below", "<"), ("over", ">")];
 
 /// Words after which two bars say that something is parallel to a line.
 const LINES: [&str; 7] = ["to", "the", "line", "loc", "ab", "ba", "tangent"];
@@ -145,7 +146,9 @@ pub(super) fn with_signs(tokens: &[Placed], vocabulary: &Vocabulary, choices: &m
             let initial = word.bytes().next().map(|byte| byte.to_ascii_lowercase());
             let begins = |words: &str| words.bytes().next() == initial;
             let is_number = matches!(tokens.get(at + 1).map(|next| &next.token), Some(Token::Number(_)));
-            let before_number = BEFORE_A_NUMBER.iter().filter(|_| is_number);
+            // `over 0.6` with nothing above it.
+            let is_below = |words: &str| words != "over" || out.is_empty();
+            let before_number = BEFORE_A_NUMBER.iter().filter(|(words, _)| is_number && is_below(words));
             // `k is positive`; in `1/2 (must be positive)` nobody says what.
             let after_name = matches!(out.last().map(|last| &last.token), Some(Token::Word(_) | Token::Greek(_)));
             let fits = |signs: &str| after_name || !signs.ends_with('0');
@@ -216,6 +219,20 @@ pub(super) fn with_signs(tokens: &[Placed], vocabulary: &Vocabulary, choices: &m
             out.insert(start, place(OPEN));
             out.extend([place(CLOSE), place('/')]);
             at += 2;
+            continue;
+        }
+        // `no energy is lost`: nought is.
+        let is_none_of = is(at, "no") && NOTHING_OF.iter().any(|lost| is(at + 1, lost));
+        if is_none_of && out.last().is_none_or(|last| matches!(&last.token, Token::Word(word) if word == "has")) {
+            out.push(Placed { token: Token::Number(Expr::integer(0)), ..placed.clone() });
+            at += 1;
+            continue;
+        }
+        // `3-to-4`
+        let is_hyphen = |at: usize| is_sign(at, '-') && !tokens[at].spaced;
+        if is_hyphen(at) && is(at + 1, "to") && is_hyphen(at + 2) {
+            out.push(tokens[at + 1].clone());
+            at += 3;
             continue;
         }
         // `metres a second`

@@ -6,7 +6,7 @@ use super::commands::simple;
 use super::equation_number::without_number;
 use super::formula::formula;
 use super::inequalities::{has_inequality, is_inequality};
-use super::lexicon::is_rejection;
+use super::lexicon::{NOT_QUITE, is_rejection};
 use super::line;
 use super::part_label::{with_arrows_after_names, without_arrow, without_part_label};
 use super::phrases::Phrase;
@@ -25,7 +25,7 @@ pub(super) fn statements(
     choices: &mut Choices,
     passes_over: bool,
 ) -> Result<Vec<Statement>, Unreadable> {
-    let tokens = with_arrows_after_names(ranges::with_round_brackets(tokens));
+    let tokens = with_arrows_after_names(ranges::with_round_brackets(tokens), vocabulary);
     let tokens = with_both_signs(tokens);
     let mut reader = Statements {
         text,
@@ -88,7 +88,9 @@ impl Statements<'_> {
         let reason = reason.or_else(|| self.condition_of_multiplier(tokens));
         let whole = tokens;
         let (tokens, reason) = whole.split_at(reason.unwrap_or(whole.len()));
-        if self.is_condition(reason) && !(tokens.is_empty() && self.found.is_empty()) {
+        let is_open =
+            !(tokens.is_empty() && self.found.is_empty()) || self.slice(&reason[..reason.len().min(1)]) == "if";
+        if is_open && self.is_condition(reason) {
             return Err(Unreadable::Sign(reason[0].start, "the answer holds on a condition".to_owned()));
         }
         if let Some(at) = self.asked_condition(whole) {
@@ -262,6 +264,12 @@ impl Statements<'_> {
                     };
                     let side = &tokens[start..at];
                     let words = side.iter().rev().take_while(says_nothing).count();
+                    // `e nearly > 1/3`
+                    let is_short =
+                        |word: &&Placed| NOT_QUITE.contains(&&*self.slice(std::slice::from_ref(*word)).to_lowercase());
+                    if let Some(word) = side[side.len() - words..].iter().find(is_short) {
+                        return Err(Unreadable::Sign(word.start, "an inequality that nearly holds".to_owned()));
+                    }
                     let side = if words < side.len() { &side[..side.len() - words] } else { side };
                     // `values of e greater than 3`, `must have e > 3`
                     let is_remark = |placed: &&Placed| {

@@ -164,7 +164,10 @@ impl Lexer<'_> {
         let point = sign == '.' || (sign == '·' && !after_group);
         let point_first = point && digit_next && !after_digit;
         if sign.is_ascii_digit() || (point_first && !self.follows_letter()) {
-            let (value, length) = number(self.glyphs, self.at, self.depth, self.letters, choices)?;
+            // `]0,6 ; 1]`: what a semicolon parts, a comma does not.
+            let is_parted = self.depth == 1 && self.glyphs.iter().any(|glyph| glyph.sign == ';');
+            let depth = if is_parted { 0 } else { self.depth };
+            let (value, length) = number(self.glyphs, self.at, depth, self.letters, choices)?;
             self.put(Token::Number(value), length);
             return Ok(());
         }
@@ -236,7 +239,7 @@ impl Lexer<'_> {
                 self.put(Token::Sign('*'), 1);
                 return Ok(());
             }
-            '!' if !matches!(self.out.last().map(|last| &last.token), Some(Token::Word(_))) => {
+            '!' if !self.is_exclaimed() => {
                 return Err(Unreadable::Sign(place, "`!` after a value".to_owned()));
             }
             '&' => {
@@ -282,6 +285,13 @@ impl Lexer<'_> {
         let ends_here = |placed: &Placed| placed.end == self.glyphs[self.at].place;
         let last = self.out.last().filter(|placed| ends_here(placed));
         last.is_some_and(|placed| matches!(placed.token, Token::Number(Expr::Decimal(_))))
+    }
+
+    /// `2.78 !!`, `2.78 m/s!`: does it stand behind a word, or set off, and after nothing of which there is a factorial?
+    fn is_exclaimed(&self) -> bool {
+        let is_set_off = |at: usize| self.glyphs[..at].last().is_some_and(|before| before.sign == ' ');
+        let first = self.glyphs[..=self.at].iter().rposition(|glyph| glyph.sign != '!').map_or(0, |before| before + 1);
+        is_set_off(first) || matches!(self.out.last().map(|last| &last.token), Some(Token::Word(_)))
     }
 
     /// `2. 78`: a point after a digit, a blank, a digit.

@@ -43,7 +43,7 @@ const WORDS: [Known; 20] = [
     known(&["mps"], [0, 1, -1, 0], 1, 1),
     known(&["kph", "kmph"], [0, 1, -1, 0], 5, 18),
     known(&["mph"], [0, 1, -1, 0], 1397, 3125),
-    known(&["metre", "metres", "meter", "meters"], [0, 1, 0, 0], 1, 1),
+    known(&["metre", "metres", "meter", "meters", "mtr", "mtrs"], [0, 1, 0, 0], 1, 1),
     known(&["second", "seconds", "sec", "secs"], [0, 0, 1, 0], 1, 1),
     known(&["hour", "hours", "hr", "hrs"], [0, 0, 1, 0], 3600, 1),
     known(&["minute", "minutes", "min", "mins"], [0, 0, 1, 0], 60, 1),
@@ -56,7 +56,7 @@ const WORDS: [Known; 20] = [
     known(&["kilometre", "kilometres", "kilometer", "kilometers", "kms"], [0, 1, 0, 0], 1000, 1),
     known(&["centimetre", "centimetres", "centimeter", "centimeters", "cms"], [0, 1, 0, 0], 1, 100),
     known(&["millimetre", "millimetres", "millimeter", "millimeters"], [0, 1, 0, 0], 1, 1000),
-    known(&["newtonseconds", "newtonsecond"], [1, 1, -1, 0], 1, 1),
+    known(&["newtonseconds", "newtonsecond", "nsec", "nsecs"], [1, 1, -1, 0], 1, 1),
     known(&["newtonmetres", "newtonmetre", "newtonmeters"], [1, 2, -2, 0], 1, 1),
     known(&["watt", "watts"], [1, 2, -3, 0], 1, 1),
 ];

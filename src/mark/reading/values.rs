@@ -184,7 +184,7 @@ impl Values<'_> {
             Phrase::Rest => {
                 if found.values.is_empty() {
                     let label = self.label(tokens, lead);
-                    let said = self.at_rest(tokens, lead)?;
+                    let said = self.at_rest(tokens, lead, at)?;
                     lead.clear();
                     found.values.push((label, said));
                 } else {
@@ -206,7 +206,7 @@ impl Values<'_> {
     }
 
     /// At rest, with what is said before it: `initially at rest` is of another moment, and `nearly at rest` is something else.
-    fn at_rest(&self, tokens: &[Placed], lead: &[usize]) -> Result<Said, Unreadable> {
+    fn at_rest(&self, tokens: &[Placed], lead: &[usize], at: usize) -> Result<Said, Unreadable> {
         let falls_short = |at: &usize| SHORT_OF.contains(&&*self.slice(tokens, *at, *at + 1).to_lowercase());
         let short_of = lead.iter().copied().find(falls_short);
         if let Some(strange) = self.strange(tokens, lead).or(short_of) {
@@ -214,7 +214,11 @@ impl Values<'_> {
         }
         let name = lead.iter().position(|at| names_something(tokens, *at)).filter(|name| *name > 0);
         let before_name = name.map(|name| self.slice(tokens, lead[0], lead[name - 1] + 1).to_lowercase());
-        let remarks = before_name.into_iter().chain(self.after_name(tokens, lead)).collect();
+        // `was at rest` tells of a state, `was brought to rest` of what happens.
+        let is_state = matches!(&*self.slice(tokens, at, at + 1).to_lowercase(), "at rest" | "stationary");
+        let past = lead.last().map(|last| self.slice(tokens, *last, last + 1).to_lowercase());
+        let past = past.filter(|word| is_state && matches!(&**word, "was" | "were"));
+        let remarks = before_name.into_iter().chain(self.after_name(tokens, lead)).chain(past).collect();
         Ok(Said { form: Form::AtRest, unit: None, reference: None, remarks })
     }
 
@@ -317,7 +321,7 @@ impl Values<'_> {
         } else if let Some(words) = words.filter(|_| label.is_none() && !phrases.contains(&Phrase::Gradient)) {
             // `2.78 m/s at 46.1`: a direction follows.
             let joins = phrases.iter().all(|phrase| matches!(phrase, Phrase::Joiner | Phrase::Is));
-            if !joins || words == "at" {
+            if !joins || matches!(&*words, "at" | "from" | "to" | "is to" | "in") {
                 said.remarks.push(words);
             }
         }

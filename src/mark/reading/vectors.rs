@@ -1,6 +1,7 @@
 //! Formulas in i and j: told apart into components, or found to be no vector at all.
 
-use super::{Form, Notation};
+use super::tokens::{Placed, Token};
+use super::{Form, Notation, Vocabulary};
 use crate::expr::{Expr, Function};
 use crate::number::Fraction;
 
@@ -24,6 +25,8 @@ pub(super) fn shape(expr: &Expr) -> Result<Shape, &'static str> {
         Expr::Number(_) | Expr::Decimal(_) | Expr::Name(_) | Expr::Pi => Scalar(expr.clone()),
         Expr::Vector(x, y) => match (shape(x)?, shape(y)?) {
             (Scalar(x), Scalar(y)) => Vector(x, y),
+            // `(4i, -3j)`
+            (Vector(x, below), Vector(left, y)) if below.is_zero() && left.is_zero() => Vector(x, y),
             _ => return Err("a vector as the component of a vector"),
         },
         Expr::Negative(inner) => match shape(inner)? {
@@ -54,6 +57,22 @@ pub(super) fn shape(expr: &Expr) -> Result<Shape, &'static str> {
         },
         Expr::Relation(..) => return Err("an equation where a value is expected"),
     })
+}
+
+/// `-1.5i + j2`: a number straight behind a unit vector goes before it.
+pub(super) fn with_numbers_first(mut tokens: Vec<Placed>, vocabulary: &Vocabulary) -> Vec<Placed> {
+    let is_unit = |placed: &Placed| matches!(&placed.token, Token::Word(word) if word == "i" || word == "j");
+    let parts = |placed: Option<&Placed>| {
+        placed.is_none_or(|placed| matches!(placed.token, Token::Sign('+' | '-' | '=' | ',' | ';' | '(' | ')' | '\n')))
+    };
+    for at in 1..tokens.len() {
+        let is_number = matches!(tokens[at].token, Token::Number(_)) && !tokens[at].spaced;
+        let is_first = parts(at.checked_sub(2).map(|before| &tokens[before])) && parts(tokens.get(at + 1));
+        if vocabulary.vectors && is_number && is_first && is_unit(&tokens[at - 1]) {
+            tokens.swap(at - 1, at);
+        }
+    }
+    tokens
 }
 
 /// The length of a vector.

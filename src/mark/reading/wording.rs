@@ -253,6 +253,91 @@ pub(super) const REMARKS: [&str; 43] = [
     "positive only",
 ];
 
+/// Words that take back what stands before them, where another value follows.
+pub(super) const SECOND_THOUGHTS: [&str; 22] = [
+    "no",
+    "nope",
+    "sorry",
+    "oops",
+    "wait",
+    "actually",
+    "rather",
+    "correction",
+    "corrected",
+    "wrong",
+    "incorrect",
+    "i mean",
+    "edit",
+    "scrap that",
+    "scratch that",
+    "ignore that",
+    "cross that out",
+    "crossed out",
+    "scrapped",
+    "deleted",
+    "never mind",
+    "hang on",
+];
+
+/// Those that may be said of the value that follows, too, unless something parts them from it.
+pub(super) const OPEN_THOUGHTS: [&str; 7] =
+    ["no", "wrong", "incorrect", "rather", "crossed out", "scrapped", "deleted"];
+
+/// Those with which an answer can begin that takes back what nobody sees.
+pub(super) const STARTING_AFRESH: [&str; 13] = [
+    "no",
+    "nope",
+    "sorry",
+    "oops",
+    "wait",
+    "actually",
+    "correction",
+    "edit",
+    "i mean",
+    "scrap that",
+    "scratch that",
+    "ignore that",
+    "never mind",
+];
+
+/// Words between them and the value that follows; of `it's` the first two letters are read.
+pub(super) const LEADS: [&str; 9] =
+    ["it", "its", "it is", "it should be", "should be", "i meant", "make that", "that", "that is"];
+
+/// Words before a value that gives way to the one before them.
+pub(super) const IN_PLACE_OF: [&str; 4] = ["instead of", "rather than", "as opposed to", "in place of"];
+
+/// At rest, where it is all that is said.
+pub(super) const REST_ALONE: [&str; 4] = ["rest", "static", "motionless", "immobile"];
+
+/// What says that e is 1, where it is all that is said.
+pub(super) const ELASTIC: [&str; 9] = [
+    "elastic",
+    "perfectly elastic",
+    "completely elastic",
+    "totally elastic",
+    "fully elastic",
+    "elastic collision",
+    "perfectly elastic collision",
+    "collision is elastic",
+    "collision is perfectly elastic",
+];
+
+/// Of what there can be none, and then it is nought: `no energy is lost`.
+pub(super) const NOTHING_OF: [&str; 11] = [
+    "energy",
+    "ke",
+    "kinetic",
+    "loss",
+    "component",
+    "deflection",
+    "impulse",
+    "momentum",
+    "change",
+    "deviation",
+    "rotation",
+];
+
 /// What stands for an equals sign.
 pub(super) const IS: [&str; 5] = ["has to be", "have to be", "needs to be", "has value", "has the value"];
 
