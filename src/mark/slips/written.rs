@@ -13,6 +13,9 @@ const FEWEST: u32 = 2;
 /// Two exact values that differ by less than this part are one.
 pub(super) const EXACT: f64 = 1e-12;
 
+/// What is cut off lies below the next number by this part of a unit at least.
+const BELOW: f64 = 1e-6;
+
 /// A value as it was written.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Written {
@@ -112,7 +115,8 @@ impl Written {
     pub(super) fn range(self) -> Option<(f64, f64)> {
         let own = self.value.0[0];
         let unit = own * self.unit?;
-        let (one, two) = (own - unit / 2.0, own + unit);
+        // The next number, 12 of 11, is not cut off to it.
+        let (one, two) = (own - unit / 2.0, own + unit * (1.0 - BELOW));
         Some((one.min(two), one.max(two)))
     }
 
