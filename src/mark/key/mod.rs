@@ -6,6 +6,7 @@
 mod agreement;
 mod fault;
 mod impact;
+mod mark;
 mod motion;
 mod part;
 mod version;
@@ -16,11 +17,12 @@ use std::sync::OnceLock;
 use serde::Deserialize;
 
 pub use fault::KeyFault;
+pub use mark::KeyedMark;
 
 use super::judging::Model;
 use super::slips::{Asked, Mistakes};
 use super::working::{Prepared, numbers_of_masses};
-use crate::bank::{Code, EarnedFor, Find};
+use crate::bank::Find;
 use crate::expr::{Angles, Expr, degrees, read};
 use crate::mechanics::{
     Condition, Derivation, Known, Meeting, Quantity, Scene, SceneText, Setting, Sought, VelocityText, pose,
@@ -112,37 +114,6 @@ pub struct KeyedBlank {
     pub find: Find,
     /// What is right.
     pub model: Model,
-}
-
-/// One mark of a scheme.
-#[derive(Clone, Debug)]
-pub struct KeyedMark {
-    /// Its id within the part: `M1a`.
-    pub id: String,
-    /// Its code.
-    pub code: Code,
-    /// The step that earns it.
-    pub earned_for: EarnedFor,
-    /// The marks of the part without which it is not given.
-    pub depends: Vec<usize>,
-    /// The blanks to which it belongs.
-    pub blanks: Vec<usize>,
-    /// The equation or value that earns it.
-    pub equation: Option<Expr>,
-    /// What a line that states its value, or the second of two, is judged by, in either positive direction.
-    stated: [[OnceLock<Option<Model>>; 2]; 2],
-}
-
-impl KeyedMark {
-    /// The model that a line stating a value of the mark is judged by, made when it is first needed.
-    pub(super) fn stated(
-        &self,
-        value: usize,
-        is_reversed: bool,
-        make: impl FnOnce() -> Option<Model>,
-    ) -> Option<&Model> {
-        self.stated[value][usize::from(is_reversed)].get_or_init(make).as_ref()
-    }
 }
 
 #[derive(Deserialize)]

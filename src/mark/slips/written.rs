@@ -13,8 +13,8 @@ const FEWEST: u32 = 2;
 /// Two exact values that differ by less than this part are one.
 pub(super) const EXACT: f64 = 1e-12;
 
-/// What is cut off lies below the next number by this part of a unit at least.
-const BELOW: f64 = 1e-6;
+/// What floats leave of a unit of the last figure. The next number, 12 of 11, is not cut off to it.
+const SLACK: f64 = 1e-7;
 
 /// A value as it was written.
 #[derive(Clone, Copy, Debug)]
@@ -115,8 +115,7 @@ impl Written {
     pub(super) fn range(self) -> Option<(f64, f64)> {
         let own = self.value.0[0];
         let unit = own * self.unit?;
-        // The next number, 12 of 11, is not cut off to it.
-        let (one, two) = (own - unit / 2.0, own + unit * (1.0 - BELOW));
+        let (one, two) = (own - unit / 2.0, own + unit * (1.0 - SLACK));
         Some((one.min(two), one.max(two)))
     }
 
@@ -134,10 +133,9 @@ impl Written {
         // How far the value lies beyond what was written, in units of its last figure, away from nought.
         let beyond = value.with(own, |value, own| (value - own) / (own * unit));
         let all = |within: &dyn Fn(f64) -> bool| beyond.0.iter().all(|place| within(*place));
-        let slack = 1e-7;
-        if all(&|place| place.abs() <= 0.5 + slack) {
+        if all(&|place| place.abs() <= 0.5 + SLACK) {
             Fit::Rounded
-        } else if all(&|place| place >= -slack && place < 1.0 + slack) {
+        } else if all(&|place| (-SLACK..1.0 - SLACK).contains(&place)) {
             Fit::CutOff
         } else {
             Fit::None
@@ -147,7 +145,7 @@ impl Written {
     /// Are the two one at the figures that were written?
     fn rounds_alike(self, one: Sample, two: Sample) -> bool {
         let Some(unit) = self.unit else { return one.is_near(two, EXACT) };
-        let place = |value: f64, own: f64| (value.abs() / (own.abs() * unit) + 1e-7).round();
+        let place = |value: f64, own: f64| (value.abs() / (own.abs() * unit) + SLACK).round();
         one.0.iter().zip(two.0).zip(self.value.0).all(|((one, two), own)| place(*one, own) == place(two, own))
     }
 }
