@@ -16,7 +16,10 @@ pub fn own_templates(folder: Option<&Path>) -> Result<Vec<TemplateFile>, Failure
         let message = format!("the templates in `{shown}` cannot be read: {error}");
         Failure::with_help(message, "name a folder of templates; `templates/README.md` says what stands in one")
     })?;
-    match files.is_empty() {
+    // A folder of a format that is empty yet is where templates are to be written while a preview is watched.
+    let has_formats =
+        || fs::read_dir(folder).is_ok_and(|mut all| all.any(|entry| entry.is_ok_and(|entry| entry.path().is_dir())));
+    match files.is_empty() && !has_formats() {
         false => Ok(files),
         true => Err(Failure::with_help(
             format!("no templates in `{shown}`"),
