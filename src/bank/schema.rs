@@ -269,7 +269,7 @@ fn mark() -> Json {
                 "for",
                 json!({
                     "description": "The step that earns it, such as momentum or speed A, or what is found, such as A.after.speed.",
-                    "anyOf": [one_of(&steps()), of_later(), {"type": "string", "pattern": NAME}],
+                    "anyOf": [one_of(&steps()), of_later(), of_two(), {"type": "string", "pattern": NAME}],
                 }),
             ),
             ("text", words("What earns it, if not in the usual words.")),
