@@ -204,7 +204,7 @@ impl Posed {
         if let Some(quantity) = self.scene.maximise {
             return self.extremes(quantity);
         }
-        let open = |value: &Value| value.letters().iter().any(|letter| unknowns.contains(letter));
+        let open = |value: &Value| value.has_letter(|letter| unknowns.contains(letter));
         equations.extend(self.broken_laws().into_iter().filter(open));
         let names: Vec<&str> = unknowns.iter().map(Letter::name).collect();
         if equations.iter().any(|equation| !open(equation) && !equation.is_zero()) {
@@ -244,7 +244,7 @@ impl Posed {
         let gap = |condition| residual(condition, &letters, &self.known).ok().map(|gap| gap.value);
         let conditions: Option<Vec<Value>> = self.scene.conditions.iter().map(gap).collect();
         let mut open: Vec<Value> = conditions?.into_iter().chain(self.broken_laws()).collect();
-        open.retain(|value| value.letters().contains(unknown));
+        open.retain(|value| value.has_letter(|own| own == unknown));
         open.pop().filter(|_| open.is_empty())
     }
 

@@ -323,7 +323,7 @@ impl Posed {
         }
         let mut known = self.known.clone();
         Derivation::carry_out(&mut known, &demands.iter().map(|(quantity, ..)| *quantity).collect::<Vec<_>>());
-        let open = |value: &Value| value.letters().iter().any(|letter| self.scene.unknowns.contains(letter));
+        let open = |value: &Value| value.has_letter(|letter| self.scene.unknowns.contains(letter));
         let one = |(quantity, relation, bound)| {
             let value = known.number(quantity).filter(open)?;
             Some(Physical { quantity, value, bound, relation })

@@ -3,13 +3,13 @@
 //! Alone each keeps its own name, since who is given 70° expects cos 70° and not sin 20°. Where both meet, the
 //! larger gives way: tan 70° = 1/tan 20°. So no value holds both, and sin² 20° + sin² 70° is 1 by form.
 
-use super::value::{Root, Value};
+use super::value::Value;
 use super::{Fraction, Letter, Polynomial};
 
 impl Value {
     /// The same value with one letter for every pair of given angles that make a right angle.
     pub(super) fn without_complements(self) -> Value {
-        if !self.has_degrees() {
+        if !self.has_letter(Letter::is_constant) {
             return self;
         }
         let mut angles: Vec<(Fraction, Letter)> = Vec::new();
@@ -25,21 +25,6 @@ impl Value {
             }
         }
         self
-    }
-
-    /// Is there a given angle in it? Asked of every value that is built, so without making a list.
-    fn has_degrees(&self) -> bool {
-        let Value::Compound(compound) = self else { return false };
-        let within = |polynomial: &Polynomial| {
-            polynomial.terms().iter().any(|(monomial, _)| monomial.iter().any(|(letter, _)| letter.is_constant()))
-        };
-        let holds = |root: &Root| match root {
-            Root::Prime(_) => false,
-            Root::Cosine(tangent) => tangent.is_constant(),
-            Root::Nested { radicand, .. } => radicand.has_degrees(),
-        };
-        compound.terms.iter().any(|(key, coefficient)| key.iter().any(holds) || within(coefficient))
-            || within(&compound.denominator)
     }
 }
 

@@ -20,7 +20,7 @@ use std::collections::BTreeMap;
 use dashu_int::ops::BitTest;
 
 use super::polynomial::{Monomial, Polynomial};
-use super::value::{Root, Terms, Value};
+use super::value::{Root, Terms, Value, term};
 use super::{Fraction, Interval, Letter, Range, waves};
 
 /// Beyond this many binary places a decision is not tried any further. No angle in whole
@@ -43,7 +43,7 @@ impl Value {
             // Nearly always one point tells, of what is very small more finely; and to square root after root is long.
             return self.may_vanish(0, 64) && self.may_vanish(0, 512) && self.is_zero_with(root);
         }
-        if !self.letters().iter().any(Letter::is_constant) {
+        if !self.has_letter(Letter::is_constant) {
             // No nested root and no given angle: the normal form is nought only as nought itself.
             return false;
         }
@@ -90,7 +90,7 @@ impl Value {
         if self.is_constant() {
             return constant_sign(self);
         }
-        let below = common_sign(&Terms::from([(Vec::new(), compound.denominator.clone())]))?;
+        let below = common_sign(&term(Vec::new(), compound.denominator.clone()))?;
         let above = common_sign(&compound.terms)?;
         Some(if below.is_lt() { above.reverse() } else { above })
     }
@@ -123,10 +123,10 @@ fn by_letters(terms: &Terms) -> BTreeMap<(Vec<Root>, Monomial), Value> {
             key.iter().cloned().partition(|root| Value::root(root.clone()).is_constant());
         for (monomial, number) in coefficient.terms() {
             let (fixed, free): (Monomial, Monomial) = monomial.iter().partition(|(letter, _)| letter.is_constant());
-            let factor = Polynomial::from_terms(vec![(fixed, number.clone())]);
-            let term = Value::build(Terms::from([(constant.clone(), factor)]), Polynomial::one());
-            let entry = groups.entry((lettered.clone(), free)).or_insert(Value::ZERO);
-            *entry = &*entry + &term;
+            let factor = Polynomial::from_terms([(fixed, number.clone())]);
+            let product = Value::build(term(constant.clone(), factor), Polynomial::one());
+            let sum = groups.entry((lettered.clone(), free)).or_insert(Value::ZERO);
+            *sum = &*sum + &product;
         }
     }
     groups
@@ -160,7 +160,7 @@ fn without_units(terms: &Terms) -> Terms {
     for unit in units {
         let highest = terms.values().map(|p| p.degree(unit)).max().unwrap_or(0);
         let grown = &Polynomial::one() + &Polynomial::letter(unit);
-        for coefficient in terms.values_mut() {
+        for (_, coefficient) in terms.iter_mut() {
             let powers = coefficient.coefficients(unit);
             *coefficient = powers
                 .iter()
@@ -196,7 +196,7 @@ fn constant_sign(value: &Value) -> Option<Ordering> {
 /// A sum of products of surds, sines and cosines of given degrees: is it nought?
 fn constant_is_zero(value: &Value) -> bool {
     let (terms, _) = value.parts();
-    if value.as_fraction().is_some() || !value.letters().iter().any(Letter::is_constant) {
+    if value.as_fraction().is_some() || !value.has_letter(Letter::is_constant) {
         return value.is_written_zero();
     }
     // Nearly always a rough enclosure tells, and the product that follows is long.

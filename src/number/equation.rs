@@ -8,7 +8,7 @@
 use std::collections::BTreeMap;
 
 use super::polynomial_roots::roots_of_factor;
-use super::value::{Terms, Value};
+use super::value::{Terms, Value, term};
 use super::{Letter, Polynomial, Root};
 
 /// Why a system was not solved.
@@ -40,7 +40,7 @@ pub fn solve_system(equations: &[Value], unknowns: &[Letter]) -> Result<Vec<Vec<
 /// denominators and of roots that hold the unknown; and whether it had to be squared for that.
 pub fn collected(equation: &Value, unknown: Letter) -> Option<(Vec<Value>, bool)> {
     let holds = |root: &Root| match root {
-        Root::Nested { radicand, .. } => radicand.letters().contains(&unknown),
+        Root::Nested { radicand, .. } => radicand.has_letter(|own| *own == unknown),
         Root::Cosine(tangent) => *tangent == unknown,
         Root::Prime(_) => false,
     };
@@ -65,7 +65,7 @@ fn eliminate(equations: &[Value], unknowns: &[Letter]) -> Result<Vec<Vec<Value>>
             }
             let equation = cleared
                 .iter()
-                .filter(|equation| equation.letters().contains(unknown))
+                .filter(|equation| equation.has_letter(|own| own == unknown))
                 .min_by_key(|equation| coefficients(equation, *unknown).len())
                 .ok_or(NoRoots::Always)?;
             Ok(roots_of(equation, *unknown)?.into_iter().map(|root| vec![root]).collect())
@@ -177,7 +177,7 @@ fn clear(equation: &Value, unknowns: &[Letter]) -> Result<Value, NoRoots> {
 
 fn numerator(value: &Value) -> Value {
     let (terms, _) = value.parts();
-    Value::build(terms, Polynomial::one())
+    Value::build(terms.into_owned(), Polynomial::one())
 }
 
 /// The coefficients of the powers 0, 1, 2, … of the unknown in a cleared equation.
@@ -232,18 +232,17 @@ fn roots_of(equation: &Value, unknown: Letter) -> Result<Vec<Value>, NoRoots> {
 /// Divided by the roots that all its terms share, as that of an angle's sine and cosine: they are not nought, and beneath
 /// the root of a discriminant they would only come back as factors that nothing cancels.
 fn without_common_roots(equation: &Value) -> Value {
-    let (mut terms, denominator) = equation.parts();
+    let (terms, denominator) = equation.parts();
     let mut shared = terms.keys().next().cloned().unwrap_or_default();
     shared.retain(|root| terms.keys().all(|key| key.contains(root)));
     if shared.is_empty() {
         return equation.clone();
     }
-    let without = |mut key: Vec<Root>| {
+    let without = |(mut key, coefficient): (Vec<Root>, Polynomial)| {
         key.retain(|root| !shared.contains(root));
-        key
+        (key, coefficient)
     };
-    terms = terms.into_iter().map(|(key, coefficient)| (without(key), coefficient)).collect();
-    Value::build(terms, denominator)
+    Value::build(terms.into_owned().into_iter().map(without).collect(), denominator.into_owned())
 }
 
 /// With surds among the coefficients: what all polynomials share is solved apart from the rest only if
@@ -311,19 +310,19 @@ impl Value {
     pub fn derivative(&self, letter: Letter) -> Option<Value> {
         let (terms, denominator) = self.parts();
         let mut sum = Value::ZERO;
-        let below = Value::quotient(denominator.clone(), Polynomial::one());
+        let below = Value::quotient(denominator.clone().into_owned(), Polynomial::one());
         let slope_below = Value::quotient(denominator.derivative(letter), Polynomial::one());
-        for (roots, coefficient) in terms {
+        for (roots, coefficient) in &*terms {
             let holds = |root: &Root| match root {
                 Root::Prime(_) => false,
                 Root::Cosine(tangent) => *tangent == letter,
-                Root::Nested { radicand, .. } => radicand.letters().contains(&letter),
+                Root::Nested { radicand, .. } => radicand.has_letter(|own| *own == letter),
             };
             if roots.iter().any(holds) {
                 return None;
             }
-            let slope = Value::build(Terms::from([(roots.clone(), coefficient.derivative(letter))]), Polynomial::one());
-            let above = Value::build(Terms::from([(roots, coefficient)]), Polynomial::one());
+            let slope = Value::build(term(roots.clone(), coefficient.derivative(letter)), Polynomial::one());
+            let above = Value::build(term(roots.clone(), coefficient.clone()), Polynomial::one());
             sum = &sum + &(&(&slope * &below) - &(&above * &slope_below));
         }
         sum.divided_by(&(&below * &below))

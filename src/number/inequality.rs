@@ -101,12 +101,12 @@ pub fn solve_inequalities(demands: &[(Value, Demand)], letter: Letter) -> Result
 /// whether the letter can be that.
 fn places(demands: &[(Value, Demand)], letter: Letter, domain: &Span) -> Result<Vec<End>, NoRoots> {
     let mut found: Vec<End> = domain.low.iter().chain(&domain.high).cloned().collect();
-    for (value, _) in demands.iter().filter(|(value, _)| value.letters().contains(&letter)) {
+    for (value, _) in demands.iter().filter(|(value, _)| value.has_letter(|own| *own == letter)) {
         let mut all = vec![value.clone()];
         radicands(value, &mut all);
         let reciprocals: Vec<Value> = all.iter().filter_map(Value::reciprocal).collect();
         for of in all.into_iter().chain(reciprocals) {
-            if !of.letters().contains(&letter) {
+            if !of.has_letter(|own| *own == letter) {
                 continue;
             }
             let roots = match solve_system(std::slice::from_ref(&of), &[letter]) {

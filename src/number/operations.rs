@@ -1,9 +1,11 @@
 //! Sums, differences, products and substitution of exact values, each brought into the normal form.
 
+use std::borrow::Cow;
+use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 use std::sync::Arc;
 
-use super::value::{Compound, Root, Terms, Value, integer};
+use super::value::{Compound, Root, Terms, Value, integer, term};
 use super::{Fraction, Letter, Polynomial};
 
 impl Add for &Value {
@@ -16,21 +18,46 @@ impl Add for &Value {
             }
             _ => {}
         }
-        let ((mut terms, a), (others, b)) = (self.parts(), other.parts());
-        let mut denominator = a.clone();
-        let (mut left, mut right) = (Polynomial::one(), Polynomial::one());
-        if a != b {
-            let shared = a.greatest_common_divisor(&b);
-            left = b.divided_by(&shared).expect("a common divisor divides");
-            right = a.divided_by(&shared).expect("a common divisor divides");
-            denominator = &a * &left;
+        let ((left, a), (right, b)) = (self.parts(), other.parts());
+        if a == b {
+            return Value::build(sum(&left, &right), a.into_owned());
         }
-        terms.values_mut().for_each(|coefficient| *coefficient = &*coefficient * &left);
-        for (key, coefficient) in others {
-            let entry = terms.entry(key).or_default();
-            *entry = &*entry + &(&coefficient * &right);
-        }
-        Value::build(terms, denominator)
+        let shared = a.greatest_common_divisor(&b);
+        let [by_left, by_right] =
+            [&b, &a].map(|denominator| denominator.divided_by(&shared).expect("a common divisor divides"));
+        Value::build(sum(&times(&left, &by_left), &times(&right, &by_right)), &*a * &by_left)
+    }
+}
+
+/// Every coefficient multiplied by a polynomial.
+fn times<'t>(terms: &'t Terms, factor: &Polynomial) -> Cow<'t, Terms> {
+    if factor.is_one() {
+        return Cow::Borrowed(terms);
+    }
+    let mut terms = terms.clone();
+    terms.iter_mut().for_each(|(_, coefficient)| *coefficient = &*coefficient * factor);
+    Cow::Owned(terms)
+}
+
+/// The coefficients of the same products of roots added. Both rows are sorted, so products are compared once, which
+/// counts where there is a root in a root.
+fn sum(left: &Terms, right: &Terms) -> Terms {
+    let mut sum = Vec::with_capacity(left.len() + right.len());
+    let (mut left, mut right) = (left.iter().peekable(), right.iter().peekable());
+    loop {
+        let order = match (left.peek(), right.peek()) {
+            (Some((x, _)), Some((y, _))) => x.cmp(y),
+            (Some(_), None) => Ordering::Less,
+            (None, Some(_)) => Ordering::Greater,
+            (None, None) => return Terms::from_sorted_store_unchecked(sum),
+        };
+        let own = if order.is_le() { left.next() } else { None };
+        let others = if order.is_ge() { right.next() } else { None };
+        sum.extend(match (own, others) {
+            (Some((roots, p)), Some((_, q))) => Some((roots.clone(), p + q)),
+            (Some((roots, p)), None) | (None, Some((roots, p))) => Some((roots.clone(), p.clone())),
+            (None, None) => None,
+        });
     }
 }
 
@@ -51,13 +78,13 @@ impl Mul for &Value {
             _ => {}
         }
         let ((left, a), (right, b)) = (self.parts(), other.parts());
-        let denominator = &a * &b;
+        let denominator = &*a * &*b;
         let mut terms = Terms::new();
         // Where a root meets itself its square takes its place; squares that are not numbers are
         // themselves values, and join the sum at the end.
         let mut squared = Vec::new();
-        for (x, p) in &left {
-            for (y, q) in &right {
+        for (x, p) in &*left {
+            for (y, q) in &*right {
                 let mut coefficient = p * q;
                 let mut key = Vec::with_capacity(x.len() + y.len());
                 let mut square = Value::ONE;
@@ -74,7 +101,7 @@ impl Mul for &Value {
                     let entry = terms.entry(key).or_default();
                     *entry = &*entry + &coefficient;
                 } else {
-                    squared.push((Value::build(Terms::from([(key, coefficient)]), denominator.clone()), square));
+                    squared.push((Value::build(term(key, coefficient), denominator.clone()), square));
                 }
             }
         }
@@ -123,7 +150,7 @@ impl Value {
     /// Every occurrence of a letter replaced; `None` if that divides by nought or takes the root of
     /// a negative number. The replacement of the letter of an angle is a tangent.
     pub fn substitute(&self, letter: Letter, replacement: &Value) -> Option<Value> {
-        if !self.letters().contains(&letter) {
+        if !self.has_letter(|own| *own == letter) {
             return Some(self.clone());
         }
         let at = |polynomial: &Polynomial| -> Value {
@@ -134,7 +161,7 @@ impl Value {
         };
         let (terms, denominator) = self.parts();
         let mut sum = Value::ZERO;
-        for (roots, coefficient) in &terms {
+        for (roots, coefficient) in &*terms {
             let mut term = at(coefficient);
             for root in roots {
                 let factor = match root {

@@ -7,6 +7,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 use dashu_int::IBig;
 use dashu_int::ops::{Abs, Gcd};
+use smallvec::{SmallVec, smallvec};
 
 use super::{Fraction, Letter};
 
@@ -16,7 +17,8 @@ pub type Monomial = Vec<(Letter, u32)>;
 /// A polynomial in letters with rational coefficients.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Polynomial {
-    terms: Vec<(Monomial, Fraction)>,
+    // Most polynomials of an exam are numbers, and those should cost no memory of their own.
+    terms: SmallVec<[(Monomial, Fraction); 1]>,
 }
 
 impl Polynomial {
@@ -32,28 +34,29 @@ impl Polynomial {
 
     /// A number.
     pub fn constant(value: Fraction) -> Polynomial {
-        if value.is_zero() { Polynomial::zero() } else { Polynomial { terms: vec![(Vec::new(), value)] } }
+        if value.is_zero() { Polynomial::zero() } else { Polynomial { terms: smallvec![(Vec::new(), value)] } }
     }
 
     /// A letter.
     pub fn letter(letter: Letter) -> Polynomial {
-        Polynomial { terms: vec![(vec![(letter, 1)], Fraction::ONE)] }
+        Polynomial { terms: smallvec![(vec![(letter, 1)], Fraction::ONE)] }
     }
 
     /// One plus the square of a tangent: one over the square of the cosine.
     pub fn one_plus_square(tangent: Letter) -> Polynomial {
-        Polynomial { terms: vec![(Vec::new(), Fraction::ONE), (vec![(tangent, 2)], Fraction::ONE)] }
+        Polynomial { terms: smallvec![(Vec::new(), Fraction::ONE), (vec![(tangent, 2)], Fraction::ONE)] }
     }
 
     /// A product of powers of letters.
     pub(crate) fn monomial(monomial: Monomial) -> Polynomial {
-        Polynomial { terms: vec![(monomial, Fraction::ONE)] }
+        Polynomial { terms: smallvec![(monomial, Fraction::ONE)] }
     }
 
     /// Collects terms, adding those with the same monomial.
-    pub fn from_terms(mut terms: Vec<(Monomial, Fraction)>) -> Polynomial {
+    pub fn from_terms(terms: impl IntoIterator<Item = (Monomial, Fraction)>) -> Polynomial {
+        let mut terms: SmallVec<[(Monomial, Fraction); 4]> = terms.into_iter().collect();
         terms.sort_by(|a, b| order(&a.0, &b.0));
-        let mut kept: Vec<(Monomial, Fraction)> = Vec::with_capacity(terms.len());
+        let mut kept = SmallVec::<[(Monomial, Fraction); 1]>::new();
         for (monomial, coefficient) in terms {
             match kept.last_mut() {
                 Some((last, sum)) if *last == monomial => *sum = &*sum + &coefficient,
@@ -133,7 +136,7 @@ impl Polynomial {
                 (product(monomial, &if power == 0 { vec![] } else { vec![(letter, power as u32)] }), value.clone())
             })
         });
-        Polynomial::from_terms(shifted.collect())
+        Polynomial::from_terms(shifted)
     }
 
     /// The rate of change with a letter.
@@ -167,7 +170,7 @@ impl Polynomial {
     /// Whole coprime coefficients, the last term's positive.
     pub fn primitive(&self) -> Polynomial {
         if let [(monomial, _)] = self.terms.as_slice() {
-            return Polynomial { terms: vec![(monomial.clone(), Fraction::ONE)] };
+            return Polynomial { terms: smallvec![(monomial.clone(), Fraction::ONE)] };
         }
         let Some((_, last)) = self.terms.last() else { return Polynomial::zero() };
         let content = self.content();
@@ -242,7 +245,7 @@ pub(crate) fn shared_monomial<'a>(polynomials: impl IntoIterator<Item = &'a Poly
 impl Add for &Polynomial {
     type Output = Polynomial;
     fn add(self, other: &Polynomial) -> Polynomial {
-        let mut terms = Vec::with_capacity(self.terms.len() + other.terms.len());
+        let mut terms = SmallVec::new();
         let (mut a, mut b) = (self.terms.iter().peekable(), other.terms.iter().peekable());
         loop {
             match (a.peek(), b.peek()) {
@@ -281,13 +284,11 @@ impl Mul for &Polynomial {
         if other.is_one() {
             return self.clone();
         }
-        let mut terms = Vec::with_capacity(self.terms.len() * other.terms.len());
-        for (m, c) in &self.terms {
-            for (n, d) in &other.terms {
-                terms.push((product(m, n), c * d));
-            }
+        if let ([(m, c)], [(n, d)]) = (self.terms(), other.terms()) {
+            return Polynomial { terms: smallvec![(product(m, n), c * d)] };
         }
-        Polynomial::from_terms(terms)
+        let products = |(m, c)| other.terms.iter().map(move |(n, d)| (product(m, n), c * d));
+        Polynomial::from_terms(self.terms.iter().flat_map(|(m, c)| products((m, c))))
     }
 }
 

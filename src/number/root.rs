@@ -54,7 +54,7 @@ impl Value {
         let content = terms.values().map(Polynomial::content).reduce(|a, b| a.common_measure(&b))?;
         let mut rest = Terms::new();
         let scale = content.reciprocal()?;
-        for (key, coefficient) in &terms {
+        for (key, coefficient) in &*terms {
             rest.insert(key.clone(), coefficient.divided_by(&shared)?.scaled(&scale));
         }
         let mut sign = Fraction::ONE;
@@ -63,13 +63,13 @@ impl Value {
             sign = rest.values().next().and_then(Polynomial::as_constant)?;
             rest.clear();
         }
-        let (outside, inside) = squares_out((&shared * &denominator).scaled(&content).scaled(&sign));
+        let (outside, inside) = squares_out((&shared * &*denominator).scaled(&content).scaled(&sign));
         let inside = if rest.is_empty() { inside } else { &inside * &Value::build(rest, Polynomial::one()) };
         let root = match inside.as_fraction() {
             Some(number) => root_of_fraction(number)?,
             None => inside.root_of_surds().unwrap_or_else(|| Value::nested(inside)),
         };
-        (&outside * &root).divided_by(&Value::quotient(denominator.clone(), Polynomial::one()).absolute())
+        (&outside * &root).divided_by(&Value::quotient(denominator.into_owned(), Polynomial::one()).absolute())
     }
 
     /// The size without the sign. Where the sign depends on letters it is the root of the square.

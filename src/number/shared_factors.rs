@@ -16,18 +16,19 @@ impl Value {
     /// assert_eq!((a, b), (Value::from(4), Value::from(3)));
     /// ```
     pub fn without_common_factors(a: &Value, b: &Value) -> (Value, Value) {
-        let ((mut above, p), (mut below, q)) = (a.parts(), b.parts());
+        let ((above, p), (below, q)) = (a.parts(), b.parts());
+        let (mut above, mut below) = (above.into_owned(), below.into_owned());
         // Over one denominator, which can then be left out, but for what makes tangents sines and cosines.
         let shared = p.greatest_common_divisor(&q);
         let exact = |polynomial: &Polynomial, divisor: &Polynomial| {
             polynomial.divided_by(divisor).expect("a common divisor divides")
         };
         let (left, right) = (exact(&q, &shared), exact(&p, &shared));
-        let both = &left * &p;
+        let both = &left * &*p;
         let Some(sign) = sign(&both) else { return (a.clone(), b.clone()) };
         let secants = secants(both);
-        above.values_mut().for_each(|coefficient| *coefficient = &*coefficient * &left);
-        below.values_mut().for_each(|coefficient| *coefficient = &*coefficient * &right);
+        above.iter_mut().for_each(|(_, coefficient)| *coefficient = &*coefficient * &left);
+        below.iter_mut().for_each(|(_, coefficient)| *coefficient = &*coefficient * &right);
         let coefficients = || above.values().chain(below.values());
         let factor = coefficients().fold(Polynomial::zero(), |shared, p| shared.greatest_common_divisor(p));
         let (factor, turn) = match self::sign(&factor) {

@@ -13,9 +13,11 @@
 //! sines of given degrees (cos 20° = cos 40° + cos 80°, or sin 20° = cos 70° where each is a value of
 //! its own) and between nested roots. The room [`decide`](super::decide) decides those.
 
-use std::collections::BTreeMap;
+use std::borrow::Cow;
 use std::fmt;
 use std::sync::Arc;
+
+use litemap::LiteMap;
 
 use super::{Fraction, Letter, Polynomial};
 
@@ -44,8 +46,15 @@ pub struct Compound {
     pub(crate) denominator: Polynomial,
 }
 
-/// Products of roots with their coefficients.
-pub(crate) type Terms = BTreeMap<Vec<Root>, Polynomial>;
+/// Products of roots with their coefficients, in one row: they are few, and copied more often than looked up.
+pub(crate) type Terms = LiteMap<Vec<Root>, Polynomial>;
+
+/// A product of roots with its coefficient.
+pub(crate) fn term(roots: Vec<Root>, coefficient: Polynomial) -> Terms {
+    let mut terms = Terms::with_capacity(1);
+    terms.insert(roots, coefficient);
+    terms
+}
 
 /// A positive square root of something simpler.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -114,7 +123,7 @@ impl Value {
 
     /// A root.
     pub(crate) fn root(root: Root) -> Value {
-        Value::build(Terms::from([(vec![root], Polynomial::one())]), Polynomial::one())
+        Value::build(term(vec![root], Polynomial::one()), Polynomial::one())
     }
 
     /// A nested root of a value that is no square.
@@ -130,7 +139,7 @@ impl Value {
 
     /// A quotient of two polynomials, the second not nought.
     pub fn quotient(numerator: Polynomial, denominator: Polynomial) -> Value {
-        Value::build(Terms::from([(Vec::new(), numerator)]), denominator)
+        Value::build(term(Vec::new(), numerator), denominator)
     }
 
     /// The normal form of terms over a denominator that is not nought.
@@ -150,31 +159,35 @@ impl Value {
             }
             if !shared.is_one() {
                 let exact = |p: &Polynomial| p.divided_by(&shared).expect("a common divisor divides");
-                terms.values_mut().for_each(|coefficient| *coefficient = exact(coefficient));
+                terms.iter_mut().for_each(|(_, coefficient)| *coefficient = exact(coefficient));
                 denominator = exact(&denominator);
             }
         }
-        let primitive = denominator.primitive();
-        if primitive != denominator {
-            let scale = denominator.divided_by(&primitive).and_then(|unit| unit.as_constant());
-            let inverse = scale.and_then(|unit| unit.reciprocal()).expect("a denominator is not nought");
-            terms.values_mut().for_each(|coefficient| *coefficient = coefficient.scaled(&inverse));
+        if !denominator.is_one() {
+            let primitive = denominator.primitive();
+            if primitive != denominator {
+                let scale = denominator.divided_by(&primitive).and_then(|unit| unit.as_constant());
+                let inverse = scale.and_then(|unit| unit.reciprocal()).expect("a denominator is not nought");
+                terms.iter_mut().for_each(|(_, coefficient)| *coefficient = coefficient.scaled(&inverse));
+            }
+            denominator = primitive;
         }
-        if let (1, true, Some(numerator)) = (terms.len(), primitive.is_one(), terms.get(&Vec::new()))
-            && let Some(number) = numerator.as_constant()
+        if let (1, true, Some((roots, numerator))) = (terms.len(), denominator.is_one(), terms.first())
+            && let (true, Some(number)) = (roots.is_empty(), numerator.as_constant())
         {
             return Value::Rational(number);
         }
-        Value::Compound(Arc::new(Compound { terms, denominator: primitive })).without_complements()
+        Value::Compound(Arc::new(Compound { terms, denominator })).without_complements()
     }
 
     /// The terms and the denominator, whichever kind of value it is.
-    pub(crate) fn parts(&self) -> (Terms, Polynomial) {
+    pub(crate) fn parts(&self) -> (Cow<'_, Terms>, Cow<'_, Polynomial>) {
         match self {
             Value::Rational(number) => {
-                (Terms::from([(Vec::new(), Polynomial::constant(number.clone()))]), Polynomial::one())
+                let number = Polynomial::constant(number.clone());
+                (Cow::Owned(term(Vec::new(), number)), Cow::Owned(Polynomial::one()))
             }
-            Value::Compound(compound) => (compound.terms.clone(), compound.denominator.clone()),
+            Value::Compound(compound) => (Cow::Borrowed(&compound.terms), Cow::Borrowed(&compound.denominator)),
         }
     }
 
@@ -190,8 +203,8 @@ impl Value {
     pub fn as_quotient(&self) -> Option<(Polynomial, Polynomial)> {
         let (terms, denominator) = self.parts();
         match terms.len() {
-            1 => Some((terms.get(&Vec::new())?.clone(), denominator)),
-            0 => Some((Polynomial::zero(), denominator)),
+            1 => Some((terms.get(&Vec::new())?.clone(), denominator.into_owned())),
+            0 => Some((Polynomial::zero(), denominator.into_owned())),
             _ => None,
         }
     }
@@ -224,12 +237,12 @@ impl Value {
 
     /// Each product of roots with the polynomial it is multiplied by, over [`Value::denominator`].
     pub fn numerator_terms(&self) -> Vec<(Vec<Root>, Polynomial)> {
-        self.parts().0.into_iter().collect()
+        self.parts().0.into_owned().into_iter().collect()
     }
 
     /// The polynomial below, primitive.
     pub fn denominator(&self) -> Polynomial {
-        self.parts().1
+        self.parts().1.into_owned()
     }
 
     /// How many terms it takes to write it down, above and below.
@@ -249,7 +262,22 @@ impl Value {
 
     /// Is it a number, without letters?
     pub fn is_constant(&self) -> bool {
-        self.letters().iter().all(Letter::is_constant)
+        !self.has_letter(|letter| !letter.is_constant())
+    }
+
+    /// Is there such a letter in it? Asked of nearly every value, so without making a list.
+    pub(crate) fn has_letter(&self, is_such: impl Fn(&Letter) -> bool + Copy) -> bool {
+        let Value::Compound(compound) = self else { return false };
+        let within = |polynomial: &Polynomial| {
+            polynomial.terms().iter().any(|(monomial, _)| monomial.iter().any(|(letter, _)| is_such(letter)))
+        };
+        let holds = |root: &Root| match root {
+            Root::Prime(_) => false,
+            Root::Cosine(tangent) => is_such(tangent),
+            Root::Nested { radicand, .. } => radicand.has_letter(is_such),
+        };
+        compound.terms.iter().any(|(key, coefficient)| key.iter().any(holds) || within(coefficient))
+            || within(&compound.denominator)
     }
 
     /// Written down as nought: see [`Value::is_zero`] for what only a decision can tell.
@@ -261,7 +289,7 @@ impl Value {
     pub(crate) fn split(&self, root: &Root) -> (Value, Value) {
         let (terms, denominator) = self.parts();
         let (mut without, mut with) = (Terms::new(), Terms::new());
-        for (mut key, coefficient) in terms {
+        for (mut key, coefficient) in terms.into_owned() {
             match key.iter().position(|other| other == root) {
                 Some(position) => {
                     key.remove(position);
@@ -272,7 +300,7 @@ impl Value {
                 }
             }
         }
-        (Value::build(without, denominator.clone()), Value::build(with, denominator))
+        (Value::build(without, denominator.clone().into_owned()), Value::build(with, denominator.into_owned()))
     }
 
     /// One over the value; `None` for nought.
@@ -308,7 +336,7 @@ impl Value {
     /// let it grow further, as given angles do, whose tangents are letters too.
     pub fn is_laborious(&self) -> bool {
         let roots = self.roots().len();
-        let many = if self.letters().is_empty() { 4 } else { 2 };
+        let many = if !self.has_letter(|_| true) { 4 } else { 2 };
         let single = matches!(self, Value::Compound(compound) if compound.terms.len() == 1);
         roots >= many && !single
     }

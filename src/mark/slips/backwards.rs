@@ -67,7 +67,7 @@ pub(super) struct Landed {
 impl Backwards {
     /// Nothing if the right numbers do not exist at the points, or do not make vanish what they should.
     pub(super) fn of(sought: &Sought, road: &mut Carried<Sample>) -> Option<Backwards> {
-        let has_letter = |value: &Value| value.letters().contains(&sought.letter);
+        let has_letter = |value: &Value| value.has_letter(|own| *own == sought.letter);
         let is_open = |datum: &Datum<Value>| match datum {
             Datum::Number(value) => has_letter(value),
             Datum::Direction { y, x } => has_letter(y) || has_letter(x),

@@ -58,8 +58,11 @@ impl<N: Number> Known<N> {
 
     /// Several quantities that are numbers.
     pub fn numbers<const COUNT: usize>(&self, quantities: [Quantity; COUNT]) -> Option<[N; COUNT]> {
-        let found: Option<Vec<N>> = quantities.into_iter().map(|quantity| self.number(quantity)).collect();
-        found?.try_into().ok()
+        let found = quantities.map(|quantity| self.number(quantity));
+        if found.iter().any(Option::is_none) {
+            return None;
+        }
+        Some(found.map(|number| number.expect("none is missing")))
     }
 
     /// The vector of an angle.

@@ -162,7 +162,7 @@ impl Symbols {
         let divisor = below.terms().iter().map(|(monomial, coefficient)| {
             (self.exponents(*monomial).1, &Fraction::from(*coefficient) * &Fraction::from(and_below))
         });
-        let divisor = Polynomial::from_terms(divisor.collect());
+        let divisor = Polynomial::from_terms(divisor);
         Value::build(terms.into_iter().map(polynomial).collect(), divisor)
     }
 }
