@@ -2,7 +2,7 @@
 
 use super::choices::{Choices, Doubt};
 use super::formula::formula;
-use super::lexicon::{OTHERS, SHORT_OF, is_strange};
+use super::lexicon::{PAST, falls_short, is_other, is_strange};
 use super::line;
 use super::phrases::Phrase;
 use super::tokens::{Placed, Token, excerpt};
@@ -207,8 +207,7 @@ impl Values<'_> {
 
     /// At rest, with what is said before it: `initially at rest` is of another moment, and `nearly at rest` is something else.
     fn at_rest(&self, tokens: &[Placed], lead: &[usize], at: usize) -> Result<Said, Unreadable> {
-        let falls_short = |at: &usize| SHORT_OF.contains(&&*self.slice(tokens, *at, *at + 1).to_lowercase());
-        let short_of = lead.iter().copied().find(falls_short);
+        let short_of = lead.iter().copied().find(|at| falls_short(&self.slice(tokens, *at, *at + 1).to_lowercase()));
         if let Some(strange) = self.strange(tokens, lead).or(short_of) {
             return Err(self.strange_word(tokens, strange));
         }
@@ -217,7 +216,7 @@ impl Values<'_> {
         // `was at rest` tells of a state, `was brought to rest` of what happens.
         let is_state = matches!(&*self.slice(tokens, at, at + 1).to_lowercase(), "at rest" | "stationary");
         let past = lead.last().map(|last| self.slice(tokens, *last, last + 1).to_lowercase());
-        let past = past.filter(|word| is_state && matches!(&**word, "was" | "were"));
+        let past = past.filter(|word| is_state && PAST.contains(&&**word));
         let remarks = before_name.into_iter().chain(self.after_name(tokens, lead)).chain(past).collect();
         Ok(Said { form: Form::AtRest, unit: None, reference: None, remarks })
     }
@@ -249,7 +248,7 @@ impl Values<'_> {
         let place = lead.iter().position(|at| names(&at))?;
         let last = lead.iter().rev().find(names)?;
         // `initial speed`, `relative speed`
-        let is_other = |at: usize| OTHERS.contains(&self.slice(tokens, at, at + 1).to_lowercase().as_str());
+        let is_other = |at: usize| is_other(&self.slice(tokens, at, at + 1).to_lowercase());
         let is_sphere = |at: &&usize| {
             matches!(&*self.slice(tokens, **at, **at + 1).to_lowercase(), "sphere" | "ball" | "particle" | "disc")
         };
