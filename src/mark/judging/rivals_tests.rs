@@ -110,6 +110,27 @@ fn directions_told_in_one_breath_with_sizes_are_shared_out() {
 }
 
 #[test]
+fn components_told_together_are_shared_out_by_their_directions() {
+    let asked = [("24*cos(35*deg)/35", "A.after.n"), ("3*sin(35*deg)", "A.after.t"), ("2.53", "B.after.speed")];
+    let models = asked.map(|(right, quantity)| {
+        let options = ModelOptions { quantity: Some(quantity.parse().unwrap()), ..ModelOptions::default() };
+        Model::read(right, &options).unwrap()
+    });
+    for typed in [
+        "along LOC 0.562, perpendicular 1.72, B 2.53",
+        "0.562 along LOC, 1.72 perpendicular, B 2.53",
+        "perpendicular 1.72, along LOC 0.562, B 2.53",
+        "B 2.53, A 0.562 along LOC, 1.72 perp",
+        "0.562, 1.72, 2.53",
+    ] {
+        let judged = judge_together(&models, &read_answer(typed, &models[0].vocabulary));
+        assert!(judged.iter().all(|judgement| judgement.verdict == Verdict::Correct), "{typed}: {judged:?}");
+    }
+    let turned = judge_together(&models, &read_answer("perpendicular 0.562, along LOC 1.72", &models[0].vocabulary));
+    assert!(turned.iter().all(|judgement| judgement.verdict != Verdict::Correct), "{turned:?}");
+}
+
+#[test]
 fn a_rival_that_lacks_a_letter_or_has_another_unit_is_a_rival() {
     const RIVALS: &str = "wrong rival-answers";
     earn(&Asked("9*m", None, "", None), &[("9m or 9", RIVALS), ("9m, 9", RIVALS), ("9m or 9m", "correct")]);
