@@ -8,7 +8,7 @@ use crate::mark::reading::{Form, Label, Reading, Said, Statement, Unreadable};
 use crate::mechanics::Sphere;
 
 use super::finding::Finding;
-use super::{BLANK, Judgement, Model, Note, besides, one, refused, report, spheres};
+use super::{BLANK, Judgement, Model, Note, besides, one, refused, report, spheres, velocity};
 
 /// Judges one answer in which several things are asked: labelled with their spheres, or in the order asked.
 ///
@@ -81,7 +81,9 @@ fn shared_out(models: &[Model], reading: &Reading) -> Vec<Option<Reading>> {
             let is_speed = is_mixed && model.kind != Kind::Angle && is_angular(left[**place].1);
             !is_speed || own.len() >= of_same(&models[at..])
         };
-        let place = own.iter().find(is_of_kind).or(own.first().filter(is_in_order)).copied()?;
+        let is_of_component = |place: &&usize| velocity::is_of_component(model, left[**place].1) == Some(true);
+        let of_component = own.iter().find(is_of_component);
+        let place = of_component.or(own.iter().find(is_of_kind)).or(own.first().filter(is_in_order)).copied()?;
         share(vec![left.remove(place).1.clone()])
     };
     models.iter().enumerate().map(of_each).collect()

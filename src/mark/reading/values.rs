@@ -277,8 +277,10 @@ impl Values<'_> {
         if let Some(strange) = self.strange(tokens, lead) {
             return Err(self.strange_word(tokens, strange));
         }
-        let toward = phrases.last() == Some(&Phrase::Toward);
+        let is_towards = matches!(words.as_deref(), Some("towards" | "toward"));
+        let toward = phrases.last() == Some(&Phrase::Toward) || is_towards;
         let across = phrases.contains(&Phrase::Across);
+        let is_bare = lead.is_empty();
         lead.clear();
         let place = tokens[at].start;
         let parsed = formula(std::mem::take(tokens), at, self.text, self.vocabulary, self.choices)?;
@@ -307,7 +309,9 @@ impl Values<'_> {
         // `2 m/s parallel to i`
         if toward && let Some((_, last)) = found.values.last_mut() {
             match (&last.form, &said.form) {
-                (Form::Value(magnitude), Form::Vector(x, y, _)) => last.form = along(magnitude, x, y),
+                (Form::Value(magnitude), Form::Vector(x, y, _)) if !is_angle(last) => {
+                    last.form = along(magnitude, x, y)
+                }
                 _ => return Err(Unreadable::Sign(place, "a direction that is no vector".to_owned())),
             }
             return Ok(parsed.next);
@@ -325,6 +329,16 @@ impl Values<'_> {
             }
         }
         said.remarks.extend(after_name);
+        // `along the line of centres 1.92`: the direction of the value that follows it at once.
+        let is_directed = is_bare && matches!(said.form, Form::Value(_)) && !is_angle(&said);
+        if let Some((_, direction)) = found.values.last_mut().filter(|_| is_directed)
+            && direction.form == Form::Direction
+        {
+            said.reference = direction.reference;
+            said.remarks.append(&mut direction.remarks);
+            *direction = said;
+            return Ok(parsed.next);
+        }
         found.values.push((label, said));
         Ok(parsed.next)
     }
@@ -340,6 +354,10 @@ fn phrase_at(tokens: &[Placed], at: usize) -> Option<Phrase> {
         Token::Phrase(phrase) => Some(phrase),
         _ => None,
     }
+}
+
+fn is_angle(said: &Said) -> bool {
+    said.unit.as_ref().is_some_and(|unit| unit.degrees)
 }
 
 fn is_after_number(tokens: &[Placed], at: usize) -> bool {
