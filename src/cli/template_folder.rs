@@ -16,10 +16,8 @@ pub fn own_templates(folder: Option<&Path>) -> Result<Vec<TemplateFile>, Failure
         let message = format!("the templates in `{shown}` cannot be read: {error}");
         Failure::with_help(message, "name a folder of templates; `templates/README.md` says what stands in one")
     })?;
-    // A folder of a format that is empty yet is where templates are to be written while a preview is watched.
-    let has_formats =
-        || fs::read_dir(folder).is_ok_and(|mut all| all.any(|entry| entry.is_ok_and(|entry| entry.path().is_dir())));
-    match files.is_empty() && !has_formats() {
+    // In an empty folder of a format templates may be written while a preview is watched; an empty one of templates is none.
+    match fs::read_dir(folder).is_ok_and(|mut all| all.next().is_none()) {
         false => Ok(files),
         true => Err(Failure::with_help(
             format!("no templates in `{shown}`"),
@@ -74,5 +72,14 @@ mod tests {
         assert!(paths.is_sorted());
         let missing = read_templates(&folder.join("none")).unwrap_err().to_string();
         assert!(missing.contains("none"), "{missing}");
+    }
+    #[test]
+    fn an_empty_folder_of_a_format_is_one_to_write_templates_in() {
+        let folder = std::env::temp_dir().join(format!("carom-templates-{}", std::process::id()));
+        fs::create_dir_all(&folder).unwrap();
+        assert!(own_templates(Some(&folder)).is_err());
+        fs::create_dir_all(folder.join("html")).unwrap();
+        assert_eq!(own_templates(Some(&folder)).map_err(|_| ()).map(|files| files.len()), Ok(0));
+        fs::remove_dir_all(&folder).unwrap();
     }
 }

@@ -133,9 +133,7 @@ impl Written {
     /// A value that was worked out with decimals: it is worth no more figures than the shortest of them, nor than it has
     /// itself where it ends as they do, as `28 − 22.7` has two.
     pub(super) fn worked_out(value: Fraction, decimals: &Coarsest) -> Written {
-        let tens = Fraction::from(10).power(decimals.places.clamp(0, MOST_PLACES) as i32);
-        let whole = tens.map(|tens| (&value * &tens).abs()).filter(Fraction::is_integer);
-        let own = whole.map(|whole| whole.to_string().trim_start_matches('0').len() as u32);
+        let own = in_units(&value, decimals.places).map(|whole| whole.to_string().trim_start_matches('0').len() as u32);
         let figures = own.map_or(decimals.figures, |own| own.min(decimals.figures));
         Written { value, figures, places: decimals.places, noughts: 0, worked_out: true, left_undone: false }
     }
@@ -144,6 +142,12 @@ impl Written {
     pub(super) fn left_undone(self) -> Written {
         Written { left_undone: true, ..self }
     }
+}
+
+/// How many units of that place a number is, if it ends there.
+fn in_units(value: &Fraction, places: i64) -> Option<Fraction> {
+    let tens = Fraction::from(10).power(places.clamp(0, MOST_PLACES) as i32)?;
+    Some((value * &tens).abs()).filter(Fraction::is_integer)
 }
 
 pub(super) fn suffices(figures: u32, places: i64, wanted: &Places) -> bool {
@@ -280,9 +284,9 @@ pub(super) fn decimal(written: &Written, target: &Target, accept: &Accept) -> Fi
         return Finding::EXACT;
     }
     let Ok(model) = target.rounded(&wanted) else { return Finding::unreadable(Note::CannotBeCompared) };
-    // `10.0` has three figures, and 9.96 has its third one place further on.
-    let enough = suffices(written.figures, written.places, &wanted)
-        && (written.worked_out || reaches(written.places, &model, &wanted));
+    // `10.0` has three figures, and 9.96 has its third one place further on. What is worked out may end beyond its decimals.
+    let reaches = in_units(&written.value, written.places).is_none() || reaches(written.places, &model, &wanted);
+    let enough = suffices(written.figures, written.places, &wanted) && reaches;
     let is_fine = is_as_fine_as(written.places, &wanted);
     let last = last_place(written, target);
     let coarse = Written { places: -i64::from(written.noughts), ..written.clone() };

@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 
 use crate::answer::{Accept, Kind};
 use crate::expr::{Expr, Function, Relation};
-use crate::mark::reading::{Form, ReferenceLine, Said, Statement};
+use crate::mark::reading::{Form, ReferenceLine, Said, Statement, greek};
 use crate::mechanics::{Quantity, Sphere};
 use crate::number::Places;
 use crate::unit::Unit;
@@ -204,6 +204,12 @@ pub(super) fn letter_of_aside(remark: &str) -> Option<&str> {
     before.split_whitespace().last()
 }
 
+/// The letter whose value tells where another value is reached, as α in `13.3° when α = 38.3°`.
+pub(super) fn letter_of_place(remark: &str) -> Option<&str> {
+    let place = ["when ", "for "].into_iter().find_map(|word| remark.strip_prefix(word))?;
+    Some(place.split_once('=')?.0.trim())
+}
+
 /// Do words beside a value tell another value of what is asked? `5 (v = 6)`; in `v_A = 5 (v_B = 15)` it is of the other sphere.
 pub(super) fn is_told_otherwise(model: &Model, statement: &Statement) -> bool {
     let is_of_other = |letter: &str| {
@@ -215,6 +221,16 @@ pub(super) fn is_told_otherwise(model: &Model, statement: &Statement) -> bool {
         };
         asked.zip(by_custom).is_some_and(|(asked, named)| asked != named)
     };
+    let is_called =
+        |own: &str, letter: &str| own == letter || greek(own).is_some_and(|(sign, _)| letter.chars().eq([sign]));
+    let is_asked = |letter: &str| model.letter.as_ref().is_some_and(|own| is_called(own, letter));
+    // `13.3° (α = 38.3°)`, where α is a letter of the question and another thing is asked.
+    let is_of_question =
+        |letter: &str| !is_asked(letter) && model.vocabulary.letters.iter().any(|own| is_called(own.name(), letter));
+    let mut places = statement.remarks().filter_map(|remark| letter_of_place(remark));
     let mut letters = statement.remarks().filter_map(|remark| letter_of_aside(remark));
-    letters.any(|letter| letters::may_be_called(model, letter, letter) && !is_of_other(letter))
+    places.any(is_asked)
+        || letters.any(|letter| {
+            letters::may_be_called(model, letter, letter) && !is_of_other(letter) && !is_of_question(letter)
+        })
 }

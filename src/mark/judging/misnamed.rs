@@ -2,7 +2,7 @@
 //! that is only nearly so.
 
 use crate::answer::Kind;
-use crate::mark::reading::{Form, NOT_QUITE, Reading, Said, Statement};
+use crate::mark::reading::{Form, LEAST, MOST, NOT_QUITE, PAST, Reading, SIZES, Said, Statement};
 use crate::mechanics::{Moment, Quantity};
 use crate::unit::Unit;
 
@@ -10,17 +10,10 @@ use super::Model;
 use super::moments::{LATER, moment};
 use super::sorts::words;
 
-/// Words for the most that there can be, and for the least, which nobody asks for.
-const MOST: [&str; 6] = ["maximum", "max", "greatest", "largest", "highest", "fastest"];
-const LEAST: [&str; 5] = ["minimum", "min", "smallest", "lowest", "slowest"];
 /// Words for several things together.
 const TOGETHER: [&str; 3] = ["total", "both", "combined"];
-/// Words for the size of a vector.
-const SIZES: [&str; 4] = ["magnitude", "mag", "modulus", "size"];
 /// Words for an instance among others.
 const INSTANCES: [&str; 3] = ["eg", "e.g", "e.g."];
-/// Words for what is no longer so.
-const PAST: [&str; 2] = ["was", "were"];
 /// Words for impacts after the first.
 const LATER_ONES: [&str; 5] = ["second", "2nd", "third", "3rd", "next"];
 /// Words for an impact.
@@ -47,7 +40,7 @@ fn has(text: &str, wanted: &[&str]) -> bool {
 /// `greatest speed`, `total speed`, `speed of the wall`, `ratio`, `speed after the second collision` of one.
 fn is_called_otherwise(asked: Quantity, label: &str) -> bool {
     let is_speed = matches!(asked.of_its_impact(), Quantity::Speed(..) | Quantity::Velocity(..));
-    // The greatest deflection is asked for, and so is the angle for it.
+    // Nobody asks for the least. The greatest deflection is asked for, and so is the angle for it.
     let is_extreme = has(label, &LEAST) || !asked.is_angle() && has(label, &MOST);
     let is_of_wall = has(label, &["wall"]) && (label.contains("of the wall") || label.contains("of wall"));
     let is_of_several = has(label, &TOGETHER) || is_of_wall;

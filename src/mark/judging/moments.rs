@@ -73,8 +73,9 @@ pub(super) fn fit(asked: Quantity, name: &str) -> bool {
 /// Do the words beside a value speak of another moment than that of what is asked?
 pub(super) fn are_of_another(asked: Quantity, remarks: &[&String]) -> bool {
     let has = |wanted: &[&str]| remarks.iter().flat_map(|remark| words(remark)).any(|word| wanted.contains(&word));
+    let is_all = |word: &str| remarks.iter().any(|remark| remark.trim() == word);
     let is_of_another = match moment(asked) {
-        Some(Moment::After) => has(&["before", "initially"]) && !has(&LATER),
+        Some(Moment::After) => (has(&["before", "initially"]) || is_all("initial")) && !has(&LATER),
         Some(Moment::Before) => has(&["after", "finally"]) && !has(&EARLIER),
         // `50 before impact`, but `a quarter of the energy before impact`
         None if is_of_the_impact(asked) => {

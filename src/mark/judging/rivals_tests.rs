@@ -3,6 +3,7 @@
 use super::typed_tests::{Asked, earn};
 use super::*;
 use crate::mark::reading::read_answer;
+use crate::number::{Letter, Range};
 
 #[test]
 fn values_that_differ_by_a_figure_are_rivals_and_a_rounder_one_is_not() {
@@ -107,6 +108,51 @@ fn directions_told_in_one_breath_with_sizes_are_shared_out() {
         let judged = judge_together(&models, &read_answer(typed, &models[0].vocabulary));
         assert!(judged.iter().all(|judgement| judgement.verdict == Verdict::Correct), "{typed}: {judged:?}");
     }
+}
+
+#[test]
+fn components_told_together_are_shared_out_by_their_directions() {
+    let asked = [("24*cos(35*deg)/35", "A.after.n"), ("3*sin(35*deg)", "A.after.t"), ("2.53", "B.after.speed")];
+    let models = asked.map(|(right, quantity)| {
+        let options = ModelOptions { quantity: Some(quantity.parse().unwrap()), ..ModelOptions::default() };
+        Model::read(right, &options).unwrap()
+    });
+    for typed in [
+        "along LOC 0.562, perpendicular 1.72, B 2.53",
+        "0.562 along LOC, 1.72 perpendicular, B 2.53",
+        "perpendicular 1.72, along LOC 0.562, B 2.53",
+        "B 2.53, A 0.562 along LOC, 1.72 perp",
+        "0.562, 1.72, 2.53",
+    ] {
+        let judged = judge_together(&models, &read_answer(typed, &models[0].vocabulary));
+        assert!(judged.iter().all(|judgement| judgement.verdict == Verdict::Correct), "{typed}: {judged:?}");
+    }
+    let turned = judge_together(&models, &read_answer("perpendicular 0.562, along LOC 1.72", &models[0].vocabulary));
+    assert!(turned.iter().all(|judgement| judgement.verdict != Verdict::Correct), "{turned:?}");
+}
+
+#[test]
+fn what_is_called_by_the_letter_to_be_found_is_that() {
+    let of = |right: &str, quantity: Option<&str>, letter: Option<&str>| {
+        let options = ModelOptions {
+            kind: Some(Kind::Angle),
+            letters: vec![Letter::new("alpha", Range::Acute).unwrap()],
+            quantity: quantity.map(|quantity| quantity.parse().unwrap()),
+            letter: letter.map(str::to_owned),
+            ..ModelOptions::default()
+        };
+        Model::read(right, &options).unwrap()
+    };
+    let models = [of("38.3", None, Some("alpha")), of("13.3", Some("A.deflection_deg"), None)];
+    for typed in ["38.3°, 13.3°", "α = 38.3°, 13.3°", "13.3° at α = 38.3°", "13.3°, α = 38.3°"] {
+        let judged = judge_together(&models, &read_answer(typed, &models[0].vocabulary));
+        assert!(judged.iter().all(|judgement| judgement.verdict == Verdict::Correct), "{typed}: {judged:?}");
+    }
+    let judged = judge_together(&models, &read_answer("13.3° when α = 38.3°", &models[0].vocabulary));
+    assert!(judged.iter().all(|judgement| judgement.verdict == Verdict::Unreadable), "{judged:?}");
+    // What is asked is no place of itself.
+    let alone = judge(&models[0], &read_answer("38.3° when α = 13.3°", &models[0].vocabulary));
+    assert_eq!(alone.verdict, Verdict::Unreadable, "{alone:?}");
 }
 
 #[test]

@@ -14,7 +14,7 @@ use super::chain::{chain, is_bare_number};
 use super::finding::Finding;
 use super::left_side::{self, Left};
 use super::spheres::{self, SPHERES, named_sphere, sphere};
-use super::{Model, Note, called, moments, sorts};
+use super::{Model, Note, called, moments, sorts, velocity};
 
 /// How a kind judges one value.
 pub(super) type One<'a> = &'a dyn Fn(&Said, Option<&Label>) -> Finding;
@@ -71,8 +71,22 @@ fn called_as_asked<'s>(model: &Model, statements: &[&'s Statement]) -> Option<&'
     (own.next().is_none() && are_named && !any_rival).then_some(*only)
 }
 
+/// `along LOC 1.92, perpendicular 2.00, B 3.08`, where a component is asked: the one in that direction, if each of the others
+/// is in the other or of another sphere.
+fn of_the_component<'s>(model: &Model, statements: &[&'s Statement]) -> Option<&'s Statement> {
+    let asked = model.quantity.and_then(sphere)?;
+    let is_of_other = |statement: &&&Statement| named_sphere(statement).is_some_and(|named| named != asked);
+    let own: Vec<&&Statement> = statements.iter().filter(|statement| !is_of_other(statement)).collect();
+    let directions = own.iter().map(|statement| velocity::is_of_component(model, statement));
+    let directions = directions.collect::<Option<Vec<bool>>>()?;
+    let mut right = own.iter().zip(directions).filter(|(_, is_right)| *is_right);
+    let (only, _) = right.next().filter(|_| right.next().is_none())?;
+    let any_rival = statements.iter().flat_map(|statement| &statement.said).any(is_rival);
+    (!any_rival).then_some(**only)
+}
+
 fn choose(model: &Model, statements: &[&Statement], one: One) -> Finding {
-    if let Some(own) = called_as_asked(model, statements) {
+    if let Some(own) = called_as_asked(model, statements).or_else(|| of_the_component(model, statements)) {
         return chain(model, own, one);
     }
     let spheres: Vec<Option<Sphere>> = statements.iter().map(|statement| named_sphere(statement)).collect();

@@ -5,10 +5,11 @@ use std::borrow::Cow;
 use crate::answer::Kind;
 use crate::mark::reading::{Form, Label, Reading, Said, Statement, Unreadable};
 
+use crate::expr::Expr;
 use crate::mechanics::Sphere;
 
 use super::finding::Finding;
-use super::{BLANK, Judgement, Model, Note, besides, one, refused, report, spheres};
+use super::{BLANK, Judgement, Model, Note, besides, one, refused, report, spheres, velocity};
 
 /// Judges one answer in which several things are asked: labelled with their spheres, or in the order asked.
 ///
@@ -20,7 +21,8 @@ pub fn judge_together(models: &[Model], readings: &Result<Vec<Reading>, Unreadab
     };
     let each = |reading: &Reading| -> Vec<Finding> {
         // `5 (w = 15)`: what is an aside to one thing may be the answer to another.
-        if reading.remarks().any(|remark| besides::letter_of_aside(remark).is_some()) {
+        let is_aside = |remark: &str| besides::letter_of_aside(remark).or(besides::letter_of_place(remark)).is_some();
+        if reading.remarks().any(|remark| is_aside(remark)) {
             return vec![Finding::unreadable(Note::SeveralAnswers); models.len()];
         }
         let shares = shared_out(models, &with_directions_apart(models, reading));
@@ -73,7 +75,12 @@ fn shared_out(models: &[Model], reading: &Reading) -> Vec<Option<Reading>> {
             );
         }
         // Of one sphere its quantities are in the order asked, but that `56.3°` is no speed.
-        let own: Vec<usize> = (0..left.len()).filter(|place| left[*place].0 == asked).collect();
+        let is_of_other_letter = |place: &usize| {
+            let mut others = models.iter().filter(|other| other.letter != model.letter);
+            others.any(|other| is_called_by_its_letter(other, left[*place].1))
+        };
+        let own = (0..left.len()).filter(|place| left[*place].0 == asked && !is_of_other_letter(place));
+        let own: Vec<usize> = own.collect();
         let is_other_kind = |other: &Model| (other.kind == Kind::Angle) != (model.kind == Kind::Angle);
         let is_mixed = models.iter().any(|other| asked_of(other, named) == asked && is_other_kind(other));
         let is_of_kind = |place: &&usize| is_mixed && is_angular(left[**place].1) == (model.kind == Kind::Angle);
@@ -81,10 +88,19 @@ fn shared_out(models: &[Model], reading: &Reading) -> Vec<Option<Reading>> {
             let is_speed = is_mixed && model.kind != Kind::Angle && is_angular(left[**place].1);
             !is_speed || own.len() >= of_same(&models[at..])
         };
-        let place = own.iter().find(is_of_kind).or(own.first().filter(is_in_order)).copied()?;
+        let is_of_component = |place: &&usize| velocity::is_of_component(model, left[**place].1) == Some(true);
+        let is_of_letter = |place: &&usize| is_called_by_its_letter(model, left[**place].1);
+        let of_component = own.iter().find(is_of_letter).or(own.iter().find(is_of_component));
+        let place = of_component.or(own.iter().find(is_of_kind)).or(own.first().filter(is_in_order)).copied()?;
         share(vec![left.remove(place).1.clone()])
     };
     models.iter().enumerate().map(of_each).collect()
+}
+
+/// `13.3° at α = 38.3°`: is it called by the letter that is to be found?
+fn is_called_by_its_letter(model: &Model, statement: &Statement) -> bool {
+    let name = statement.label.as_ref().and_then(|label| label.expr.as_ref());
+    matches!((name, &model.letter), (Some(Expr::Name(name)), Some(letter)) if name.text == *letter)
 }
 
 /// The sphere of which a thing is asked, where spheres are named.

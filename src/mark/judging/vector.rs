@@ -120,10 +120,22 @@ pub(super) fn is_of_size_and_angle(model: &Model, reading: &Reading) -> Option<F
     if selection::is_angular(size) || !selection::is_angular(angle) || !matches!(size.form, Form::Value(_)) {
         return None;
     }
-    let (x, y) = components(model)?;
-    let of_size = Model { kind: Kind::Number, ..model.of_value(magnitude(&x, &y)) };
-    let is_right = number::judge(&of_size, &Said { reference: None, ..size.clone() }, None).is_credited();
-    Some(if is_right { Finding::unreadable(Note::DirectionUnchecked) } else { Finding::WRONG })
+    components(model)?;
+    Some(if is_its_size(model, size) { Finding::unreadable(Note::DirectionUnchecked) } else { Finding::WRONG })
+}
+
+/// Is it the size of the vector that is asked?
+fn is_its_size(model: &Model, size: &Said) -> bool {
+    components(model).is_some_and(|(x, y)| {
+        let of_size = Model { kind: Kind::Number, ..model.of_value(magnitude(&x, &y)) };
+        number::judge(&of_size, &Said { reference: None, ..size.clone() }, None).is_credited()
+    })
+}
+
+/// Do words beside a value say which way it points?
+fn tells_a_way(said: &Said) -> bool {
+    const WAYS: [&str; 8] = ["right", "left", "up", "down", "upwards", "downwards", "horizontally", "vertically"];
+    said.remarks.iter().flat_map(|remark| words(remark)).any(|word| WAYS.contains(&word))
 }
 
 /// The axis along which a label says that a component lies: `i`, `v_x`, `vy`, `x component`.
@@ -156,6 +168,10 @@ pub(super) fn judge(model: &Model, said: &Said) -> Finding {
             Form::Value(expr) if exact::unknown_letter(expr, &model.vocabulary.letters).is_some() => {
                 let bare = matches!(expr, Expr::Name(_));
                 if bare { Finding::unreadable(Note::UnknownLetter) } else { Finding::wrong(Note::UnknownLetter) }
+            }
+            // `2 m/s to the right`: which way that is on the page is for a person to see.
+            Form::Value(_) if tells_a_way(said) && is_its_size(model, said) => {
+                Finding::unreadable(Note::DirectionUnchecked)
             }
             Form::Value(_) | Form::Percentage(_) => Finding::wrong(Note::ScalarForVector),
             Form::Mixed(_) => Finding::wrong(Note::NumberPlusVector),

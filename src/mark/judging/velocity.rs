@@ -7,7 +7,7 @@
 use crate::answer::Kind;
 use crate::expr::{Expr, Function};
 use crate::mark::reading::{Form, Label, Reading, ReferenceLine, Said, Statement};
-use crate::mechanics::{Moment, Quantity, Sphere};
+use crate::mechanics::{Axis, Moment, Quantity, Sphere};
 
 use super::chain::links;
 use super::exact::{self, Equality, same};
@@ -148,22 +148,10 @@ fn names_a_ratio(label: &Label) -> bool {
 /// sense is not looked at.
 fn by_components(model: &Model, parts: &(Expr, Expr), told: [(&Statement, &Said); 2]) -> Option<Finding> {
     let said = told.map(|(_, said)| said);
-    let is_across = |(statement, said): (&Statement, &Said)| {
-        let label = statement.label.iter().map(|label| label.typed.to_lowercase());
-        let words: Vec<String> = label.chain(said.remarks.iter().cloned()).collect();
-        let says = |wanted: &str| words.iter().any(|words| words.split(' ').any(|word| word == wanted));
-        match (&said.form, said.reference.map(ReferenceLine::unsensed)) {
-            (Form::Value(_) | Form::AtRest, Some(ReferenceLine::AlongLineOfCentres)) => Some(false),
-            (Form::Value(_) | Form::AtRest, Some(ReferenceLine::AlongCommonTangent)) => Some(true),
-            (Form::Value(_) | Form::AtRest, None) if says("perpendicular") || says("perp") => Some(true),
-            (Form::Value(_) | Form::AtRest, None) if says("along") || says("parallel") => Some(false),
-            _ => None,
-        }
-    };
     if said.into_iter().any(is_rival) {
         return None;
     }
-    let [along, across] = match told.map(is_across) {
+    let [along, across] = match told.map(|(statement, said)| is_across(statement, said)) {
         [Some(false), Some(true)] => said,
         [Some(true), Some(false)] => [said[1], said[0]],
         _ => return None,
@@ -181,6 +169,31 @@ fn by_components(model: &Model, parts: &(Expr, Expr), told: [(&Statement, &Said)
         true => Finding::partial(Note::ComponentsLeft),
         false => Finding::WRONG,
     })
+}
+
+/// Is a component said to be perpendicular to the line of centres, or else along it?
+pub(super) fn is_across(statement: &Statement, said: &Said) -> Option<bool> {
+    let label = statement.label.iter().map(|label| label.typed.to_lowercase());
+    let words: Vec<String> = label.chain(said.remarks.iter().cloned()).collect();
+    let says = |wanted: &str| words.iter().any(|words| words.split(' ').any(|word| word == wanted));
+    match (&said.form, said.reference.map(ReferenceLine::unsensed)) {
+        (Form::Value(_) | Form::AtRest, Some(ReferenceLine::AlongLineOfCentres)) => Some(false),
+        (Form::Value(_) | Form::AtRest, Some(ReferenceLine::AlongCommonTangent)) => Some(true),
+        (Form::Value(_) | Form::AtRest, None) if says("perpendicular") || says("perp") => Some(true),
+        (Form::Value(_) | Form::AtRest, None) if says("along") || says("parallel") => Some(false),
+        _ => None,
+    }
+}
+
+/// Is the statement one of the component that is asked, by the direction that it names; nothing where another thing is asked, or
+/// none is named.
+pub(super) fn is_of_component(model: &Model, statement: &Statement) -> Option<bool> {
+    let across = match model.quantity?.of_its_impact() {
+        Quantity::Velocity(_, _, Axis::N) => false,
+        Quantity::Velocity(_, _, Axis::T) => true,
+        _ => return None,
+    };
+    Some(is_across(statement, statement.said.last()?)? == across)
 }
 
 /// Is a velocity told by its components, of which one is said to be perpendicular?

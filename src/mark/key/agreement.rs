@@ -15,7 +15,7 @@ use crate::mark::enclosure::{POINTS, enclose_roughly};
 use crate::mechanics::{Known, Quantity};
 use crate::number::{Angle, Decimal, FloatInterval, Fraction, Letter, Places, Range, Value, round};
 use crate::paper::{Blank, KeyQuestion};
-use crate::solve::{Solution, solve};
+use crate::solve::Solution;
 
 /// Two questions with one number: which of the two a student has answered nobody could tell.
 pub(super) fn of_paper(questions: &[KeyQuestion]) -> Vec<KeyFault> {
@@ -33,10 +33,10 @@ pub(super) fn of_paper(questions: &[KeyQuestion]) -> Vec<KeyFault> {
 }
 
 /// Each place where a key says of a question what it denies elsewhere.
-pub(super) fn of_question(question: &KeyQuestion, read: &KeyedQuestion) -> Vec<KeyFault> {
+pub(super) fn of_question(stated: &KeyQuestion, question: &KeyedQuestion) -> Vec<KeyFault> {
     let mut faults = Vec::new();
-    for (place, first) in twice(&question.parts, |part| part.label.clone()) {
-        let label = &question.parts[place].label;
+    for (place, first) in twice(&stated.parts, |part| part.label.clone()) {
+        let label = &stated.parts[place].label;
         let message = match label.is_empty() {
             true => "there are two parts without a label".to_owned(),
             false => format!("there are two parts ({label}): `parts[{first}]` is another"),
@@ -45,8 +45,7 @@ pub(super) fn of_question(question: &KeyQuestion, read: &KeyedQuestion) -> Vec<K
         let help = "give it the label on the sheet: `a`, `b`, `c`".to_owned();
         faults.push(KeyFault { help, ..fault.below("label").below(&format!("parts[{place}]")) });
     }
-    let mut collision = Collision { question: read, solution: None };
-    for (place, (part, keyed)) in question.parts.iter().zip(&read.parts).enumerate() {
+    for (place, (part, keyed)) in stated.parts.iter().zip(&question.parts).enumerate() {
         let below = |fault: KeyFault| fault.below(&format!("parts[{place}]"));
         let scheme = part.scheme.len();
         if part.marks != scheme {
@@ -59,7 +58,7 @@ pub(super) fn of_question(question: &KeyQuestion, read: &KeyedQuestion) -> Vec<K
         }
         for (at, (blank, read)) in part.blanks.iter().zip(&keyed.blanks).enumerate() {
             let below = |fault: KeyFault| below(fault.below(&format!("blanks[{at}]")));
-            faults.extend(collision.of_blank(blank, read, &keyed.known).map(below));
+            faults.extend(of_blank(question, blank, read, &keyed.known).map(below));
         }
     }
     faults
@@ -78,90 +77,72 @@ fn twice<T, K: std::hash::Hash + Eq>(all: &[T], key: impl Fn(&T) -> K) -> impl I
     found.into_iter()
 }
 
-/// The collision of a question, solved where letters are to be found.
-struct Collision<'k> {
-    question: &'k KeyedQuestion,
-    solution: Option<Option<Solution>>,
+/// A blank with another value than the collision leads to, or with a decimal of another.
+fn of_blank(question: &KeyedQuestion, blank: &Blank, keyed: &KeyedBlank, known: &Known<Value>) -> Option<KeyFault> {
+    match keyed.model.kind {
+        Kind::Range => return of_range(question, blank, &keyed.model.value),
+        // What is to be shown may be said of another size than is found.
+        Kind::Equation | Kind::Shown => return None,
+        _ => {}
+    }
+    let (exact, decimal) = (texts(&blank.exact), texts(&blank.decimal));
+    for (place, right) in right(question, &keyed.find, known).iter().enumerate() {
+        let text = *exact.get(place)?;
+        let letters = &question.letters;
+        let Some(right) = right else { continue };
+        let stated = read(text, Angles::Radians).ok()?;
+        if is_refuted(&stated, right, letters) {
+            let what = match &blank.find {
+                Json::String(name) => name.clone(),
+                find => texts(find).get(place).map_or_else(String::new, |name| (*name).to_owned()),
+            };
+            return Some(other_exact(text, format!("expected `{what}` to be `{}`", print::plain(right))));
+        }
+        let Some(figures) = decimal.get(place) else { continue };
+        if let Some(right) = other_decimal(figures, &stated, letters) {
+            let fault = KeyFault::new(
+                format!("`{figures}` is not the decimal of `{text}`"),
+                format!("expected `{right}`, or more figures of it, or fewer"),
+            );
+            let help = "put that there: `exact` is what answers are compared with".to_owned();
+            return Some(KeyFault { help, ..fault.below("decimal") });
+        }
+    }
+    None
 }
 
-impl Collision<'_> {
-    fn of_blank(&mut self, blank: &Blank, read: &KeyedBlank, known: &Known<Value>) -> Option<KeyFault> {
-        match read.model.kind {
-            Kind::Range => return self.of_range(blank, &read.model.value),
-            // What is to be shown may be said of another size than is found.
-            Kind::Equation | Kind::Shown => return None,
-            _ => {}
+/// A range from the wrong value or to the wrong value.
+fn of_range(question: &KeyedQuestion, blank: &Blank, stated: &Expr) -> Option<KeyFault> {
+    let right = question.solution()?.range()?.written();
+    let expected = || format!("expected `{}`", print::plain(&right));
+    let text = texts(&blank.exact).first().copied().unwrap_or_default();
+    are_other_ends(stated, &right, &question.letters).then(|| other_exact(text, expected()))
+}
+
+/// What the collision leads to for what is asked: of a vector both components; nothing where that is not known.
+fn right(question: &KeyedQuestion, find: &Find, known: &Known<Value>) -> Vec<Option<Expr>> {
+    let quantities = match find {
+        Find::Unknown(name) => {
+            let found = question.solution().and_then(|solution| found(solution, name));
+            return vec![found];
         }
-        let (exact, decimal) = (texts(&blank.exact), texts(&blank.decimal));
-        for (place, right) in self.right(&read.find, known).iter().enumerate() {
-            let text = *exact.get(place)?;
-            let letters = &self.question.letters;
-            let Some(right) = right else { continue };
-            let stated = self::read(text, Angles::Radians).ok()?;
-            if is_refuted(&stated, right, letters) {
-                let what = match &blank.find {
-                    Json::String(name) => name.clone(),
-                    find => texts(find).get(place).map_or_else(String::new, |name| (*name).to_owned()),
-                };
-                return Some(other_exact(text, format!("expected `{what}` to be `{}`", print::plain(right))));
-            }
-            let Some(figures) = decimal.get(place) else { continue };
-            if let Some(right) = other_decimal(figures, &stated, letters) {
-                let fault = KeyFault::new(
-                    format!("`{figures}` is not the decimal of `{text}`"),
-                    format!("expected `{right}`, or more figures of it, or fewer"),
-                );
-                let help = "put that there: `exact` is what answers are compared with".to_owned();
-                return Some(KeyFault { help, ..fault.below("decimal") });
-            }
+        Find::Quantity(quantity) => vec![*quantity],
+        Find::Vector(x, y) => vec![*x, *y],
+    };
+    let value = |quantity: Quantity, known: &Known<Value>| match known.number(quantity) {
+        Some(value) => Some(written(&value)),
+        None => {
+            let (y, x) = known.direction(quantity)?;
+            Angle::of(&y, &x).map(|angle| in_degrees(&written_angle(&angle)))
         }
-        None
-    }
-
-    /// A range from the wrong value or to the wrong value.
-    fn of_range(&mut self, blank: &Blank, stated: &Expr) -> Option<KeyFault> {
-        let right = self.solution()?.range()?.written();
-        let expected = || format!("expected `{}`", print::plain(&right));
-        let text = texts(&blank.exact).first().copied().unwrap_or_default();
-        are_other_ends(stated, &right, &self.question.letters).then(|| other_exact(text, expected()))
-    }
-
-    /// What the collision leads to for what is asked: of a vector both components; nothing where that is not known.
-    fn right(&mut self, find: &Find, known: &Known<Value>) -> Vec<Option<Expr>> {
-        let quantities = match find {
-            Find::Unknown(name) => {
-                let found = self.solution().and_then(|solution| found(solution, name));
-                return vec![found];
-            }
-            Find::Quantity(quantity) => vec![*quantity],
-            Find::Vector(x, y) => vec![*x, *y],
-        };
-        let value = |quantity: Quantity, known: &Known<Value>| match known.number(quantity) {
-            Some(value) => Some(written(&value)),
-            None => {
-                let (y, x) = known.direction(quantity)?;
-                Angle::of(&y, &x).map(|angle| in_degrees(&written_angle(&angle)))
-            }
-        };
-        let has_unknowns = !self.question.scene.unknowns.is_empty();
-        let known = match self.solution() {
-            Some(solution) => solution.known(),
-            None if has_unknowns => return Vec::new(),
-            None => known,
-        };
-        quantities.into_iter().map(|quantity| value(quantity, known)).collect()
-    }
-
-    /// The collision with its unknowns found; nothing where there are none.
-    fn solution(&mut self) -> Option<&Solution> {
-        let question = self.question;
-        let asked = || {
-            let blanks = question.parts.iter().flat_map(|part| &part.blanks);
-            blanks.flat_map(|blank| blank.find.quantities()).collect::<Vec<_>>()
-        };
-        let solved = || (!question.scene.unknowns.is_empty()).then(|| solve(&question.scene, &asked()).ok())?;
-        self.solution.get_or_insert_with(solved).as_ref()
-    }
+    };
+    let has_unknowns = !question.scene.unknowns.is_empty();
+    let known = match question.solution() {
+        Some(solution) => solution.known(),
+        None if has_unknowns => return Vec::new(),
+        None => known,
+    };
+    quantities.into_iter().map(|quantity| value(quantity, known)).collect()
 }
 
 /// A letter that was found: of an angle its degrees.

@@ -128,6 +128,7 @@ impl KeyedQuestion {
             prepared: Default::default(),
             mistakes: Default::default(),
             mistakes_where_found: Default::default(),
+            solution: Default::default(),
             needed: Default::default(),
             later: Default::default(),
         }

@@ -24,12 +24,10 @@ use super::slips::{Asked, Mistakes};
 use super::working::{Prepared, numbers_of_masses};
 use crate::bank::Find;
 use crate::expr::{Angles, Expr, degrees, read};
-use crate::mechanics::{
-    Condition, Derivation, Known, Meeting, Quantity, Scene, SceneText, Setting, Sought, VelocityText, pose,
-};
+use crate::mechanics::{Derivation, Known, Meeting, Quantity, Scene, SceneText, Setting, Sought, VelocityText, pose};
 use crate::number::{Letter, Value};
 use crate::paper::KeyQuestion;
-use crate::solve::{Solution, solve};
+use crate::solve::{Solution, solve_all};
 
 /// A key, read and checked.
 #[derive(Clone, Debug)]
@@ -82,6 +80,8 @@ pub struct KeyedQuestion {
     mistakes: OnceLock<Mistakes>,
     mistakes_where_found: OnceLock<Option<Mistakes>>,
     needed: OnceLock<Vec<Vec<Vec<bool>>>>,
+    /// The scene solved, if it has something to be found.
+    solution: OnceLock<Option<Solution>>,
     /// Its later impacts, each by itself.
     later: OnceLock<Vec<Option<KeyedQuestion>>>,
 }
@@ -233,7 +233,7 @@ impl KeyedQuestion {
         let (id, number, mirrors) = (question.id.clone(), question.number, question.mirrors.clone());
         let (decimals, angles) = (decimals(question), angles(question));
         let (given_letters, masses) = (given_letters(question, &letters), numbers_of_masses(&scene));
-        let (prepared, mistakes, mistakes_where_found, needed, later) = Default::default();
+        let (prepared, mistakes, mistakes_where_found, needed, solution, later) = Default::default();
         Ok(KeyedQuestion {
             id,
             number,
@@ -250,6 +250,7 @@ impl KeyedQuestion {
             mistakes,
             mistakes_where_found,
             needed,
+            solution,
             later,
         })
     }
@@ -257,7 +258,8 @@ impl KeyedQuestion {
     /// What looking through working needs, made when it is first needed.
     pub(super) fn prepared(&self) -> &Prepared {
         let (decimals, angles, masses) = (self.decimals.clone(), self.angles.clone(), self.masses.clone());
-        let prepare = || Prepared::new(&self.scene, &self.given_letters, &self.given, decimals, angles, masses);
+        let found = self.solution().map_or(&[][..], Solution::found);
+        let prepare = || Prepared::new(&self.scene, &self.given_letters, &self.given, found, decimals, angles, masses);
         self.prepared.get_or_init(prepare)
     }
 
@@ -291,24 +293,32 @@ impl KeyedQuestion {
 
     /// What slips lead to, worked out when an answer is first wrong.
     pub(super) fn mistakes(&self) -> &Mistakes {
-        let range = || self.solution(true)?.sought();
+        let range = || self.solution().filter(|solution| solution.range().is_some())?.sought();
         self.mistakes.get_or_init(|| self.mistakes_from(&self.given, range().as_ref()))
     }
 
     /// The same with the letters that were to be found as they were found: who has found e goes on with a number.
     pub(super) fn mistakes_where_found(&self) -> Option<&Mistakes> {
         let found = || {
-            let solution = self.solution(false)?;
+            let solution = self.solution().filter(|solution| solution.range().is_none())?;
             Some(self.mistakes_from(&pose(solution.scene()).ok()?, solution.sought().as_ref()))
         };
         self.mistakes_where_found.get_or_init(found).as_ref()
     }
 
-    /// The scene solved, where it has something to be found: a range of values, or values.
-    fn solution(&self, is_range: bool) -> Option<Solution> {
-        let Scene { unknowns, conditions, .. } = &self.scene;
-        let is_sought = !unknowns.is_empty() && conditions.iter().any(Condition::is_inequality) == is_range;
-        if is_sought { solve(&self.scene, &[]).ok() } else { None }
+    /// The scene solved, where it has something to be found: a range of values, or values; with what its parts ask, as
+    /// far as that is determined.
+    fn solution(&self) -> Option<&Solution> {
+        let asked = || {
+            let blanks = self.parts.iter().flat_map(|part| &part.blanks);
+            blanks.flat_map(|blank| blank.find.quantities()).collect::<Vec<_>>()
+        };
+        let solved = || {
+            let mut solutions =
+                if self.scene.unknowns.is_empty() { None } else { solve_all(&self.scene, &asked()).ok() }?;
+            if solutions.len() == 1 { solutions.pop() } else { None }
+        };
+        self.solution.get_or_init(solved).as_ref()
     }
 
     fn mistakes_from(&self, given: &Known<Value>, sought: Option<&Sought>) -> Mistakes {

@@ -42,12 +42,13 @@ pub(super) fn awards(part: &KeyedPart, found: Findings, profile: &Profile, charg
     for (((mark, by_working), needed), contradicted) in part.scheme.iter().zip(by_working).zip(needed).zip(contradicted)
     {
         // Where the answer itself was given, it is the student's last word on the value.
-        let own = least(own_blanks(mark, part).into_iter().map(|place| answers[place].judgement.verdict));
+        let own_blanks = own_blanks(mark, part);
+        let own = least(own_blanks.iter().map(|place| answers[*place].judgement.verdict));
         let answered = own.is_some_and(|verdict| verdict != Verdict::Blank);
         let by_working = by_working
             .filter(|_| !answered || mark.code == Code::A1Shown)
             .map(|award| in_profile(award, mark, profile));
-        let by_answers = by_answers(mark, part, needed, answers, &worth)
+        let by_answers = by_answers(mark, part, &own_blanks, needed, answers, &worth)
             .filter(|award| award.note != Some("implied") || !contradicted);
         let award = match (by_answers, by_working) {
             // What the working shows is better evidence than what an answer implies.
@@ -289,11 +290,12 @@ fn least(verdicts: impl Iterator<Item = Verdict>) -> Option<Verdict> {
 fn by_answers(
     mark: &KeyedMark,
     part: &KeyedPart,
+    own: &[usize],
     needed: &[bool],
     answers: &[MarkedAnswer],
     worth: &[Worth],
 ) -> Option<Award> {
-    let is_value = |place: usize| is_own(mark, &part.blanks[place]);
+    let is_value = |place: usize| own.contains(&place);
     let mut candidates = mark
         .blanks
         .iter()

@@ -126,14 +126,15 @@ pub(super) fn with_asides_set_off(
             start += 1;
             continue;
         }
-        // `56.3° (to the line of centres)`
-        if let [open, line, close, ..] = &tokens[start..]
-            && open.is('(')
-            && close.is(')')
-            && matches!(line.token, Token::Phrase(Phrase::Line(line)) if !line.is_direction())
-        {
-            tokens.remove(start + 2);
+        if let Some(close) = line_in_brackets(&tokens, start) {
+            tokens.remove(close);
             tokens.remove(start);
+            continue;
+        }
+        if let Some(close) = words_of_a_name(&tokens, start) {
+            let (token, end) = (Token::Phrase(Phrase::Remark), tokens[close].end);
+            let whole = Placed { token, end, ..tokens[start].clone() };
+            tokens.splice(start..=close, [whole]);
             continue;
         }
         // `3, m/s`
@@ -194,6 +195,37 @@ pub(super) fn with_asides_set_off(
         }
     }
     tokens
+}
+
+/// The bracket that closes here, where one opens.
+fn closing(tokens: &[Placed], start: usize) -> Option<usize> {
+    let close = match tokens[start].token {
+        Token::Sign('(') => ')',
+        Token::Sign('[') => ']',
+        _ => return None,
+    };
+    Some(start + closes(&tokens[start..], close)?)
+}
+
+/// `56.3° (to the line of centres)`, `56.3° [above the line of centres]`: the closing bracket of the line from which the angle
+/// before is measured, and of nothing else but words that say no more.
+fn line_in_brackets(tokens: &[Placed], start: usize) -> Option<usize> {
+    let close = closing(tokens, start)?;
+    let inside = &tokens[start + 1..close];
+    let is_line = |placed: &&Placed| matches!(placed.token, Token::Phrase(Phrase::Line(line)) if !line.is_direction());
+    let is_word = |placed: &Placed| is_line(&placed) || placed.token == Token::Phrase(Phrase::Remark);
+    (inside.iter().filter(is_line).count() == 1 && inside.iter().all(is_word)).then_some(close)
+}
+
+/// `v (final) = 2.78`, `speed (of B) = 3.08`: the closing bracket of words that belong to the name before them.
+fn words_of_a_name(tokens: &[Placed], start: usize) -> Option<usize> {
+    let close = closing(tokens, start)?;
+    let is_word =
+        |placed: &Placed| matches!(placed.token, Token::Phrase(Phrase::Remark | Phrase::Noun | Phrase::Sphere));
+    let is_name = |placed: &Placed| is_word(placed) || matches!(placed.token, Token::Word(_) | Token::Greek(_));
+    let is_named = is_name(&tokens[start - 1]) && tokens.get(close + 1).is_some_and(|next| next.is('='));
+    let inside = &tokens[start + 1..close];
+    (is_named && !inside.is_empty() && inside.iter().all(is_word)).then_some(close)
 }
 
 /// The closing bracket of what is told besides a value: `5 (w = 15)`, `75.9° (at α = 7.07°)`, `0.5 (0 ≤ e ≤ 1)`, `8 (check: 5 + 3

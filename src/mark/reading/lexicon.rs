@@ -34,12 +34,21 @@ pub(super) enum Sort {
 /// Words for what falls short of the value beside it.
 pub(crate) const NOT_QUITE: [&str; 2] = ["nearly", "almost"];
 
-/// What is only so much of a state is not in it: `nearly at rest`.
-pub(super) const SHORT_OF: [&str; 9] =
-    ["nearly", "almost", "very", "approximately", "approx", "about", "roughly", "around", "circa"];
+/// Words for what is so only roughly.
+const ROUGHLY: [&str; 7] = ["very", "approximately", "approx", "about", "roughly", "around", "circa"];
 
-/// Words before a noun that make it the name of something else.
-pub(super) const OTHERS: [&str; 22] = [
+/// Words for the most that there can be, and for the least.
+pub(crate) const MOST: [&str; 6] = ["maximum", "max", "greatest", "largest", "highest", "fastest"];
+pub(crate) const LEAST: [&str; 5] = ["minimum", "min", "smallest", "lowest", "slowest"];
+
+/// Words for the size of a vector.
+pub(crate) const SIZES: [&str; 4] = ["magnitude", "mag", "modulus", "size"];
+
+/// Words for what is no longer so.
+pub(crate) const PAST: [&str; 2] = ["was", "were"];
+
+/// Words before a noun that make it the name of something else; so do those for the most and the least.
+const OTHERS: [&str; 14] = [
     "each",
     "initial",
     "original",
@@ -54,14 +63,6 @@ pub(super) const OTHERS: [&str; 22] = [
     "perpendicular",
     "perp",
     "parallel",
-    "maximum",
-    "max",
-    "greatest",
-    "largest",
-    "highest",
-    "minimum",
-    "smallest",
-    "lowest",
 ];
 
 /// Words that may turn a value round, but not from within a reason for it.
@@ -131,8 +132,9 @@ static STARTS: LazyLock<HashSet<&str>> = LazyLock::new(|| {
 
 /// Every word that stands in a list of words or of phrases.
 static KNOWN: LazyLock<HashSet<&str>> = LazyLock::new(|| {
+    let others = OTHERS.iter().chain(&MOST).chain(&LEAST);
     let phrases =
-        PHRASES.into_iter().flatten().chain(&AFTER_A_LINE).chain(&OTHERS).chain(centres::WORDS.into_iter().flatten());
+        PHRASES.into_iter().flatten().chain(&AFTER_A_LINE).chain(others).chain(centres::WORDS.into_iter().flatten());
     let single = SINGLE.iter().flat_map(|(_, words)| words.split_whitespace());
     phrases.flat_map(|words| words.split(' ')).chain(single).collect()
 });
@@ -148,6 +150,16 @@ pub(crate) fn is_strange(word: &str) -> bool {
         && !KNOWN.contains(&*small)
         && !is_greek(&small)
         && !is_unit_word(word)
+}
+
+/// Is what is only so much of a state not in it: `nearly at rest`? The word is in small letters.
+pub(super) fn falls_short(word: &str) -> bool {
+    NOT_QUITE.contains(&word) || ROUGHLY.contains(&word)
+}
+
+/// Does the word before a noun make it the name of something else: `relative speed`? It is in small letters.
+pub(super) fn is_other(word: &str) -> bool {
+    [&OTHERS[..], &MOST, &LEAST].iter().any(|words| words.contains(&word))
 }
 
 /// Does the word take back the value beside it; it is in small letters.

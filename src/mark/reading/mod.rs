@@ -61,12 +61,13 @@ mod word;
 mod wording;
 
 pub(crate) use events::{FURTHER, MEETING, NEVER};
-pub(crate) use lexicon::{NOT_QUITE, is_never_letters, is_rejection, is_strange};
+pub(crate) use lexicon::{LEAST, MOST, NOT_QUITE, PAST, SIZES, is_never_letters, is_rejection, is_strange};
 pub(crate) use line::ACROSS;
 pub(crate) use named_line::{NamedLine, named_line};
 pub use reference::{ReferenceLine, Sense};
 pub use said::{End, Form, Label, Notation, Reading, Said, SaidUnit, Statement, Unreadable, Vocabulary};
 pub(crate) use second_thoughts::{is_in_place_of, is_second_thought};
+pub(crate) use tokens::greek;
 
 use choices::{Choices, Flip};
 use crossed_out::{is_withdrawn, without_crossed_out};

@@ -3,11 +3,11 @@
 use super::phrases::Walk;
 use super::tokens::{Placed, Token};
 use super::units::{is_unit_word, unit};
-use super::wording::{IN_PLACE_OF, LEADS, OPEN_THOUGHTS, SECOND_THOUGHTS, STARTING_AFRESH};
+use super::wording::{IN_PLACE_OF, LEADS, SECOND_THOUGHTS, Thoughts};
 
 /// Is the remark one by which a value is taken back?
 pub(crate) fn is_second_thought(remark: &str) -> bool {
-    SECOND_THOUGHTS.contains(&remark)
+    SECOND_THOUGHTS.iter().any(|thoughts| thoughts.words.contains(&remark))
 }
 
 /// Is the remark one by which a value gives way to another?
@@ -57,7 +57,7 @@ impl Walk<'_> {
             _ => None,
         };
         let first = at + usize::from(closing.is_some() || (self.tokens[at].is('-') && self.tokens[at].spaced));
-        let mut next = self.any(first, &SECOND_THOUGHTS)?;
+        let mut next = self.thought(first, |_| true)?;
         if !self.tokens[..first].iter().any(|placed| matches!(placed.token, Token::Number(_) | Token::Root { .. })) {
             return None;
         }
@@ -69,17 +69,23 @@ impl Walk<'_> {
         // `3.08 → no 2.78`, `3.08, rather 2.78`
         let follows = |sign: char| at > 0 && self.tokens[at - 1].is(sign);
         let is_led = closing.is_some() || follows('⇒') || follows(',') && self.word(first) == Some("rather");
-        let is_open = self.any(first, &OPEN_THOUGHTS).is_some() && value == next && !is_led;
+        let is_open = self.thought(first, |thoughts| thoughts.are_open).is_some() && value == next && !is_led;
         (self.is_value(value) && !is_open).then_some((word, value))
     }
 
     /// `no, 2.78`, `scrap that, 2.78`: the token at which the value begins, where nothing that was said is taken back.
     pub(super) fn fresh_start(&self, at: usize) -> Option<usize> {
         let begins = at == 0 || matches!(self.token(at - 1), Some(Token::Sign('\n')));
-        let next = self.any(at, &STARTING_AFRESH).filter(|_| begins)?;
+        let next = self.thought(at, |thoughts| thoughts.begin).filter(|_| begins)?;
         let value = self.after_thoughts(next);
-        let is_open = self.any(at, &OPEN_THOUGHTS).is_some() && value == next;
+        let is_open = self.thought(at, |thoughts| thoughts.are_open).is_some() && value == next;
         (self.is_value(value) && !is_open).then_some(value)
+    }
+
+    /// The token after a word that takes back what stands before it, of those that may do something else besides.
+    fn thought(&self, at: usize, which: impl Fn(&Thoughts) -> bool) -> Option<usize> {
+        let those = SECOND_THOUGHTS.iter().filter(|thoughts| which(thoughts));
+        those.filter_map(|thoughts| self.any(at, thoughts.words)).max()
     }
 
     /// The token after signs and further words of the kind: `wait`, `it should be`.
@@ -91,10 +97,8 @@ impl Walk<'_> {
             dash || [',', ':', ';', '.', '⇒', '\n'].into_iter().any(sign)
         };
         let mut next = at;
-        while let Some(more) = parts(next)
-            .then_some(next + 1)
-            .or_else(|| self.any(next, &SECOND_THOUGHTS))
-            .or_else(|| self.any(next, &LEADS))
+        while let Some(more) =
+            parts(next).then_some(next + 1).or_else(|| self.thought(next, |_| true)).or_else(|| self.any(next, &LEADS))
         {
             next = more;
         }

@@ -1,14 +1,14 @@
 //! What stands on one side of an equals sign: a name, a number, a formula, or words.
 
-use super::Unreadable;
 use super::formula::formula;
 use super::grammar::Parser;
+use super::names;
 use super::phrases::Phrase;
 use super::statements::Statements;
 use super::tokens::{Placed, Token};
 use super::units::is_unit_word;
 use super::vectors::{Shape, shape};
-use super::{Form, Label, SaidUnit};
+use super::{Form, Label, SaidUnit, Unreadable};
 use crate::expr::{Expr, Function};
 
 /// What one side of an equals sign is.
@@ -140,6 +140,34 @@ impl Statements<'_> {
     pub(super) fn is_condition(&self, reason: &[Placed]) -> bool {
         let word = reason.first().map(|first| self.slice(std::slice::from_ref(first)).to_lowercase());
         matches!(word.as_deref(), Some("if" | "when")) && reason.iter().any(|placed| placed.is('='))
+    }
+
+    /// `13.3° when α = 38.3°`, `13.3° for α = 38.3°`: a number is said where a letter of the question has some value, as it is
+    /// with `at`. A formula is not: `u/2 when e = 1` answers another question.
+    pub(super) fn is_place_of_a_number(&self, before: &[Placed], reason: &[Placed]) -> bool {
+        let is_letter = |placed: &Placed| match &placed.token {
+            Token::Word(name) => names::letter(name, self.vocabulary).is_some(),
+            Token::Greek(name) => names::letter(name, self.vocabulary).is_some(),
+            _ => false,
+        };
+        let is_number = match self.found.last().and_then(|last| last.said.last()) {
+            Some(said) if before.is_empty() => matches!(&said.form, Form::Value(value) if value.names().is_empty()),
+            _ => before.iter().any(|placed| matches!(placed.token, Token::Number(_))) && !before.iter().any(is_letter),
+        };
+        match reason {
+            [word, letter, equals, ..] if is_number && is_letter(letter) && equals.is('=') => {
+                matches!(&*self.slice(std::slice::from_ref(word)).to_lowercase(), "when" | "for")
+            }
+            _ => false,
+        }
+    }
+
+    /// Where that place is told with `for`.
+    pub(super) fn place_of_a_number(&self, tokens: &[Placed]) -> Option<usize> {
+        (1..tokens.len()).find(|at| {
+            let (before, reason) = tokens.split_at(*at);
+            matches!(reason[0].token, Token::Phrase(_)) && self.is_place_of_a_number(before, reason)
+        })
     }
 
     /// One side of an equation, whose names must be known.

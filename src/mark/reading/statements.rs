@@ -85,12 +85,12 @@ pub(super) struct Statements<'a> {
 impl Statements<'_> {
     fn segment(&mut self, tokens: &[Placed], concludes: bool) -> Result<(), Unreadable> {
         let reason = tokens.iter().position(|placed| placed.token == Token::Phrase(Phrase::Because));
-        let reason = reason.or_else(|| self.condition_of_multiplier(tokens));
+        let reason = reason.or_else(|| self.condition_of_multiplier(tokens)).or_else(|| self.place_of_a_number(tokens));
         let whole = tokens;
         let (tokens, reason) = whole.split_at(reason.unwrap_or(whole.len()));
         let is_open =
             !(tokens.is_empty() && self.found.is_empty()) || self.slice(&reason[..reason.len().min(1)]) == "if";
-        if is_open && self.is_condition(reason) {
+        if is_open && self.is_condition(reason) && !self.is_place_of_a_number(tokens, reason) {
             return Err(Unreadable::Sign(reason[0].start, "the answer holds on a condition".to_owned()));
         }
         if let Some(at) = self.asked_condition(whole) {

@@ -93,7 +93,7 @@ const GREEK: [(char, &str); 34] = [
 ];
 
 /// The Greek letter of this name, and its name.
-pub(super) fn greek(name: &str) -> Option<(char, &'static str)> {
+pub(crate) fn greek(name: &str) -> Option<(char, &'static str)> {
     GREEK.iter().copied().find(|(_, known)| *known == name)
 }
 

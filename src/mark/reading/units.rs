@@ -244,7 +244,7 @@ impl Units<'_> {
         Some(())
     }
 
-    /// `^-1`, `^(-1)`, `⁻¹`, `-1`, `2`; one if there is none.
+    /// `^-1`, `^(-1)`, `⁻¹`, `-1`, `- 1`, `2`; one if there is none.
     fn exponent(&mut self) -> Option<i8> {
         let start = self.at;
         let raised = self.sign(0) == Some('^');
@@ -253,13 +253,19 @@ impl Units<'_> {
         self.at += usize::from(open.is_some());
         let negative = self.sign(0) == Some('-');
         self.at += usize::from(negative);
+        // `ms - 1` at the end of a value: nobody takes 1 from a speed.
+        let is_apart = negative && self.tokens.get(self.at + 1).is_none_or(|next| next.is(',') || next.is(';'));
         let digit = match self.tokens.get(self.at) {
-            Some(Placed { token: Token::Number(Expr::Number(value)), spaced, .. }) if raised || !spaced => value
-                .as_small()
-                .filter(|(power, below)| (1..=3).contains(power) && *below == 1)
-                // Nobody writes a first power, so a bare 1 is something else.
-                .filter(|(power, _)| raised || negative || *power > 1)
-                .and_then(|(power, _)| i8::try_from(power).ok()),
+            Some(Placed { token: Token::Number(Expr::Number(value)), spaced, .. })
+                if raised || !spaced || is_apart && value.is_one() =>
+            {
+                value
+                    .as_small()
+                    .filter(|(power, below)| (1..=3).contains(power) && *below == 1)
+                    // Nobody writes a first power, so a bare 1 is something else.
+                    .filter(|(power, _)| raised || negative || *power > 1)
+                    .and_then(|(power, _)| i8::try_from(power).ok())
+            }
             _ => None,
         };
         let Some(power) = digit else {

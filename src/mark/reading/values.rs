@@ -2,7 +2,7 @@
 
 use super::choices::{Choices, Doubt};
 use super::formula::formula;
-use super::lexicon::{OTHERS, SHORT_OF, is_strange};
+use super::lexicon::{PAST, falls_short, is_other, is_strange};
 use super::line;
 use super::phrases::Phrase;
 use super::tokens::{Placed, Token, excerpt};
@@ -207,8 +207,7 @@ impl Values<'_> {
 
     /// At rest, with what is said before it: `initially at rest` is of another moment, and `nearly at rest` is something else.
     fn at_rest(&self, tokens: &[Placed], lead: &[usize], at: usize) -> Result<Said, Unreadable> {
-        let falls_short = |at: &usize| SHORT_OF.contains(&&*self.slice(tokens, *at, *at + 1).to_lowercase());
-        let short_of = lead.iter().copied().find(falls_short);
+        let short_of = lead.iter().copied().find(|at| falls_short(&self.slice(tokens, *at, *at + 1).to_lowercase()));
         if let Some(strange) = self.strange(tokens, lead).or(short_of) {
             return Err(self.strange_word(tokens, strange));
         }
@@ -217,7 +216,7 @@ impl Values<'_> {
         // `was at rest` tells of a state, `was brought to rest` of what happens.
         let is_state = matches!(&*self.slice(tokens, at, at + 1).to_lowercase(), "at rest" | "stationary");
         let past = lead.last().map(|last| self.slice(tokens, *last, last + 1).to_lowercase());
-        let past = past.filter(|word| is_state && matches!(&**word, "was" | "were"));
+        let past = past.filter(|word| is_state && PAST.contains(&&**word));
         let remarks = before_name.into_iter().chain(self.after_name(tokens, lead)).chain(past).collect();
         Ok(Said { form: Form::AtRest, unit: None, reference: None, remarks })
     }
@@ -249,7 +248,7 @@ impl Values<'_> {
         let place = lead.iter().position(|at| names(&at))?;
         let last = lead.iter().rev().find(names)?;
         // `initial speed`, `relative speed`
-        let is_other = |at: usize| OTHERS.contains(&self.slice(tokens, at, at + 1).to_lowercase().as_str());
+        let is_other = |at: usize| is_other(&self.slice(tokens, at, at + 1).to_lowercase());
         let is_sphere = |at: &&usize| {
             matches!(&*self.slice(tokens, **at, **at + 1).to_lowercase(), "sphere" | "ball" | "particle" | "disc")
         };
@@ -278,8 +277,10 @@ impl Values<'_> {
         if let Some(strange) = self.strange(tokens, lead) {
             return Err(self.strange_word(tokens, strange));
         }
-        let toward = phrases.last() == Some(&Phrase::Toward);
+        let is_towards = matches!(words.as_deref(), Some("towards" | "toward"));
+        let toward = phrases.last() == Some(&Phrase::Toward) || is_towards;
         let across = phrases.contains(&Phrase::Across);
+        let is_bare = lead.is_empty();
         lead.clear();
         let place = tokens[at].start;
         let parsed = formula(std::mem::take(tokens), at, self.text, self.vocabulary, self.choices)?;
@@ -308,7 +309,9 @@ impl Values<'_> {
         // `2 m/s parallel to i`
         if toward && let Some((_, last)) = found.values.last_mut() {
             match (&last.form, &said.form) {
-                (Form::Value(magnitude), Form::Vector(x, y, _)) => last.form = along(magnitude, x, y),
+                (Form::Value(magnitude), Form::Vector(x, y, _)) if !is_angle(last) => {
+                    last.form = along(magnitude, x, y)
+                }
                 _ => return Err(Unreadable::Sign(place, "a direction that is no vector".to_owned())),
             }
             return Ok(parsed.next);
@@ -326,6 +329,16 @@ impl Values<'_> {
             }
         }
         said.remarks.extend(after_name);
+        // `along the line of centres 1.92`: the direction of the value that follows it at once.
+        let is_directed = is_bare && matches!(said.form, Form::Value(_)) && !is_angle(&said);
+        if let Some((_, direction)) = found.values.last_mut().filter(|_| is_directed)
+            && direction.form == Form::Direction
+        {
+            said.reference = direction.reference;
+            said.remarks.append(&mut direction.remarks);
+            *direction = said;
+            return Ok(parsed.next);
+        }
         found.values.push((label, said));
         Ok(parsed.next)
     }
@@ -341,6 +354,10 @@ fn phrase_at(tokens: &[Placed], at: usize) -> Option<Phrase> {
         Token::Phrase(phrase) => Some(phrase),
         _ => None,
     }
+}
+
+fn is_angle(said: &Said) -> bool {
+    said.unit.as_ref().is_some_and(|unit| unit.degrees)
 }
 
 fn is_after_number(tokens: &[Placed], at: usize) -> bool {

@@ -253,51 +253,43 @@ pub(super) const REMARKS: [&str; 43] = [
     "positive only",
 ];
 
-/// Words that take back what stands before them, where another value follows.
-pub(super) const SECOND_THOUGHTS: [&str; 22] = [
-    "no",
-    "nope",
-    "sorry",
-    "oops",
-    "wait",
-    "actually",
-    "rather",
-    "correction",
-    "corrected",
-    "wrong",
-    "incorrect",
-    "i mean",
-    "edit",
-    "scrap that",
-    "scratch that",
-    "ignore that",
-    "cross that out",
-    "crossed out",
-    "scrapped",
-    "deleted",
-    "never mind",
-    "hang on",
-];
+/// Words that take back what stands before them, where another value follows; and what else they may do.
+pub(super) struct Thoughts {
+    pub(super) words: &'static [&'static str],
+    /// Can an answer begin with them, and take back what nobody sees?
+    pub(super) begin: bool,
+    /// May they be said of the value that follows as well, unless something parts them from it?
+    pub(super) are_open: bool,
+}
 
-/// Those that may be said of the value that follows, too, unless something parts them from it.
-pub(super) const OPEN_THOUGHTS: [&str; 7] =
-    ["no", "wrong", "incorrect", "rather", "crossed out", "scrapped", "deleted"];
-
-/// Those with which an answer can begin that takes back what nobody sees.
-pub(super) const STARTING_AFRESH: [&str; 13] = [
-    "no",
-    "nope",
-    "sorry",
-    "oops",
-    "wait",
-    "actually",
-    "correction",
-    "edit",
-    "i mean",
-    "scrap that",
-    "scratch that",
-    "ignore that",
-    "never mind",
+pub(super) const SECOND_THOUGHTS: [Thoughts; 3] = [
+    Thoughts {
+        words: &[
+            "nope",
+            "sorry",
+            "oops",
+            "wait",
+            "hang on",
+            "actually",
+            "correction",
+            "corrected",
+            "edit",
+            "i mean",
+            "scrap that",
+            "scratch that",
+            "ignore that",
+            "cross that out",
+            "never mind",
+        ],
+        begin: true,
+        are_open: false,
+    },
+    Thoughts { words: &["no"], begin: true, are_open: true },
+    Thoughts {
+        words: &["rather", "wrong", "incorrect", "crossed out", "scrapped", "deleted"],
+        begin: false,
+        are_open: true,
+    },
 ];
 
 /// Words between them and the value that follows; of `it's` the first two letters are read.

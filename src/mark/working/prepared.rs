@@ -12,7 +12,6 @@ use crate::mechanics::{
     Axis, Datum, Derivation, Known, Meeting, Moment, Quantity, Rule, Scene, Setting, Sphere, Velocity,
 };
 use crate::number::{Letter, Places, Range, Value, round};
-use crate::solve::solve;
 
 /// A question made ready for the working of its students.
 #[derive(Clone, Debug)]
@@ -44,11 +43,12 @@ pub struct Prepared {
 }
 
 impl Prepared {
-    /// Prepares a question with these letters, whose scene gives this; `masses` are the numbers of all its masses.
+    /// Prepares a question with these letters, whose scene gives this, and from which this is to be found; `masses` are the numbers of all its masses.
     pub fn new(
         scene: &Scene,
         letters: &[Letter],
         exact: &Known<Value>,
+        found: &[(Letter, Value)],
         decimals: Vec<String>,
         angles: Vec<(String, f64)>,
         masses: Vec<Expr>,
@@ -67,10 +67,8 @@ impl Prepared {
                 names.extend(letters.iter().map(|letter| ((*letter).to_owned(), sizes.clone())));
             }
         }
-        let solved = if scene.unknowns.is_empty() { None } else { solve(scene, &[]).ok() };
-        let found = solved
+        let found = found
             .iter()
-            .flat_map(|solution| solution.found())
             .map(|(letter, value)| (*letter, (0..points.count).map(|point| points.value(value, point)).collect()));
         let found: Vec<(Letter, Vec<Option<f64>>)> = found.collect();
         let there = (0..points.count).map(|point| {
