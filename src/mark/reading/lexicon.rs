@@ -152,7 +152,7 @@ pub(crate) fn is_strange(word: &str) -> bool {
         && !is_unit_word(word)
 }
 
-/// Is what is only so much of a state not in it: `nearly at rest`? The word is in small letters.
+/// Does the word, in small letters, say that a state is not quite reached: `nearly at rest`?
 pub(super) fn falls_short(word: &str) -> bool {
     NOT_QUITE.contains(&word) || ROUGHLY.contains(&word)
 }
