@@ -1,5 +1,7 @@
 //! Words that are no formula: reference lines, rest, labels, and what says nothing about the value.
 
+use std::borrow::Cow;
+
 use super::asides::{unit_before_accuracy, with_asides_set_off};
 use super::choices::Choices;
 use super::lexicon::{self, Sort};
@@ -53,14 +55,7 @@ pub(super) fn with_phrases(
     choices: &mut Choices,
 ) -> Result<Vec<Placed>, Unreadable> {
     let tokens = with_signs(tokens, vocabulary, choices);
-    let small = |placed: &Placed| match &placed.token {
-        Token::Word(word) => match word.to_ascii_lowercase() {
-            centre if matches!(&*centre, "center" | "centers") => centre.replace("ter", "tre"),
-            word => word,
-        },
-        _ => String::new(),
-    };
-    let walk = Walk { tokens: &tokens, words: tokens.iter().map(small).collect(), vocabulary };
+    let walk = Walk { tokens: &tokens, words: tokens.iter().map(in_small_letters).collect(), vocabulary };
     if let Some(whole) = walk.in_a_word() {
         return Ok(whole);
     }
@@ -131,11 +126,24 @@ pub(super) fn with_phrases(
     Ok(with_asides_set_off(out, vocabulary, choices))
 }
 
+/// A word in small letters, as it is spelt in Britain; nothing for another token.
+fn in_small_letters(placed: &Placed) -> Cow<'_, str> {
+    match &placed.token {
+        Token::Word(word) if word.eq_ignore_ascii_case("center") => Cow::Borrowed("centre"),
+        Token::Word(word) if word.eq_ignore_ascii_case("centers") => Cow::Borrowed("centres"),
+        Token::Word(word) if word.contains(|sign: char| sign.is_ascii_uppercase()) => {
+            Cow::Owned(word.to_ascii_lowercase())
+        }
+        Token::Word(word) => Cow::Borrowed(word),
+        _ => Cow::Borrowed(""),
+    }
+}
+
 /// The words of an answer, to be looked through for what they say.
 pub(super) struct Walk<'a> {
     pub(super) tokens: &'a [Placed],
     /// The words in small letters; nothing for other tokens.
-    words: Vec<String>,
+    words: Vec<Cow<'a, str>>,
     pub(super) vocabulary: &'a Vocabulary,
 }
 
@@ -154,7 +162,7 @@ impl Walk<'_> {
 
     /// The word at a token, in small letters.
     pub(super) fn word(&self, at: usize) -> Option<&str> {
-        self.words.get(at).map(String::as_str).filter(|word| !word.is_empty())
+        self.words.get(at).map(Cow::as_ref).filter(|word| !word.is_empty())
     }
 
     /// Do these words stand here? The token after them, stops and articles passed over.

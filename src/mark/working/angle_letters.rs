@@ -1,5 +1,7 @@
 //! A student's own letters for the question's angles, as keyboards have them: `cos a` for `cos α`.
 
+use std::rc::Rc;
+
 use super::angles::{argument, sides, used};
 use super::line::{Line, ReadLine};
 use crate::expr::Expr;
@@ -15,7 +17,7 @@ pub(super) fn put_in_place(lines: &mut [Line], letters: &[Letter], given: &dyn F
     if angles.is_empty() {
         return;
     }
-    let readings = || lines.iter().flat_map(|line| &line.readings);
+    let readings = || lines.iter().flat_map(|line| &line.readings).map(Rc::as_ref);
     let mut under: Vec<String> = readings().flat_map(used).collect();
     under.sort();
     under.dedup();
@@ -55,12 +57,12 @@ pub(super) fn put_in_place(lines: &mut [Line], letters: &[Letter], given: &dyn F
     let is_open = open.iter().any(|angle| given(angle));
     for line in lines {
         let is_unknown = |reading: &ReadLine| used(reading).iter().any(|name| unknown.contains(name));
-        if is_open && line.readings.iter().any(is_unknown) {
+        if is_open && line.readings.iter().any(|reading| is_unknown(reading)) {
             line.readings.clear();
         }
         let has_own =
             |reading: &&mut ReadLine| sides(reading).flat_map(Expr::names).any(|name| greek(&name.text).is_some());
-        line.readings.iter_mut().filter(has_own).for_each(|reading| *reading = reading.in_letters(&greek));
+        line.readings_mut().filter(has_own).for_each(|reading| *reading = reading.in_letters(&greek));
     }
 }
 

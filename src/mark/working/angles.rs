@@ -29,7 +29,7 @@ pub(super) fn put_in_place(lines: &mut [Line], letters: &[Letter], prepared: &Pr
         let defined = equations.filter_map(|equation| definition(equation, prepared));
         known.extend(defined.map(|(name, angle)| (name, in_degrees(angle))));
     }
-    for reading in lines.iter_mut().flat_map(|line| &mut line.readings) {
+    for reading in lines.iter_mut().flat_map(Line::readings_mut) {
         let defined = reading.equations.iter().find_map(|equation| definition(equation, prepared));
         if let Some((name, angle)) = defined {
             if known.iter().all(|(own, _)| *own != name) {
@@ -56,7 +56,9 @@ pub(super) fn put_in_place(lines: &mut [Line], letters: &[Letter], prepared: &Pr
             }
             reading.is_guessed |= guessed.contains(&name);
         }
-        put_everywhere(reading, &|expr| with_angles(expr, &known));
+        if !known.is_empty() {
+            put_everywhere(reading, &|expr| with_angles(expr, &known));
+        }
         name_components(reading, prepared);
     }
 }
@@ -69,8 +71,8 @@ fn put_short_letters_in_place(lines: &mut [Line], letters: &[Letter], prepared: 
         let put = |expr: &Expr| {
             expr.substitute(&|name| known.iter().rfind(|(own, _)| own == name).map(|(_, put)| put.clone()))
         };
-        for reading in line.readings.iter_mut().filter(|_| !known.is_empty()) {
-            put_everywhere(reading, &put);
+        if !known.is_empty() {
+            line.readings_mut().for_each(|reading| put_everywhere(reading, &put));
         }
         // `tan δ = 35t/(9 + 44t²), t = tan α`: the line itself is written with it.
         let members = line.readings.iter().flat_map(|reading| &reading.members);
@@ -83,8 +85,9 @@ fn put_short_letters_in_place(lines: &mut [Line], letters: &[Letter], prepared: 
                 here.iter().find(|(own, _)| own == name && !used.contains(own)).map(|(_, put)| put.clone())
             })
         };
-        for reading in line.readings.iter_mut().filter(|reading| reading.equations.len() > 1) {
-            put_everywhere(reading, &put);
+        if !here.is_empty() {
+            let chains = line.readings_mut().filter(|reading| reading.equations.len() > 1);
+            chains.for_each(|reading| put_everywhere(reading, &put));
         }
         let members = line.readings.iter().flat_map(|reading| &reading.members);
         let mut defined: Vec<(String, Expr)> = members.filter_map(|member| short(member, prepared)).collect();

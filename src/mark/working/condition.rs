@@ -144,7 +144,7 @@ impl Working<'_> {
                 && stated.any(|stated| self.is_positive_multiple(&stated, &demanded))
         };
         let equations = |reading: &ReadLine| reading.equations.iter().any(is_it);
-        self.lines.iter().position(|studied| studied.reading.as_ref().is_some_and(equations))
+        self.lines.iter().position(|studied| studied.reading.as_deref().is_some_and(equations))
     }
 
     /// By how much one side is to be the greater with the student's own velocities: those that follow from what was found, or

@@ -3,6 +3,8 @@
 //! `tan β = u sin α/½u(1 − e) cos α = 2 tan α/(1 − e)` has all of it below the stroke. What stands before a line tells which
 //! letters are known, so it is decided once they are.
 
+use std::rc::Rc;
+
 use super::examine::Working;
 use super::line::ReadLine;
 use super::printed::{Spot, Truth};
@@ -28,7 +30,7 @@ impl Working<'_> {
                 return None;
             }
             let meant = studied.line.readings.iter().find(|reading| is(reading, Truth::True));
-            meant.map(|reading| (place, reading.clone()))
+            meant.map(|reading| (place, Rc::clone(reading)))
         });
         for (place, reading) in meant.collect::<Vec<_>>() {
             self.lines[place].reading = Some(reading);

@@ -1,5 +1,7 @@
 //! Which marks the lines of a part earn.
 
+use std::rc::Rc;
+
 use super::convention::{shows_e, take_as_laws};
 use super::crossed_out::set_aside_replaced;
 use super::energies::ToBeSubtracted;
@@ -95,7 +97,7 @@ pub(crate) fn has_these_sizes(question: &KeyedQuestion, expr: &Expr, sizes: &[f6
 pub(super) struct Studied {
     pub(super) line: Line,
     /// The reading that was used.
-    pub(super) reading: Option<ReadLine>,
+    pub(super) reading: Option<Rc<ReadLine>>,
     /// The value of each member at every point: a number, or a vector.
     pub(super) values: Vec<Option<Vec<Value>>>,
     /// Which of the two equations it is; one of each if it has both.

@@ -1,6 +1,7 @@
 //! A line of working as a student writes it: a few words, then an equation, a chain of equals signs, or values.
 
 use std::borrow::Cow;
+use std::rc::Rc;
 
 use super::angles::{is_short, tangent_letter};
 use super::products::{FUNCTIONS, Products, factors_of_functions, has_letters};
@@ -19,11 +20,16 @@ pub(super) struct Line {
     pub(super) number: usize,
     /// What was typed.
     pub(super) typed: String,
-    /// What it may say, the likeliest first; nothing if it cannot be read.
-    pub(super) readings: Vec<ReadLine>,
+    /// What it may say, the likeliest first; nothing if it cannot be read. The same wherever the line is looked at.
+    pub(super) readings: Vec<Rc<ReadLine>>,
 }
 
 impl Line {
+    /// Its readings, to be changed.
+    pub(super) fn readings_mut(&mut self) -> impl Iterator<Item = &mut ReadLine> {
+        self.readings.iter_mut().map(Rc::make_mut)
+    }
+
     /// Is all of it crossed out?
     pub(super) fn is_crossed_out(&self) -> bool {
         let typed = self.typed.trim();
@@ -115,7 +121,7 @@ pub(super) fn read(working: &[String], letters: &[Letter], vectors: bool) -> Vec
     let read = |(place, typed): (usize, &str)| Line {
         number: place + 1,
         typed: typed.to_owned(),
-        readings: readings(&products.signed(typed), &vocabularies),
+        readings: readings(&products.signed(typed), &vocabularies).into_iter().map(Rc::new).collect(),
     };
     typed(working).take(MOST_LINES).enumerate().map(read).collect()
 }
@@ -193,6 +199,7 @@ fn readings(typed: &str, vocabularies: &[Vocabulary]) -> Vec<ReadLine> {
     let typed = &*without_arrow(typed);
     let has_factors = |vocabulary: &Vocabulary| factors_of_functions(typed).all(|own| has_letters(vocabulary, own));
     let may_have = vocabularies.iter().any(has_factors);
+    let candidates = candidates(typed);
     for (place, vocabulary) in vocabularies.iter().enumerate() {
         if may_have && !has_factors(vocabulary) {
             continue;
@@ -200,8 +207,8 @@ fn readings(typed: &str, vocabularies: &[Vocabulary]) -> Vec<ReadLine> {
         if place > 0 && !says_more(typed, &vocabularies[place - 1], vocabulary) {
             continue;
         }
-        for (name, text) in candidates(typed) {
-            let Ok(readings) = read_whole(&text, vocabulary) else { continue };
+        for (name, text) in &candidates {
+            let Ok(readings) = read_whole(text, vocabulary) else { continue };
             for reading in readings {
                 let mut line = read_line(reading);
                 for member in line.members.iter_mut().filter(|member| member.label.is_none()) {

@@ -46,7 +46,7 @@ impl Working<'_> {
         let line = self.lines.iter().position(|studied| {
             let has =
                 |reading: &ReadLine| reading.members.iter().any(has_form) || reading.equations.iter().any(is_tangent);
-            studied.matched.is_empty() && studied.reading.as_ref().is_some_and(has)
+            studied.matched.is_empty() && studied.reading.as_deref().is_some_and(has)
         })?;
         let mut found = Evidence::given(line, law.name());
         if shape == Shape::Tangent && self.is_upside_down(line, sphere) {

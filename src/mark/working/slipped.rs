@@ -26,8 +26,10 @@ pub(super) fn undone(lines: &[Line], before: &[Slip], prepared: &Prepared) -> (O
     let mut slips = before.to_vec();
     let mut undone = lines.to_vec();
     for (line, typed) in undone.iter_mut().zip(lines).filter(|(_, typed)| !typed.is_crossed_out()) {
-        let put = |expr: &Expr| with_formulas(expr, &slips);
-        line.readings.iter_mut().filter(|_| !slips.is_empty()).for_each(|reading| put_everywhere(reading, &put));
+        if !slips.is_empty() {
+            let put = |expr: &Expr| with_formulas(expr, &slips);
+            line.readings_mut().for_each(|reading| put_everywhere(reading, &put));
+        }
         let equations = typed.readings.first().map(|reading| reading.equations.as_slice()).unwrap_or_default();
         let found = equations.iter().filter_map(|(formula, number)| slip(formula, number, prepared));
         for slip in found.collect::<Vec<Slip>>() {
