@@ -213,6 +213,12 @@ fn worst_and_median() {
     let (sheets, profile) = (sheets(), Profile::default());
     println!("\nmarking, in microseconds: median, worst");
     for kind in HANDED_IN {
+        let of = match kind {
+            "worked" => "a script",
+            "followed" => "an answer and two lines",
+            "unanswered" => "two lines",
+            _ => "an answer",
+        };
         let mut times = Vec::new();
         for sheet in &sheets {
             for (_, script) in sheet.scripts.iter().filter(|(own, _)| *own == kind) {
@@ -221,10 +227,10 @@ fn worst_and_median() {
                     "worked" => (took, format!("{}, {} lines", sheet.id, lines(script))),
                     _ => (took / answers(script) as f64, format!("{}, {:?}", sheet.id, script.parts[0].answers)),
                 };
+                assert!(!of.contains("two lines") || lines(script) == 2, "{what}");
                 times.push((share, what));
             }
         }
-        let of = if kind == "worked" { "a script" } else { "an answer" };
         row(&format!("{kind}, {of}"), times);
     }
     let sheet = sheets.iter().find(|sheet| sheet.id == TYPED).expect("the question is shipped");
@@ -245,7 +251,7 @@ fn worst_and_median() {
 fn row(name: &str, mut times: Vec<(f64, String)>) {
     times.sort_by(|one, two| one.0.total_cmp(&two.0));
     let (median, worst) = (times[times.len() / 2].0, &times[times.len() - 1]);
-    println!("{name:22} {median:8.1} {:8.1}  {}", worst.0, worst.1);
+    println!("{name:33} {median:8.1} {:8.1}  {}", worst.0, worst.1);
 }
 
 fn time(once: impl Fn()) -> f64 {
