@@ -266,6 +266,11 @@ fn words_that_ask_for_exact_form_and_answers_that_must_be_exact_are_named_where_
                 &[("note = \"Give the speeds in exact form and the", "note = \"Give the")],
                 "the answer `A.after.speed` must be exact, and no words say so",
             ),
+            (
+                "never-asked-in-a-style",
+                &[("note = \"Give the speeds in exact form and the", "note = \"Give the")],
+                "or take the answer out of this list",
+            ),
         ],
     );
     found(
@@ -757,7 +762,14 @@ fn what_decides_and_is_never_told_is_named_and_any_words_that_tell_of_it_are_rig
     let sentence = "_[In this question_ {i} _and_ {j} _are perpendicular unit vectors in a horizontal plane.]_";
     found("i-j/energy-lost", &[("unit-vectors", &[(sentence, "")], "the words never tell what {i} and {j} are")]);
     let no_line: &[(&str, &str)] = &[(" with the line of centres", "")];
-    found("rest/speeds-and-directions", &[("no-line", no_line, "from which line the angle `alpha` is measured")]);
+    let other_line: &[(&str, &str)] = &[("with the line of centres of", "with the tangent at the point of contact of")];
+    found(
+        "rest/speeds-and-directions",
+        &[
+            ("no-line", no_line, "from which line the angle `alpha` is measured"),
+            ("other-line", other_line, "the words give `*A*` the angle `alpha`"),
+        ],
+    );
     let meeting = "After *B* has struck *C*, *A* does not strike *B* again. Find";
     let edits: &[(&str, &str)] = &[(meeting, "Find")];
     found("successive/no-more-collisions", &[("never-again", edits, "the words never tell of who meets again")]);

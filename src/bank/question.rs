@@ -237,6 +237,11 @@ impl Answer {
     pub fn accept(&self, style: StyleName) -> &Accept {
         if self.exact_in.contains(&style) { &Accept::Exact } else { &self.accept }
     }
+
+    /// Must the answer be exact only because the style says so?
+    pub fn is_exact_by_style(&self, style: StyleName) -> bool {
+        self.accept != Accept::Exact && self.exact_in.contains(&style)
+    }
 }
 
 /// What a mark is awarded for.

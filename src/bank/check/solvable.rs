@@ -136,7 +136,12 @@ fn refused(
                     words.span(),
                     format!("the scene does not determine `{quantity}`"),
                     "asked for here, with the reference numbers",
-                    "give more in `[scene]`, or ask for something else",
+                    match &question.scene.e {
+                        Some(_) => "give more in `[scene]`, or ask for something else",
+                        None => {
+                            "give more in `[scene]`, such as `e`, the coefficient of restitution, or ask for something else"
+                        }
+                    },
                 );
             }
         }

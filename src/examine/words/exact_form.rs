@@ -97,6 +97,11 @@ pub fn unasked(question: &Question, variant: &Variant, words: &Words, remarks: &
         for answer in exact.filter(|answer| invites_rounding(answer, variant)) {
             let what = format!("the answer `{}` must be exact, and no words say so", answer.find.name());
             let label = "a student who rounds it loses the mark";
+            if answer.is_exact_by_style(variant.style) {
+                let help = "ask for exact form in the `note` of the style, or take the answer out of this list";
+                remarks.push(Remark::new(what, "exact = [".to_owned(), label, help));
+                continue;
+            }
             let help = "ask for exact form in the words, or write `accept = \"awrt 3sf\"`";
             // The scene may name the letter too.
             let key = if matches!(answer.find, Find::Unknown(_)) { "find = " } else { "" };

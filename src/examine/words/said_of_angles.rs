@@ -24,7 +24,8 @@ impl Seen<'_> {
         let has = Angle::of(&y, &x)?;
         if let (Some(said), Some(has)) = (self.meaning(expr).and_then(degrees_said), degrees(&Turn::of(has.clone()))) {
             let is_apart = (said - has).abs() > 1e-6 && said < 90.0;
-            return is_apart.then(|| (format!("{said:.4}"), format!("{has:.4}")));
+            let shown = |degrees: f64| format!("{degrees:.4}").trim_end_matches('0').trim_end_matches('.').to_owned();
+            return is_apart.then(|| (shown(said), shown(has)));
         }
         // Of letters only what goes before is given; what comes after is to be found, unless an equation gives it.
         let is_in = |value: &Value, name: &str| value.letters().iter().any(|letter| letter.name() == name);

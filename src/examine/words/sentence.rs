@@ -163,7 +163,7 @@ pub fn noun_of(sentence: &[Token], place: usize) -> Option<(usize, Noun, bool)> 
 }
 
 /// The axis from which an angle is measured for which these words come next: along the line of centres and the normal to a
-/// wall, or across it.
+/// wall, or across it, as the tangent at the point of contact is.
 pub fn measured_from(after: &[Token]) -> Option<Axis> {
     const DESCRIBED: [&str; 10] =
         ["the", "a", "this", "that", "smooth", "fixed", "vertical", "first", "second", "third"];
@@ -179,6 +179,7 @@ pub fn measured_from(after: &[Token]) -> Option<Axis> {
             "centres" | "centers" => return Some(if is_across { Axis::T } else { Axis::N }),
             "wall" if is_line => return Some(if is_across { Axis::N } else { Axis::T }),
             "common" => return Some(Axis::T),
+            "tangent" if is_line => return Some(if is_across { Axis::N } else { Axis::T }),
             _ => {}
         }
     }
