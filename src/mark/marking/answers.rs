@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::rc::Rc;
 
+use super::decide::ENOUGH;
 use super::left::Left;
 use super::memory::{Judged, Lines, Memory};
 use crate::answer::{Accept, Kind};
@@ -57,7 +58,7 @@ pub(super) fn judged(
                     true => Rc::new(read_answer(answer, &model.vocabulary)),
                     false => lines.read(answer, &model.vocabulary),
                 };
-                let judgement = profiled(judge(&model, &readings), profile).in_setting(part.setting);
+                let judgement = profiled(judge(&model, &readings), &model, profile).in_setting(part.setting);
                 Judged::new(judgement, Rc::unwrap_or_clone(readings).ok())
             })
         };
@@ -66,7 +67,9 @@ pub(super) fn judged(
         let found = match (alone, left, together) {
             (Some(answer), ..) => judged(answer),
             (None, Some((_, found)), _) => found,
-            (None, None, Some(together)) => Judged::new(profiled(together, profile).in_setting(part.setting), None),
+            (None, None, Some(together)) => {
+                Judged::new(profiled(together, &blank.model, profile).in_setting(part.setting), None)
+            }
             (None, None, None) => Judged::new(judge(&blank.model, &Err(Unreadable::Blank)), None),
         };
         let (name, judgement) = (blank.name.clone(), found.judgement.clone());
@@ -103,18 +106,22 @@ fn together_vocabulary(models: &[Model]) -> crate::mark::reading::Vocabulary {
     crate::mark::reading::Vocabulary { letters, vectors }
 }
 
-/// The figures that a profile asks for where the key has the usual three.
+/// What a key asks for as a rule.
+const USUAL: Accept = Accept::RoundsTo(Places::SignificantFigures(3));
+
+/// Other figures than the usual three of a key, where a profile asks for them; two are fewer figures, and no other value.
 fn in_profile<'m>(model: &'m Model, profile: &Profile) -> Cow<'m, Model> {
-    const USUAL: Accept = Accept::RoundsTo(Places::SignificantFigures(3));
-    if model.accept != USUAL || profile.figures == 3 {
+    if model.accept != USUAL || matches!(profile.figures, ENOUGH | 3) {
         return Cow::Borrowed(model);
     }
     Cow::Owned(Model { accept: Accept::RoundsTo(Places::SignificantFigures(profile.figures)), ..model.clone() })
 }
 
-/// A verdict that is right for this profile, though partly right for another.
-fn profiled(judgement: Judgement, profile: &Profile) -> Judgement {
+/// A verdict that is right for this profile, though partly right for another. Where two figures are enough, 4.4 is right for
+/// 4.384 and 4.35 is not: who writes three has them right.
+fn profiled(judgement: Judgement, model: &Model, profile: &Profile) -> Judgement {
     let condoned = match judgement.note {
+        Some(note) if note == Note::UnderAccurate.tag() => model.accept == USUAL && profile.figures == ENOUGH,
         Some(note) if note == Note::Coordinates.tag() => profile.coordinates,
         Some(note) if note == Note::RadiansUnstated.tag() => profile.radians,
         _ => false,

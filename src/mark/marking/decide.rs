@@ -130,7 +130,7 @@ fn in_figures(award: Award, mark: &KeyedMark, profile: &Profile, charged: &mut C
 }
 
 /// The fewest figures that are right as far as they go: one is no evidence.
-const ENOUGH: u32 = 2;
+pub(super) const ENOUGH: u32 = 2;
 
 /// A mark for an answer that is right for what the student had found before.
 fn by_followed(mark: &KeyedMark, part: &KeyedPart, followed: &[Option<Followed>]) -> Option<Award> {
