@@ -377,6 +377,10 @@ fn through_its_tangent(model: &Model, said: &Said, label: Option<&Label>) -> Opt
     let angle_model =
         Model { accept, quantity: model.quantity, ..model.further(Further::ArcTangent, Kind::Angle, arc) };
     let finding = angle::judge(&angle_model, said, None);
+    // `tan θ = arctan(12/19)` is false, whatever is meant.
+    if is_angle && label.is_some_and(|label| matches!(label.expr, Some(Expr::Call(Function::Tan, _)))) {
+        return Some(finding.at_most_partial(Note::AngleForTangent));
+    }
     if is_angle || labelled {
         return Some(finding.remarked(Note::AngleForTangent)).filter(|finding| is_angle || finding.is_credited());
     }

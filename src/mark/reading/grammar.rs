@@ -279,18 +279,26 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Powers of powers are taken from the right. `2^3/2` may be meant to have a fraction for exponent.
+    /// Powers of powers are taken from the right. `2^3/2` may be meant to have a fraction for exponent; nobody raises to sevenths.
     fn exponent(&mut self) -> Parsed {
         if self.eat('-') {
             return self.negated(Self::exponent);
         }
         let (start, place) = (self.at, self.place());
-        let base = self.operand()?;
+        // `mu^2 5/7` has a square, and no mixed number.
+        let base = match self.token(0).cloned() {
+            Some(Token::Number(number)) => {
+                self.at += 1;
+                number
+            }
+            _ => self.operand()?,
+        };
         let fraction =
             matches!(base, Expr::Number(_)) && self.at == start + 1 && self.sign(0) == Some('/') && !self.spaced(0);
         if fraction && let Some(Token::Number(below)) = self.token(1).cloned() {
             // Nobody writes a first power, so `13^1/2` is a root.
-            if base.is_one() || self.choices.otherwise(Doubt::Exponent, place) {
+            let is_half = below == Expr::integer(2);
+            if base.is_one() || is_half && self.choices.otherwise(Doubt::Exponent, place) {
                 self.at += 2;
                 return Ok(Expr::Quotient(Box::new(base), Box::new(below)));
             }

@@ -146,10 +146,11 @@ impl Parser<'_> {
         let place = self.place();
         let bare = !matches!(self.sign(0), Some('(' | '[' | '{' | OPEN | '|'));
         let mut under = match self.token(0) {
-            // `√39 4/9` is hardly the root of a mixed number.
+            // `√39 4/9` is hardly the root of a mixed number; `√7¼` may be.
             Some(Token::Number(value)) => {
                 let value = value.clone();
-                match self.is_fraction(1) && self.choices.otherwise(Doubt::Root, place) {
+                let before_fraction = self.is_fraction(1) || self.sign(1) == Some(OPEN);
+                match before_fraction && self.choices.otherwise(Doubt::Root, place) {
                     true => self.number(value)?,
                     false => {
                         self.at += 1;

@@ -122,6 +122,10 @@ fn a_tangent_may_be_told_by_its_angle() {
     assert_eq!(earns(&tangent, Some("theta"), vec![angle("36.6")]), "correct angle-for-tangent");
     assert_eq!(earns(&tangent, None, vec![value("atan(3*sqrt(3)/7)")]), "correct angle-for-tangent");
     assert_eq!(earns(&tangent, None, vec![value("36.58677555")]), "partial angle-for-tangent");
+    // The tangent is no angle.
+    assert_eq!(earns(&tangent, Some("tan(theta)"), vec![value("atan(3*sqrt(3)/7)")]), "partial angle-for-tangent");
+    let chain = vec![value("atan(3*sqrt(3)/7)"), angle("36.6")];
+    assert_eq!(earns(&tangent, Some("tan(theta)"), chain), "partial angle-for-tangent");
     assert_eq!(earns(&tangent, None, vec![angle("96.6")]), "wrong");
     assert_eq!(earns(&tangent, None, vec![value("3*sqrt(3)")]), "unreadable broken-off");
     assert_eq!(earns(&tangent, Some("tan(theta)"), vec![value("9/(7*sqrt(3))")]), "correct");
