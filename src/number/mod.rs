@@ -19,6 +19,7 @@ mod letter;
 mod operations;
 mod polynomial;
 mod polynomial_roots;
+mod quotient;
 mod root;
 mod rounding;
 mod shared_factors;

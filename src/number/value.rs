@@ -303,59 +303,12 @@ impl Value {
         (Value::build(without, denominator.clone().into_owned()), Value::build(with, denominator.into_owned()))
     }
 
-    /// One over the value; `None` for nought.
-    pub fn reciprocal(&self) -> Option<Value> {
-        if let Value::Rational(number) = self {
-            return number.reciprocal().map(Value::Rational);
-        }
-        let Some(root) = self.roots().pop() else {
-            let (numerator, denominator) = self.as_quotient()?;
-            return Some(Value::quotient(denominator, numerator));
-        };
-        let (a, b) = self.split(&root);
-        if a.is_written_zero() {
-            return Some(&Value::root(root.clone()) * &(&b * &root.square()).reciprocal()?);
-        }
-        let norm = &(&a * &a) - &(&(&b * &b) * &root.square());
-        if norm.is_zero() {
-            // The root was no new number: either a + b root is nought, or a - b root is.
-            return if self.is_zero() { None } else { (&a * &Value::from(2)).reciprocal() };
-        }
-        Some(&(&a - &(&b * &Value::root(root))) * &norm.reciprocal()?)
-    }
-
     /// The length of the longest number in it, in bits.
     pub(crate) fn longest_number(&self) -> usize {
         let Value::Compound(compound) = self else { return self.as_fraction().map_or(0, Fraction::length) };
         let above = compound.terms.values();
         let numbers = above.chain([&compound.denominator]).flat_map(|polynomial| polynomial.terms());
         numbers.map(|(_, number)| number.length()).max().unwrap_or_default()
-    }
-
-    /// Would its reciprocal be a formula that nobody wants to read? Each root doubles it, and letters
-    /// let it grow further, as given angles do, whose tangents are letters too.
-    pub fn is_laborious(&self) -> bool {
-        let roots = self.roots().len();
-        let many = if !self.has_letter(|_| true) { 4 } else { 2 };
-        let single = matches!(self, Value::Compound(compound) if compound.terms.len() == 1);
-        roots >= many && !single
-    }
-
-    /// The quotient; `None` by nought.
-    pub fn divided_by(&self, divisor: &Value) -> Option<Value> {
-        if let (Value::Rational(a), Value::Rational(b)) = (self, divisor) {
-            return b.reciprocal().map(|inverse| Value::Rational(a * &inverse));
-        }
-        if let Value::Rational(number) = divisor {
-            return number.reciprocal().map(|inverse| self * &Value::Rational(inverse));
-        }
-        if divisor.is_zero() { None } else { Some(self * &divisor.reciprocal()?) }
-    }
-
-    /// A whole power; `None` for a negative power of nought.
-    pub fn power(&self, exponent: i32) -> Option<Value> {
-        let base = if exponent < 0 { self.reciprocal()? } else { self.clone() };
-        Some((0..exponent.unsigned_abs()).fold(Value::ONE, |product, _| &product * &base))
     }
 }
 
