@@ -84,8 +84,8 @@ const AT_A_WALL: &[(&str, &str)] = &[
     ("the speed of separation along the line of centres", "the speed away from the wall"),
     ("a direction is measured from the line of centres", "a direction is measured from the wall"),
     (
-        "angle between them is not the sum of their angles with the line of centres",
-        "angle between them is not the difference of their angles with the wall",
+        "the angle between them is not the sum of their angles with the line of centres",
+        "the angle between them is the sum of their angles with the wall, and not with the perpendicular to it",
     ),
     (
         "tangent of the angle of *A* to the line of centres",
@@ -245,6 +245,11 @@ mod tests {
         let table = [
             (Setting::Wall, "energy-after-along-only", "The components parallel to the wall count after the impact"),
             (Setting::Wall, "rebound-missed", "The sphere turns back perpendicular to the wall:"),
+            (
+                Setting::Wall,
+                "deflection-added",
+                "Draw both velocities from one point: the angle between them is the sum of their angles with the wall",
+            ),
             (Setting::Impulse, "rebound-missed", "The particle turns back:"),
             (Setting::Impulse, "angle-complement", "That is the angle with the other unit vector;"),
         ];
