@@ -228,3 +228,11 @@ fn the_angle_turned_through_is_found_by_the_function_that_the_line_before_has() 
     }
     assert!(by_cosine > 0);
 }
+
+#[test]
+fn a_mark_scheme_speaks_of_restitution_by_the_letter_of_the_impact() {
+    let printed = with_reference_numbers("successive/no-more-collisions");
+    let notes: Vec<String> =
+        printed.parts.iter().flat_map(|part| &part.scheme).map(|row| print::text_unicode(&row.note)).collect();
+    assert!(notes.iter().any(|note| note.contains("f on the correct side")), "{notes:?}");
+}

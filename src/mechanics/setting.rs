@@ -6,6 +6,8 @@
 
 use std::borrow::Cow;
 
+use crate::number::Letter;
+
 /// What an impact is between.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 pub enum Setting {
@@ -218,6 +220,17 @@ impl Setting {
     }
 }
 
+/// Words about *e*, with the letter that the coefficient of restitution has in their question, if it is another.
+pub fn with_letter_of_restitution(words: &str, letter: Option<Letter>) -> Cow<'_, str> {
+    let Some(letter) = letter.filter(|letter| letter.name() != "e") else { return Cow::Borrowed(words) };
+    let pieces = words.split_inclusive(|sign: char| !sign.is_alphanumeric());
+    let said = pieces.map(|piece| match piece.strip_prefix('e') {
+        Some(rest) if !rest.starts_with(char::is_alphanumeric) => format!("{}{rest}", letter.name()),
+        _ => piece.to_owned(),
+    });
+    Cow::Owned(said.collect())
+}
+
 /// The bit of the first letter, if it is one of ASCII, as that of every phrase is.
 fn initial(words: &str) -> u128 {
     words.bytes().next().filter(u8::is_ascii).map_or(0, |first| 1 << first)
@@ -256,6 +269,22 @@ mod tests {
         for (setting, tag, begins) in table {
             let said = setting.say(sentence(tag));
             assert!(said.starts_with(begins) && !said.contains("centres"), "{tag}: {said}");
+        }
+    }
+
+    #[test]
+    fn restitution_has_the_letter_of_its_question() {
+        let f = Letter::new("f", crate::number::Range::Unit).unwrap();
+        let table = [
+            ("*e* on the correct side; condone sign errors", "*f* on the correct side; condone sign errors"),
+            (
+                "e is separation over approach: the special value of e.",
+                "f is separation over approach: the special value of f.",
+            ),
+        ];
+        for (words, said) in table {
+            assert_eq!(with_letter_of_restitution(words, Some(f)), said);
+            assert_eq!(with_letter_of_restitution(words, None), words);
         }
     }
 
