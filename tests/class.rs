@@ -259,6 +259,9 @@ fn a_list_that_is_wrong_is_refused_with_all_its_faults_and_nothing_is_written() 
         assert!(!folder.join("sheet").exists());
     }
     assert_eq!(carom(&folder, &["sheet", "--per-student"]).status.code(), Some(2));
+    let output = class(&folder, "student\nAda\n", &["5C-2", "--per-student", "--format", "pdf"]);
+    assert!(stderr(&output).contains("`--per-student` has nothing for the folder of a student"), "{}", stderr(&output));
+    assert!(output.status.code() == Some(1) && !folder.join("sheet").exists());
     let missing = carom(&folder, &["sheet", "--class", "none.csv"]);
     assert!(stderr(&missing).contains("`none.csv` cannot be read: there is no such file"), "{}", stderr(&missing));
 }

@@ -211,3 +211,28 @@ fn the_angle_with_each_wall_has_the_letter_that_the_question_gives_it() {
         assert_eq!(angles, [letter]);
     }
 }
+
+#[test]
+fn the_angle_turned_through_is_found_by_the_function_that_the_line_before_has() {
+    let bank = Bank::shipped().unwrap_or_else(|faults| panic!("{}", render_all(&faults, false)));
+    let mut by_cosine = 0;
+    for question in &bank.questions {
+        let id = &question.id;
+        let printed = compose(question, &reference(question).unwrap_or_else(|_| panic!("{id}")), 1);
+        for line in printed.parts.iter().flat_map(|part| &part.working) {
+            let found = line.equations.iter().map(print::unicode).collect::<Vec<_>>().join("\n");
+            let Some((_, then)) = found.split_once("cos δ = ") else { continue };
+            assert!(!then.contains("arctan"), "{id}:\n{found}");
+            by_cosine += usize::from(then.contains("δ = arccos"));
+        }
+    }
+    assert!(by_cosine > 0);
+}
+
+#[test]
+fn a_mark_scheme_speaks_of_restitution_by_the_letter_of_the_impact() {
+    let printed = with_reference_numbers("successive/no-more-collisions");
+    let notes: Vec<String> =
+        printed.parts.iter().flat_map(|part| &part.scheme).map(|row| print::text_unicode(&row.note)).collect();
+    assert!(notes.iter().any(|note| note.contains("f on the correct side")), "{notes:?}");
+}

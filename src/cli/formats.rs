@@ -114,6 +114,22 @@ impl FormatsAsked {
         self.formats.pages().map(str::to_owned).collect()
     }
 
+    /// Says what the folders of single students will lack: a PDF is made once, of the whole class.
+    pub fn has_for_each_student(&self) -> Result<(), Failure> {
+        match (self.pdf, self.names.as_slice()) {
+            (true, []) => Err(Failure::with_help(
+                "the PDF is of the whole class, so `--per-student` has nothing for the folder of a student",
+                "add `html`, as in `--format html,pdf`, or leave out `--per-student`",
+            )),
+            (true, names) => {
+                let names = listed(names.iter().map(String::as_str));
+                say(&format!("the PDF is of the whole class; the folder of each student has {names}"));
+                Ok(())
+            }
+            (false, _) => Ok(()),
+        }
+    }
+
     /// The files of a work in the formats asked for that are folders of templates.
     pub fn render(&self, work: Work) -> Result<Vec<OutputFile>, Failure> {
         let mut files = Vec::new();

@@ -46,7 +46,7 @@ pub use scene::{Condition, Contact, Given, Scene, Then, Velocity};
 pub use scene_reader::SceneFault;
 pub use scene_text::{Pair, PolarText, SceneText, Sense, ThenText, VelocityText};
 pub use seen::{Seen, Shape};
-pub use setting::Setting;
+pub use setting::{Setting, with_letter_of_restitution};
 pub use sought::{Sought, Vanishing};
 pub use unknowns::with_letters;
 pub use validity::{check, check_with};

@@ -133,6 +133,13 @@ impl Scene {
         then.is_some_and(|then| then.meeting.in_law(quantity).is_some_and(|in_law| in_law.is_in(then.scene.setting)))
     }
 
+    /// The letter that the coefficient of restitution has, where it is a letter.
+    pub fn letter_of_restitution(&self) -> Option<Letter> {
+        let Given { value, shown } = self.restitution.as_ref()?;
+        let Expr::Name(name) = shown else { return None };
+        value.letters().into_iter().find(|letter| letter.name() == name.text)
+    }
+
     /// The mass of a sphere.
     pub fn mass(&self, sphere: Sphere) -> Option<&Given> {
         self.masses[sphere as usize].as_ref()

@@ -6,6 +6,8 @@
 
 use std::borrow::Cow;
 
+use crate::number::Letter;
+
 /// What an impact is between.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 pub enum Setting {
@@ -84,8 +86,8 @@ const AT_A_WALL: &[(&str, &str)] = &[
     ("the speed of separation along the line of centres", "the speed away from the wall"),
     ("a direction is measured from the line of centres", "a direction is measured from the wall"),
     (
-        "angle between them is not the sum of their angles with the line of centres",
-        "angle between them is not the difference of their angles with the wall",
+        "the angle between them is not the sum of their angles with the line of centres",
+        "the angle between them is the sum of their angles with the wall, and not with the perpendicular to it",
     ),
     (
         "tangent of the angle of *A* to the line of centres",
@@ -218,6 +220,17 @@ impl Setting {
     }
 }
 
+/// Words about *e*, with the letter that the coefficient of restitution has in their question, if it is another.
+pub fn with_letter_of_restitution(words: &str, letter: Option<Letter>) -> Cow<'_, str> {
+    let Some(letter) = letter.filter(|letter| letter.name() != "e") else { return Cow::Borrowed(words) };
+    let pieces = words.split_inclusive(|sign: char| !sign.is_alphanumeric());
+    let said = pieces.map(|piece| match piece.strip_prefix('e') {
+        Some(rest) if !rest.starts_with(char::is_alphanumeric) => format!("{}{rest}", letter.name()),
+        _ => piece.to_owned(),
+    });
+    Cow::Owned(said.collect())
+}
+
 /// The bit of the first letter, if it is one of ASCII, as that of every phrase is.
 fn initial(words: &str) -> u128 {
     words.bytes().next().filter(u8::is_ascii).map_or(0, |first| 1 << first)
@@ -245,12 +258,33 @@ mod tests {
         let table = [
             (Setting::Wall, "energy-after-along-only", "The components parallel to the wall count after the impact"),
             (Setting::Wall, "rebound-missed", "The sphere turns back perpendicular to the wall:"),
+            (
+                Setting::Wall,
+                "deflection-added",
+                "Draw both velocities from one point: the angle between them is the sum of their angles with the wall",
+            ),
             (Setting::Impulse, "rebound-missed", "The particle turns back:"),
             (Setting::Impulse, "angle-complement", "That is the angle with the other unit vector;"),
         ];
         for (setting, tag, begins) in table {
             let said = setting.say(sentence(tag));
             assert!(said.starts_with(begins) && !said.contains("centres"), "{tag}: {said}");
+        }
+    }
+
+    #[test]
+    fn restitution_has_the_letter_of_its_question() {
+        let f = Letter::new("f", crate::number::Range::Unit).unwrap();
+        let table = [
+            ("*e* on the correct side; condone sign errors", "*f* on the correct side; condone sign errors"),
+            (
+                "e is separation over approach: the special value of e.",
+                "f is separation over approach: the special value of f.",
+            ),
+        ];
+        for (words, said) in table {
+            assert_eq!(with_letter_of_restitution(words, Some(f)), said);
+            assert_eq!(with_letter_of_restitution(words, None), words);
         }
     }
 

@@ -9,7 +9,9 @@ use crate::answer::Kind;
 use crate::bank::{Answer, Code, EarnedFor, Find, Mark};
 use crate::expr::{Expr, Piece, Text, read_markup, written};
 use crate::generate::Variant;
-use crate::mechanics::{Axis, Derivation, Known, Moment, Quantity, Rule, Scene, Setting, Show, Sphere, pose};
+use crate::mechanics::{
+    Axis, Derivation, Known, Moment, Quantity, Rule, Scene, Setting, Show, Sphere, pose, with_letter_of_restitution,
+};
 use crate::number::{Places, Value};
 use crate::unit::Unit;
 
@@ -32,7 +34,7 @@ pub fn rows(worked: &[WorkedPart], variant: &Variant, with_units: &[String]) -> 
             earned: with_others(earned.unwrap_or_else(|| usual_words(mark, here, setting, scene)), equations),
             equation,
             unit,
-            note: with_rounded(rounded, note.unwrap_or_else(|| usual_note(mark, setting))),
+            note: with_rounded(rounded, note.unwrap_or_else(|| usual_note(mark, impact.unwrap_or(scene)))),
             depends: mark.depends.clone(),
         }
     };
@@ -343,9 +345,13 @@ fn usual_words(mark: &Mark, here: &WorkedPart, setting: Setting, scene: &Scene) 
     }
 }
 
-fn usual_note(mark: &Mark, setting: Setting) -> Text {
+/// What the marker condones, where the file does not say.
+fn usual_note(mark: &Mark, scene: &Scene) -> Text {
     match &mark.earned_for {
-        EarnedFor::Law(law, _) if !mark.code.is_accuracy() => marked_up(&setting.say(law.method().1)),
+        EarnedFor::Law(law, _) if !mark.code.is_accuracy() => {
+            let said = scene.setting.say(law.method().1);
+            marked_up(&with_letter_of_restitution(&said, scene.letter_of_restitution()))
+        }
         _ => Text::default(),
     }
 }

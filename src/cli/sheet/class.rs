@@ -30,6 +30,9 @@ pub(super) fn run(
     style: Option<StyleName>,
     list: &Path,
 ) -> Result<(), Failure> {
+    if arguments.per_student {
+        formats.has_for_each_student()?;
+    }
     let list = ClassList::read(&text_file::text(list)?)?;
     warn(&list.warnings);
     let lock = OldLock::find(arguments)?;

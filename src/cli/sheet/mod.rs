@@ -75,7 +75,7 @@ pub struct SheetArguments {
     /// A sheet for each student in this table, no two with the same numbers
     #[arg(long, value_name = "CLASS.csv", conflicts_with = "reference")]
     class: Option<PathBuf>,
-    /// Besides the files of the whole class a folder for each student
+    /// Besides the files of the whole class a folder for each student, in each format but pdf
     #[arg(long, requires = "class")]
     per_student: bool,
     /// Who got which sheet before; without it the `lock.json` in the folder for the files, if there is one

@@ -93,6 +93,8 @@ pub struct KeyedPart {
     pub setting: Setting,
     /// Who meets in it; where the part is about several impacts, in the last.
     pub(in crate::mark) meeting: Meeting,
+    /// The letter of the coefficient of restitution in that impact, where it is a letter.
+    letter_of_restitution: Option<Letter>,
     /// `a`, `b`, … or empty.
     pub label: String,
     /// What is to be filled in.

@@ -8,7 +8,7 @@ use crate::bank::{Code, EarnedFor, Find};
 use crate::expr::{Angles, read_range};
 use crate::mark::judging::{Model, ModelOptions};
 use crate::mark::slips::Asked;
-use crate::mechanics::{Derivation, Known, Meeting, Quantity, Scene};
+use crate::mechanics::{Derivation, Known, Meeting, Quantity, Scene, with_letter_of_restitution};
 use crate::number::{Letter, Value};
 use crate::paper::{Blank, KeyMark, KeyPart};
 
@@ -36,6 +36,7 @@ impl KeyedPart {
         let then = scene.then.iter().find(|then| Some(then.meeting.number) == last);
         Ok(KeyedPart {
             setting: then.map_or(scene.setting, |then| then.scene.setting),
+            letter_of_restitution: then.map_or(scene, |then| &then.scene).letter_of_restitution(),
             meeting: then.map_or(Meeting::FIRST, |then| then.meeting),
             label: part.label.clone(),
             blanks,
@@ -45,9 +46,10 @@ impl KeyedPart {
         })
     }
 
-    /// A sentence about a law, in the words of its impact and with the names of who takes part in it.
+    /// A sentence about a law, in the words of its impact and with the names of who and what takes part in it.
     pub(in crate::mark) fn said(&self, sentence: &str) -> String {
-        self.meeting.in_words(&self.setting.say(sentence))
+        let said = self.setting.say(sentence);
+        self.meeting.in_words(&with_letter_of_restitution(&said, self.letter_of_restitution))
     }
 
     /// How many marks it has.

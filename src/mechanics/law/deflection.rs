@@ -225,6 +225,7 @@ fn turned(show: &Show, sphere: Sphere) -> Vec<Line> {
     let mut found = vec![Expr::equation(left.clone(), Show::angle_expr(&angle))];
     found.extend(Show::approximate_angle(&left, &angle));
     let name = ("A", Expr::name(sphere.name()));
+    let is_known = angle.whole_degrees().is_some() || matches!(Show::angle_expr(&angle), Expr::Name(_));
     let sizes = [Before, After].map(|moment| {
         let [first, second] = axes(show).map(|axis| show.exact(velocity(sphere, moment, axis)));
         (first.squared() + second.squared()).root()
@@ -235,7 +236,12 @@ fn turned(show: &Show, sphere: Sphere) -> Vec<Line> {
     };
     let product = &before * &after;
     let quotient = Expr::Quotient(Box::new(written(&dot)), Box::new(times(written(&before), written(&after))));
-    let cosine = Show::chain(Expr::call(Function::Cos, left.clone()), [quotient, ratio(&dot, &product)]);
+    let cosine = ratio(&dot, &product);
+    if !is_known {
+        // Who has found the cosine goes on from it, whatever the answer is written with.
+        found[0] = Expr::equation(left.clone(), Expr::call(Function::Acos, cosine.clone()));
+    }
+    let cosine = Show::chain(Expr::call(Function::Cos, left.clone()), [quotient, cosine]);
     let words = "The path of {A} turns through the angle {d} between these velocities, of magnitudes {p m/s} and {q m/s}:";
     let formulas = [name, ("d", left), ("p", written(&before)), ("q", written(&after))];
     vec![Line::with(words, &formulas, [cosine, found].concat())]
