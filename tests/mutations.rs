@@ -271,6 +271,11 @@ fn words_that_ask_for_exact_form_and_answers_that_must_be_exact_are_named_where_
                 &[("note = \"Give the speeds in exact form and the", "note = \"Give the")],
                 "or take the answer out of this list",
             ),
+            (
+                "pointed-at-in-the-style",
+                &[("note = \"Give the speeds in exact form and the", "note = \"Give the"), ("exact = [", "exact=[")],
+                "exact=[\"speed of *A*\", \"speed of *B*\"]\n   | ^^^^^",
+            ),
         ],
     );
     found(

@@ -122,17 +122,18 @@ pub fn parse_even_empty<'a>(text: &'a str, faults: &mut Faults) -> Option<Spanne
     errors.is_empty().then_some(table)
 }
 
-/// Where the key of a parameter or derived name stands: among those of the style, or among those of all styles.
-pub fn parameter_span(text: &str, style: StyleName, name: &str) -> Option<Range<usize>> {
+/// Where a key of a style stands: a parameter or derived name, of the style's own or of all styles, or one of its lists.
+pub fn key_span(text: &str, style: StyleName, name: &str) -> Option<Range<usize>> {
     let (document, _) = DeTable::parse_recoverable(text);
     let styles = || document.get_ref().get("style")?.get_ref().as_table();
-    let own = |list: &str| styles()?.get(style.name())?.get_ref().as_table()?.get(list);
-    let of = |parameters: &Spanned<DeValue>| {
-        let mut keys = parameters.get_ref().as_table()?.keys();
+    let own = || styles()?.get(style.name());
+    let of = |table: &Spanned<DeValue>| {
+        let mut keys = table.get_ref().as_table()?.keys();
         keys.find(|key| key.get_ref() == name).map(Spanned::span)
     };
-    let among = |list: &str| own(list).and_then(of).or_else(|| document.get_ref().get(list).and_then(of));
-    among("parameters").or_else(|| among("let"))
+    let own_list = |list: &str| own()?.get_ref().as_table()?.get(list).and_then(of);
+    let among = |list: &str| own_list(list).or_else(|| document.get_ref().get(list).and_then(of));
+    among("parameters").or_else(|| among("let")).or_else(|| own().and_then(of))
 }
 
 /// Where a row stands in the list of that name, `answers` or `marks`, of a part.

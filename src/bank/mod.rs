@@ -25,7 +25,7 @@ mod syntax;
 pub use check::read_question;
 pub use contents::{Contents, Heading};
 pub(crate) use document::{Faults, Keys, kind, parse_even_empty};
-pub use document::{parameter_span, row_span};
+pub use document::{key_span, row_span};
 pub use domain::Domain;
 pub use earned_for::EarnedFor;
 pub use folder::{Bank, read_source};

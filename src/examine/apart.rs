@@ -106,7 +106,7 @@ fn share<'a>(one: &'a Answer, other: &'a Answer, variant: &Variant) -> bool {
                 _ => match (solution.angle(*a), solution.angle(*b)) {
                     (Some(a), Some(b)) => {
                         let places = places(one).unwrap_or(&Places::SignificantFigures(3));
-                        let known = a.letters().is_empty() && b.letters().is_empty();
+                        let known = a.is_constant() && b.is_constant();
                         known && matches!((a.rounded(places), b.rounded(places)), (Ok(a), Ok(b)) if a == b)
                     }
                     _ => false,

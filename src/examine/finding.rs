@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::bank::{StyleName, parameter_span, row_span};
+use crate::bank::{StyleName, key_span, row_span};
 use crate::diagnostic::{Diagnostic, Severity, Source};
 
 /// Something amiss, with all that a person needs to mend it.
@@ -14,8 +14,8 @@ pub struct Finding {
     pub message: String,
     /// What stands in the file at the place where it can be mended; empty if no place is better than another.
     pub at: String,
-    /// Or the parameter, as a style has it, at whose key it can be mended.
-    pub parameter: Option<(StyleName, String)>,
+    /// Or the key of a style, as a rule one of its parameters, at which it can be mended.
+    pub key: Option<(StyleName, String)>,
     /// Or the row of a part: the place of the part, its list `answers` or `marks`, the place in that.
     pub row: Option<(usize, &'static str, usize)>,
     /// Or the bytes of the file within which it stands.
@@ -30,13 +30,18 @@ impl Finding {
     /// A finding that must be mended.
     pub fn new(message: impl Into<String>, at: impl Into<String>, label: impl Into<String>) -> Finding {
         let (message, at, label) = (message.into(), at.into(), label.into());
-        let (parameter, row, within) = (None, None, None);
-        Finding { severity: Severity::Error, message, at, parameter, row, within, label, help: None }
+        let (key, row, within) = (None, None, None);
+        Finding { severity: Severity::Error, message, at, key, row, within, label, help: None }
     }
 
     /// A finding at the key of a parameter, which must be mended.
     pub fn at_parameter(message: impl Into<String>, style: StyleName, name: &str, label: &str) -> Finding {
-        Finding { parameter: Some((style, name.to_owned())), ..Finding::new(message, "", label) }
+        Finding::new(message, "", label).at_key(style, name)
+    }
+
+    /// At a key of a style.
+    pub fn at_key(self, style: StyleName, name: &str) -> Finding {
+        Finding { key: Some((style, name.to_owned())), ..self }
     }
 
     /// At a row of a part.
@@ -56,7 +61,7 @@ impl Finding {
 
     /// The finding in the file of its question.
     pub fn diagnostic(&self, id: &str, source: &Source) -> Diagnostic {
-        let key = self.parameter.as_ref().and_then(|(style, name)| parameter_span(&source.text, *style, name));
+        let key = self.key.as_ref().and_then(|(style, name)| key_span(&source.text, *style, name));
         let row = self.row.and_then(|(part, list, row)| row_span(&source.text, part, list, row));
         let within = self.within.clone().unwrap_or(0..source.text.len());
         let text = source.text.get(within.clone()).unwrap_or_default();

@@ -19,6 +19,8 @@ pub(super) enum Weight {
 pub struct Remark {
     pub(super) what: String,
     pub(super) at: String,
+    /// Or the key of the style.
+    pub(super) key: Option<&'static str>,
     pub(super) label: String,
     pub(super) help: String,
     pub(super) shown: String,
@@ -32,7 +34,12 @@ impl Remark {
     pub fn new(what: impl Into<String>, at: impl Into<String>, label: &str, help: impl Into<String>) -> Remark {
         let (what, at, help) = (what.into(), at.into(), help.into());
         let (label, shown, weight) = (label.to_owned(), String::new(), Weight::Error);
-        Remark { what, at, label, help, shown, weight, help_for_all: "" }
+        Remark { what, at, key: None, label, help, shown, weight, help_for_all: "" }
+    }
+
+    /// At a key of the style.
+    pub fn at_key(self, key: &'static str) -> Remark {
+        Remark { key: Some(key), ..self }
     }
 
     /// As one that stops nothing.

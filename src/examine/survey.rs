@@ -251,8 +251,8 @@ fn unposed(question: &Question, style: &Style, tally: &Tally) -> Vec<Finding> {
             ),
         };
         let help = suggested::help(question, style, &reason).unwrap_or_else(|| help.to_owned());
-        let parameter = named.map(|name| (style.name, name));
-        let found = Finding { parameter, ..Finding::new(message, at.as_str(), label) };
+        let key = named.map(|name| (style.name, name));
+        let found = Finding { key, ..Finding::new(message, at.as_str(), label) };
         findings.push(found.with_help(help).as_warning());
     }
     findings

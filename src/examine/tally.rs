@@ -80,7 +80,7 @@ impl Tally {
     /// same in every style, and told of the first.
     pub fn findings(&self, style: &Style, told: &mut BTreeSet<(String, String)>) -> Vec<Finding> {
         let found = |seen: &Seen| {
-            let Remark { what, at, label, help, shown, weight, help_for_all } = &seen.remark;
+            let Remark { what, at, key, label, help, shown, weight, help_for_all } = &seen.remark;
             let is_in_all = seen.count == self.census.fit && !help_for_all.is_empty();
             let help = if is_in_all { *help_for_all } else { help.as_str() };
             let shown = if shown.is_empty() { String::new() } else { format!(": `{shown}`") };
@@ -93,6 +93,7 @@ impl Tally {
             );
             let at = if at.is_empty() { format!("[style.{}]", style.name) } else { at.clone() };
             let found = Finding::new(message, at, label.as_str()).with_help(help);
+            let found = key.iter().fold(found, |found, key| found.at_key(style.name, key));
             if *weight == Weight::Error { found } else { found.as_warning() }
         };
         // Nine in ten are nearly all.

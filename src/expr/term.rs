@@ -63,7 +63,7 @@ pub(super) fn collect(value: &Value) -> (Vec<Term>, Polynomial) {
                 for (angle, count) in &mut cosines {
                     if *count > 0
                         && monomial.iter().all(|(letter, _)| letter != angle)
-                        && radicand.letters().contains(angle)
+                        && radicand.has_letter(|letter| letter == angle)
                     {
                         let cosine = Value::cosine(*angle);
                         *radicand = &*radicand * &(&cosine * &cosine);

@@ -61,7 +61,7 @@ impl Form {
         match angle.whole_degrees() {
             Some(degrees) if degrees.is_integer() => Form::Whole,
             Some(_) => Form::Fraction,
-            None if angle.letters().iter().all(|letter| letter.is_constant()) => Form::Decimal,
+            None if angle.is_constant() => Form::Decimal,
             None => Form::Letters,
         }
     }

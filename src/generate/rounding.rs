@@ -26,10 +26,7 @@ pub fn rounds_safely(value: &Value, places: &Places) -> bool {
 pub fn degrees_round_safely(angle: &Angle, places: &Places) -> bool {
     match angle.whole_degrees() {
         Some(exact) => fraction_rounds_safely(&exact, places),
-        None => {
-            !angle.letters().iter().all(|letter| letter.is_constant())
-                || clear(|bits| angle.enclose(bits, &|_| None), places)
-        }
+        None => !angle.is_constant() || clear(|bits| angle.enclose(bits, &|_| None), places),
     }
 }
 

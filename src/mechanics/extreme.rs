@@ -52,7 +52,7 @@ impl Posed {
                 let name = without_markup(&in_english(quantity, self.scene.setting));
                 return Err(Refusal::underdetermined(format!("{name} is the same whatever {} is", unknown.name())));
             }
-            [slope] if slope.letters().contains(&unknown) => match solve_system(&slopes, &[unknown]) {
+            [slope] if slope.has_letter(|letter| *letter == unknown) => match solve_system(&slopes, &[unknown]) {
                 Err(NoRoots::Never) => Vec::new(),
                 outcome => outcome.map_err(no_roots)?,
             },

@@ -127,7 +127,7 @@ pub(super) fn values(posed: &Posed) -> Result<Values, Refusal> {
 /// Where more is given than an impact needs, a law determines the unknown by itself, and there is no range of it.
 fn not_determined_already(posed: &Posed, unknown: Letter) -> Result<(), Refusal> {
     let broken = broken_laws(&posed.known);
-    if broken.iter().any(|(_, difference)| difference.letters().contains(&unknown)) {
+    if broken.iter().any(|(_, difference)| difference.has_letter(|letter| *letter == unknown)) {
         let name = unknown.name();
         return Err(Refusal::beyond(format!("more is given than the impact needs: the laws alone determine {name}"))
             .try_this(format!(
@@ -150,7 +150,7 @@ fn approached_from_one_side(posed: &Posed, unknown: Letter) -> Result<(), Refusa
         let approach = meeting.quantity(Quantity::Approach);
         let mut known = posed.known.clone();
         Derivation::carry_out(&mut known, &[approach]);
-        let is_open = |value: &Value| value.letters().contains(&unknown) && value.sign().is_none();
+        let is_open = |value: &Value| value.has_letter(|letter| *letter == unknown) && value.sign().is_none();
         let has_sense = !matches!(scene.contact, Some(Contact::Along(_, _, None)));
         if !has_sense && known.number(approach).as_ref().is_some_and(is_open) {
             let name = unknown.name();

@@ -61,7 +61,7 @@ fn values_of(scene: &mut Scene) -> Vec<&mut Value> {
 }
 
 pub(super) fn mentions(scene: &Scene, letter: Letter) -> bool {
-    let in_one = values_of(&mut scene.clone()).iter().any(|value| value.letters().contains(&letter));
+    let in_one = values_of(&mut scene.clone()).iter().any(|value| value.has_letter(|own| *own == letter));
     in_one || scene.then.iter().any(|then| mentions(&then.scene, letter))
 }
 

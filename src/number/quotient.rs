@@ -28,7 +28,7 @@ impl Value {
     /// let it grow further, as given angles do, whose tangents are letters too.
     pub fn is_laborious(&self) -> bool {
         let roots = self.roots().len();
-        let many = if !self.has_letter(|_| true) { 4 } else { 2 };
+        let many = if self.has_letters() { 2 } else { 4 };
         let single = matches!(self, Value::Compound(compound) if compound.terms.len() == 1);
         roots >= many && !single
     }

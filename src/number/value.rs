@@ -265,6 +265,11 @@ impl Value {
         !self.has_letter(|letter| !letter.is_constant())
     }
 
+    /// Does it depend on any letter, be it only the tangent of an angle given in degrees?
+    pub(crate) fn has_letters(&self) -> bool {
+        self.has_letter(|_| true)
+    }
+
     /// Is there such a letter in it? Asked of nearly every value, so without making a list.
     pub(crate) fn has_letter(&self, is_such: impl Fn(&Letter) -> bool + Copy) -> bool {
         let Value::Compound(compound) = self else { return false };

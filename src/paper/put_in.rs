@@ -31,7 +31,7 @@ impl InLetters {
     pub fn are_needed(&self, asked: &[Quantity]) -> bool {
         let mut known = self.known.clone();
         let (_, missing) = Derivation::carry_out(&mut known, asked);
-        let depends = |value: &Value| value.letters().iter().any(|letter| self.is_unknown(*letter));
+        let depends = |value: &Value| value.has_letter(|letter| self.is_unknown(*letter));
         let open = |quantity: &Quantity| match known.0.get(quantity) {
             Some(Datum::Number(value)) => depends(value),
             Some(Datum::Direction { y, x }) => depends(y) || depends(x),
@@ -85,7 +85,7 @@ impl InLetters {
     fn results(&self, rule: &Rule, show: &Show) -> Option<Vec<Expr>> {
         let depends = |quantity: &Quantity| {
             let number = self.known.number(*quantity);
-            number.is_some_and(|value| value.letters().iter().any(|letter| self.is_unknown(*letter)))
+            number.is_some_and(|value| value.has_letter(|letter| self.is_unknown(*letter)))
         };
         if rule.gives.iter().all(|quantity| quantity.is_equation()) {
             return Some(Vec::new());

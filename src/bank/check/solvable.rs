@@ -8,8 +8,9 @@ use super::super::posed::{Posed, Unposed};
 use super::super::question::{Question, Style};
 use super::super::scene_file::{MEND_SCENE, SceneFile};
 use crate::answer::Kind;
-use crate::expr::{Angles, Fault};
-use crate::mechanics::{Because, Quantity, Refusal, Scene, SceneFault, pose};
+use crate::expr::{Angles, Expr, Fault};
+use crate::mechanics::{Because, Given, Quantity, Refusal, Scene, SceneFault, pose};
+use crate::number::Value;
 use crate::solve::solve;
 
 /// Reports what cannot be found with the reference numbers, and why.
@@ -136,11 +137,11 @@ fn refused(
                     words.span(),
                     format!("the scene does not determine `{quantity}`"),
                     "asked for here, with the reference numbers",
-                    match &question.scene.e {
-                        Some(_) => "give more in `[scene]`, or ask for something else",
-                        None => {
+                    match needs_only_e(&read, quantity) {
+                        true => {
                             "give more in `[scene]`, such as `e`, the coefficient of restitution, or ask for something else"
                         }
+                        false => "give more in `[scene]`, or ask for something else",
                     },
                 );
             }
@@ -161,6 +162,13 @@ fn refused(
     };
     let help = refusal.help.clone().unwrap_or_else(|| other.to_owned());
     faults.report(span, message, refusal.reason.clone(), help);
+}
+
+/// Would a coefficient of restitution, which the scene does not give, determine the quantity?
+fn needs_only_e(scene: &Scene, quantity: Quantity) -> bool {
+    let half = Given { value: Value::fraction(1, 2), shown: Expr::Decimal("0.5".to_owned()) };
+    let with_e = || Scene { restitution: Some(half), ..scene.clone() };
+    scene.restitution.is_none() && solve(&with_e(), &[quantity]).is_ok()
 }
 
 /// Every string that asks for a quantity.

@@ -113,8 +113,7 @@ struct Right {
 
 /// The right values of what is asked for, of a vector both components.
 fn right(asked: &Asked, solution: &Solution) -> Vec<Right> {
-    let number =
-        |value: &Value| Right { size: value.to_f64(), has_letters: !value.letters().is_empty(), in_degrees: false };
+    let number = |value: &Value| Right { size: value.to_f64(), has_letters: !value.is_constant(), in_degrees: false };
     let angle = |y: Option<f64>, x: Option<f64>, has_letters| Right {
         size: y.zip(x).map(|(y, x)| y.atan2(x).to_degrees()),
         has_letters,
@@ -124,7 +123,7 @@ fn right(asked: &Asked, solution: &Solution) -> Vec<Right> {
         Asked::Quantities(quantities) => {
             let of_one = |quantity: &Quantity| match (solution.number(*quantity), solution.angle(*quantity)) {
                 (Some(value), _) => Right { in_degrees: quantity.is_angle(), ..number(&value) },
-                (None, Some(found)) => angle(found.y().to_f64(), found.x().to_f64(), !found.letters().is_empty()),
+                (None, Some(found)) => angle(found.y().to_f64(), found.x().to_f64(), !found.is_constant()),
                 (None, None) => Right { size: None, has_letters: false, in_degrees: quantity.is_angle() },
             };
             quantities.iter().map(of_one).collect()
@@ -132,7 +131,7 @@ fn right(asked: &Asked, solution: &Solution) -> Vec<Right> {
         // Of an acute angle the tangent is known.
         Asked::Unknown => match solution.found().first() {
             Some((letter, tangent)) if letter.range() == Range::Acute => {
-                vec![angle(tangent.to_f64(), Some(1.0), !tangent.letters().is_empty())]
+                vec![angle(tangent.to_f64(), Some(1.0), !tangent.is_constant())]
             }
             found => found.into_iter().map(|(_, value)| number(value)).collect(),
         },

@@ -99,7 +99,7 @@ pub fn unasked(question: &Question, variant: &Variant, words: &Words, remarks: &
             let label = "a student who rounds it loses the mark";
             if answer.is_exact_by_style(variant.style) {
                 let help = "ask for exact form in the `note` of the style, or take the answer out of this list";
-                remarks.push(Remark::new(what, "exact = [".to_owned(), label, help));
+                remarks.push(Remark::new(what, "", label, help).at_key("exact"));
                 continue;
             }
             let help = "ask for exact form in the words, or write `accept = \"awrt 3sf\"`";
@@ -122,8 +122,6 @@ fn invites_rounding(answer: &Answer, variant: &Variant) -> bool {
     }
     answer.find.quantities().into_iter().any(|quantity| match solution.number(quantity) {
         Some(value) => endless(&value),
-        None => {
-            solution.angle(quantity).is_some_and(|angle| angle.letters().is_empty() && angle.whole_degrees().is_none())
-        }
+        None => solution.angle(quantity).is_some_and(|angle| angle.is_constant() && angle.whole_degrees().is_none()),
     })
 }

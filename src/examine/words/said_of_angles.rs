@@ -28,7 +28,7 @@ impl Seen<'_> {
             return is_apart.then(|| (shown(said), shown(has)));
         }
         // Of letters only what goes before is given; what comes after is to be found, unless an equation gives it.
-        let is_in = |value: &Value, name: &str| value.letters().iter().any(|letter| letter.name() == name);
+        let is_in = |value: &Value, name: &str| value.has_letter(|letter| letter.name() == name);
         let Expr::Name(letter) = expr else { return None };
         let is_given = is_in(&y, &letter.text) || is_in(&x, &letter.text);
         let is_given = is_given && moment == Moment::Before;

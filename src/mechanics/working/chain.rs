@@ -34,7 +34,7 @@ impl Show<'_> {
     pub fn in_units(&self, value: &Value, unit: &str) -> String {
         let is_given =
             |letter: &Letter| letter.is_constant() || self.with_units.iter().any(|name| name == letter.name());
-        if value.letters().iter().all(is_given) { format!(", in {unit},") } else { String::new() }
+        if value.has_letter(|letter| !is_given(letter)) { String::new() } else { format!(", in {unit},") }
     }
 
     /// A value with its rounded decimal where it is no short fraction.
@@ -102,12 +102,12 @@ impl Show<'_> {
 
     /// Does it hold sines and cosines of given degrees, which nobody can picture?
     pub fn has_degrees(value: &Value) -> bool {
-        value.letters().iter().any(Letter::is_constant)
+        value.has_letter(Letter::is_constant)
     }
 
     /// The same for an angle.
     pub fn approximate_angle(left: &Expr, angle: &Angle) -> Option<Expr> {
-        if angle.whole_degrees().is_some() || !angle.letters().iter().all(|letter| letter.is_constant()) {
+        if angle.whole_degrees().is_some() || !angle.is_constant() {
             return None;
         }
         let rounded = angle.rounded(&Places::SignificantFigures(3)).ok()?;
