@@ -236,3 +236,10 @@ fn a_mark_scheme_speaks_of_restitution_by_the_letter_of_the_impact() {
         printed.parts.iter().flat_map(|part| &part.scheme).map(|row| print::text_unicode(&row.note)).collect();
     assert!(notes.iter().any(|note| note.contains("f on the correct side")), "{notes:?}");
 }
+
+#[test]
+fn a_letter_that_every_mass_has_is_divided_out_of_momentum() {
+    let told = told(&with_reference_numbers("ranges/mass-ratio-when-a-goes-on"), 0);
+    assert!(told.contains("km × 2u − mu = kmv + mw\nkv + w = u(2k − 1)"), "{told}");
+    assert!(told.contains("Subtracting equation (2) from equation (1):\n(1 + k)v = "), "{told}");
+}

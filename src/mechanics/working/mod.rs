@@ -5,19 +5,20 @@
 //! and restitution read the same either way.
 
 mod chain;
+mod equations;
 mod several;
 mod vectors;
 
 use std::borrow::Cow;
 use std::cmp::Ordering;
 
-use super::formula::{difference, multiple, times};
+use super::formula::{difference, times};
 use super::later::Meeting;
 use super::law::Known;
 use super::scene::{Contact, Scene, Velocity};
 use super::{Axis, Moment, Quantity, Setting, Sphere};
 use crate::expr::{Expr, Function, written};
-use crate::number::{Angle, Fraction, Value};
+use crate::number::{Angle, Value};
 
 /// What a solution shows of each quantity.
 pub struct Show<'a> {
@@ -314,49 +315,6 @@ impl<'a> Show<'a> {
     /// `e (a - b)`.
     pub fn e_times_approach(&self) -> Expr {
         times(self.restitution(), self.approach())
-    }
-
-    /// The two equations along the line of centres in the working's own direction, as `p v + q w = r` with
-    /// p and q as simple as they come.
-    pub fn equation(&self, which: Quantity) -> Option<[Value; 3]> {
-        let [p, q, r] = self.known.equation(which)?;
-        let r = if self.against_n { -r } else { r };
-        let ratio = p.divided_by(&q)?;
-        let (p, q) = match ratio.as_fraction() {
-            // With masses in a rational ratio: coprime whole numbers.
-            Some(ratio) => (Fraction::from(ratio.numerator()), Fraction::from(ratio.denominator())),
-            None => return Some([p, q, r]),
-        };
-        let scale = Value::Rational(q.clone()).divided_by(&self.known.equation(which)?[1])?;
-        let turned = if q.sign().is_lt() { Value::from(-1) } else { Value::ONE };
-        Some([&Value::Rational(p) * &turned, &Value::Rational(q) * &turned, &(&r * &scale) * &turned])
-    }
-
-    /// `p v + q w = r`, written.
-    fn linear(&self, [p, q, r]: &[Value; 3]) -> Expr {
-        let letter = |sphere| self.symbol(Quantity::Velocity(sphere, Moment::After, Axis::N));
-        let (v, w) = (multiple(p, letter(Sphere::A)), multiple(q, letter(Sphere::B)));
-        let negative_first = p.sign() == Some(Ordering::Less);
-        let left = if negative_first { Expr::sum([w, v]) } else { Expr::sum([v, w]) };
-        Expr::equation(left, written(r))
-    }
-
-    /// An equation as a student first writes it, and then simplified if that changes anything.
-    pub fn with_simplified(&self, equation: Expr, which: Quantity) -> Vec<Expr> {
-        let Some(coefficients) = self.equation(which) else { return vec![equation] };
-        let simple = self.linear(&coefficients);
-        let plain = crate::expr::print::plain;
-        let turned = match &equation {
-            Expr::Relation(left, relation, right) => Expr::Relation(right.clone(), *relation, left.clone()),
-            other => other.clone(),
-        };
-        if plain(&simple) == plain(&equation) {
-            vec![equation]
-        } else if plain(&simple) == plain(&turned) {
-            vec![simple]
-        } else {
-            vec![equation, simple]
-        }
     }
 
     /// The scene that is shown.
