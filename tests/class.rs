@@ -500,6 +500,8 @@ fn a_lock_of_another_bank_or_of_a_later_version_is_not_used_in_silence() {
     fs::write(folder.join("sheet/lock.json"), lock.replace(own, "999.1.0")).unwrap();
     let again = || class(&folder, "student\nAda\n", &options);
     refused(&folder, again, "`sheet/lock.json` was written by carom 999.1.0");
+    fs::write(folder.join("sheet/lock.json"), lock.replace(own, "banana")).unwrap();
+    refused(&folder, again, "this is no lock of a class: `banana` is no version of carom");
     fs::write(folder.join("sheet/lock.json"), lock.replace("shipped", "mine")).unwrap();
     let said = stderr(&made(again()));
     assert!(said.contains("`sheet/lock.json` is of sheets from the bank `mine`, and this is `shipped`"), "{said}");

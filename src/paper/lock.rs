@@ -1,7 +1,9 @@
 //! The lock of a class: who got which sheet, so that the same command prints the same sheets again.
 
-use serde::{Deserialize, Serialize};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize};
 
+use super::series::{is_of_later_series, series};
 use crate::bank::{Question, StyleName};
 use crate::diagnostic::why_no_json;
 use crate::generate::{Variant, examine};
@@ -10,6 +12,7 @@ use crate::generate::{Variant, examine};
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Lock {
     /// The version of carom that wrote it.
+    #[serde(deserialize_with = "version")]
     pub carom: String,
     /// The bank the questions come from.
     pub bank: String,
@@ -17,6 +20,14 @@ pub struct Lock {
     pub seed: u64,
     /// Every sheet that was ever printed for the class; also of students who have left, for theirs are not dealt again.
     pub sheets: Vec<Locked>,
+}
+
+fn version<'de, D: Deserializer<'de>>(deserializer: D) -> Result<String, D::Error> {
+    let said = String::deserialize(deserializer)?;
+    match series(&said) {
+        Some(_) => Ok(said),
+        None => Err(D::Error::custom(format!("`{}` is no version of carom", said.escape_debug()))),
+    }
 }
 
 /// The sheet of a student.
@@ -66,13 +77,9 @@ impl Lock {
         })
     }
 
-    /// Was it written by a later series, such as 0.2 where this is 0.1? Then it may say what this one would pass over.
+    /// Was it written by a later series, such as 0.2 where this is 0.1?
     pub fn is_later(&self) -> bool {
-        let series = |version: &str| -> Option<(u64, u64)> {
-            let mut numbers = version.split('.').map(|number| number.parse().ok());
-            Some((numbers.next()??, numbers.next()??))
-        };
-        series(&self.carom) > series(env!("CARGO_PKG_VERSION"))
+        is_of_later_series(&self.carom)
     }
 
     /// The sheet of a student, if there is one.

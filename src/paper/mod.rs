@@ -16,6 +16,7 @@ mod lock;
 mod pool;
 mod put_in;
 mod scheme;
+mod series;
 mod sheet;
 mod wording;
 mod words;
@@ -31,6 +32,7 @@ pub use dealer::Dealer;
 pub use key::{Blank, Key, KeyMark, KeyPaper, KeyPart, KeyQuestion, key_question};
 pub use lock::{Lock, LockFault, Locked, LockedQuestion};
 pub use pool::{Alike, Candidate, Likeness, Motion, Pool};
+pub(crate) use series::{is_of_later_series, series};
 pub use sheet::Sheet;
 pub use words::{Words, words};
 

@@ -4,6 +4,7 @@ use serde::Deserialize;
 use serde_json::Value as Json;
 
 use super::KeyFault;
+use crate::paper::{is_of_later_series, series};
 
 /// This version.
 const OWN: &str = env!("CARGO_PKG_VERSION");
@@ -41,9 +42,9 @@ pub(super) fn other(text: &str) -> Result<Option<Other>, Vec<KeyFault>> {
 }
 
 impl Other {
-    /// Is it of a later series, such as 0.2 where this is 0.1? Within a series keys stay the same.
+    /// Is it of a later series, such as 0.2 where this is 0.1?
     pub fn is_later(&self) -> bool {
-        series(&self.carom) > series(OWN)
+        is_of_later_series(&self.carom)
     }
 
     pub fn fault(&self) -> KeyFault {
@@ -65,12 +66,6 @@ impl Other {
             )
         }
     }
-}
-
-/// The first two numbers of a version; nothing of what is no version.
-fn series(version: &str) -> Option<(u64, u64)> {
-    let mut numbers = version.split('.').map(|number| number.parse().ok());
-    Some((numbers.next()??, numbers.next()??))
 }
 
 #[cfg(test)]
