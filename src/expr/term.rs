@@ -11,8 +11,8 @@ use crate::number::{Fraction, Letter, Polynomial, Range, Root, Value};
 #[derive(Clone)]
 pub(super) struct Term {
     pub(super) number: Fraction,
-    /// The product of the primes under one square root.
-    pub(super) surd: u128,
+    /// The product of the primes under one square root: a whole number, of any length.
+    pub(super) surd: Fraction,
     pub(super) nested: Vec<Value>,
     pub(super) letters: BTreeMap<Letter, u32>,
     pub(super) circular: BTreeMap<(Letter, Circular), u32>,
@@ -50,10 +50,10 @@ pub(super) fn collect(value: &Value) -> (Vec<Term>, Polynomial) {
     for (roots, coefficient) in value.numerator_terms() {
         for (monomial, number) in coefficient.terms() {
             let mut cosines = squares.clone();
-            let (mut surd, mut nested) = (1, Vec::new());
+            let (mut surd, mut nested) = (Fraction::ONE, Vec::new());
             for root in &roots {
                 match root {
-                    Root::Prime(prime) => surd *= prime,
+                    Root::Prime(prime) => surd = &surd * &Fraction::from(dashu_int::IBig::from(*prime)),
                     Root::Cosine(angle) => *cosines.entry(*angle).or_insert(0) += 1,
                     Root::Nested { radicand, .. } => nested.push(radicand.clone()),
                 }
@@ -117,8 +117,8 @@ impl Term {
     /// Everything but the number.
     pub(super) fn symbols(&self) -> Vec<Expr> {
         let mut symbols = Vec::new();
-        if self.surd > 1 {
-            symbols.push(Expr::call(Function::Sqrt, Expr::Number(Fraction::from(dashu_int::IBig::from(self.surd)))));
+        if !self.surd.is_one() {
+            symbols.push(Expr::call(Function::Sqrt, Expr::Number(self.surd.clone())));
         }
         symbols.extend(letter_factors(&self.letters));
         symbols.extend(self.nested.iter().map(root_expr));
@@ -180,7 +180,7 @@ fn circular_factors(circular: &BTreeMap<(Letter, Circular), u32>) -> Vec<Expr> {
 
 /// What all terms share: it is written once, before the bracket.
 pub(super) struct Shared {
-    surd: u128,
+    surd: Fraction,
     letters: BTreeMap<Letter, u32>,
     circular: BTreeMap<(Letter, Circular), u32>,
     nested: Vec<Value>,
@@ -189,7 +189,7 @@ pub(super) struct Shared {
 impl Shared {
     /// Nothing is shared.
     pub(super) fn nothing() -> Shared {
-        Shared { surd: 1, letters: BTreeMap::new(), circular: BTreeMap::new(), nested: Vec::new() }
+        Shared { surd: Fraction::ONE, letters: BTreeMap::new(), circular: BTreeMap::new(), nested: Vec::new() }
     }
 
     pub(super) fn of(terms: &[Term]) -> Shared {
@@ -197,13 +197,13 @@ impl Shared {
             return Shared::nothing();
         };
         let mut shared = Shared {
-            surd: first.surd,
+            surd: first.surd.clone(),
             letters: first.letters.clone(),
             circular: first.circular.clone(),
             nested: first.nested.clone(),
         };
         for term in others {
-            shared.surd = common(shared.surd, term.surd);
+            shared.surd = shared.surd.common_measure(&term.surd);
             lessen(&mut shared.letters, &term.letters);
             lessen(&mut shared.circular, &term.circular);
             shared.nested.retain(|radicand| term.nested.contains(radicand));
@@ -213,7 +213,7 @@ impl Shared {
 
     pub(super) fn taken_from(&self, term: &Term) -> Term {
         let mut rest = term.clone();
-        rest.surd /= self.surd;
+        rest.surd = &rest.surd / &self.surd;
         reduce(&mut rest.letters, &self.letters);
         reduce(&mut rest.circular, &self.circular);
         rest.nested.retain(|radicand| !self.nested.contains(radicand));
@@ -224,20 +224,13 @@ impl Shared {
     pub(super) fn factors(&self) -> (Vec<Expr>, Vec<Expr>) {
         let plain = Term {
             number: Fraction::ONE,
-            surd: self.surd,
+            surd: self.surd.clone(),
             nested: self.nested.clone(),
             letters: self.letters.clone(),
             circular: BTreeMap::new(),
         };
         (plain.symbols(), circular_factors(&self.circular))
     }
-}
-
-fn common(mut a: u128, mut b: u128) -> u128 {
-    while b != 0 {
-        (a, b) = (b, a % b);
-    }
-    a
 }
 
 fn lessen<K: Ord>(shared: &mut BTreeMap<K, u32>, other: &BTreeMap<K, u32>) {
@@ -272,7 +265,7 @@ pub(super) fn whole(mut terms: Vec<Term>) -> (Vec<Term>, Fraction) {
 /// The terms in the order of writing: a positive one first, then by degree.
 pub(super) fn ordered_sum(terms: &[Term]) -> Expr {
     let mut sorted: Vec<&Term> = terms.iter().collect();
-    sorted.sort_by_key(|term| (term.degree(), term.surd));
+    sorted.sort_by(|one, other| (one.degree(), &one.surd).cmp(&(other.degree(), &other.surd)));
     if let Some(position) = sorted.iter().position(|term| term.number.sign().is_gt()) {
         let first = sorted.remove(position);
         sorted.insert(0, first);

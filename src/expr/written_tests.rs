@@ -52,3 +52,13 @@ fn values_are_written_as_a_teacher_writes_them() {
         assert_eq!(print::plain(&written(&value)), expected);
     }
 }
+
+#[test]
+fn a_radicand_of_any_length_is_written_whole() {
+    // Two primes of 61 and 89 bits: what is under the root is longer than any machine integer.
+    let [one, other] = ["2305843009213693951", "618970019642690137449562111"]
+        .map(|prime| Value::Rational(prime.parse::<Fraction>().unwrap()).square_root().unwrap());
+    assert_eq!(print::plain(&written(&(&one * &other))), "sqrt(1427247692705959880439315947500961989719490561)");
+    let sum = &(&one * &other) + &one;
+    assert_eq!(print::plain(&written(&sum)), "sqrt(2305843009213693951)*(1 + sqrt(618970019642690137449562111))");
+}

@@ -70,6 +70,12 @@ fn one(scene: &Scene) -> Result<Known<Value>, Refusal> {
             put(&mut known, Quantity::Mass(sphere), &mass.value);
         }
     }
+    if let [Some(a), Some(b)] = Sphere::BOTH.map(|sphere| scene.mass(sphere)) {
+        // As k - 1 and 1 - k, whose signs nobody knows.
+        if (&a.value + &b.value).sign().is_some_and(Ordering::is_le) {
+            return Err(Refusal::impossible("the masses of A and B are not both positive"));
+        }
+    }
     if let Some(e) = &scene.restitution {
         put(&mut known, Quantity::Restitution, &e.value);
     }

@@ -130,15 +130,16 @@ fn approach(known: &Known<Value>) -> Result<(), Refusal> {
 fn restitution(known: &Known<Value>) -> Result<(), Refusal> {
     let separation = known.number(Quantity::Separation);
     let e = known.number(Quantity::Restitution);
-    let e_is = |e: &Option<Value>| e.as_ref().map_or(String::new(), |e| format!(" (e would be {})", show(e)));
     if let Some(separation) = &separation
         && separation.sign() == Some(Ordering::Less)
     {
-        let energy_falls = e.as_ref().is_some_and(|e| (e + &Value::ONE).sign() == Some(Ordering::Greater));
+        // Not the one that is given, which is another.
+        let would_be = known.number(Quantity::Approach).and_then(|approach| separation.divided_by(&approach));
+        let energy_falls = would_be.as_ref().is_some_and(|e| (e + &Value::ONE).sign() == Some(Ordering::Greater));
         return Err(Refusal::impossible(format!(
             "after the impact A would still be moving into B: the separation along the line of centres is {}, which is negative{}; the spheres would pass through each other{}",
             show(separation),
-            e_is(&e),
+            would_be.map_or(String::new(), |e| format!(" (e would be {})", show(&e))),
             if energy_falls { ", though kinetic energy falls" } else { "" }
         )));
     }

@@ -120,3 +120,16 @@ fn carom_finds_a_mass_with_more_roots_than_the_rest_can_be_written_in() {
         assert!(solution.angle(angle).is_some() || is_said, "{inexact:?}");
     }
 }
+
+#[test]
+fn carom_knows_that_a_fraction_of_energy_is_what_is_lost_over_what_there_was() {
+    let scene = json!({
+        "masses": { "A": "2", "B": "3" }, "before": { "A": ["4", "1"], "B": ["-1", "1"] },
+        "line_of_centres": ["1", "0"], "e": "e", "symbols": { "e": "unit" },
+        "unknowns": ["e"], "conditions": ["ke.fraction_lost = 1/5"]
+    });
+    // Along the line of centres (1/2)(6/5)(5²)(1 - e²) is lost, of 17 + 3.
+    let steps = report(&solved(&scene)).steps;
+    let quotient = steps.iter().find_map(|step| step.equations.iter().find(|equation| equation.starts_with("f=")));
+    assert_eq!(quotient.unwrap(), r"f=\frac{15(1-e^{2})}{20}");
+}

@@ -259,3 +259,17 @@ fn carom_knows_the_line_of_centres_and_the_ratio_of_masses_from_four_velocities(
         assert!(refusal.reason.contains(reason), "{}", refusal.reason);
     }
 }
+
+#[test]
+fn carom_says_of_what_cannot_happen_what_e_would_be_and_which_masses_are_not_positive() {
+    let reason = |json: serde_json::Value| carom::solve::solve(&read(&json), &[]).unwrap_err().reason;
+    let into_b = serde_json::json!({"masses": {"A": "2", "B": "3"}, "before": {"A": ["3", "1"], "B": ["0", "0"]},
+        "after": {"A": ["2", "1"]}, "line_of_centres": ["1", "0"], "e": "0"});
+    // B has 2/3 then, and the separation is -4/3 of an approach of 3.
+    assert!(reason(into_b.clone()).contains("is −4/3, which is negative (e would be −4/9)"), "{}", reason(into_b));
+    for (a, b) in [("k-1", "1-k"), ("1-k", "k-1"), ("k", "-k-1")] {
+        let letters = serde_json::json!({"masses": {"A": a, "B": b}, "before": {"A": ["3", "1"], "B": ["0", "0"]},
+            "line_of_centres": ["1", "0"], "e": "1/2", "symbols": {"k": "real"}});
+        assert_eq!(reason(letters), "the masses of A and B are not both positive");
+    }
+}

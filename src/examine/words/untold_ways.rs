@@ -183,10 +183,12 @@ fn is_radian(expr: &Expr) -> bool {
 
 /// Is it a number of degrees turned into radians?
 fn is_small(expr: &Expr) -> bool {
-    let has_degrees = |inner: &Expr| any(inner, &|inner| matches!(inner, Expr::Degrees(_)));
     match expr {
-        Expr::Quotient(_, below) if has_degrees(below) => false,
-        expr => has_degrees(expr),
+        Expr::Degrees(_) => true,
+        // An angle in radians over a degree is their number, and a sine is no angle.
+        Expr::Quotient(_, below) if any(below, &|inner| matches!(inner, Expr::Degrees(_))) => false,
+        Expr::Call(..) => false,
+        other => other.children().into_iter().any(is_small),
     }
 }
 
@@ -204,7 +206,7 @@ mod tests {
         let line = "direct/velocities-after-impact";
         let (components, again, rest) =
             ("both-moving/components-given", "successive/second-collision", "rest/speeds-and-directions");
-        let table: [(&str, Edits, &str); 11] = [
+        let table: [(&str, Edits, &str); 14] = [
             (line, &[], ""),
             (
                 line,
@@ -236,6 +238,9 @@ mod tests {
                 "`alpha` is taken in degrees, and `pi/6` is in radians",
             ),
             (rest, &[("angle_deg = \"alpha\"", "angle_deg = \"alpha*deg\"")], "`alpha*deg` has so many radians"),
+            (rest, &[("angle_deg = \"alpha\"", "angle_deg = \"-alpha*deg\"")], "`-alpha*deg` has so many radians"),
+            (rest, &[("angle_deg = \"alpha\"", "angle_deg = \"-atan(3/4)/deg\"")], ""),
+            (rest, &[("angle_deg = \"alpha\"", "angle_deg = \"360 - atan(3/4)/deg\"")], ""),
         ];
         for (id, edits, words) in table {
             let question = edited(id, edits);

@@ -231,7 +231,7 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
         (form, Quantity::KineticEnergy(sphere, moment)) if show.is_asked(rule.gives[0]) => {
             of_sphere(show, sphere, moment, form == OF_SPHERE)
         }
-        (FRACTION | FRACTION_BY_TOTALS, _) => fraction(show),
+        (FRACTION | FRACTION_BY_TOTALS, _) => fraction(rule.form, show),
         _ => silent(),
     }
 }
@@ -334,13 +334,17 @@ fn difference_of(before: Expr, after: Expr) -> Expr {
     Expr::Sum(vec![before, after.negated()])
 }
 
-fn fraction(show: &Show) -> Vec<Line> {
-    let at = |moment| show.value(Quantity::TotalEnergy(moment));
-    let [before, after] = match [at(Before), at(After)] {
-        long if long.iter().any(Show::is_long) => ["E_1", "E_2"].map(Expr::name),
-        short => short,
+/// What is lost, or the energies before and after whose difference it is, over the energy before.
+fn fraction(form: u8, show: &Show) -> Vec<Line> {
+    let (first, name) = match form {
+        FRACTION => (Quantity::EnergyLost, "L"),
+        _ => (Quantity::TotalEnergy(After), "E_2"),
     };
-    let lost = Expr::Sum(vec![before.clone(), after.negated()]);
+    let (first, before) = match [first, Quantity::TotalEnergy(Before)].map(|energy| show.value(energy)) {
+        long if long.iter().any(Show::is_long) => (Expr::name(name), Expr::name("E_1")),
+        [first, before] => (first, before),
+    };
+    let lost = if form == FRACTION { first } else { Expr::Sum(vec![before.clone(), first.negated()]) };
     let quotient = Expr::Quotient(Box::new(lost), Box::new(before));
     let (left, value) = (Expr::name("f"), show.exact(Quantity::FractionLost));
     let mut equations = Show::chain(left.clone(), [quotient, written(&value)]);
