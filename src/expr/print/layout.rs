@@ -293,9 +293,10 @@ fn is_times_shown(before: Option<&Item>, factor: &Expr, next: &[Item]) -> bool {
         },
         Some(Item::Fraction(top, bottom)) => {
             let number = matches!((&top[..], &bottom[..]), ([Item::Digits(_)], [Item::Digits(_)]));
-            // A number straight before a fraction of numbers would look like a mixed number.
-            let mixed = begins_with_digit(top) || matches!(top[..], [Item::Root(_)]);
-            number || (matches!(before, Some(Item::Digits(_))) && mixed)
+            // A number straight before a fraction of numbers would look like a mixed number, and of `m 4u/5` nobody sees at
+            // once that it is two factors.
+            let is_number = begins_with_digit(top) || matches!(top.first(), Some(Item::Root(_)));
+            number || (matches!(before, Some(Item::Digits(_) | Item::Letter(_))) && is_number)
         }
         _ => begins_with_digit(next),
     }

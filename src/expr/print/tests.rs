@@ -118,6 +118,8 @@ fn carom_knows_that_a_formula_is_written_as_a_teacher_writes_it() {
             "u((1 + e)/3) cos α",
         ),
         (times([n(2), over(times([n(3), x("e")]), n(5))]), "2*(3*e/5)", r"2\times\frac{3e}{5}", "2 × 3e/5"),
+        (times([n(3), x("m"), over(times([n(4), x("u")]), n(5))]), "3*m*(4*u/5)", r"3m\times\frac{4u}{5}", "3m × 4u/5"),
+        (times([x("m"), over(x("u"), n(3))]), "m*(u/3)", r"m\frac{u}{3}", "m(u/3)"),
         (
             times([f(1, 2), over(times([root(n(3)), x("u")]), n(2))]),
             "(1/2)*(sqrt(3)*u/2)",
