@@ -93,7 +93,7 @@ fn looked_through(
         let handed_in = together(script, &part.label);
         let mut examined = examine(question, part, &handed_in.working, &theirs);
         let (mut answers, judged) = answers::judged(part, &handed_in, profile, memory, &examined);
-        last_word::contradict(part, &handed_in, examined.denies_what_is_found, &mut answers);
+        last_word::contradict(part, &handed_in, &examined, &mut answers);
         let readings = judged.iter().map(|judged| judged.readings.as_deref());
         examined.see_in_answers(question, part, &theirs, readings);
         let followed = follow::answers(question, part, &answers, &judged, &examined);
@@ -117,6 +117,7 @@ fn looked_through(
             followed: &followed,
             contradicted,
             has_right_value,
+            denies_velocities: examined.denies_velocities,
         };
         let found = decide::awards(part, found, profile, &mut charged);
         let awards = decide::settled(part, &answers, &found);

@@ -24,7 +24,9 @@ impl Working<'_> {
         let has_form = |member: &Member| {
             let expr = &member.expr;
             match shape {
-                Shape::Pythagoras => any_within(expr, &|inner| self.is_pythagoras(inner, sphere)),
+                Shape::Pythagoras => {
+                    any_within(expr, &|inner| self.is_pythagoras(inner, sphere)) && !self.is_without_root(member)
+                }
                 Shape::Tangent => {
                     any_within(expr, &|inner| self.is_tangent(inner, sphere) || self.is_cotangent(inner, sphere))
                 }
