@@ -22,7 +22,7 @@ pub use overrule::{Word, overrule};
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use super::award::{Award, MarkedAnswer, MarkedLine, MarkedPart};
+use super::award::{Award, Evidence, MarkedAnswer, MarkedLine, MarkedPart, Place};
 use super::judging::Verdict;
 use super::key::{KeyedMark, KeyedPart, KeyedQuestion};
 use super::profile::Profile;
@@ -122,6 +122,7 @@ fn looked_through(
         let found = decide::awards(part, found, profile, &mut charged);
         let awards = decide::settled(part, &answers, &found);
         say_shown(part, &awards, &mut answers);
+        without_marks_lost(&awards, &mut answers);
         let all_right = awards.iter().all(|award| award.given);
         let own = if all_right { Vec::new() } else { examined.theirs.to_go_on_from(question) };
         theirs = examined.theirs;
@@ -133,6 +134,18 @@ fn looked_through(
         marked.push(MarkedPart { label, answers, lines, awards, found, own });
     }
     marked
+}
+
+/// Of a mark that a line has lost it is not said that it was probably earned.
+fn without_marks_lost(awards: &[Award], answers: &mut [MarkedAnswer]) {
+    let is_lost = |id: &String| {
+        let lost =
+            |award: &&Award| !award.given && matches!(&award.evidence, Some(Evidence { place: Place::Line(_), .. }));
+        awards.iter().filter(lost).any(|award| award.id == *id)
+    };
+    for cause in answers.iter_mut().flat_map(|answer| &mut answer.causes) {
+        cause.probable.retain(|id| !is_lost(id));
+    }
 }
 
 /// Who has shown a result is not told that it is only the printed line written once more.
