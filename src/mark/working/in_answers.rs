@@ -6,6 +6,7 @@ use std::borrow::Cow;
 use super::apiece::Apiece;
 use super::cleared::is_of_deflection;
 use super::compare::is_vector;
+use super::departure::Departure;
 use super::energies::ToBeSubtracted;
 use super::examine::{Examined, Value, Working, value};
 use super::linear::Linear;
@@ -31,6 +32,10 @@ impl Examined {
         before: &Theirs,
         answers: impl Iterator<Item = Option<&'r [Reading]>>,
     ) {
+        let said: Vec<Option<(Expr, String)>> = answers.map(|readings| said(readings?)).collect();
+        if are_on_the_other_axis(question.prepared(), part, &said) {
+            self.lose_laws_of_other_axis(part);
+        }
         let is_open = |mark: &KeyedMark, award: &Option<Award>| {
             let law = match mark.earned_for {
                 EarnedFor::Law(law, _) if matches!(law.seen(), Seen::Unchanged | Seen::Unknown) => law,
@@ -47,7 +52,6 @@ impl Examined {
         if open.is_empty() {
             return;
         }
-        let said: Vec<Option<(Expr, String)>> = answers.map(|readings| said(readings?)).collect();
         for (place, law) in open {
             let mark = &part.scheme[place];
             let shown = match law.seen() {
@@ -79,6 +83,51 @@ impl Examined {
             });
         }
     }
+}
+
+impl Examined {
+    /// Without the two equations, which were written for the components that do not change: in numbers they may be the same.
+    fn lose_laws_of_other_axis(&mut self, part: &KeyedPart) {
+        let is_law =
+            |mark: &KeyedMark| matches!(mark.earned_for, EarnedFor::Law(law, _) if law.seen() == Seen::Equation);
+        for (_, award) in part.scheme.iter().zip(&mut self.awards).filter(|(mark, _)| is_law(mark)) {
+            if let Some(award) = award.as_mut().filter(|award| award.given) {
+                let feedback = Departure::WrongAxis.sentence().to_owned();
+                *award = Award { given: false, note: Some(Departure::WrongAxis.tag()), feedback, ..award.clone() };
+            }
+        }
+    }
+}
+
+/// Do the vectors of both spheres keep the component along the line of centres, which lies along i or j, and change the other,
+/// where both are of one size before the impact, so that equations do not tell which of them is meant?
+fn are_on_the_other_axis(prepared: &Prepared, part: &KeyedPart, said: &[Option<(Expr, String)>]) -> bool {
+    let [known] = prepared.known.as_slice() else { return false };
+    let both = |of: &dyn Fn(Axis) -> Quantity| known.numbers([Axis::X, Axis::Y].map(of));
+    let Some(line) = both(&Quantity::Line).filter(|line| line.iter().any(|one| one.abs() < 1e-9)) else { return false };
+    let (along, across) = if line[0].abs() < 1e-9 { (1, 0) } else { (0, 1) };
+    let is_kept = |sphere: Sphere| {
+        let find =
+            |find: &Find| matches!(find, Find::Vector(Quantity::Velocity(own, Moment::After, _), _) if *own == sphere);
+        let place = part.blanks.iter().position(|blank| find(&blank.find))?;
+        let (expr, _) = said[place].as_ref()?;
+        let [Value::Vector(x, y)] = value(expr, prepared, &prepared.names)?[..] else { return None };
+        let (own, [before, after]) = (
+            [x.middle(), y.middle()],
+            [
+                both(&|axis| Quantity::Velocity(sphere, Moment::Before, axis))?,
+                both(&|axis| Quantity::Velocity(sphere, Moment::After, axis))?,
+            ],
+        );
+        let is = |one: f64, other: f64| (one - other).abs() <= 1e-9;
+        Some(
+            is(before[along].abs(), before[across].abs())
+                && is(own[along], before[along])
+                && !is(before[along], after[along])
+                && !is(own[across], before[across]),
+        )
+    };
+    Sphere::BOTH.into_iter().all(|sphere| is_kept(sphere) == Some(true))
 }
 
 /// The value or the vector that an answer ends with, and how the answer is read.

@@ -14,6 +14,25 @@ use crate::number;
 /// Sides that are apart by less than this part of the greater may be so by rounding.
 pub(super) const ROUNDED: f64 = 0.05;
 
+/// What a blank asks for, at every point.
+enum Wanted {
+    Number { right: Vec<f64>, is_angle: bool },
+    Vector(Vec<f64>, Vec<f64>),
+}
+
+impl Wanted {
+    /// Is it this, whatever its sign?
+    fn is(&self, values: &[Value]) -> bool {
+        match self {
+            Wanted::Number { right, is_angle } => values.iter().zip(right).all(|(value, right)| match is_angle {
+                true => comes_to_angle(*value, *right, false),
+                false => comes_to(*value, *right),
+            }),
+            Wanted::Vector(x, y) => [1.0, -1.0].into_iter().any(|sign| is_vector(values, x, y, sign)),
+        }
+    }
+}
+
 impl Working<'_> {
     /// For each blank: is the right value in the lines, and only behind an equals sign that is false?
     pub(super) fn denied_by_lines(&self) -> Vec<bool> {
@@ -25,27 +44,17 @@ impl Working<'_> {
         let found = self.prepared.all_where_found().unwrap_or_default();
         let at = if found.is_empty() { self.prepared.known.as_slice() } else { found.as_slice() };
         let known = |quantity: Quantity| sizes(at, quantity);
-        let is_right: Box<dyn Fn(&[Value]) -> bool> = match find {
+        let wanted = match find {
             Find::Quantity(quantity) => {
-                let Some(right) = known(*quantity) else { return false };
-                let is_angle = is_angle(at, *quantity);
-                Box::new(move |values| {
-                    let is = |(value, right): (&Value, &f64)| match is_angle {
-                        true => comes_to_angle(*value, *right, false),
-                        false => comes_to(*value, *right),
-                    };
-                    values.iter().zip(&right).all(is)
-                })
+                known(*quantity).map(|right| Wanted::Number { right, is_angle: is_angle(at, *quantity) })
             }
-            Find::Vector(x, y) => {
-                let Some((x, y)) = known(*x).zip(known(*y)) else { return false };
-                Box::new(move |values| [1.0, -1.0].into_iter().any(|sign| is_vector(values, &x, &y, sign)))
-            }
-            Find::Unknown(_) => return false,
+            Find::Vector(x, y) => known(*x).zip(known(*y)).map(|(x, y)| Wanted::Vector(x, y)),
+            Find::Unknown(_) => None,
         };
+        let Some(wanted) = wanted else { return false };
         let right = || {
             let all = self.lines.iter().flat_map(|studied| self.members(studied).map(move |one| (studied, one)));
-            all.filter(|(_, (_, values))| is_right(values)).map(|(studied, (member, _))| (studied, member))
+            all.filter(|(_, (_, values))| wanted.is(values)).map(|(studied, (member, _))| (studied, member))
         };
         right().any(|(studied, member)| self.is_denied_by_line(studied, member))
             && !right().any(|(studied, member)| is_formula(&member.expr) && !self.is_denied_by_line(studied, member))
@@ -100,7 +109,7 @@ impl Working<'_> {
             self.question.given.0.iter().any(|(_, datum)| match datum {
                 Datum::Number(size) => has(size),
                 Datum::Direction { y, x } => has(y) || has(x),
-                Datum::Equation(numbers) => numbers.iter().any(|number| has(number)),
+                Datum::Equation(numbers) => numbers.iter().any(has),
             })
         };
         let is_sought = |letter: &str| self.prepared.found.iter().any(|(own, _)| own.name() == letter);
