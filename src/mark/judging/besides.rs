@@ -6,15 +6,14 @@ use std::cmp::Ordering;
 use crate::answer::{Accept, Kind};
 use crate::expr::{Expr, Function, Relation};
 use crate::mark::reading::{Form, ReferenceLine, Said, Statement, greek};
-use crate::mechanics::{Quantity, Sphere};
+use crate::mechanics::Quantity;
 use crate::number::Places;
 use crate::unit::Unit;
 
 use super::selection::{holds, is_angular, order};
 use super::sorts::{Sort, sort, words};
-use super::spheres::{named_spheres, sphere};
 use super::statements::is_rival;
-use super::{Model, angle, letters, number, vector};
+use super::{Model, angle, letters, number, spheres, vector};
 
 /// `u(1-e)/2 > 0`, `3.57 < 5`: what is remarked of the only value there is, where that is so.
 pub(super) fn compared_with_a_bound(model: &Model, mut statements: Vec<Statement>) -> Vec<Statement> {
@@ -100,10 +99,11 @@ fn is_called_an_angle(statement: &Statement) -> bool {
     })
 }
 
-/// `46.1°, deflected by 16.1°`
+/// `46.1°, deflected by 16.1°`, `46.1° (16.1° deflection)`
 fn is_called_a_deflection(statement: &Statement) -> bool {
-    let label = statement.label.as_ref().map_or("", |label| &label.typed);
-    words(label).filter_map(sort).any(|sort| sort == Sort::Deflection)
+    let label = statement.label.iter().map(|label| label.typed.as_str());
+    let called = label.chain(statement.remarks().map(String::as_str));
+    called.flat_map(words).filter_map(sort).any(|sort| sort == Sort::Deflection)
 }
 
 /// `3.61 m/s at 56.3° to the line of centres`, where the speed or the direction is asked: the other is told besides. A
@@ -212,15 +212,7 @@ pub(super) fn letter_of_place(remark: &str) -> Option<&str> {
 
 /// Do words beside a value tell another value of what is asked? `5 (v = 6)`; in `v_A = 5 (v_B = 15)` it is of the other sphere.
 pub(super) fn is_told_otherwise(model: &Model, statement: &Statement) -> bool {
-    let is_of_other = |letter: &str| {
-        let asked = model.quantity.and_then(sphere);
-        let by_custom = match letter {
-            "v" | "v1" | "v_1" => Some(Sphere::A),
-            "w" | "v2" | "v_2" => Some(Sphere::B),
-            _ => named_spheres(letter).first().copied(),
-        };
-        asked.zip(by_custom).is_some_and(|(asked, named)| asked != named)
-    };
+    let is_of_other = |letter: &str| spheres::is_of_the_other_by_custom(model, letter);
     let is_called =
         |own: &str, letter: &str| own == letter || greek(own).is_some_and(|(sign, _)| letter.chars().eq([sign]));
     let is_asked = |letter: &str| model.letter.as_ref().is_some_and(|own| is_called(own, letter));

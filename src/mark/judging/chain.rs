@@ -5,6 +5,7 @@
 //! person.
 
 use crate::expr::{Expr, Function};
+use crate::mark::enclosure::about;
 use crate::mark::reading::{Form, Said, Statement};
 
 use super::accuracy::Written;
@@ -12,7 +13,7 @@ use super::exact::{self, Equality};
 use super::finding::Finding;
 use super::left_side::{self, Equation, Left};
 use super::statements::One;
-use super::{Model, Note, Verdict, called};
+use super::{Model, Note, Verdict, called, vector};
 
 /// One statement, perhaps a chain of equals signs.
 pub(super) fn chain(model: &Model, statement: &Statement, one: One) -> Finding {
@@ -27,7 +28,13 @@ pub(super) fn chain(model: &Model, statement: &Statement, one: One) -> Finding {
         }
     };
     let finding = match &left {
-        Left::Equation(equation) => of_equation(equation),
+        Left::Equation(equation) => match of_equation(equation) {
+            // `v + eu = …` is an equation for v, and what w is called by restitution.
+            finding if !finding.is_credited() && equation.is_by_restitution(model) => {
+                finding.or_better(links(statement, one))
+            }
+            finding => finding,
+        },
         _ => links(statement, &|said, label| match left_side::unnamed(model, said) {
             Some((equation, right)) => {
                 let of_right = equation.judge(model, &Said { form: Form::Value(right.clone()), ..said.clone() }, one);
@@ -66,7 +73,14 @@ pub(super) fn links(statement: &Statement, one: One) -> Finding {
     let is_bare = |at: usize| is_bare_number(&statement.said[at]);
     // `2 = 3` and `3 = 4` are no working: two numbers that are said to be one are rivals.
     // What is only rounded too far is no other number; what is a little off is one.
+    // `24² + 18² = 900 = 30`: an equals sign where the root is taken of what was worked out.
+    let is_rooted = |at: usize| {
+        let before = label.and_then(|label| label.expr.as_ref());
+        let is_worked_out = at > 0 || before.is_some_and(|before| makes_about(before, &statement.said[at]));
+        at + 1 < findings.len() && is_worked_out && is_square_of(&statement.said[at], &statement.said[at + 1])
+    };
     let is_other = |at: usize| match findings[at].verdict {
+        _ if is_rooted(at) => false,
         Verdict::Wrong => findings[at].note != Some(Note::TooFewFigures),
         _ => findings[at].note == Some(Note::NearMiss),
     };
@@ -90,13 +104,17 @@ pub(super) fn links(statement: &Statement, one: One) -> Finding {
     // `√7 = 2.83`, `7/5 = 5/7`: an exact value that is finished, and another one; `5 − 2 = 2.83`: arithmetic that is false.
     let is_preceded = |right: usize| {
         let is_wrong = |at: usize| findings[at].verdict == Verdict::Wrong;
-        let is_rival = |at: usize| is_wrong(at) && is_finished_number(&statement.said[at]);
-        let is_false = |at: usize| is_wrong(at) && cannot_lead_to(&statement.said[at], &statement.said[at + 1]);
+        let is_rival = |at: usize| is_wrong(at) && is_finished_number(&statement.said[at]) && !is_rooted(at);
+        let is_false =
+            |at: usize| is_wrong(at) && !is_rooted(at) && cannot_lead_to(&statement.said[at], &statement.said[at + 1]);
         let is_named = label.is_none_or(|label| matches!(label.expr, None | Some(Expr::Name(_))));
         label.is_none() && (0..right).any(is_rival) || is_named && right.checked_sub(1).is_some_and(is_false)
     };
     if let Some(at) = all.clone().find(counts) {
         if is_preceded(at) {
+            return Finding::unreadable(Note::CannotBeCompared);
+        }
+        if statement.said.get(at + 1).is_some_and(|next| is_no_size_of(&statement.said[at], next)) {
             return Finding::unreadable(Note::CannotBeCompared);
         }
         let right = findings[at];
@@ -114,6 +132,33 @@ pub(super) fn links(statement: &Statement, one: One) -> Finding {
         Some(at) if only_rounded_after(at) => findings[at].remarked(Note::IgnoredAfter),
         _ => last,
     }
+}
+
+/// Do two numbers lie so near that they may be one, rounded?
+fn are_about(one: f64, other: f64) -> bool {
+    (one - other).abs() <= 0.005 * other.abs()
+}
+
+/// Is a number the square of the one after it?
+fn is_square_of(said: &Said, next: &Said) -> bool {
+    let number = |said: &Said| match &said.form {
+        Form::Value(value) => about(value, &[]),
+        _ => None,
+    };
+    number(said).zip(number(next)).is_some_and(|(square, root)| are_about(square, root * root))
+}
+
+/// Does arithmetic on the left come to what stands on the right?
+fn makes_about(left: &Expr, said: &Said) -> bool {
+    let Form::Value(value) = &said.form else { return false };
+    has_arithmetic(left) && about(left, &[]).zip(about(value, &[])).is_some_and(|(left, right)| are_about(left, right))
+}
+
+/// `4i - 3j = 1`: is a vector set equal to a number that is not its size?
+fn is_no_size_of(said: &Said, next: &Said) -> bool {
+    let (Form::Vector(x, y, _), Form::Value(value)) = (&said.form, &next.form) else { return false };
+    let size = about(&vector::magnitude(x, y), &[]).zip(about(value, &[]));
+    size.is_some_and(|(size, value)| !are_about(value, size))
 }
 
 /// A number without any rounding, in front of another that is not made with it, as the root in `2² + 3² = √13` is.

@@ -11,7 +11,7 @@ use std::cell::OnceCell;
 use crate::answer::Kind;
 use crate::expr::{Expr, Function, Relation};
 use crate::mark::reading::{Form, Label, Said, SaidUnit};
-use crate::mechanics::Quantity;
+use crate::mechanics::{Quantity, Sphere};
 use crate::number::{Places, round};
 
 use super::accuracy::Written;
@@ -20,7 +20,7 @@ use super::finding::Finding;
 use super::multiplied::SQUARED;
 use super::statements::One;
 use super::{Model, Note, angle, changes, moments, number, vector};
-use super::{called, letters, sorts};
+use super::{called, letters, sorts, spheres};
 
 /// What the left side is to the value on the right.
 pub(super) enum Left {
@@ -234,6 +234,20 @@ fn step_left(expr: &Expr, atom: &dyn Fn(&Expr) -> bool) -> Option<Note> {
 impl Equation {
     fn of(left: Expr, unknown: String) -> Equation {
         Equation { left, unknown, of_right: OnceCell::new() }
+    }
+
+    /// `v + eu` where w is asked, `w - eu` where v is: what it is called by restitution, in the letter that custom gives the other
+    /// sphere.
+    pub(super) fn is_by_restitution(&self, model: &Model) -> bool {
+        let Expr::Sum(terms) = &self.left else { return false };
+        let is_taken = |term: &Expr| matches!(term, Expr::Negative(_));
+        let (letter, rest): (Vec<&Expr>, Vec<&Expr>) =
+            terms.iter().partition(|term| matches!(unsigned(term), Expr::Name(name) if name.text == self.unknown));
+        let of_b = model.quantity.and_then(spheres::sphere) == Some(Sphere::B);
+        spheres::is_of_the_other_by_custom(model, &self.unknown)
+            && !letter.is_empty()
+            && letter.iter().all(|letter| !is_taken(letter))
+            && rest.iter().all(|term| is_taken(term) != of_b)
     }
 
     /// Is the equation true of what is asked, and solved but for arithmetic?

@@ -243,10 +243,13 @@ fn is_turned_by_words(model: &Model, reading: &Reading) -> bool {
     let mut remarks = reading.remarks();
     remarks.any(|remark| {
         let mut words = remark.split(|letter: char| !letter.is_alphanumeric() && letter != '\'');
-        let turned = is_direction && TURNS.iter().any(|turn| remark.contains(turn));
+        // `as no impulse acts across it`: without figures a reason says why, and not what.
+        let is_reason = ["because ", "since ", "as no ", "as there is no "].iter().any(|why| remark.starts_with(why))
+            && !remark.contains(|sign: char| sign.is_ascii_digit());
+        let turned = is_direction && !is_reason && TURNS.iter().any(|turn| remark.contains(turn));
         let opposite = is_signed && OPPOSITES.iter().any(|turn| remark.contains(turn));
         let is_multiple = model.kind == Kind::Vector && MULTIPLES.iter().any(|word| remark.contains(word));
-        let is_denied = words.any(|word| DENIALS.contains(&word)) && !events::denies_a_meeting(remark);
+        let is_denied = words.any(|word| DENIALS.contains(&word)) && !is_reason && !events::denies_a_meeting(remark);
         // `7 (nonsense)`
         turned || is_multiple || opposite || is_strange(remark.trim()) || is_denied
     })

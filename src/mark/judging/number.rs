@@ -344,6 +344,10 @@ fn letter_missing(model: &Model, expr: &Expr) -> bool {
 
 /// A vector where its magnitude is asked: the last step is missing.
 fn magnitude_left(model: &Model, x: &Expr, y: &Expr) -> Finding {
+    // `45j`: an energy has no direction, and a small j may be joules.
+    if x.is_zero() && model.unit() == Some(Unit::Joule) {
+        return value(model, y, &Written::of(y));
+    }
     let magnitude = super::vector::magnitude(x, y);
     let finding = value(&Model { kind: Kind::Number, ..model.clone() }, &magnitude, &None);
     if finding.is_correct() { Finding::partial(Note::VectorForScalar) } else { Finding::WRONG }

@@ -388,3 +388,26 @@ fn a_direction_beside_the_size_of_a_vector_is_that_of_the_vector() {
         ],
     );
 }
+
+#[test]
+fn an_energy_has_no_direction_and_a_small_j_is_joules() {
+    let vocabulary = Vocabulary { vectors: true, ..model("45", "", &[]).vocabulary };
+    let energy = Model { vocabulary: vocabulary.clone(), ..model("45", "ke.lost", &[]) };
+    earn(&energy, &[("45j", "correct"), ("45 j", "correct"), ("45J", "correct"), ("44j", "wrong"), ("45i", "partial")]);
+    let impulse = Model { vocabulary, ..model("45", "impulse.magnitude", &[]) };
+    earn(&impulse, &[("45j", "partial")]);
+}
+
+#[test]
+fn a_vector_is_no_number_but_perhaps_its_size() {
+    let velocity = model("4*i - 3*j", "", &[]);
+    earn(
+        &velocity,
+        &[
+            ("4i - 3j", "correct"),
+            ("4i - 3j = 5", "correct"),
+            ("4i - 3j = 1", "unreadable"),
+            ("4i - 3j = 1 m/s", "unreadable"),
+        ],
+    );
+}

@@ -6,6 +6,7 @@ use crate::expr::Expr;
 use crate::mark::reading::{Label, Reading, Statement};
 use crate::mechanics::{Quantity, Sphere};
 
+use super::Model;
 use super::letters::of_letter;
 use super::otherwise::spheres_in_remark;
 use super::sorts::{Sort, sort, words};
@@ -30,6 +31,17 @@ pub(super) fn named_sphere(statement: &Statement) -> Option<Sphere> {
     let named = named_spheres(&statement.label.as_ref()?.typed);
     let first = named.first().copied()?;
     named.iter().all(|other| *other == first).then_some(first)
+}
+
+/// Is a letter that of the other sphere than is asked, by its name, or by the custom that v is of *A* and w of *B*?
+pub(super) fn is_of_the_other_by_custom(model: &Model, letter: &str) -> bool {
+    let asked = model.quantity.and_then(sphere);
+    let by_custom = match letter {
+        "v" | "v1" | "v_1" => Some(Sphere::A),
+        "w" | "v2" | "v_2" => Some(Sphere::B),
+        _ => named_spheres(letter).first().copied(),
+    };
+    asked.zip(by_custom).is_some_and(|(asked, named)| asked != named)
 }
 
 /// The spheres that a text names, in order: `m_B : m_A`, `mA/mB`, `A to B`, `va`.

@@ -2,7 +2,7 @@
 
 use crate::answer::Kind;
 use crate::expr::{Expr, Function, Meaning, written};
-use crate::mark::reading::{Form, Notation, Reading, Said, Statement};
+use crate::mark::reading::{Form, Notation, Reading, Said, Statement, WAYS};
 
 use super::accuracy::Written;
 use super::exact;
@@ -134,7 +134,6 @@ fn is_its_size(model: &Model, size: &Said) -> bool {
 
 /// Do words beside a value say which way it points?
 fn tells_a_way(said: &Said) -> bool {
-    const WAYS: [&str; 8] = ["right", "left", "up", "down", "upwards", "downwards", "horizontally", "vertically"];
     said.remarks.iter().flat_map(|remark| words(remark)).any(|word| WAYS.contains(&word))
 }
 

@@ -11,7 +11,7 @@ use crate::mark::award::MarkedAnswer;
 use crate::mark::judging::{Judgement, Model, Note, Verdict, judge, judge_together};
 use crate::mark::key::{KeyedBlank, KeyedPart};
 use crate::mark::profile::Profile;
-use crate::mark::reading::{Unreadable, read_answer};
+use crate::mark::reading::{Reading, Unreadable, read_answer};
 use crate::mark::script::PartScript;
 use crate::mark::working::Examined;
 use crate::number::Places;
@@ -58,7 +58,8 @@ pub(super) fn judged(
                     true => Rc::new(read_answer(answer, &model.vocabulary)),
                     false => lines.read(answer, &model.vocabulary),
                 };
-                let judgement = profiled(judge(&model, &readings), &model, profile).in_setting(part.setting);
+                let judgement =
+                    profiled(judge_for(profile, &model, &readings), &model, profile).in_setting(part.setting);
                 Judged::new(judgement, Rc::unwrap_or_clone(readings).ok())
             })
         };
@@ -107,21 +108,36 @@ fn together_vocabulary(models: &[Model]) -> crate::mark::reading::Vocabulary {
 }
 
 /// What a key asks for as a rule.
-const USUAL: Accept = Accept::RoundsTo(Places::SignificantFigures(3));
+const USUAL: Accept = Accept::RoundsTo(Places::SignificantFigures(FIGURES));
+const FIGURES: u32 = 3;
 
-/// Other figures than the usual three of a key, where a profile asks for them; two are fewer figures, and no other value.
+/// More figures than the usual three of a key, where a profile asks for them; fewer are fewer figures, and no other value.
 fn in_profile<'m>(model: &'m Model, profile: &Profile) -> Cow<'m, Model> {
-    if model.accept != USUAL || matches!(profile.figures, ENOUGH | 3) {
-        return Cow::Borrowed(model);
+    match model.accept == USUAL && profile.figures > FIGURES {
+        true => Cow::Owned(with_figures(model, profile.figures)),
+        false => Cow::Borrowed(model),
     }
-    Cow::Owned(Model { accept: Accept::RoundsTo(Places::SignificantFigures(profile.figures)), ..model.clone() })
+}
+
+fn with_figures(model: &Model, figures: u32) -> Model {
+    Model { accept: Accept::RoundsTo(Places::SignificantFigures(figures)), ..model.clone() }
+}
+
+/// The verdict on an answer. Where one figure is enough, that is looked at which is no evidence elsewhere.
+fn judge_for(profile: &Profile, model: &Model, readings: &Result<Vec<Reading>, Unreadable>) -> Judgement {
+    let judgement = judge(model, readings);
+    let is_one_figure = judgement.note == Some(Note::TooFewFigures.tag());
+    match is_one_figure && model.accept == USUAL && profile.figures < ENOUGH {
+        true => judge(&with_figures(model, profile.figures), readings),
+        false => judgement,
+    }
 }
 
 /// A verdict that is right for this profile, though partly right for another. Where two figures are enough, 4.4 is right for
 /// 4.384 and 4.35 is not: who writes three has them right.
 fn profiled(judgement: Judgement, model: &Model, profile: &Profile) -> Judgement {
     let condoned = match judgement.note {
-        Some(note) if note == Note::UnderAccurate.tag() => model.accept == USUAL && profile.figures == ENOUGH,
+        Some(note) if note == Note::UnderAccurate.tag() => model.accept == USUAL && profile.figures <= ENOUGH,
         Some(note) if note == Note::Coordinates.tag() => profile.coordinates,
         Some(note) if note == Note::RadiansUnstated.tag() => profile.radians,
         _ => false,
@@ -132,4 +148,34 @@ fn profiled(judgement: Judgement, model: &Model, profile: &Profile) -> Judgement
 /// Is the blank one whose final line earns nothing by itself?
 pub(super) fn is_shown(blank: &KeyedBlank) -> bool {
     blank.model.kind == Kind::Shown
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mark::judging::ModelOptions;
+
+    #[test]
+    fn fewer_figures_than_three_are_fewer_figures_and_no_other_value() {
+        let model =
+            Model::read("4*sqrt(39)/9", &ModelOptions { accept: Some(USUAL), ..ModelOptions::default() }).unwrap();
+        let verdict = |figures: u32, typed: &str| {
+            let profile = Profile { figures, ..Profile::default() };
+            let model = in_profile(&model, &profile);
+            let readings = read_answer(typed, &model.vocabulary);
+            profiled(judge_for(&profile, &model, &readings), &model, &profile).verdict
+        };
+        for (typed, of_four, of_three, of_two, of_one) in [
+            ("2.776", "correct", "correct", "correct", "correct"),
+            ("2.78", "partial", "correct", "correct", "correct"),
+            ("2.8", "partial", "partial", "correct", "correct"),
+            ("3", "wrong", "wrong", "wrong", "correct"),
+            ("2", "wrong", "wrong", "wrong", "wrong"),
+            ("2.5", "wrong", "wrong", "wrong", "wrong"),
+            ("2.74", "wrong", "wrong", "wrong", "wrong"),
+        ] {
+            let found = [4, 3, 2, 1].map(|figures| verdict(figures, typed).name());
+            assert_eq!(found, [of_four, of_three, of_two, of_one], "{typed}");
+        }
+    }
 }

@@ -2,7 +2,10 @@
 
 use super::answers::is_shown;
 use super::follow::Followed;
-use super::withhold::{contradicts, drop_dependent, lacks_letter, withhold_for_direction, withhold_from_wrong_method};
+use super::withhold::{
+    contradicts, drop_dependent, lacks_letter, withhold_for_direction, withhold_from_wrong_equations,
+    withhold_from_wrong_method,
+};
 use crate::bank::{Code, EarnedFor, Find};
 use crate::mark::award::{Award, Evidence, Examiner, MarkedAnswer, Place};
 use crate::mark::judging::{Note, Verdict};
@@ -32,11 +35,13 @@ pub(super) struct Findings<'a> {
     pub(super) contradicted: Vec<bool>,
     /// Does it state any value that is right?
     pub(super) has_right_value: bool,
+    /// Of each sphere: do the student's own equations lead elsewhere than to its right velocity?
+    pub(super) denies_velocities: [bool; 2],
 }
 
 /// The awards of a part, in the order of the scheme, each as if it stood alone: [`settled`] sets them side by side.
 pub(super) fn awards(part: &KeyedPart, found: Findings, profile: &Profile, charged: &mut Charged) -> Vec<Award> {
-    let Findings { needed, answers, by_working, followed, contradicted, has_right_value } = found;
+    let Findings { needed, answers, by_working, followed, contradicted, has_right_value, denies_velocities } = found;
     let worth: Vec<Worth> = answers.iter().map(|answer| Worth::of(answer, profile, charged)).collect();
     let mut awards: Vec<Award> = Vec::new();
     for (((mark, by_working), needed), contradicted) in part.scheme.iter().zip(by_working).zip(needed).zip(contradicted)
@@ -68,6 +73,7 @@ pub(super) fn awards(part: &KeyedPart, found: Findings, profile: &Profile, charg
     }
     imply_needed(&part.scheme, &mut awards);
     withhold_from_wrong_method(part, needed, has_right_value, &mut awards);
+    withhold_from_wrong_equations(part, needed, denies_velocities, &mut awards);
     withhold_for_direction(part, answers, &mut awards);
     awards
 }

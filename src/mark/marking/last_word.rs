@@ -8,14 +8,18 @@ use crate::mark::judging::{Verdict, judge};
 use crate::mark::key::{KeyedBlank, KeyedPart};
 use crate::mark::reading::{Form, Reading, Statement};
 use crate::mark::script::PartScript;
+use crate::mark::working::Examined;
 
 /// Of answers that are right though the working has found nothing but another value for them, or its equations deny them, says
 /// so: they are partly right, and imply nothing.
-pub(super) fn contradict(part: &KeyedPart, script: &PartScript, denied: bool, answers: &mut [MarkedAnswer]) {
+pub(super) fn contradict(part: &KeyedPart, script: &PartScript, examined: &Examined, answers: &mut [MarkedAnswer]) {
     let lines = Lines::default();
-    for (blank, answer) in part.blanks.iter().zip(answers) {
+    for (place, (blank, answer)) in part.blanks.iter().zip(answers).enumerate() {
         let is_typed = script.answers.iter().any(|(_, typed)| Some(typed) == answer.typed.as_ref());
-        let is_denied = || denied && matches!(blank.find, Find::Unknown(_));
+        let is_denied = || match blank.find {
+            Find::Unknown(_) => examined.denies_what_is_found,
+            _ => examined.denied.get(place) == Some(&true),
+        };
         let is_contradicted = || is_denied() || comes_to_another(blank, script, &lines);
         if answer.judgement.verdict == Verdict::Correct && is_typed && is_contradicted() {
             answer.judgement.verdict = Verdict::Partial;

@@ -22,7 +22,7 @@ pub use overrule::{Word, overrule};
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use super::award::{Award, MarkedAnswer, MarkedLine, MarkedPart};
+use super::award::{Award, Evidence, MarkedAnswer, MarkedLine, MarkedPart, Place};
 use super::judging::Verdict;
 use super::key::{KeyedMark, KeyedPart, KeyedQuestion};
 use super::profile::Profile;
@@ -93,7 +93,7 @@ fn looked_through(
         let handed_in = together(script, &part.label);
         let mut examined = examine(question, part, &handed_in.working, &theirs);
         let (mut answers, judged) = answers::judged(part, &handed_in, profile, memory, &examined);
-        last_word::contradict(part, &handed_in, examined.denies_what_is_found, &mut answers);
+        last_word::contradict(part, &handed_in, &examined, &mut answers);
         let readings = judged.iter().map(|judged| judged.readings.as_deref());
         examined.see_in_answers(question, part, &theirs, readings);
         let followed = follow::answers(question, part, &answers, &judged, &examined);
@@ -117,10 +117,12 @@ fn looked_through(
             followed: &followed,
             contradicted,
             has_right_value,
+            denies_velocities: examined.denies_velocities,
         };
         let found = decide::awards(part, found, profile, &mut charged);
         let awards = decide::settled(part, &answers, &found);
         say_shown(part, &awards, &mut answers);
+        without_marks_lost(&awards, &mut answers);
         let all_right = awards.iter().all(|award| award.given);
         let own = if all_right { Vec::new() } else { examined.theirs.to_go_on_from(question) };
         theirs = examined.theirs;
@@ -132,6 +134,18 @@ fn looked_through(
         marked.push(MarkedPart { label, answers, lines, awards, found, own });
     }
     marked
+}
+
+/// Of a mark that a line has lost it is not said that it was probably earned.
+fn without_marks_lost(awards: &[Award], answers: &mut [MarkedAnswer]) {
+    let is_lost = |id: &String| {
+        let lost =
+            |award: &&Award| !award.given && matches!(&award.evidence, Some(Evidence { place: Place::Line(_), .. }));
+        awards.iter().filter(lost).any(|award| award.id == *id)
+    };
+    for cause in answers.iter_mut().flat_map(|answer| &mut answer.causes) {
+        cause.probable.retain(|id| !is_lost(id));
+    }
 }
 
 /// Who has shown a result is not told that it is only the printed line written once more.

@@ -3,10 +3,11 @@
 
 use super::decide::{is_own, own_blanks, withheld};
 use crate::answer::Kind;
-use crate::bank::Find;
+use crate::bank::{EarnedFor, Find};
 use crate::mark::award::{Award, Evidence, Examiner, MarkedAnswer, Place};
 use crate::mark::judging::{Note, Verdict};
 use crate::mark::key::{KeyedBlank, KeyedMark, KeyedPart};
+use crate::mechanics::{Quantity, Seen, Sphere};
 
 /// A mark for a speed is for the direction too, where the scheme has none for that: a wrong direction costs it.
 pub(super) fn withhold_for_direction(part: &KeyedPart, answers: &[MarkedAnswer], awards: &mut [Award]) {
@@ -57,6 +58,48 @@ pub(super) fn withhold_from_wrong_method(
             awards[place] = Award { note: Some("depends"), feedback, ..withheld(mark) };
         }
     }
+}
+
+/// Values that are right though the equations from which they must come lead elsewhere: a sign is wrong in one of them, which
+/// costs its accuracy, and theirs too.
+pub(super) fn withhold_from_wrong_equations(
+    part: &KeyedPart,
+    needed: &[Vec<bool>],
+    denied: [bool; 2],
+    awards: &mut [Award],
+) {
+    let scheme = &part.scheme;
+    let is_wrong = |place: &usize| {
+        let is_law = matches!(scheme[*place].earned_for, EarnedFor::Law(law, _) if law.seen() == Seen::Equation);
+        is_law && !awards[*place].given && contradicts(&awards[*place])
+    };
+    let wrong: Vec<usize> = (0..awards.len()).filter(is_wrong).collect();
+    for (place, mark) in scheme.iter().enumerate() {
+        // An energy is of both spheres.
+        let is_denied = |quantity: &Quantity| match quantity.sphere() {
+            Some(of) => Sphere::BOTH.iter().zip(denied).any(|(sphere, denied)| *sphere == of && denied),
+            None => denied.contains(&true),
+        };
+        let is_value = mark.code.is_accuracy() && mark.earned_for.quantities().iter().any(is_denied);
+        let own = own_blanks(mark, part);
+        let comes_from = |wrong: &usize| {
+            let leads = |blank: &usize| needed[*wrong][*blank] && scheme[*wrong].blanks.contains(blank);
+            own.iter().any(leads) || depends_on(scheme, place, &|other| other.earned_for == scheme[*wrong].earned_for)
+        };
+        if is_value
+            && awards[place].given
+            && awards[place].note != Some("follow-through")
+            && wrong.iter().any(comes_from)
+        {
+            let feedback = "the value is right, but does not follow from your equations".to_owned();
+            awards[place] = Award { note: Some("depends"), feedback, ..withheld(mark) };
+        }
+    }
+}
+
+/// Does a mark depend on one like this, by itself or by another?
+fn depends_on(scheme: &[KeyedMark], place: usize, is: &dyn Fn(&KeyedMark) -> bool) -> bool {
+    scheme[place].depends.iter().any(|other| is(&scheme[*other]) || depends_on(scheme, *other, is))
 }
 
 /// Is a step written wrongly, so that the answer cannot have come from it? What is true of the right values is no such line.

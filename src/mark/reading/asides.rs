@@ -212,7 +212,8 @@ fn closing(tokens: &[Placed], start: usize) -> Option<usize> {
 fn line_in_brackets(tokens: &[Placed], start: usize) -> Option<usize> {
     let close = closing(tokens, start)?;
     let inside = &tokens[start + 1..close];
-    let is_line = |placed: &&Placed| matches!(placed.token, Token::Phrase(Phrase::Line(line)) if !line.is_direction());
+    let after_angle = tokens[start - 1].is('°');
+    let is_line = |placed: &&Placed| matches!(placed.token, Token::Phrase(Phrase::Line(line)) if after_angle || !line.is_direction());
     let is_word = |placed: &Placed| is_line(&placed) || placed.token == Token::Phrase(Phrase::Remark);
     (inside.iter().filter(is_line).count() == 1 && inside.iter().all(is_word)).then_some(close)
 }

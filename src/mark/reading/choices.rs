@@ -7,6 +7,10 @@ use super::Unreadable;
 pub(super) enum Doubt {
     /// `u/2v`: what stands below the stroke.
     Stroke,
+    /// `97 - 86 over 97`: what stands above the line.
+    Over,
+    /// `√(-2² + 3²)`: is the sign squared too?
+    SquaredSign,
     /// `sin x/2`, `arctan 3/4`: how far the argument of a function reaches.
     Argument,
     /// `sin x^2`: what is squared.

@@ -164,7 +164,7 @@ impl<'a> Parser<'a> {
     /// A product, with the minus signs before it.
     pub(super) fn term(&mut self) -> Parsed {
         if self.eat('-') {
-            return self.negated(Self::term);
+            return if self.is_sign_squared() { self.product() } else { self.negated(Self::term) };
         }
         self.product()
     }

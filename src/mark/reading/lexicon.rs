@@ -47,6 +47,10 @@ pub(crate) const SIZES: [&str; 4] = ["magnitude", "mag", "modulus", "size"];
 /// Words for what is no longer so.
 pub(crate) const PAST: [&str; 2] = ["was", "were"];
 
+/// Words for the way that something points, on the page.
+pub(crate) const WAYS: [&str; 8] =
+    ["right", "left", "up", "down", "upwards", "downwards", "horizontally", "vertically"];
+
 /// Words before a noun that make it the name of something else; so do those for the most and the least.
 const OTHERS: [&str; 14] = [
     "each",
@@ -68,6 +72,109 @@ const OTHERS: [&str; 14] = [
 /// Words that may turn a value round, but not from within a reason for it.
 pub(super) const COMPARISONS: [&str; 9] =
     ["than", "less", "more", "under", "over", "negative", "opposite", "zero", "nought"];
+
+/// Words that stand for signs or functions, and these.
+pub(super) const SIGNS: [(&str, &str); 95] = [
+    ("times", "*"),
+    ("lots of", "*"),
+    ("multiplied by", "*"),
+    ("over", "/"),
+    ("divided by", "÷"),
+    ("plus", "+"),
+    ("minus", "-"),
+    ("equals", "="),
+    ("is equal to", "="),
+    ("squared", "^2"),
+    ("cubed", "^3"),
+    ("per cent", "%"),
+    ("percent", "%"),
+    ("root of", "√"),
+    ("square root of", "√"),
+    ("square root", "√"),
+    ("sqrt of", "√"),
+    ("cube root of", "∛"),
+    ("cube root", "∛"),
+    ("inverse sin", "arcsin"),
+    ("inverse sine", "arcsin"),
+    ("inverse sin of", "arcsin"),
+    ("inverse sine of", "arcsin"),
+    ("sin inverse", "arcsin"),
+    ("inverse cos", "arccos"),
+    ("inverse cosine", "arccos"),
+    ("inverse cos of", "arccos"),
+    ("inverse cosine of", "arccos"),
+    ("cos inverse", "arccos"),
+    ("inverse tan", "arctan"),
+    ("inverse tangent", "arctan"),
+    ("inverse tan of", "arctan"),
+    ("inverse tangent of", "arctan"),
+    ("tan inverse", "arctan"),
+    ("arc sin", "arcsin"),
+    ("arc cos", "arccos"),
+    ("arc tan", "arctan"),
+    ("inv sin", "arcsin"),
+    ("inv cos", "arccos"),
+    ("inv tan", "arctan"),
+    ("sq root", "√"),
+    ("sq root of", "√"),
+    ("sqr root", "√"),
+    ("sqr root of", "√"),
+    ("greater then", ">"),
+    ("less then", "<"),
+    ("inverse cot", "arccot"),
+    ("inverse sec", "arcsec"),
+    ("inverse cosec", "arccosec"),
+    ("out of", "/"),
+    ("greater than", ">"),
+    ("more than", ">"),
+    ("larger than", ">"),
+    ("bigger than", ">"),
+    ("less than", "<"),
+    ("smaller than", "<"),
+    ("at least", "≥"),
+    ("no less than", "≥"),
+    ("not less than", "≥"),
+    ("greater than or equal to", "≥"),
+    ("at most", "≤"),
+    ("no more than", "≤"),
+    ("not more than", "≤"),
+    ("no greater than", "≤"),
+    ("no bigger than", "≤"),
+    ("no larger than", "≤"),
+    ("no higher than", "≤"),
+    ("no smaller than", "≥"),
+    ("no lower than", "≥"),
+    ("not smaller than", "≥"),
+    ("not greater than", "≤"),
+    ("less than or equal to", "≤"),
+    ("exceeds", ">"),
+    ("exceeding", ">"),
+    ("does not exceed", "≤"),
+    ("doesn't exceed", "≤"),
+    ("not exceeding", "≤"),
+    ("cannot exceed", "≤"),
+    ("can't exceed", "≤"),
+    ("cannot be more than", "≤"),
+    ("can't be more than", "≤"),
+    ("cannot be greater than", "≤"),
+    ("can't be greater than", "≤"),
+    ("cannot be less than", "≥"),
+    ("can't be less than", "≥"),
+    ("up to and including", "≤"),
+    ("infinity", "∞"),
+    ("element of", "∈"),
+    ("must exceed", ">"),
+    ("is positive", ">0"),
+    ("positive", ">0"),
+    ("must be positive", ">0"),
+    ("has to be positive", ">0"),
+    ("can't be negative", "≥0"),
+    ("cannot be negative", "≥0"),
+];
+
+/// Words that stand for signs before a number alone: `negative 0.75`, `e above 1/3`.
+pub(super) const BEFORE_A_NUMBER: [(&str, &str); 4] =
+    [("negative", "-"), ("above", ">"), ("below", "<"), ("over", ">")];
 
 /// Single words, by what they do.
 const SINGLE: [(Sort, &str); 9] = [

@@ -7,6 +7,7 @@ use super::names;
 use super::tokens::{Placed, Token};
 use super::units::is_unit_word;
 use crate::expr::Expr;
+use crate::number::{Letter, Range};
 
 const WHOLE: [&str; 21] = [
     "zero",
@@ -159,9 +160,10 @@ impl Words<'_> {
             (None, Some("none")) => {
                 return (self.tokens.len() == 1 && !self.vocabulary.vectors).then_some((0, 1, at + 1));
             }
-            // Half of what, if not of a letter of the question?
+            // Half of what, if not of a letter of the question? Nobody takes the half of e.
             (None, Some("half")) => {
-                let is_number = self.vocabulary.letters.is_empty() && self.tokens.get(at + 1).is_none();
+                let is_share = |letter: &Letter| letter.range() == Range::Unit;
+                let is_number = self.vocabulary.letters.iter().all(is_share) && self.tokens.get(at + 1).is_none();
                 return (is_number || self.is_factor_after(at + 1)).then_some((1, 2, at + 1));
             }
             (None, word) => {

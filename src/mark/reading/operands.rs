@@ -182,6 +182,23 @@ impl Parser<'_> {
         })
     }
 
+    /// `√(-2² + 3²)`: first under a root nobody takes a square off, and the sign may be meant to be squared.
+    pub(super) fn is_sign_squared(&mut self) -> bool {
+        let before = self.at.checked_sub(3).and_then(|root| self.tokens.get(root..self.at - 1));
+        let is_under_root = matches!(before, Some([root, open])
+            if matches!(root.token, Token::Root { cube: false }) && (open.is('(') || open.is(OPEN)));
+        let two = 2 + usize::from(self.sign(2) == Some(OPEN));
+        let is_square = matches!(self.token(0), Some(Token::Number(_)))
+            && self.sign(1) == Some('^')
+            && self.token(two) == Some(&Token::Number(Expr::integer(2)));
+        let place = self.place();
+        let is_squared = is_under_root && is_square && self.choices.otherwise(Doubt::SquaredSign, place);
+        if is_squared {
+            self.choices.note(|| "the sign before a square read as squared".to_owned());
+        }
+        is_squared
+    }
+
     fn bars(&mut self) -> Parsed {
         self.open.push('|');
         let inner = self.sum()?;

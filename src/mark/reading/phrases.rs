@@ -267,7 +267,9 @@ impl Walk<'_> {
             return Ok(Some((Phrase::Remark, at + 3)));
         }
         if let Some(Sort::Negation) = sort {
-            if lexicon::COMPARISONS.contains(&word) && self.is_in_a_reason(at) {
+            // `as no impulse acts there`
+            let is_of_nothing = word == "no" && self.any(at + 1, &wording::NOTHING_OF).is_some();
+            if (lexicon::COMPARISONS.contains(&word) || is_of_nothing) && self.is_in_a_reason(at) {
                 return Ok(Some((Phrase::Remark, at + 1)));
             }
             return Err(Unreadable::Sign(placed.start, format!("`{word}` may turn the answer round")));
@@ -305,7 +307,10 @@ impl Walk<'_> {
     /// what.
     fn is_in_a_reason(&self, at: usize) -> bool {
         let is_reason = |before: &usize| {
-            self.word(*before).is_some_and(|word| matches!(word, "because" | "since") || lexicon::is_rejection(word))
+            // `as no impulse acts there`, but `as well as nothing`
+            let is_as = self.words(*before, "as").is_some_and(|next| self.any(next, &["no", "there is no"]).is_some());
+            let is = |word: &str| matches!(word, "because" | "since") || is_as || lexicon::is_rejection(word);
+            self.word(*before).is_some_and(is)
         };
         let Some(reason) = (1..at).rev().find(is_reason) else { return false };
         !self.tokens[reason..].iter().any(|placed| matches!(placed.token, Token::Number(_) | Token::Root { .. }))

@@ -152,7 +152,9 @@ impl Parser<'_> {
             Some(Token::Word(word)) => names::is_made_of_letters(word, self.vocabulary),
             _ => false,
         };
-        (grouped || stroke && whole(1) && whole(3) && self.spaced(0)) && factor && !self.spaced(1)
+        // `½ 3 (2² - 1²)`: of a kinetic energy the mass and the bracket may stand apart.
+        let is_close = !self.spaced(1) || grouped && self.sign(1) == Some('(');
+        (grouped || stroke && whole(1) && whole(3) && self.spaced(0)) && factor && is_close
     }
 
     /// `2 (m)`: a unit, or a letter of the question if it stands close by.

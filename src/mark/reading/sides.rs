@@ -202,9 +202,13 @@ pub(super) fn without_value_of(tokens: &[Placed]) -> &[Placed] {
     &tokens[words..]
 }
 
-/// How many words stand between an `is` and the value that it goes before: `must be 8`, `has to be 8`.
+/// How many words stand between an `is` and the value that it goes before: `must be 8`, `has to be 8`, `is only 8`.
 pub(super) fn filling(after: &[Placed]) -> usize {
-    after.iter().take_while(|placed| placed.token == Token::Phrase(Phrase::Is)).count()
+    let says_nothing = |placed: &&Placed| matches!(placed.token, Token::Phrase(Phrase::Is | Phrase::Remark));
+    let words = after.iter().take_while(says_nothing).count();
+    let is_number = after.get(words).is_some_and(|next| matches!(next.token, Token::Number(_)));
+    let are_all = after.iter().take_while(|placed| placed.token == Token::Phrase(Phrase::Is)).count();
+    if is_number && words <= are_all + 1 { words } else { are_all }
 }
 
 /// Do letters alone stand before an `is`, and a value after it?

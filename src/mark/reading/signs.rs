@@ -4,111 +4,13 @@ use super::Vocabulary;
 use super::characters::{CLOSE, OPEN};
 use super::choices::{Choices, Doubt};
 use super::digits::{recurring_value, repeated};
+use super::lexicon::{BEFORE_A_NUMBER, SIGNS};
 use super::names;
 use super::number_words::{added_fraction, number_in_words};
 use super::tokens::{Placed, Token};
 use super::units::is_unit_word;
 use super::wording::NOTHING_OF;
 use crate::expr::Expr;
-
-/// Words that stand for signs or functions, and these.
-const SIGNS: [(&str, &str); 92] = [
-    ("times", "*"),
-    ("lots of", "*"),
-    ("multiplied by", "*"),
-    ("over", "/"),
-    ("divided by", "÷"),
-    ("plus", "+"),
-    ("minus", "-"),
-    ("equals", "="),
-    ("is equal to", "="),
-    ("squared", "^2"),
-    ("cubed", "^3"),
-    ("per cent", "%"),
-    ("percent", "%"),
-    ("root of", "√"),
-    ("square root of", "√"),
-    ("square root", "√"),
-    ("sqrt of", "√"),
-    ("cube root of", "∛"),
-    ("cube root", "∛"),
-    ("inverse sin", "arcsin"),
-    ("inverse sine", "arcsin"),
-    ("inverse sin of", "arcsin"),
-    ("inverse sine of", "arcsin"),
-    ("sin inverse", "arcsin"),
-    ("inverse cos", "arccos"),
-    ("inverse cosine", "arccos"),
-    ("inverse cos of", "arccos"),
-    ("inverse cosine of", "arccos"),
-    ("cos inverse", "arccos"),
-    ("inverse tan", "arctan"),
-    ("inverse tangent", "arctan"),
-    ("inverse tan of", "arctan"),
-    ("inverse tangent of", "arctan"),
-    ("tan inverse", "arctan"),
-    ("arc sin", "arcsin"),
-    ("arc cos", "arccos"),
-    ("arc tan", "arctan"),
-    ("inv sin", "arcsin"),
-    ("inv cos", "arccos"),
-    ("inv tan", "arctan"),
-    ("sq root", "√"),
-    ("sq root of", "√"),
-    ("greater then", ">"),
-    ("less then", "<"),
-    ("inverse cot", "arccot"),
-    ("inverse sec", "arcsec"),
-    ("inverse cosec", "arccosec"),
-    ("out of", "/"),
-    ("greater than", ">"),
-    ("more than", ">"),
-    ("larger than", ">"),
-    ("bigger than", ">"),
-    ("less than", "<"),
-    ("smaller than", "<"),
-    ("at least", "≥"),
-    ("no less than", "≥"),
-    ("not less than", "≥"),
-    ("greater than or equal to", "≥"),
-    ("at most", "≤"),
-    ("no more than", "≤"),
-    ("not more than", "≤"),
-    ("no greater than", "≤"),
-    ("no bigger than", "≤"),
-    ("no larger than", "≤"),
-    ("no higher than", "≤"),
-    ("no smaller than", "≥"),
-    ("no lower than", "≥"),
-    ("not smaller than", "≥"),
-    ("not greater than", "≤"),
-    ("less than or equal to", "≤"),
-    ("exceeds", ">"),
-    ("exceeding", ">"),
-    ("does not exceed", "≤"),
-    ("doesn't exceed", "≤"),
-    ("not exceeding", "≤"),
-    ("cannot exceed", "≤"),
-    ("can't exceed", "≤"),
-    ("cannot be more than", "≤"),
-    ("can't be more than", "≤"),
-    ("cannot be greater than", "≤"),
-    ("can't be greater than", "≤"),
-    ("cannot be less than", "≥"),
-    ("can't be less than", "≥"),
-    ("up to and including", "≤"),
-    ("infinity", "∞"),
-    ("element of", "∈"),
-    ("must exceed", ">"),
-    ("is positive", ">0"),
-    ("must be positive", ">0"),
-    ("has to be positive", ">0"),
-    ("can't be negative", "≥0"),
-    ("cannot be negative", "≥0"),
-];
-
-/// Words that stand for signs before a number alone: `negative 0.75`, `e above 1/3`.
-const BEFORE_A_NUMBER: [(&str, &str); 4] = [("negative", "-"), ("above", ">"), ("below", "<"), ("over", ">")];
 
 /// Words after which two bars say that something is parallel to a line.
 const LINES: [&str; 7] = ["to", "the", "line", "loc", "ab", "ba", "tangent"];
@@ -149,10 +51,18 @@ pub(super) fn with_signs(tokens: &[Placed], vocabulary: &Vocabulary, choices: &m
             // `over 0.6` with nothing above it.
             let is_below = |words: &str| words != "over" || out.is_empty();
             let before_number = BEFORE_A_NUMBER.iter().filter(|(words, _)| is_number && is_below(words));
-            // `k is positive`; in `1/2 (must be positive)` nobody says what.
+            // `k is positive`, `k positive`; in `1/2 (must be positive)` nobody says what, and `take positive` says it of a value.
             let after_name = matches!(out.last().map(|last| &last.token), Some(Token::Word(_) | Token::Greek(_)));
-            let fits = |signs: &str| after_name || !signs.ends_with('0');
-            let standing = SIGNS.iter().chain(before_number).filter(|(words, signs)| begins(words) && fits(signs));
+            let after_letter = match out.last().map(|last| &last.token) {
+                Some(Token::Word(name)) => name.len() == 1 && names::is_made_of_letters(name, vocabulary),
+                _ => false,
+            };
+            let fits = |words: &str, signs: &str| match words {
+                "positive" => after_letter,
+                _ => after_name || !signs.ends_with('0'),
+            };
+            let standing =
+                SIGNS.iter().chain(before_number).filter(|(words, signs)| begins(words) && fits(words, signs));
             standing.filter_map(|(words, signs)| Some((stands(words)?, signs))).max_by_key(|(next, _)| *next)
         });
         // `0.3 recurring`, `0.3 (recurring)`: the last digit recurs.
@@ -202,23 +112,33 @@ pub(super) fn with_signs(tokens: &[Placed], vocabulary: &Vocabulary, choices: &m
             at = next;
             continue;
         }
-        // `f in [0, 3/4]`
-        let is_letter = matches!(out.as_slice(), [Placed { token: Token::Word(_) | Token::Greek(_), .. }]);
+        // `f in [0, 3/4]`, `f is in [0, 3/4]`
+        let is_letter = match out.as_slice() {
+            [Placed { token: Token::Word(_) | Token::Greek(_), .. }, rest @ ..] => match rest {
+                [] => true,
+                [Placed { token: Token::Word(is), .. }] => matches!(is.as_str(), "is" | "lies"),
+                _ => false,
+            },
+            _ => false,
+        };
         let opens = is_sign(at + 1, '[') || is_sign(at + 1, '(');
         if is(at, "in") && is_letter && opens && tokens[at..].iter().any(|placed| placed.is(',')) {
+            out.truncate(1);
             out.push(Placed { token: Token::Sign('∈'), ..placed.clone() });
             at += 1;
             continue;
         }
-        // `u - eu all over 2`
-        if is(at, "all") && is(at + 1, "over") {
-            let ends_a_side =
-                |placed: &Placed| matches!(placed.token, Token::Sign('=' | '≈' | ',' | ';' | ':' | '\n' | '⇒'));
-            let start = out.iter().rposition(ends_a_side).map_or(0, |before| before + 1);
+        // `u - eu all over 2`; of `u - eu over 2` it is not said how much stands above.
+        let ends_a_side =
+            |placed: &Placed| matches!(placed.token, Token::Sign('=' | '≈' | ',' | ';' | ':' | '\n' | '⇒'));
+        let start = out.iter().rposition(ends_a_side).map_or(0, |before| before + 1);
+        let says_all = is(at, "all") && is(at + 1, "over");
+        let may_be_all = || is(at, "over") && is_sum(&out[start..]);
+        if says_all || may_be_all() && choices.otherwise(Doubt::Over, placed.start) {
             let place = |token| Placed { token: Token::Sign(token), ..placed.clone() };
             out.insert(start, place(OPEN));
             out.extend([place(CLOSE), place('/')]);
-            at += 2;
+            at += 1 + usize::from(says_all);
             continue;
         }
         // `no energy is lost`: nought is.
@@ -228,8 +148,27 @@ pub(super) fn with_signs(tokens: &[Placed], vocabulary: &Vocabulary, choices: &m
             at += 1;
             continue;
         }
-        // `3-to-4`
+        // `3-to-4`, `the x-axis`
         let is_hyphen = |at: usize| is_sign(at, '-') && !tokens[at].spaced;
+        if is_hyphen(at) && is(at + 1, "axis") {
+            at += 1;
+            continue;
+        }
+        // `2.√13`: a point before a root is no decimal point.
+        let root_next = matches!(tokens.get(at + 1).map(|next| &next.token), Some(Token::Root { .. }));
+        let after_number = matches!(out.last().map(|last| &last.token), Some(Token::Number(_)));
+        if is_sign(at, '.') && !placed.spaced && after_number && (root_next || is(at + 1, "root")) {
+            out.push(Placed { token: Token::Sign('*'), ..placed.clone() });
+            at += 1;
+            continue;
+        }
+        // `k = 4 (positive root)`: which of two roots it is, and not what stands under one.
+        if is(at, "positive") && is(at + 1, "root") && !begins_a_root(tokens.get(at + 2)) {
+            let word = |word: &str| Placed { token: Token::Word(word.to_owned()), ..placed.clone() };
+            out.extend([word("positive"), Placed { spaced: true, ..word("only") }]);
+            at += 2;
+            continue;
+        }
         if is_hyphen(at) && is(at + 1, "to") && is_hyphen(at + 2) {
             out.push(tokens[at + 1].clone());
             at += 3;
@@ -320,6 +259,24 @@ fn is_share(tokens: &[Placed]) -> bool {
         [.., last] => last.is(CLOSE) || matches!(last.token, Token::Number(Expr::Decimal(_))),
         [] => false,
     }
+}
+
+/// Does what stands under a root begin here, or is it told of what it is the root?
+fn begins_a_root(next: Option<&Placed>) -> bool {
+    next.is_some_and(|next| match &next.token {
+        Token::Word(word) => word == "of",
+        Token::Sign(sign) => matches!(sign, '(' | '[' | '{') || *sign == OPEN,
+        _ => true,
+    })
+}
+
+/// Is something added or taken off, outside brackets?
+fn is_sum(tokens: &[Placed]) -> bool {
+    let mut depth = 0_i32;
+    tokens.iter().skip(1).any(|placed| {
+        depth += i32::from(placed.is('(') || placed.is(OPEN)) - i32::from(placed.is(')') || placed.is(CLOSE));
+        depth == 0 && (placed.is('+') || placed.is('-'))
+    })
 }
 
 /// Does a formula begin with it?

@@ -180,6 +180,7 @@ impl Working<'_> {
                         && !self.is_taken(member, quantity)
                         && !self.is_printed_value(&member.expr)
                         && values.iter().zip(&right).all(|(value, right)| comes(*value, *right))
+                        && !self.is_denied_by_line(studied, member)
                 })
         })
     }

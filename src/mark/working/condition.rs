@@ -33,6 +33,7 @@ impl Working<'_> {
                 self.is_demanded(form, mark, *place, 1.0)
                     || self.is_of_angles(form)
                     || self.is_own_inequality(form, *place)
+                    || self.is_own_bound(form, *place)
             };
             let is_inequality = || statements().any(|said| is_demanded(&said.form));
             let is_copied =

@@ -11,7 +11,7 @@ use super::prepared::Prepared;
 use super::spread::Spread;
 use super::substituted::{apart, impulse_in, put_back, without_impulse};
 use super::theirs::numbers;
-use super::told_apart::{Found, told_apart, weight};
+use super::told_apart::{Found, told_apart, weight, without_one_for_both};
 use super::two_lines;
 use crate::expr::Expr;
 use crate::mechanics::{Axis, Law, Moment, Quantity, Setting, Sphere};
@@ -66,7 +66,7 @@ pub(super) fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option
             let found = |matched| substituted.whole.found_as(matched);
             substituted.matched(laws, convention).into_iter().map(found)
         });
-        told_apart(alone.chain(within).collect())
+        told_apart(without_one_for_both(alone.chain(within).collect()))
     };
     let mut best: Option<(u32, Convention, Vec<Found>)> = None;
     for convention in pairs.iter().flat_map(|pair| conventions(pair)) {

@@ -1,12 +1,17 @@
-//! Equations that deny what is to be found: `80 = 18m²` has not led to `m = 4`.
+//! Equations that deny what is found: `80 = 18m²` has not led to `m = 4`, nor `5 - 2 = 1 + 2w` to `w = 2`.
 
 use super::compare::any_within;
+use super::convention::is_value;
 use super::examine::{Working, value};
-use super::theirs::numbers;
+use super::line::Member;
+use super::linear::Linear;
+use super::offered::differences;
+use super::pair::Convention;
+use super::points::sizes;
+use super::theirs::{is_of_velocity, numbers};
+use super::unequal::{ROUNDED, is_formula};
 use crate::expr::Expr;
-
-/// Sides that are apart by less than this part of the greater may be so by rounding.
-const ROUNDED: f64 = 0.05;
+use crate::mechanics::{Axis, Moment, Quantity, Sphere};
 
 impl Working<'_> {
     /// Do lines set up an equation in the one letter that is sought of which the right value is plainly no root, and none of
@@ -28,6 +33,82 @@ impl Working<'_> {
             || set_up.iter().any(|equation| self.is_denied(equation)) && !set_up.iter().any(holds)
     }
 
+    /// Of each sphere: do the student's own equations lead elsewhere than to its right velocity after the impact, and is nothing
+    /// after them right that is more than a value? Whatever is right then has not come from them; where they have been followed
+    /// to what they lead to, the answer is another attempt.
+    pub(super) fn denies_velocities(&self) -> [bool; 2] {
+        if !self.prepared.found.is_empty() {
+            return [false; 2];
+        }
+        let along = Sphere::BOTH.map(|sphere| Quantity::Velocity(sphere, Moment::After, Axis::N));
+        let right = along.map(|velocity| sizes(&self.prepared.known, velocity));
+        let denied = match (&self.convention, self.own_solution(), &right) {
+            (Some(convention), Some(own), [Some(a), Some(b)]) => match self.finds_velocity(convention, [a, b]) {
+                true => [false; 2],
+                false => [are_far(&own[0], a), are_far(&own[1], b)],
+            },
+            (_, None, _) => self.denies_one_velocity(&right),
+            _ => [false; 2],
+        };
+        let is_followed = |place: usize| {
+            let own = self.theirs.0.get(&along[place]);
+            own.zip(right[place].as_ref()).is_some_and(|((own, _), right)| are_far(own, right))
+        };
+        [0, 1].map(|place| denied[place] && !is_followed(place))
+    }
+
+    /// Is a step from both right equations there, or the right formula for one of the two velocities?
+    fn finds_velocity(&self, convention: &Convention, right: [&Vec<f64>; 2]) -> bool {
+        let is_step = |equation: &(Expr, Expr)| {
+            let is_letter = |side: &Expr| matches!(side, Expr::Name(name) if convention.letters.contains(&name.text));
+            let is_value = is_letter(&equation.0) || is_letter(&equation.1);
+            let laws = self.prepared.laws.as_ref().filter(|_| !is_value);
+            laws.zip(differences(equation, self.prepared)).is_some_and(|(laws, line)| laws.is_step(&line, convention))
+        };
+        let is_found = |member: &Member| {
+            let place = convention.letters.iter().position(|letter| member.letter.as_ref() == Some(letter));
+            // In letters a formula is what was to be found, and no way to it.
+            let is_way = is_formula(&member.expr) && member.expr.names().is_empty();
+            let own = self.in_given_names(&member.expr).filter(|_| is_way);
+            let own = own.and_then(|values| numbers(&values));
+            place.zip(own).is_some_and(|(place, own)| {
+                let own: Vec<f64> = own.iter().map(|own| own * convention.signs[place]).collect();
+                !are_far(&own, right[place])
+            })
+        };
+        let open = self.lines.iter().filter(|studied| studied.matched.is_empty());
+        open.filter_map(|studied| studied.reading.as_ref())
+            .any(|line| line.equations.iter().any(is_step) || line.members.iter().any(is_found))
+    }
+
+    /// The same where one velocity is given: an equation in one letter has another root, and none has the right one.
+    fn denies_one_velocity(&self, right: &[Option<Vec<f64>>; 2]) -> [bool; 2] {
+        let is_given = |sphere| {
+            let along = |axis| Quantity::Velocity(sphere, Moment::After, axis);
+            [Axis::X, Axis::N].into_iter().any(|axis| self.prepared.given[0].0.contains_key(&along(axis)))
+        };
+        let open = Sphere::BOTH.map(|sphere| !is_given(sphere));
+        let right = match (open, right) {
+            ([false, true], [_, Some(right)]) | ([true, false], [Some(right), _]) => right,
+            _ => return [false; 2],
+        };
+        let root = |equation: &(Expr, Expr)| {
+            let at = |linear: &Linear| match linear.unknowns.as_slice() {
+                [(letter, number)] if is_of_velocity(letter) => {
+                    Some((linear.constant.middle() / number.middle()).abs())
+                }
+                _ => None,
+            };
+            differences(equation, self.prepared)?.iter().map(at).collect::<Option<Vec<f64>>>()
+        };
+        let readings = self.lines.iter().filter_map(|studied| studied.reading.as_ref());
+        let equations = readings.flat_map(|line| &line.equations).filter(|equation| !is_value(equation));
+        let right: Vec<f64> = right.iter().map(|right| right.abs()).collect();
+        let are_elsewhere: Vec<bool> = equations.filter_map(root).map(|own| are_far(&own, &right)).collect();
+        let is_denied = !are_elsewhere.is_empty() && are_elsewhere.iter().all(|elsewhere| *elsewhere);
+        open.map(|open| open && is_denied)
+    }
+
     /// Is an equation in nothing but the letter that is sought, and plainly false of what that is?
     fn is_denied(&self, (left, right): &(Expr, Expr)) -> bool {
         let found = |expr: &Expr| {
@@ -38,9 +119,13 @@ impl Working<'_> {
             };
             numbers(&value(&expr.substitute(&right), self.prepared, &self.prepared.names)?)
         };
-        let is_far = |(one, other): (&f64, &f64)| (one - other).abs() > ROUNDED * one.abs().max(other.abs());
-        found(left).zip(found(right)).is_some_and(|(left, right)| left.iter().zip(&right).all(is_far))
+        found(left).zip(found(right)).is_some_and(|(left, right)| are_far(&left, &right))
     }
+}
+
+/// Are they plainly different at every point?
+fn are_far(one: &[f64], other: &[f64]) -> bool {
+    one.iter().zip(other).all(|(one, other)| (one - other).abs() > ROUNDED * one.abs().max(other.abs()))
 }
 
 /// Is it set equal to nought with decimals, which are rounded? Of nought no part is small.

@@ -55,6 +55,10 @@ pub(crate) struct Examined {
     pub(super) misread: Option<Misread>,
     /// Do equations deny the right value of the letter that is to be found?
     pub(crate) denies_what_is_found: bool,
+    /// For each blank: is the right value in the lines, and only behind an equals sign that is false?
+    pub(crate) denied: Vec<bool>,
+    /// Of each sphere: do the student's own equations lead elsewhere than to its right velocity after the impact?
+    pub(crate) denies_velocities: [bool; 2],
 }
 
 /// Of the letters for the velocities of A and B, is it that of the other sphere?
@@ -210,6 +214,8 @@ fn examine_lines(
     let solution = working.own_solution();
     let to_be_subtracted = working.to_be_subtracted();
     let turns = working.turns();
+    let denied = working.denied_by_lines();
+    let denies_velocities = working.denies_velocities();
     let denies_what_is_found = working.denies_what_is_found();
     let shows = |studied: &Studied| {
         studied.reading.iter().flat_map(|reading| &reading.members).any(|member| shows_e(&member.expr, prepared))
@@ -237,6 +243,8 @@ fn examine_lines(
         short_of_law,
         misread,
         denies_what_is_found,
+        denied,
+        denies_velocities,
     }
 }
 

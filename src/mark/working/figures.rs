@@ -6,7 +6,7 @@ use super::line::Member;
 use super::points::sizes;
 use super::shapes::are_bare;
 use super::theirs::numbers;
-use crate::expr::Expr;
+use crate::expr::{Expr, Function};
 use crate::mechanics::{Axis, Quantity, Sphere};
 
 impl Working<'_> {
@@ -42,6 +42,19 @@ impl Working<'_> {
         let said = of_letters.filter_map(|(_, values)| numbers(values));
         let known: Vec<Vec<f64>> = self.sizes_of(sphere, Axis::N).into_iter().chain(said).collect();
         is(across, &self.sizes_of(sphere, Axis::T)) && is(along, &known)
+    }
+
+    /// `speed = 9 + 4`: numbers that are added up are squares only where a root is taken, or a square is what they are called.
+    pub(super) fn is_without_root(&self, member: &Member) -> bool {
+        let is_bare = matches!(&member.expr, Expr::Sum(terms) if are_bare(terms));
+        let is_square = |label: &String| label.contains(['²', '^']) || label.to_lowercase().contains("square");
+        if !is_bare || member.label.as_ref().is_some_and(is_square) {
+            return false;
+        }
+        let root = self.values_of(&Expr::call(Function::Sqrt, member.expr.clone()));
+        let roots = Vec::from_iter(root.and_then(|root| numbers(&root)));
+        let mut all = self.lines.iter().flat_map(|studied| self.members(studied));
+        !all.any(|(other, _)| self.is_near_one_of(&other.expr, &roots))
     }
 
     /// Is there a sum of two squares that were worked out, both of them right, and one that of this component: `√(4 + 3.7)`?

@@ -149,6 +149,8 @@ impl Examined {
             short_of_law,
             misread: None,
             denies_what_is_found: false,
+            denied: Vec::new(),
+            denies_velocities: [false; 2],
         }
     }
 
@@ -278,6 +280,9 @@ impl Examined {
         self.to_be_subtracted = later.to_be_subtracted.or(self.to_be_subtracted.take());
         self.turns.extend(later.turns);
         self.denies_what_is_found &= later.denies_what_is_found;
+        // What is false of one impact may be a line of another.
+        self.denied.clear();
+        self.denies_velocities = [false; 2];
         // Each impact has an e of its own.
         self.has_e = [self.has_e, later.has_e].into_iter().flatten().reduce(|one, other| one && other);
         (self.followed, self.solution, self.letters) = (None, None, None);

@@ -46,7 +46,7 @@ impl Working<'_> {
             let Some(reading) = &studied.reading else { continue };
             let by_values = self.members(studied).filter_map(|(member, values)| {
                 let is_right = is_vector(values, &x.sought, &y.sought, 1.0) || self.has_squares(&member.expr, x, y);
-                match is_right {
+                match is_right && !self.is_denied_by_line(studied, member) {
                     true => Some(Agrees::Fully),
                     false => is_worked(&member.expr).then(|| impulse_but_for_signs(values, x, y)).flatten(),
                 }
@@ -205,7 +205,7 @@ fn impulse_but_for_signs(values: &[Value], x: &Along, y: &Along) -> Option<Agree
 }
 
 /// Is it more than a vector as it stands?
-fn is_worked(expr: &Expr) -> bool {
+pub(super) fn is_worked(expr: &Expr) -> bool {
     match expr {
         Expr::Vector(x, y) => is_composite(x) || is_composite(y),
         Expr::Negative(inner) => is_worked(inner),

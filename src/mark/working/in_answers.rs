@@ -5,6 +5,8 @@ use std::borrow::Cow;
 
 use super::apiece::Apiece;
 use super::cleared::is_of_deflection;
+use super::compare::is_vector;
+use super::departure::Departure;
 use super::energies::ToBeSubtracted;
 use super::examine::{Examined, Value, Working, value};
 use super::linear::Linear;
@@ -19,7 +21,7 @@ use crate::expr::Expr;
 use crate::mark::award::{Award, Evidence, Examiner, Place};
 use crate::mark::key::{KeyedMark, KeyedPart, KeyedQuestion};
 use crate::mark::reading::{Form, Reading};
-use crate::mechanics::{Axis, Law, Moment, Quantity, Seen, Sphere};
+use crate::mechanics::{Axis, Law, Moment, Quantity, Seen, Setting, Sphere};
 
 impl Examined {
     /// Gives the marks for steps that no line shows and the answers do; `before` is what the student found in earlier parts.
@@ -30,11 +32,16 @@ impl Examined {
         before: &Theirs,
         answers: impl Iterator<Item = Option<&'r [Reading]>>,
     ) {
+        let said: Vec<Option<(Expr, String)>> = answers.map(|readings| said(readings?)).collect();
+        if are_on_the_other_axis(question.prepared(), part, &said) {
+            self.lose_laws_of_other_axis(part);
+        }
         let is_open = |mark: &KeyedMark, award: &Option<Award>| {
             let law = match mark.earned_for {
                 EarnedFor::Law(law, _) if matches!(law.seen(), Seen::Unchanged | Seen::Unknown) => law,
                 EarnedFor::Law(law, _) if law.gives(Quantity::EnergyLost) => law,
                 EarnedFor::Law(law, _) if mark.code.is_method() && is_of_deflection(law) => law,
+                EarnedFor::Law(law, _) if mark.code.is_method() && law.gives(Quantity::RestitutionEquation) => law,
                 _ => return None,
             };
             award.as_ref().is_none_or(|award| !award.given).then_some(law)
@@ -45,11 +52,14 @@ impl Examined {
         if open.is_empty() {
             return;
         }
-        let said: Vec<Option<(Expr, String)>> = answers.map(|readings| said(readings?)).collect();
         for (place, law) in open {
             let mark = &part.scheme[place];
             let shown = match law.seen() {
-                Seen::Unchanged => unchanged(question, part, before, &said),
+                Seen::Unchanged => unchanged(question, part, before, &said).or_else(|| {
+                    let solution = self.solution.as_ref()?;
+                    unchanged_in_speeds(question, part, solution, &said)
+                }),
+                Seen::Equation => rebounds(question, part, &said),
                 Seen::Value(..) if is_of_deflection(law) && mark.code == Code::M1 => {
                     turned(question.prepared(), part, &self.turns, &said)
                 }
@@ -73,6 +83,51 @@ impl Examined {
             });
         }
     }
+}
+
+impl Examined {
+    /// Without the two equations, which were written for the components that do not change: in numbers they may be the same.
+    fn lose_laws_of_other_axis(&mut self, part: &KeyedPart) {
+        let is_law =
+            |mark: &KeyedMark| matches!(mark.earned_for, EarnedFor::Law(law, _) if law.seen() == Seen::Equation);
+        for (_, award) in part.scheme.iter().zip(&mut self.awards).filter(|(mark, _)| is_law(mark)) {
+            if let Some(award) = award.as_mut().filter(|award| award.given) {
+                let feedback = Departure::WrongAxis.sentence().to_owned();
+                *award = Award { given: false, note: Some(Departure::WrongAxis.tag()), feedback, ..award.clone() };
+            }
+        }
+    }
+}
+
+/// Do the vectors of both spheres keep the component along the line of centres, which lies along i or j, and change the other,
+/// where both are of one size before the impact, so that equations do not tell which of them is meant?
+fn are_on_the_other_axis(prepared: &Prepared, part: &KeyedPart, said: &[Option<(Expr, String)>]) -> bool {
+    let [known] = prepared.known.as_slice() else { return false };
+    let both = |of: &dyn Fn(Axis) -> Quantity| known.numbers([Axis::X, Axis::Y].map(of));
+    let Some(line) = both(&Quantity::Line).filter(|line| line.iter().any(|one| one.abs() < 1e-9)) else { return false };
+    let (along, across) = if line[0].abs() < 1e-9 { (1, 0) } else { (0, 1) };
+    let is_kept = |sphere: Sphere| {
+        let find =
+            |find: &Find| matches!(find, Find::Vector(Quantity::Velocity(own, Moment::After, _), _) if *own == sphere);
+        let place = part.blanks.iter().position(|blank| find(&blank.find))?;
+        let (expr, _) = said[place].as_ref()?;
+        let [Value::Vector(x, y)] = value(expr, prepared, &prepared.names)?[..] else { return None };
+        let (own, [before, after]) = (
+            [x.middle(), y.middle()],
+            [
+                both(&|axis| Quantity::Velocity(sphere, Moment::Before, axis))?,
+                both(&|axis| Quantity::Velocity(sphere, Moment::After, axis))?,
+            ],
+        );
+        let is = |one: f64, other: f64| (one - other).abs() <= 1e-9;
+        Some(
+            is(before[along].abs(), before[across].abs())
+                && is(own[along], before[along])
+                && !is(before[along], after[along])
+                && !is(own[across], before[across]),
+        )
+    };
+    Sphere::BOTH.into_iter().all(|sphere| is_kept(sphere) == Some(true))
 }
 
 /// The value or the vector that an answer ends with, and how the answer is read.
@@ -122,6 +177,59 @@ fn unchanged(
     (!across.is_empty() && across.iter().all(has)).then_some(last)
 }
 
+/// The last blank with a speed, if those of all spheres that have a component across the line of centres are made of it and of
+/// what the student's own equations come to.
+fn unchanged_in_speeds(
+    question: &KeyedQuestion,
+    part: &KeyedPart,
+    solution: &[Vec<f64>; 2],
+    said: &[Option<(Expr, String)>],
+) -> Option<usize> {
+    let working = Working::without_lines(question, part);
+    let blank_of = |(sphere, _): &(Sphere, Vec<f64>)| {
+        let is_speed = |find: &Find| *find == Find::Quantity(Quantity::Speed(*sphere, Moment::After));
+        let place = part.blanks.iter().position(|blank| is_speed(&blank.find))?;
+        let (expr, _) = said[place].as_ref()?;
+        let values = value(expr, working.prepared, &working.prepared.names)?;
+        let own = own_speed(working.prepared, *sphere, solution)?;
+        are_near_sizes(&values, &own).then_some(place)
+    };
+    let places: Vec<usize> = working.across().iter().map(blank_of).collect::<Option<_>>()?;
+    places.into_iter().max()
+}
+
+/// The speed of a sphere by what the student's own equations come to, and the component that does not change.
+fn own_speed(prepared: &Prepared, sphere: Sphere, solution: &[Vec<f64>; 2]) -> Option<Vec<f64>> {
+    let across = sizes(&prepared.known, Quantity::Velocity(sphere, Moment::After, Axis::T));
+    let along = solution.get(usize::from(sphere == Sphere::B))?;
+    let speed = |(point, along): (usize, &f64)| along.hypot(across.as_ref().map_or(0.0, |all| all[point]));
+    Some(along.iter().enumerate().map(speed).collect())
+}
+
+/// A blank with the velocity after an impact with a wall, if only the sense of the component is wrong that the wall turns round.
+fn rebounds(question: &KeyedQuestion, part: &KeyedPart, said: &[Option<(Expr, String)>]) -> Option<usize> {
+    part.blanks.iter().zip(said).position(|(blank, said)| {
+        let (Find::Vector(first, _), Some((expr, _))) = (&blank.find, said) else { return false };
+        let impact = match question.meeting(first.impact()) {
+            Some(meeting) => question.impact(meeting, &Theirs::default()),
+            None => Some(Cow::Borrowed(question)),
+        };
+        let Some(impact) = impact else { return false };
+        let prepared = impact.prepared();
+        let turned = prepared.known.iter().map(|known| {
+            let after = |axis| known.number(Quantity::Velocity(Sphere::A, Moment::After, axis));
+            let line = |axis| known.number(Quantity::Line(axis));
+            let ([x, y], [i, j]) = ([after(Axis::X)?, after(Axis::Y)?], [line(Axis::X)?, line(Axis::Y)?]);
+            let into = x * i + y * j;
+            Some((x - 2.0 * into * i, y - 2.0 * into * j))
+        });
+        let turned = turned.collect::<Option<(Vec<f64>, Vec<f64>)>>();
+        let values = value(expr, prepared, &prepared.names);
+        prepared.setting == Setting::Wall
+            && turned.zip(values).is_some_and(|((x, y), values)| is_vector(&values, &x, &y, 1.0))
+    })
+}
+
 /// A blank with what the student's own equations come to for one of the spheres.
 fn solved(
     prepared: &Prepared,
@@ -136,9 +244,7 @@ fn solved(
         };
         match find {
             Find::Quantity(Quantity::Speed(sphere, Moment::After)) => {
-                let across = sizes(&prepared.known, Quantity::Velocity(*sphere, Moment::After, Axis::T));
-                let speed = |(point, along): (usize, &f64)| along.hypot(across.as_ref().map_or(0.0, |all| all[point]));
-                are_near_sizes(&values, &of(*sphere).iter().enumerate().map(speed).collect::<Vec<f64>>())
+                own_speed(prepared, *sphere, solution).is_some_and(|own| are_near_sizes(&values, &own))
             }
             Find::Quantity(quantity) => match along_for(*quantity, prepared) {
                 Quantity::Velocity(sphere, Moment::After, Axis::N) => are_near_sizes(&values, of(sphere)),

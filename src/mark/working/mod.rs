@@ -58,6 +58,7 @@ mod told_apart;
 mod trials;
 mod turned;
 mod two_lines;
+mod unequal;
 mod values;
 mod vectors;
 

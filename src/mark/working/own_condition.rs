@@ -7,6 +7,8 @@ use super::linear::{Context, Sum, difference, sum};
 use super::offered::differences;
 use super::theirs::{is_of_velocity, numbers};
 use crate::expr::{Expr, Function, Relation};
+use crate::mark::enclosure::about;
+use crate::mark::reading::Form;
 use crate::mechanics::{Axis, Moment, Quantity, Sphere};
 use crate::number::Range;
 
@@ -125,6 +127,45 @@ impl Working<'_> {
         into.iter().any(|(before, after)| {
             along.iter().any(|along| [1.0, -1.0].iter().any(|sign| is_it(*sign, along, before, after)))
         })
+    }
+
+    /// `k > 4/15` after `(k + 1)v = 5ku - 4u/3`, where v > 0 is demanded: a bound of the letter that is sought, at which the
+    /// student's own velocity changes its sense as it should.
+    pub(super) fn is_own_bound(&self, form: &Form, place: usize) -> bool {
+        let Form::Equation(Expr::Relation(left, relation, right)) = form else { return false };
+        let scene = &self.question.scene;
+        let (Some(condition), [sought]) = (scene.conditions.first(), scene.unknowns.as_slice()) else { return false };
+        let is_of_velocity = condition.is_inequality() && condition.right.is_zero() && scene.then.is_empty();
+        let Some(convention) = self.convention.as_ref().filter(|_| is_of_velocity) else { return false };
+        let along = match &condition.left {
+            Expr::Name(name) => name.text.parse::<Quantity>().map(|quantity| self.prepared.along(quantity)),
+            _ => return false,
+        };
+        let Ok(Quantity::Velocity(of, Moment::After, Axis::N)) = along else { return false };
+        let (letter, sign) = (&convention.letters[of as usize], convention.signs[of as usize]);
+        let (bound, is_least) = match (self.is_sought(left), self.is_sought(right)) {
+            (true, false) => (right, oriented(1.0, *relation)),
+            (false, true) => (left, oriented(-1.0, *relation)),
+            _ => return false,
+        };
+        let Some((bound, is_least)) = about(bound, &[]).zip(is_least) else { return false };
+        // By how much the velocity is on the side that is demanded, where the letter is so much.
+        let excess = |(left, right): &(Expr, Expr), at: f64| {
+            let points = self.prepared.points.with(&[(*sought, vec![Some(at); self.prepared.points.count])], 0);
+            match difference(left, right, &Context { points: &points, ..context(self.prepared, 0) })? {
+                Sum::Number(linear) if matches!(linear.unknowns.as_slice(), [(own, _)] if own == letter) => {
+                    let velocity = -linear.constant.middle() / linear.before(letter).middle();
+                    oriented(sign * velocity, condition.relation)
+                }
+                _ => None,
+            }
+        };
+        let changes = |equation: &(Expr, Expr)| {
+            let [below, above] = [bound / NEAR, bound * NEAR].map(|at| excess(equation, at));
+            below.zip(above).is_some_and(|(below, above)| below * above < 0.0 && (above > 0.0) == (is_least > 0.0))
+        };
+        let readings = self.lines[..place].iter().filter_map(|studied| studied.reading.as_ref());
+        readings.flat_map(|reading| &reading.equations).any(changes)
     }
 
     /// Does an equation hold where the tangent that was stated before is greatest or least: `3(1 + 4t²) - 3t(8t) = 0`?

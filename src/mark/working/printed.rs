@@ -343,7 +343,7 @@ fn is_remark(typed: &str) -> bool {
 const LEAST_WORDS: usize = 3;
 
 /// How many numbers and letters stand in a formula.
-fn leaves(expr: &Expr) -> usize {
+pub(super) fn leaves(expr: &Expr) -> usize {
     let inner: usize = expr.children().into_iter().map(leaves).sum();
     inner.max(1)
 }

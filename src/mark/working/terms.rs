@@ -192,7 +192,7 @@ impl Working<'_> {
             terms.extend(terms_negated(right, context)?);
             let fits = |(agrees, scale): (Agrees, f64)| {
                 let is_as_it_is = terms.len() > LEAST_TERMS || (scale.abs() - 1.0).abs() <= SLACK;
-                (is_as_it_is || !is_bare).then_some(agrees)
+                (is_as_it_is || !is_bare && (self.has_letters() || is_whole_or_share(scale))).then_some(agrees)
             };
             let whole = agreement_of_three(&terms, &at.terms(equation)).and_then(fits);
             whole.or_else(|| {
@@ -200,6 +200,11 @@ impl Working<'_> {
                 found.filter(|agrees| *agrees == Agrees::Fully)
             })
         })
+    }
+
+    /// Are masses and speeds letters, by any power of which a law may be divided?
+    fn has_letters(&self) -> bool {
+        !self.question.letters.is_empty()
     }
 
     /// Is what a line sets equal to a quotient e: by its letter, by its value, or as what the quotient comes to?
@@ -356,4 +361,22 @@ fn terms(expr: &Expr, context: &Context) -> Option<Vec<Spread>> {
 
 fn terms_negated(expr: &Expr, context: &Context) -> Option<Vec<Spread>> {
     Some(terms(expr, context)?.into_iter().map(|term| -term).collect())
+}
+
+/// Is a law multiplied or divided by it to be rid of fractions, or of a factor that all its terms have? Three terms in its proportion
+/// may be those of something else: `6 = 6v + 4.5`.
+fn is_whole_or_share(scale: f64) -> bool {
+    let is_whole = |scale: f64| scale > 0.5 && (scale - scale.round()).abs() <= SLACK * scale;
+    is_whole(scale.abs()) || is_whole(1.0 / scale.abs())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::is_whole_or_share;
+
+    #[test]
+    fn a_law_is_multiplied_by_a_whole_number_or_divided_by_one() {
+        let found = [1.0, -2.0, 0.5, -1.0 / 3.0, 1.5, 0.4, -2.5].map(is_whole_or_share);
+        assert_eq!(found, [true, true, true, true, false, false, false]);
+    }
 }

@@ -1,6 +1,7 @@
 //! Momentum told from restitution: an equation is one of the two, and which of them is seen from all of them together.
 
-use super::pair::{BOTH, Matched};
+use super::pair::{BOTH, Departure, Matched};
+use crate::mechanics::Quantity;
 
 /// What an equation may be.
 #[derive(Clone)]
@@ -53,6 +54,17 @@ pub(super) fn told_apart(found: Vec<Found>) -> Vec<Found> {
             })
     };
     found.iter().enumerate().filter(|(place, one)| keeps((*place, one))).map(|(_, one)| one.clone()).collect()
+}
+
+/// Without one velocity for both spheres where another line is momentum with one for each: `7v = 9` is what comes of `15 = 4v + 3w`.
+pub(super) fn without_one_for_both(mut found: Vec<Found>) -> Vec<Found> {
+    let is_together = |one: &Found| one.alone.is_none() && one.matched.departures == [Departure::Coalesced];
+    let together: Vec<usize> = found.iter().filter(|one| is_together(one)).map(|one| one.place).collect();
+    let is_momentum = |one: &Found| one.matched.equation == Quantity::MomentumEquation && one.matched.is_method();
+    if !together.is_empty() && found.iter().any(|one| is_momentum(one) && !together.contains(&one.place)) {
+        found.retain(|one| one.alone.is_some() || !together.contains(&one.place));
+    }
+    found
 }
 
 /// What the best line of each law is short of.

@@ -1,0 +1,167 @@
+//! Values at the end of a line that plainly comes to something else: `3 × 64 - 2 × 49 = 40/3` has not found 40/3.
+
+use super::compare::{any_within, comes_to, comes_to_angle, is_vector};
+use super::examine::{Studied, Value, Working, value};
+use super::impulse::is_worked;
+use super::line::Member;
+use super::points::sizes;
+use super::printed::leaves;
+use crate::bank::Find;
+use crate::expr::{Expr, Function};
+use crate::mechanics::{Datum, Known, Quantity};
+use crate::number;
+
+/// Sides that are apart by less than this part of the greater may be so by rounding.
+pub(super) const ROUNDED: f64 = 0.05;
+
+/// What a blank asks for, at every point.
+enum Wanted {
+    Number { right: Vec<f64>, is_angle: bool },
+    Vector(Vec<f64>, Vec<f64>),
+}
+
+impl Wanted {
+    /// Is it this, whatever its sign?
+    fn is(&self, values: &[Value]) -> bool {
+        match self {
+            Wanted::Number { right, is_angle } => values.iter().zip(right).all(|(value, right)| match is_angle {
+                true => comes_to_angle(*value, *right, false),
+                false => comes_to(*value, *right),
+            }),
+            Wanted::Vector(x, y) => [1.0, -1.0].into_iter().any(|sign| is_vector(values, x, y, sign)),
+        }
+    }
+}
+
+impl Working<'_> {
+    /// For each blank: is the right value in the lines, and only behind an equals sign that is false?
+    pub(super) fn denied_by_lines(&self) -> Vec<bool> {
+        self.part.blanks.iter().map(|blank| self.is_only_denied(&blank.find)).collect()
+    }
+
+    fn is_only_denied(&self, find: &Find) -> bool {
+        // Where a letter was to be found, what was asked is known there alone.
+        let found = self.prepared.all_where_found().unwrap_or_default();
+        let at = if found.is_empty() { self.prepared.known.as_slice() } else { found.as_slice() };
+        let known = |quantity: Quantity| sizes(at, quantity);
+        let wanted = match find {
+            Find::Quantity(quantity) => {
+                known(*quantity).map(|right| Wanted::Number { right, is_angle: is_angle(at, *quantity) })
+            }
+            Find::Vector(x, y) => known(*x).zip(known(*y)).map(|(x, y)| Wanted::Vector(x, y)),
+            Find::Unknown(_) => None,
+        };
+        let Some(wanted) = wanted else { return false };
+        let right = || {
+            let all = self.lines.iter().flat_map(|studied| self.members(studied).map(move |one| (studied, one)));
+            all.filter(|(_, (_, values))| wanted.is(values)).map(|(studied, (member, _))| (studied, member))
+        };
+        right().any(|(studied, member)| self.is_denied_by_line(studied, member))
+            && !right().any(|(studied, member)| is_formula(&member.expr) && !self.is_denied_by_line(studied, member))
+    }
+
+    /// Does a plain value follow formulas of the question's own names and numbers all of which plainly come to something else?
+    /// In letters it is plain if it is shorter than each of them.
+    pub(super) fn is_denied_by_line(&self, studied: &Studied, member: &Member) -> bool {
+        let is_in_letters = !member.expr.names().is_empty();
+        let is_plain = is_in_letters || !is_formula(&member.expr);
+        let Some(own) = self.in_given_names(&member.expr).filter(|_| is_plain) else { return false };
+        let formulas = self.formulas_before(studied, member);
+        let is_denied = |(formula, length): &(Vec<Value>, usize)| {
+            let is_apart = formula.iter().zip(&own).all(|(one, other)| are_apart(*one, *other));
+            is_apart && (!is_in_letters || leaves(&member.expr) < *length)
+        };
+        !formulas.is_empty() && formulas.iter().all(is_denied)
+    }
+
+    /// What the formulas come to to which a member is set equal by its line, and by those before that the line goes on from;
+    /// and how long each is.
+    fn formulas_before(&self, studied: &Studied, member: &Member) -> Vec<(Vec<Value>, usize)> {
+        let mut found = Vec::new();
+        let Some(reading) = &studied.reading else { return found };
+        let formula = |other: &Member| {
+            let values = self.in_given_names(&other.expr).filter(|_| is_formula(&other.expr));
+            values.map(|values| (values, leaves(&other.expr)))
+        };
+        let before = reading.members.iter().take_while(|other| !std::ptr::eq(*other, member));
+        found.extend(before.filter(|other| other.statement == member.statement).filter_map(formula));
+        let place = self.lines.iter().position(|other| std::ptr::eq(other, studied)).unwrap_or_default();
+        let goes_on = |studied: &Studied| studied.line.typed.trim_start().starts_with('=');
+        if member.statement > 0 || !goes_on(studied) {
+            return found;
+        }
+        for other in self.lines[..place].iter().rev() {
+            let members = other.reading.as_ref().map(|reading| reading.members.as_slice()).unwrap_or_default();
+            let last = members.last().map(|last| last.statement);
+            found.extend(members.iter().filter(|other| Some(other.statement) == last).filter_map(formula));
+            if !goes_on(other) {
+                break;
+            }
+        }
+        found
+    }
+
+    /// What a formula comes to by what is given, and not by the student's own letters, nor by one that is to be found or that
+    /// only the words of the question have.
+    pub(super) fn in_given_names(&self, expr: &Expr) -> Option<Vec<Value>> {
+        let is_given = |letter: &str| {
+            let has = |value: &number::Value| value.letters().iter().any(|own| own.name() == letter);
+            self.question.given.0.iter().any(|(_, datum)| match datum {
+                Datum::Number(size) => has(size),
+                Datum::Direction { y, x } => has(y) || has(x),
+                Datum::Equation(numbers) => numbers.iter().any(has),
+            })
+        };
+        let is_sought = |letter: &str| self.prepared.found.iter().any(|(own, _)| own.name() == letter);
+        let is_letter = |name: &str| self.prepared.points.letter(name, 0).is_some();
+        let is_known = |name: &str| !is_letter(name) || is_given(name) && !is_sought(name);
+        let names = expr.names();
+        let are_known = names.iter().all(|name| is_known(&name.text));
+        are_known.then(|| value(expr, self.prepared, &self.prepared.names))?
+    }
+}
+
+fn is_angle(known: &[Known<f64>], quantity: Quantity) -> bool {
+    matches!(known.first().and_then(|known| known.0.get(&quantity)), Some(Datum::Direction { .. }))
+}
+
+/// Is something worked out in it? Not in `40/3`, `4√39/9` or `24i + 18j`.
+pub(super) fn is_formula(expr: &Expr) -> bool {
+    let is_root = |factor: &Expr| matches!(factor, Expr::Call(Function::Sqrt, _));
+    match expr {
+        Expr::Number(_) | Expr::Decimal(_) | Expr::Name(_) => false,
+        Expr::Negative(inner) | Expr::Degrees(inner) | Expr::Call(Function::Sqrt, inner) => is_formula(inner),
+        Expr::Vector(x, y) => is_formula(x) || is_formula(y),
+        Expr::Quotient(above, below) => {
+            let is_quotient = |expr: &Expr| matches!(expr, Expr::Quotient(..));
+            [above, below].into_iter().any(|part| is_formula(part) || any_within(part, &is_quotient))
+        }
+        Expr::Product(factors) => !factors.iter().any(is_root) || factors.iter().any(is_formula),
+        Expr::Sum(_) => is_worked(expr),
+        _ => true,
+    }
+}
+
+/// Do two values plainly differ, however an equals sign may be meant: a square for its root, an angle for its ratio, a
+/// percentage, a size for a signed number?
+fn are_apart(one: Value, other: Value) -> bool {
+    match (one, other) {
+        (Value::Number(one), Value::Number(other)) => {
+            let (one, other) = (one.middle().abs(), other.middle().abs());
+            let near = |one: f64, other: f64| (one - other).abs() <= ROUNDED * one.max(other);
+            let may_be = |one: f64, other: f64| {
+                let radians = one.to_radians();
+                let forms = [one, one * one, 100.0 * one, radians, radians.sin(), radians.cos(), radians.tan()];
+                forms.into_iter().any(|form| near(form, other))
+            };
+            !may_be(one, other) && !may_be(other, one)
+        }
+        (Value::Vector(x, y), Value::Vector(own_x, own_y)) => {
+            let (x, y, own_x, own_y) = (x.middle(), y.middle(), own_x.middle(), own_y.middle());
+            let size = x.hypot(y).max(own_x.hypot(own_y));
+            [1.0, -1.0].into_iter().all(|sign| (x - sign * own_x).hypot(y - sign * own_y) > ROUNDED * size)
+        }
+        // A vector and its size are set equal by those who take the one for the other.
+        _ => false,
+    }
+}
