@@ -13,10 +13,17 @@ use super::{Letter, Polynomial};
 /// A prime below 2^31, so that products stay in machine integers.
 const PRIME: u64 = 2_147_483_647;
 
-/// Are the polynomials proved to have no common factor but numbers?
-pub(super) fn coprime(a: &Polynomial, b: &Polynomial) -> bool {
-    let shared: Vec<Letter> = b.letters().into_iter().filter(|letter| a.letters().contains(letter)).collect();
-    shared.into_iter().all(|letter| (1..=2).any(|point| coprime_in(a, b, letter, point)))
+/// The letters that a common factor of the polynomials may have, and those that are proved to be in none. A factor without
+/// a letter divides each coefficient in it.
+pub(super) fn letters_of_common_factors(a: &Polynomial, b: &Polynomial) -> (Vec<Letter>, Vec<Letter>) {
+    let (of_a, of_b) = (a.letters(), b.letters());
+    let is_in_one = |letter: &Letter| of_a.contains(letter) != of_b.contains(letter);
+    let is_absent = |letter: &Letter| is_in_one(letter) || (1..=2).any(|point| coprime_in(a, b, *letter, point));
+    let mut all: Vec<Letter> = of_a.iter().chain(&of_b).copied().collect();
+    all.sort();
+    all.dedup();
+    let (absent, possible) = all.into_iter().partition(is_absent);
+    (possible, absent)
 }
 
 fn coprime_in(a: &Polynomial, b: &Polynomial, letter: Letter, point: u64) -> bool {
@@ -98,6 +105,10 @@ fn remainder_degree(mut a: Vec<u64>, mut b: Vec<u64>) -> Option<usize> {
 mod tests {
     use super::*;
     use crate::number::{Fraction, Range};
+
+    fn coprime(a: &Polynomial, b: &Polynomial) -> bool {
+        letters_of_common_factors(a, b).0.is_empty()
+    }
 
     fn letter(name: &str) -> Polynomial {
         Polynomial::letter(Letter::new(name, Range::Positive).unwrap())

@@ -3,7 +3,7 @@
 //! All three see a polynomial as one in its last letter, whose coefficients are polynomials in the
 //! other letters.
 
-use super::coprime::coprime;
+use super::coprime::letters_of_common_factors;
 use super::polynomial::{quotient, shared_monomial};
 use super::{Fraction, Letter, Polynomial};
 
@@ -53,11 +53,12 @@ impl Polynomial {
         if self.terms().len() == 1 || other.terms().len() == 1 {
             return Polynomial::monomial(shared_monomial([self, other]));
         }
-        if coprime(self, other) {
-            return Polynomial::one();
+        let (possible, absent) = letters_of_common_factors(self, other);
+        let Some(letter) = possible.last().copied() else { return Polynomial::one() };
+        if let Some(absent) = absent.first() {
+            let mut coefficients = [self, other].map(|polynomial| polynomial.coefficients(*absent)).concat();
+            return common_factor(&mut coefficients);
         }
-        let last = self.letters().last().copied().max(other.letters().last().copied());
-        let letter = last.expect("a polynomial that is no constant has a letter");
         let (content_a, mut a) = self.split_content(letter);
         let (content_b, mut b) = other.split_content(letter);
         let content = content_a.greatest_common_divisor(&content_b);
@@ -77,12 +78,10 @@ impl Polynomial {
 
     /// The greatest common divisor of the coefficients in a letter, and the polynomial without it.
     fn split_content(&self, letter: Letter) -> (Polynomial, Polynomial) {
-        let content = self.coefficients(letter).iter().fold(Polynomial::zero(), |shared, coefficient| {
-            if shared.is_one() { shared } else { shared.greatest_common_divisor(coefficient) }
-        });
         if self.is_zero() {
             return (Polynomial::one(), Polynomial::zero());
         }
+        let content = common_factor(&mut self.coefficients(letter));
         let rest = self.divided_by(&content).expect("a content divides its polynomial");
         (content, rest.primitive())
     }
@@ -130,6 +129,14 @@ impl Polynomial {
         }
         (rest.as_constant().expect("no letter is left"), factors)
     }
+}
+
+/// What coefficients have in common: as a rule nothing, and then two of the shortest show it.
+fn common_factor(coefficients: &mut [Polynomial]) -> Polynomial {
+    coefficients.sort_by_key(|coefficient| coefficient.terms().len());
+    coefficients.iter().fold(Polynomial::zero(), |common, coefficient| {
+        if common.is_one() { common } else { common.greatest_common_divisor(coefficient) }
+    })
 }
 
 /// Yun's algorithm on a polynomial that is primitive in the letter.

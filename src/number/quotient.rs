@@ -1,6 +1,6 @@
 //! Reciprocals, quotients and powers of exact values.
 
-use super::Value;
+use super::{Root, Value};
 
 impl Value {
     /// One over the value; `None` for nought.
@@ -27,10 +27,14 @@ impl Value {
     /// Would its reciprocal be a formula that nobody wants to read? Each root doubles it, and letters
     /// let it grow further, as given angles do, whose tangents are letters too.
     pub fn is_laborious(&self) -> bool {
-        let roots = self.roots().len();
+        let roots = self.roots();
+        // By a root one divides in multiplying by it and dividing by what stands under it.
+        if roots.iter().any(|root| matches!(root, Root::Nested { radicand, .. } if radicand.is_laborious())) {
+            return true;
+        }
         let many = if self.has_letters() { 2 } else { 4 };
         let single = matches!(self, Value::Compound(compound) if compound.terms.len() == 1);
-        roots >= many && !single
+        roots.len() >= many && !single
     }
 
     /// The quotient; `None` by nought.
