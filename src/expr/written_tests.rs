@@ -60,5 +60,9 @@ fn a_radicand_of_any_length_is_written_whole() {
         .map(|prime| Value::Rational(prime.parse::<Fraction>().unwrap()).square_root().unwrap());
     assert_eq!(print::plain(&written(&(&one * &other))), "sqrt(1427247692705959880439315947500961989719490561)");
     let sum = &(&one * &other) + &one;
-    assert_eq!(print::plain(&written(&sum)), "sqrt(2305843009213693951)*(1 + sqrt(618970019642690137449562111))");
+    let expected = "sqrt(2305843009213693951) + sqrt(1427247692705959880439315947500961989719490561)";
+    assert_eq!(print::plain(&written(&sum)), expected);
+    let (letter, shared) =
+        (letter("u", Range::Positive), "sqrt(2305843009213693951)*u*(1 + sqrt(618970019642690137449562111))");
+    assert_eq!(print::plain(&written(&(&letter * &sum))), shared);
 }

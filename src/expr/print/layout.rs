@@ -296,7 +296,13 @@ fn is_times_shown(before: Option<&Item>, factor: &Expr, next: &[Item]) -> bool {
             // A number straight before a fraction of numbers would look like a mixed number, and of `m 4u/5` nobody sees at
             // once that it is two factors.
             let is_number = begins_with_digit(top) || matches!(top.first(), Some(Item::Root(_)));
-            number || (matches!(before, Some(Item::Digits(_) | Item::Letter(_))) && is_number)
+            let is_sum = top.iter().any(|item| matches!(item, Item::Plus | Item::Minus));
+            number
+                || match before {
+                    Some(Item::Digits(_)) => is_number,
+                    Some(Item::Letter(_)) => is_number && !is_sum,
+                    _ => false,
+                }
         }
         _ => begins_with_digit(next),
     }
