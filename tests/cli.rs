@@ -401,11 +401,18 @@ fn a_scene_that_cannot_be_solved_is_told_what_is_the_matter_with_it() {
 }
 
 #[test]
-fn letters_in_a_coefficient_of_restitution_have_their_limits() {
+fn letters_have_their_limits_in_masses_approach_and_restitution() {
     let scene = r#"{"masses": {"A": "m", "B": "m"}, "before": {"A": ["u", "0"], "B": ["0", "0"]}, "after": {"A": ["v", "0"]},
         "line_of_centres": ["1", "0"], "symbols": {"m": "positive", "u": "positive", "v": "positive"}}"#;
     let output = with_stdin(&["solve", "-"], scene.as_bytes());
     assert!(stdout(&output).contains("this needs (u − 2v)/u ≥ 0"), "{}", stdout(&output));
+    let given = r#"{"masses": {"A": "m", "B": "x*m"}, "before": {"A": ["u", "0"], "B": ["w", "0"]}, "e": "k",
+        "line_of_centres": ["1", "0"], "sense": "A_to_B",
+        "symbols": {"m": "positive", "u": "positive", "w": "positive", "k": "positive", "x": "real"}}"#;
+    let output = with_stdin(&["solve", "-"], given.as_bytes());
+    for needed in ["this needs mx > 0", "this needs u − w > 0", "this needs k ≤ 1"] {
+        assert!(stdout(&output).contains(needed), "{needed}: {}", stdout(&output));
+    }
 }
 
 #[test]

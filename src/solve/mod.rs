@@ -68,9 +68,7 @@ fn all_solutions(scene: &Scene, asked: &[Quantity]) -> Result<Vec<Solution>, Ref
             Some(derived) => derived,
             None => check_with(&known, path.as_ref().map_or(&nothing, |path| &path.computed))?,
         };
-        if root.scene.restitution.is_none() {
-            root.remarks.extend(computed.number(Quantity::Restitution).iter().flat_map(within_unit));
-        }
+        root.remarks.extend(needed(&root.scene, &computed));
         let (derivation, _) = Derivation::carry_out_with(&mut known, &computed, asked);
         Ok(Solution {
             root,
@@ -83,15 +81,21 @@ fn all_solutions(scene: &Scene, asked: &[Quantity]) -> Result<Vec<Solution>, Ref
     roots.into_iter().map(one).collect()
 }
 
-/// What letters must satisfy, so that a coefficient of restitution that was found in them is one.
-fn within_unit(e: &Value) -> Vec<String> {
-    let shown = print::unicode(&written(e));
-    let mut remarks = Vec::new();
-    if e.sign().is_none() {
-        remarks.push(format!("this needs {shown} ≥ 0"));
-    }
-    if (&Value::ONE - e).sign().is_none() {
-        remarks.push(format!("this needs {shown} ≤ 1"));
+/// What letters must fulfil, so that masses are positive, the spheres meet and a coefficient of restitution is one.
+fn needed(scene: &Scene, computed: &Known<Value>) -> Vec<String> {
+    let remark = |value: &Value, bound: &str| format!("this needs {} {bound}", print::unicode(&written(value)));
+    let masses = scene.masses.iter().flatten().map(|mass| &mass.value);
+    let approach = computed.number(Quantity::Approach);
+    let positive = masses.chain(&approach).filter(|value| value.sign().is_none());
+    let mut remarks: Vec<String> = positive.map(|value| remark(value, "> 0")).collect();
+    let given = scene.restitution.as_ref().map(|given| given.value.clone());
+    if let Some(e) = given.or_else(|| computed.number(Quantity::Restitution)) {
+        if e.sign().is_none() {
+            remarks.push(remark(&e, "≥ 0"));
+        }
+        if (&Value::ONE - &e).sign().is_none() {
+            remarks.push(remark(&e, "≤ 1"));
+        }
     }
     remarks
 }
