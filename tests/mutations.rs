@@ -1549,3 +1549,11 @@ fn numbers_under_other_names_and_what_the_words_leave_out_are_named() {
         )],
     );
 }
+
+#[test]
+fn a_mark_that_nobody_can_earn_is_told_of_once() {
+    let edits = [("{ code = \"B1\", for = \"perpendicular\" }", "{ code = \"B1\", for = \"impulse\" }")];
+    let (_, said) = checked("unearnable", "rest-letters/direction-and-deflection", &edits);
+    assert!(said.contains("it is for `impulse`, a step that no answer of its part takes"), "{said}");
+    assert_eq!(said.matches("the mark B1a").count(), 1, "{said}");
+}
