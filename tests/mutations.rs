@@ -1484,3 +1484,76 @@ fn what_is_given_and_what_is_said_of_another_sphere_are_named() {
         )],
     );
 }
+
+#[test]
+fn numbers_under_other_names_and_what_the_words_leave_out_are_named() {
+    let told = "The coefficient of restitution between the spheres is {e}.";
+    found(
+        "rest/speeds-and-directions",
+        &[
+            (
+                "friction",
+                &[(told, "The coefficient of friction between the spheres is {e}.")],
+                "print `e`, and never tell",
+            ),
+            ("modulus", &[(told, "The modulus of elasticity of the spheres is {e}.")], "print `e`, and never tell"),
+            ("energy", &[("the speed of *A* is {u", "the kinetic energy of *A* is {u")], "give `u` as `energy`"),
+            ("weight", &[("of mass {mA", "of weight {mA")], "give `mA` as `weight`, and it is a mass"),
+            ("second", &[("before the collision", "before the second collision")], "and the scene has one impact"),
+            ("rough", &[("smooth uniform sphere", "uniform sphere")], "never say that the spheres are smooth"),
+            ("radii", &[(" The spheres have equal radii.", "")], "never say that the spheres have equal radii"),
+        ],
+    );
+    found(
+        "walls/rebound-speed-and-direction",
+        &[
+            ("at-rest", &[("is moving on", "is at rest on")], "a motion that is not so: `at rest`"),
+            ("its-energy", &[("the impact the speed of", "the impact the momentum of")], "give `u` as `momentum`"),
+            ("plane", &[("smooth horizontal", "horizontal")], "never say that the plane is smooth"),
+        ],
+    );
+    found(
+        "direct/one-sphere-catches-the-other",
+        &[
+            (
+                "number",
+                &[("Find the speed of *B*", "Find, in terms of {u}, the speed of *B*")],
+                "in terms of `u`, which",
+            ),
+            (
+                "loss-of-a",
+                &[("energy lost in the", "energy of sphere *A* lost in the")],
+                "what *A* loses, and the answer",
+            ),
+            (
+                "one-degree",
+                &[("{e}.", "{e}. An angle is {bend}."), ("[let]\n", "[let]\nbend = \"acos(4/5)/deg\"\n")],
+                "an angle over one degree: `arccos(4/5)/1°`",
+            ),
+        ],
+    );
+    found(
+        "i-j/velocities-after-impact",
+        &[(
+            "speeds",
+            &[("in terms of {i} and {j}, the velocity", "the speed")],
+            "ask for a speed, and the answer is a vector",
+        )],
+    );
+    found(
+        "both-moving/energy-lost-and-impulse",
+        &[(
+            "on-a",
+            &[("exerted on *B*", "exerted on *A*")],
+            "impulse on `*A*`, and the answer is called `impulse on B`",
+        )],
+    );
+}
+
+#[test]
+fn a_mark_that_nobody_can_earn_is_told_of_once() {
+    let edits = [("{ code = \"B1\", for = \"perpendicular\" }", "{ code = \"B1\", for = \"impulse\" }")];
+    let (_, said) = checked("unearnable", "rest-letters/direction-and-deflection", &edits);
+    assert!(said.contains("it is for `impulse`, a step that no answer of its part takes"), "{said}");
+    assert_eq!(said.matches("the mark B1a").count(), 1, "{said}");
+}

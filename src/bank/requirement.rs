@@ -90,6 +90,15 @@ impl Measure {
     }
 }
 
+/// How to close a bracket: as a rule what it holds ends where the relation begins.
+fn closed_before_relation(text: &str, open: usize) -> String {
+    let end = text[open..].find(['<', '>', '=', '!']).map(|end| open + end);
+    match end.map(|end| (text[..end].trim_end(), &text[end..])) {
+        Some((inside, relation)) => format!("write `{inside}) {relation}`"),
+        None => "write `)` where the brackets end".to_owned(),
+    }
+}
+
 impl Requirement {
     /// Reads a requirement.
     ///
@@ -108,7 +117,8 @@ impl Requirement {
         while let Some((measure, start, open)) = next_measure(&plain) {
             let Some(end) = closing(&plain, open) else {
                 let span = Span { start: open, end: open + 1 };
-                return Err(Fault::new("`(` is never closed", span, "its `)` is missing"));
+                let fault = Fault::new("`(` is never closed", span, "its `)` is missing");
+                return Err(fault.try_this(closed_before_relation(&plain, open)));
             };
             let inside = read(&plain[open + 1..end], Angles::Degrees).map_err(|fault| fault.shifted(open + 1))?;
             // A name of equal length keeps every other place where it is.

@@ -111,7 +111,10 @@ fn told(text: &str, span: Range<usize>, message: &str, model: &str) -> Told {
         let help = "write its text in quotes after the `=`, or take the line out";
         return Told { is_last: true, ..one("a key without a value", "expected a value after the `=`", help) };
     }
-    if let Some(value) = value.filter(|value| !text[value.clone()].starts_with(['"', '\'', '[', '{', '='])) {
+    // Or one of several in a list or a table in braces.
+    let value = value.filter(|value| !text[value.clone()].starts_with(['"', '\'', '[', '{', '=']));
+    let value = value.or_else(|| one_of_several(text, span.start).filter(|_| what == "string values must be quoted"));
+    if let Some(value) = value {
         let written = text[value.clone()].trim_matches(['“', '”', '„', '‘', '’', '"', '\'']).to_owned();
         let curly = text[value.clone()].starts_with(['“', '”', '„', '‘', '’']);
         let message = if curly { "a text in curly quotes" } else { "a value without quotes" };
@@ -216,6 +219,14 @@ fn value_at(text: &str, at: usize) -> Option<Range<usize>> {
     let start = from + equals + 1 + (after.len() - after.trim_start().len());
     let end = from + line.trim_end().len();
     (is_key && start <= at && start < end).then_some(start..end)
+}
+
+/// The value that begins at a place within brackets or braces: all before the comma or bracket that ends it.
+fn one_of_several(text: &str, at: usize) -> Option<Range<usize>> {
+    open_bracket(text, at)?;
+    let length = text[at..].find([',', ']', '}', '\n', '\r', '#']).unwrap_or(text.len() - at);
+    let value = text[at..at + length].trim_end();
+    (!value.is_empty()).then(|| at..at + value.len())
 }
 
 /// Does a new `key =` or `[heading]` begin at this place, or has it just begun?

@@ -37,8 +37,11 @@ pub fn unrewarded(question: &Question) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (place, part) in keyed.parts.iter().enumerate() {
         for (row, mark) in part.scheme.iter().enumerate().filter(|(_, mark)| mark.blanks.is_empty()) {
-            let message =
-                format!("the mark {} is for `{}`, a step that no answer of its part takes", mark.id, mark.earned_for);
+            let (mark, step) = (&mark.id, &mark.earned_for);
+            let message = format!(
+                "the mark {mark} is never won, not even by the model solution: it is for `{step}`, a step that no answer of its \
+                 part takes"
+            );
             let help = "name a step of the worked solution, which `carom preview` shows, or take the row out";
             findings.push(Finding::new(message, "", "nobody can earn it").with_help(help).at_row(place, "marks", row));
         }

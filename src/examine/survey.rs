@@ -168,7 +168,9 @@ impl Done {
         let mut findings = again::reference_faults(question);
         findings.extend(author::disagreements(question));
         findings.extend(words::of_question(question));
-        findings.extend(scheme::unrewarded(question));
+        let unrewarded = scheme::unrewarded(question);
+        let unearnable: Vec<_> = unrewarded.iter().filter_map(|found| found.row).collect();
+        findings.extend(unrewarded);
         findings.extend(scheme::paid_twice(question));
         findings.extend(scheme::unknown_exercise(question, exercises));
         self.said.sort_by_key(|(dealt, _)| *dealt);
@@ -196,7 +198,9 @@ impl Done {
         for (_, one) in self.coverage {
             coverage.add(one);
         }
-        findings.extend(idle(question, &coverage));
+        // Of a mark that nobody can earn it has been told why.
+        let is_new = |found: &Finding| found.row.is_none_or(|row| row.1 != "marks" || !unearnable.contains(&row));
+        findings.extend(idle(question, &coverage).into_iter().filter(is_new));
         let styles = question.styles.iter().zip(&self.tallies);
         let styles =
             styles.map(|(style, tally)| StyleReport::new(question, style, &tally.census, &tally.slips, acting));

@@ -7,7 +7,7 @@ use super::super::literal::Words;
 use super::super::requirement::Measure;
 use super::quantities;
 use crate::diagnostic::{Diagnostic, near};
-use crate::expr::{Expr, Function, Name, Piece, Text};
+use crate::expr::{Expr, Function, Name, Piece, Span, Text};
 use crate::mechanics::Quantity;
 use crate::unit::Unit;
 
@@ -36,6 +36,15 @@ struct Use {
     also: Also,
     /// In one style, or in all.
     style: Option<usize>,
+    /// A unit that stands behind the number of a value, and where.
+    unit: Option<(Unit, Range<usize>)>,
+}
+
+/// The unit that stands behind the number of a value, `4 m/s`, and where it stands.
+fn unit_behind(value: &str) -> Option<(Unit, Span)> {
+    let (number, unit) = value.trim().split_once(' ')?;
+    let start = value.rfind(unit).filter(|_| number.starts_with(|sign: char| sign.is_ascii_digit()))?;
+    Some((unit.parse().ok()?, Span { start, end: start + unit.len() }))
 }
 
 /// The names that have a meaning in one style.
@@ -56,7 +65,9 @@ impl NamesUsed {
     pub fn name(&mut self, words: &Words, name: &Name, also: Also, style: Option<usize>, faults: &Faults) {
         if name.text != "i" && name.text != "j" {
             let span = faults.place(words, name.span);
-            self.uses.push(Use { name: name.text.clone(), span, also, style });
+            let unit = unit_behind(words.get_ref()).filter(|_| also == Also::OnlyLetters);
+            let unit = unit.map(|(unit, place)| (unit, faults.place(words, place)));
+            self.uses.push(Use { name: name.text.clone(), span, also, style, unit });
         }
     }
 
@@ -89,9 +100,19 @@ impl NamesUsed {
     pub fn resolve(&self, scopes: &[(String, Scope)], letters: &[&str], faults: &mut Faults) {
         let mut lacking: Vec<(&str, &str)> = Vec::new();
         let mut unknown = false;
+        let mut units: Vec<&Range<usize>> = Vec::new();
         for used in &self.uses {
             let name = used.name.as_str();
             if letters.contains(&name) || (used.also == Also::Quantities && name.parse::<Quantity>().is_ok()) {
+                continue;
+            }
+            if let Some((unit, place)) = &used.unit {
+                if !units.contains(&place) {
+                    units.push(place);
+                    let message = format!("a value with its unit, `{}`", unit.plain());
+                    let help = format!("leave the unit out: it stands in the words, as in `{{name {}}}`", unit.plain());
+                    faults.report(place.clone(), message, "expected a number alone", help);
+                }
                 continue;
             }
             if used.also == Also::OnlyLetters {

@@ -1,7 +1,7 @@
 //! Parts and answers checked: what is asked, what is found, of which kind, and how it is accepted.
 
 use super::super::document::{Faults, listed};
-use super::super::file::{AnswerFile, MarkFile, PartFile, QuestionFile};
+use super::super::file::{AnswerFile, DomainFile, MarkFile, PartFile, QuestionFile};
 use super::super::literal::Words;
 use super::super::question::{Answer, Code, Find, Mark, Part, StyleName};
 use super::marks::marks;
@@ -21,7 +21,9 @@ type Letters<'s> = (&'s [String], bool, &'s dyn Fn(&str) -> bool);
 pub fn parts(file: &QuestionFile, used: &mut NamesUsed, faults: &mut Faults) -> Vec<Part> {
     let scene = file.scene.as_ref().map(|scene| &scene.text);
     let unknowns = scene.map(|scene| scene.unknowns.clone()).unwrap_or_default();
-    let lettered = scene.is_some_and(|scene| scene.symbols.keys().any(|symbol| !unknowns.contains(symbol)));
+    let lettered = scene.is_some_and(|scene| {
+        scene.symbols.keys().any(|symbol| !unknowns.contains(symbol) && is_given_as_a_letter(symbol, file))
+    });
     let is_angle =
         |letter: &str| scene.is_some_and(|scene| scene.symbols.get(letter).is_some_and(|kind| kind == "acute"));
     let mut found = Vec::new();
@@ -49,6 +51,22 @@ pub fn parts(file: &QuestionFile, used: &mut NamesUsed, faults: &mut Faults) -> 
     }
     exact_names(file, faults);
     found
+}
+
+/// Does a number of the question hold a letter? One that the words alone have, as in `{tan(alpha) = t}`, is in no answer.
+fn is_given_as_a_letter(letter: &str, file: &QuestionFile) -> bool {
+    let is_name = |sign: char| sign.is_ascii_alphanumeric() || sign == '_';
+    let holds = |words: &Words| words.get_ref().split(|sign| !is_name(sign)).any(|name| name == letter);
+    let has = |(_, domain): &(Words, DomainFile)| match domain {
+        DomainFile::Range(value) => holds(value),
+        DomainFile::List(values, _) => values.iter().any(holds),
+    };
+    let is_declaration = |path: &str| path.starts_with("symbols") || path.starts_with("unknowns");
+    let mut scene = file.scene.iter().flat_map(|scene| &scene.places).filter(|(path, _)| !is_declaration(path));
+    let mut lets = file.lets.iter().chain(file.styles.iter().flat_map(|style| &style.lets));
+    scene.any(|(_, words)| holds(words))
+        || lets.any(|(_, words)| holds(words))
+        || file.parameters.iter().chain(file.styles.iter().flat_map(|style| &style.parameters)).any(has)
 }
 
 /// A result that is printed earns nothing by itself, which its mark says, `A1*`; another answer has no such mark.
@@ -353,4 +371,29 @@ fn read_show(words: &Words, find: Option<&Find>, used: &mut NamesUsed, faults: &
         }
     }
     Some(expr)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::answer::{Accept, Kind};
+    use crate::bank::{read_question, shipped};
+    use crate::diagnostic::Source;
+    use crate::number::Places;
+
+    #[test]
+    fn letters_that_the_words_alone_have_leave_an_answer_a_number() {
+        let three = Accept::RoundsTo(Places::SignificantFigures(3));
+        let beta = "[scene.symbols]\nbeta = \"acute\"\n\n[reference]";
+        for (id, kind, accept) in [
+            ("direct/restitution-from-one-speed", Kind::Number, three),
+            ("direct/velocities-in-letters", Kind::Expression, Accept::Exact),
+        ] {
+            let (_, text) = shipped().find(|(own, _)| *own == id).unwrap();
+            let text = text.replace(", accept = \"exact\"", "").replace(", accept = \"awrt 3sf\"", "");
+            let text = if text.contains("[scene.symbols]") { text } else { text.replace("[reference]", beta) };
+            let question = read_question(id, &Source::new(id, text)).unwrap();
+            let answer = &question.parts[0].answers[0];
+            assert_eq!((answer.kind, &answer.accept), (kind, &accept), "{id}");
+        }
+    }
 }

@@ -29,6 +29,18 @@ pub fn energy_of_another(question: &Question, answer: &Answer, asked: &[Sentence
         [that, Token::Sphere(_), loses] => is_one_of(that, &["that"]) && is_one_of(loses, &["loses"]),
         _ => false,
     });
+    // `The loss in the kinetic energy of sphere *A*`
+    let is_of_one = |words: &[Token]| {
+        let named = words.iter().find(|token| !is_one_of(token, &["the", "sphere", "ball"]));
+        matches!(named, Some(Token::Sphere(_)))
+    };
+    let is_energy_of = asked.iter().any(|sentence| {
+        let mut ends = sentence
+            .windows(2)
+            .enumerate()
+            .filter(|(_, pair)| is_one_of(&pair[0], &["energy"]) && is_one_of(&pair[1], &["of"]));
+        says(sentence, &["lost", "loss", "reduction", "decrease"]) && ends.any(|(at, _)| is_of_one(&sentence[at + 2..]))
+    });
     let name = print::text_unicode(&answer.name);
     let found = |asks: &str, has: &str| {
         Finding::new(format!("the words ask for {asks}, and the answer `{name}` is {has}"), "", "another energy")
@@ -37,7 +49,7 @@ pub fn energy_of_another(question: &Question, answer: &Answer, asked: &[Sentence
     match (quantity.of_its_impact(), named.as_slice()) {
         // The one that loses it may be described, and not named.
         (Quantity::SphereEnergyLost(own), []) => Some(found(all, &what(own)).as_warning()),
-        (Quantity::EnergyLost, [one]) if is_lost_by => Some(found(&what(*one), all)),
+        (Quantity::EnergyLost, [one]) if is_lost_by || is_energy_of => Some(found(&what(*one), all)),
         _ => None,
     }
 }

@@ -4,7 +4,7 @@ use super::requests::{Request, Thing, requests, thing};
 use super::sentence::{Sentence, Token, is_one_of, is_supposed, says, sentences};
 use super::units::{Stated, stated};
 use crate::answer::Kind;
-use crate::bank::{Answer, Code, Find, Part, Question};
+use crate::bank::{Answer, Code, Find, Part, Question, Style};
 use crate::examine::Finding;
 use crate::expr::{Expr, Piece, print};
 use crate::mechanics::{Axis, Quantity};
@@ -19,10 +19,12 @@ pub fn unfound(question: &Question) -> Vec<Finding> {
             nothing(part, &said),
             found_by_none(part, &asked),
             size_of_a_vector(part, &asked),
+            speed_of_a_vector(part, &asked),
             sign_of_a_speed(part, &asked),
             explained(part, &said),
             called_a_velocity(part),
             given(question, &asked),
+            in_terms_of_numbers(question, &asked),
             other_line(part, &asked),
             other_unit(part),
         ];
@@ -92,6 +94,26 @@ fn size_of_a_vector(part: &Part, asked: &[Sentence]) -> Option<Finding> {
     let message = format!("the words ask for the magnitude of the {}, and the answer is a vector", request.said());
     let help = "ask for it in terms of {i} and {j}, or find its magnitude, as in `impulse.magnitude`";
     Some(Finding::new(message, "", "a vector").with_help(help))
+}
+
+/// `The speed of each sphere`, where the answers are velocities in terms of **i** and **j**.
+fn speed_of_a_vector(part: &Part, asked: &[Sentence]) -> Option<Finding> {
+    // A vector says which way too.
+    let is_way = |request: &Request| matches!(request.thing, Thing::Velocity | Thing::Angle);
+    if all(asked).any(|request| is_way(&request)) {
+        return None;
+    }
+    all(asked).find(|request| {
+        let finds =
+            |answer: &&Answer| answer.find.quantities().into_iter().any(|quantity| request.is_found_by(quantity));
+        let mut found = part.answers.iter().filter(finds).peekable();
+        request.thing == Thing::Speed
+            && found.peek().is_some()
+            && found.all(|answer| matches!(answer.find, Find::Vector(..)))
+    })?;
+    let found = Finding::new("the words ask for a speed, and the answer is a vector", "", "a vector");
+    let help = "ask for the velocity in terms of {i} and {j}, or find its size, as in `A.after.speed`";
+    Some(found.with_help(help))
 }
 
 /// `The speed`, where the answer is a velocity with its sign.
@@ -169,6 +191,35 @@ fn given(question: &Question, asked: &[Sentence]) -> Option<Finding> {
     Some(Finding::new(message, "", "it is given").with_help("ask for what the answers are"))
 }
 
+/// `Find, in terms of {u}`, where that is a number on every sheet.
+fn in_terms_of_numbers(question: &Question, asked: &[Sentence]) -> Option<Finding> {
+    let is_plain = |style: &Style, name: &str| {
+        let domain = style.parameters.iter().find(|(own, _)| own == name).map(|(_, domain)| domain);
+        domain.is_some_and(|domain| (0..domain.size().min(100)).all(|place| domain.value(place).names().is_empty()))
+    };
+    let is_number = |name: &str| question.styles.iter().all(|style| is_plain(style, name));
+    let lists = asked.iter().flat_map(|sentence| {
+        let ends = sentence
+            .windows(2)
+            .enumerate()
+            .filter(|(_, pair)| is_one_of(&pair[0], &["terms"]) && is_one_of(&pair[1], &["of"]));
+        ends.map(|(at, _)| &sentence[at + 2..])
+    });
+    let name = lists.into_iter().find_map(|list| {
+        let list = list.iter().take_while(|token| {
+            matches!(token, Token::Number(..) | Token::Comma) || is_one_of(token, &["and", "only"])
+        });
+        list.filter_map(|token| match token {
+            Token::Number(Expr::Name(name), ..) if is_number(&name.text) => Some(name.text.clone()),
+            _ => None,
+        })
+        .next()
+    })?;
+    let message = format!("the words ask for it in terms of `{name}`, which the paper prints as a number");
+    let found = Finding::new(message, "", "it is a number");
+    Some(found.with_help(format!("take `{name}` out, or make it a letter in `[scene.symbols]`")))
+}
+
 /// `A vector parallel to the common tangent`, where the answer is along the line of centres; `a unit vector`.
 fn other_line(part: &Part, asked: &[Sentence]) -> Option<Finding> {
     let is_along_it =
@@ -238,8 +289,23 @@ mod tests {
         let energy = "Find the total kinetic energy lost in the collision.";
         let vector = "Find a vector parallel to the line of centres of";
         let back = "backwards/velocity-of-b-and-line-of-centres";
-        let table: [(&str, Edits, &str); 31] = [
+        let table: [(&str, Edits, &str); 38] = [
             (line, &[], ""),
+            (line, &[(speed, "Find, in terms of {u}, the speed of *B*.")], "in terms of `u`, which the paper prints"),
+            (line, &[(speed, "Find the speed of *B* in terms of {mA}.")], "in terms of `mA`"),
+            ("rest-letters/direction-and-deflection", &[], ""),
+            ("i-j/velocities-after-impact", &[], ""),
+            (
+                "i-j/velocities-after-impact",
+                &[("Find, in terms of {i} and {j}, the velocity of each", "Find the speed of each")],
+                "ask for a speed, and the answer is a vector",
+            ),
+            (
+                "i-j/velocities-after-impact",
+                &[("Find, in terms of {i} and {j}, the velocity of each", "Find the speed and direction of each")],
+                "",
+            ),
+            ("i-j/speeds-after-impact", &[], ""),
             (line, &[(speed, "Find the coefficient of restitution.")], "`coefficient of restitution`, and no answer"),
             (line, &[(speed, "Find the ratio of the speeds of *A* and *B*.")], "`ratio of the speeds`"),
             (line, &[(speed, "Find the change in the speed of *B*.")], "a change of `speed of *B*`"),

@@ -1,10 +1,10 @@
 //! Who strikes whom: impacts of which the words speak, and that the scene does not have.
 
 use super::asked_for::whose;
-use super::impacts::{Impact, impacts};
-use super::sentence::{Sentence, Token, is_one_of, is_supposed, sentences};
+use super::impacts::{Impact, impacts, ordinal};
+use super::sentence::{Sentence, Token, is_one_of, is_supposed, says, sentences};
 use crate::answer::Kind;
-use crate::bank::{EarnedFor, Question};
+use crate::bank::{Answer, EarnedFor, Find, Question};
 use crate::examine::Finding;
 use crate::expr::{Text, print};
 use crate::mechanics::{Quantity, Sphere};
@@ -21,6 +21,9 @@ pub fn otherwise(question: &Question) -> Vec<Finding> {
             let impact = impacts.iter().find(|impact| impact.number == quantity.impact());
             let is_impulse = matches!(quantity.of_its_impact(), Quantity::ImpulseMagnitude | Quantity::Impulse(..));
             let Some(impact) = impact.filter(|_| is_impulse && part.answers.len() == 1) else { continue };
+            if let Some(found) = on_another(&asked, answer) {
+                findings.push(found.at_row(place, "answers", row));
+            }
             if let Some(other) = asked.iter().find_map(|sentence| exerts_otherwise(sentence, impact)) {
                 let name = print::text_unicode(&answer.name);
                 let message =
@@ -46,6 +49,7 @@ pub fn otherwise(question: &Question) -> Vec<Finding> {
             findings.push(Finding::new(message, format!("*{other}*"), "no impact of these").with_help(help));
         }
     }
+    findings.extend(said.iter().find_map(|sentence| never_happens(sentence, impacts.len())));
     let mut striking = said.iter().flat_map(|sentence| strikes_a_wall(sentence));
     let never = |sphere: &Sphere| !impacts.iter().any(|impact| impact.is_wall && impact.has(*sphere));
     // That there is no wall at all is told of the wall.
@@ -56,6 +60,46 @@ pub fn otherwise(question: &Question) -> Vec<Finding> {
         findings.push(Finding::new(message, format!("*{name}* strikes"), "no impact of these").with_help(help));
     }
     findings
+}
+
+/// The words ask for the impulse on one sphere, and the name of the answer has another.
+fn on_another(asked: &[Sentence], answer: &Answer) -> Option<Finding> {
+    let on = |sentence: &Sentence| {
+        let pairs = sentence.windows(2).map(|pair| match pair {
+            [on, Token::Sphere(sphere)] if is_one_of(on, &["on"]) => Some(*sphere),
+            _ => None,
+        });
+        pairs.flatten().collect::<Vec<_>>()
+    };
+    let is_of_it = |sentence: &&Sentence| says(sentence, &["impulse"]);
+    let said: Vec<Sphere> = asked.iter().filter(is_of_it).flat_map(on).collect();
+    let own = sentences(&answer.name).iter().flat_map(on).next()?;
+    let other = said.first().filter(|_| !said.contains(&own))?.name();
+    let name = print::text_unicode(&answer.name);
+    let message = format!("the words ask for the impulse on `*{other}*`, and the answer is called `{name}`");
+    let found = Finding::new(message, "", format!("on {}", own.name()));
+    let found = found.with_help(format!("ask for the impulse on `*{}*`, or call the answer so", own.name()));
+    // The two have one magnitude.
+    Some(if matches!(answer.find, Find::Vector(..)) { found } else { found.as_warning() })
+}
+
+/// `The second collision`, where there is one.
+fn never_happens(sentence: &[Token], impacts: usize) -> Option<Finding> {
+    let (nth, pair) = sentence.windows(2).find_map(|pair| {
+        let is_impact = is_one_of(&pair[1], &["collision", "impact"]);
+        let nth = ordinal(&pair[0]).filter(|_| is_impact)?;
+        (nth >= impacts || impacts == 1).then_some((nth, pair))
+    })?;
+    let [Token::Word(which), Token::Word(noun)] = pair else { return None };
+    let there = if impacts == 1 { "one impact".to_owned() } else { format!("{impacts} impacts") };
+    let message = format!("the words speak of a {which} {noun}, and the scene has {there}");
+    let help = if nth == 0 {
+        format!("say `the {noun}`, or add with `[[scene.then]]` what comes after it")
+    } else {
+        "name an impact that there is, or add it with `[[scene.then]]`".to_owned()
+    };
+    let found = Finding::new(message, format!("{which} {noun}"), "no such impact").with_help(help);
+    Some(if nth == 0 { found.as_warning() } else { found })
 }
 
 /// Sentences of what is so.
@@ -146,8 +190,23 @@ mod tests {
     fn impacts_of_which_the_words_speak_are_those_of_the_scene() {
         let (line, wall) = ("successive/three-in-a-line", "successive/sphere-wall-sphere");
         let onto = "successive/struck-onto-a-wall";
-        let table: [(&str, Edits, &str); 12] = [
+        let both = "both-moving/energy-lost-and-impulse";
+        let after = ("rest/speeds-and-directions", "Immediately before the collision");
+        let table: [(&str, Edits, &str); 21] = [
             (line, &[], ""),
+            (
+                both,
+                &[("exerted on *B*", "exerted on *A*")],
+                "impulse on `*A*`, and the answer is called `impulse on B`",
+            ),
+            ("vector-impulse/impulse-from-two-velocities", &[], ""),
+            (both, &[], ""),
+            (after.0, &[(after.1, "Immediately before the second collision")], "speak of a second collision"),
+            (after.0, &[(after.1, "Immediately before the first collision")], "and the scene has one impact"),
+            (after.0, &[(after.1, "There is no second collision. Immediately before it")], ""),
+            (line, &[("Find the magnitude", "After the fourth impact find the magnitude")], "has 2 impacts"),
+            (line, &[("Find the magnitude", "After the first impact find the magnitude")], ""),
+            ("successive/second-collision", &[], ""),
             (wall, &[], ""),
             ("direct/restitution-from-one-speed", &[], ""),
             (line, &[("then *B* strikes *C*", "then *A* strikes *C*")], "that `*A*` strikes `*C*`"),

@@ -12,6 +12,7 @@ mod asked_units;
 mod asked_when;
 mod asked_where;
 mod asked_whose;
+mod called;
 mod exact_form;
 mod figures;
 mod given;
@@ -24,6 +25,7 @@ mod marked_laws;
 mod marked_lines;
 mod marked_values;
 mod misspelt;
+mod modelled;
 mod own_words;
 mod phrases;
 mod requests;
@@ -77,6 +79,7 @@ pub fn of_question(question: &Question) -> Vec<Finding> {
         untold_ways::coefficients,
         untold_ways::in_radians,
         units::astray,
+        called::otherwise,
         exact_form::unkept,
         figures::otherwise,
         asked::beside_the_point,
@@ -92,6 +95,7 @@ pub fn of_question(question: &Question) -> Vec<Finding> {
         marked_laws::of_another_law,
         marked_values::of_another_value,
         misspelt::in_the_title,
+        modelled::unsaid,
     ];
     checks.into_iter().flat_map(|check| check(question)).collect()
 }

@@ -4,6 +4,7 @@
 use super::sentence::{Token, is_one_of};
 use crate::expr::Expr;
 use crate::mechanics::Quantity;
+use crate::unit::Unit;
 
 /// What a noun stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,7 +34,7 @@ pub enum Thing {
 }
 
 /// Nouns, each with what it stands for.
-const NOUNS: [(&str, Thing); 41] = [
+const NOUNS: [(&str, Thing); 43] = [
     ("speed", Thing::Speed),
     ("speeds", Thing::Speed),
     ("velocity", Thing::Velocity),
@@ -75,6 +76,8 @@ const NOUNS: [(&str, Thing); 41] = [
     ("power", Thing::Strange),
     ("height", Thing::Strange),
     ("pressure", Thing::Strange),
+    ("weight", Thing::Strange),
+    ("weights", Thing::Strange),
 ];
 
 /// One thing that is requested.
@@ -222,6 +225,19 @@ impl Request<'_> {
 }
 
 impl Thing {
+    /// What it is stated in; none where that may be anything.
+    pub fn unit(self) -> Option<Unit> {
+        match self {
+            Thing::Speed | Thing::Velocity => Some(Unit::MetrePerSecond),
+            Thing::Angle => Some(Unit::Degree),
+            Thing::Energy => Some(Unit::Joule),
+            Thing::Impulse | Thing::Momentum => Some(Unit::NewtonSecond),
+            Thing::Mass => Some(Unit::Kilogram),
+            Thing::Share | Thing::Restitution => Some(Unit::None),
+            Thing::Ratio | Thing::Strange => None,
+        }
+    }
+
     /// Is a quantity one of these?
     pub fn is(self, quantity: Quantity) -> bool {
         use Quantity::*;

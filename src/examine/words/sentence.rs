@@ -105,7 +105,7 @@ pub fn says(sentence: &[Token], words: &[&str]) -> bool {
 }
 
 /// Words that may stand between the name of a quantity and its number, beside names, numbers and commas.
-const BETWEEN: [&str; 32] = [
+pub(super) const BETWEEN: [&str; 32] = [
     "of",
     "is",
     "are",

@@ -86,6 +86,10 @@ fn of_text(text: &Text, words: &Words, remarks: &mut Vec<Remark>) {
                     Some(Piece::Words(words)) => words.as_str(),
                     _ => "",
                 };
+                if shown(piece).contains("/1°") {
+                    let help = "print it in degrees, as in `{alpha deg}`; or say `{tan(alpha) = t}`, with `alpha` a letter of `symbols`";
+                    remarks.push(remark("an angle over one degree", &shown(piece), help).warning());
+                }
                 let is_signed = || is_of_a_vector(&pieces[..place]) && tells_the_sense(words);
                 of_number(expr, piece, before, after, &is_signed, remarks);
                 if after.trim() == "and" && pieces.get(place + 2) == Some(piece) && !matches!(expr, Expr::Vector(..)) {

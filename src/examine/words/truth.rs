@@ -76,6 +76,8 @@ fn resting(text: &Text, variant: &Variant, remarks: &mut Vec<Remark>) {
             let nobody = || {
                 Sphere::ALL.into_iter().all(|sphere| match sphere {
                     Sphere::A => is_at_rest(variant, sphere) == Some(false),
+                    // A wall stands in the place of a sphere, and is at rest.
+                    _ if !is_there(variant, sphere) => true,
                     _ => is_at_rest(variant, sphere) != Some(true) && !is_open(variant, sphere),
                 })
             };
@@ -91,6 +93,15 @@ fn resting(text: &Text, variant: &Variant, remarks: &mut Vec<Remark>) {
             remarks.push(remark("a motion that is not so", around(words, at), &said, help));
         }
     }
+}
+
+/// Does a sphere take part in any impact?
+fn is_there(variant: &Variant, sphere: Sphere) -> bool {
+    let scene = &variant.scene;
+    let meets = |of: [Sphere; 2]| of.contains(&sphere);
+    sphere == Sphere::A
+        || (sphere == Sphere::B && !scene.setting.is_of_one())
+        || scene.then.iter().any(|then| !then.meeting.with_wall && meets(then.meeting.of))
 }
 
 /// Does a sphere take part of which it is not known whether it is at rest?

@@ -31,15 +31,16 @@ pub fn conditions(question: &Question) -> Vec<Finding> {
 
 /// A coefficient of restitution that is a number in the scene, where no word tells of it.
 pub fn elasticity(question: &Question) -> Vec<Finding> {
-    const TOLD: [&str; 8] =
-        ["elastic", "elastically", "inelastic", "inelastically", "restitution", "coalesce", "coalesced", "energy"];
+    const TOLD: [&str; 7] =
+        ["elastic", "elastically", "inelastic", "inelastically", "restitution", "coalesce", "coalesced"];
     let is_number = |text: &&String| read(text, Angles::Degrees).is_ok_and(|expr| expr.names().is_empty());
     let scene = &question.scene;
     let given = scene.e.iter().chain(scene.then.iter().filter_map(|then| then.e.as_ref())).find(is_number);
     let is_told = |style: &Style| {
         let asks = question.parts.iter().flat_map(|part| &part.ask);
         let mut said = style.stem.iter().chain([&style.note]).chain(asks).flat_map(sentences);
-        said.any(|sentence| says(&sentence, &TOLD))
+        // That no energy is lost tells of an elastic impact, and of no other.
+        said.any(|sentence| says(&sentence, &TOLD) || (says(&sentence, &["energy"]) && given.is_some_and(|e| e == "1")))
     };
     let Some(e) = given.filter(|_| !question.styles.iter().all(is_told)) else { return Vec::new() };
     let message = format!("the words never tell of the coefficient of restitution, which is {e} in the scene");
@@ -309,6 +310,10 @@ mod tests {
         assert_eq!(said(elastic, &[]), "");
         let untold = said(elastic, &[(" The collision is perfectly elastic.", "")]);
         assert!(untold.contains("the coefficient of restitution, which is 1 in the scene"), "{untold}");
+        let energy = (" The collision is perfectly elastic.", " No kinetic energy is lost.");
+        assert_eq!(said(elastic, &[energy]), "");
+        let untold = said(elastic, &[energy, ("e               = \"1\"", "e               = \"1/2\"")]);
+        assert!(untold.contains("which is 1/2 in the scene"), "{untold}");
         let line = "direct/restitution-from-one-speed";
         assert_eq!(said(line, &[]), "");
         let untold = said(line, &[(", and the direction of\nmotion of *A* is reversed", "")]);

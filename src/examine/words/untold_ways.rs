@@ -3,7 +3,7 @@
 use super::sentence::{Sentence, Token, is_one_of, says, sentences};
 use crate::bank::{Question, Style};
 use crate::examine::Finding;
-use crate::expr::{Angles, Expr, Function, Text, print, read};
+use crate::expr::{Angles, Expr, Function, print, read};
 use crate::mechanics::VelocityText;
 
 /// Words by which one motion is told from another in its line.
@@ -107,40 +107,60 @@ fn component(style: &Style) -> Option<Finding> {
     })
 }
 
-/// Coefficients of restitution that are a letter, of which no sentence says so.
+/// Coefficients of restitution that are printed, as letters or as numbers, of which no sentence says so.
 pub fn coefficients(question: &Question) -> Vec<Finding> {
     let scene = &question.scene;
-    let asks: Vec<&Text> = question.parts.iter().flat_map(|part| &part.ask).collect();
-    let has =
-        |text: &Text, name: &str| text.formulas().iter().any(|expr| expr.names().iter().any(|own| own.text == name));
     let of = scene.e.iter().chain(scene.then.iter().filter_map(|then| then.e.as_ref()));
-    let untold = |name: &&String| {
-        let is_printed = asks.iter().any(|text| has(text, name))
-            || question.styles.iter().any(|style| style.stem.iter().any(|text| has(text, name)));
-        let tells = |sentence: &Sentence| {
-            let is_in = |token: &Token| match token {
-                Token::Number(expr, ..) => expr.names().iter().any(|own| own.text == **name),
-                _ => false,
-            };
-            const TELLING: [&str; 7] =
-                ["restitution", "coefficient", "elastic", "elasticity", "newton's", "denote", "denoted"];
-            says(sentence, &TELLING) && sentence.iter().any(is_in)
-        };
-        let is_told = |style: &Style| {
-            style
-                .stem
-                .iter()
-                .chain([&style.note])
-                .chain(asks.iter().copied())
-                .flat_map(sentences)
-                .any(|sentence| tells(&sentence))
-        };
-        scene.symbols.contains_key(*name) && is_printed && !question.styles.iter().all(is_told)
+    let given: Vec<Expr> = of.filter_map(|e| read(e, Angles::Degrees).ok()).collect();
+    let mut pairs = given.iter().flat_map(|e| question.styles.iter().map(move |style| (e, style)));
+    pairs.find_map(|(e, style)| coefficient(question, style, e)).into_iter().collect()
+}
+
+/// One of them, in the words of a style.
+fn coefficient(question: &Question, style: &Style, e: &Expr) -> Option<Finding> {
+    const TELLING: [&str; 6] = ["coefficient", "elastic", "elasticity", "newton's", "denote", "denoted"];
+    // There is a coefficient of friction too, and a modulus of elasticity.
+    const OTHERWISE: [&str; 6] = ["friction", "modulus", "fraction", "proportion", "percentage", "energy"];
+    let is_known = |name: &str| question.scene.symbols.contains_key(name) || question.is_given(style, name);
+    let names = e.names();
+    if names.is_empty() || !names.iter().all(|name| is_known(&name.text)) {
+        return None;
+    }
+    let in_parameters = |expr: &Expr| print::plain(&in_parameters(expr, style));
+    let whole = in_parameters(e);
+    // A letter alone is known in every formula that has it.
+    let has = |expr: &Expr| match e {
+        Expr::Name(own) if expr.names().iter().any(|name| name.text == own.text) => true,
+        _ => in_parameters(expr) == whole,
     };
-    let Some(name) = of.into_iter().find(untold) else { return Vec::new() };
-    let message = format!("the words print `{name}`, and never tell that it is a coefficient of restitution");
-    let help = format!("say it in the stem, as in `The coefficient of restitution between *A* and *B* is {{{name}}}.`");
-    vec![Finding::new(message, format!("{{{name}}}"), "a student cannot know it").with_help(help).as_warning()]
+    let asks = question.parts.iter().flat_map(|part| &part.ask);
+    let said: Vec<Sentence> = style.stem.iter().chain([&style.note]).chain(asks).flat_map(sentences).collect();
+    let is_in = |token: &Token| matches!(token, Token::Number(expr, ..) if has(expr));
+    let printing: Vec<&Sentence> = said.iter().filter(|sentence| sentence.iter().any(is_in)).collect();
+    let is_other = |sentence: &Sentence| says(sentence, &OTHERWISE) && !says(sentence, &["restitution"]);
+    let tells =
+        |sentence: &Sentence| says(sentence, &["restitution"]) || (says(sentence, &TELLING) && !is_other(sentence));
+    if printing.iter().any(|sentence| tells(sentence)) {
+        return None;
+    }
+    let formulas = printing.iter().flat_map(|sentence| sentence.iter()).filter_map(|token| match token {
+        Token::Number(expr, ..) if has(expr) => Some(*expr),
+        _ => None,
+    });
+    let shown = print::plain(formulas.min_by_key(|expr| print::plain(expr).len())?);
+    let message = format!("the words print `{shown}`, and never tell that it is a coefficient of restitution");
+    let help =
+        format!("say it in the stem, as in `The coefficient of restitution between *A* and *B* is {{{shown}}}.`");
+    let found = Finding::new(message, format!("{{{shown}}}"), "a student cannot know it").with_help(help);
+    Some(if printing.iter().any(|sentence| is_other(sentence)) { found } else { found.as_warning() })
+}
+
+/// A formula with all that `[let]` derives written out.
+fn in_parameters(expr: &Expr, style: &Style) -> Expr {
+    let derive = |whole: Expr, (name, meaning): &(String, Expr)| {
+        whole.substitute(&|own| if own == name { Some(meaning.clone()) } else { None })
+    };
+    style.lets.iter().rev().fold(expr.clone(), derive)
 }
 
 /// Angles that the scene takes in degrees, and whose values or formulas are in radians.
@@ -203,10 +223,11 @@ mod tests {
 
     #[test]
     fn ways_and_letters_are_told() {
+        const TOLD: &str = "The coefficient of restitution between the spheres is {e}.";
         let line = "direct/velocities-after-impact";
         let (components, again, rest) =
             ("both-moving/components-given", "successive/second-collision", "rest/speeds-and-directions");
-        let table: [(&str, Edits, &str); 14] = [
+        let table: [(&str, Edits, &str); 21] = [
             (line, &[], ""),
             (
                 line,
@@ -232,6 +253,17 @@ mod tests {
                 &[(" The coefficient of restitution between *B* and the wall is {f}.", "")],
                 "print `f`, and never tell",
             ),
+            (rest, &[(TOLD, "The coefficient of friction between the spheres is {e}.")], "print `e`, and never tell"),
+            (rest, &[(TOLD, "The modulus of elasticity of the spheres is {e}.")], "print `e`, and never tell"),
+            (rest, &[(TOLD, "The fraction of the kinetic energy lost is {e}.")], "print `e`, and never tell"),
+            (rest, &[(TOLD, "For the spheres *A* and *B* it is {e}.")], "print `e`, and never tell"),
+            (rest, &[(TOLD, "In Newton's law of impact it is {e}.")], ""),
+            (
+                rest,
+                &[(TOLD, "The coefficient of friction is {r}."), ("kA = \"", "r = \"e\"\nkA = \"")],
+                "print `r`, and never tell",
+            ),
+            (rest, &[(TOLD, "The coefficient of restitution is {r}."), ("kA = \"", "r = \"e\"\nkA = \"")], ""),
             (
                 rest,
                 &[("[\"30\", \"60\"]", "[\"pi/6\", \"pi/3\"]")],

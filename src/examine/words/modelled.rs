@@ -1,0 +1,114 @@
+//! What every scene takes to be so, and a student only if the words say it: smooth spheres and planes, equal radii.
+
+use super::impacts::impacts;
+use super::sentence::{Sentence, Token, is_one_of, says, sentences};
+use crate::bank::{Question, Style};
+use crate::examine::Finding;
+use crate::mechanics::VelocityText;
+
+/// What meets.
+const SPHERES: [&str; 6] = ["sphere", "spheres", "ball", "balls", "disc", "discs"];
+/// On what they move.
+const PLANES: [&str; 6] = ["plane", "table", "surface", "floor", "ice", "ground"];
+
+/// What the words leave out.
+pub fn unsaid(question: &Question) -> Vec<Finding> {
+    let checks = [spheres, planes, radii];
+    let found = |check: &fn(&Question, &[Sentence]) -> Option<Finding>| {
+        question.styles.iter().find_map(|style| check(question, &said(style)))
+    };
+    checks.iter().filter_map(found).map(Finding::as_warning).collect()
+}
+
+fn said(style: &Style) -> Vec<Sentence<'_>> {
+    style.stem.iter().chain([&style.note]).flat_map(sentences).collect()
+}
+
+fn untold(what: &str, at: &str, help: &str) -> Finding {
+    Finding::new(format!("the words never say {what}"), at, "the scene takes it to be so").with_help(help)
+}
+
+/// The first of some words that is said, and whether `smooth` describes any of them.
+fn described(said: &[Sentence], nouns: &[&str]) -> Option<(String, bool)> {
+    let is_noun = |token: &&Token| is_one_of(token, nouns);
+    let first = said.iter().flatten().find(is_noun)?;
+    let is_smooth = said.iter().any(|sentence| {
+        let of = |at: usize| sentence[at + 1..].iter().take(4).any(|token| is_one_of(token, nouns));
+        (0..sentence.len()).any(|at| is_one_of(&sentence[at], &["smooth"]) && of(at))
+    });
+    // `The spheres are smooth and have equal radii`, `The plane on which they move is smooth`
+    let are_smooth = |sentence: &Sentence| {
+        let at = sentence
+            .windows(2)
+            .position(|pair| is_one_of(&pair[0], &["is", "are"]) && is_one_of(&pair[1], &["smooth"]));
+        at.is_some_and(|at| says(&sentence[..at], nouns))
+    };
+    let is_smooth = is_smooth || said.iter().any(are_smooth);
+    let Token::Word(first) = first else { return None };
+    Some((first.clone(), is_smooth))
+}
+
+/// Spheres that meet obliquely keep their velocities across the line of centres, as they are smooth.
+fn spheres(question: &Question, said: &[Sentence]) -> Option<Finding> {
+    let (word, is_smooth) = described(said, &SPHERES)?;
+    let help = "begin with `Two smooth uniform spheres`, or `A smooth uniform sphere`";
+    (is_oblique(question) && !is_smooth).then(|| untold("that the spheres are smooth", &word, help))
+}
+
+/// Nothing slows down what moves on a smooth plane.
+fn planes(_: &Question, said: &[Sentence]) -> Option<Finding> {
+    // A plane in which vectors lie is none on which anything moves.
+    let is_trodden = |sentence: &&Sentence| says(sentence, &["on"]);
+    let on: Vec<Sentence> = said.iter().filter(is_trodden).cloned().collect();
+    let ((word, _), (_, is_smooth)) = (described(&on, &PLANES)?, described(said, &PLANES)?);
+    let help = format!("say `a smooth horizontal {word}`");
+    (!is_smooth).then(|| untold(&format!("that the {word} is smooth"), &word, &help))
+}
+
+/// Spheres of unlike radii have a line of centres that is not horizontal.
+fn radii(question: &Question, said: &[Sentence]) -> Option<Finding> {
+    let is_told =
+        said.iter().any(|sentence| says(sentence, &["radius", "radii", "identical", "size", "sizes", "discs"]));
+    let (word, _) = described(said, &SPHERES)?;
+    let help = "say `of equal radii`, or `The spheres have equal radii.`";
+    (is_oblique(question) && !is_told).then(|| untold("that the spheres have equal radii", &word, help))
+}
+
+/// Do two spheres meet first, and not in one line?
+fn is_oblique(question: &Question) -> bool {
+    let before = [&question.scene.before.a, &question.scene.before.b];
+    let is_in_line = before.into_iter().flatten().any(|velocity| matches!(velocity, VelocityText::Along(_)));
+    !is_in_line && impacts(&question.scene).first().is_some_and(|first| !first.is_of_one())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::examine::{Edits, edited};
+
+    #[test]
+    fn what_the_scene_takes_to_be_so_is_said() {
+        let (rest, wall, direct) =
+            ("rest/speeds-and-directions", "walls/rebound-speed-and-direction", "direct/velocities-after-impact");
+        let table: [(&str, Edits, &str); 10] = [
+            (rest, &[], ""),
+            (rest, &[("smooth uniform sphere", "uniform sphere")], "that the spheres are smooth"),
+            (rest, &[("smooth uniform", "uniform"), ("have equal", "are smooth and have equal")], ""),
+            (rest, &[("smooth horizontal", "horizontal")], "that the plane is smooth"),
+            (
+                rest,
+                &[("smooth horizontal", "horizontal"), (" The spheres have", " The plane is smooth. The spheres have")],
+                "",
+            ),
+            (rest, &[(" The spheres have equal radii.", "")], "that the spheres have equal radii"),
+            (wall, &[("smooth horizontal", "horizontal")], "that the plane is smooth"),
+            (wall, &[("A smooth uniform", "A uniform")], ""),
+            (direct, &[], ""),
+            ("i-j/velocities-after-impact", &[], ""),
+        ];
+        for (id, edits, words) in table {
+            let said: String = unsaid(&edited(id, edits)).into_iter().map(|finding| finding.message).collect();
+            assert!(said.contains(words) && said.is_empty() == words.is_empty(), "{id}: {edits:?}: {said}");
+        }
+    }
+}
