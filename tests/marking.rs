@@ -15,7 +15,7 @@ struct Table {
 }
 
 /// A script for one part of a question with its reference numbers.
-#[derive(Deserialize)]
+#[derive(Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Row {
     /// What it is an example of.
@@ -221,26 +221,22 @@ fn the_rest_is_solved_again_from_values_that_cannot_be() {
     }
 }
 
+/// The tags of the mistakes that are named for a blank.
+fn causes(row: &Row, blank: &str) -> Vec<String> {
+    let answers = marked(row).answers.into_iter().filter(|answer| answer.name == blank);
+    answers.flat_map(|answer| answer.causes).map(|cause| cause.tag).collect()
+}
+
 #[test]
 fn a_slip_is_named_only_where_the_working_does_not_speak_against_it() {
     let tags = |working: &str| {
         let row = Row {
-            name: String::new(),
             question: "rest/speeds-and-directions".into(),
-            part: String::new(),
             answers: [("speed of B".to_owned(), "2.31".to_owned())].into(),
-            answer: None,
             working: working.into(),
-            before: Vec::new(),
-            profile: None,
-            style: None,
-            numbers: Default::default(),
-            codes: String::new(),
-            notes: Vec::new(),
-            without: Vec::new(),
+            ..Row::default()
         };
-        let answers = marked(&row).answers.into_iter().filter(|answer| answer.name == "speed of B");
-        answers.flat_map(|answer| answer.causes).map(|cause| cause.tag).collect::<Vec<_>>()
+        causes(&row, "speed of B")
     };
     let omitted = "masses-omitted".to_owned();
     assert!(tags("").contains(&omitted));
@@ -281,4 +277,52 @@ fn figures_for_an_exact_speed_lose_its_mark_in_the_style_that_asks_for_exact_for
         let row = printed.parts[0].scheme.iter().find(|row| row.id == "A1e").unwrap();
         assert_eq!(print::text_unicode(&row.note).contains("awrt 2.78"), expected.is_none(), "{style}");
     }
+}
+
+/// 5 kg at 4 along the line of centres and 2 across meets 4 kg at -1 and 4, and e is 1/2.
+#[test]
+fn each_slip_is_named_by_the_working_where_no_answer_is_filled_in() {
+    let numbers = [("mA", "5"), ("mB", "4"), ("a", "4"), ("b", "1"), ("p", "2"), ("q", "4"), ("e", "1/2")];
+    let named = |working: &str| {
+        let row = Row {
+            question: "both-moving/components-given".into(),
+            working: working.replace("; ", "\n"),
+            numbers: numbers.map(|(name, number)| (name.to_owned(), number.to_owned())).into(),
+            ..Row::default()
+        };
+        causes(&row, "speed of A")
+    };
+    let table = [
+        ("e-wrong-side", "5*4-4*1=5v+4w; 0.5(w-v)=5; v=-2.667; w=7.333; speed of A = sqrt(2.667^2+2^2) = 3.333"),
+        (
+            "approach-subtracted",
+            "5*4-4*1=5v+4w; w-v=0.5(4-1); v=1.111; w=2.611; speed of A = sqrt(1.111^2+2^2) = 2.288",
+        ),
+        ("separation-added", "5*4-4*1=5v+4w; v+w=0.5*5; v=6; w=-3.5; speed of A = sqrt(6^2+2^2) = 6.325"),
+        ("restitution-reversed", "5*4-4*1=5v+4w; v-w=0.5*5; v=2.889; w=0.3889; speed of A = sqrt(2.889^2+2^2) = 3.514"),
+        ("momentum-sign", "5*4+4*1=5v+4w; w-v=0.5*5; v=1.556; w=4.056; speed of A = sqrt(1.556^2+2^2) = 2.534"),
+        (
+            "restitution-ignores-b",
+            "5*4-4*1=5v+4w; w-v=0.5*4; v=0.8889; w=2.889; speed of A = sqrt(0.8889^2+2^2) = 2.189",
+        ),
+        ("momentum-ignores-b", "5*4=5v+4w; w-v=0.5*5; v=1.111; w=3.611; speed of A = sqrt(1.111^2+2^2) = 2.288"),
+        ("e-on-perpendicular", "5*4-4*1=5v+4w; w-v=0.5*5; v=0.6667; w=3.167; speed of A = sqrt(0.6667^2+1^2) = 1.202"),
+        ("perpendicular-dropped", "5*4-4*1=5v+4w; w-v=0.5*5; v=0.6667; w=3.167; speed of A = 0.6667"),
+        (
+            "perpendicular-shared",
+            "5*4-4*1=5v+4w; w-v=0.5*5; 5*2+4*4=9p; p=2.889; v=0.6667; w=3.167; speed of A = sqrt(0.6667^2+2.889^2) = 2.965",
+        ),
+        ("masses-swapped", "4*4-5*1=4v+5w; w-v=0.5*5; v=-0.1667; w=2.333; speed of A = sqrt(0.1667^2+2^2) = 2.007"),
+        ("masses-omitted", "4-1=v+w; w-v=0.5*5; v=0.25; w=2.75; speed of A = sqrt(0.25^2+2^2) = 2.016"),
+        ("e-taken-as-1", "5*4-4*1=5v+4w; w-v=5; v=-0.4444; w=4.556; speed of A = sqrt(0.4444^2+2^2) = 2.049"),
+        ("coalesce", "5*4-4*1=9v; v=1.778; speed of A = sqrt(1.778^2+2^2) = 2.676"),
+        ("wrong-axis", "5*2+4*4=5v+4w; w-v=0.5(2-4); v=3.333; w=2.333; speed of A = sqrt(3.333^2+4^2) = 5.207"),
+        ("speed-no-root", "5*4-4*1=5v+4w; w-v=0.5*5; v=0.6667; w=3.167; speed of A = 0.6667^2+2^2 = 4.444"),
+        ("speed-sum", "5*4-4*1=5v+4w; w-v=0.5*5; v=0.6667; w=3.167; speed of A = 0.6667+2 = 2.667"),
+    ];
+    for (tag, working) in table {
+        assert_eq!(named(working), [tag], "{working}");
+    }
+    let right = "5*4-4*1=5v+4w; w-v=0.5*5; v=2/3; w=19/6; speed of A = sqrt((2/3)^2+2^2) = 2.11";
+    assert!(named(right).is_empty());
 }

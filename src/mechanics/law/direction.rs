@@ -92,21 +92,12 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
         return None;
     }
     match rule.form {
-        TO_LINE | OF_IMPULSE => Some(vec![acute(y, x)]),
+        TO_LINE | OF_IMPULSE => Some(vec![Datum::Direction { y: y.size(), x: x.size() }]),
         FROM_N | FROM_I => Some(vec![Datum::Direction { y, x }]),
-        TO_WALL => Some(vec![acute(x, y)]),
-        SIZE_OF_TANGENT => number(y.over(&x)?.size()),
-        TANGENT_TO_WALL => number(x.over(&y)?.size()),
+        TO_WALL => Some(vec![Datum::Direction { y: x.size(), x: y.size() }]),
+        SIZE_OF_TANGENT => number(y.size().over(&x.size())?),
+        TANGENT_TO_WALL => number(x.size().over(&y.size())?),
         _ => number(y.over(&x)?),
-    }
-}
-
-/// The acute angle of a vector with the x-axis. The size of a quotient comes before the quotient of sizes: a size is a root
-/// where letters leave the sign open, and what is divided by roots grows long.
-fn acute<N: Number>(y: N, x: N) -> Datum<N> {
-    match y.over(&x) {
-        Some(tangent) => Datum::Direction { x: tangent.one(), y: tangent.size() },
-        None => Datum::Direction { y: y.size(), x: x.size() },
     }
 }
 
