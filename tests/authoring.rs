@@ -128,6 +128,8 @@ fn carom_explains_what_each_mistake_leads_to() {
         assert!(words.lines().any(|shown| shown == line), "{line} in {words}");
     }
     assert!(!words.contains("relative       approach"), "what is required is no step of the solution");
+    let (of_degrees, _) = done(Path::new("."), &["explain", "deflection/elastic"]);
+    assert!(of_degrees.contains("greatest deflection  30°\n"), "{of_degrees}");
 }
 
 #[test]

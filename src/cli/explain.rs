@@ -156,6 +156,8 @@ fn value_in_words(answer: &PrintedAnswer) -> String {
     let unit = match answer.unit.plain() {
         // A direction in words has neither value nor unit.
         _ if values.is_empty() => String::new(),
+        // A whole number of degrees says so itself.
+        "deg" if values.iter().any(|value| value.ends_with('°')) => String::new(),
         "deg" => "°".to_owned(),
         unit => format!(" {unit}"),
     };

@@ -32,6 +32,11 @@ pub trait Number: Clone + Add<Output = Self> + Sub<Output = Self> + Mul<Output =
         self.scaled(&Fraction::new(1, 2))
     }
 
+    /// What stands before its letters: 2 of 2*m*, as it is left when a common *m* has been cancelled. A plain number is its own.
+    fn coefficient(&self) -> Self {
+        self.clone()
+    }
+
     /// The number times itself.
     fn squared(&self) -> Self {
         self.clone() * self.clone()
@@ -57,6 +62,10 @@ impl Number for Value {
     }
     fn is_nought(&self) -> bool {
         self.is_zero()
+    }
+    fn coefficient(&self) -> Value {
+        let with_one = |value: Value, letter| value.substitute(letter, &Value::ONE);
+        self.letters().into_iter().try_fold(self.clone(), with_one).unwrap_or_else(|| self.clone())
     }
 }
 

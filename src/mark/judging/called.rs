@@ -273,7 +273,7 @@ pub(super) fn is_a_bearing(statement: &Statement) -> bool {
 }
 
 /// Do the words on the left name what is asked?
-pub(super) fn words_fit(model: &Model, typed: &str) -> bool {
+pub(in crate::mark) fn words_fit(model: &Model, typed: &str) -> bool {
     if is_multiplied(typed) {
         return false;
     }

@@ -54,7 +54,7 @@ use crate::mechanics::{Quantity, Setting, Sphere};
 use crate::unit::Unit;
 
 use super::reading::{Reading, Said, Unreadable, Vocabulary, is_strange};
-pub(super) use called::{is_named, is_of_a_part, may_be_named};
+pub(super) use called::{is_named, is_of_a_part, may_be_named, words_fit};
 use finding::Finding;
 use known::Prepared;
 pub(super) use left_side::is_made_of_others;

@@ -10,6 +10,7 @@ use crate::expr::{Expr, Meaning, evaluate};
 use crate::mark::working::{Misread, Theirs};
 use crate::mechanics::{
     Axis, Datum, Derivation, Known, Meeting, Moment, Quantity, Scene, Setting, Sphere, Then, Velocity, pose,
+    with_letter_of_restitution,
 };
 use crate::number::Value;
 
@@ -63,6 +64,12 @@ impl KeyedQuestion {
         }
         let parts = self.parts.iter().map(|part| part.of_impact(meeting)).collect();
         Some(self.of_scene(then.scene.clone(), given, parts))
+    }
+
+    /// A sentence about a law, in the words of its first impact and with the letter that is the coefficient of restitution there.
+    pub(in crate::mark) fn said_of_impact(&self, sentence: &str) -> String {
+        let said = self.scene.setting.say(sentence);
+        with_letter_of_restitution(&said, self.scene.letter_of_restitution()).into_owned()
     }
 
     /// The question as it is for who has these wrong values from earlier parts, as if they had been given: of one impact in

@@ -6,7 +6,8 @@ use super::{KeyFault, KeyedBlank, KeyedMark, KeyedPart, motion};
 use crate::answer::{Accept, Kind};
 use crate::bank::{Code, EarnedFor, Find};
 use crate::expr::{Angles, read_range};
-use crate::mark::judging::{Model, ModelOptions};
+use crate::mark::judging::{Model, ModelOptions, is_named};
+use crate::mark::reading::Statement;
 use crate::mark::slips::Asked;
 use crate::mechanics::{Derivation, Known, Meeting, Quantity, Scene, with_letter_of_restitution};
 use crate::number::{Letter, Value};
@@ -50,6 +51,16 @@ impl KeyedPart {
     pub(in crate::mark) fn said(&self, sentence: &str) -> String {
         let said = self.setting.say(sentence);
         self.meeting.in_words(&with_letter_of_restitution(&said, self.letter_of_restitution))
+    }
+
+    /// Is a value called what this blank asks for, and not what another of the part does?
+    pub(in crate::mark) fn calls(&self, place: usize, statement: &Statement) -> bool {
+        let blank = &self.blanks[place];
+        if let Find::Unknown(name) = &blank.find {
+            return statement.label.as_ref().is_some_and(|label| label.typed == *name);
+        }
+        let mut others = self.blanks.iter().enumerate().filter(|(other, _)| *other != place);
+        is_named(&blank.model, statement) && !others.any(|(_, other)| is_named(&other.model, statement))
     }
 
     /// How many marks it has.

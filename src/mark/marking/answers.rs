@@ -50,20 +50,24 @@ pub(super) fn judged(
         let alone = own.or(unnamed.filter(|_| part.blanks.len() == 1));
         let together = together.next();
         let is_typed = alone.or(unnamed).is_some();
+        let model = in_profile(&blank.model, profile);
+        let verdict = |readings: &Result<Vec<Reading>, Unreadable>| {
+            profiled(judge_for(profile, &model, readings), &model, profile).in_setting(part.setting)
+        };
         let mut judged = |answer: &str| {
             memory.judged(blank, answer, || {
-                let model = in_profile(&blank.model, profile);
                 // Every blank may look at every line, and nobody else at an answer.
                 let readings = match is_typed {
                     true => Rc::new(read_answer(answer, &model.vocabulary)),
                     false => lines.read(answer, &model.vocabulary),
                 };
-                let judgement =
-                    profiled(judge_for(profile, &model, &readings), &model, profile).in_setting(part.setting);
-                Judged::new(judgement, Rc::unwrap_or_clone(readings).ok())
+                Judged::new(verdict(&readings), Rc::unwrap_or_clone(readings).ok())
             })
         };
-        let left = if alone.or(unnamed).is_none() { left.for_one(place, &lines, &mut judged) } else { None };
+        let left = match is_typed {
+            true => None,
+            false => left.for_one(place, &lines, &mut judged).or_else(|| left.stated(place, &verdict)),
+        };
         let typed = alone.or(unnamed).or(left.as_ref().map(|(line, _)| *line)).map(str::to_owned);
         let found = match (alone, left, together) {
             (Some(answer), ..) => judged(answer),

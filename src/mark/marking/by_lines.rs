@@ -4,7 +4,7 @@
 use super::decide::is_own;
 use crate::bank::{Code, EarnedFor};
 use crate::mark::award::{Award, Cause, Place};
-use crate::mark::key::KeyedPart;
+use crate::mark::key::{KeyedPart, KeyedQuestion};
 use crate::mark::slips::{self, ARITHMETIC};
 use crate::mark::working::Examined;
 use crate::mechanics::{Law, Quantity, Seen};
@@ -35,13 +35,14 @@ pub(super) struct ByLines {
 
 impl ByLines {
     /// With what the lines of the next part show. What is known of the laws holds for one impact only.
-    pub(super) fn go_on(self, part: &KeyedPart, examined: &Examined, is_one_impact: bool) -> ByLines {
+    pub(super) fn go_on(self, question: &KeyedQuestion, part: &KeyedPart, examined: &Examined) -> ByLines {
         let awards = &examined.awards;
-        let mut all = match is_one_impact {
+        let mut all = match question.scene.then.is_empty() {
             true => ByLines { earned: Vec::new(), last: Vec::new(), last_line: None, has_all_equations: false, ..self },
             false => ByLines::default(),
         };
         all.has_e |= examined.has_e();
+        all.values.extend(examined.theirs.right_velocities(question));
         let mut equations = Vec::new();
         for (mark, award) in part.scheme.iter().zip(awards) {
             let line = award.as_ref().and_then(|award| match award.evidence.as_ref()?.place {
@@ -110,10 +111,15 @@ impl ByLines {
                 || self.values.iter().any(|quantity| !cause.keeps(*quantity))
         };
         let is_another = || {
-            let differs = |(law, note): &(Law, &str)| cause.laws.contains(law) && !cause.tags.contains(note);
+            let differs = |(law, note): &(Law, &str)| cause.laws.contains(law) && !has(cause, note);
             self.wrong.iter().any(differs)
         };
         !(is_of_law && (spoils() || is_another() || forgets_e()))
+    }
+
+    /// Is it a mistake that a line shows plainly?
+    pub(super) fn shows(&self, cause: &slips::Cause) -> bool {
+        self.wrong.iter().any(|(_, note)| has(cause, note))
     }
 
     /// Is the mistake in the law by which lines of this part go on to their answer? Then it explains the answer, and what
@@ -130,6 +136,11 @@ impl ByLines {
         let sentence = format!("What you need is there: look for an error in the arithmetic after line {last}.");
         Some(Cause { tag: ARITHMETIC.to_owned(), sentence, probable: Vec::new() })
     }
+}
+
+/// Is the mistake, or one of two, what a line was noted for? `not-resolved` is said of either equation.
+fn has(cause: &slips::Cause, note: &str) -> bool {
+    cause.tags.iter().any(|tag| tag.ends_with(note))
 }
 
 /// Is it momentum or restitution as an equation?

@@ -7,7 +7,7 @@ use super::follow::{Followed, is_near_miss, say_of};
 use super::memory::Judged;
 use crate::bank::{EarnedFor, Find};
 use crate::mark::award::{Cause, MarkedAnswer};
-use crate::mark::judging::{Note, Verdict, judge};
+use crate::mark::judging::{Note, Verdict};
 use crate::mark::key::{KeyedBlank, KeyedPart, KeyedQuestion};
 use crate::mark::reading::{Form, Reading, Said};
 use crate::mark::slips::{self, Asked, EARLY_ROUNDING, Mistakes, early_rounding};
@@ -39,13 +39,6 @@ pub(super) fn name(
 ) {
     for (place, (blank, judged)) in part.blanks.iter().zip(judged).enumerate() {
         let answer = &mut answers[place];
-        if answer.judgement.verdict == Verdict::Blank && !seen.is_unknown_wrong {
-            let stated = examined.stated.get(place).and_then(Option::as_ref);
-            let wrong = stated.filter(|stated| is_wrong(blank, stated)).map(std::slice::from_ref);
-            let found = wrong.map(|wrong| behind(question, part, blank, wrong, examined, seen.by_lines));
-            answer.causes = found.into_iter().flatten().map(|found| found.cause).collect();
-            continue;
-        }
         let is_truncated = answer.judgement.note == Some(Note::Truncated.tag());
         let is_open = answer.judgement.verdict == Verdict::Wrong || is_near_miss(&answer.judgement) || is_truncated;
         let Some(readings) = judged.readings.as_ref().filter(|_| is_open) else { continue };
@@ -85,11 +78,6 @@ pub(super) fn name(
         }
         answer.causes = found.into_iter().map(|found| found.cause).collect();
     }
-}
-
-/// Is what the working states for a blank that was left open wrong?
-fn is_wrong(blank: &KeyedBlank, stated: &Reading) -> bool {
-    judge(&blank.model, &Ok(vec![stated.clone()])).verdict == Verdict::Wrong
 }
 
 /// A mistake as it is told.
@@ -139,6 +127,10 @@ fn behind(
         .filter(|cause| !(is_nought && cause.tags.len() > 1))
         .filter(|cause| !(is_rounded && cause.tags == [EARLY_ROUNDING]))
         .collect();
+    // What a line shows plainly has led to the answer, where it may have.
+    if fitting.iter().any(|cause| by_lines.shows(cause)) {
+        fitting.retain(|cause| by_lines.shows(cause));
+    }
     if fitting.iter().any(|cause| by_lines.is_of_last_step(cause)) {
         fitting.retain(|cause| by_lines.is_of_last_step(cause));
     }

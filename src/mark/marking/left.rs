@@ -12,9 +12,9 @@ use crate::answer::Kind;
 use crate::bank::{Code, Find};
 use crate::expr::{Expr, Function, Relation};
 use crate::mark::award::{Award, Place};
-use crate::mark::judging::{Judgement, Note, Verdict, is_made_of_others, is_named};
+use crate::mark::judging::{Judgement, Note, Verdict, is_made_of_others};
 use crate::mark::key::{KeyedBlank, KeyedPart};
-use crate::mark::reading::{Form, Reading, Said, Statement};
+use crate::mark::reading::{Form, Reading, Said, Statement, Unreadable};
 use crate::mark::script::PartScript;
 use crate::mark::working::Examined;
 use crate::mechanics::{Moment, Quantity};
@@ -103,8 +103,9 @@ impl<'s> Left<'s> {
                 let label = statement.label.as_ref().filter(|label| matches!(label.expr, Some(Expr::Sum(_))));
                 label.is_some_and(|label| is_made_of_others(&blank.model, label))
             };
+            // An inequality names its letter.
             let is_called = |statement: &Statement| {
-                self.is_called(blank, statement) || is_found(statement) || is_difference(statement)
+                is_range || self.part.calls(place, statement) || is_found(statement) || is_difference(statement)
             };
             let begun = self.begun.filter(|_| self.lines[0].0 == *number).map(|name| format!("{name} {line}"));
             let is_begun = || {
@@ -122,6 +123,17 @@ impl<'s> Left<'s> {
             let found = judged(ends.as_deref().unwrap_or(line));
             is_right(&found.judgement).then_some((line, found))
         })
+    }
+
+    /// What a line calls the answer to a blank, right or wrong, with what was found of it.
+    pub(super) fn stated(
+        &self,
+        place: usize,
+        judge: &dyn Fn(&Result<Vec<Reading>, Unreadable>) -> Judgement,
+    ) -> Option<(&'s str, Rc<Judged>)> {
+        let stated = self.examined.stated.get(place)?.as_ref().filter(|_| !is_shown(&self.part.blanks[place]))?;
+        let readings = Ok(vec![stated.reading.clone()]);
+        Some((&*stated.typed, Judged::new(judge(&readings), readings.ok())))
     }
 
     /// Does the part ask for this angle and for no other?
@@ -181,19 +193,6 @@ impl<'s> Left<'s> {
         match statement.label.as_ref().and_then(|label| label.expr.as_ref()) {
             Some(Expr::Name(name)) => self.examined.is_of_other(&name.text, sphere),
             _ => false,
-        }
-    }
-
-    /// Is a value called what the blank asks for, and not what another of the part does?
-    fn is_called(&self, blank: &KeyedBlank, statement: &Statement) -> bool {
-        match &blank.find {
-            Find::Unknown(name) => statement.label.as_ref().is_some_and(|label| label.typed == *name),
-            // An inequality names its letter.
-            _ if blank.model.kind == Kind::Range => true,
-            _ => {
-                let mut others = self.part.blanks.iter().filter(|other| other.name != blank.name);
-                is_named(&blank.model, statement) && !others.any(|other| is_named(&other.model, statement))
-            }
         }
     }
 }

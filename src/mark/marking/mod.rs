@@ -98,7 +98,7 @@ fn looked_through(
         examined.see_in_answers(question, part, &theirs, readings);
         let followed = follow::answers(question, part, &answers, &judged, &examined);
         follow::say(&mut answers, &followed);
-        by_lines = by_lines.go_on(part, &examined, question.scene.then.is_empty());
+        by_lines = by_lines.go_on(question, part, &examined);
         let is_wrong_before = theirs.wrong(question).next().is_some();
         let seen = causes::Seen { by_lines: &by_lines, is_wrong_before, is_unknown_wrong, followed: &followed };
         causes::name(question, part, &mut answers, &judged, &examined, &seen);
@@ -126,10 +126,7 @@ fn looked_through(
         let all_right = awards.iter().all(|award| award.given);
         let own = if all_right { Vec::new() } else { examined.theirs.to_go_on_from(question) };
         theirs = examined.theirs;
-        // What is not filled in stands perhaps in the working.
-        let stated = examined.stated.iter().map(|stated| stated.as_ref().map(std::slice::from_ref));
-        let readings = judged.iter().zip(stated.chain(std::iter::repeat(None)));
-        theirs.take_answers(question, part, readings.map(|(judged, stated)| judged.readings.as_deref().or(stated)));
+        theirs.take_answers(question, part, judged.iter().map(|judged| judged.readings.as_deref()));
         let (label, lines) = (part.label.clone(), examined.lines);
         marked.push(MarkedPart { label, answers, lines, awards, found, own });
     }

@@ -139,6 +139,10 @@ impl Number for Sample {
     fn is_nought(&self) -> bool {
         self.0 == [0.0; POINTS]
     }
+    /// At the first point masses are one.
+    fn coefficient(&self) -> Sample {
+        Sample::constant(self.0[0])
+    }
     // Without a fraction on the way: these are what the laws do most.
     fn nought(&self) -> Sample {
         Sample::constant(0.0)

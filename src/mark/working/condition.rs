@@ -287,7 +287,7 @@ impl Working<'_> {
         })
     }
 
-    fn holds_at(&self, left: &Expr, right: &Expr, point: usize) -> bool {
+    pub(super) fn holds_at(&self, left: &Expr, right: &Expr, point: usize) -> bool {
         let names = self.names(&|quantity| sizes(&self.prepared.known, quantity));
         let context = Context { given: &names, ..super::examine::context(self.prepared, point) };
         match super::linear::difference(left, right, &context) {

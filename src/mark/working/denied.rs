@@ -111,15 +111,16 @@ impl Working<'_> {
 
     /// Is an equation in nothing but the letter that is sought, and plainly false of what that is?
     fn is_denied(&self, (left, right): &(Expr, Expr)) -> bool {
-        let found = |expr: &Expr| {
-            let right = |name: &str| {
-                let mut found = self.prepared.found.iter();
-                let (_, values) = found.find(|(letter, _)| letter.name() == name)?;
-                Some(Expr::Decimal(format!("{:.12}", values.first().copied().flatten()?)))
-            };
-            numbers(&value(&expr.substitute(&right), self.prepared, &self.prepared.names)?)
+        let found = |name: &str| {
+            let mut found = self.prepared.found.iter();
+            let (_, values) = found.find(|(letter, _)| letter.name() == name)?;
+            Some(Expr::Decimal(format!("{:.12}", values.first().copied().flatten()?)))
         };
-        found(left).zip(found(right)).is_some_and(|(left, right)| are_far(&left, &right))
+        let [left, right] = [left, right].map(|side| side.substitute(&found));
+        let size = |side: &Expr| numbers(&value(side, self.prepared, &self.prepared.names)?);
+        let are_apart = size(&left).zip(size(&right)).is_some_and(|(left, right)| are_far(&left, &right));
+        // Where both come to nought, floats leave noise behind.
+        are_apart && !(0..self.prepared.points.count).all(|point| self.holds_at(&left, &right, point))
     }
 }
 

@@ -14,7 +14,7 @@ use super::misread::Misread;
 use super::pair::{BOTH, Convention, Departure, Matched};
 use super::points::sizes;
 use super::prepared::Prepared;
-use super::said::stated;
+use super::said::{Stated, stated};
 use super::slipped::undone;
 use super::spread::Spread;
 use super::terms::ByNumbers;
@@ -24,7 +24,6 @@ use crate::bank::{Code, EarnedFor};
 use crate::expr::Expr;
 use crate::mark::award::{Award, Evidence, Examiner, MarkedLine, Place};
 use crate::mark::key::{KeyedMark, KeyedPart, KeyedQuestion};
-use crate::mark::reading::Reading;
 use crate::mechanics::{Axis, Known, Law, Moment, Quantity, Seen, Sphere};
 
 /// What looking through the working of a part found.
@@ -35,8 +34,8 @@ pub(crate) struct Examined {
     pub(crate) lines: Vec<MarkedLine>,
     /// The values that the student found, in this part and before.
     pub(crate) theirs: Theirs,
-    /// For each blank what the last line states that calls a value what is asked for.
-    pub(crate) stated: Vec<Option<Reading>>,
+    /// For each blank the last line that calls a value what is asked for.
+    pub(crate) stated: Vec<Option<Stated>>,
     /// Everything that follows from them, at every point, where that was worked out to look through the lines.
     pub(super) followed: Option<Vec<Known<f64>>>,
     /// What the student's own two equations come to, where they are those of the first impact.
@@ -210,7 +209,7 @@ fn examine_lines(
     working.settle_doubts();
     working.evaluate();
     let awards = part.scheme.iter().map(|mark| working.award(mark)).collect();
-    let stated = part.blanks.iter().map(|blank| stated(&working.lines, blank)).collect();
+    let stated = (0..part.blanks.len()).map(|place| stated(&working.lines, part, place)).collect();
     let solution = working.own_solution();
     let to_be_subtracted = working.to_be_subtracted();
     let turns = working.turns();
@@ -225,7 +224,7 @@ fn examine_lines(
     let lines = working.lines.iter().map(|studied| MarkedLine {
         typed: studied.line.typed.clone(),
         reading: studied.reading.as_ref().map(|reading| reading.printed.clone()),
-        role: part.setting.say(&studied.role).into_owned(),
+        role: question.said_of_impact(&studied.role),
     });
     let lines = lines.collect();
     let (theirs, followed) = (working.theirs, Some(working.followed));
@@ -349,7 +348,7 @@ impl Working<'_> {
             by: Examiner::Marker,
             note: shown.note,
             evidence: Some(Evidence { place: Place::Line(studied.line.number), reading }),
-            feedback: self.part.setting.say(&shown.feedback).into_owned(),
+            feedback: self.question.said_of_impact(&shown.feedback),
         })
     }
 

@@ -2,10 +2,12 @@
 
 use super::examine::{Studied, Working};
 use super::line::Member;
-use crate::mark::judging::is_named;
-use crate::mark::key::KeyedBlank;
-use crate::mark::reading::{Reading, Statement};
-use crate::mechanics::Sphere;
+use crate::bank::Find;
+use crate::expr::Expr;
+use crate::mark::judging::{Model, words_fit};
+use crate::mark::key::KeyedPart;
+use crate::mark::reading::{Form, Reading, Statement};
+use crate::mechanics::{Quantity, Sphere};
 
 impl Working<'_> {
     /// Does a line only list the components across the line of centres, of A and then of B, and say that they are:
@@ -42,13 +44,50 @@ fn numbers_listed(typed: &str) -> Option<Vec<f64>> {
     words.map(|word| word.trim_end_matches('.').parse().ok()).collect()
 }
 
-/// What the last line states of a blank by a name in words, `speed of B = 8`; letters are known from the equations.
-pub(super) fn stated(lines: &[Studied], blank: &KeyedBlank) -> Option<Reading> {
-    let readings = lines.iter().rev().filter_map(|studied| studied.reading.as_ref());
-    let is_in_words = |statement: &&Statement| statement.label.as_ref().is_some_and(|label| label.expr.is_none());
-    let mut statements = readings.flat_map(|reading| reading.statements.iter().rev()).filter(is_in_words);
-    let statement = statements.find(|statement| is_named(&blank.model, statement))?;
-    Some(Reading { statements: vec![statement.clone()], printed: String::new(), decided: Vec::new() })
+/// An answer that was not filled in, and stands in a line under the name of what is asked for.
+pub(crate) struct Stated {
+    /// The line as it was typed.
+    pub(crate) typed: String,
+    /// What it says of that alone.
+    pub(crate) reading: Reading,
+}
+
+/// The last line that states a value for a blank by its name: `speed of B = 8`, `I = 51`. A letter for a velocity or an angle
+/// names nothing: it may be of a component, or of another line.
+pub(super) fn stated(lines: &[Studied], part: &KeyedPart, place: usize) -> Option<Stated> {
+    let blank = &part.blanks[place];
+    let is_named = |statement: &&Statement| {
+        let Some(label) = &statement.label else { return false };
+        let in_letters = match blank.find {
+            Find::Quantity(quantity) => names_itself(quantity.of_its_impact()),
+            Find::Unknown(_) => true,
+            Find::Vector(..) => false,
+        };
+        (label.expr.is_none() || in_letters) && part.calls(place, statement) && words_fit(&blank.model, &label.typed)
+    };
+    lines.iter().rev().find_map(|studied| {
+        let mut statements = studied.reading.as_ref()?.statements.iter().rev();
+        let statement = statements.find(is_named).filter(|statement| is_a_value(statement, &blank.model))?;
+        let reading = Reading { statements: vec![statement.clone()], printed: String::new(), decided: Vec::new() };
+        Some(Stated { typed: studied.line.typed.clone(), reading })
+    })
+}
+
+/// Is a letter for it a name that the subject has for nothing else?
+fn names_itself(quantity: Quantity) -> bool {
+    use Quantity::*;
+    matches!(quantity, Impulse(..) | ImpulseMagnitude | EnergyLost | SphereEnergyLost(_) | FractionLost | Restitution)
+}
+
+/// Does it come to a value, in the letters of the question alone?
+fn is_a_value(statement: &Statement, model: &Model) -> bool {
+    let is_of_question = |name: &str| model.vocabulary.letters.iter().any(|letter| letter.name() == name);
+    let is_known = |expr: &Expr| expr.names().iter().all(|name| is_of_question(&name.text));
+    match statement.said.last().map(|said| &said.form) {
+        Some(Form::Value(expr)) => is_known(expr),
+        Some(Form::Vector(x, y, _)) => is_known(x) && is_known(y),
+        _ => false,
+    }
 }
 
 /// What stands between two things that are said.

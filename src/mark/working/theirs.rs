@@ -39,6 +39,13 @@ impl Theirs {
         self.off_by_more_than(NEARLY_RIGHT, question)
     }
 
+    /// The components of velocities after the impact that are right.
+    pub(crate) fn right_velocities(&self, question: &KeyedQuestion) -> Vec<Quantity> {
+        let wrong: Vec<Quantity> = self.wrong(question).map(|(quantity, _)| quantity).collect();
+        let is_velocity = |quantity: &Quantity| matches!(quantity, Quantity::Velocity(_, Moment::After, _));
+        self.0.keys().copied().filter(|quantity| is_velocity(quantity) && !wrong.contains(quantity)).collect()
+    }
+
     /// Those that are right but for their figures.
     pub(crate) fn rounded<'t>(&'t self, question: &'t KeyedQuestion) -> impl Iterator<Item = (Quantity, &'t Expr)> {
         let wrong: Vec<Quantity> = self.wrong(question).map(|(quantity, _)| quantity).collect();

@@ -115,7 +115,10 @@ fn mass<N: Number>(sphere: Sphere, known: &Known<N>) -> Outcome<N> {
 pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<N> {
     match (slip, rule.form) {
         ("division-forgotten", form @ 0..=3) => {
-            let own = known.number(Quantity::Mass(STATES[form as usize].0))?;
+            let sphere = STATES[form as usize].0;
+            let [own, other] = known.numbers([Quantity::Mass(sphere), Quantity::Mass(sphere.other())])?;
+            // A letter that both masses have is gone from the equation before: of *m* and 2*m* there is left 2.
+            let own = own.over(&other)? * other.coefficient();
             let components = evaluate(rule, known)?;
             let multiplied = components.into_iter().map(|datum| match datum {
                 Datum::Number(value) => Datum::Number(value * own.clone()),
