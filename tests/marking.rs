@@ -279,21 +279,6 @@ fn figures_for_an_exact_speed_lose_its_mark_in_the_style_that_asks_for_exact_for
     }
 }
 
-/// At the wall the coefficient of restitution is *f*, and between the spheres 1/2.
-#[test]
-fn a_reason_has_the_letter_of_its_impact() {
-    let row = Row {
-        question: "successive/second-collision".into(),
-        working: "8 = 2v + 6w\n(1/2)(w - v) = 4\nv = -1/2\nw = 3/2\nf*x = 3/2".into(),
-        ..Row::default()
-    };
-    let part = marked(&row);
-    let feedback = |id: &str| &part.awards.iter().find(|award| award.id == id).unwrap().feedback;
-    let found = [feedback("M1b"), feedback("M1d")];
-    let expected = ["e", "f"].map(|letter| format!("{letter} is on the wrong side: it multiplies the speed of approach"));
-    assert_eq!(found, [&expected[0], &expected[1]], "{}", story(&part));
-}
-
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Slips {

@@ -414,6 +414,18 @@ mod tests {
         }
     }
 
+    /// At the wall the coefficient of restitution is *f*, and between the spheres 1/2.
+    #[test]
+    fn a_reason_has_the_letter_of_its_impact() {
+        let found = shipped().filter(|(id, _)| *id == "successive/second-collision");
+        let key = AnswerKey::read(&key_of(found)).unwrap();
+        let question = &key.papers[0].questions[0];
+        let at_wall = question.impact(question.meeting(1).unwrap(), &Default::default()).unwrap();
+        let reason = "e is on the wrong side, and the component along the line of centres is too";
+        assert_eq!(question.said_of_impact(reason), "e is on the wrong side, and the component is too");
+        assert_eq!(at_wall.said_of_impact(reason), "f is on the wrong side, and the component is too");
+    }
+
     #[test]
     fn what_carom_writes_agrees_with_itself() {
         for (id, text) in shipped() {

@@ -20,7 +20,14 @@ pub(super) fn contradict(part: &KeyedPart, script: &PartScript, examined: &Exami
             Find::Unknown(_) => examined.denies_what_is_found,
             _ => examined.denied.get(place) == Some(&true),
         };
-        let is_contradicted = || is_denied() || comes_to_another(blank, script, &lines);
+        let is_stated_otherwise = || {
+            // Of a letter that is to be found there may be a root that is left out.
+            let is_value = !matches!(blank.find, Find::Unknown(_));
+            let stated = examined.stated.get(place).and_then(Option::as_ref).filter(|_| is_value);
+            stated
+                .is_some_and(|stated| judge(&blank.model, &Ok(vec![stated.reading.clone()])).verdict == Verdict::Wrong)
+        };
+        let is_contradicted = || is_denied() || comes_to_another(blank, script, &lines) || is_stated_otherwise();
         if answer.judgement.verdict == Verdict::Correct && is_typed && is_contradicted() {
             answer.judgement.verdict = Verdict::Partial;
             answer.judgement.note = Some("contradicted");

@@ -106,6 +106,7 @@ fn depends_on(scheme: &[KeyedMark], place: usize, is: &dyn Fn(&KeyedMark) -> boo
 pub(super) fn contradicts(shown: &Award) -> bool {
     let wrong = [
         "sign-error",
+        "contradicted",
         "sincos-swap",
         "wrong-axis",
         "e-wrong-side",

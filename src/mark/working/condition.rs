@@ -25,6 +25,8 @@ impl Working<'_> {
         };
         let copied_from = self.lines.iter().position(restates).unwrap_or(self.lines.len());
         let copied_from = copied_from.min(self.end_of_finding());
+        // What is concluded beside the inequality that points the wrong way has not come from it.
+        let turned = self.turned_round(mark);
         let line = (0..self.lines.len()).find(|place| {
             let studied = &self.lines[*place];
             let Some(reading) = &studied.reading else { return false };
@@ -33,7 +35,7 @@ impl Working<'_> {
                 self.is_demanded(form, mark, *place, 1.0)
                     || self.is_of_angles(form)
                     || self.is_own_inequality(form, *place)
-                    || self.is_own_bound(form, *place)
+                    || turned.is_none() && self.is_own_bound(form, *place)
             };
             let is_inequality = || statements().any(|said| is_demanded(&said.form));
             let is_copied =
@@ -50,7 +52,7 @@ impl Working<'_> {
         });
         let role = "uses what is given of the motion after the impact";
         line.map(|line| Evidence::given(line, role)).or_else(|| {
-            let (line, departure) = (self.turned_round(mark)?, Departure::InequalityReversed);
+            let (line, departure) = (turned?, Departure::InequalityReversed);
             let (note, feedback) = (Some(departure.tag()), departure.sentence().to_owned());
             Some(Evidence { given: false, note, feedback, ..Evidence::given(line, role) })
         })

@@ -37,11 +37,18 @@ pub(crate) fn examine(question: &KeyedQuestion, part: &KeyedPart, working: &[Str
         _ => Examined::nothing(part, working, before),
     };
     all.keep_of(0, &about);
-    for meeting in impacts.into_iter().filter_map(|number| question.meeting(number)) {
+    let later: Vec<Meeting> = impacts.into_iter().filter_map(|number| question.meeting(number)).collect();
+    // What is false of one impact may be a line of another, if there is another.
+    let is_only = later.len() == 1 && all.has_e.is_none();
+    for meeting in later {
         if let Some(mut later) = examine_later(question, part, working, &all, meeting) {
             later.keep_of(meeting.number, &about);
             all.lose_condition_on_other(question, part, meeting, &later);
+            let denied = (later.denied.clone(), later.denies_velocities);
             all.join(later);
+            if is_only {
+                (all.denied, all.denies_velocities) = denied;
+            }
         }
     }
     all
@@ -280,7 +287,6 @@ impl Examined {
         self.to_be_subtracted = later.to_be_subtracted.or(self.to_be_subtracted.take());
         self.turns.extend(later.turns);
         self.denies_what_is_found &= later.denies_what_is_found;
-        // What is false of one impact may be a line of another.
         self.denied.clear();
         self.denies_velocities = [false; 2];
         // Each impact has an e of its own.

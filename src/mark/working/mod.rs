@@ -45,6 +45,7 @@ mod printed;
 mod products;
 mod rebound;
 mod remarks;
+mod roots;
 mod said;
 mod shapes;
 mod slipped;

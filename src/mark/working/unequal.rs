@@ -33,6 +33,16 @@ impl Wanted {
     }
 }
 
+/// A formula to which a value is set equal.
+struct Formula {
+    /// What it comes to, at every point.
+    values: Vec<Value>,
+    /// How many names and numbers it has.
+    length: usize,
+    /// Is there a square or a root in it?
+    has_square: bool,
+}
+
 impl Working<'_> {
     /// For each blank: is the right value in the lines, and only behind an equals sign that is false?
     pub(super) fn denied_by_lines(&self) -> Vec<bool> {
@@ -56,8 +66,11 @@ impl Working<'_> {
             let all = self.lines.iter().flat_map(|studied| self.members(studied).map(move |one| (studied, one)));
             all.filter(|(_, (_, values))| wanted.is(values)).map(|(studied, (member, _))| (studied, member))
         };
-        right().any(|(studied, member)| self.is_denied_by_line(studied, member))
-            && !right().any(|(studied, member)| is_formula(&member.expr) && !self.is_denied_by_line(studied, member))
+        let is_denied = |studied: &Studied, member: &Member| {
+            self.is_denied_by_line(studied, member) || self.is_denied_by_equations(member)
+        };
+        right().any(|(studied, member)| is_denied(studied, member))
+            && !right().any(|(studied, member)| is_formula(&member.expr) && !is_denied(studied, member))
     }
 
     /// Does a plain value follow formulas of the question's own names and numbers all of which plainly come to something else?
@@ -67,21 +80,23 @@ impl Working<'_> {
         let is_plain = is_in_letters || !is_formula(&member.expr);
         let Some(own) = self.in_given_names(&member.expr).filter(|_| is_plain) else { return false };
         let formulas = self.formulas_before(studied, member);
-        let is_denied = |(formula, length): &(Vec<Value>, usize)| {
-            let is_apart = formula.iter().zip(&own).all(|(one, other)| are_apart(*one, *other));
-            is_apart && (!is_in_letters || leaves(&member.expr) < *length)
+        let is_denied = |formula: &Formula| {
+            let mut pairs = formula.values.iter().zip(&own);
+            let is_apart = pairs.all(|(one, other)| are_apart(*one, *other, formula.has_square));
+            is_apart && (!is_in_letters || leaves(&member.expr) < formula.length)
         };
         !formulas.is_empty() && formulas.iter().all(is_denied)
     }
 
-    /// What the formulas come to to which a member is set equal by its line, and by those before that the line goes on from;
-    /// and how long each is.
-    fn formulas_before(&self, studied: &Studied, member: &Member) -> Vec<(Vec<Value>, usize)> {
+    /// The formulas to which a member is set equal by its line, and by those before that the line goes on from.
+    fn formulas_before(&self, studied: &Studied, member: &Member) -> Vec<Formula> {
         let mut found = Vec::new();
         let Some(reading) = &studied.reading else { return found };
         let formula = |other: &Member| {
             let values = self.in_given_names(&other.expr).filter(|_| is_formula(&other.expr));
-            values.map(|values| (values, leaves(&other.expr)))
+            let is_square = |inner: &Expr| matches!(inner, Expr::Power(..) | Expr::Call(Function::Sqrt, _));
+            let (length, has_square) = (leaves(&other.expr), any_within(&other.expr, &is_square));
+            values.map(|values| Formula { values, length, has_square })
         };
         let before = reading.members.iter().take_while(|other| !std::ptr::eq(*other, member));
         found.extend(before.filter(|other| other.statement == member.statement).filter_map(formula));
@@ -125,7 +140,7 @@ fn is_angle(known: &[Known<f64>], quantity: Quantity) -> bool {
     matches!(known.first().and_then(|known| known.0.get(&quantity)), Some(Datum::Direction { .. }))
 }
 
-/// Is something worked out in it? Not in `40/3`, `4√39/9` or `24i + 18j`.
+/// Is something worked out in it? Not in `40/3`, `4√39/9` or `24i + 18j`, but in `7/5.5`.
 pub(super) fn is_formula(expr: &Expr) -> bool {
     let is_root = |factor: &Expr| matches!(factor, Expr::Call(Function::Sqrt, _));
     match expr {
@@ -133,8 +148,8 @@ pub(super) fn is_formula(expr: &Expr) -> bool {
         Expr::Negative(inner) | Expr::Degrees(inner) | Expr::Call(Function::Sqrt, inner) => is_formula(inner),
         Expr::Vector(x, y) => is_formula(x) || is_formula(y),
         Expr::Quotient(above, below) => {
-            let is_quotient = |expr: &Expr| matches!(expr, Expr::Quotient(..));
-            [above, below].into_iter().any(|part| is_formula(part) || any_within(part, &is_quotient))
+            let is_more = |expr: &Expr| matches!(expr, Expr::Quotient(..) | Expr::Decimal(_));
+            [above, below].into_iter().any(|part| is_formula(part) || any_within(part, &is_more))
         }
         Expr::Product(factors) => !factors.iter().any(is_root) || factors.iter().any(is_formula),
         Expr::Sum(_) => is_worked(expr),
@@ -142,17 +157,18 @@ pub(super) fn is_formula(expr: &Expr) -> bool {
     }
 }
 
-/// Do two values plainly differ, however an equals sign may be meant: a square for its root, an angle for its ratio, a
-/// percentage, a size for a signed number?
-fn are_apart(one: Value, other: Value) -> bool {
+/// Do two values plainly differ, however an equals sign may be meant: a square for its root where there is one, an angle for
+/// its ratio, a percentage, a size for a signed number?
+fn are_apart(one: Value, other: Value, has_square: bool) -> bool {
     match (one, other) {
         (Value::Number(one), Value::Number(other)) => {
             let (one, other) = (one.middle().abs(), other.middle().abs());
             let near = |one: f64, other: f64| (one - other).abs() <= ROUNDED * one.max(other);
             let may_be = |one: f64, other: f64| {
                 let radians = one.to_radians();
-                let forms = [one, one * one, 100.0 * one, radians, radians.sin(), radians.cos(), radians.tan()];
-                forms.into_iter().any(|form| near(form, other))
+                let forms = [one, 100.0 * one, radians, radians.sin(), radians.cos(), radians.tan()];
+                let square = has_square.then_some(one * one);
+                forms.into_iter().chain(square).any(|form| near(form, other))
             };
             !may_be(one, other) && !may_be(other, one)
         }

@@ -27,11 +27,15 @@ impl Working<'_> {
         let right = |axis| sizes(&self.prepared.known, Quantity::Velocity(unknown, Moment::After, axis));
         let (x, y) = right(Axis::X).zip(right(Axis::Y))?;
         let mut method = None;
+        let mut denied = None;
         for (place, studied) in self.lines.iter().enumerate() {
             let Some(reading) = &studied.reading else { continue };
-            // The velocity itself, or a multiple of it, is what the equation leads to.
-            let is_velocity = self.members(studied).any(|(_, values)| is_vector(values, &x, &y, 1.0));
-            if is_velocity || reading.equations.iter().any(|equation| self.solves_to(equation, &x, &y)) {
+            // The velocity itself, or a multiple of it, is what the equation leads to, if it is not another one.
+            let mut velocity = self.members(studied).filter(|(_, values)| is_vector(values, &x, &y, 1.0)).peekable();
+            let is_stated = velocity.peek().is_some();
+            if is_stated && velocity.all(|(member, _)| self.is_denied_by_equations(member)) {
+                denied = denied.or(Some(place));
+            } else if is_stated || reading.equations.iter().any(|equation| self.solves_to(equation, &x, &y)) {
                 return Some(Evidence::given(place, "momentum as a vector"));
             }
             let is_method = reading.equations.iter().any(|equation| self.is_momentum_of_vectors(equation));
@@ -44,16 +48,16 @@ impl Working<'_> {
         if let Some(both) = by_components.as_ref().filter(|both| both.iter().all(|one| one.agrees == Agrees::Fully)) {
             return Some(Evidence::given(last(both), "momentum as a vector"));
         }
-        let place = method.or(by_components.as_ref().map(last))?;
-        let feedback = "a sign or a number in it is wrong".to_owned();
-        match code.is_accuracy() {
-            false => Some(Evidence::given(place, "momentum as a vector")),
-            true => Some(Evidence {
-                given: false,
-                note: Some("sign-error"),
-                feedback,
-                ..Evidence::given(place, "momentum as a vector")
-            }),
+        let is_method = method.is_some() || by_components.is_some();
+        let place = method.or(by_components.as_ref().map(last)).or(denied)?;
+        let given = || Evidence::given(place, "momentum as a vector");
+        let lost = |note: Option<&'static str>, feedback: &str| {
+            Some(Evidence { given: false, note, feedback: feedback.to_owned(), ..given() })
+        };
+        match (is_method, code.is_accuracy()) {
+            (true, false) => Some(given()),
+            (true, true) => lost(Some(Departure::Sign.tag()), "a sign or a number in it is wrong"),
+            (false, _) => lost(Some("contradicted"), "the velocity is right, but your equation leads to another"),
         }
     }
 
