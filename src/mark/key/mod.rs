@@ -421,9 +421,9 @@ mod tests {
         let key = AnswerKey::read(&key_of(found)).unwrap();
         let question = &key.papers[0].questions[0];
         let at_wall = question.impact(question.meeting(1).unwrap(), &Default::default()).unwrap();
-        let reason = "e is on the wrong side, and the component along the line of centres is too";
-        assert_eq!(question.said_of_impact(reason), "e is on the wrong side, and the component is too");
-        assert_eq!(at_wall.said_of_impact(reason), "f is on the wrong side, and the component is too");
+        let reason = "e is on the wrong side: it multiplies the speed of approach";
+        assert_eq!(question.said_of_impact(reason), reason);
+        assert_eq!(at_wall.said_of_impact(reason), reason.replacen('e', "f", 1));
     }
 
     #[test]

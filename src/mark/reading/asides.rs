@@ -165,7 +165,9 @@ pub(super) fn with_asides_set_off(
                 start += 1;
                 continue;
             } else {
-                let sign = if of_one_figure(&tokens[start - 1]) { '=' } else { ',' };
+                // A condition is no value: `0.5 (m > 0)`.
+                let is_value = !has_inequality(&tokens[start..end]);
+                let sign = if is_value && of_one_figure(&tokens[start - 1]) { '=' } else { ',' };
                 tokens[start].token = Token::Sign(sign);
             }
             // `1.92 (48/25) J`

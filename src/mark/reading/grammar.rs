@@ -220,6 +220,9 @@ impl<'a> Parser<'a> {
                 false => Expr::Power(Box::new(value), Box::new(digit)),
             };
             self.choices.note(|| format!("{typed} read as {}", crate::expr::print::unicode(&value)));
+        } else if single && matches!(&value, Expr::Name(name) if name.text == "e") && self.multiple_follows() {
+            // `e6u`, `e 2v`
+            value = Expr::Product(vec![value, self.operand()?]);
         }
         while self.sign(0) == Some('°') {
             self.at += 1;
@@ -232,6 +235,12 @@ impl<'a> Parser<'a> {
     fn subscript_follows(&self) -> bool {
         let more = !self.spaced(1) && matches!(self.token(1), Some(Token::Number(_)) | Some(Token::Sign('^' | '.')));
         self.token(0) == Some(&Token::Number(Expr::integer(1))) && !self.spaced(0) && !more
+    }
+
+    /// A number with a letter close behind it: so much of that.
+    fn multiple_follows(&self) -> bool {
+        let letter_next = !self.spaced(1) && matches!(self.token(1), Some(Token::Word(_) | Token::Letter(_)));
+        matches!(self.token(0), Some(Token::Number(_))) && letter_next
     }
 
     /// A two or three that stands by itself.

@@ -2,6 +2,7 @@
 
 use super::choices::{Choices, Doubt};
 use super::grammar::Parser;
+use super::inequalities::has_inequality;
 use super::names;
 use super::tokens::{Placed, Token};
 use super::units::{is_unit_word, unit};
@@ -26,12 +27,15 @@ pub(super) fn said_again(
     if let Some(close) = same_or_rival(tokens, start, vocabulary, choices) {
         return Some(close);
     }
-    if !tokens[start].is('(') || !tokens[start].spaced {
+    if !tokens[start].is('(') {
         return None;
     }
     let inner = tokens.get(start + 1)?;
     let close = start + tokens[start..].iter().position(|placed| placed.is(')'))?;
     let inside = &tokens[start + 1..close];
+    if !tokens[start].spaced && !has_inequality(inside) {
+        return None;
+    }
     if inner.is('=') || inner.is('≈') || inside.iter().any(compares) {
         let opens = inside.iter().any(|placed| placed.is('('));
         return (!opens).then_some(close);

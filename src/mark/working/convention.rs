@@ -333,7 +333,8 @@ fn pairs(offered: &[Offered], lines: &[Studied]) -> Vec<Vec<String>> {
     let mut counted: Vec<(Vec<String>, usize)> = Vec::new();
     for offered in offered {
         let mut names: Vec<String> = offered.linear[0].unknowns.iter().map(|(name, _)| name.clone()).collect();
-        names.sort();
+        // By custom w is of *B*, whatever the other is called.
+        names.sort_by_key(|name| (matches!(name.as_str(), "w" | "W"), name.clone()));
         if names.len() == 2 {
             match counted.iter_mut().find(|(known, _)| *known == names) {
                 Some((_, count)) => *count += 1,

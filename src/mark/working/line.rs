@@ -108,7 +108,8 @@ pub(super) fn read(working: &[String], letters: &[Letter], vectors: bool) -> Vec
     };
     let capitals = own_capitals(working, letters);
     let short = short_letters(working, letters);
-    let own = capitals.iter().chain(&short).map(String::as_str);
+    let indexed = indexed_letters(working);
+    let own = capitals.iter().chain(&short).map(String::as_str).chain(indexed);
     let usual: Vec<&str> = UNKNOWNS.into_iter().chain(GIVEN).chain(own).collect();
     let doubtful: Vec<&str> = usual.iter().copied().chain(DOUBTFUL).collect();
     let own: Vec<&str> = doubtful.iter().copied().chain(OWN).collect();
@@ -145,6 +146,22 @@ fn own_capitals(working: &[String], letters: &[Letter]) -> Vec<String> {
     both.map(|letter| letter.name().to_ascii_uppercase())
         .filter(|capital| !letters.iter().any(|letter| letter.name() == *capital))
         .collect()
+}
+
+/// Letters with an index that begin a word somewhere, as in `x2 - x1 = 5`: in `3x1 + 2x2` there is no sign of multiplication.
+fn indexed_letters(working: &[String]) -> Vec<&'static str> {
+    let is_there = |name: &&str| {
+        let Some((letter, index)) = name.split_once('_') else { return false };
+        let begins = |typed: &str, name: &str| {
+            let stands = |(at, found): (usize, &str)| {
+                let (before, after) = (typed[..at].chars().next_back(), typed[at + found.len()..].chars().next());
+                [before, after].into_iter().all(|sign| sign.is_none_or(|sign| !sign.is_alphanumeric() && sign != '_'))
+            };
+            typed.match_indices(name).any(stands)
+        };
+        typed(working).any(|line| begins(line, &format!("{letter}{index}")))
+    };
+    OWN.into_iter().filter(is_there).collect()
 }
 
 /// Letters that a student sets equal to a sine, cosine or tangent, or to a component: `let T = tan α`, `k = v cos α`.
