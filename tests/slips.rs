@@ -11,7 +11,7 @@ use carom::expr::Angles;
 use carom::mark::reading::{Vocabulary, read_answer};
 use carom::mark::slips::{self, Asked, Mistakes};
 use carom::mechanics::{
-    Axis, Carried, Datum, Known, Moment, Quantity, Road, Scene, SceneText, Setting, Slip, Sphere, pose,
+    Axis, Carried, Datum, Known, MadeSlip, Moment, Quantity, Road, Scene, SceneText, Setting, Slip, Sphere, pose,
 };
 use carom::number::{Angle, Interval, Letter, Number, Range, Value};
 use serde_json::Value as Json;
@@ -118,7 +118,8 @@ fn what_is_carried_out_again_is_what_the_whole_derivation_gives() {
             for (law, slip) in Slip::all() {
                 let mut known = given.clone();
                 let whole = derivation.evaluate_slipped(&[slip.tag], &mut known).ok().map(|()| known);
-                let again = carried.again(&[(*law, slip)], &[], |carried, _| carried.known().clone());
+                let again =
+                    carried.again(&[MadeSlip::everywhere((*law, slip))], &[], |carried, _| carried.known().clone());
                 let measured = |known: Option<Known<Value>>| known.and_then(|known| measured(&known, row.quantity));
                 let (whole, again) = (measured(whole), measured(Some(again)));
                 // The whole stops where something has no result, and what does not need that has one.
@@ -145,7 +146,9 @@ fn every_slip_of_every_law_shows_somewhere() {
         }
         for road in Road::ALL {
             let mut carried = Carried::on(road, &given, &all);
-            silent.retain(|owned| carried.again(&[*owned], &[], |_, trace| trace.slipped.is_empty()));
+            silent.retain(|owned| {
+                carried.again(&[MadeSlip::everywhere(*owned)], &[], |_, trace| trace.slipped.is_empty())
+            });
         }
     }
     let an_impulse = r#"{ "masses": { "A": "2" }, "before": { "A": ["3", "1"] }, "impulse": ["-8", "6"] }"#;
@@ -155,7 +158,7 @@ fn every_slip_of_every_law_shows_somewhere() {
         let scene = Scene::read(&serde_json::from_str::<SceneText>(given).unwrap(), &BTreeMap::new(), Angles::Radians);
         let given = pose(&scene.unwrap()).unwrap();
         let mut carried = Carried::on(Road::Shortest, &given, &[asked.parse().unwrap()]);
-        silent.retain(|owned| carried.again(&[*owned], &[], |_, trace| trace.slipped.is_empty()));
+        silent.retain(|owned| carried.again(&[MadeSlip::everywhere(*owned)], &[], |_, trace| trace.slipped.is_empty()));
     }
     assert_eq!(silent, []);
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::derivation::{Derivation, Road};
 use super::law::{Datum, Known, Outcome};
 use super::plan::Plan;
-use super::{Law, Quantities, Quantity, Slip};
+use super::{Law, Quantities, Quantity, Rule, Slip};
 use crate::number::Number;
 
 /// A derivation with all that it gave.
@@ -15,6 +15,32 @@ pub struct Carried<N> {
     plan: Arc<Plan>,
     order: Arc<Order>,
     known: Known<N>,
+}
+
+/// A slip that is made in the place of the law that owns it.
+#[derive(Clone, Copy, Debug)]
+pub struct MadeSlip<'s> {
+    law: Law,
+    slip: &'s Slip,
+    impact: Option<u8>,
+}
+
+impl<'s> MadeSlip<'s> {
+    /// At every impact.
+    pub fn everywhere((law, slip): (Law, &'s Slip)) -> MadeSlip<'s> {
+        MadeSlip { law, slip, impact: None }
+    }
+
+    /// At the impact with this number alone.
+    pub fn at((law, slip): (Law, &'s Slip), impact: u8) -> MadeSlip<'s> {
+        MadeSlip { law, slip, impact: Some(impact) }
+    }
+
+    /// May it take the place of the law at this step?
+    fn is_at(&self, step: &Rule) -> bool {
+        let is_law = self.law == step.law || self.slip.also.contains(&step.law);
+        is_law && self.impact.is_none_or(|impact| impact == step.impact())
+    }
 }
 
 /// Which steps of a derivation depend on which quantities, whatever the numbers are.
@@ -159,12 +185,22 @@ impl<N: Number + PartialEq> Carried<N> {
         self.plan.derivation.steps.iter().any(|step| step.law == owner || slip.also.contains(&step.law))
     }
 
-    /// Carries it out again with slips, each beside the law that owns it, and with other data in place of what was found or
+    /// The impacts at which it has a law that the slip may take the place of, each once.
+    pub fn impacts_of(&self, owned: (Law, &Slip)) -> Vec<u8> {
+        let made = MadeSlip::everywhere(owned);
+        let steps = self.plan.derivation.steps.iter().filter(|step| made.is_at(step));
+        let mut impacts: Vec<u8> = steps.map(|step| step.impact()).collect();
+        impacts.sort_unstable();
+        impacts.dedup();
+        impacts
+    }
+
+    /// Carries it out again with slips, and with other data in place of what was found or
     /// given; looks at what is known then, and puts everything back. What has no result any more, as the direction of a sphere
     /// that is brought to rest, is not known then.
     pub fn again<R>(
         &mut self,
-        slips: &[(Law, &Slip)],
+        slips: &[MadeSlip],
         other: &[(Quantity, Datum<N>)],
         look: impl FnOnce(&Carried<N>, Trace) -> R,
     ) -> R {
@@ -176,8 +212,8 @@ impl<N: Number + PartialEq> Carried<N> {
         }
         let kept = trace.changed;
         for (place, step) in self.plan.derivation.steps.iter().enumerate() {
-            let mut tried = slips.iter().filter(|(law, slip)| *law == step.law || slip.also.contains(&step.law));
-            let slipped: Outcome<N> = tried.find_map(|(_, slip)| step.slipped(slip.tag, &self.known));
+            let mut tried = slips.iter().filter(|made| made.is_at(step));
+            let slipped: Outcome<N> = tried.find_map(|made| step.slipped(made.slip.tag, &self.known));
             if slipped.is_some() {
                 trace.slipped = Steps(trace.slipped.0.with(place));
             }

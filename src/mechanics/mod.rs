@@ -30,7 +30,7 @@ mod unknowns;
 mod validity;
 mod working;
 
-pub use again::{Carried, Steps, Trace};
+pub use again::{Carried, MadeSlip, Steps, Trace};
 pub use backwards::{Found, backwards};
 pub use derivation::{DeadEnd, Derivation, Road};
 pub use later::{LATER, Later, Meeting, ordinal};

@@ -5,7 +5,7 @@
 //! rule of the secant: most conditions are linear in the letter, or nearly so, and the third number is the one. Every
 //! point has its own.
 
-use crate::mechanics::{Carried, Condition, Datum, Known, Law, Quantity, Slip, Sought, Vanishing};
+use crate::mechanics::{Carried, Condition, Datum, Known, MadeSlip, Quantity, Sought, Vanishing};
 use crate::number::{Letter, Range, Value};
 
 use super::sample::{POINTS, Sample};
@@ -141,7 +141,7 @@ impl Backwards {
         &self,
         place: usize,
         road: &mut Carried<Sample>,
-        slips: &[(Law, &Slip)],
+        slips: &[MadeSlip],
         entered: &[(Quantity, Datum<Sample>)],
     ) -> Option<Landed> {
         let Place { right, vanishing } = &self.places[place];
@@ -170,7 +170,7 @@ impl Backwards {
         vanishing: &Vanishing,
         number: Sample,
         road: &mut Carried<Sample>,
-        slips: &[(Law, &Slip)],
+        slips: &[MadeSlip],
         entered: &[(Quantity, Datum<Sample>)],
     ) -> Option<Sample> {
         let mut measured = |number: Sample| {

@@ -26,7 +26,7 @@ pub use shown::{Answers, Outcome, acting, shown};
 
 use crate::expr::Expr;
 use crate::mark::reading::{Form, ReferenceLine, Said};
-use crate::mechanics::{Carried, Datum, Known, Law, Quantity, Road, Slip, Sought, Steps, Trace};
+use crate::mechanics::{Carried, Datum, Known, MadeSlip, Quantity, Road, Slip, Sought, Steps, Trace};
 use crate::number::{Letter, Value};
 
 use backwards::{Backwards, Landed};
@@ -75,7 +75,7 @@ pub struct Mistakes {
     backwards: Option<Backwards>,
 }
 
-/// A slip by itself, as it was found on a road.
+/// A slip by itself at every impact, as it was found on a road.
 struct Single {
     slip: usize,
     road: usize,
@@ -221,7 +221,7 @@ impl Mistakes {
     fn again(
         &mut self,
         road: usize,
-        slips: &[(Law, &Slip)],
+        slips: &[MadeSlip],
         other: &[(Quantity, Datum<Sample>)],
     ) -> (Trace, Vec<(usize, Values)>) {
         self.roads[road].again(slips, other, look_for_wrong(&self.answers))
@@ -231,7 +231,7 @@ impl Mistakes {
     fn again_backwards(
         &mut self,
         road: usize,
-        slips: &[(Law, &Slip)],
+        slips: &[MadeSlip],
         other: &[(Quantity, Datum<Sample>)],
     ) -> Vec<(usize, Values)> {
         let (Some(backwards), answers) = (&self.backwards, &self.answers) else { return Vec::new() };
@@ -257,24 +257,40 @@ impl Mistakes {
         let mut singles = Vec::new();
         for (slip, owned) in Slip::all().iter().enumerate() {
             let mut is_found_again = false;
+            let everywhere = [MadeSlip::everywhere(*owned)];
             for road in 0..self.roads.len() {
-                let (trace, mut wrong) = self.again(road, &[*owned], &[]);
+                let (trace, mut wrong) = self.again(road, &everywhere, &[]);
                 // What is found backwards costs ten times as much, and hardly ever depends on the road.
                 if !trace.slipped.is_empty() && !std::mem::replace(&mut is_found_again, true) {
-                    wrong.extend(self.again_backwards(road, &[*owned], &[]));
+                    wrong.extend(self.again_backwards(road, &everywhere, &[]));
                 }
                 if trace.slipped.is_empty() || wrong.is_empty() {
                     continue;
                 }
                 let changes = wrong.iter().fold(0, |changes, (answer, _)| changes | 1_u64.wrapping_shl(*answer as u32));
                 singles.push(Single { slip, road, slipped: trace.slipped, changes });
-                let lost = if owned.1.condoned { Steps::default() } else { trace.slipped };
-                let is_same = |way: &Way| matches!(way.origin, Origin::Slips(other, None) if other == slip);
-                wrong.retain(|(answer, values)| !self.answers[*answer].has(values, |way| is_same(&self.ways[way])));
-                self.add(Way { origin: Origin::Slips(slip, None), road, trace, lost }, wrong.into_iter());
+                self.add_slip(slip, road, trace, wrong);
+            }
+            // Who makes it at one impact of several need not make it at the others.
+            for road in 0..self.roads.len() {
+                let impacts = self.roads[road].impacts_of(*owned);
+                for impact in impacts.iter().filter(|_| impacts.len() > 1) {
+                    let (trace, wrong) = self.again(road, &[MadeSlip::at(*owned, *impact)], &[]);
+                    if !trace.slipped.is_empty() {
+                        self.add_slip(slip, road, trace, wrong);
+                    }
+                }
             }
         }
         singles
+    }
+
+    /// Adds what a slip by itself leads to, where it does not lead there already.
+    fn add_slip(&mut self, slip: usize, road: usize, trace: Trace, mut wrong: Vec<(usize, Values)>) {
+        let lost = if Slip::all()[slip].1.condoned { Steps::default() } else { trace.slipped };
+        let is_same = |way: &Way| matches!(way.origin, Origin::Slips(other, None) if other == slip);
+        wrong.retain(|(answer, values)| !self.answers[*answer].has(values, |way| is_same(&self.ways[way])));
+        self.add(Way { origin: Origin::Slips(slip, None), road, trace, lost }, wrong.into_iter());
     }
 
     fn add_calculator(&mut self) {
@@ -320,7 +336,7 @@ impl Mistakes {
         pairs.sort_by_key(|(one, two)| (one.slip + two.slip, one.slip, one.road));
         pairs.dedup_by_key(|(one, two)| (one.slip, two.slip));
         for (one, two) in pairs.into_iter().take(MOST_PAIRS) {
-            let slips = [all[one.slip], all[two.slip]];
+            let slips = [one, two].map(|single| MadeSlip::everywhere(all[single.slip]));
             let (trace, mut wrong) = self.again(one.road, &slips, &[]);
             if self.backwards.as_ref().is_some_and(Backwards::is_quick) {
                 wrong.extend(self.again_backwards(one.road, &slips, &[]));

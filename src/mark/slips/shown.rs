@@ -3,7 +3,7 @@
 //! [`Mistakes`](super::Mistakes) looks up what a student wrote; here nobody has written anything yet, and the question
 //! is whether its numbers would let a slip be seen.
 
-use crate::mechanics::{Axis, Datum, Known, Quantity, Slip, Sought};
+use crate::mechanics::{Axis, Datum, Known, MadeSlip, Quantity, Slip, Sought};
 use crate::number::Value;
 
 use super::asked::Asked;
@@ -80,7 +80,7 @@ fn carried_out(
     for (slip, owned) in Slip::all().iter().enumerate() {
         let mut acts = false;
         let shown = roads.iter_mut().filter(|road| road.has_law_of(*owned)).find_map(|road| {
-            let made = [*owned];
+            let made = [MadeSlip::everywhere(*owned)];
             let looked = road.again(&made, &[], |carried, trace| {
                 // What is found backwards is not known yet.
                 carried.is_anything_changed(trace).then(|| backwards.is_none().then(|| all(carried.known(), &[])))

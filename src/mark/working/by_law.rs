@@ -65,14 +65,14 @@ impl Working<'_> {
                 let found = found.or_else(|| self.energies_apart(law, code));
                 let found = found.or_else(|| self.with_sine_for_cosine(law, code));
                 let found = found.or_else(|| self.without_a_letter(law, &quantities, code));
-                let by_angle = || {
-                    let by_cosine = || self.scalar_quotient(law).or_else(|| self.between_directions(law));
-                    self.compound_angle(law).or_else(by_cosine)
-                };
+                let by_cosine = || self.scalar_quotient(law).or_else(|| self.between_directions(law));
+                let by_angle = || self.compound_angle(law).or_else(by_cosine);
+                let expanded = || self.compound_equation(law, &quantities);
                 let of_deflection = || self.demanded_of_turn(law).or_else(by_angle);
                 match (is_of_deflection(law), code) {
                     (true, Code::M1) => found.or_else(of_deflection),
-                    (true, Code::DependentM1) => self.cleared(found?, &quantities),
+                    (true, Code::DependentM1) => self.cleared(found.or_else(expanded)?, &quantities),
+                    (true, code) if code.is_accuracy() => found.or_else(expanded),
                     _ => found,
                 }
             }

@@ -64,7 +64,7 @@ fn unsigned(term: &Expr) -> &Expr {
 }
 
 /// The terms of a sum of two.
-fn two(expr: &Expr) -> Option<[&Expr; 2]> {
+pub(super) fn two(expr: &Expr) -> Option<[&Expr; 2]> {
     match expr {
         Expr::Sum(terms) => <&[Expr; 2]>::try_from(terms.as_slice()).ok().map(|terms| terms.each_ref()),
         _ => None,

@@ -1,5 +1,6 @@
 //! Kinetic energies known by the shape of their formula, and the slips that show in it.
 
+use super::change_of_momentum::two;
 use super::compare::any_within;
 use super::evidence::Evidence;
 use super::examine::{Studied, Working};
@@ -136,8 +137,10 @@ impl Working<'_> {
         let mut bases = Vec::new();
         collect_bases(&member.expr, &mut bases);
         let is_loss = bases.len() == 1 && member.label.as_deref().is_some_and(names_loss);
-        let mut sums = bases.iter().filter(|base| matches!(base, Expr::Sum(terms) if terms.len() == 2)).peekable();
-        sums.peek()?;
+        let sums = bases.iter().filter(|base| two(base).is_some());
+        if sums.clone().next().is_none() {
+            return None;
+        }
         let known = |quantity| sizes(&self.prepared.known, quantity).into_iter();
         let own = |quantity| self.theirs.0.get(&quantity).map(|(values, _)| values.clone()).into_iter();
         let either = |quantity| known(quantity).chain(own(quantity));
@@ -156,23 +159,42 @@ impl Working<'_> {
         }
         // At a wall nobody takes one velocity from another for a third.
         let is_wall = self.prepared.setting == Setting::Wall;
-        sums.filter(|base| is_loss || is_wall || !self.is_one_of(base, &velocities)).find_map(|base| {
-            let Expr::Sum(terms) = base else { return None };
-            Sphere::BOTH.into_iter().find_map(|sphere| {
-                let is = |term: &Expr, moment| self.is_one_of(term, &components(sphere, moment));
+        let sums = sums.filter(|base| is_loss || is_wall || !self.is_one_of(base, &velocities));
+        let sums: Vec<(&Expr, [&Expr; 2])> = sums.filter_map(|base| Some((*base, two(base)?))).collect();
+        let is_of = |term: &Expr, sphere, moment| self.is_one_of(term, &components(sphere, moment));
+        let is_change = |[one, other]: [&Expr; 2]| {
+            Sphere::BOTH.into_iter().any(|sphere| {
                 let speed = |moment| either(Quantity::Speed(sphere, moment)).collect::<Vec<_>>();
                 let is_speed = |term: &Expr, moment| self.is_one_of(term, &speed(moment));
-                let [one, other] = [&terms[0], &terms[1]];
-                let is_change = |one: &Expr, other: &Expr| {
-                    is(one, Moment::Before) && is(other, Moment::After)
-                        || is_speed(one, Moment::Before) && is_speed(other, Moment::After)
-                };
-                match moments.into_iter().any(|moment| is(one, moment) && is(other, moment)) {
-                    true => Some("energy-components-added"),
-                    false => (is_change(one, other) || is_change(other, one)).then_some("energy-square-of-difference"),
-                }
+                is_of(one, sphere, Moment::Before) && is_of(other, sphere, Moment::After)
+                    || is_speed(one, Moment::Before) && is_speed(other, Moment::After)
             })
-        })
+        };
+        let is_of_both = |[one, other]: [&Expr; 2]| is_change([one, other]) || is_change([other, one]);
+        let is_velocity = |[one, other]: &[&Expr; 2]| {
+            let mut states = Sphere::BOTH.into_iter().flat_map(|sphere| moments.map(|moment| (sphere, moment)));
+            states.any(|(sphere, moment)| is_of(one, sphere, moment) && is_of(other, sphere, moment))
+        };
+        // 3 - 2 may be of one velocity and of two: where every square is that of a change, it is.
+        let changes: Vec<Vec<f64>> = self.changes_of_components(&either);
+        let are_changes = sums.iter().all(|(base, _)| self.is_one_of(base, &changes));
+        match !are_changes && sums.iter().any(|(_, terms)| is_velocity(terms)) {
+            true => Some("energy-components-added"),
+            false => sums.iter().any(|(_, terms)| is_of_both(*terms)).then_some("energy-square-of-difference"),
+        }
+    }
+
+    /// By how much the components of either sphere change, with these sizes.
+    fn changes_of_components<S: Iterator<Item = Vec<f64>>>(&self, sizes: &dyn Fn(Quantity) -> S) -> Vec<Vec<f64>> {
+        let both =
+            Sphere::BOTH.into_iter().flat_map(|sphere| [Axis::N, Axis::T, Axis::X, Axis::Y].map(|axis| (sphere, axis)));
+        let changes = both.flat_map(|(sphere, axis)| {
+            let of = |moment| sizes(Quantity::Velocity(sphere, moment, axis)).collect::<Vec<_>>();
+            let (before, after) = (of(Moment::Before), of(Moment::After));
+            let change = |one: &Vec<f64>, other: &Vec<f64>| one.iter().zip(other).map(|(a, b)| a - b).collect();
+            before.iter().flat_map(|one| after.iter().map(move |other| change(one, other))).collect::<Vec<Vec<f64>>>()
+        });
+        changes.collect()
     }
 
     fn is_approach(&self, base: &Expr) -> bool {

@@ -186,6 +186,24 @@ impl Working<'_> {
         // What is said to be along the wall was not taken for the other.
         self.line_that_is(&swapped, quantity).filter(|line| !self.says_across(&self.lines[*line].line.typed))
     }
+
+    /// The line of a vector with both components after an impact with a wall, whichever way the student's axes along the
+    /// wall and across it point. Where the question has axes, they are those of the student.
+    pub(super) fn rebound_as_vector(&self) -> Option<usize> {
+        if self.prepared.in_components {
+            return None;
+        }
+        let after = |axis| sizes(&self.prepared.known, Quantity::Velocity(Sphere::A, Moment::After, axis));
+        let [along, across] = [after(Axis::N)?, after(Axis::T)?];
+        let turned: Vec<f64> = across.iter().map(|across| -across).collect();
+        let is_it = |values: &[Value]| {
+            [1.0, -1.0].into_iter().any(|sign| {
+                let is = |x: &[f64], y: &[f64]| is_vector(values, x, y, sign);
+                [&across, &turned].into_iter().any(|across| is(&along, across) || is(across, &along))
+            })
+        };
+        self.lines.iter().position(|studied| self.members(studied).any(|(_, values)| is_it(values)))
+    }
 }
 
 /// The formula with sine for cosine and cosine for sine.

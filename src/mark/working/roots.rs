@@ -34,8 +34,11 @@ impl Working<'_> {
         let equations = open.filter_map(|studied| studied.reading.as_ref()).flat_map(|reading| &reading.equations);
         let has_letter =
             |expr: &Expr| any_within(expr, &|inner| matches!(inner, Expr::Name(name) if name.text == letter));
+        // Another letter that is to be found is not known here.
+        let is_closed = |side: &Expr| has_letter(side) || !self.has_sought(side);
         let says = equations.filter(|(left, right)| {
-            (has_letter(left) || has_letter(right)) && !is_plain(left, right) && !is_plain(right, left)
+            let is_of_letter = (has_letter(left) || has_letter(right)) && is_closed(left) && is_closed(right);
+            is_of_letter && !is_plain(left, right) && !is_plain(right, left)
         });
         let equations: Vec<Equation> = says.filter_map(|equation| self.linear(equation, &names)).collect();
         let mut roots: Vec<Root> = equations.iter().filter_map(|equation| root(equation, letter)).collect();

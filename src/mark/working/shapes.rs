@@ -12,7 +12,6 @@ use super::squares::squared;
 use crate::answer::Kind;
 use crate::bank::Code;
 use crate::expr::{Expr, Function};
-use crate::mark::enclosure::about;
 use crate::mechanics::{Axis, Datum, Known, Law, Moment, Quantity, Setting, Shape, Sphere};
 use crate::number::Range;
 
@@ -270,25 +269,6 @@ impl Working<'_> {
         })?;
         Some(Evidence::given(line, law.name()))
     }
-
-    /// The tangent of a difference of two angles, expanded: `(tan β - tan α)/(1 + tan α tan β)`.
-    pub(super) fn compound_angle(&self, law: Law) -> Option<Evidence> {
-        let line = self.lines.iter().position(|studied| {
-            let members = studied.reading.as_ref().map(|reading| reading.members.as_slice()).unwrap_or_default();
-            let is_of_own = |tangents: [f64; 2]| tangents.into_iter().any(|tangent| self.is_own_tangent_of(tangent));
-            let is_one = |inner: &Expr| is_compound_angle(inner) || compound_of_numbers(inner).is_some_and(is_of_own);
-            members.iter().any(|member| any_within(&member.expr, &is_one))
-        })?;
-        Some(Evidence::given(line, law.name()))
-    }
-}
-
-impl Working<'_> {
-    /// Does a line call a value of this size a tangent?
-    fn is_own_tangent_of(&self, size: f64) -> bool {
-        let mut all = self.lines.iter().flat_map(|studied| self.members(studied));
-        all.any(|(member, values)| is_tangent(member) && values.iter().all(|value| comes_to(*value, size)))
-    }
 }
 
 /// Is it called the tangent of an angle?
@@ -340,47 +320,6 @@ fn base_of_square(term: &Expr) -> Option<Expr> {
         Expr::Quotient(..) if !is_lettered(term) => Some(Expr::call(Function::Sqrt, term.clone())),
         _ => None,
     }
-}
-
-/// Is it `(p - q)/(1 + p q)` with two tangents of letters?
-fn is_compound_angle(expr: &Expr) -> bool {
-    let is_tangent = |expr: &Expr| match expr {
-        Expr::Call(Function::Tan, angle) => is_lettered(angle),
-        _ => false,
-    };
-    let Expr::Quotient(above, below) = expr else { return false };
-    let (Expr::Sum(above), Expr::Sum(below)) = (&**above, &**below) else { return false };
-    let ([one, other], [number, product]) = (above.as_slice(), below.as_slice()) else { return false };
-    let (one, other) = match (one, other) {
-        (Expr::Negative(taken), other) | (other, Expr::Negative(taken)) => (&**taken, other),
-        _ => return false,
-    };
-    let both = match (number, product) {
-        (Expr::Number(_), Expr::Product(factors)) | (Expr::Product(factors), Expr::Number(_)) => factors,
-        _ => return false,
-    };
-    let has_one = *number == Expr::integer(1) || *product == Expr::integer(1);
-    has_one
-        && is_tangent(one)
-        && is_tangent(other)
-        && one != other
-        && both.len() == 2
-        && both.contains(one)
-        && both.contains(other)
-}
-
-/// `(10/3 - 4/3)/(1 + 40/9)`: the two numbers that stand for tangents in the same.
-fn compound_of_numbers(expr: &Expr) -> Option<[f64; 2]> {
-    let Expr::Quotient(above, below) = expr else { return None };
-    let (Expr::Sum(above), Expr::Sum(below)) = (&**above, &**below) else { return None };
-    let (taken, counted): (Vec<&Expr>, Vec<&Expr>) = above.iter().partition(|term| matches!(term, Expr::Negative(_)));
-    let ([taken], [counted], [one, product]) = (taken.as_slice(), counted.as_slice(), below.as_slice()) else {
-        return None;
-    };
-    let number = |expr: &Expr| about(expr, &[]);
-    let product = number(product).filter(|_| *one == Expr::integer(1))?;
-    let (taken, counted) = (-number(taken)?, number(counted)?);
-    ((product - taken * counted).abs() <= 0.005 * product.abs()).then_some([taken, counted])
 }
 
 fn is_lettered(expr: &Expr) -> bool {

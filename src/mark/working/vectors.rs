@@ -99,13 +99,19 @@ impl Working<'_> {
         let (x, y) = line(Axis::X).zip(line(Axis::Y))?;
         let is_along = |values: &Vec<Value>| is_parallel(values, &x, &y);
         let has_one = |studied: &Studied| self.vectors_in(studied).any(is_along);
-        let place = self.lines.iter().position(has_one)?;
-        let ends_so = |place: usize| self.last_vector_from(place).is_some_and(is_along);
-        let ends = (place..self.lines.len()).find(|place| has_one(&self.lines[*place]) && ends_so(*place));
         let names_it = |studied: &&Studied| {
             let typed = &studied.line.typed;
             (says_along(typed) || typed.contains("parallel")) && self.vectors_in(studied).next().is_some()
         };
+        let Some(place) = self.lines.iter().position(has_one) else {
+            // Another line of centres is named, and none is right.
+            let place = self.lines.iter().position(|studied| names_it(&studied))?;
+            let (note, feedback) = (Some("contradicted"), "it names another line of centres".to_owned());
+            let lost = Evidence { given: false, note, feedback, ..Evidence::given(place, law.name()) };
+            return (code.is_accuracy() && law.seen() == Seen::AlongLine).then_some(lost);
+        };
+        let ends_so = |place: usize| self.last_vector_from(place).is_some_and(is_along);
+        let ends = (place..self.lines.len()).find(|place| has_one(&self.lines[*place]) && ends_so(*place));
         let is_concluded = self.lines.iter().rev().find(names_it).is_none_or(has_one);
         match ends.filter(|_| is_concluded) {
             Some(place) => Some(Evidence::given(place, law.name())),
@@ -378,25 +384,5 @@ fn sums_in(expr: &Expr) -> Vec<&Expr> {
         Expr::Sum(_) => vec![expr],
         Expr::Quotient(above, below) => [above, below].into_iter().flat_map(|part| sums_in(part)).collect(),
         _ => Vec::new(),
-    }
-}
-
-impl Working<'_> {
-    /// The line of a vector with both components after an impact with a wall, whichever way the student's axes along the
-    /// wall and across it point. Where the question has axes, they are those of the student.
-    pub(super) fn rebound_as_vector(&self) -> Option<usize> {
-        if self.prepared.in_components {
-            return None;
-        }
-        let after = |axis| sizes(&self.prepared.known, Quantity::Velocity(Sphere::A, Moment::After, axis));
-        let [along, across] = [after(Axis::N)?, after(Axis::T)?];
-        let turned: Vec<f64> = across.iter().map(|across| -across).collect();
-        let is_it = |values: &[Value]| {
-            [1.0, -1.0].into_iter().any(|sign| {
-                let is = |x: &[f64], y: &[f64]| is_vector(values, x, y, sign);
-                [&across, &turned].into_iter().any(|across| is(&along, across) || is(across, &along))
-            })
-        };
-        self.lines.iter().position(|studied| self.members(studied).any(|(_, values)| is_it(values)))
     }
 }
