@@ -64,9 +64,14 @@ pub(super) fn judged(
                 Judged::new(verdict(&readings), Rc::unwrap_or_clone(readings).ok())
             })
         };
+        let stated = || {
+            let (line, readings) = left.stated(place)?;
+            let readings = Ok(readings);
+            Some((line, Judged::new(verdict(&readings), readings.ok())))
+        };
         let left = match is_typed {
             true => None,
-            false => left.for_one(place, &lines, &mut judged).or_else(|| left.stated(place, &verdict)),
+            false => left.for_one(place, &lines, &mut judged).or_else(stated),
         };
         let typed = alone.or(unnamed).or(left.as_ref().map(|(line, _)| *line)).map(str::to_owned);
         let found = match (alone, left, together) {

@@ -23,7 +23,8 @@ pub(super) fn contradict(part: &KeyedPart, script: &PartScript, examined: &Exami
         let is_stated_otherwise = || {
             // Of a letter that is to be found there may be a root that is left out.
             let is_value = !matches!(blank.find, Find::Unknown(_));
-            let stated = examined.stated.get(place).and_then(Option::as_ref).filter(|_| is_value);
+            let stated = examined.stated.get(place).and_then(Option::as_ref);
+            let stated = stated.filter(|stated| is_value && stated.is_never_right);
             stated
                 .is_some_and(|stated| judge(&blank.model, &Ok(vec![stated.reading.clone()])).verdict == Verdict::Wrong)
         };

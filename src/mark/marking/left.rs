@@ -14,7 +14,7 @@ use crate::expr::{Expr, Function, Relation};
 use crate::mark::award::{Award, Place};
 use crate::mark::judging::{Judgement, Note, Verdict, is_made_of_others};
 use crate::mark::key::{KeyedBlank, KeyedPart};
-use crate::mark::reading::{Form, Reading, Said, Statement, Unreadable};
+use crate::mark::reading::{Form, Reading, Said, Statement};
 use crate::mark::script::PartScript;
 use crate::mark::working::Examined;
 use crate::mechanics::{Moment, Quantity};
@@ -125,15 +125,10 @@ impl<'s> Left<'s> {
         })
     }
 
-    /// What a line calls the answer to a blank, right or wrong, with what was found of it.
-    pub(super) fn stated(
-        &self,
-        place: usize,
-        judge: &dyn Fn(&Result<Vec<Reading>, Unreadable>) -> Judgement,
-    ) -> Option<(&'s str, Rc<Judged>)> {
+    /// The line that calls something the answer to a blank, right or wrong, and how that is read.
+    pub(super) fn stated(&self, place: usize) -> Option<(&'s str, Vec<Reading>)> {
         let stated = self.examined.stated.get(place)?.as_ref().filter(|_| !is_shown(&self.part.blanks[place]))?;
-        let readings = Ok(vec![stated.reading.clone()]);
-        Some((&*stated.typed, Judged::new(judge(&readings), readings.ok())))
+        Some((&*stated.typed, vec![stated.reading.clone()]))
     }
 
     /// Does the part ask for this angle and for no other?

@@ -138,9 +138,7 @@ impl Working<'_> {
         collect_bases(&member.expr, &mut bases);
         let is_loss = bases.len() == 1 && member.label.as_deref().is_some_and(names_loss);
         let sums = bases.iter().filter(|base| two(base).is_some());
-        if sums.clone().next().is_none() {
-            return None;
-        }
+        sums.clone().next()?;
         let known = |quantity| sizes(&self.prepared.known, quantity).into_iter();
         let own = |quantity| self.theirs.0.get(&quantity).map(|(values, _)| values.clone()).into_iter();
         let either = |quantity| known(quantity).chain(own(quantity));

@@ -14,7 +14,7 @@ use super::misread::Misread;
 use super::pair::{BOTH, Convention, Departure, Matched};
 use super::points::sizes;
 use super::prepared::Prepared;
-use super::said::{Stated, stated};
+use super::said::Stated;
 use super::slipped::undone;
 use super::spread::Spread;
 use super::terms::ByNumbers;
@@ -209,7 +209,7 @@ fn examine_lines(
     working.settle_doubts();
     working.evaluate();
     let awards = part.scheme.iter().map(|mark| working.award(mark)).collect();
-    let stated = (0..part.blanks.len()).map(|place| stated(&working.lines, part, place)).collect();
+    let stated = (0..part.blanks.len()).map(|place| working.stated(place)).collect();
     let solution = working.own_solution();
     let to_be_subtracted = working.to_be_subtracted();
     let turns = working.turns();

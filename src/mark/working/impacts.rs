@@ -283,6 +283,10 @@ impl Examined {
                 *line = other;
             }
         }
+        self.stated.resize_with(later.stated.len(), || None);
+        for (own, other) in self.stated.iter_mut().zip(later.stated) {
+            *own = other.or(own.take());
+        }
         self.theirs = later.theirs;
         self.to_be_subtracted = later.to_be_subtracted.or(self.to_be_subtracted.take());
         self.turns.extend(later.turns);

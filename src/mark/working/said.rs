@@ -2,12 +2,12 @@
 
 use super::examine::{Studied, Working};
 use super::line::Member;
+use crate::answer::Kind;
 use crate::bank::Find;
 use crate::expr::Expr;
-use crate::mark::judging::{Model, words_fit};
-use crate::mark::key::KeyedPart;
+use crate::mark::judging::{Model, named_spheres, words_fit};
 use crate::mark::reading::{Form, Reading, Statement};
-use crate::mechanics::{Quantity, Sphere};
+use crate::mechanics::{Moment, Quantity, Sphere};
 
 impl Working<'_> {
     /// Does a line only list the components across the line of centres, of A and then of B, and say that they are:
@@ -44,48 +44,75 @@ fn numbers_listed(typed: &str) -> Option<Vec<f64>> {
     words.map(|word| word.trim_end_matches('.').parse().ok()).collect()
 }
 
-/// An answer that was not filled in, and stands in a line under the name of what is asked for.
+/// What a line calls what a blank asks for: an answer, where the blank was left open.
 pub(crate) struct Stated {
     /// The line as it was typed.
     pub(crate) typed: String,
     /// What it says of that alone.
     pub(crate) reading: Reading,
+    /// Does the right value stand nowhere in the lines?
+    pub(crate) is_never_right: bool,
 }
 
-/// The last line that states a value for a blank by its name: `speed of B = 8`, `I = 51`. A letter for a velocity or an angle
-/// names nothing: it may be of a component, or of another line.
-pub(super) fn stated(lines: &[Studied], part: &KeyedPart, place: usize) -> Option<Stated> {
-    let blank = &part.blanks[place];
-    let is_named = |statement: &&Statement| {
-        let Some(label) = &statement.label else { return false };
-        let in_letters = match blank.find {
-            Find::Quantity(quantity) => names_itself(quantity.of_its_impact()),
-            Find::Unknown(_) => true,
-            Find::Vector(..) => false,
+impl Working<'_> {
+    /// The last line that states a value for a blank by its name: `speed of B = 8`, `I = 51`. A letter for a velocity or an
+    /// angle names nothing: it may be of a component, or of another line.
+    pub(super) fn stated(&self, place: usize) -> Option<Stated> {
+        let blank = &self.part.blanks[place];
+        let is_named = |statement: &&Statement| {
+            let Some(label) = &statement.label else { return false };
+            let is_name = match (&blank.find, &label.expr) {
+                // What is lost may be the energy.
+                (Find::Quantity(quantity), _) if quantity.of_its_impact() == Quantity::FractionLost => {
+                    has_word(&label.typed, &["fraction", "proportion"])
+                }
+                (Find::Quantity(quantity), Some(_)) => names_itself(quantity.of_its_impact()),
+                (Find::Vector(x, _), None) => names_vector(&label.typed, *x),
+                (Find::Vector(..), Some(_)) => false,
+                (Find::Quantity(_), None) | (Find::Unknown(_), _) => true,
+            };
+            is_name && self.part.calls(place, statement) && words_fit(&blank.model, &label.typed)
         };
-        (label.expr.is_none() || in_letters) && part.calls(place, statement) && words_fit(&blank.model, &label.typed)
-    };
-    lines.iter().rev().find_map(|studied| {
-        let mut statements = studied.reading.as_ref()?.statements.iter().rev();
-        let statement = statements.find(is_named).filter(|statement| is_a_value(statement, &blank.model))?;
-        let reading = Reading { statements: vec![statement.clone()], printed: String::new(), decided: Vec::new() };
-        Some(Stated { typed: studied.line.typed.clone(), reading })
-    })
+        self.lines.iter().rev().find_map(|studied| {
+            let mut statements = studied.reading.as_ref()?.statements.iter().rev();
+            let statement = statements.find(is_named).filter(|statement| is_a_value(statement, &blank.model))?;
+            let reading = Reading { statements: vec![statement.clone()], printed: String::new(), decided: Vec::new() };
+            let (typed, is_never_right) = (studied.line.typed.clone(), !self.has_right_value(&blank.find));
+            Some(Stated { typed, reading, is_never_right })
+        })
+    }
 }
 
 /// Is a letter for it a name that the subject has for nothing else?
 fn names_itself(quantity: Quantity) -> bool {
     use Quantity::*;
-    matches!(quantity, Impulse(..) | ImpulseMagnitude | EnergyLost | SphereEnergyLost(_) | FractionLost | Restitution)
+    matches!(quantity, Impulse(..) | ImpulseMagnitude | EnergyLost | SphereEnergyLost(_) | Restitution)
+}
+
+/// `velocity of B`, `impulse`, `line of centres`: do words name this vector, and none of another sphere or moment?
+fn names_vector(typed: &str, component: Quantity) -> bool {
+    let is_other = |sphere: &Sphere| component.sphere().is_some_and(|own| own != *sphere);
+    let name = match component.of_its_impact() {
+        Quantity::Velocity(_, Moment::After, _) => "velocity",
+        Quantity::Impulse(..) => "impulse",
+        Quantity::Line(_) => "centres",
+        _ => return false,
+    };
+    has_word(typed, &[name]) && !has_word(typed, &["before", "initial"]) && !named_spheres(typed).iter().any(is_other)
+}
+
+fn has_word(typed: &str, wanted: &[&str]) -> bool {
+    typed.split(|sign: char| !sign.is_alphanumeric()).any(|word| wanted.contains(&word.to_lowercase().as_str()))
 }
 
 /// Does it come to a value, in the letters of the question alone?
 fn is_a_value(statement: &Statement, model: &Model) -> bool {
     let is_of_question = |name: &str| model.vocabulary.letters.iter().any(|letter| letter.name() == name);
     let is_known = |expr: &Expr| expr.names().iter().all(|name| is_of_question(&name.text));
+    let is_vector = matches!(model.kind, Kind::Vector | Kind::Velocity | Kind::Line);
     match statement.said.last().map(|said| &said.form) {
-        Some(Form::Value(expr)) => is_known(expr),
-        Some(Form::Vector(x, y, _)) => is_known(x) && is_known(y),
+        Some(Form::Value(expr)) => !is_vector && is_known(expr),
+        Some(Form::Vector(x, y, _)) => is_vector && is_known(x) && is_known(y),
         _ => false,
     }
 }

@@ -50,27 +50,37 @@ impl Working<'_> {
     }
 
     fn is_only_denied(&self, find: &Find) -> bool {
-        // Where a letter was to be found, what was asked is known there alone.
-        let found = self.prepared.all_where_found().unwrap_or_default();
-        let at = if found.is_empty() { self.prepared.known.as_slice() } else { found.as_slice() };
-        let known = |quantity: Quantity| sizes(at, quantity);
-        let wanted = match find {
-            Find::Quantity(quantity) => {
-                known(*quantity).map(|right| Wanted::Number { right, is_angle: is_angle(at, *quantity) })
-            }
-            Find::Vector(x, y) => known(*x).zip(known(*y)).map(|(x, y)| Wanted::Vector(x, y)),
-            Find::Unknown(_) => None,
-        };
-        let Some(wanted) = wanted else { return false };
-        let right = || {
-            let all = self.lines.iter().flat_map(|studied| self.members(studied).map(move |one| (studied, one)));
-            all.filter(|(_, (_, values))| wanted.is(values)).map(|(studied, (member, _))| (studied, member))
-        };
+        let Some(wanted) = self.wanted(find) else { return false };
+        let right = || self.members_that_are(&wanted);
         let is_denied = |studied: &Studied, member: &Member| {
             self.is_denied_by_line(studied, member) || self.is_denied_by_equations(member)
         };
         right().any(|(studied, member)| is_denied(studied, member))
             && !right().any(|(studied, member)| is_formula(&member.expr) && !is_denied(studied, member))
+    }
+
+    /// Does the right value of a blank stand anywhere in the lines?
+    pub(super) fn has_right_value(&self, find: &Find) -> bool {
+        self.wanted(find).is_some_and(|wanted| self.members_that_are(&wanted).next().is_some())
+    }
+
+    /// Where a letter was to be found, what was asked is known there alone.
+    fn wanted(&self, find: &Find) -> Option<Wanted> {
+        let found = self.prepared.all_where_found().unwrap_or_default();
+        let at = if found.is_empty() { self.prepared.known.as_slice() } else { found.as_slice() };
+        let known = |quantity: Quantity| sizes(at, quantity);
+        match find {
+            Find::Quantity(quantity) => {
+                known(*quantity).map(|right| Wanted::Number { right, is_angle: is_angle(at, *quantity) })
+            }
+            Find::Vector(x, y) => known(*x).zip(known(*y)).map(|(x, y)| Wanted::Vector(x, y)),
+            Find::Unknown(_) => None,
+        }
+    }
+
+    fn members_that_are<'s>(&'s self, wanted: &'s Wanted) -> impl Iterator<Item = (&'s Studied, &'s Member)> {
+        let all = self.lines.iter().flat_map(|studied| self.members(studied).map(move |one| (studied, one)));
+        all.filter(|(_, (_, values))| wanted.is(values)).map(|(studied, (member, _))| (studied, member))
     }
 
     /// Does a plain value follow formulas of the question's own names and numbers all of which plainly come to something else?

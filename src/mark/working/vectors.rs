@@ -35,7 +35,9 @@ impl Working<'_> {
             let is_stated = velocity.peek().is_some();
             if is_stated && velocity.all(|(member, _)| self.is_denied_by_equations(member)) {
                 denied = denied.or(Some(place));
-            } else if is_stated || reading.equations.iter().any(|equation| self.solves_to(equation, &x, &y)) {
+                continue;
+            }
+            if is_stated || reading.equations.iter().any(|equation| self.solves_to(equation, &x, &y)) {
                 return Some(Evidence::given(place, "momentum as a vector"));
             }
             let is_method = reading.equations.iter().any(|equation| self.is_momentum_of_vectors(equation));
@@ -43,8 +45,9 @@ impl Working<'_> {
                 method = Some(place);
             }
         }
-        let by_components = momentum_by_components(&self.lines, self.prepared);
         let last = |[one, other]: &[AlongAxis; 2]| one.place.max(other.place);
+        let by_components = momentum_by_components(&self.lines, self.prepared);
+        let by_components = by_components.filter(|both| Some(last(both)) != denied);
         if let Some(both) = by_components.as_ref().filter(|both| both.iter().all(|one| one.agrees == Agrees::Fully)) {
             return Some(Evidence::given(last(both), "momentum as a vector"));
         }
