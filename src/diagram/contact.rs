@@ -136,15 +136,14 @@ pub fn triangle(scene: &Scene, known: &Known<Value>, offset: &Given, sum: &Given
         canvas.arc(a, ANGLE, path, line)
     });
     let away = if line.turned().dot(side) < 0.0 { line.turned() } else { -line.turned() };
-    between_centres([a, b], away, formula(sum.shown.clone()), &mut canvas);
+    let shares = [0.5, 0.6, 0.4, 0.7, 0.3, 0.8, 0.2].map(|share| a + (b - a) * share);
+    let spots = [away, -away].into_iter().flat_map(|across| shares.map(|point| Spot::new(point, across)));
+    canvas.label(formula(sum.shown.clone()), spots);
     if let Some(middle) = arc {
-        // Between its lines and within A there is little room: wherever it is.
-        let leaning = [0.5, 0.45, 0.55, 0.4, 0.6, 0.35, 0.65].map(|share| (path * (1.0 - share) + line * share).unit());
-        let near = (0..24).flat_map(|step| leaning.map(|way| Spot::over(a + way * (ANGLE + 0.1 * f64::from(step)))));
-        let within = std::iter::once(Spot::new(a + middle * ANGLE, middle)).chain(near);
+        let within = [0.0, 0.4, 0.8, 1.2].map(|step| Spot::new(a + middle * (ANGLE + step), middle));
         // Beside a narrow angle: beyond the path.
         let aside = [1.0, 1.5, 2.0].map(|share| Spot::new(a + path * (ANGLE * share), side));
-        canvas.label(formula(angle.clone()), within.chain(aside));
+        canvas.label(formula(angle.clone()), within.into_iter().chain(aside));
     }
     names([(a, side), (b, -side)], -path, &mut canvas);
     let words = format!(
@@ -191,16 +190,6 @@ fn dimension(touch: &Touch, offset: &Given, canvas: &mut Canvas) {
     canvas.line(Style::Thin, out, foot + out);
     let label = Spot::new(path * OUTSIDE + foot * 0.5, path);
     canvas.label(formula(without_sign(offset)), [label]);
-}
-
-/// The distance of the centres, measured off beside the spheres: within one of them it would be taken for a radius.
-fn between_centres(centres: [Point; 2], away: Point, distance: Text, canvas: &mut Canvas) {
-    for centre in centres {
-        canvas.line(Style::Dashed, centre, centre + away * OUTSIDE);
-    }
-    let [from, to] = centres.map(|centre| centre + away * (OUTSIDE - 0.5));
-    canvas.line(Style::Thin, from, to);
-    canvas.label(distance, beside(from, to, away));
 }
 
 fn names(centres: [(Point, Point); 2], along: Point, canvas: &mut Canvas) {
