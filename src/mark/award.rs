@@ -77,6 +77,34 @@ pub struct Award {
     pub feedback: String,
 }
 
+/// Why a mark or an answer stands or falls, where no mistake says why.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Ground {
+    /// Right for the student's own values.
+    FollowThrough,
+    /// Earned by what comes of it.
+    Implied,
+    /// Missing between other lines.
+    NotShown,
+    /// Withheld with another mark.
+    Depends,
+    /// Right beside working that comes to another value.
+    Contradicted,
+}
+
+impl Ground {
+    /// Its note.
+    pub(super) fn tag(self) -> &'static str {
+        match self {
+            Ground::FollowThrough => "follow-through",
+            Ground::Implied => "implied",
+            Ground::NotShown => "not-shown",
+            Ground::Depends => "depends",
+            Ground::Contradicted => "contradicted",
+        }
+    }
+}
+
 /// Who decided on a mark.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Examiner {
@@ -118,6 +146,11 @@ impl Award {
     /// ```
     pub fn printed(&self) -> String {
         if self.given { self.code.name().to_owned() } else { self.code.name().replacen('1', "0", 1) }
+    }
+
+    /// Is this why?
+    pub(super) fn is(&self, ground: Ground) -> bool {
+        self.note == Some(ground.tag())
     }
 }
 

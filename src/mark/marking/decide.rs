@@ -7,7 +7,7 @@ use super::withhold::{
     withhold_from_wrong_method,
 };
 use crate::bank::{Code, EarnedFor, Find};
-use crate::mark::award::{Award, Evidence, Examiner, MarkedAnswer, Place};
+use crate::mark::award::{Award, Evidence, Examiner, Ground, MarkedAnswer, Place};
 use crate::mark::judging::{Note, Verdict};
 use crate::mark::key::{KeyedBlank, KeyedMark, KeyedPart};
 use crate::mark::profile::{Charge, Profile};
@@ -54,11 +54,11 @@ pub(super) fn awards(part: &KeyedPart, found: Findings, profile: &Profile, charg
             .filter(|_| !answered || mark.code == Code::A1Shown)
             .map(|award| in_profile(award, mark, profile));
         let by_answers = by_answers(mark, part, &own_blanks, needed, answers, &worth)
-            .filter(|award| award.note != Some("implied") || !contradicted);
+            .filter(|award| !award.is(Ground::Implied) || !contradicted);
         let award = match (by_answers, by_working) {
             // What the working shows is better evidence than what an answer implies.
             (Some(implied), Some(shown))
-                if implied.note == Some("implied")
+                if implied.is(Ground::Implied)
                     && (shown.given || contradicts(&shown) || lacks_letter(&shown, &implied, part)) =>
             {
                 shown
@@ -83,12 +83,12 @@ fn imply_needed(scheme: &[KeyedMark], awards: &mut [Award]) {
     for place in (0..scheme.len()).rev() {
         let by_answer = awards[place].given
             && matches!(&awards[place].evidence, Some(Evidence { place: Place::Answer(_), .. }))
-            && awards[place].note != Some("follow-through");
+            && !awards[place].is(Ground::FollowThrough);
         for needed in scheme[place].depends.iter().copied().filter(|_| by_answer) {
             if !awards[needed].given && awards[needed].evidence.is_none() {
                 awards[needed] = Award {
                     given: true,
-                    note: Some("implied"),
+                    note: Some(Ground::Implied.tag()),
                     evidence: awards[place].evidence.clone(),
                     feedback: "implied by what follows from it".to_owned(),
                     ..withheld(&scheme[needed])
@@ -162,7 +162,7 @@ fn by_one_followed(mark: &KeyedMark, part: &KeyedPart, blank: usize, followed: &
     let follows = is_method || (mark.code == Code::A1FollowThrough && (is_value || is_on_the_way));
     follows.then(|| Award {
         given: true,
-        note: Some("follow-through"),
+        note: Some(Ground::FollowThrough.tag()),
         evidence: Some(Evidence {
             place: Place::Answer(blank),
             reading: judgement.reading.clone().unwrap_or_default(),
@@ -180,12 +180,12 @@ fn shown(place: usize, part: &KeyedPart, answers: &[MarkedAnswer], awards: &[Awa
         Some(&awards[place]).filter(|award| matches!(&award.evidence, Some(Evidence { place: Place::Line(_), .. })));
     let ends = answers.iter().position(|answer| answer.judgement.note == Some(Note::Restated.tag()));
     let missing = awards[..place].iter().find(|award| !award.given);
-    let broken = awards[..place].iter().any(|award| award.note == Some("follow-through"));
+    let broken = awards[..place].iter().any(|award| award.is(Ground::FollowThrough));
     match (ends, missing) {
         (_, None) if by_working.is_some_and(|award| !award.given) => awards[place].clone(),
         (None, None) if by_working.is_some() && !broken => awards[place].clone(),
         (Some(_), None) if broken => Award {
-            note: Some("not-shown"),
+            note: Some(Ground::NotShown.tag()),
             feedback: "a value on the way is wrong, so the result does not follow from it".to_owned(),
             ..withheld(mark)
         },
@@ -199,7 +199,7 @@ fn shown(place: usize, part: &KeyedPart, answers: &[MarkedAnswer], awards: &[Awa
         },
         (_, Some(missing)) if ends.is_some() || by_working.is_some_and(|award| award.given) => {
             let feedback = format!("the result is printed in the question: it earns nothing without {}", missing.id);
-            Award { note: Some("not-shown"), feedback, ..withheld(mark) }
+            Award { note: Some(Ground::NotShown.tag()), feedback, ..withheld(mark) }
         }
         _ => Award { feedback: "the working must end with the result as it is printed".to_owned(), ..withheld(mark) },
     }
@@ -324,7 +324,7 @@ fn by_answers(
     let reading = judgement.reading.clone().unwrap_or_default();
     let (note, feedback) = match is_value(earned) {
         true => (judgement.note, judgement.feedback.clone()),
-        false => (Some("implied"), format!("implied by the {}", answers[earned].name)),
+        false => (Some(Ground::Implied.tag()), format!("implied by the {}", answers[earned].name)),
     };
     Some(Award {
         id: mark.id.clone(),

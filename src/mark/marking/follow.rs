@@ -8,7 +8,7 @@ use super::memory::Judged;
 use crate::answer::{Accept, Kind};
 use crate::bank::{Code, Find};
 use crate::expr::{Expr, Text, written};
-use crate::mark::award::MarkedAnswer;
+use crate::mark::award::{Ground, MarkedAnswer};
 use crate::mark::judging::{Judgement, Model, Note, Verdict, judge};
 use crate::mark::key::{KeyedBlank, KeyedPart, KeyedQuestion};
 use crate::mark::reading::{Form, Reading};
@@ -171,7 +171,7 @@ pub(super) fn say(answers: &mut [MarkedAnswer], followed: &[Option<Followed>]) {
 /// Says of an answer that it follows.
 pub(super) fn say_of(answer: &mut MarkedAnswer) {
     answer.judgement.verdict = Verdict::Partial;
-    answer.judgement.note = Some("follow-through");
+    answer.judgement.note = Some(Ground::FollowThrough.tag());
     answer.judgement.feedback = "Right for the values that you had found before.".to_owned();
 }
 

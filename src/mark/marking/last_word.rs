@@ -2,7 +2,7 @@
 
 use super::memory::Lines;
 use crate::bank::Find;
-use crate::mark::award::MarkedAnswer;
+use crate::mark::award::{Ground, MarkedAnswer};
 use crate::mark::enclosure::about;
 use crate::mark::judging::{Verdict, judge};
 use crate::mark::key::{KeyedBlank, KeyedPart};
@@ -31,7 +31,7 @@ pub(super) fn contradict(part: &KeyedPart, script: &PartScript, examined: &Exami
         let is_contradicted = || is_denied() || comes_to_another(blank, script, &lines) || is_stated_otherwise();
         if answer.judgement.verdict == Verdict::Correct && is_typed && is_contradicted() {
             answer.judgement.verdict = Verdict::Partial;
-            answer.judgement.note = Some("contradicted");
+            answer.judgement.note = Some(Ground::Contradicted.tag());
             answer.judgement.feedback = "This is the right value, but your working comes to another.".to_owned();
         }
     }

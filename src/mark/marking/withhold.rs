@@ -4,7 +4,7 @@
 use super::decide::{is_own, own_blanks, withheld};
 use crate::answer::Kind;
 use crate::bank::{EarnedFor, Find};
-use crate::mark::award::{Award, Evidence, Examiner, MarkedAnswer, Place};
+use crate::mark::award::{Award, Evidence, Examiner, Ground, MarkedAnswer, Place};
 use crate::mark::judging::{Note, Verdict};
 use crate::mark::key::{KeyedBlank, KeyedMark, KeyedPart};
 use crate::mechanics::{Quantity, Seen, Sphere};
@@ -22,7 +22,7 @@ pub(super) fn withhold_for_direction(part: &KeyedPart, answers: &[MarkedAnswer],
             speeds.filter(|(mark, _)| mark.code.is_accuracy() && mark.earned_for.is_speed_beside(direction))
         {
             let feedback = format!("this mark is for the {} as well, which is wrong", blank.name);
-            *award = Award { note: Some("depends"), feedback, ..withheld(mark) };
+            *award = Award { note: Some(Ground::Depends.tag()), feedback, ..withheld(mark) };
         }
     }
 }
@@ -52,10 +52,10 @@ pub(super) fn withhold_from_wrong_method(
         if let Some(missing) = missing
             && awards[place].given
             && by_answer
-            && awards[place].note != Some("follow-through")
+            && !awards[place].is(Ground::FollowThrough)
         {
             let feedback = format!("the value is right, but does not follow without {}", part.scheme[*missing].id);
-            awards[place] = Award { note: Some("depends"), feedback, ..withheld(mark) };
+            awards[place] = Award { note: Some(Ground::Depends.tag()), feedback, ..withheld(mark) };
         }
     }
 }
@@ -86,13 +86,9 @@ pub(super) fn withhold_from_wrong_equations(
             let leads = |blank: &usize| needed[*wrong][*blank] && scheme[*wrong].blanks.contains(blank);
             own.iter().any(leads) || depends_on(scheme, place, &|other| other.earned_for == scheme[*wrong].earned_for)
         };
-        if is_value
-            && awards[place].given
-            && awards[place].note != Some("follow-through")
-            && wrong.iter().any(comes_from)
-        {
+        if is_value && awards[place].given && !awards[place].is(Ground::FollowThrough) && wrong.iter().any(comes_from) {
             let feedback = "the value is right, but does not follow from your equations".to_owned();
-            awards[place] = Award { note: Some("depends"), feedback, ..withheld(mark) };
+            awards[place] = Award { note: Some(Ground::Depends.tag()), feedback, ..withheld(mark) };
         }
     }
 }
@@ -106,7 +102,7 @@ fn depends_on(scheme: &[KeyedMark], place: usize, is: &dyn Fn(&KeyedMark) -> boo
 pub(super) fn contradicts(shown: &Award) -> bool {
     let wrong = [
         "sign-error",
-        "contradicted",
+        Ground::Contradicted.tag(),
         "sincos-swap",
         "wrong-axis",
         "e-wrong-side",
@@ -147,7 +143,7 @@ pub(super) fn drop_dependent(scheme: &[KeyedMark], awards: &mut [Award]) {
             let needed = awards[missing].id.clone();
             let award = &mut awards[place];
             award.given = false;
-            award.note = Some("depends");
+            award.note = Some(Ground::Depends.tag());
             award.feedback = format!("depends on {needed}");
         }
     }

@@ -1,7 +1,7 @@
 //! The table of marks: for every part handed in a row for each of its blanks, or one row.
 
 use super::{MarkReport, MarkedScript, MarkedUnder};
-use crate::mark::award::{Award, MarkedAnswer, MarkedPart, Place};
+use crate::mark::award::{Award, Ground, MarkedAnswer, MarkedPart, Place};
 use crate::mark::judging::{Note, Verdict};
 use crate::table::{one_line, write};
 
@@ -129,7 +129,7 @@ fn note<'r>(answers: &'r [MarkedAnswer], awards: &[&'r Award]) -> &'r str {
     // Of several blanks one that was left empty says the least.
     let judged = judged.clone().find(|note| *note != Note::Blank.tag()).or_else(|| judged.next());
     let caused = || answers.iter().find_map(|answer| Some(answer.causes.first()?.tag.as_str()));
-    let awarded = || awards.iter().filter_map(|award| award.note).find(|note| *note != "implied");
+    let awarded = || awards.iter().filter_map(|award| award.note).find(|note| *note != Ground::Implied.tag());
     judged.or_else(caused).or_else(awarded).unwrap_or_default()
 }
 
@@ -150,7 +150,7 @@ fn feedback(answers: &[MarkedAnswer], awards: &[&Award]) -> String {
             }
         }
     };
-    let followed = awards.iter().find(|award| award.given && award.note == Some("follow-through"));
+    let followed = awards.iter().find(|award| award.given && award.is(Ground::FollowThrough));
     sentences.extend(followed.map(|award| award.feedback.clone()));
     sentences.retain(|sentence| !sentence.is_empty());
     sentences.join(" ")

@@ -1,6 +1,6 @@
 //! Why an answer is wrong, in words and in marks.
 
-use crate::mechanics::{Carried, Law, Quantity, Slip};
+use crate::mechanics::{Carried, Law, Quantity, Slip, ordinal};
 
 use super::calculator;
 use super::last_step::{self, OF_FORM};
@@ -55,7 +55,7 @@ impl Way {
     pub(super) fn rank(&self) -> (u8, usize) {
         let place = |slip: usize| usize::from(Slip::all()[slip].1.place);
         match &self.origin {
-            Origin::Slips(slip, None) => (1, place(*slip)),
+            Origin::Slips(slip, None) | Origin::SlipAt(slip, _) => (1, place(*slip)),
             Origin::Calculator(slip) => (1, usize::from(calculator::SLIPS[*slip].place)),
             Origin::LastStep(step) => match last_step::ALL.iter().position(|other| other == step).unwrap_or_default() {
                 form if form < OF_FORM => (0, form),
@@ -76,18 +76,22 @@ impl Way {
     pub(super) fn tags(&self) -> Vec<&'static str> {
         match &self.origin {
             Origin::Slips(one, two) => std::iter::once(*one).chain(*two).map(|slip| Slip::all()[slip].1.tag).collect(),
+            Origin::SlipAt(slip, _) => vec![Slip::all()[*slip].1.tag],
             Origin::Calculator(slip) => vec![calculator::SLIPS[*slip].tag],
             Origin::LastStep(step) => vec![step.tag],
         }
     }
 
     pub(super) fn cause(&self, road: &Carried<Sample>) -> Cause {
-        let sentences: Vec<&str> = match &self.origin {
-            Origin::Slips(one, two) => {
-                std::iter::once(*one).chain(*two).map(|slip| Slip::all()[slip].1.sentence).collect()
+        let sentence = match &self.origin {
+            Origin::Slips(one, None) => Slip::all()[*one].1.sentence.to_owned(),
+            Origin::Slips(one, Some(two)) => [one, two].map(|slip| Slip::all()[*slip].1.sentence).join(" "),
+            Origin::SlipAt(slip, impact) => {
+                let sentence = Slip::all()[*slip].1.sentence;
+                format!("{sentence} So it is in the {} impact only.", ordinal(*impact))
             }
-            Origin::Calculator(slip) => vec![calculator::SLIPS[*slip].sentence],
-            Origin::LastStep(step) => vec![step.sentence],
+            Origin::Calculator(slip) => calculator::SLIPS[*slip].sentence.to_owned(),
+            Origin::LastStep(step) => step.sentence.to_owned(),
         };
         let steps = road.derivation().steps.iter();
         let mut laws: Vec<Law> =
@@ -101,6 +105,6 @@ impl Way {
             method,
             accuracy,
         });
-        Cause { tags: self.tags(), laws, sentence: sentences.join(" "), steps: steps.collect() }
+        Cause { tags: self.tags(), laws, sentence, steps: steps.collect() }
     }
 }

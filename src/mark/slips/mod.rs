@@ -49,6 +49,8 @@ const SAME: f64 = 1e-9;
 enum Origin {
     /// Slips of laws, one or two, by their places among all.
     Slips(usize, Option<usize>),
+    /// A slip at one impact of several, with how many impacts come before it.
+    SlipAt(usize, u8),
     /// A slip of the calculator.
     Calculator(usize),
     /// A mistake in the last line.
@@ -158,7 +160,7 @@ impl Mistakes {
     /// The causes that ways are, each once.
     fn behind(&self, ways: Vec<usize>) -> Vec<Cause> {
         let mut ways: Vec<&Way> = ways.into_iter().map(|way| &self.ways[way]).collect();
-        ways.sort_by_key(|way| way.rank());
+        ways.sort_by_key(|way| (way.rank(), matches!(way.origin, Origin::SlipAt(..))));
         ways.dedup_by_key(|way| way.rank());
         ways.into_iter().map(|way| way.cause(&self.roads[way.road])).collect()
     }
@@ -269,7 +271,7 @@ impl Mistakes {
                 }
                 let changes = wrong.iter().fold(0, |changes, (answer, _)| changes | 1_u64.wrapping_shl(*answer as u32));
                 singles.push(Single { slip, road, slipped: trace.slipped, changes });
-                self.add_slip(slip, road, trace, wrong);
+                self.add_slip(slip, None, road, trace, wrong);
             }
             // Who makes it at one impact of several need not make it at the others.
             for road in 0..self.roads.len() {
@@ -277,7 +279,7 @@ impl Mistakes {
                 for impact in impacts.iter().filter(|_| impacts.len() > 1) {
                     let (trace, wrong) = self.again(road, &[MadeSlip::at(*owned, *impact)], &[]);
                     if !trace.slipped.is_empty() {
-                        self.add_slip(slip, road, trace, wrong);
+                        self.add_slip(slip, Some(*impact), road, trace, wrong);
                     }
                 }
             }
@@ -285,12 +287,23 @@ impl Mistakes {
         singles
     }
 
-    /// Adds what a slip by itself leads to, where it does not lead there already.
-    fn add_slip(&mut self, slip: usize, road: usize, trace: Trace, mut wrong: Vec<(usize, Values)>) {
+    /// Adds what a slip by itself leads to, made at every impact or at one, where it does not lead there already.
+    fn add_slip(
+        &mut self,
+        slip: usize,
+        impact: Option<u8>,
+        road: usize,
+        trace: Trace,
+        mut wrong: Vec<(usize, Values)>,
+    ) {
         let lost = if Slip::all()[slip].1.condoned { Steps::default() } else { trace.slipped };
-        let is_same = |way: &Way| matches!(way.origin, Origin::Slips(other, None) if other == slip);
+        let is_same = |way: &Way| match way.origin {
+            Origin::Slips(other, None) | Origin::SlipAt(other, _) => other == slip,
+            _ => false,
+        };
         wrong.retain(|(answer, values)| !self.answers[*answer].has(values, |way| is_same(&self.ways[way])));
-        self.add(Way { origin: Origin::Slips(slip, None), road, trace, lost }, wrong.into_iter());
+        let origin = impact.map_or(Origin::Slips(slip, None), |impact| Origin::SlipAt(slip, impact));
+        self.add(Way { origin, road, trace, lost }, wrong.into_iter());
     }
 
     fn add_calculator(&mut self) {

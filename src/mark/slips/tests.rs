@@ -99,6 +99,28 @@ fn carom_names_every_cause_of_a_wrong_number_likely_ones_first() {
 }
 
 #[test]
+fn a_slip_at_one_impact_of_two_says_at_which() {
+    // 4i - 6j becomes 4i + 3j at the first wall and -i + 3j at the second.
+    let known = posed(
+        r#"{"masses": {"A": "1"}, "before": {"A": ["4", "-6"]}, "wall": ["1", "0"], "e": "1/2",
+            "then": [{"of": ["A"], "wall": ["0", "1"], "e": "1/4"}]}"#,
+    );
+    let after = velocity(Sphere::A).into_iter().map(|quantity| quantity.in_impact(1).unwrap()).collect();
+    let asked = asked([after]);
+    let mistakes = Mistakes::of(&known, &asked, &[], None);
+    for (text, only) in [
+        ("-4i + 6j", None),
+        ("-i + 6j", Some("So it is in the first impact only.")),
+        ("-4i + 3j", Some("So it is in the second impact only.")),
+    ] {
+        let causes = mistakes.causes(&asked[0], &said(text, &[]));
+        assert_eq!(tags(&causes), ["e-taken-as-1"], "{text}");
+        let sentence = &causes[0].sentence;
+        assert!(only.map_or(!sentence.contains("only"), |only| sentence.ends_with(only)), "{text}: {sentence}");
+    }
+}
+
+#[test]
 fn on_one_line_nobody_takes_another_axis() {
     let known = posed(r#"{"masses": {"A": "1", "B": "3"}, "before": {"A": "11", "B": "3"}, "e": "1/2"}"#);
     let asked = asked([vec![Quantity::Speed(Sphere::A, Moment::After)]]);

@@ -1,5 +1,7 @@
 //! What a line shows of a mark.
 
+use crate::mark::award::Ground;
+
 /// What a line shows of a mark.
 pub(super) struct Evidence {
     /// The place of the line.
@@ -18,6 +20,6 @@ impl Evidence {
 
     pub(super) fn followed(line: usize, role: impl Into<String>) -> Evidence {
         let feedback = "followed through from your own values".to_owned();
-        Evidence { note: Some("follow-through"), feedback, ..Evidence::given(line, role) }
+        Evidence { note: Some(Ground::FollowThrough.tag()), feedback, ..Evidence::given(line, role) }
     }
 }

@@ -9,7 +9,7 @@ use super::prepared::Prepared;
 use super::theirs::Theirs;
 use crate::bank::{Code, EarnedFor};
 use crate::expr::Expr;
-use crate::mark::award::{Award, Evidence, MarkedLine, Place};
+use crate::mark::award::{Award, Evidence, Ground, MarkedLine, Place};
 use crate::mark::key::{KeyedMark, KeyedPart, KeyedQuestion};
 use crate::mechanics::{Law, Meeting, Quantity, Sphere};
 
@@ -171,7 +171,7 @@ impl Examined {
         }
         let Some(own) = question.with_own(before) else { return };
         let feedback = "followed through from your own values";
-        self.follow(&own, part, working, before, &is_open, ("follow-through", feedback));
+        self.follow(&own, part, working, before, &is_open, (Ground::FollowThrough.tag(), feedback));
     }
 
     /// With the methods that are seen where the question is taken as the student has read it, with one number of it copied

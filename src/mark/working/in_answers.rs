@@ -9,7 +9,7 @@ use super::compare::is_vector;
 use super::departure::Departure;
 use super::energies::ToBeSubtracted;
 use super::examine::{Examined, Value, Working, value};
-use super::linear::Linear;
+use super::linear::{Linear, common_root};
 use super::offered::differences;
 use super::pair::BOTH;
 use super::points::sizes;
@@ -352,16 +352,11 @@ impl<'a> Working<'a> {
         };
         let [momentum, restitution] = BOTH.map(equation);
         let numbers = |linear: &Linear| {
-            let [v, w] =
-                [0, 1].map(|place| linear.before(&convention.letters[place]).middle() * convention.signs[place]);
-            [v, w, -linear.constant.middle()]
+            let [v, w, constant] = linear.in_numbers([&convention.letters[0], &convention.letters[1]]);
+            [v * convention.signs[0], w * convention.signs[1], constant]
         };
-        let each = momentum.iter().flatten().zip(restitution.iter().flatten()).map(|(one, other)| {
-            let ([p, q, r], [s, t, u]) = (numbers(one), numbers(other));
-            let determinant = p * t - q * s;
-            let solution = [(r * t - u * q) / determinant, (p * u - s * r) / determinant];
-            solution.iter().all(|number| number.is_finite()).then_some(solution)
-        });
+        let both = momentum.iter().flatten().zip(restitution.iter().flatten());
+        let each = both.map(|(one, other)| common_root(numbers(one), numbers(other)));
         let each: Vec<[f64; 2]> = each.collect::<Option<_>>()?;
         let of = |place: usize| each.iter().map(|solution| solution[place]).collect::<Vec<f64>>();
         (each.len() == self.prepared.points.count).then(|| [of(0), of(1)])

@@ -53,6 +53,11 @@ impl Linear {
         self.unknowns.is_empty()
     }
 
+    /// As an equation that sets it equal to nought: `p x + q y = r`.
+    pub(super) fn in_numbers(&self, [x, y]: [&str; 2]) -> [f64; 3] {
+        [self.before(x).middle(), self.before(y).middle(), -self.constant.middle()]
+    }
+
     pub(super) fn plus(mut self, other: &Linear) -> Linear {
         self.constant = self.constant + other.constant;
         for (name, number) in &other.unknowns {
@@ -76,6 +81,14 @@ impl Linear {
         self.size *= factor.low.abs().max(factor.high.abs());
         self
     }
+}
+
+/// The one solution of `p x + q y = r` and another equation like it.
+pub(super) fn common_root([p, q, r]: [f64; 3], [s, t, u]: [f64; 3]) -> Option<[f64; 2]> {
+    let determinant = p * t - q * s;
+    let is_none = determinant.abs() <= 1e-9 * (p * t).abs().max((q * s).abs());
+    let root = [(r * t - u * q) / determinant, (p * u - s * r) / determinant];
+    root.iter().all(|number| number.is_finite() && !is_none).then_some(root)
 }
 
 /// What the formula comes to at a point; `None` if it is no sum of this kind.

@@ -47,7 +47,6 @@ mod printed;
 mod products;
 mod rebound;
 mod remarks;
-mod roots;
 mod said;
 mod shapes;
 mod slipped;
@@ -61,8 +60,8 @@ mod told_apart;
 mod trials;
 mod turned;
 mod two_lines;
-mod unequal;
 mod values;
+mod vector_momentum;
 mod vectors;
 
 pub(super) use examine::{Examined, has_these_sizes};

@@ -9,6 +9,7 @@ use super::linear::{Context, Sum, difference};
 use super::points::{Points, sizes};
 use crate::answer::Kind;
 use crate::expr::{Expr, Function, Relation};
+use crate::mark::award::Ground;
 use crate::mark::judging::{Judgement, Model, Note, judge};
 use crate::mark::reading::{Form, Label, Reading};
 
@@ -34,7 +35,12 @@ impl Working<'_> {
         if let Some(line) = self.false_line() {
             let feedback = "this line is not true, so the result does not follow from it".to_owned();
             let role = "not true";
-            return Some(Evidence { given: false, note: Some("not-shown"), feedback, ..Evidence::given(line, role) });
+            return Some(Evidence {
+                given: false,
+                note: Some(Ground::NotShown.tag()),
+                feedback,
+                ..Evidence::given(line, role)
+            });
         }
         let last = self.lines.len().checked_sub(1)?;
         self.ends_with_result(last).then(|| Evidence::given(last, role))

@@ -10,7 +10,7 @@ use super::prepared::Prepared;
 use super::theirs::is_nearly_right;
 use crate::bank::Code;
 use crate::expr::Expr;
-use crate::mark::award::Award;
+use crate::mark::award::{Award, Ground};
 use crate::mark::key::KeyedPart;
 
 /// A number, without its sign, and the formula that it stands for.
@@ -98,7 +98,8 @@ impl Examined {
             let follows = mark.code.is_method() || mark.code == Code::A1FollowThrough;
             let is_open = award.as_ref().is_none_or(|award| !award.given);
             if let Some(other) = other.filter(|other| follows && is_open && other.given) {
-                let (note, feedback) = (Some("follow-through"), "followed through from your own values".to_owned());
+                let (note, feedback) =
+                    (Some(Ground::FollowThrough.tag()), "followed through from your own values".to_owned());
                 *award = Some(Award { note, feedback, ..other });
             }
         }

@@ -1,11 +1,9 @@
-//! Marks of collisions that are given backwards, in vectors: momentum as a vector, the line of centres from an impulse,
-//! components along it, and e from those.
+//! Marks of collisions that are given backwards, in vectors: the line of centres from an impulse, components along it, and e
+//! from those.
 
-use super::by_components::{AlongAxis, momentum_by_components, signs};
-use super::compare::{any_within, is_composite, is_parallel, is_vector};
+use super::compare::{any_within, is_composite, is_parallel};
 use super::evidence::Evidence;
 use super::examine::{Studied, Value, Working};
-use super::impulse::Agrees;
 use super::line::Member;
 use super::pair::Departure;
 use super::points::sizes;
@@ -13,88 +11,13 @@ use super::said::says_along;
 use super::theirs::numbers;
 use crate::bank::Code;
 use crate::expr::Expr;
+use crate::mark::award::Ground;
 use crate::mechanics::{Axis, Law, Moment, Quantity, Seen, Setting, Sphere};
 
 /// A component with its size at every point.
 type Component = (Quantity, Vec<f64>);
 
 impl Working<'_> {
-    /// Momentum as a vector: an equation with the velocity that is to be found.
-    pub(super) fn vector_momentum(&self, code: Code) -> Option<Evidence> {
-        let unknown = Sphere::BOTH.into_iter().find(|sphere| {
-            !self.prepared.given[0].0.contains_key(&Quantity::Velocity(*sphere, Moment::After, Axis::X))
-        })?;
-        let right = |axis| sizes(&self.prepared.known, Quantity::Velocity(unknown, Moment::After, axis));
-        let (x, y) = right(Axis::X).zip(right(Axis::Y))?;
-        let mut method = None;
-        let mut denied = None;
-        for (place, studied) in self.lines.iter().enumerate() {
-            let Some(reading) = &studied.reading else { continue };
-            // The velocity itself, or a multiple of it, is what the equation leads to, if it is not another one.
-            let mut velocity = self.members(studied).filter(|(_, values)| is_vector(values, &x, &y, 1.0)).peekable();
-            let is_stated = velocity.peek().is_some();
-            if is_stated && velocity.all(|(member, _)| self.is_denied_by_equations(member)) {
-                denied = denied.or(Some(place));
-                continue;
-            }
-            if is_stated || reading.equations.iter().any(|equation| self.solves_to(equation, &x, &y)) {
-                return Some(Evidence::given(place, "momentum as a vector"));
-            }
-            let is_method = reading.equations.iter().any(|equation| self.is_momentum_of_vectors(equation));
-            if is_method && method.is_none() {
-                method = Some(place);
-            }
-        }
-        let last = |[one, other]: &[AlongAxis; 2]| one.place.max(other.place);
-        let by_components = momentum_by_components(&self.lines, self.prepared);
-        let by_components = by_components.filter(|both| Some(last(both)) != denied);
-        if let Some(both) = by_components.as_ref().filter(|both| both.iter().all(|one| one.agrees == Agrees::Fully)) {
-            return Some(Evidence::given(last(both), "momentum as a vector"));
-        }
-        let is_method = method.is_some() || by_components.is_some();
-        let place = method.or(by_components.as_ref().map(last)).or(denied)?;
-        let given = || Evidence::given(place, "momentum as a vector");
-        let lost = |note: Option<&'static str>, feedback: &str| {
-            Some(Evidence { given: false, note, feedback: feedback.to_owned(), ..given() })
-        };
-        match (is_method, code.is_accuracy()) {
-            (true, false) => Some(given()),
-            (true, true) => lost(Some(Departure::Sign.tag()), "a sign or a number in it is wrong"),
-            (false, _) => lost(Some("contradicted"), "the velocity is right, but your equation leads to another"),
-        }
-    }
-
-    /// Is the equation true when the unknown is this vector?
-    fn solves_to(&self, (left, right): &(Expr, Expr), x: &[f64], y: &[f64]) -> bool {
-        (0..self.prepared.points.count).all(|point| {
-            let context = super::examine::context(self.prepared, point);
-            let Some(super::linear::Sum::Vector(along_i, along_j)) = super::linear::difference(left, right, &context)
-            else {
-                return false;
-            };
-            let [(name, number)] = along_i.unknowns.as_slice() else { return false };
-            let holds = |linear: &super::linear::Linear, value: f64| {
-                let total = linear.before(name).times(value) + linear.constant;
-                total.may_be_nought(linear.size.max((number.middle() * value).abs()))
-            };
-            holds(&along_i, x[point]) && holds(&along_j, y[point])
-        })
-    }
-
-    /// Is it such an equation but for signs: the right mass before the unknown, and all three known momenta?
-    fn is_momentum_of_vectors(&self, (left, right): &(Expr, Expr)) -> bool {
-        let context = super::examine::context(self.prepared, 0);
-        let Some(super::linear::Sum::Vector(along_i, along_j)) = super::linear::difference(left, right, &context)
-        else {
-            return false;
-        };
-        Sphere::BOTH.into_iter().any(|unknown| {
-            let fits = |axis, linear| signs(linear, unknown, axis, self.prepared, 0);
-            let (one, two) = (fits(Axis::X, &along_i), fits(Axis::Y, &along_j));
-            one.iter().any(|signs| two.contains(signs))
-        })
-    }
-
     /// A change of momentum or of velocity, which is along the line of centres. For the accuracy of the line the vector in which
     /// it ends is: what is worked out wrongly, or another line that is concluded, costs the mark.
     pub(super) fn along_impulse(&self, law: Law, code: Code) -> Option<Evidence> {
@@ -109,7 +32,7 @@ impl Working<'_> {
         let Some(place) = self.lines.iter().position(has_one) else {
             // Another line of centres is named, and none is right.
             let place = self.lines.iter().position(|studied| names_it(&studied))?;
-            let (note, feedback) = (Some("contradicted"), "it names another line of centres".to_owned());
+            let (note, feedback) = (Some(Ground::Contradicted.tag()), "it names another line of centres".to_owned());
             let lost = Evidence { given: false, note, feedback, ..Evidence::given(place, law.name()) };
             return (code.is_accuracy() && law.seen() == Seen::AlongLine).then_some(lost);
         };

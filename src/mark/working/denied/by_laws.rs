@@ -1,22 +1,22 @@
 //! Equations that deny what is found: `80 = 18m²` has not led to `m = 4`, nor `5 - 2 = 1 + 2w` to `w = 2`.
 
-use super::compare::any_within;
-use super::convention::is_value;
-use super::examine::{Working, value};
-use super::line::Member;
-use super::linear::Linear;
-use super::offered::differences;
-use super::pair::Convention;
-use super::points::sizes;
-use super::theirs::{is_of_velocity, numbers};
-use super::unequal::{ROUNDED, is_formula};
+use super::super::compare::any_within;
+use super::super::convention::is_value;
+use super::super::examine::{Working, value};
+use super::super::line::Member;
+use super::super::linear::Linear;
+use super::super::offered::differences;
+use super::super::pair::Convention;
+use super::super::points::sizes;
+use super::super::theirs::{is_of_velocity, numbers};
+use super::{are_far, is_unfinished};
 use crate::expr::Expr;
 use crate::mechanics::{Axis, Moment, Quantity, Sphere};
 
 impl Working<'_> {
     /// Do lines set up an equation in the one letter that is sought of which the right value is plainly no root, and none of
     /// which it is? That the letter is so much is no such equation.
-    pub(super) fn denies_what_is_found(&self) -> bool {
+    pub(in super::super) fn denies_what_is_found(&self) -> bool {
         if self.prepared.found.len() != 1 {
             return false;
         }
@@ -36,7 +36,7 @@ impl Working<'_> {
     /// Of each sphere: do the student's own equations lead elsewhere than to its right velocity after the impact, and is nothing
     /// after them right that is more than a value? Whatever is right then has not come from them; where they have been followed
     /// to what they lead to, the answer is another attempt.
-    pub(super) fn denies_velocities(&self) -> [bool; 2] {
+    pub(in super::super) fn denies_velocities(&self) -> [bool; 2] {
         if !self.prepared.found.is_empty() {
             return [false; 2];
         }
@@ -68,7 +68,7 @@ impl Working<'_> {
         let is_found = |member: &Member| {
             let place = convention.letters.iter().position(|letter| member.letter.as_ref() == Some(letter));
             // In letters a formula is what was to be found, and no way to it.
-            let is_way = is_formula(&member.expr) && member.expr.names().is_empty();
+            let is_way = is_unfinished(&member.expr) && member.expr.names().is_empty();
             let own = self.in_given_names(&member.expr).filter(|_| is_way);
             let own = own.and_then(|values| numbers(&values));
             place.zip(own).is_some_and(|(place, own)| {
@@ -122,11 +122,6 @@ impl Working<'_> {
         // Where both come to nought, floats leave noise behind.
         are_apart && !(0..self.prepared.points.count).all(|point| self.holds_at(&left, &right, point))
     }
-}
-
-/// Are they plainly different at every point?
-fn are_far(one: &[f64], other: &[f64]) -> bool {
-    one.iter().zip(other).all(|(one, other)| (one - other).abs() > ROUNDED * one.abs().max(other.abs()))
 }
 
 /// Is it set equal to nought with decimals, which are rounded? Of nought no part is small.

@@ -1,10 +1,10 @@
 //! What a student's own equations come to for a letter: `8 = 4e` has not led to `e = 1/2`.
 
-use super::compare::any_within;
-use super::examine::{Value, Working, value};
-use super::line::Member;
-use super::linear::{Context, Linear, Sum, difference};
-use super::unequal::{ROUNDED, is_formula};
+use super::super::compare::any_within;
+use super::super::examine::{Working, context, value};
+use super::super::line::Member;
+use super::super::linear::{Context, Linear, Sum, common_root, difference};
+use super::{are_apart_either_way, is_unfinished, middle};
 use crate::expr::Expr;
 
 /// A root at every point, along i and along j; a number is along i alone.
@@ -19,12 +19,13 @@ enum Equation {
 impl Working<'_> {
     /// Does a line give a letter a plain value, where the student's own equations in that letter, or in it and one other, all
     /// have plainly another root? Whatever sign the value has: one direction may have been turned round.
-    pub(super) fn is_denied_by_equations(&self, member: &Member) -> bool {
-        let Some(letter) = member.letter.as_ref().filter(|_| !is_formula(&member.expr)) else { return false };
+    pub(in super::super) fn is_denied_by_equations(&self, member: &Member) -> bool {
+        let Some(letter) = member.letter.as_ref().filter(|_| !is_unfinished(&member.expr)) else { return false };
         let own = value(&member.expr, self.prepared, &self.prepared.names);
         let Some(own) = own.map(|values| values.iter().map(middle).collect::<Root>()) else { return false };
         let roots = self.roots_for(letter);
-        !roots.is_empty() && roots.iter().all(|root| root.iter().zip(&own).all(|(root, own)| are_apart(*root, *own)))
+        !roots.is_empty()
+            && roots.iter().all(|root| root.iter().zip(&own).all(|(root, own)| are_apart_either_way(*root, *own)))
     }
 
     /// The roots of all equations that say something of a letter.
@@ -43,14 +44,14 @@ impl Working<'_> {
         let equations: Vec<Equation> = says.filter_map(|equation| self.linear(equation, &names)).collect();
         let mut roots: Vec<Root> = equations.iter().filter_map(|equation| root(equation, letter)).collect();
         for (place, one) in equations.iter().enumerate() {
-            roots.extend(equations[place + 1..].iter().filter_map(|other| common_root(one, other, letter)));
+            roots.extend(equations[place + 1..].iter().filter_map(|other| root_of_two(one, other, letter)));
         }
         roots
     }
 
     fn linear(&self, (left, right): &(Expr, Expr), names: &[(String, Vec<f64>)]) -> Option<Equation> {
         let at = |point| {
-            let context = Context { given: names, ..super::examine::context(self.prepared, point) };
+            let context = Context { given: names, ..context(self.prepared, point) };
             difference(left, right, &context)
         };
         let all: Vec<Sum> = (0..self.prepared.points.count).map(at).collect::<Option<_>>()?;
@@ -82,7 +83,7 @@ fn root(equation: &Equation, letter: &str) -> Option<Root> {
 }
 
 /// What two equations in this letter and one other come to for it.
-fn common_root(one: &Equation, other: &Equation, letter: &str) -> Option<Root> {
+fn root_of_two(one: &Equation, other: &Equation, letter: &str) -> Option<Root> {
     let (Equation::Number(one), Equation::Number(other)) = (one, other) else { return None };
     let at = |(one, other): (&Linear, &Linear)| {
         let beside = |linear: &Linear| match linear.unknowns.as_slice() {
@@ -91,33 +92,15 @@ fn common_root(one: &Equation, other: &Equation, letter: &str) -> Option<Root> {
             _ => None,
         };
         let name = beside(one).filter(|name| beside(other).as_ref() == Some(name))?;
-        let numbers = |linear: &Linear| {
-            [linear.before(letter).middle(), linear.before(&name).middle(), -linear.constant.middle()]
-        };
-        let ([p, q, r], [s, t, u]) = (numbers(one), numbers(other));
-        let determinant = p * t - q * s;
-        let is_none = determinant.abs() <= 1e-9 * (p * t).abs().max((q * s).abs());
-        finite((r * t - u * q) / determinant).filter(|_| !is_none).map(|root| [root, 0.0])
+        let numbers = |linear: &Linear| linear.in_numbers([letter, &name]);
+        common_root(numbers(one), numbers(other)).map(|[root, _]| [root, 0.0])
     };
     one.iter().zip(other).map(at).collect()
 }
 
 /// Is it a letter that is said to be so much, with nothing left to work out?
 fn is_plain(name: &Expr, expr: &Expr) -> bool {
-    matches!(name, Expr::Name(_)) && !is_formula(expr)
-}
-
-fn middle(value: &Value) -> [f64; 2] {
-    match value {
-        Value::Number(number) => [number.middle(), 0.0],
-        Value::Vector(x, y) => [x.middle(), y.middle()],
-    }
-}
-
-/// Are they plainly different, whichever way each points?
-fn are_apart([x, y]: [f64; 2], [own_x, own_y]: [f64; 2]) -> bool {
-    let size = x.hypot(y).max(own_x.hypot(own_y));
-    [1.0, -1.0].into_iter().all(|sign| (x - sign * own_x).hypot(y - sign * own_y) > ROUNDED * size)
+    matches!(name, Expr::Name(_)) && !is_unfinished(expr)
 }
 
 fn finite(number: f64) -> Option<f64> {

@@ -1,18 +1,15 @@
 //! Values at the end of a line that plainly comes to something else: `3 × 64 - 2 × 49 = 40/3` has not found 40/3.
 
-use super::compare::{any_within, comes_to, comes_to_angle, is_vector};
-use super::examine::{Studied, Value, Working, value};
-use super::impulse::is_worked;
-use super::line::Member;
-use super::points::sizes;
-use super::printed::leaves;
+use super::super::compare::{any_within, comes_to, comes_to_angle, is_vector};
+use super::super::examine::{Studied, Value, Working, value};
+use super::super::line::Member;
+use super::super::points::sizes;
+use super::super::printed::leaves;
+use super::{ROUNDED, are_apart_either_way, is_unfinished, middle};
 use crate::bank::Find;
 use crate::expr::{Expr, Function};
 use crate::mechanics::{Datum, Known, Quantity};
 use crate::number;
-
-/// Sides that are apart by less than this part of the greater may be so by rounding.
-pub(super) const ROUNDED: f64 = 0.05;
 
 /// What a blank asks for, at every point.
 enum Wanted {
@@ -45,7 +42,7 @@ struct Formula {
 
 impl Working<'_> {
     /// For each blank: is the right value in the lines, and only behind an equals sign that is false?
-    pub(super) fn denied_by_lines(&self) -> Vec<bool> {
+    pub(in super::super) fn denied_by_lines(&self) -> Vec<bool> {
         self.part.blanks.iter().map(|blank| self.is_only_denied(&blank.find)).collect()
     }
 
@@ -56,11 +53,11 @@ impl Working<'_> {
             self.is_denied_by_line(studied, member) || self.is_denied_by_equations(member)
         };
         right().any(|(studied, member)| is_denied(studied, member))
-            && !right().any(|(studied, member)| is_formula(&member.expr) && !is_denied(studied, member))
+            && !right().any(|(studied, member)| is_unfinished(&member.expr) && !is_denied(studied, member))
     }
 
     /// Does the right value of a blank stand anywhere in the lines?
-    pub(super) fn has_right_value(&self, find: &Find) -> bool {
+    pub(in super::super) fn has_right_value(&self, find: &Find) -> bool {
         self.wanted(find).is_some_and(|wanted| self.members_that_are(&wanted).next().is_some())
     }
 
@@ -85,9 +82,9 @@ impl Working<'_> {
 
     /// Does a plain value follow formulas of the question's own names and numbers all of which plainly come to something else?
     /// In letters it is plain if it is shorter than each of them.
-    pub(super) fn is_denied_by_line(&self, studied: &Studied, member: &Member) -> bool {
+    pub(in super::super) fn is_denied_by_line(&self, studied: &Studied, member: &Member) -> bool {
         let is_in_letters = !member.expr.names().is_empty();
-        let is_plain = is_in_letters || !is_formula(&member.expr);
+        let is_plain = is_in_letters || !is_unfinished(&member.expr);
         let Some(own) = self.in_given_names(&member.expr).filter(|_| is_plain) else { return false };
         let formulas = self.formulas_before(studied, member);
         let is_denied = |formula: &Formula| {
@@ -103,7 +100,7 @@ impl Working<'_> {
         let mut found = Vec::new();
         let Some(reading) = &studied.reading else { return found };
         let formula = |other: &Member| {
-            let values = self.in_given_names(&other.expr).filter(|_| is_formula(&other.expr));
+            let values = self.in_given_names(&other.expr).filter(|_| is_unfinished(&other.expr));
             let is_square = |inner: &Expr| matches!(inner, Expr::Power(..) | Expr::Call(Function::Sqrt, _));
             let (length, has_square) = (leaves(&other.expr), any_within(&other.expr, &is_square));
             values.map(|values| Formula { values, length, has_square })
@@ -128,7 +125,7 @@ impl Working<'_> {
 
     /// What a formula comes to by what is given, and not by the student's own letters, nor by one that is to be found or that
     /// only the words of the question have.
-    pub(super) fn in_given_names(&self, expr: &Expr) -> Option<Vec<Value>> {
+    pub(in super::super) fn in_given_names(&self, expr: &Expr) -> Option<Vec<Value>> {
         let is_given = |letter: &str| {
             let has = |value: &number::Value| value.letters().iter().any(|own| own.name() == letter);
             self.question.given.0.iter().any(|(_, datum)| match datum {
@@ -150,23 +147,6 @@ fn is_angle(known: &[Known<f64>], quantity: Quantity) -> bool {
     matches!(known.first().and_then(|known| known.0.get(&quantity)), Some(Datum::Direction { .. }))
 }
 
-/// Is something worked out in it? Not in `40/3`, `4√39/9` or `24i + 18j`, but in `7/5.5`.
-pub(super) fn is_formula(expr: &Expr) -> bool {
-    let is_root = |factor: &Expr| matches!(factor, Expr::Call(Function::Sqrt, _));
-    match expr {
-        Expr::Number(_) | Expr::Decimal(_) | Expr::Name(_) => false,
-        Expr::Negative(inner) | Expr::Degrees(inner) | Expr::Call(Function::Sqrt, inner) => is_formula(inner),
-        Expr::Vector(x, y) => is_formula(x) || is_formula(y),
-        Expr::Quotient(above, below) => {
-            let is_more = |expr: &Expr| matches!(expr, Expr::Quotient(..) | Expr::Decimal(_));
-            [above, below].into_iter().any(|part| is_formula(part) || any_within(part, &is_more))
-        }
-        Expr::Product(factors) => !factors.iter().any(is_root) || factors.iter().any(is_formula),
-        Expr::Sum(_) => is_worked(expr),
-        _ => true,
-    }
-}
-
 /// Do two values plainly differ, however an equals sign may be meant: a square for its root where there is one, an angle for
 /// its ratio, a percentage, a size for a signed number?
 fn are_apart(one: Value, other: Value, has_square: bool) -> bool {
@@ -182,11 +162,7 @@ fn are_apart(one: Value, other: Value, has_square: bool) -> bool {
             };
             !may_be(one, other) && !may_be(other, one)
         }
-        (Value::Vector(x, y), Value::Vector(own_x, own_y)) => {
-            let (x, y, own_x, own_y) = (x.middle(), y.middle(), own_x.middle(), own_y.middle());
-            let size = x.hypot(y).max(own_x.hypot(own_y));
-            [1.0, -1.0].into_iter().all(|sign| (x - sign * own_x).hypot(y - sign * own_y) > ROUNDED * size)
-        }
+        (Value::Vector(..), Value::Vector(..)) => are_apart_either_way(middle(&one), middle(&other)),
         // A vector and its size are set equal by those who take the one for the other.
         _ => false,
     }
