@@ -36,14 +36,20 @@ pub fn harmless(text: &str) -> Cow<'_, str> {
     }
 }
 
-/// What stood in a cell before [`harmless`] put an apostrophe in front.
+/// What stood in a cell before [`harmless`] put an apostrophe in front; or what is in the quotes of a formula by which a
+/// spreadsheet keeps the noughts of a number.
 ///
 /// ```
 /// use carom::table::{harmless, meant};
 /// assert_eq!(meant(&harmless("=1+1")), "=1+1");
+/// assert_eq!(meant("=\"0012\""), "0012");
 /// assert_eq!(meant("'Ada'"), "'Ada'");
 /// ```
 pub fn meant(cell: &str) -> &str {
+    let quoted = cell.strip_prefix("=\"").and_then(|rest| rest.strip_suffix('"'));
+    if let Some(text) = quoted.filter(|text| !text.contains('"')) {
+        return text;
+    }
     cell.strip_prefix('\'').filter(|text| harmless(text) == cell).unwrap_or(cell)
 }
 

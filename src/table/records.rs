@@ -35,6 +35,10 @@ pub fn read<const N: usize>(
     let mut next = |record: &mut StringRecord| reader.read_record(record).unwrap_or(false);
     // A text without any record has a header without names.
     next(&mut record);
+    // A first line `sep=;` is for the spreadsheet.
+    if header_start(text) > text.len() - text.trim_start().len() {
+        next(&mut record);
+    }
     let header = Header::read(source, &record, columns, needed)?;
     let end = text.trim_end().len();
     while next(&mut record) {
@@ -72,10 +76,19 @@ fn begin(text: &str, record: &StringRecord) -> (usize, usize) {
 
 /// What parts the cells of the header.
 pub fn delimiter(text: &str) -> u8 {
-    let header = text.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
+    let header = text[header_start(text)..].lines().next().unwrap_or_default();
     let count = |sign: u8| header.bytes().filter(|byte| *byte == sign).count();
     // Of equally many the last would be taken; a table of one column has commas.
     [b'\t', b';', b','].into_iter().max_by_key(|sign| count(*sign)).unwrap_or(b',')
+}
+
+/// Where the names of the columns begin: after empty lines, and after a line `sep=;`, by which spreadsheets are told.
+fn header_start(text: &str) -> usize {
+    let rest = text.trim_start();
+    let first = rest.lines().next().unwrap_or_default();
+    let told = first.get(..4).is_some_and(|word| word.eq_ignore_ascii_case("sep=")) && first.trim_end().len() <= 5;
+    let rest = if told { rest[first.len()..].trim_start() } else { rest };
+    text.len() - rest.len()
 }
 
 struct Header<const N: usize> {
@@ -96,7 +109,7 @@ impl<const N: usize> Header<N> {
         needed: &[&str],
     ) -> Result<Header<N>, Vec<Diagnostic>> {
         let names: Vec<String> = record.iter().map(|name| name.trim().to_lowercase()).collect();
-        let start = source.text.len() - source.text.trim_start().len();
+        let start = header_start(&source.text);
         let end = start + source.text[start..].lines().next().map_or(0, str::len);
         let mut faults = Vec::new();
         let mut warnings = Vec::new();
@@ -181,6 +194,22 @@ fn quoted(names: &[&str]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_line_that_tells_spreadsheets_what_parts_cells_is_no_header() {
+        for (text, places) in [
+            ("sep=;\nname;age\nAda;1\n", vec![(3, "Ada".to_owned())]),
+            ("sep=,\r\nname,age\r\nAda,1\r\n", vec![(3, "Ada".to_owned())]),
+            ("name,age\nsep=,1\n", vec![(2, "sep=".to_owned())]),
+        ] {
+            let mut found = Vec::new();
+            let take = |record: Record<2>| found.push((record.line, record.cells[0].to_owned()));
+            read(&Source::new("table.csv", text), &["name", "age"], &["name"], take)
+                .map_err(|faults| faults.len())
+                .unwrap();
+            assert_eq!(found, places, "{text:?}");
+        }
+    }
 
     #[test]
     fn carom_knows_on_which_line_a_record_begins() {

@@ -375,8 +375,12 @@ fn through_its_tangent(model: &Model, said: &Said, label: Option<&Label>) -> Opt
         return None;
     }
     let rule = model.accept.places().cloned().unwrap_or(Places::SignificantFigures(3));
-    let accept =
-        if model.accept.places().is_some() { crate::answer::Accept::RoundsTo(rule) } else { model.accept.clone() };
+    let is_said = is_angle || labelled;
+    // What is not said to be an angle may be one to its figures, and the exact angle is nothing that anybody writes.
+    let accept = match model.accept.places().is_some() || !is_said {
+        true => crate::answer::Accept::RoundsTo(rule),
+        false => model.accept.clone(),
+    };
     let arc = || Expr::call(Function::Atan, model.value.clone());
     let angle_model =
         Model { accept, quantity: model.quantity, ..model.further(Further::ArcTangent, Kind::Angle, arc) };
@@ -385,7 +389,7 @@ fn through_its_tangent(model: &Model, said: &Said, label: Option<&Label>) -> Opt
     if is_angle && label.is_some_and(|label| matches!(label.expr, Some(Expr::Call(Function::Tan, _)))) {
         return Some(finding.at_most_partial(Note::AngleForTangent));
     }
-    if is_angle || labelled {
+    if is_said {
         return Some(finding.remarked(Note::AngleForTangent)).filter(|finding| is_angle || finding.is_credited());
     }
     // A bare number of degrees may be meant for the tangent: it is no more than partly right.

@@ -58,7 +58,7 @@ fn shared_out(models: &[Model], reading: &Reading) -> Vec<Option<Reading>> {
     let first_asked = models.iter().find_map(asked);
     let mut sphere = first_asked.filter(|asked| first_named.is_some_and(|named| named > *asked));
     let mut left: Vec<(Option<Sphere>, &Statement)> = Vec::with_capacity(reading.statements.len());
-    for statement in &reading.statements {
+    for statement in reading.statements.iter().filter(|statement| !leads_to_angle(statement, reading)) {
         sphere = spheres::named_sphere(statement).or(sphere);
         left.push((sphere.filter(|_| named), statement));
     }
@@ -83,7 +83,14 @@ fn shared_out(models: &[Model], reading: &Reading) -> Vec<Option<Reading>> {
         let own: Vec<usize> = own.collect();
         let is_other_kind = |other: &Model| (other.kind == Kind::Angle) != (model.kind == Kind::Angle);
         let is_mixed = models.iter().any(|other| asked_of(other, named) == asked && is_other_kind(other));
-        let is_of_kind = |place: &&usize| is_mixed && is_angular(left[**place].1) == (model.kind == Kind::Angle);
+        // `8.06, 82.9, 3, along the line of centres`: where all is there, and fewer are said to be angles than are asked, the
+        // order tells.
+        let angles = models[at..].iter().filter(|other| asked_of(other, named) == asked && other.kind == Kind::Angle);
+        let angular = own.iter().filter(|place| is_angular(left[**place].1)).count();
+        let is_by_order = angular < angles.count() && own.len() >= of_same(&models[at..]);
+        let is_angle = model.kind == Kind::Angle;
+        let is_of_kind =
+            |place: &&usize| is_mixed && !(is_angle && is_by_order) && is_angular(left[**place].1) == is_angle;
         let is_in_order = |place: &&usize| {
             let is_speed = is_mixed && model.kind != Kind::Angle && is_angular(left[**place].1);
             !is_speed || own.len() >= of_same(&models[at..])
@@ -95,6 +102,13 @@ fn shared_out(models: &[Model], reading: &Reading) -> Vec<Option<Reading>> {
         share(vec![left.remove(place).1.clone()])
     };
     models.iter().enumerate().map(of_each).collect()
+}
+
+/// `tan α = 0.6 so α = 30.96°`: is it the tangent of what another statement names?
+fn leads_to_angle(statement: &Statement, reading: &Reading) -> bool {
+    let expr = |statement: &Statement| statement.label.as_ref().and_then(|label| label.expr.clone());
+    let Some(Expr::Call(_, angle)) = expr(statement) else { return false };
+    reading.statements.iter().any(|other| expr(other).is_some_and(|named| named == *angle))
 }
 
 /// `13.3° at α = 38.3°`: is it called by the letter that is to be found?

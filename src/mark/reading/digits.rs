@@ -155,8 +155,11 @@ impl Digits<'_> {
         let place = self.place();
         let digit_after = self.sign(1).is_ascii_digit() || (self.sign(1) == '(' && self.sign(0) == '.');
         let raised = self.sign(0) == '·' && digit_after;
-        // `4·39^½` is rather a product than a power of a decimal
-        let may_multiply = !self.whole.is_empty() && (self.run(1) == 1 || self.sign(1 + self.run(1)) == '^');
+        // `4·39^½` is rather a product than a power of a decimal, and `3·10cos α` may be one of a mass and a component.
+        let after = 1 + self.run(1);
+        let is_resolved =
+            || ["cos", "sin"].iter().any(|name| name.chars().zip(after..).all(|(own, at)| self.sign(at) == own));
+        let may_multiply = !self.whole.is_empty() && (self.run(1) == 1 || self.sign(after) == '^' || is_resolved());
         let point = self.sign(0) == '.' && digit_after
             || raised && (!may_multiply || !choices.otherwise(Doubt::RaisedPoint, place))
             || self.sign(0) == '⋅' && digit_after && choices.otherwise(Doubt::RaisedPoint, place);

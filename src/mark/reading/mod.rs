@@ -25,7 +25,7 @@ mod events;
 mod formula;
 mod functions;
 mod grammar;
-mod in_letters;
+
 mod inequalities;
 mod infix_fraction;
 mod latex;
@@ -42,6 +42,7 @@ mod printed;
 mod products;
 mod ranges;
 mod reference;
+mod rewritten;
 mod said;
 mod said_again;
 mod second_thoughts;
@@ -101,6 +102,9 @@ const PATIENCE: usize = 2_000;
 ///
 /// The first thing that makes no sense in the likeliest reading, if no reading makes sense.
 pub fn read_answer(text: &str, vocabulary: &Vocabulary) -> Result<Vec<Reading>, Unreadable> {
+    if is_date(text) {
+        return Err(Unreadable::Sign(0, "a date: a spreadsheet makes one of `3/4`".to_owned()));
+    }
     if text.len() <= LONGEST && is_withdrawn(text) {
         let mut readings = read_whole(text, vocabulary)?;
         readings.iter_mut().for_each(Reading::take_back);
@@ -113,6 +117,20 @@ pub fn read_answer(text: &str, vocabulary: &Vocabulary) -> Result<Vec<Reading>, 
         Some(Ok(found)) => Ok(found),
         _ => readings,
     }
+}
+
+/// `3/4/2026`, which is what a spreadsheet makes of three quarters.
+fn is_date(text: &str) -> bool {
+    let is_year = |year: &str| year.len() == 4 && (year.starts_with("19") || year.starts_with("20"));
+    let is_day = |day: &str| (1..=2).contains(&day.len());
+    let parts: Vec<&str> = text.trim().split(['/', '-', '.']).collect();
+    let is_in_figures = parts.iter().all(|part| part.bytes().all(|sign| sign.is_ascii_digit()));
+    is_in_figures
+        && match parts.as_slice() {
+            [one, two, year] if is_year(year) => is_day(one) && is_day(two),
+            [year, one, two] => is_year(year) && is_day(one) && is_day(two),
+            _ => false,
+        }
 }
 
 /// The readings of every word of an answer or a line of working: no formula is passed over.

@@ -141,11 +141,17 @@ impl Mistakes {
         self.behind(self.ways_to(answer, &written))
     }
 
-    /// The ways that lead to what was written. A decimal point stands elsewhere only in figures.
+    /// The ways that lead to what was written. A decimal point stands elsewhere only in figures, and two mistakes together
+    /// come near whatever has but two figures.
     fn ways_to(&self, answer: &Answer, written: &[Written]) -> Vec<usize> {
         let is_in_figures = written.iter().all(|written| written.is_in_figures);
         let moves_point = |way: &usize| matches!(self.ways[*way].origin, Origin::LastStep(FACTOR_OF_TEN));
-        answer.matching(written).filter(|way| is_in_figures || !moves_point(way)).collect()
+        let is_rough = written.iter().any(Written::is_rough);
+        let exact: Vec<Written> = written.iter().map(|written| written.exactly()).collect();
+        let is_likely = |way: &usize| {
+            !is_rough || self.ways[*way].is_single() || answer.matching(&exact).any(|exact| exact == *way)
+        };
+        answer.matching(written).filter(|way| (is_in_figures || !moves_point(way)) && is_likely(way)).collect()
     }
 
     /// The same of the values that a letter can have: what leads to an end of them that is none.

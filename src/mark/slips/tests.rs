@@ -149,6 +149,22 @@ fn one_figure_is_no_evidence_unless_it_is_the_exact_value() {
 }
 
 #[test]
+fn two_figures_are_no_evidence_of_two_mistakes() {
+    let answers = asked([vec![SPEED_OF_A]]);
+    let mistakes = Mistakes::of(&b_at_rest(), &answers, &[], None);
+    let found = |text: &str| mistakes.causes(&answers[0], &said(text, &[]));
+    for tenth in 10..100 {
+        let text = format!("{}.{}", tenth / 10, tenth % 10);
+        assert!(found(&text).iter().all(|cause| cause.tags.len() == 1), "{text}: {:?}", found(&text));
+    }
+    // Nor is a whole number, which would have been given to more figures; it may be the value itself.
+    for text in ["11", "13", "14", "17", "19", "21", "23"] {
+        assert_eq!(found(text), [], "{text}");
+    }
+    assert!(found("3.53").iter().any(|cause| cause.tags.len() == 2));
+}
+
+#[test]
 fn vectors_are_recognised_by_their_components() {
     let answers = asked([velocity(Sphere::A), velocity(Sphere::B)]);
     let mistakes = Mistakes::of(&along_j(), &answers, &[], None);

@@ -10,6 +10,12 @@ use super::sample::Sample;
 /// The fewest significant figures of a decimal that are evidence of anything.
 const FEWEST: u32 = 2;
 
+/// The fewest of a whole number that is taken for a rounded one. Angles are often given to the nearest degree.
+const FEWEST_OF_WHOLE: u32 = 3;
+
+/// Of what is known less closely than to this part, by the last of its figures, there are many that come near.
+const ROUGH: f64 = 0.0101;
+
 /// Two exact values that differ by less than this part are one.
 pub(super) const EXACT: f64 = 1e-12;
 
@@ -40,19 +46,30 @@ impl Written {
     /// A value with the letters of the question; `None` if it has others, or is no number.
     pub(super) fn of(expr: &Expr, letters: &[Letter]) -> Option<Written> {
         let value = Evaluated::in_letters(expr, letters)?.value;
-        Written::with_figures(expr, value)
+        let fewest = if is_whole(expr) { FEWEST_OF_WHOLE } else { FEWEST };
+        Written::with_figures(expr, value, fewest)
     }
 
     /// An angle in degrees. A plain number is of degrees, unless it is said to be of radians.
     pub(super) fn degrees(expr: &Expr, letters: &[Letter], in_radians: bool) -> Option<Written> {
         let found = Evaluated::in_letters(expr, letters)?;
         let turned = found.is_angle || in_radians;
-        Written::with_figures(expr, if turned { found.value.map(f64::to_degrees) } else { found.value })
+        Written::with_figures(expr, if turned { found.value.map(f64::to_degrees) } else { found.value }, FEWEST)
     }
 
-    fn with_figures(expr: &Expr, value: Sample) -> Option<Written> {
-        let unit = Decimals::of(expr).filter(|decimals| decimals.figures >= FEWEST).map(|decimals| decimals.unit);
+    fn with_figures(expr: &Expr, value: Sample, fewest: u32) -> Option<Written> {
+        let unit = Decimals::of(expr).filter(|decimals| decimals.figures >= fewest).map(|decimals| decimals.unit);
         value.is_finite().then_some(Written { value, unit, is_in_figures: is_in_figures(expr) })
+    }
+
+    /// Has it fewer than three figures, so that two mistakes together come near it by chance?
+    pub(super) fn is_rough(&self) -> bool {
+        self.unit.is_some_and(|unit| unit > ROUGH)
+    }
+
+    /// The same as an exact value.
+    pub(super) fn exactly(self) -> Written {
+        Written { unit: None, ..self }
     }
 
     /// So many times the value.
@@ -147,6 +164,14 @@ impl Written {
         let Some(unit) = self.unit else { return one.is_near(two, EXACT) };
         let place = |value: f64, own: f64| (value.abs() / (own.abs() * unit) + SLACK).round();
         one.0.iter().zip(two.0).zip(self.value.0).all(|((one, two), own)| place(*one, own) == place(two, own))
+    }
+}
+
+fn is_whole(expr: &Expr) -> bool {
+    match expr {
+        Expr::Number(number) => number.is_integer(),
+        Expr::Negative(size) => is_whole(size),
+        _ => false,
     }
 }
 

@@ -47,8 +47,33 @@ fn no_paper(key: &AnswerKey, student: &str) -> String {
     format!("the key has no paper for {}; {help}", shown(student))
 }
 
+/// The places of a question and of a part of it; `7(b)` may name both where nothing else names the part.
+///
+/// # Errors
+///
+/// Why there is none, and which of the two names is at fault, from 0.
+pub(super) fn question_and_part(
+    paper: &KeyedPaper,
+    name: &str,
+    label: &str,
+) -> Result<(usize, usize), (String, usize)> {
+    let found = question(paper, name);
+    let (name, own) = match name.rfind(|sign: char| sign.is_ascii_digit()) {
+        Some(last) if found.is_err() => name.split_at(last + 1),
+        _ => (name, ""),
+    };
+    let is_both = label.trim().is_empty() && own.contains(char::is_alphabetic);
+    let both = |place: usize| Some((place, part(&paper.questions[place], own).ok()?));
+    match question(paper, name).ok().filter(|_| is_both).and_then(both) {
+        Some(both) => Ok(both),
+        None => found
+            .map_err(|fault| (fault, 0))
+            .and_then(|place| Ok((place, part(&paper.questions[place], label).map_err(|fault| (fault, 1))?))),
+    }
+}
+
 /// A question by its number on the sheet, with `Q` or without, or by its id: its place.
-pub(super) fn question(paper: &KeyedPaper, name: &str) -> Result<usize, String> {
+fn question(paper: &KeyedPaper, name: &str) -> Result<usize, String> {
     // As most write it.
     let number = name.parse::<usize>().ok().filter(|_| !name.starts_with(['+', '0']));
     let place = number.and_then(|number| paper.questions.iter().position(|question| question.number == number));
@@ -73,7 +98,7 @@ pub(super) fn question(paper: &KeyedPaper, name: &str) -> Result<usize, String> 
 }
 
 /// A part by its label, with brackets or without: its place.
-pub(super) fn part(question: &KeyedQuestion, name: &str) -> Result<usize, String> {
+fn part(question: &KeyedQuestion, name: &str) -> Result<usize, String> {
     if let Some(place) = question.parts.iter().position(|part| part.label == name) {
         return Ok(place);
     }

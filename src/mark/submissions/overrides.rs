@@ -79,8 +79,9 @@ fn one(line: usize, cells: [&str; 6], key: &AnswerKey) -> Result<Override, (Stri
     let student = table::meant(student.trim());
     let at = |cell: usize| move |message: String| (message, cell);
     let paper = lookup::paper(key, student).map_err(at(0))?;
-    let question = &paper.questions[lookup::question(paper, question).map_err(at(1))?];
-    let part = lookup::part(question, part).map_err(at(2))?;
+    let found = lookup::question_and_part(paper, question, part);
+    let (place, part) = found.map_err(|(message, cell)| (message, cell + 1))?;
+    let question = &paper.questions[place];
     let mark = lookup::mark(&question.parts[part], mark).map_err(at(3))?;
     let given = match given.trim() {
         "1" => true,

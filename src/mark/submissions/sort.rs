@@ -112,9 +112,9 @@ type Place<'k> = (&'k KeyedPaper, usize, usize, Option<usize>);
 
 fn look_up<'k>(key: &'k AnswerKey, student: &str, row: &Row) -> Result<Place<'k>, String> {
     let paper = lookup::paper(key, student)?;
-    let place = lookup::question(paper, row.question())?;
+    let found = lookup::question_and_part(paper, row.question(), row.part());
+    let (place, part) = found.map_err(|(message, _)| message)?;
     let question = &paper.questions[place];
-    let part = lookup::part(question, row.part())?;
     let named = Some(row.blank().trim()).filter(|name| !name.is_empty());
     let blank = named.map(|name| lookup::blank(&question.parts[part], name)).transpose()?;
     Ok((paper, place, part, blank))

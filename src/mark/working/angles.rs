@@ -31,7 +31,10 @@ pub(super) fn put_in_place(lines: &mut [Line], letters: &[Letter], prepared: &Pr
     }
     for reading in lines.iter_mut().flat_map(Line::readings_mut) {
         let defined = reading.equations.iter().find_map(|equation| definition(equation, prepared));
-        if let Some((name, angle)) = defined {
+        if let Some((name, own)) = defined {
+            // A wrong angle leaves equations right that are written with its letter.
+            let is_found = prepared.from_distance.filter(|_| prepared.angles.iter().any(|(known, _)| *known == name));
+            let angle = is_found.unwrap_or(own);
             if known.iter().all(|(own, _)| *own != name) {
                 known.push((name.clone(), in_degrees(angle)));
             }

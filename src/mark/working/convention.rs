@@ -2,12 +2,14 @@
 
 use super::compare::any_within;
 use super::examine::{Studied, value};
+use super::line::ReadLine;
 use super::linear::Linear;
 use super::misread::with_number_misread;
 use super::offered::{Offered, differences};
 use super::pair::{Convention, Laws, Matched, conventions};
 use super::points::sizes;
 use super::prepared::Prepared;
+use super::slipped::false_number;
 use super::spread::Spread;
 use super::substituted::{apart, impulse_in, put_back, without_impulse};
 use super::theirs::numbers;
@@ -42,7 +44,12 @@ impl Substituted {
 pub(super) fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option<Convention> {
     let laws = prepared.laws.as_ref()?;
     let readings = lines.iter().enumerate().flat_map(|(place, studied)| {
-        studied.line.readings.iter().enumerate().map(move |(which, reading)| (place, which, reading))
+        // `2/3(w - v)` is two thirds of it, and nothing over it.
+        let is_plain = |reading: &ReadLine| !has_unknown_below(reading, prepared);
+        let has_plain = studied.line.readings.iter().any(|reading| is_plain(reading));
+        let readings = studied.line.readings.iter().enumerate();
+        let likely = readings.filter(move |(_, reading)| !has_plain || is_plain(reading));
+        likely.map(move |(which, reading)| (place, which, reading))
     });
     let said: Vec<(usize, usize, (Expr, Expr))> = readings
         .flat_map(|(place, which, reading)| {
@@ -137,12 +144,31 @@ fn in_numbers(equations: &[(Expr, Expr)], prepared: &Prepared) -> Vec<(Expr, Exp
     };
     let mut found: Vec<(Expr, Expr)> = Vec::new();
     for (left, right) in equations.iter().filter(|(left, right)| left != right) {
-        match found.last_mut() {
-            Some((first, middle)) if middle == left && is_general(left, &[&*first, right]) => *middle = right.clone(),
-            _ => found.push((left.clone(), right.clone())),
-        }
+        let beside = match found.last_mut() {
+            Some((first, middle)) if middle == left && is_general(left, &[&*first, right]) => {
+                *middle = right.clone();
+                continue;
+            }
+            // In `12 cos 25° = 11.89 = 3v + 2w` the number is worked out wrongly, and not what is resolved.
+            Some((first, middle)) if middle == left && false_number(first, middle, prepared).is_some() => {
+                Some((first.clone(), right.clone()))
+            }
+            _ => None,
+        };
+        found.push((left.clone(), right.clone()));
+        found.extend(beside);
     }
     found
+}
+
+/// Does a reading have a letter that is to be found below a line?
+fn has_unknown_below(reading: &ReadLine, prepared: &Prepared) -> bool {
+    let is_unknown = |name: &str| !prepared.gives(name);
+    let is_below = |inner: &Expr| match inner {
+        Expr::Quotient(_, below) => below.names().iter().any(|name| is_unknown(&name.text)),
+        _ => false,
+    };
+    reading.equations.iter().any(|(left, right)| any_within(left, &is_below) || any_within(right, &is_below))
 }
 
 /// What the equations with an impulse come to without it: one of a sphere and one of the other are momentum.

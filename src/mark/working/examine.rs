@@ -19,7 +19,7 @@ use super::slipped::undone;
 use super::spread::Spread;
 use super::terms::ByNumbers;
 use super::theirs::{Theirs, own_values};
-use super::{angle_letters, angles};
+use super::{angle_letters, angles, radians};
 use crate::bank::{Code, EarnedFor};
 use crate::expr::Expr;
 use crate::mark::award::{Award, Evidence, Examiner, MarkedLine, Place};
@@ -144,6 +144,7 @@ pub(super) fn examine_one(
     let prepared = question.prepared();
     let vectors = has_vectors(question);
     let mut read = line::read(working, &question.letters, vectors);
+    radians::put_in_place(&mut read, prepared);
     angle_letters::put_in_place(&mut read, &question.letters, &|angle| prepared.points.letter(angle, 0).is_some());
     angles::put_in_place(&mut read, &question.letters, prepared);
     let mut before = before.clone();

@@ -135,7 +135,12 @@ pub(super) fn typed(working: &[String]) -> impl Iterator<Item = &str> {
 impl ReadLine {
     /// The same with other letters.
     pub(super) fn in_letters(&self, letter: &dyn Fn(&str) -> Option<Expr>) -> ReadLine {
-        let mut line = read_line(Reading::in_letters(&self.statements, letter));
+        self.with(&|expr| expr.substitute(letter))
+    }
+
+    /// The same with other formulas.
+    pub(super) fn with(&self, put: &dyn Fn(&Expr) -> Expr) -> ReadLine {
+        let mut line = read_line(Reading::with(&self.statements, put));
         // A name that stands before a colon is none of the statement's.
         for (member, before) in line.members.iter_mut().zip(&self.members).filter(|(member, _)| member.label.is_none())
         {

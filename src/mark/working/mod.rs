@@ -45,6 +45,7 @@ mod points;
 mod prepared;
 mod printed;
 mod products;
+mod radians;
 mod rebound;
 mod remarks;
 mod said;

@@ -9,7 +9,7 @@ use super::values::along_for;
 use crate::bank::{EarnedFor, Find};
 use crate::expr::Expr;
 use crate::mechanics::{
-    Axis, Datum, Derivation, Known, Meeting, Moment, Quantity, Rule, Scene, Setting, Sphere, Velocity,
+    Axis, Contact, Datum, Derivation, Known, Meeting, Moment, Quantity, Rule, Scene, Setting, Sphere, Velocity,
 };
 use crate::number::{Letter, Places, Range, Value, round};
 
@@ -28,8 +28,11 @@ pub struct Prepared {
     pub(super) in_components: bool,
     /// Names under which students write what is given as a number.
     pub(super) names: Vec<(String, Vec<f64>)>,
-    /// The angles to which its words give a name, in degrees.
+    /// The angles to which its words give a name, in degrees; and α, which the solution calls that of the path with the line of
+    /// centres, where the words give its distance from a centre.
     pub(super) angles: Vec<(String, f64)>,
+    /// The angle of the path with the line of centres, in degrees, if that has first to be found from the distance.
+    pub(super) from_distance: Option<f64>,
     /// The decimals of the question.
     pub(super) decimals: Vec<String>,
     /// The numbers that it gives for masses and velocities.
@@ -53,7 +56,7 @@ impl Prepared {
         angles: Vec<(String, f64)>,
         masses: Vec<Expr>,
     ) -> Prepared {
-        let points = Points::new(letters);
+        let (points, mut angles) = (Points::new(letters), angles);
         let given: Vec<Known<f64>> = (0..points.count).map(|point| points.known(exact, point)).collect();
         let known = given.iter().map(complete).collect::<Vec<_>>();
         let named = [
@@ -61,6 +64,13 @@ impl Prepared {
             (Quantity::Mass(Sphere::A), &["m_A", "m_1"]),
             (Quantity::Mass(Sphere::B), &["m_B", "m_2"]),
         ];
+        let is_from_distance = matches!(scene.contact, Some(Contact::Offset { .. }));
+        let angle = sizes(&known, Quantity::AngleToLine(Sphere::A, Moment::Before)).filter(|_| is_from_distance);
+        let from_distance =
+            angle.filter(|angle| angle.iter().all(|at| (at - angle[0]).abs() < 1e-9)).map(|angle| angle[0]);
+        if angles.iter().all(|(name, _)| name != "alpha") {
+            angles.extend(from_distance.map(|angle| ("alpha".to_owned(), angle)));
+        }
         let mut names = Vec::new();
         for (quantity, letters) in named {
             if let Some(sizes) = sizes(&known, quantity) {
@@ -103,6 +113,7 @@ impl Prepared {
             in_components,
             names,
             angles,
+            from_distance,
             decimals,
             given_numbers: given_numbers(scene),
             masses,

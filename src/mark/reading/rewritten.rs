@@ -1,13 +1,12 @@
-//! The same reading with other letters: `cos a` written as the `cos α` that it stands for.
+//! The same reading with other formulas: `cos a` written as the `cos α` that it stands for.
 
 use super::{End, Form, Label, Reading, Said, Statement, printed};
 use crate::expr::{Expr, print};
 
 impl Reading {
-    /// What these statements say with other letters in them, also in what they are called.
-    pub(in crate::mark) fn in_letters(statements: &[Statement], letter: &dyn Fn(&str) -> Option<Expr>) -> Reading {
-        let put = |expr: &Expr| expr.substitute(letter);
-        let said = |said: &Said| Said { form: form(&said.form, &put), ..said.clone() };
+    /// What these statements say with other formulas in them, also in what they are called.
+    pub(in crate::mark) fn with(statements: &[Statement], put: &dyn Fn(&Expr) -> Expr) -> Reading {
+        let said = |said: &Said| Said { form: form(&said.form, put), ..said.clone() };
         let label = |label: &Label| {
             let expr = label.expr.as_ref().map(put);
             let typed = match &expr {
