@@ -72,6 +72,10 @@ fn counted_otherwise(sentence: &Sentence, place: usize, remarks: &mut Vec<Remark
     const COUNTS: [&str; 5] = ["few", "pair", "couple", "further", "both"];
     let word = word_at(sentence, place);
     let Some(said) = determiner(word) else { return };
+    // `Three times the mass`
+    if word_at(sentence, place + 1) == "times" {
+        return;
+    }
     let is_number = word.starts_with(|sign: char| sign.is_ascii_digit());
     let before = place.checked_sub(1).map_or("", |before| word_at(sentence, before));
     // `Sphere 2`, `part 2`: a number after what it tells from others.

@@ -3,7 +3,7 @@
 use super::impacts::impacts;
 use super::sentence::{Sentence, Token, is_one_of, says, sentences};
 use crate::answer::Kind;
-use crate::bank::{Answer, Find, Question};
+use crate::bank::{Answer, Find, Part, Question};
 use crate::examine::Finding;
 use crate::expr::print;
 use crate::mechanics::{Quantity, Sphere};
@@ -88,7 +88,7 @@ fn asks_at_once(sentence: &[Token]) -> bool {
 
 /// The words, or the name of the answer, speak of what is gained or left, or of a fraction, or of no loss at all, and the
 /// answer is what is lost; or the reverse.
-pub fn other_energy(answer: &Answer, asked: &[Sentence]) -> Option<Finding> {
+pub fn other_energy(answer: &Answer, part: &Part, asked: &[Sentence]) -> Option<Finding> {
     const LOST: [&str; 19] = [
         "lost",
         "loss",
@@ -120,6 +120,18 @@ pub fn other_energy(answer: &Answer, asked: &[Sentence]) -> Option<Finding> {
         _ => return None,
     };
     if matches!(answer.kind, Kind::Shown | Kind::Range) {
+        return None;
+    }
+    // Who asks for what is lost and for the fraction that it is has an answer to each.
+    let is_other = |other: &Answer| match other.find {
+        Find::Quantity(other) => match other.of_its_impact() {
+            Quantity::EnergyLost => is_fraction,
+            Quantity::FractionLost => !is_fraction,
+            _ => false,
+        },
+        _ => false,
+    };
+    if part.answers.iter().any(is_other) {
         return None;
     }
     let name = sentences(&answer.name);

@@ -22,7 +22,7 @@ pub fn others(question: &Question) -> Vec<Finding> {
             let found = found.or_else(|| energy_of_another(question, answer, &all));
             let found = found.or_else(|| another_letter(answer, &all)).or_else(|| no_coefficient(answer, &all));
             let found = found.or_else(|| another_angle(answer, &all)).or_else(|| set(answer, &all));
-            let found = found.or_else(|| another_function(answer, &all)).or_else(|| other_energy(answer, &all));
+            let found = found.or_else(|| another_function(answer, &all)).or_else(|| other_energy(answer, part, &all));
             let found = found.or_else(|| size_alone(answer, part, &all));
             let help = "ask for what `find` finds, or find what is asked for";
             let with_help = |found: Finding| if found.help.is_some() { found } else { found.with_help(help) };
@@ -227,7 +227,8 @@ pub(super) fn whose(quantity: Quantity) -> Option<Sphere> {
 /// The words ask for the angle with a line, and the answer is the angle of deflection, or the other way round.
 fn another_angle(answer: &Answer, asked: &[Sentence]) -> Option<Finding> {
     const TURNED: [&str; 5] = ["deflect", "turn", "chang", "rotat", "through"];
-    const LINES: [&str; 6] = ["line", "wall", "centres", "direction", "directions", "perpendicular"];
+    const LINES: [&str; 4] = ["line", "wall", "centres", "perpendicular"];
+    const DIRECTIONS: [&str; 2] = ["direction", "directions"];
     let says_turned = asked
         .iter()
         .flatten()
@@ -238,14 +239,16 @@ fn another_angle(answer: &Answer, asked: &[Sentence]) -> Option<Finding> {
         && words(&["before", "initial", "original"])
         && words(&["after", "final", "afterwards", "new"]);
     let says_turned = says_turned || is_between;
-    let names_line = asked.iter().flatten().any(|token| is_one_of(token, &LINES));
-    let is_asked = asked.iter().flatten().any(|token| is_one_of(token, &["angle", "angles"]));
+    let names_line = words(&LINES);
+    let is_asked = words(&["angle", "angles", "deflection", "deflections"]);
     let Find::Quantity(quantity) = &answer.find else { return None };
     if answer.kind == Kind::Shown || !is_asked {
         return None;
     }
     let (has, said) = match quantity.of_its_impact() {
-        Quantity::Deflection(_) if !says_turned && names_line => ("through which the path is turned", "with a line"),
+        Quantity::Deflection(_) if !says_turned && (names_line || words(&DIRECTIONS)) => {
+            ("through which the path is turned", "with a line")
+        }
         Quantity::AngleToLine(..) | Quantity::AngleToWall(..) if says_turned && !names_line => {
             ("with a line", "through which the path is turned")
         }
@@ -313,7 +316,7 @@ mod tests {
     fn words_that_ask_for_another_answer_are_found() {
         let (rest, both) = ("rest/speeds-and-directions", "both-moving/energy-lost-and-impulse");
         let direction = "  { name = \"direction of *B*\", find = \"B.after.angle_to_loc_deg\", accept = \"awrt 3sf\", phrase = \"to the line of centres\" },\n";
-        let table: [(&str, Edits, &str); 28] = [
+        let table: [(&str, Edits, &str); 32] = [
             ("ranges/direction-reversed", &[], ""),
             ("ranges/direction-reversed", &[("set of possible values", "value")], "ask for one value"),
             (
@@ -383,6 +386,18 @@ mod tests {
                 &[("Find the speed of each sphere", "Find the velocity of each sphere")],
                 "ask for a velocity, and the answer `speed of A` is a speed alone",
             ),
+            (
+                "deflection/greatest-deflection",
+                &[("find = \"A.deflection_deg\"", "find = \"A.after.angle_to_loc_deg\"")],
+                "ask for an angle through which the path is turned, and the answer `greatest deflection` is one with a line",
+            ),
+            (
+                "walls/velocity-in-i-and-j",
+                &[("find = \"A.deflection_deg\"", "find = \"A.after.angle_to_wall_deg\"")],
+                "ask for an angle through which the path is turned",
+            ),
+            ("deflection/greatest-deflection", &[], ""),
+            ("walls/velocity-in-i-and-j", &[], ""),
             ("direct/velocities-after-impact", &[], ""),
             ("successive/corner", &[], ""),
             ("direct/velocities-in-letters", &[], ""),

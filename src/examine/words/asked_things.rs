@@ -7,7 +7,7 @@ use crate::answer::Kind;
 use crate::bank::{Answer, Code, Find, Part, Question, Style};
 use crate::examine::Finding;
 use crate::expr::{Expr, Piece, print};
-use crate::mechanics::{Axis, Quantity};
+use crate::mechanics::{Axis, Quantity, VelocityText};
 
 /// Things that are requested and that no answer finds, and answers of another form than that in which they are requested.
 pub fn unfound(question: &Question) -> Vec<Finding> {
@@ -20,7 +20,7 @@ pub fn unfound(question: &Question) -> Vec<Finding> {
             found_by_none(part, &asked),
             size_of_a_vector(part, &asked),
             speed_of_a_vector(part, &asked),
-            sign_of_a_speed(part, &asked),
+            sign_of_a_speed(question, part, &asked),
             explained(part, &said),
             called_a_velocity(part),
             given(question, &asked),
@@ -117,11 +117,15 @@ fn speed_of_a_vector(part: &Part, asked: &[Sentence]) -> Option<Finding> {
 }
 
 /// `The speed`, where the answer is a velocity with its sign.
-fn sign_of_a_speed(part: &Part, asked: &[Sentence]) -> Option<Finding> {
+fn sign_of_a_speed(question: &Question, part: &Part, asked: &[Sentence]) -> Option<Finding> {
+    let before = [&question.scene.before.a, &question.scene.before.b];
+    let is_on_a_line = before.into_iter().flatten().any(|velocity| matches!(velocity, VelocityText::Along(_)));
     let is_signed = |answer: &Answer| match answer.find {
         Find::Quantity(quantity) => {
             let is_one = matches!(quantity.of_its_impact(), Quantity::Velocity(_, _, Axis::N | Axis::X));
-            is_one && print::text_unicode(&answer.name).to_lowercase().contains("velocity")
+            let name = print::text_unicode(&answer.name).to_lowercase();
+            // On a line any of them may be negative.
+            is_one && (name.contains("velocity") || is_on_a_line && name.contains("speed"))
         }
         _ => false,
     };
@@ -289,7 +293,7 @@ mod tests {
         let energy = "Find the total kinetic energy lost in the collision.";
         let vector = "Find a vector parallel to the line of centres of";
         let back = "backwards/velocity-of-b-and-line-of-centres";
-        let table: [(&str, Edits, &str); 38] = [
+        let table: [(&str, Edits, &str); 39] = [
             (line, &[], ""),
             (line, &[(speed, "Find, in terms of {u}, the speed of *B*.")], "in terms of `u`, which the paper prints"),
             (line, &[(speed, "Find the speed of *B* in terms of {mA}.")], "in terms of `mA`"),
@@ -307,6 +311,14 @@ mod tests {
             ),
             ("i-j/speeds-after-impact", &[], ""),
             (line, &[(speed, "Find the coefficient of restitution.")], "`coefficient of restitution`, and no answer"),
+            (
+                after,
+                &[
+                    ("find = \"A.after.speed\"", "find = \"A.after.x\""),
+                    ("find = \"B.after.speed\"", "find = \"B.after.x\""),
+                ],
+                "ask for a speed, and the answer `speed of A` is a velocity with its sign",
+            ),
             (line, &[(speed, "Find the ratio of the speeds of *A* and *B*.")], "`ratio of the speeds`"),
             (line, &[(speed, "Find the change in the speed of *B*.")], "a change of `speed of *B*`"),
             (line, &[(speed, "Find the speed of approach of the spheres.")], "`speed of approach of`"),

@@ -21,7 +21,7 @@ pub fn otherwise(question: &Question) -> Vec<Finding> {
             let impact = impacts.iter().find(|impact| impact.number == quantity.impact());
             let is_impulse = matches!(quantity.of_its_impact(), Quantity::ImpulseMagnitude | Quantity::Impulse(..));
             let Some(impact) = impact.filter(|_| is_impulse && part.answers.len() == 1) else { continue };
-            if let Some(found) = on_another(&asked, answer) {
+            if let Some(found) = on_another(&asked, answer).or_else(|| exerted_by_its_own(&asked, answer)) {
                 findings.push(found.at_row(place, "answers", row));
             }
             if let Some(other) = asked.iter().find_map(|sentence| exerts_otherwise(sentence, impact)) {
@@ -110,6 +110,27 @@ fn plain<'t>(texts: impl Iterator<Item = &'t Text>) -> Vec<Sentence<'t>> {
 }
 
 /// `That A exerts on B`: who is named, where an impact is of others.
+/// `The impulse that *A* exerts on the wall`, where the vector that is found is the one on *A*.
+fn exerted_by_its_own(asked: &[Sentence], answer: &Answer) -> Option<Finding> {
+    let Find::Vector(component, _) = answer.find else { return None };
+    let Quantity::Impulse(own, _) = component.of_its_impact() else { return None };
+    let exerts = |sentence: &Sentence| {
+        says(sentence, &["impulse"])
+            && sentence.windows(3).any(|words| match words {
+                [Token::Sphere(sphere), exerts, on] => {
+                    *sphere == own && is_one_of(exerts, &["exerts", "gives"]) && is_one_of(on, &["on", "to"])
+                }
+                _ => false,
+            })
+    };
+    asked.iter().find(|sentence| exerts(sentence))?;
+    let own = own.name();
+    let message =
+        format!("the words ask for the impulse that `*{own}*` exerts, and the answer is the impulse on `*{own}*`");
+    let help = format!("ask for the impulse that is exerted on `*{own}*`, or find the opposite one");
+    Some(Finding::new(message, "", format!("on {own}")).with_help(help))
+}
+
 fn exerts_otherwise(sentence: &[Token], impact: &Impact) -> Option<String> {
     let at = sentence.windows(2).position(|pair| is_one_of(&pair[0], &["exerts"]) && is_one_of(&pair[1], &["on"]))?;
     let beside = [at.checked_sub(1)?, at + 2].into_iter().filter_map(|place| sentence.get(place));
@@ -192,7 +213,7 @@ mod tests {
         let onto = "successive/struck-onto-a-wall";
         let both = "both-moving/energy-lost-and-impulse";
         let after = ("rest/speeds-and-directions", "Immediately before the collision");
-        let table: [(&str, Edits, &str); 21] = [
+        let table: [(&str, Edits, &str); 23] = [
             (line, &[], ""),
             (
                 both,
@@ -200,6 +221,16 @@ mod tests {
                 "impulse on `*A*`, and the answer is called `impulse on B`",
             ),
             ("vector-impulse/impulse-from-two-velocities", &[], ""),
+            (
+                "vector-impulse/impulse-from-two-velocities",
+                &[("the impulse on *A*", "the impulse that *A* exerts on the stick")],
+                "impulse that `*A*` exerts, and the answer is the impulse on `*A*`",
+            ),
+            (
+                "vector-impulse/impulse-from-two-velocities",
+                &[("the impulse on *A*", "the impulse that the stick exerts on *A*")],
+                "",
+            ),
             (both, &[], ""),
             (after.0, &[(after.1, "Immediately before the second collision")], "speak of a second collision"),
             (after.0, &[(after.1, "Immediately before the first collision")], "and the scene has one impact"),

@@ -29,7 +29,9 @@ pub fn unkept(question: &Question) -> Vec<Finding> {
             let may_be_rounded = |answer: &&&Answer| *answer.accept(style.name) != Accept::Exact;
             let unkept = sentences(text).into_iter().filter(|sentence| demands(sentence)).find_map(|sentence| {
                 let meant = spoken_of(&sentence, &answers);
-                let rounded: Vec<&&Answer> = meant.iter().filter(may_be_rounded).collect();
+                let is_excepted = |answer: &&&Answer| excepts_angles(&sentence) && answer.kind == Kind::Angle;
+                let rounded: Vec<&&Answer> =
+                    meant.iter().filter(|answer| may_be_rounded(answer) && !is_excepted(answer)).collect();
                 let is_kept = rounded.len() < meant.len() && !is_of_all(&sentence);
                 rounded.first().filter(|_| !is_kept).map(|answer| **answer)
             });
@@ -76,6 +78,12 @@ const EXACT: [&str; 3] = ["exact", "surd", "surds"];
 
 fn demands(sentence: &[Token]) -> bool {
     says(sentence, &EXACT) && !says(sentence, &["or"])
+}
+
+/// `Give exact answers, and angles to 3 significant figures.`
+fn excepts_angles(sentence: &[Token]) -> bool {
+    const OTHERWISE: [&str; 7] = ["significant", "decimal", "figures", "degree", "except", "apart", "but"];
+    says(sentence, &["angle", "angles"]) && says(sentence, &OTHERWISE)
 }
 
 /// Answers of a variant that must be exact, are no decimals, and of which no words say so.

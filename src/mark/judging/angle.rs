@@ -28,7 +28,10 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Findin
     let Some(right) = known.turn() else {
         return match &said.form {
             Form::Value(expr) if said.reference.is_none_or(|named| Some(named) == own_line(model)) => {
-                at_points(model, expr)
+                match at_points(model, expr) {
+                    Finding::WRONG if !known.has_names() => by_enclosure(model, expr),
+                    finding => finding,
+                }
             }
             _ => Finding::unreadable(Note::CannotBeCompared),
         };
@@ -317,6 +320,16 @@ fn in_radians(accept: &Accept, degrees: FloatInterval) -> Accept {
     };
     let figures = (degrees.abs().upper.log10().floor() - step.log10().floor() + 1.0).clamp(1.0, 20.0);
     Accept::RoundsTo(Places::SignificantFigures(figures as u32))
+}
+
+/// A number of degrees beside an angle that is too long to be worked out exactly.
+fn by_enclosure(model: &Model, expr: &Expr) -> Finding {
+    let is_degree = |below: &Expr| matches!(below, Expr::Degrees(one) if one.is_one());
+    let degrees = match &model.value {
+        Expr::Quotient(_, below) if is_degree(below) => model.value.clone(),
+        angle => angle.clone().over(Expr::degrees(Expr::integer(1))),
+    };
+    number::value(&model.of_value(degrees), expr, &Written::of(expr))
 }
 
 /// An angle in letters that is long to compare, or of which only the tangent is seen to agree, is compared at points.

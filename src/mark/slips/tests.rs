@@ -214,7 +214,7 @@ fn pairs_of_slips_come_after_single_ones() {
     let pair = found.iter().find(|cause| cause.tags == ["sincos-swap", "e-taken-as-1"]).expect("the pair");
     assert_eq!(pair.laws, [law("resolve"), law("restitution")]);
     assert_eq!((pair.earns_method(law("resolve")), pair.earns_method(law("restitution"))), (true, false));
-    let found = mistakes.causes(&answers[0], &said("2.3", &[]));
+    let found = mistakes.causes(&answers[0], &said("2.31", &[]));
     let single = found.iter().rposition(|cause| cause.tags.len() == 1).unwrap();
     let first_pair = found.iter().position(|cause| cause.tags.len() == 2).unwrap();
     assert!(single < first_pair, "{found:?}");

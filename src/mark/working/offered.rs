@@ -92,7 +92,7 @@ impl Offered {
         let mut either = laws.either(&self.linear, &self.apiece, convention, self.shows_e);
         // An approach that comes to nought by a wrong sign is restitution; no approach at all is not.
         if self.says_equal && !either.is_empty() {
-            return vec![Matched::with(Quantity::RestitutionEquation, Departure::Coalesced)];
+            return vec![laws.one_velocity()];
         }
         if let Some(exact) = either.iter().find(|one| one.departures.is_empty() && !self.has_weights) {
             return vec![exact.clone()];

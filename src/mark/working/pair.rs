@@ -283,13 +283,10 @@ impl Laws {
             let [a, b] = at.along;
             let velocity = (at.masses[0] * a + at.masses[1] * b) / (at.masses[0] + at.masses[1]);
             let moved = number.times(convention.signs[place] * velocity);
-            // Where nothing moves on, nothing is seen of it; and with e nought they do.
-            velocity.abs() > 1e-9
-                && at.e > 0.0
-                && (moved + line.constant).may_be_nought(line.size.max(moved.middle().abs()))
+            // Where nothing moves on, nothing is seen of it.
+            velocity.abs() > 1e-9 && (moved + line.constant).may_be_nought(line.size.max(moved.middle().abs()))
         };
         let momentum = Matched { equation: Quantity::MomentumEquation, departures: Vec::new() };
-        let together = || Matched::with(Quantity::RestitutionEquation, Departure::Coalesced);
         // With one velocity given there is but one to be found.
         let factor = |(at, line): (&Inputs, &Linear)| {
             let side = Side::of(line, convention).unknowns;
@@ -299,7 +296,15 @@ impl Laws {
         let is_together = !self.is_after_given
             && each().all(is)
             && apiece.may_be_momentum(&self.inputs, &each().map(factor).collect::<Vec<_>>());
-        is_together.then(|| [momentum, together()])
+        is_together.then(|| [momentum, self.one_velocity()])
+    }
+
+    /// That both spheres have one velocity afterwards: restitution where e is nought, and else a mistake.
+    pub(super) fn one_velocity(&self) -> Matched {
+        match self.inputs.iter().all(|at| at.e == 0.0) {
+            true => Matched { equation: Quantity::RestitutionEquation, departures: Vec::new() },
+            false => Matched::with(Quantity::RestitutionEquation, Departure::Coalesced),
+        }
     }
 
     /// Restitution with a number in place of e that could be one: misread, and otherwise right.

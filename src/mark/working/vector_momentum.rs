@@ -5,9 +5,10 @@ use super::compare::is_vector;
 use super::evidence::Evidence;
 use super::examine::{Studied, Working, context};
 use super::impulse::Agrees;
-use super::linear::{Linear, Sum, difference};
+use super::linear::{Context, Linear, Sum, difference};
 use super::pair::Departure;
 use super::points::sizes;
+use super::spread::Spread;
 use crate::bank::Code;
 use crate::expr::Expr;
 use crate::mark::award::Ground;
@@ -24,9 +25,13 @@ enum Stated {
 impl Working<'_> {
     /// Momentum as a vector: an equation with the velocity that is to be found, or what it leads to.
     pub(super) fn vector_momentum(&self, code: Code) -> Option<Evidence> {
-        let unknown = Sphere::BOTH.into_iter().find(|sphere| {
-            !self.prepared.given[0].0.contains_key(&Quantity::Velocity(*sphere, Moment::After, Axis::X))
-        })?;
+        let is_open = |quantity| !self.prepared.given[0].0.contains_key(&quantity);
+        let unknown =
+            Sphere::BOTH.into_iter().find(|sphere| is_open(Quantity::Velocity(*sphere, Moment::After, Axis::X)));
+        let Some(unknown) = unknown else {
+            let sphere = Sphere::BOTH.into_iter().find(|sphere| is_open(Quantity::Mass(*sphere)))?;
+            return self.momentum_for_mass(sphere, code);
+        };
         let right = |axis| sizes(&self.prepared.known, Quantity::Velocity(unknown, Moment::After, axis));
         let (x, y) = right(Axis::X).zip(right(Axis::Y))?;
         let found = |place: usize| Some(Evidence::given(place, "momentum as a vector"));
@@ -102,5 +107,60 @@ impl Working<'_> {
             let (one, two) = (fits(Axis::X, &along_i), fits(Axis::Y, &along_j));
             one.iter().any(|signs| two.contains(signs))
         })
+    }
+
+    /// Momentum as a vector where all four velocities are given, and the mass of this sphere is to be found.
+    fn momentum_for_mass(&self, sphere: Sphere, code: Code) -> Option<Evidence> {
+        // What the mass is, is not known here, whatever it is called.
+        let of_it = format!("m_{}", sphere.name());
+        let index = if sphere == Sphere::A { "m_1" } else { "m_2" };
+        let is_other = |(name, _): &&(String, Vec<f64>)| *name != of_it && name != index;
+        let names: Vec<(String, Vec<f64>)> = self.prepared.names.iter().filter(is_other).cloned().collect();
+        let context = Context { given: &names, ..context(self.prepared, 0) };
+        let known = |quantity| sizes(&self.prepared.known, quantity).map(|sizes| sizes[0]);
+        let mass = known(Quantity::Mass(sphere.other()))?;
+        let axes = [Axis::X, Axis::Y].map(|axis| {
+            let at = |sphere, moment| known(Quantity::Velocity(sphere, moment, axis));
+            let [own, other] =
+                [sphere, sphere.other()].map(|sphere| [at(sphere, Moment::Before), at(sphere, Moment::After)]);
+            Some(([own[0]?, own[1]?], [mass * other[0]?, mass * other[1]?]))
+        });
+        let [Some(along_i), Some(along_j)] = axes else { return None };
+        // The signs of what is before and after the impact, of either sphere.
+        let fits = |linear: &Linear, (own, other): ([f64; 2], [f64; 2]), signs: [f64; 3]| {
+            let one = |[before, after]: [f64; 2], sign: f64| before + sign * after;
+            let (number, constant) = (one(own, signs[0]), signs[2] * one(other, signs[1]));
+            let before = linear.unknowns.first().map_or(Spread::exactly(0.0), |(_, number)| *number);
+            linear.unknowns.len() <= 1 && before.may_be(number) && linear.constant.may_be(constant)
+        };
+        let signs: Vec<[f64; 3]> =
+            (0..8).map(|bits| [0, 1, 2].map(|bit| if bits >> bit & 1 == 1 { -1.0 } else { 1.0 })).collect();
+        let agrees = |(left, right): &(Expr, Expr)| {
+            let turned = |linear: &Linear| linear.clone().times(Spread::exactly(-1.0));
+            let is = |linear: &Linear, axis, signs: &[f64; 3]| {
+                fits(linear, axis, *signs) || fits(&turned(linear), axis, *signs)
+            };
+            let own = match difference(left, right, &context)? {
+                Sum::Vector(x, y) => signs.iter().find(|signs| is(&x, along_i, signs) && is(&y, along_j, signs)),
+                // One of its components is enough for one unknown.
+                Sum::Number(linear) if linear.is_number() => None,
+                Sum::Number(linear) => {
+                    signs.iter().find(|signs| is(&linear, along_i, signs) || is(&linear, along_j, signs))
+                }
+            }?;
+            Some(*own == [-1.0, -1.0, 1.0])
+        };
+        let all = self.lines.iter().enumerate().flat_map(|(place, studied)| {
+            let equations = studied.reading.iter().flat_map(|reading| &reading.equations);
+            equations.filter_map(move |equation| Some((place, agrees(equation)?)))
+        });
+        let all: Vec<(usize, bool)> = all.collect();
+        let (place, is_right) = all.iter().find(|(_, is_right)| *is_right).or(all.first())?;
+        let found = Evidence::given(*place, "momentum as a vector");
+        let feedback = "a sign or a number in it is wrong".to_owned();
+        match *is_right || !code.is_accuracy() {
+            true => Some(found),
+            false => Some(Evidence { given: false, note: Some(Departure::Sign.tag()), feedback, ..found }),
+        }
     }
 }

@@ -195,15 +195,18 @@ fn by_tangents(show: &Show, sphere: Sphere) -> Vec<Line> {
     vec![Line::with(words, &formulas, Show::chain(left, [quotient, found]))]
 }
 
-/// The axes in which the velocities are multiplied.
-fn axes(show: &Show) -> [Axis; 2] {
-    if show.along_an_axis() || !show.scene().before.iter().flatten().any(is_components) { [N, T] } else { [X, Y] }
+/// The axes in which the velocities are multiplied: those of the components that are given, if the velocity afterwards has been
+/// found in them.
+fn axes(show: &Show, sphere: Sphere) -> [Axis; 2] {
+    let is_by_line = show.along_an_axis() || !show.scene().before.iter().flatten().any(is_components);
+    let is_found = |axis| show.has(velocity(sphere, Before, axis)) && show.has(velocity(sphere, After, axis));
+    if is_by_line || ![X, Y].into_iter().all(is_found) { [N, T] } else { [X, Y] }
 }
 
 /// The scalar product of the velocities before and after, in numbers.
 fn scalar_product(show: &Show, sphere: Sphere) -> Vec<Line> {
     let at = |moment, axis| written(&show.worked(velocity(sphere, moment, axis)));
-    let terms = axes(show).map(|axis| match (at(Before, axis), at(After, axis)) {
+    let terms = axes(show, sphere).map(|axis| match (at(Before, axis), at(After, axis)) {
         (before, after) if before == after => written(&show.exact(velocity(sphere, Before, axis)).squared()),
         (before, after) => times(before, after),
     });
@@ -227,7 +230,7 @@ fn turned(show: &Show, sphere: Sphere) -> Vec<Line> {
     let name = ("A", Expr::name(sphere.name()));
     let is_known = angle.whole_degrees().is_some() || matches!(Show::angle_expr(&angle), Expr::Name(_));
     let sizes = [Before, After].map(|moment| {
-        let [first, second] = axes(show).map(|axis| show.exact(velocity(sphere, moment, axis)));
+        let [first, second] = axes(show, sphere).map(|axis| show.exact(velocity(sphere, moment, axis)));
         (first.squared() + second.squared()).root()
     });
     let [Some(before), Some(after)] = sizes else {

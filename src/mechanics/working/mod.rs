@@ -128,6 +128,11 @@ impl<'a> Show<'a> {
         self.asked.contains(&quantity)
     }
 
+    /// Is the quantity given or found?
+    pub fn has(&self, quantity: Quantity) -> bool {
+        self.known.number(quantity).is_some()
+    }
+
     /// The exact value of a quantity, with the sign of its definition.
     pub fn exact(&self, quantity: Quantity) -> Value {
         self.known.number(quantity).unwrap_or(Value::ZERO)
