@@ -219,6 +219,9 @@ fn relation_meant(text: &str) -> String {
 fn said_meant(text: &str) -> Option<String> {
     let (what, said) = text.split_once(" is ")?;
     let is_not = said.trim().starts_with("not ");
+    if said.trim() == "irrational" || said.trim() == "not rational" {
+        return Some(format!("radicand({}) > 1", what.trim()));
+    }
     let words = near(said.trim(), SAID.map(|(words, _)| words)).filter(|_| !is_not && !is_sentence(what))?;
     Some(format!("{} is {words}", what.trim()))
 }
@@ -333,6 +336,17 @@ mod tests {
         ];
         for (text, expected) in table {
             assert_eq!(Requirement::read(text).unwrap().holds(&value), Ok(expected), "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_said_in_words_is_written_as_it_was_meant() {
+        for (text, meant) in [
+            ("A.after.speed is an integr", "A.after.speed is an integer"),
+            ("A.after.speed is irrational", "radicand(A.after.speed) > 1"),
+            ("A.after.speed is not rational", "radicand(A.after.speed) > 1"),
+        ] {
+            assert_eq!(said_meant(text).as_deref(), Some(meant), "{text}");
         }
     }
 

@@ -12,10 +12,11 @@ use crate::expr::{Expr, print};
 /// is asked for. Of the components of `the velocity (u*i + v*j)` the words have said enough.
 pub fn never(question: &Question) -> Vec<Finding> {
     let letters = question.scene.symbols.iter().filter(|(_, range)| range.as_str() != "acute");
-    let found = letters.filter_map(|(letter, _)| {
+    let found = letters.filter_map(|(letter, range)| {
         let at = question.styles.iter().find_map(|style| not_introduced(question, style, letter))?;
         let message = format!("the words never say what `{letter}` is");
-        let help = format!("say it where it first stands, as in `where {{{letter}}} is a positive constant`");
+        let constant = if range == "real" { "constant" } else { "positive constant" };
+        let help = format!("say it where it first stands, as in `where {{{letter}}} is a {constant}`");
         Some(Finding::new(message, at, "a student has to guess").with_help(help).as_warning())
     });
     found.collect()
