@@ -48,12 +48,13 @@ pub fn whole_bank() -> Paper {
 }
 
 /// The ways in which a paper can be set.
-pub fn editions() -> [(&'static str, Edition); 3] {
+pub fn editions() -> [(&'static str, Edition); 4] {
     let plain = Edition::default();
     [
         ("plain", plain),
         ("large-print", Edition { large_print: true, ..plain }),
         ("answer-space", Edition { answer_space: true, ..plain }),
+        ("large-print-answer-space", Edition { large_print: true, answer_space: true, ..plain }),
     ]
 }
 
