@@ -91,8 +91,8 @@ fn rows(id: &str, part: usize) -> Vec<String> {
     let variant = reference(question).unwrap_or_else(|refused| panic!("{refused:?}"));
     let scheme = compose(question, &variant, 1).parts.swap_remove(part).scheme;
     let shown = |row: carom::paper::SchemeRow| {
-        let equation = row.equation.as_ref().map_or_else(String::new, print::unicode);
-        format!("{} {equation}", print::text_unicode(&row.earned))
+        let equations: Vec<String> = row.equations.iter().map(print::unicode).collect();
+        format!("{} {}", print::text_unicode(&row.earned), equations.join(", "))
     };
     scheme.into_iter().map(shown).collect()
 }

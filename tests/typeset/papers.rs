@@ -75,7 +75,7 @@ pub fn strained() -> Paper {
     let scheme = &mut paper.questions[0].parts[0];
     for (left, right) in [(2, 30), (30, 2), (12, 12)] {
         let equation = Expr::equation(sum(left), sum(right));
-        scheme.scheme[0].equation = Some(equation.clone());
+        scheme.scheme[0].equations = vec![equation.clone()];
         scheme.working.push(WorkingLine { words: Text::words("Hence:"), equations: vec![equation], label: Some(7) });
     }
     paper
