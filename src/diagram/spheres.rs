@@ -307,6 +307,12 @@ impl Placed<'_> {
             }
         }
         spots.extend(side.into_iter().flat_map(|side| [0.0, 0.8, 1.6].map(|step| at_tail(side, step))));
+        // Where the label of the other arrow has that room: at the end, a little to one side.
+        let lifted = |(side, lift): (Point, f64)| {
+            let end = at_tail(side, 0.0).beside;
+            [first, -first].map(|across| Spot::new(end + across * lift, side))
+        };
+        spots.extend(side.into_iter().flat_map(|side| [0.4, 0.8, 1.6].map(|lift| (side, lift))).flat_map(lifted));
         spots
     }
 }
