@@ -169,7 +169,7 @@ fn needed(award: &Award, mark: &KeyedMark, part: &MarkedUnder) -> Option<Text> {
     let is_missing = |needed: &usize| part.marked.awards.get(*needed).is_some_and(|award| !award.given);
     let missing = mark.depends.iter().find(|needed| award.falls_with_another() && is_missing(needed))?;
     let missing = part.keyed.scheme.get(*missing)?;
-    let mut words = Text::words(&format!("depends on {}", missing.code.name()));
+    let mut words = Text::words(format!("depends on {}", missing.code.name()));
     if let Some(what_for) = earned(missing, part.keyed) {
         words.0.push(Piece::Words(" (".to_owned()));
         words.0.extend(what_for.0);
