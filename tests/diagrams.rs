@@ -147,8 +147,8 @@ fn nothing_is_covered_among_vectors_whatever_the_line_of_centres() {
     assert!(examine(scenes) > 3000);
 }
 
-#[test]
-fn nothing_is_covered_where_the_line_of_centres_is_found() {
+/// Scenes whose line of centres is to be found from what is given after the impact.
+fn backwards() -> Vec<Json> {
     let found = |b: [i32; 2], after: [i32; 2]| {
         let text = |v: [i32; 2]| v.map(|part| part.to_string());
         json!({ "masses": { "A": "m", "B": "3*m" }, "symbols": { "m": "positive" },
@@ -160,11 +160,52 @@ fn nothing_is_covered_where_the_line_of_centres_is_found() {
             // The spheres approach along the impulse, so that the scene can be posed.
             let approach = (2 - b[0]) * (2 - x) + (1 - b[1]) * (1 - y);
             if approach > 0 {
-                scenes.push((found(b, [x, y]), true));
+                scenes.push(found(b, [x, y]));
             }
         }
     }
-    assert!(examine(scenes) > 150);
+    scenes
+}
+
+#[test]
+fn nothing_is_covered_where_the_line_of_centres_is_found() {
+    assert!(examine(backwards().into_iter().map(|text| (text, true))) > 150);
+}
+
+#[test]
+fn no_arrow_points_into_a_sphere_after_the_impact_nor_goes_through_one() {
+    let (mut leaving, mut beside) = (0, 0);
+    for text in backwards() {
+        let after = drawn(&text, true).into_iter().find(|diagram| diagram.title == "After").unwrap();
+        let styled = |style| after.drawing.strokes.iter().filter(move |stroke| stroke.style == style).map(flat);
+        let middle = |rim: Vec<(Point, Point)>| {
+            rim.iter().fold(Point::new(0.0, 0.0), |sum, (from, _)| sum + *from) * (1.0 / rim.len() as f64)
+        };
+        let spheres: Vec<(Point, f64)> = styled(Style::Rim)
+            .map(|rim| {
+                let start = rim[0].0;
+                let centre = middle(rim);
+                (centre, (start - centre).length())
+            })
+            .collect();
+        for arrow in styled(Style::Velocity) {
+            let (from, to) = arrow[0];
+            let from_nearest = spheres.iter().map(|(centre, radius)| (from - *centre).length() - radius);
+            if from_nearest.fold(f64::INFINITY, f64::min) < 1e-3 {
+                leaving += 1;
+            } else {
+                beside += 1;
+            }
+            for (centre, radius) in &spheres {
+                let points = (0..=40).map(|step| from + (to - from) * (f64::from(step) / 40.0));
+                let gap = points.map(|point| (point - *centre).length() - radius).fold(f64::INFINITY, f64::min);
+                assert!(gap > -1e-3, "{gap}: {text}");
+                // What ends at a rim points into it.
+                assert!((to - *centre).length() - radius > 0.4, "{text}");
+            }
+        }
+    }
+    assert!(leaving > 100 && beside > 0, "{leaving} {beside}");
 }
 
 #[test]
@@ -400,16 +441,21 @@ fn a_wall_beyond_two_spheres_is_clear_of_them_whichever_way_it_runs() {
     }
 }
 
-/// How far a label is from the nearest arrow.
-fn off_its_arrow(drawing: &Drawing, label: &Label) -> f64 {
+/// How far a label is from a straight line.
+fn off_line((from, to): (Point, Point), label: &Label) -> f64 {
     let frame = Frame::around(label.centre, label.size);
-    let arrows = drawing.strokes.iter().filter(|stroke| stroke.style == Style::Velocity).flat_map(flat);
-    let points = arrows.flat_map(|(from, to)| (0..=20).map(move |step| from + (to - from) * (f64::from(step) / 20.0)));
+    let points = (0..=20).map(|step| from + (to - from) * (f64::from(step) / 20.0));
     let off = |point: Point| {
         let nearest = Point::new(point.x.clamp(frame.low.x, frame.high.x), point.y.clamp(frame.low.y, frame.high.y));
         (point - nearest).length()
     };
     points.map(off).fold(f64::INFINITY, f64::min)
+}
+
+/// How far a label is from the nearest arrow.
+fn off_its_arrow(drawing: &Drawing, label: &Label) -> f64 {
+    let arrows = drawing.strokes.iter().filter(|stroke| stroke.style == Style::Velocity).flat_map(flat);
+    arrows.map(|line| off_line(line, label)).fold(f64::INFINITY, f64::min)
 }
 
 #[test]
@@ -482,6 +528,37 @@ fn nothing_is_covered_around_a_particle_and_in_its_triangle_of_momenta() {
     let backwards = json!({ "masses": { "A": "2" }, "after": { "A": ["3", "1"] }, "impulse": ["7", "-4"] });
     scenes.extend([(letters, true), (backwards, true)]);
     assert!(examine(scenes) > 1000);
+}
+
+#[test]
+fn what_is_said_of_a_momentum_stands_nearest_to_its_own_arrow() {
+    let (mut count, mut complaints) = (0, Vec::new());
+    let whole = || (-7..=7).flat_map(|x| (-7..=7).map(move |y| [x, y]));
+    for (place, (before, impulse)) in whole().flat_map(|u| whole().map(move |impulse| (u, impulse))).enumerate() {
+        let text = |v: [i32; 2]| v.map(|part| part.to_string());
+        let body = json!({ "masses": { "A": "2" }, "before": { "A": text(before) }, "impulse": text(impulse) });
+        if place % 7 != 0 || !can_be_posed(&body) {
+            continue;
+        }
+        let Some(triangle) = drawn(&body, true).into_iter().find(|diagram| diagram.title == "Momentum") else {
+            continue;
+        };
+        let thick = triangle.drawing.strokes.iter().filter(|stroke| stroke.style == Style::Velocity).flat_map(flat);
+        let thick: Vec<(Point, Point)> = thick.collect();
+        let sides = [thick[0], (thick[0].1, thick[1].1), thick[1]];
+        for (own, label) in triangle.drawing.labels[..3].iter().enumerate() {
+            count += 1;
+            // A label at a corner, where two arrows meet, would be as near to either.
+            let middle = Label { size: Point::new(0.0, 0.0), ..label.clone() };
+            let off = sides.map(|side| off_line(side, &middle));
+            if (0..3).any(|other| other != own && off[other] < off[own] + 0.01) {
+                complaints.push(format!("`{}` {off:.2?}: {body}", print::text_unicode(&label.text)));
+            }
+        }
+    }
+    // Long labels around a narrow triangle have nowhere else to go.
+    assert!(complaints.len() * 300 < count, "{} of {count}:\n{}", complaints.len(), complaints.join("\n"));
+    assert!(count > 10000, "{count}");
 }
 
 fn labels(diagram: &Diagram) -> Vec<String> {

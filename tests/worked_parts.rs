@@ -91,8 +91,8 @@ fn rows(id: &str, part: usize) -> Vec<String> {
     let variant = reference(question).unwrap_or_else(|refused| panic!("{refused:?}"));
     let scheme = compose(question, &variant, 1).parts.swap_remove(part).scheme;
     let shown = |row: carom::paper::SchemeRow| {
-        let equation = row.equation.as_ref().map_or_else(String::new, print::unicode);
-        format!("{} {equation}", print::text_unicode(&row.earned))
+        let equations: Vec<String> = row.equations.iter().map(print::unicode).collect();
+        format!("{} {}", print::text_unicode(&row.earned), equations.join(", "))
     };
     scheme.into_iter().map(shown).collect()
 }
@@ -102,6 +102,8 @@ fn a_mark_shows_the_equations_that_it_is_for_and_no_others() {
     let table = [
         ("walls/wall-along-a-vector", 0, "both components before", "p = ", "v_A"),
         ("successive/walls-at-an-angle", 1, "both components before", "p = ", "v_A"),
+        ("both-moving/speeds-and-fraction-of-energy-lost", 1, "correct expression", "E₁ = ", "??"),
+        ("both-moving/speeds-and-fraction-of-energy-lost", 1, "correct expression", "E₂ = ", "??"),
         ("walls/restitution-from-two-angles", 1, "lost over kinetic energy before", "E₂ = ", "??"),
         ("walls/restitution-from-two-angles", 1, "lost over kinetic energy before", "f = ", "??"),
         ("ranges/mass-ratio-that-can-be", 0, "between 0 and 1", "≥ 0", "??"),

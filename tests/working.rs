@@ -42,7 +42,7 @@ fn faults(printed: &PrintedQuestion) -> Vec<String> {
 fn idle(printed: &PrintedQuestion) -> Vec<String> {
     let lines = printed.parts.iter().flat_map(|part| &part.working);
     let in_words = lines.clone().flat_map(|line| line.words.formulas());
-    let schemes = printed.parts.iter().flat_map(|part| &part.scheme).filter_map(|row| row.equation.as_ref());
+    let schemes = printed.parts.iter().flat_map(|part| &part.scheme).flat_map(|row| &row.equations);
     let equations = lines.flat_map(|line| &line.equations).chain(in_words).chain(schemes);
     let both = |equation: &&Expr| match equation {
         Expr::Relation(left, _, right) => print::plain(left) == print::plain(right),
@@ -68,7 +68,7 @@ fn gaps(question: &Question, printed: &PrintedQuestion) -> Vec<String> {
         for (mark, row) in part.marks.iter().zip(&printed.scheme) {
             let has_value = !matches!(mark.earned_for, EarnedFor::Law(..));
             let note = print::text_unicode(&row.note);
-            if has_value && row.equation.is_none() && !note.contains("awrt") {
+            if has_value && row.equations.is_empty() && !note.contains("awrt") {
                 gaps.push(format!("`{}` for {} has no value", row.id, mark.earned_for));
             }
         }
@@ -156,7 +156,7 @@ fn after_a_wall_the_mark_scheme_and_the_working_have_the_component_away_from_it(
     let part = &printed.parts[1];
     let worked = part.working.iter().flat_map(|line| &line.equations).map(print::plain);
     assert!(worked.into_iter().any(|equation| equation.ends_with("= 6")));
-    let rows: Vec<String> = part.scheme.iter().filter_map(|row| row.equation.as_ref()).map(print::plain).collect();
+    let rows: Vec<String> = part.scheme.iter().flat_map(|row| &row.equations).map(print::plain).collect();
     assert_eq!(rows, ["x = (2/3)*9", "x = 6", "I = 2*(-6 - 9)", "30"]);
     let note =
         print::text_unicode(&with_reference_numbers("walls/rebound-speed-and-direction").parts[0].scheme[2].note);

@@ -17,6 +17,8 @@ const LONGEST: f64 = 8.0;
 /// sides apart, heads and all.
 const SHORTEST: f64 = 1.7;
 const LEAST_HEIGHT: f64 = 1.4;
+/// How far from its middle line a label is clear of a hollow arrow.
+const BESIDE_HOLLOW: f64 = 0.3;
 
 /// What a picture of a particle shows.
 #[derive(Clone, Debug, PartialEq)]
@@ -111,12 +113,14 @@ impl Momenta {
             let out = (from + to) * 0.5 - centroid;
             let across = (to - from).unit().turned();
             let out = if across.dot(out) >= 0.0 { across } else { -across };
-            let near = beside(from, to, out).into_iter().take(5);
-            let shares = [0.5, 0.2, 0.8, 0.0, 1.0, -0.2, 1.2];
-            let off = [0.0, 0.8, 1.6, 2.4, 3.2]
-                .into_iter()
-                .flat_map(|step| shares.map(|share| Spot::new(from + (to - from) * share + out * step, out)));
-            canvas.label(label.clone(), near.chain(off));
+            // Beside the middle of its arrow, and further off rather than at a corner, where two arrows meet.
+            let at = |shares: &'static [f64], steps: &'static [f64]| {
+                let spot = move |share: f64, step: f64| Spot::new(from + (to - from) * share + out * step, out);
+                steps.iter().flat_map(move |step| shares.iter().map(move |share| spot(*share, *step)))
+            };
+            let middle = at(&[0.5, 0.4, 0.6, 0.3, 0.7], &[0.0, BESIDE_HOLLOW, 0.8, 1.4, 2.0]);
+            let off = at(&[0.5, 0.2, 0.8, 0.0, 1.0, -0.2, 1.2], &[0.0, 0.8, 1.6, 2.4, 3.2]);
+            canvas.label(label.clone(), middle.chain(off));
         }
         if self.axes {
             draw_axes(&mut canvas);

@@ -25,6 +25,10 @@ const WALL: f64 = 3.0;
 const ARC: f64 = 0.9;
 /// The corner that marks a right angle.
 const CORNER: f64 = 0.45;
+/// How far across from its sphere an arrow lies that stands beside it.
+const ASIDE: f64 = 0.7;
+/// The cosine to the other sphere's direction from which an arrow would graze that sphere, or meet the arrow there.
+const IN_THE_WAY: f64 = 0.7;
 
 /// What a picture of two spheres shows.
 #[derive(Clone, Debug, PartialEq)]
@@ -78,7 +82,7 @@ pub struct Motion {
     pub angle: Option<Text>,
     /// Is it a component, drawn beside the sphere?
     pub component: bool,
-    /// Does it start from the sphere, where it can?
+    /// Does it start from the sphere, unless the other one is in the way?
     pub leaving: bool,
 }
 
@@ -171,11 +175,22 @@ impl Placed<'_> {
 
     /// The side of the sphere on which the arrow of a velocity stands, and whether the arrow starts there.
     ///
-    /// It is always the outer side, so that no arrow meets the other sphere.
-    fn side(&self, motion: &Motion) -> (Point, bool) {
+    /// It is the outer side, so that no arrow meets the other sphere. One that is to leave the sphere may do so on the
+    /// inner side as far as there is room; if there is none, it stands on neither, but beside the sphere.
+    fn side(&self, motion: &Motion) -> Option<(Point, bool)> {
         let outwards = motion.heading.dot(self.outward);
-        let leaves = if outwards.abs() < 1e-9 { motion.leaving } else { outwards > 0.0 };
-        (if leaves { motion.heading } else { -motion.heading }, leaves)
+        match motion.leaving || outwards > 1e-9 {
+            true => (outwards > -IN_THE_WAY).then_some((motion.heading, true)),
+            false => Some((-motion.heading, false)),
+        }
+    }
+
+    /// Across the arrow of a motion, away from the line of centres.
+    fn aside(&self, motion: &Motion) -> Point {
+        let across = motion.heading.turned();
+        let off_line = motion.heading - self.outward * motion.heading.dot(self.outward);
+        let reference = if off_line.length() > 1e-9 { off_line } else { self.above };
+        if across.dot(reference) >= 0.0 { across } else { -across }
     }
 
     /// The ends of the arrow of a motion.
@@ -183,14 +198,18 @@ impl Placed<'_> {
         if motion.component {
             let along = motion.heading.dot(self.outward).abs() > 0.5;
             let middle = if along {
-                self.centre + self.above * (RADIUS + 0.7)
+                self.centre + self.above * (RADIUS + ASIDE)
             } else {
                 self.centre + self.outward * (RADIUS + 1.1) + self.above * (COMPONENT / 2.0 + 0.4)
             };
             let half = motion.heading * (COMPONENT / 2.0);
             return (middle - half, middle + half);
         }
-        let (side, leaves) = self.side(motion);
+        let Some((side, leaves)) = self.side(motion) else {
+            let middle = self.centre + self.aside(motion) * (RADIUS + ASIDE);
+            let half = motion.heading * (ARROW / 2.0);
+            return (middle - half, middle + half);
+        };
         let (rim, tail) = (self.centre + side * RADIUS, self.centre + side * (RADIUS + ARROW));
         if leaves { (rim, tail) } else { (tail, rim) }
     }
@@ -198,8 +217,8 @@ impl Placed<'_> {
     fn arrow(&self, motion: &Motion, canvas: &mut Canvas) {
         let (from, to) = self.ends(motion);
         canvas.arrow(Style::Velocity, from, to);
-        if !motion.component && motion.heading.dot(self.outward).abs() < 0.995 {
-            let (side, _) = self.side(motion);
+        let slants = !motion.component && motion.heading.dot(self.outward).abs() < 0.995;
+        if let Some((side, _)) = self.side(motion).filter(|_| slants) {
             canvas.line(Style::Dashed, self.centre, self.centre + side * RADIUS);
         }
     }
@@ -207,10 +226,7 @@ impl Placed<'_> {
     /// The arc of each motion whose angle is given; a right angle has a corner and no arc.
     fn arcs(&self, canvas: &mut Canvas) -> Vec<bool> {
         let arc = |motion: &Motion, canvas: &mut Canvas| {
-            if motion.angle.is_none() {
-                return false;
-            }
-            let (side, _) = self.side(motion);
+            let Some((side, _)) = self.side(motion).filter(|_| motion.angle.is_some()) else { return false };
             if side.dot(self.outward) < 1e-9 {
                 let (along, across) = (self.outward * CORNER, side * CORNER);
                 canvas.line(Style::Thin, self.centre + along, self.centre + along + across);
@@ -232,8 +248,7 @@ impl Placed<'_> {
     fn labels(&self, arcs: &[bool], canvas: &mut Canvas) {
         for (motion, arc) in self.body.motions.iter().zip(arcs) {
             canvas.label(motion.label.clone(), self.beside_arrow(motion));
-            if let (Some(angle), true) = (&motion.angle, *arc) {
-                let (side, _) = self.side(motion);
+            if let (Some(angle), true, Some((side, _))) = (&motion.angle, *arc, self.side(motion)) {
                 canvas.label(angle.clone(), in_arc(self.centre, RADIUS + ARC, self.outward, side));
             }
         }
@@ -260,29 +275,27 @@ impl Placed<'_> {
         let (from, to) = self.ends(motion);
         let across = (to - from).unit().turned();
         // Of the two sides of an arrow first the one that faces away from the line of centres, or from the sphere.
-        let away = if motion.component { (from + to) * 0.5 - self.centre } else { to + from - self.centre * 2.0 };
-        let first = if motion.component {
-            if across.dot(away) >= 0.0 { across } else { -across }
-        } else {
-            let off_line = away - self.outward * away.dot(self.outward);
-            let reference = if off_line.length() > 0.1 { off_line } else { self.above };
-            if across.dot(reference) >= 0.0 { across } else { -across }
+        let away = to + from - self.centre * 2.0;
+        let off_line = away - self.outward * away.dot(self.outward);
+        let side = self.side(motion).map(|(side, _)| side).filter(|_| !motion.component);
+        let reference = match side {
+            None => away,
+            Some(_) if off_line.length() > 0.1 => off_line,
+            Some(_) => self.above,
         };
-        let (side, _) = self.side(motion);
-        let tail = self.centre + side * (RADIUS + ARROW);
+        let first = if across.dot(reference) >= 0.0 { across } else { -across };
+        let at_tail = |side: Point, step: f64| Spot::new(self.centre + side * (RADIUS + ARROW + step), side);
         let along = [0.5, 0.7, 0.85, 0.3, 0.15, 1.0].map(|share| from + (to - from) * share);
         let mut spots = Vec::new();
         // Beside a slight angle its arc has the room at the end of the arrow.
         let most = if motion.angle.is_some() { 0.8 } else { 0.98 };
-        if !motion.component && side.dot(self.outward) < most {
-            spots.push(Spot::new(tail, side));
-        }
+        spots.extend(side.filter(|side| side.dot(self.outward) < most).map(|side| at_tail(side, 0.0)));
         for side in [first, -first] {
             // A long label is clear of the head.
             let raised = along.into_iter().flat_map(|point| [point, point + side * HEAD.1]);
             spots.extend(raised.map(|point| Spot::new(point, side)));
         }
-        if motion.component {
+        if side.is_none() {
             // Long labels side by side: pushed outwards, or one above the other.
             let middle = (from + to) * 0.5;
             let steps = [0.6, 1.2, 1.8, 2.6, 3.4, 4.4].map(|step| Spot::new(middle + self.outward * step, first));
@@ -293,9 +306,13 @@ impl Placed<'_> {
                 );
             }
         }
-        if !motion.component {
-            spots.extend([0.0, 0.8, 1.6].map(|step| Spot::new(tail + side * step, side)));
-        }
+        spots.extend(side.into_iter().flat_map(|side| [0.0, 0.8, 1.6].map(|step| at_tail(side, step))));
+        // Where the label of the other arrow has that room: at the end, a little to one side.
+        let lifted = |(side, lift): (Point, f64)| {
+            let end = at_tail(side, 0.0).beside;
+            [first, -first].map(|across| Spot::new(end + across * lift, side))
+        };
+        spots.extend(side.into_iter().flat_map(|side| [0.4, 0.8, 1.6].map(|lift| (side, lift))).flat_map(lifted));
         spots
     }
 }

@@ -148,6 +148,11 @@ impl Award {
         if self.given { self.code.name().to_owned() } else { self.code.name().replacen('1', "0", 1) }
     }
 
+    /// Is it withheld because another mark is, on which it depends?
+    pub fn falls_with_another(&self) -> bool {
+        self.by == Examiner::Marker && self.is(Ground::Depends)
+    }
+
     /// Is this why?
     pub(super) fn is(&self, ground: Ground) -> bool {
         self.note == Some(ground.tag())

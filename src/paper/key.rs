@@ -9,7 +9,7 @@ use super::answer::{self, Size};
 use super::working::{self, WorkedPart};
 use super::{PrintedPart, PrintedQuestion, Sheet, compose, scheme};
 use crate::answer::Kind;
-use crate::bank::{Answer, Find, Question};
+use crate::bank::{Answer, EarnedFor, Find, Question};
 use crate::diagram::Manner;
 use crate::expr::{Angles, Expr, print, read};
 use crate::generate::Variant;
@@ -170,7 +170,12 @@ fn key_part(part: &WorkedPart, printed: &PrintedPart, variant: &Variant, with_un
         earned_for: mark.earned_for.to_string(),
         depends: row.depends.clone(),
         blanks: scheme::answers_of(mark, part).into_iter().map(|place| blanks[place].name.clone()).collect(),
-        equation: row.equation.as_ref().map(print::plain),
+        // Of the energies that a line adds up it is the first that is a step of its own.
+        equation: match mark.earned_for {
+            EarnedFor::Law(law, _) if law.adds_up() && mark.code.is_accuracy() => row.equations.first(),
+            _ => row.equations.last(),
+        }
+        .map(print::plain),
     });
     KeyPart { label: printed.label.clone(), marks: printed.marks(), scheme: scheme.collect(), blanks }
 }

@@ -20,11 +20,14 @@ const CARRIED: Places = Places::SignificantFigures(5);
 pub fn part(mut part: PrintedPart) -> PrintedPart {
     part.working = part.working.into_iter().map(line).collect();
     for row in &mut part.scheme {
-        let Some(equation) = row.equation.take() else { continue };
-        let legible = formula(&equation, COLUMN);
-        // The note of a mark for a value has its decimal already.
-        let told = matches!(legible, Expr::Decimal(_)) && !row.earned.is_empty();
-        row.equation = (!told || legible == equation).then_some(legible);
+        // The note of a mark for a single value has its decimal already.
+        let has_note = row.equations.len() == 1 && !row.earned.is_empty();
+        row.equations.retain_mut(|equation| {
+            let legible = formula(equation, COLUMN);
+            let told = has_note && matches!(legible, Expr::Decimal(_)) && legible != *equation;
+            *equation = legible;
+            !told
+        });
     }
     for answer in &mut part.answers {
         let long = answer.exact.as_ref().is_some_and(|exact| formula(exact, COLUMN) != *exact);

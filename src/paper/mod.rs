@@ -146,9 +146,9 @@ pub struct SchemeRow {
     pub code: String,
     /// What earns it.
     pub earned: Text,
-    /// The equation or value that earns it, where there is one.
-    pub equation: Option<Expr>,
-    /// The unit of a value that is an answer, as the answer has it.
+    /// The equations or values that earn it, where there are any.
+    pub equations: Vec<Expr>,
+    /// The unit of a single value that is an answer, as the answer has it.
     pub unit: Unit,
     /// What the marker condones or demands; may be empty.
     pub note: Text,
@@ -157,13 +157,16 @@ pub struct SchemeRow {
 }
 
 impl SchemeRow {
-    /// What earns it with its equation or value behind it, for where a row has no place of its own for that.
+    /// What earns it with its equations or values behind it, for where a row has no place of its own for them.
     pub fn in_one_line(&self) -> Text {
         let mut whole = self.earned.clone();
-        if let Some(equation) = &self.equation {
-            // The last of several equations comes after `and`.
-            let is_last = matches!(whole.0.last(), Some(Piece::Words(words)) if words.ends_with(" and"));
-            whole.0.push(Piece::Words(if is_last { " " } else { ": " }.to_owned()));
+        for (place, equation) in self.equations.iter().enumerate() {
+            let before = match place {
+                0 => ": ",
+                _ if place + 1 == self.equations.len() => " and ",
+                _ => ", ",
+            };
+            whole.0.push(Piece::Words(before.to_owned()));
             whole.0.push(Piece::Quantity(equation.clone(), self.unit));
         }
         whole

@@ -23,16 +23,15 @@ pub fn rows(worked: &[WorkedPart], variant: &Variant, with_units: &[String]) -> 
     let row = |(place, mark): (usize, &Mark)| {
         let impact = variant.scene.of_impact(impact_of(place, here));
         let setting = impact.map_or(variant.scene.setting, |scene| scene.setting);
-        let (mut equations, rounded) = equations(place, worked, variant, with_units);
-        let equation = equations.pop();
-        let unit = if equations.is_empty() { unit(mark, here, variant, with_units) } else { Unit::None };
+        let (equations, rounded) = equations(place, worked, variant, with_units);
+        let unit = if equations.len() < 2 { unit(mark, here, variant, with_units) } else { Unit::None };
         let earned = mark.text.as_ref().map(|text| wording::sentence(text, variant, None));
         let note = mark.note.as_ref().map(|text| wording::sentence(text, variant, None));
         SchemeRow {
             id: mark.id.clone(),
             code: mark.code.name().to_owned(),
-            earned: with_others(earned.unwrap_or_else(|| usual_words(mark, here, setting, scene)), equations),
-            equation,
+            earned: earned.unwrap_or_else(|| usual_words(mark, here, setting, scene)),
+            equations,
             unit,
             note: with_rounded(rounded, note.unwrap_or_else(|| usual_note(mark, impact.unwrap_or(scene)))),
             depends: mark.depends.clone(),
@@ -193,7 +192,7 @@ fn unknown(
 }
 
 /// The equation of the step that uses a law, or of the next one if earlier marks have had it. A mark for several
-/// components at once has an equation for each, and the last method for energies all that are left, of which it makes one.
+/// components at once has an equation for each, and the last for energies all that are left, of which it makes one.
 fn law_equations(step: &EarnedFor, place: usize, worked: &[WorkedPart]) -> Vec<Expr> {
     let Some(here) = worked.last() else { return Vec::new() };
     let (marks, code) = (&here.part.marks, here.part.marks[place].code);
@@ -217,7 +216,7 @@ fn law_equations(step: &EarnedFor, place: usize, worked: &[WorkedPart]) -> Vec<E
         if code == Code::B1 && found.len() > 1 {
             return Vec::new();
         }
-        if law.adds_up() && code.is_method() && is_last && before < found.len() {
+        if law.adds_up() && is_last && before < found.len() {
             return found.into_iter().skip(before).flat_map(|(_, equations)| equations).collect();
         }
         let own = found.get(before).or(found.last()).and_then(|(_, equations)| equations.first());
@@ -232,19 +231,6 @@ fn axis(rule: &Rule) -> Option<Axis> {
         Quantity::Velocity(_, _, axis) => Some(axis),
         _ => None,
     }
-}
-
-/// Several equations of one mark: all but the last stand with the words.
-fn with_others(mut earned: Text, others: Vec<Expr>) -> Text {
-    let count = others.len();
-    for (place, equation) in others.into_iter().enumerate() {
-        earned.0.push(Piece::Words(if place == 0 { ": " } else { ", " }.to_owned()));
-        earned.0.push(Piece::Formula(equation));
-        if place + 1 == count {
-            earned.0.push(Piece::Words(" and".to_owned()));
-        }
-    }
-    earned
 }
 
 /// The value of a quantity, as an equation where the working has a letter for it, and its decimal.

@@ -8,11 +8,11 @@ use tera::{Context, Value};
 use super::Notation;
 use super::page::{Printer, Wanted, list, nothing, plain};
 use crate::bank::EarnedFor;
-use crate::expr::{print, read_markup};
+use crate::expr::{Piece, Text, print, read_markup};
 use crate::mark::judging::{Note, Verdict};
 use crate::mark::report::{Feedback, MarkedScript, MarkedUnder};
-use crate::mark::{Award, Cause, Examiner, KeyedMark, MarkedAnswer, MarkedLine, MarkedPart, Place};
-use crate::mechanics::Setting;
+use crate::mark::{Award, Cause, Examiner, KeyedMark, KeyedPart, MarkedAnswer, MarkedLine, MarkedPart, Place};
+use crate::mechanics::Quantity;
 
 /// The most letters of what a student typed in one place.
 const LONGEST: usize = 300;
@@ -49,8 +49,6 @@ impl Printer<'_> {
 
     fn reply(self, script: &MarkedScript, part: &MarkedUnder) -> Value {
         let marked = &part.marked;
-        let scheme: Vec<(&Award, Option<&KeyedMark>)> =
-            marked.awards.iter().enumerate().map(|(place, award)| (award, part.keyed.scheme.get(place))).collect();
         let lines: Vec<(usize, &MarkedLine)> = (1..).zip(&marked.lines).collect();
         self.thing("reply")
             .with("label", || plain(&marked.label))
@@ -59,7 +57,10 @@ impl Printer<'_> {
             .with("available", || marked.awards.len().into())
             .with("responses", || list(&marked.answers, |answer| self.response(marked, answer)))
             .with("lines", || list(&lines, |(number, line)| self.written(*number, line)))
-            .with("awards", || list(&scheme, |(award, mark)| self.award(award, *mark, part.keyed.setting)))
+            .with("awards", || {
+                let awards: Vec<(usize, &Award)> = marked.awards.iter().enumerate().collect();
+                list(&awards, |(place, award)| self.award(award, part.keyed.scheme.get(*place), part))
+            })
             .with("followed", || list(&script.from_own_values(part), |line| self.line(line)))
             .value()
     }
@@ -108,7 +109,7 @@ impl Printer<'_> {
             .value()
     }
 
-    fn award(self, award: &Award, mark: Option<&KeyedMark>, setting: Setting) -> Value {
+    fn award(self, award: &Award, mark: Option<&KeyedMark>, part: &MarkedUnder) -> Value {
         let equation = mark.and_then(|mark| mark.equation.as_ref());
         // What an answer earned stands below the answer; a line of working has to be named.
         let line = award.evidence.as_ref().and_then(|evidence| match evidence.place {
@@ -119,25 +120,17 @@ impl Printer<'_> {
             .with("code", || plain(&award.printed()))
             .with("given", || award.given.into())
             .with("person", || (award.by == Examiner::Person).into())
-            .with("reason", || self.typed(&award.feedback))
+            .with("reason", || match mark.and_then(|mark| needed(award, mark, part)) {
+                Some(needed) => self.text(&needed),
+                None => self.typed(&award.feedback),
+            })
             .with("place", || line.map_or_else(|| plain(""), |(number, _)| plain(&format!("line {number}"))))
             .with("reading", || self.typed(line.map_or("", |(_, reading)| reading)))
-            .with("earned", || mark.map_or_else(nothing, |mark| self.earned(mark, setting)))
+            .with("earned", || {
+                mark.and_then(|mark| earned(mark, part.keyed)).map_or_else(nothing, |words| self.text(&words))
+            })
             .with("equation", || equation.map_or_else(nothing, |equation| self.formula(equation)))
             .value()
-    }
-
-    /// What a mark is for, in words, where its equation does not say it.
-    fn earned(self, mark: &KeyedMark, setting: Setting) -> Value {
-        let words = match mark.earned_for {
-            EarnedFor::Law(law, _) if !mark.code.is_accuracy() => law.method().0,
-            EarnedFor::Law(law, _) if mark.equation.is_none() => law.accuracy(),
-            EarnedFor::Condition if mark.equation.is_none() => "the condition used",
-            _ => return nothing(),
-        };
-        let words = &setting.say(words);
-        let text = read_markup(words).map(|paragraphs| paragraphs.into_iter().next().unwrap_or_default());
-        text.map_or_else(|_| plain(words), |text| self.text(&text))
     }
 
     /// What a student typed. Only LaTeX has to be told where a line may end.
@@ -152,6 +145,42 @@ impl Printer<'_> {
             Notation::Html | Notation::Unicode => plain(&words),
         }
     }
+}
+
+/// What a mark is for, in words, where its equation does not say it: of a value, whose it is.
+fn earned(mark: &KeyedMark, part: &KeyedPart) -> Option<Text> {
+    let say = |words: &str| marked_up(&part.setting.say(words));
+    let name = |quantity: &Quantity| {
+        let asked = part.blanks.iter().find(|blank| blank.find.quantities().contains(quantity));
+        asked.map_or_else(|| say(&quantity.in_words()), |blank| Text::words(&blank.name))
+    };
+    match &mark.earned_for {
+        EarnedFor::Law(law, _) if !mark.code.is_accuracy() => Some(say(law.method().0)),
+        EarnedFor::Law(law, _) if mark.equation.is_none() => Some(say(law.accuracy())),
+        EarnedFor::Condition if mark.equation.is_none() => Some(Text::words("the condition used")),
+        EarnedFor::Quantity(quantity) => Some(name(quantity)),
+        EarnedFor::Both([one, other]) => Some(Text([name(one).0, Text::words(" and ").0, name(other).0].concat())),
+        _ => None,
+    }
+}
+
+/// The mark with which a mark falls, by what it is for: ids stand on no page.
+fn needed(award: &Award, mark: &KeyedMark, part: &MarkedUnder) -> Option<Text> {
+    let is_missing = |needed: &usize| part.marked.awards.get(*needed).is_some_and(|award| !award.given);
+    let missing = mark.depends.iter().find(|needed| award.falls_with_another() && is_missing(needed))?;
+    let missing = part.keyed.scheme.get(*missing)?;
+    let mut words = Text::words(format!("depends on {}", missing.code.name()));
+    if let Some(what_for) = earned(missing, part.keyed) {
+        words.0.push(Piece::Words(" (".to_owned()));
+        words.0.extend(what_for.0);
+        words.0.push(Piece::Words(")".to_owned()));
+    }
+    Some(words)
+}
+
+/// Words in the markup of the bank.
+fn marked_up(words: &str) -> Text {
+    read_markup(words).ok().and_then(|mut paragraphs| paragraphs.pop()).unwrap_or_else(|| Text::words(words))
 }
 
 /// Words of LaTeX in which a line may end within whatever is too long for one.
@@ -175,6 +204,7 @@ mod tests {
 
     use super::super::names::tests::{below, gather};
     use super::*;
+    use crate::bank::Code;
     use crate::diagnostic::Source;
     use crate::expr::Expr;
     use crate::mark::report::MarkReport;
@@ -209,6 +239,24 @@ mod tests {
         let mut found = BTreeMap::new();
         gather("feedback", &serde_json::to_value(context.get("feedback").unwrap()).unwrap(), &mut found);
         assert_eq!(found, below("feedback"));
+    }
+
+    #[test]
+    fn a_mark_that_falls_with_another_says_what_that_was_for() {
+        let key = key();
+        let part = key.papers[0].questions[0].parts[0].label.clone();
+        let rows = format!("student,question,part,answer\nAda,1,{part},2\n");
+        let sorted = sort(&key, read_rows(&Source::new("submissions.csv", rows.as_str())).unwrap());
+        let mut report = MarkReport::new(&sorted.scripts, &Profile::default(), Vec::new());
+        let awards = &mut report.scripts[0].parts[0].marked.awards;
+        let solved = awards.iter_mut().find(|award| award.code == Code::DependentM1).unwrap();
+        (solved.note, solved.feedback) = (Some("depends"), "depends on M1a".to_owned());
+        let context = page(&Feedback::of(&report)[0], Notation::Unicode, &Wanted::new(None));
+        let page = serde_json::to_value(context.get("feedback").unwrap()).unwrap();
+        let awards = page["scripts"][0]["replies"][0]["awards"].as_array().unwrap();
+        let reasons: Vec<&str> = awards.iter().filter_map(|award| award["reason"].as_str()).collect();
+        let expected = "depends on M1 (conservation of momentum along the line of centres, all terms)";
+        assert!(reasons.contains(&expected), "{reasons:?}");
     }
 
     #[test]

@@ -119,7 +119,7 @@ pub(super) const NAMES: [(&str, &[(&str, Kind)]); 26] = [
             ("id", Kind::Plain),
             ("code", Kind::Plain),
             ("earned", Kind::Plain),
-            ("equation", Kind::Plain),
+            ("equations", Kind::Plains),
             ("note", Kind::Plain),
             ("depends", Kind::Plains),
         ],

@@ -244,9 +244,7 @@ impl<'p> Printer<'p> {
             .with("id", || plain(&row.id))
             .with("code", || plain(&row.code))
             .with("earned", || self.text(&row.earned))
-            .with("equation", || {
-                row.equation.as_ref().map_or_else(nothing, |equation| self.measured(equation, row.unit))
-            })
+            .with("equations", || list(&row.equations, |equation| self.measured(equation, row.unit)))
             .with("note", || self.text(&row.note))
             .with("depends", || list(&row.depends, |id| plain(id)))
             .value()
@@ -323,7 +321,7 @@ mod tests {
                 id: "B1".into(),
                 code: "B1".into(),
                 earned: Text::default(),
-                equation: None,
+                equations: vec![Expr::integer(2)],
                 unit: Unit::None,
                 note: Text::default(),
                 depends: Vec::new(),

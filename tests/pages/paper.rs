@@ -221,7 +221,7 @@ fn mark(code: &str, earned: &str, equation: &str, note: &str) -> SchemeRow {
         id: code.into(),
         code: code.into(),
         earned: words(earned),
-        equation: Some(equation).filter(|equation| !equation.is_empty()).map(formula),
+        equations: Some(equation).filter(|equation| !equation.is_empty()).map(formula).into_iter().collect(),
         unit: Unit::None,
         note: words(note),
         depends: Vec::new(),

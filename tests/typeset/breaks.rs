@@ -9,8 +9,8 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use carom::diagram::Diagram;
-use carom::expr::{Piece, Text};
-use carom::paper::{Edition, Paper, PrintedQuestion};
+use carom::expr::{Expr, Piece, Text};
+use carom::paper::{Edition, Paper, PrintedQuestion, WorkingLine};
 use carom::render::RenderedFile;
 
 use super::engine::{PDFLATEX, set_fully};
@@ -163,6 +163,33 @@ fn carom_knows_papers_whose_heading_and_total_do_not_stand_by_themselves() {
     assert!(work.len() > 8, "{} documents", work.len());
     let found = on_both(&work, |(name, document, paper)| set_and_torn(name, document, paper)).concat();
     assert!(found.is_empty(), "\n{}", found.join("\n"));
+}
+
+/// The longest left side of a part pushes all of its equations to the right, as far as they have room there.
+#[test]
+#[ignore = "needs TeX, poppler and Chromium, which `.ci/run` installs"]
+fn a_formula_is_broken_only_where_no_line_of_its_own_holds_it() {
+    let sum = |from: i64, to: i64| Expr::Sum((from..=to).map(Expr::integer).collect());
+    let line = |left, right| WorkingLine {
+        words: Text::words("Hence"),
+        equations: vec![Expr::equation(left, right)],
+        label: None,
+    };
+    let set = |last: i64| {
+        let mut paper = super::by_hand::paper();
+        paper.questions.truncate(1);
+        let part = &mut paper.questions[0].parts[0];
+        part.working = vec![line(sum(1, 9), Expr::integer(45)), line(Expr::name("L"), sum(201, last))];
+        let mut documents = rendered("latex", &paper).into_iter();
+        let solutions = documents.find(|document| document.name == "worked-solutions.tex").unwrap();
+        words(&set_fully(PDFLATEX, &folder("breaks/formula"), &solutions).pdf).concat()
+    };
+    for (last, is_whole) in [(206, true), (212, true), (230, false)] {
+        let words = set(last);
+        let foot =
+            |text: String| words.iter().find(|word| word.text.contains(&text)).map(|word| word.area.high.y).unwrap();
+        assert_eq!((foot("201".into()) - foot(last.to_string())).abs() < 3.0, is_whole, "to {last}");
+    }
 }
 
 #[test]

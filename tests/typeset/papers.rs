@@ -48,12 +48,13 @@ pub fn whole_bank() -> Paper {
 }
 
 /// The ways in which a paper can be set.
-pub fn editions() -> [(&'static str, Edition); 3] {
+pub fn editions() -> [(&'static str, Edition); 4] {
     let plain = Edition::default();
     [
         ("plain", plain),
         ("large-print", Edition { large_print: true, ..plain }),
         ("answer-space", Edition { answer_space: true, ..plain }),
+        ("large-print-answer-space", Edition { large_print: true, answer_space: true, ..plain }),
     ]
 }
 
@@ -74,7 +75,7 @@ pub fn strained() -> Paper {
     let scheme = &mut paper.questions[0].parts[0];
     for (left, right) in [(2, 30), (30, 2), (12, 12)] {
         let equation = Expr::equation(sum(left), sum(right));
-        scheme.scheme[0].equation = Some(equation.clone());
+        scheme.scheme[0].equations = vec![equation.clone()];
         scheme.working.push(WorkingLine { words: Text::words("Hence:"), equations: vec![equation], label: Some(7) });
     }
     paper
