@@ -29,7 +29,7 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Findin
         return match &said.form {
             Form::Value(expr) if said.reference.is_none_or(|named| Some(named) == own_line(model)) => {
                 match at_points(model, expr) {
-                    Finding::WRONG if !known.has_names() => by_enclosure(model, expr),
+                    Finding::WRONG if !known.has_names() => by_enclosure(model, said, expr),
                     finding => finding,
                 }
             }
@@ -322,14 +322,19 @@ fn in_radians(accept: &Accept, degrees: FloatInterval) -> Accept {
     Accept::RoundsTo(Places::SignificantFigures(figures as u32))
 }
 
-/// A number of degrees beside an angle that is too long to be worked out exactly.
-fn by_enclosure(model: &Model, expr: &Expr) -> Finding {
+/// A number of degrees, or of radians, beside an angle that is too long to be worked out exactly.
+fn by_enclosure(model: &Model, said: &Said, expr: &Expr) -> Finding {
     let is_degree = |below: &Expr| matches!(below, Expr::Degrees(one) if one.is_one());
-    let degrees = match &model.value {
-        Expr::Quotient(_, below) if is_degree(below) => model.value.clone(),
-        angle => angle.clone().over(Expr::degrees(Expr::integer(1))),
+    let angle = match &model.value {
+        Expr::Quotient(angle, below) if is_degree(below) => &**angle,
+        angle => angle,
     };
-    number::value(&model.of_value(degrees), expr, &Written::of(expr))
+    let is_in_radians = said.unit.as_ref().is_some_and(|unit| !unit.degrees && unit.dimension == [0, 0, 0, 1]);
+    let size = match is_in_radians {
+        true => angle.clone(),
+        false => angle.clone().over(Expr::degrees(Expr::integer(1))),
+    };
+    number::value(&model.of_value(size), expr, &Written::of(expr))
 }
 
 /// An angle in letters that is long to compare, or of which only the tangent is seen to agree, is compared at points.

@@ -239,11 +239,7 @@ impl Work {
         }
         bits += 64 - above.min(1 << 20).leading_zeros() as u64;
         let letters = Size::joined(&one.letters, &two.letters);
-        let mut roots = Size::joined(&one.roots, &two.roots);
-        // A root times itself is none, where nothing else is added.
-        if one.above == 1 && two.above == 1 {
-            roots.retain(|root| !(one.roots.contains(root) && two.roots.contains(root)));
-        }
+        let roots = Size::joined(&one.roots, &two.roots);
         self.step(Size { above, below, degree, bits, letters, roots }, terms)
     }
 
@@ -311,9 +307,7 @@ impl Work {
         match function {
             Function::Abs => Some(inner),
             Function::Sqrt => self.root(argument, inner),
-            // An angle is known through its tangent, which is what stands there.
-            Function::Atan => Some(inner),
-            Function::Asin | Function::Acos => {
+            Function::Asin | Function::Acos | Function::Atan => {
                 let square = self.product(inner.clone(), inner.clone())?;
                 let other = self.root(argument, square)?;
                 self.product(inner, other)

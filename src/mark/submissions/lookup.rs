@@ -162,3 +162,34 @@ fn are(names: &[String]) -> String {
         [most @ .., last] => format!("are {} and {last}", most.join(", ")),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnostic::Source;
+    use crate::paper::{Key, compose, key_question};
+
+    #[test]
+    fn a_question_may_name_its_part() {
+        let (id, text) = crate::bank::shipped().find(|(id, _)| *id == "direct/velocities-after-impact").unwrap();
+        let question = crate::bank::read_question(id, &Source::new(id, text)).unwrap();
+        let variant = crate::generate::reference(&question).unwrap();
+        let question = key_question(&question, &variant, &compose(&question, &variant, 7));
+        let key = Key::new("shipped".to_owned(), None, vec![question]);
+        let key = AnswerKey::read(&serde_json::to_string(&key).unwrap()).unwrap();
+        for (name, label, found) in [
+            ("1", "b", Ok((0, 1))),
+            ("1(b)", "", Ok((0, 1))),
+            ("Q1b", "", Ok((0, 1))),
+            ("1 (b)", " ", Ok((0, 1))),
+            ("1b", "b", Err(0)),
+            ("1(d)", "", Err(0)),
+            ("2b", "", Err(0)),
+            ("1", "d", Err(1)),
+            ("1", "", Err(1)),
+        ] {
+            let place = question_and_part(&key.papers[0], name, label).map_err(|(_, cell)| cell);
+            assert_eq!(place, found, "`{name}` and `{label}`");
+        }
+    }
+}

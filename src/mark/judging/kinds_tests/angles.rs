@@ -132,3 +132,22 @@ fn a_tangent_may_be_told_by_its_angle() {
     let speed = asked("1", None, "A.after.speed");
     assert_eq!(earns(&speed, None, vec![angle("45")]), "wrong");
 }
+
+#[test]
+fn an_angle_with_roots_of_sines_is_worked_out() {
+    for (text, degrees) in [
+        ("atan(sqrt(49*tan(40*deg)^2 - 15)/8)", "28.9"),
+        ("asin(sqrt(15*cos(40*deg) - 1)/8)", "23.9"),
+        ("acos(sqrt(1 - 4*sin(35*deg)^2/9))", "22.5"),
+        ("atan(sqrt(2)*tan(40*deg)/sqrt(3*tan(40*deg) - 1))", "43.9"),
+        // Too long to be worked out exactly.
+        ("atan(sqrt(1 + sqrt(2 + sqrt(3 + tan(40*deg)))))", "60.0"),
+    ] {
+        let model = model(&format!("{text}/deg"), None, "awrt 3sf");
+        let own = text.replace("*deg", " deg");
+        for answer in [degrees, &own] {
+            assert_eq!(earns(&model, None, vec![value(answer)]), "correct", "{answer} for {text}");
+        }
+        assert_eq!(earns(&model, None, vec![value("31.4")]), "wrong", "{text}");
+    }
+}
