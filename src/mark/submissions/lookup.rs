@@ -178,15 +178,15 @@ mod tests {
         let key = Key::new("shipped".to_owned(), None, vec![question]);
         let key = AnswerKey::read(&serde_json::to_string(&key).unwrap()).unwrap();
         for (name, label, found) in [
-            ("1", "b", Ok((0, 1))),
-            ("1(b)", "", Ok((0, 1))),
-            ("Q1b", "", Ok((0, 1))),
-            ("1 (b)", " ", Ok((0, 1))),
-            ("1b", "b", Err(0)),
-            ("1(d)", "", Err(0)),
+            ("7", "b", Ok((0, 1))),
+            ("7(b)", "", Ok((0, 1))),
+            ("Q7b", "", Ok((0, 1))),
+            ("7 (b)", " ", Ok((0, 1))),
+            ("7b", "b", Err(0)),
+            ("7(d)", "", Err(0)),
             ("2b", "", Err(0)),
-            ("1", "d", Err(1)),
-            ("1", "", Err(1)),
+            ("7", "d", Err(1)),
+            ("7", "", Err(1)),
         ] {
             let place = question_and_part(&key.papers[0], name, label).map_err(|(_, cell)| cell);
             assert_eq!(place, found, "`{name}` and `{label}`");
