@@ -173,6 +173,11 @@ fn of_number(
         remarks.push(remark(what, &shown(piece), help));
     }
     let value = constant(expr);
+    let sign = before.trim_end().chars().next_back().filter(|sign| matches!(sign, '+' | '-' | '−'));
+    if let Some(sign) = sign.filter(|_| value.as_ref().is_some_and(|value| value.sign().is_lt())) {
+        let help = "write the whole as one formula, as in `{[ax, ay] m/s}`, or require that it is positive";
+        remarks.push(remark("two signs in a row", &format!("{sign} {}", shown(piece)), help));
+    }
     if let (Piece::Quantity(_, unit), Some(value)) = (piece, &value) {
         if value.sign().is_lt() && !is_signed() {
             remarks.push(remark("a quantity below nought", &shown(piece), "say which way it is, and give its size"));
@@ -301,6 +306,8 @@ mod tests {
             ("The mass is {1*m}.", "a factor of one"),
             ("The speed is {0 m/s}.", "a quantity of nought"),
             ("The speed is {-3 m/s}.", "below nought"),
+            ("The velocity is ({4}{i} + {-3}{j}) m/s.", "two signs in a row"),
+            ("The velocity is ({4}{i} + {3}{j}) m/s.", ""),
             ("The velocity is {[0, 0] m/s}.", "a vector of nought"),
             ("It rebounds {1} times.", "1 times"),
             ("After {2} second it stops.", "2 second"),

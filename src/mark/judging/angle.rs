@@ -324,16 +324,13 @@ fn in_radians(accept: &Accept, degrees: FloatInterval) -> Accept {
 
 /// A number of degrees, or of radians, beside an angle that is too long to be worked out exactly.
 fn by_enclosure(model: &Model, said: &Said, expr: &Expr) -> Finding {
-    let is_degree = |below: &Expr| matches!(below, Expr::Degrees(one) if one.is_one());
+    let degree = Expr::degrees(Expr::integer(1));
     let angle = match &model.value {
-        Expr::Quotient(angle, below) if is_degree(below) => &**angle,
+        Expr::Quotient(angle, below) if **below == degree => angle,
         angle => angle,
     };
     let is_in_radians = said.unit.as_ref().is_some_and(|unit| !unit.degrees && unit.dimension == [0, 0, 0, 1]);
-    let size = match is_in_radians {
-        true => angle.clone(),
-        false => angle.clone().over(Expr::degrees(Expr::integer(1))),
-    };
+    let size = if is_in_radians { angle.clone() } else { angle.clone().over(degree) };
     number::value(&model.of_value(size), expr, &Written::of(expr))
 }
 

@@ -374,13 +374,10 @@ fn through_its_tangent(model: &Model, said: &Said, label: Option<&Label>) -> Opt
     if !(is_angle || labelled || tangent_asked) || model.known().value().is_none() {
         return None;
     }
-    let rule = model.accept.places().cloned().unwrap_or(Places::SignificantFigures(3));
     let is_said = is_angle || labelled;
-    // What is not said to be an angle may be one to its figures, and the exact angle is nothing that anybody writes.
-    let accept = match model.accept.places().is_some() || !is_said {
-        true => crate::answer::Accept::RoundsTo(rule),
-        false => model.accept.clone(),
-    };
+    // What is not said to be an angle may be one to its figures: nobody writes the exact one.
+    let rule = model.accept.places().cloned().or((!is_said).then_some(Places::SignificantFigures(3)));
+    let accept = rule.map_or_else(|| model.accept.clone(), crate::answer::Accept::RoundsTo);
     let arc = || Expr::call(Function::Atan, model.value.clone());
     let angle_model =
         Model { accept, quantity: model.quantity, ..model.further(Further::ArcTangent, Kind::Angle, arc) };

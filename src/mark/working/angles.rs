@@ -33,8 +33,7 @@ pub(super) fn put_in_place(lines: &mut [Line], letters: &[Letter], prepared: &Pr
         let defined = reading.equations.iter().find_map(|equation| definition(equation, prepared));
         if let Some((name, own)) = defined {
             // A wrong angle leaves equations right that are written with its letter.
-            let is_found = prepared.from_distance.filter(|_| prepared.angles.iter().any(|(known, _)| *known == name));
-            let angle = is_found.unwrap_or(own);
+            let angle = from_distance(prepared, &name).unwrap_or(own);
             if known.iter().all(|(own, _)| *own != name) {
                 known.push((name.clone(), in_degrees(angle)));
             }
@@ -46,7 +45,9 @@ pub(super) fn put_in_place(lines: &mut [Line], letters: &[Letter], prepared: &Pr
         for name in used(reading) {
             let is_open = prepared.points.letter(&name, 0).is_none() && known.iter().all(|(own, _)| *own != name);
             let is_new = NEW.contains(&name.as_str());
-            if sides(reading).any(|expr| has_component(expr, &name, prepared)) || is_found(reading, &name) {
+            let is_sought =
+                || sides(reading).any(|expr| has_component(expr, &name, prepared)) || is_found(reading, &name);
+            if from_distance(prepared, &name).is_none() && is_sought() {
                 sought.push(name.clone());
             }
             let is_new = is_new || sought.contains(&name);
@@ -64,6 +65,11 @@ pub(super) fn put_in_place(lines: &mut [Line], letters: &[Letter], prepared: &Pr
         }
         name_components(reading, prepared);
     }
+}
+
+/// The angle of this name, if it is one that is to be found from a distance.
+fn from_distance(prepared: &Prepared, name: &str) -> Option<f64> {
+    prepared.from_distance.filter(|_| prepared.angles.iter().any(|(known, _)| known == name))
 }
 
 /// `let t = tan α`, `k = 4cos30`: from there on the letter is written for it.

@@ -260,8 +260,7 @@ impl Laws {
         let laws = self.changed.iter().map(|changed| (&changes()[changed.change], &changed.numbers));
         let mut unchanged = laws.take_while(|(change, _)| change.departures.is_empty());
         let is_line = |(change, numbers): &(&Change, &Vec<[f64; 3]>)| {
-            let factors =
-                || numbers.iter().zip(&sides).map(|([p, q, _], side)| side.factor([*p, *q])).collect::<Vec<_>>();
+            let factors = || Vec::from_iter(numbers.iter().zip(&sides).map(|([p, q, _], side)| side.factor([*p, *q])));
             numbers.iter().zip(&sides).all(|(numbers, side)| {
                 let [p, q, _] = *numbers;
                 side.has([p, q]) && side.is_law(*numbers, change.tolerance)
@@ -301,10 +300,8 @@ impl Laws {
 
     /// That both spheres have one velocity afterwards: restitution where e is nought, and else a mistake.
     pub(super) fn one_velocity(&self) -> Matched {
-        match self.inputs.iter().all(|at| at.e == 0.0) {
-            true => Matched { equation: Quantity::RestitutionEquation, departures: Vec::new() },
-            false => Matched::with(Quantity::RestitutionEquation, Departure::Coalesced),
-        }
+        let departures = Vec::from_iter(self.inputs.iter().any(|at| at.e != 0.0).then_some(Departure::Coalesced));
+        Matched { equation: Quantity::RestitutionEquation, departures }
     }
 
     /// Restitution with a number in place of e that could be one: misread, and otherwise right.
