@@ -42,6 +42,10 @@ pub(super) fn put_in_place(lines: &mut [Line], letters: &[Letter], prepared: &Pr
             }
             continue;
         }
+        // `sin α = d/(2r)` is how it is found, rightly or not.
+        if used(reading).iter().any(|name| from_distance(prepared, name).is_some() && is_found(reading, name)) {
+            continue;
+        }
         for name in used(reading) {
             let is_open = prepared.points.letter(&name, 0).is_none() && known.iter().all(|(own, _)| *own != name);
             let is_new = NEW.contains(&name.as_str());
