@@ -8,7 +8,7 @@ use crate::bank::{AuthorsTest, Question, Unposed};
 use crate::expr::{Angles, Expr, print, read_as_written};
 use crate::generate::with_numbers;
 use crate::mark::AnswerKey;
-use crate::mark::judging::{Model, Verdict, judge};
+use crate::mark::judging::{Model, Note, Verdict, judge};
 use crate::mark::reading::read_answer;
 use crate::number::{Fraction, Places, round};
 use crate::paper::{Key, compose, key_question};
@@ -57,7 +57,11 @@ fn of_test(question: &Question, place: usize, test: &AuthorsTest) -> Vec<Finding
 /// Is it what an author has worked out? Of a result that is printed, which earns a student nothing, the whole equation or its
 /// right side.
 fn worked_out(model: &Model, answer: &str) -> bool {
-    let is_right = |model: &Model| judge(model, &read_answer(answer, &model.vocabulary)).verdict == Verdict::Correct;
+    let is_right = |model: &Model| {
+        let judgement = judge(model, &read_answer(answer, &model.vocabulary));
+        // A test is of the value: students are asked for exact form, and who has worked it out with a calculator is not.
+        judgement.verdict == Verdict::Correct || judgement.note == Some(Note::ExactWanted.tag())
+    };
     let as_asked = |value: &Expr, kind| Model::new(value.clone(), kind, Accept::Exact, model.vocabulary.clone());
     match &model.value {
         _ if model.kind != Kind::Shown => is_right(model),
@@ -145,6 +149,15 @@ mod tests {
         let vector = serde_json::json!(["2.25000000000000", "-1.33333333333333"]);
         assert!(is_as_near_as_it_claims("[2.25, -1.33]", &vector));
         assert!(!is_as_near_as_it_claims("[2.251, -1.33]", &vector));
+    }
+
+    #[test]
+    fn a_test_is_of_the_value_though_students_are_asked_for_exact_form() {
+        for (answer, is_it) in [("4*sqrt(39)/9", true), ("2.78", true), ("2.7756", true), ("2.77", false)] {
+            let test = format!("[[test]]\nstyle = \"exact\"\nanswers = {{ \"A.after.speed\" = \"{answer}\" }}\n\n[reference]");
+            let question = edited("rest/speeds-and-directions", &[("[reference]", &test)]);
+            assert_eq!(disagreements(&question).is_empty(), is_it, "{answer}");
+        }
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! The component along a wall, which the wall cannot change, and *e* times a component of the student's own.
 
 use super::compare::{comes_to, is_vector};
+use super::evidence::Evidence;
 use super::examine::{Studied, Value, Working};
 use super::line::Member;
 use super::points::sizes;
@@ -8,7 +9,7 @@ use super::said::says_into_wall;
 use super::theirs::numbers;
 use crate::expr::Expr;
 use crate::mark::judging::may_be_named;
-use crate::mechanics::{Axis, Moment, Quantity, Setting, Sphere};
+use crate::mechanics::{Axis, Law, Moment, Quantity, Setting, Sphere};
 
 /// A product of more factors is of something else.
 const MOST_FACTORS: usize = 4;
@@ -84,6 +85,35 @@ impl Working<'_> {
         let Some(restitution) = self.restitution() else { return false };
         let sizes = [sizes.to_vec()];
         self.is_product_with(expr, &|factor| self.is_one_of(factor, &restitution), &|rest| self.is_one_of(rest, &sizes))
+    }
+
+    /// Pythagoras with the components that lines say are along the wall and across it after the impact: `√52`, after 6 along
+    /// it and 4 across.
+    pub(super) fn speed_of_own_components(&self, law: Law) -> Option<Evidence> {
+        let mut own: [Option<Vec<f64>>; 2] = [None, None];
+        for (place, studied) in self.lines.iter().enumerate() {
+            if let [Some(along), Some(across)] = &own {
+                let whole: Vec<f64> = along.iter().zip(across).map(|(x, y)| x.hypot(*y)).collect();
+                let is_speed = |member: &Member| {
+                    let is_named = |label: &String| {
+                        let after = Quantity::Speed(Sphere::A, Moment::After);
+                        label.contains(char::is_alphabetic) && may_be_named(label, after)
+                    };
+                    member.label.as_ref().is_some_and(is_named)
+                        && self.is_near_one_of(&member.expr, std::slice::from_ref(&whole))
+                };
+                if self.members(studied).any(|(member, _)| is_speed(member)) {
+                    return Some(Evidence::given(place, law.name()));
+                }
+            }
+            let Some((member, values)) = self.members(studied).last() else { continue };
+            let clause = self.clause(studied, member);
+            let says = [self.says_across(clause), says_into_wall(clause)];
+            if let ([true, false] | [false, true], Some(sizes)) = (says, numbers(values)) {
+                own[usize::from(says[1])] = Some(sizes).filter(|sizes| sizes.iter().all(|size| size.abs() > 1e-9));
+            }
+        }
+        None
     }
 
     fn restitution(&self) -> Option<[Vec<f64>; 1]> {

@@ -48,7 +48,7 @@ impl Working<'_> {
                 let is_right = is_vector(values, &x.sought, &y.sought, 1.0) || self.has_squares(&member.expr, x, y);
                 match is_right && !self.is_denied_by_line(studied, member) {
                     true => Some(Agrees::Fully),
-                    false => is_worked(&member.expr).then(|| impulse_but_for_signs(values, x, y)).flatten(),
+                    false => is_worked(&member.expr).then(|| sought_but_for_signs(values, x, y)).flatten(),
                 }
             });
             let by_equations = reading.equations.iter().filter_map(|equation| self.of_vectors(equation, x, y));
@@ -190,10 +190,12 @@ impl Along {
     }
 }
 
-/// Is it an impulse worked out from both momenta, but for signs?
-fn impulse_but_for_signs(values: &[Value], x: &Along, y: &Along) -> Option<Agrees> {
+/// Is it what is sought, worked out from the two others, but for signs?
+fn sought_but_for_signs(values: &[Value], x: &Along, y: &Along) -> Option<Agrees> {
+    let is_sum =
+        |along: &Along, value: Spread, point: usize| along.is_sum_of_others(value, 1.0 / along.weight[point], point);
     let fits = values.iter().enumerate().all(|(point, value)| match value {
-        Value::Vector(i, j) => x.is_sum_of_others(*i, 1.0, point) && y.is_sum_of_others(*j, 1.0, point),
+        Value::Vector(i, j) => is_sum(x, *i, point) && is_sum(y, *j, point),
         Value::Number(_) => false,
     });
     // Momenta that are added up are no change of momentum.
@@ -201,7 +203,7 @@ fn impulse_but_for_signs(values: &[Value], x: &Along, y: &Along) -> Option<Agree
         Value::Vector(i, j) => x.is_total(*i, point) && y.is_total(*j, point),
         Value::Number(_) => false,
     });
-    (x.is_impulse && fits && !is_total).then_some(Agrees::ButForSigns)
+    (fits && !(x.is_impulse && is_total)).then_some(Agrees::ButForSigns)
 }
 
 /// Is it more than a vector as it stands?

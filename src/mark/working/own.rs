@@ -33,6 +33,7 @@ impl Working<'_> {
         let (of, found) = match self.prepared.setting {
             Setting::Impulse => (Sphere::A, self.impulse_of_particle(Code::M1)?),
             _ if self.is_in_vectors() => (unknown_sphere(self.prepared)?, self.vector_momentum(Code::M1)?),
+            Setting::Wall => return self.speed_of_own_components(law),
             _ => return None,
         };
         let mut own: Option<[Vec<f64>; 2]> = None;
