@@ -154,7 +154,8 @@ mod tests {
     #[test]
     fn a_test_is_of_the_value_though_students_are_asked_for_exact_form() {
         for (answer, is_it) in [("4*sqrt(39)/9", true), ("2.78", true), ("2.7756", true), ("2.77", false)] {
-            let test = format!("[[test]]\nstyle = \"exact\"\nanswers = {{ \"A.after.speed\" = \"{answer}\" }}\n\n[reference]");
+            let test =
+                format!("[[test]]\nstyle = \"exact\"\nanswers = {{ \"A.after.speed\" = \"{answer}\" }}\n\n[reference]");
             let question = edited("rest/speeds-and-directions", &[("[reference]", &test)]);
             assert_eq!(disagreements(&question).is_empty(), is_it, "{answer}");
         }

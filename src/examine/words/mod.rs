@@ -12,6 +12,7 @@ mod asked_units;
 mod asked_when;
 mod asked_where;
 mod asked_whose;
+mod below_nought;
 mod called;
 mod exact_form;
 mod figures;
@@ -105,4 +106,5 @@ pub fn of_variant(question: &Question, variant: &Variant, words: &Words, heard: 
     sentences::unreadable(words, variant, heard, remarks);
     truth::untrue(words, variant, remarks);
     exact_form::unasked(question, variant, words, remarks);
+    below_nought::sizes(question, variant, remarks);
 }
