@@ -281,7 +281,9 @@ fn ways(text: &Text, variant: &Variant, remarks: &mut Vec<Remark>) {
 /// What is said and is not so, of a sphere or of both.
 fn untrue_way(way: &str, whom: Whom, next: &str, variant: &Variant) -> Option<String> {
     // A sphere alone moves towards walls and ends of walls, which is looked at elsewhere.
-    is_at_rest(variant, Sphere::B)?;
+    if variant.scene.setting == Setting::Wall {
+        return None;
+    }
     let along = |sphere| component(variant, sphere).filter(|along: &f64| along.abs() > 1e-9);
     // A third sphere may be the one that moves.
     let is_third = is_at_rest(variant, Sphere::C).is_some();

@@ -15,6 +15,7 @@ use crate::mechanics::Quantity;
 use crate::number::{FloatInterval, Fraction, Interval, Letter, Places};
 
 use super::accuracy::{BITS, Nearly, Target, Written, decimal, places};
+use super::angle_at_points::{as_angle, at_points, by_enclosure};
 use super::coarsest::Coarsest;
 use super::exact::{self, Equality};
 use super::finding::Finding;
@@ -256,7 +257,8 @@ fn direction(model: &Model, right: &Turn, own: Option<ReferenceLine>, named: Opt
 pub(super) fn in_turns(model: &Model) -> Expr {
     match model.known().meaning() {
         Some(Meaning::Number(_) | Meaning::Degrees(_)) => Expr::degrees(model.value.clone()),
-        _ => model.value.clone(),
+        Some(_) => model.value.clone(),
+        None => as_angle(model).clone(),
     }
 }
 
@@ -320,27 +322,6 @@ fn in_radians(accept: &Accept, degrees: FloatInterval) -> Accept {
     };
     let figures = (degrees.abs().upper.log10().floor() - step.log10().floor() + 1.0).clamp(1.0, 20.0);
     Accept::RoundsTo(Places::SignificantFigures(figures as u32))
-}
-
-/// A number of degrees, or of radians, beside an angle that is too long to be worked out exactly.
-fn by_enclosure(model: &Model, said: &Said, expr: &Expr) -> Finding {
-    let degree = Expr::degrees(Expr::integer(1));
-    let angle = match &model.value {
-        Expr::Quotient(angle, below) if **below == degree => angle,
-        angle => angle,
-    };
-    let is_in_radians = said.unit.as_ref().is_some_and(|unit| !unit.degrees && unit.dimension == [0, 0, 0, 1]);
-    let size = if is_in_radians { angle.clone() } else { angle.clone().over(degree) };
-    number::value(&model.of_value(size), expr, &Written::of(expr))
-}
-
-/// An angle in letters that is long to compare, or of which only the tangent is seen to agree, is compared at points.
-fn at_points(model: &Model, expr: &Expr) -> Finding {
-    match exact::same(&in_turns(model), expr, &model.vocabulary.letters) {
-        Equality::Equal => Finding::EXACT,
-        Equality::Different => Finding::WRONG,
-        Equality::Undecided => Finding::unreadable(Note::CannotBeCompared),
-    }
 }
 
 /// An inverse tangent of a decimal, as `arctan 1.04`.

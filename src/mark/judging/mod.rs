@@ -5,6 +5,7 @@
 
 mod accuracy;
 mod angle;
+mod angle_at_points;
 mod as_printed;
 mod besides;
 mod bounds;

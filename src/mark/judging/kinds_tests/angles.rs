@@ -146,5 +146,9 @@ fn an_angle_with_roots_of_sines_is_worked_out() {
         let model = model(&format!("{text}/deg"), None, "awrt 3sf");
         assert_eq!(earns(&model, None, vec![value(degrees)]), "correct", "{text}");
         assert_eq!(earns(&model, None, vec![value("31.4")]), "wrong", "{text}");
+        // The angle as a student writes it has no degree under a line.
+        let own = format!("arc{}", text[1..].replace("*deg", "°"));
+        let readings = read_answer(&own, &model.vocabulary);
+        assert_eq!(named(&judge(&model, &readings)), "correct", "{own}");
     }
 }

@@ -1,0 +1,35 @@
+//! Angles that are too long to be worked out exactly: compared at points, and by their enclosures.
+
+use crate::expr::Expr;
+use crate::mark::reading::Said;
+
+use super::accuracy::Written;
+use super::angle::in_turns;
+use super::exact::{self, Equality};
+use super::finding::Finding;
+use super::{Model, Note, number};
+
+/// The angle of which the model's value is the number of degrees.
+pub(super) fn as_angle(model: &Model) -> &Expr {
+    match &model.value {
+        Expr::Quotient(angle, below) if **below == Expr::degrees(Expr::integer(1)) => angle,
+        angle => angle,
+    }
+}
+
+/// A number of degrees, or of radians, beside an angle that is too long to be worked out exactly.
+pub(super) fn by_enclosure(model: &Model, said: &Said, expr: &Expr) -> Finding {
+    let angle = as_angle(model);
+    let is_in_radians = said.unit.as_ref().is_some_and(|unit| !unit.degrees && unit.dimension == [0, 0, 0, 1]);
+    let size = if is_in_radians { angle.clone() } else { angle.clone().over(Expr::degrees(Expr::integer(1))) };
+    number::value(&model.of_value(size), expr, &Written::of(expr))
+}
+
+/// An angle in letters that is long to compare, or of which only the tangent is seen to agree, is compared at points.
+pub(super) fn at_points(model: &Model, expr: &Expr) -> Finding {
+    match exact::same(&in_turns(model), expr, &model.vocabulary.letters) {
+        Equality::Equal => Finding::EXACT,
+        Equality::Different => Finding::WRONG,
+        Equality::Undecided => Finding::unreadable(Note::CannotBeCompared),
+    }
+}
