@@ -178,7 +178,7 @@ fn height(path: &str, text: &str, tall: &[&str]) -> Vec<String> {
     if path.ends_with("tests.rs") {
         return Vec::new();
     }
-    let lines = text.lines().take_while(|line| line.trim() != "#[cfg(test)]").count();
+    let lines = lines_before_tests(text);
     let advice = match tall.contains(&path) {
         true if lines <= CEILING => "take it off the list of tall files",
         true if lines > LIMIT => "it was to shrink, not to grow",
@@ -186,6 +186,14 @@ fn height(path: &str, text: &str, tall: &[&str]) -> Vec<String> {
         _ => return Vec::new(),
     };
     vec![format!("{path}: {lines} lines before its tests; {advice}")]
+}
+
+/// The lines of a file before the tests that it holds. Tests in a file of their own are named at the head of another.
+fn lines_before_tests(text: &str) -> usize {
+    let lines: Vec<&str> = text.lines().collect();
+    let begins =
+        |pair: &[&str]| pair[0].trim() == "#[cfg(test)]" && pair[1].starts_with("mod ") && pair[1].ends_with('{');
+    lines.windows(2).position(begins).unwrap_or(lines.len())
 }
 
 /// Nothing is left unfinished or passed over.
@@ -418,8 +426,11 @@ fn the_checker_lets_pass_what_is_above() {
 #[test]
 fn the_checker_sees_a_file_that_has_grown_too_tall() {
     let long = "// a line\n".repeat(CEILING + 1);
-    let tested = format!("{}#[cfg(test)]\n{}", "// a line\n".repeat(CEILING), "// a test\n".repeat(300));
+    let tested =
+        format!("{}#[cfg(test)]\nmod tests {{\n{}}}\n", "// a line\n".repeat(CEILING), "// a test\n".repeat(300));
+    let apart = format!("#[cfg(test)]\nmod tests;\n{long}");
     assert_eq!(height("src/a.rs", &long, &[]).len(), 1);
+    assert_eq!(height("src/a.rs", &apart, &[]).len(), 1);
     assert_eq!(height("src/a.rs", &tested, &[]), NONE);
     assert_eq!(height("src/a_tests.rs", &long, &[]), NONE);
     assert_eq!(height("src/a.rs", &long, &["src/a.rs"]), NONE);

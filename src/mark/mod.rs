@@ -19,6 +19,8 @@ pub mod submissions;
 mod working;
 
 pub use award::{Award, Cause, Evidence, Examiner, MarkedAnswer, MarkedLine, MarkedPart, Place};
+#[cfg(test)]
+pub(crate) use key::shipped_key;
 pub use key::{AnswerKey, KeyFault, KeyedBlank, KeyedMark, KeyedPaper, KeyedPart, KeyedQuestion};
 pub use marking::{Word, from_own_values, mark, overrule};
 pub use profile::{Charge, Profile};

@@ -210,16 +210,10 @@ mod tests {
     use crate::mark::report::MarkReport;
     use crate::mark::submissions::{read_rows, sort};
     use crate::mark::{AnswerKey, Profile};
-    use crate::paper::{Key, compose, key_question};
 
     /// The key of a shipped question.
     fn key() -> AnswerKey {
-        let (id, text) = crate::bank::shipped().find(|(id, _)| *id == "rest/speeds-and-directions").unwrap();
-        let question = crate::bank::read_question(id, &Source::new(id, text)).unwrap();
-        let variant = crate::generate::reference(&question).unwrap();
-        let question = key_question(&question, &variant, &compose(&question, &variant, 1));
-        let key = Key::new("shipped".to_owned(), None, vec![question]);
-        AnswerKey::read(&serde_json::to_string(&key).unwrap()).unwrap()
+        crate::mark::shipped_key("rest/speeds-and-directions", 1)
     }
 
     #[test]

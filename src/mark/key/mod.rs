@@ -27,6 +27,8 @@ use crate::expr::{Angles, Expr, degrees, read};
 use crate::mechanics::{Derivation, Known, Meeting, Quantity, Scene, SceneText, Setting, Sought, VelocityText, pose};
 use crate::number::{Letter, Value};
 use crate::paper::KeyQuestion;
+#[cfg(test)]
+use crate::paper::{Key, compose, key_question};
 use crate::solve::{Solution, solve_all};
 
 /// A key, read and checked.
@@ -383,13 +385,22 @@ fn decimals(question: &KeyQuestion) -> Vec<String> {
     numbers.filter(|number| number.contains('.')).map(str::to_owned).collect()
 }
 
+/// The key of a shipped question with its reference numbers, by itself under a number of the sheet.
+#[cfg(test)]
+pub(crate) fn shipped_key(id: &str, number: usize) -> AnswerKey {
+    let (id, text) = crate::bank::shipped().find(|(shipped, _)| *shipped == id).unwrap();
+    let question = crate::bank::read_question(id, &crate::diagnostic::Source::new(id, text)).unwrap();
+    let variant = crate::generate::reference(&question).unwrap();
+    let question = key_question(&question, &variant, &compose(&question, &variant, number));
+    AnswerKey::read(&serde_json::to_string(&Key::new("shipped".to_owned(), None, vec![question])).unwrap()).unwrap()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::bank::{read_question, shipped};
     use crate::diagnostic::Source;
     use crate::generate::{Deal, reference};
-    use crate::paper::{Key, compose, key_question};
 
     fn key_of(all: impl Iterator<Item = (&'static str, &'static str)>) -> String {
         let questions = all.enumerate().map(|(place, (id, text))| {

@@ -180,18 +180,10 @@ fn together(script: &Script, label: &str) -> PartScript {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnostic::Source;
-    use crate::mark::key::AnswerKey;
-    use crate::paper::{Key, compose, key_question};
 
     #[test]
     fn what_breaks_the_marker_goes_to_a_person_and_no_farther() {
-        let (id, text) = crate::bank::shipped().find(|(id, _)| *id == "rest/speeds-and-directions").unwrap();
-        let asked = crate::bank::read_question(id, &Source::new(id, text)).unwrap();
-        let variant = crate::generate::reference(&asked).unwrap();
-        let question = key_question(&asked, &variant, &compose(&asked, &variant, 1));
-        let key = Key::new("shipped".to_owned(), None, vec![question]);
-        let key = AnswerKey::read(&serde_json::to_string(&key).unwrap()).unwrap();
+        let key = crate::mark::shipped_key("rest/speeds-and-directions", 1);
         let question = &key.papers[0].questions[0];
         let name = &question.parts[0].blanks[0].name;
         let part = PartScript {

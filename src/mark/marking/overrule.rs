@@ -33,20 +33,13 @@ pub fn overrule(part: &KeyedPart, marked: &mut MarkedPart, words: &[Word]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnostic::Source;
     use crate::mark::key::AnswerKey;
     use crate::mark::{PartScript, Profile, Script, mark};
-    use crate::paper::{Key, compose, key_question};
 
     /// Scheme: B1a M1a A1a M1b A1b M1c A1c A1d M1d A1e A1f, where A1a needs M1a, A1b M1b, M1c both, A1c and A1d M1c, A1e and
     /// A1f M1d.
     fn key() -> AnswerKey {
-        let (id, text) = crate::bank::shipped().find(|(id, _)| *id == "rest/speeds-and-directions").unwrap();
-        let question = crate::bank::read_question(id, &Source::new(id, text)).unwrap();
-        let variant = crate::generate::reference(&question).unwrap();
-        let question = key_question(&question, &variant, &compose(&question, &variant, 1));
-        let key = Key::new("shipped".to_owned(), None, vec![question]);
-        AnswerKey::read(&serde_json::to_string(&key).unwrap()).unwrap()
+        crate::mark::shipped_key("rest/speeds-and-directions", 1)
     }
 
     #[test]

@@ -123,14 +123,14 @@ pub fn read_answer(text: &str, vocabulary: &Vocabulary) -> Result<Vec<Reading>, 
 fn is_date(text: &str) -> bool {
     let is_year = |year: &str| year.len() == 4 && (year.starts_with("19") || year.starts_with("20"));
     let is_day = |day: &str| (1..=2).contains(&day.len());
-    let parts: Vec<&str> = text.trim().split(['/', '-', '.']).collect();
-    let is_in_figures = parts.iter().all(|part| part.bytes().all(|sign| sign.is_ascii_digit()));
-    is_in_figures
-        && match parts.as_slice() {
-            [one, two, year] if is_year(year) => is_day(one) && is_day(two),
-            [year, one, two] => is_year(year) && is_day(one) && is_day(two),
-            _ => false,
-        }
+    let text = text.trim();
+    let is_in_figures = text.bytes().all(|sign| matches!(sign, b'0'..=b'9' | b'/' | b'-' | b'.'));
+    let parts: Vec<&str> = if is_in_figures { text.split(['/', '-', '.']).collect() } else { Vec::new() };
+    match parts.as_slice() {
+        [one, two, year] if is_year(year) => is_day(one) && is_day(two),
+        [year, one, two] => is_year(year) && is_day(one) && is_day(two),
+        _ => false,
+    }
 }
 
 /// The readings of every word of an answer or a line of working: no formula is passed over.

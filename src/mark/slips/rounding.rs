@@ -9,8 +9,7 @@ use crate::mechanics::{Carried, Datum, Known, Quantity, Road};
 use crate::number::{Fraction, Interval, Letter, Range, Value};
 
 use super::calculator::{rounded, to_figures};
-use super::sample::Sample;
-use super::sampled;
+use super::sample::{Sample, sampled};
 use super::table::value;
 use super::written::Written;
 

@@ -2,6 +2,7 @@
 
 use std::ops::{Add, Mul, Neg, Sub};
 
+use crate::mechanics::{Datum, Known};
 use crate::number::{Fraction, Interval, Letter, Number, Range, Value};
 
 /// How many points there are.
@@ -150,4 +151,18 @@ impl Number for Sample {
     fn half(&self) -> Sample {
         self.map(|value| value / 2.0)
     }
+}
+
+/// All that is given, at the points; `None` if a value does not exist there.
+pub(super) fn sampled(given: &Known<Value>) -> Option<Known<Sample>> {
+    let mut known = Known::default();
+    for (quantity, datum) in given.0.iter() {
+        let datum = match datum {
+            Datum::Number(value) => Datum::Number(Sample::of(value)?),
+            Datum::Direction { y, x } => Datum::Direction { y: Sample::of(y)?, x: Sample::of(x)? },
+            Datum::Equation(_) => continue,
+        };
+        known.0.insert(*quantity, datum);
+    }
+    Some(known)
 }

@@ -9,9 +9,9 @@ use crate::number::Value;
 use super::asked::Asked;
 use super::backwards::{Backwards, Landed};
 use super::last_step::has_a_sense;
-use super::sample::Sample;
+use super::sample::{Sample, sampled};
 use super::table::value;
-use super::{roads, sampled};
+use super::ways::roads;
 
 /// An answer in figures: each component at each of the fixed points of the letters, of an angle the degrees. Without a
 /// sign where the sign is no part of the answer, and of a direction the unit vector. Of a range each end, with plus or

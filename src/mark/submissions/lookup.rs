@@ -58,18 +58,17 @@ pub(super) fn question_and_part(
     label: &str,
 ) -> Result<(usize, usize), (String, usize)> {
     let found = question(paper, name);
-    let (name, own) = match name.rfind(|sign: char| sign.is_ascii_digit()) {
-        Some(last) if found.is_err() => name.split_at(last + 1),
-        _ => (name, ""),
-    };
-    let is_both = label.trim().is_empty() && own.contains(char::is_alphabetic);
-    let both = |place: usize| Some((place, part(&paper.questions[place], own).ok()?));
-    match question(paper, name).ok().filter(|_| is_both).and_then(both) {
-        Some(both) => Ok(both),
-        None => found
-            .map_err(|fault| (fault, 0))
-            .and_then(|place| Ok((place, part(&paper.questions[place], label).map_err(|fault| (fault, 1))?))),
+    let is_unparted = found.is_err() && label.trim().is_empty();
+    let number_ends = name.rfind(|sign: char| sign.is_ascii_digit()).filter(|_| is_unparted);
+    if let Some((number, own)) = number_ends.map(|last| name.split_at(last + 1))
+        && own.contains(char::is_alphabetic)
+        && let Ok(place) = question(paper, number)
+        && let Ok(part) = part(&paper.questions[place], own)
+    {
+        return Ok((place, part));
     }
+    let place = found.map_err(|fault| (fault, 0))?;
+    part(&paper.questions[place], label).map(|part| (place, part)).map_err(|fault| (fault, 1))
 }
 
 /// A question by its number on the sheet, with `Q` or without, or by its id: its place.
@@ -166,17 +165,10 @@ fn are(names: &[String]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnostic::Source;
-    use crate::paper::{Key, compose, key_question};
 
     #[test]
     fn a_question_may_name_its_part() {
-        let (id, text) = crate::bank::shipped().find(|(id, _)| *id == "direct/velocities-after-impact").unwrap();
-        let question = crate::bank::read_question(id, &Source::new(id, text)).unwrap();
-        let variant = crate::generate::reference(&question).unwrap();
-        let question = key_question(&question, &variant, &compose(&question, &variant, 7));
-        let key = Key::new("shipped".to_owned(), None, vec![question]);
-        let key = AnswerKey::read(&serde_json::to_string(&key).unwrap()).unwrap();
+        let key = crate::mark::shipped_key("direct/velocities-after-impact", 7);
         for (name, label, found) in [
             ("7", "b", Ok((0, 1))),
             ("7(b)", "", Ok((0, 1))),
