@@ -61,6 +61,16 @@ pub struct SceneText<S = String> {
     pub then: Vec<ThenText<S>>,
 }
 
+impl<S> SceneText<S> {
+    /// Does everything move in one line before the first impact?
+    pub fn is_in_one_line(&self) -> bool {
+        [&self.before.a, &self.before.b]
+            .into_iter()
+            .flatten()
+            .any(|velocity| matches!(velocity, VelocityText::Along(_)))
+    }
+}
+
 /// An impact that comes after another. Masses and velocities are those that the spheres have by then.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 #[serde(deny_unknown_fields, bound(deserialize = "S: Deserialize<'de>"))]

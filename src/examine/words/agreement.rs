@@ -358,6 +358,8 @@ mod tests {
             ("Sphere *A* hits *B*, which has mass {m}.", ""),
             ("Two small smooth sphere *A* and *B* move.", "Two … sphere"),
             ("The plane has 3 wall.", "3 wall"),
+            ("*B* has three times the mass of *A*, and 2 times the speed.", ""),
+            ("*B* has three times mass and 3 mass.", "3 mass"),
             ("It is 1 metres away.", "1 metres"),
             ("Sphere 2 wall 3 and part 2 sphere are names.", ""),
             ("A few spheres are at rest.", ""),

@@ -6,7 +6,7 @@ use crate::answer::Kind;
 use crate::bank::{Part, Question};
 use crate::examine::Finding;
 use crate::expr::{Expr, Piece, Text, print};
-use crate::mechanics::{Quantity, Sphere, VelocityText};
+use crate::mechanics::{Quantity, Sphere};
 use crate::unit::Unit;
 
 /// Words that tell a student to show what is printed, and words that tell to find what is not.
@@ -195,8 +195,7 @@ fn absent(question: &Question) -> Vec<Finding> {
 
 /// The vectors **i** and **j** where everything moves in one line.
 fn in_one_line(question: &Question) -> Option<Finding> {
-    let before = [&question.scene.before.a, &question.scene.before.b];
-    if !before.iter().any(|velocity| matches!(velocity, Some(VelocityText::Along(_)))) {
+    if !question.scene.is_in_one_line() {
         return None;
     }
     let is_vector = |expr: &&Expr| expr.names().iter().any(|name| matches!(name.text.as_str(), "i" | "j"));

@@ -7,7 +7,7 @@ use crate::answer::Kind;
 use crate::bank::{Answer, Code, Find, Part, Question, Style};
 use crate::examine::Finding;
 use crate::expr::{Expr, Piece, print};
-use crate::mechanics::{Axis, Quantity, VelocityText};
+use crate::mechanics::Quantity;
 
 /// Things that are requested and that no answer finds, and answers of another form than that in which they are requested.
 pub fn unfound(question: &Question) -> Vec<Finding> {
@@ -20,7 +20,6 @@ pub fn unfound(question: &Question) -> Vec<Finding> {
             found_by_none(part, &asked),
             size_of_a_vector(part, &asked),
             speed_of_a_vector(part, &asked),
-            sign_of_a_speed(question, part, &asked),
             explained(part, &said),
             called_a_velocity(part),
             given(question, &asked),
@@ -114,28 +113,6 @@ fn speed_of_a_vector(part: &Part, asked: &[Sentence]) -> Option<Finding> {
     let found = Finding::new("the words ask for a speed, and the answer is a vector", "", "a vector");
     let help = "ask for the velocity in terms of {i} and {j}, or find its size, as in `A.after.speed`";
     Some(found.with_help(help))
-}
-
-/// `The speed`, where the answer is a velocity with its sign.
-fn sign_of_a_speed(question: &Question, part: &Part, asked: &[Sentence]) -> Option<Finding> {
-    let before = [&question.scene.before.a, &question.scene.before.b];
-    let is_on_a_line = before.into_iter().flatten().any(|velocity| matches!(velocity, VelocityText::Along(_)));
-    let is_signed = |answer: &Answer| match answer.find {
-        Find::Quantity(quantity) => {
-            let is_one = matches!(quantity.of_its_impact(), Quantity::Velocity(_, _, Axis::N | Axis::X));
-            let name = print::text_unicode(&answer.name).to_lowercase();
-            // On a line any of them may be negative.
-            is_one && (name.contains("velocity") || is_on_a_line && name.contains("speed"))
-        }
-        _ => false,
-    };
-    let is_asked = all(asked).any(|request| request.thing == Thing::Speed)
-        && !asked.iter().any(|sentence| says(sentence, &["velocity", "velocities", "component", "components"]));
-    let answer = part.answers.iter().find(|answer| is_signed(answer)).filter(|_| is_asked)?;
-    let name = print::text_unicode(&answer.name);
-    let message = format!("the words ask for a speed, and the answer `{name}` is a velocity with its sign");
-    let found = Finding::new(message, "", "it may be negative");
-    Some(found.with_help("ask for the velocity, and say which way is positive; or find the speed").as_warning())
 }
 
 /// An answer by the name of `velocity` that is a speed.
@@ -293,7 +270,7 @@ mod tests {
         let energy = "Find the total kinetic energy lost in the collision.";
         let vector = "Find a vector parallel to the line of centres of";
         let back = "backwards/velocity-of-b-and-line-of-centres";
-        let table: [(&str, Edits, &str); 39] = [
+        let table: [(&str, Edits, &str); 37] = [
             (line, &[], ""),
             (line, &[(speed, "Find, in terms of {u}, the speed of *B*.")], "in terms of `u`, which the paper prints"),
             (line, &[(speed, "Find the speed of *B* in terms of {mA}.")], "in terms of `mA`"),
@@ -311,14 +288,6 @@ mod tests {
             ),
             ("i-j/speeds-after-impact", &[], ""),
             (line, &[(speed, "Find the coefficient of restitution.")], "`coefficient of restitution`, and no answer"),
-            (
-                after,
-                &[
-                    ("find = \"A.after.speed\"", "find = \"A.after.x\""),
-                    ("find = \"B.after.speed\"", "find = \"B.after.x\""),
-                ],
-                "ask for a speed, and the answer `speed of A` is a velocity with its sign",
-            ),
             (line, &[(speed, "Find the ratio of the speeds of *A* and *B*.")], "`ratio of the speeds`"),
             (line, &[(speed, "Find the change in the speed of *B*.")], "a change of `speed of *B*`"),
             (line, &[(speed, "Find the speed of approach of the spheres.")], "`speed of approach of`"),
@@ -355,11 +324,6 @@ mod tests {
                 "backwards/velocity-of-b-and-restitution",
                 &[("coefficient of restitution between the spheres.\"", "coefficient of friction.\"")],
                 "`coefficient of friction`",
-            ),
-            (
-                "direct/velocities-in-letters",
-                &[("the velocity of each", "the speed of each")],
-                "is a velocity with its sign",
             ),
             (
                 "vector-impulse/impulse-from-two-velocities",

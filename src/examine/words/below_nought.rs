@@ -2,36 +2,52 @@
 
 use std::cmp::Ordering;
 
+use super::requests::{Thing, requests};
+use super::sentence::{Sentence, is_supposed, says, sentences};
 use crate::answer::Kind;
-use crate::bank::{Answer, Find, Question};
+use crate::bank::{Answer, Find, Part, Question};
 use crate::examine::remark::Remark;
 use crate::expr::print;
 use crate::generate::Variant;
 use crate::mechanics::Quantity;
 
-/// The tangents of angles through which a path is turned, and components that are called speeds, where they are negative.
+/// The tangents of angles through which a path is turned, and components that are called speeds, where they are negative;
+/// and such speeds in letters that do not tell their sign.
 pub fn sizes(question: &Question, variant: &Variant, remarks: &mut Vec<Remark>) {
-    for answer in question.parts.iter().flat_map(|part| &part.answers).filter(|answer| answer.kind != Kind::Shown) {
+    let each = question.parts.iter().flat_map(|part| part.answers.iter().map(move |answer| (part, answer)));
+    for (part, answer) in each.filter(|(_, answer)| answer.kind != Kind::Shown) {
         let Find::Quantity(quantity) = answer.find else { continue };
-        let Some(help) = other(answer, quantity) else { continue };
-        let value = variant.solution.number(quantity);
-        if value.is_some_and(|value| value.is_constant() && value.sign() == Some(Ordering::Less)) {
-            let what = format!("the answer `{}` comes out below nought", print::text_unicode(&answer.name));
-            let label = "a student who gives its size is marked wrong";
-            remarks.push(Remark::new(what, format!("find = \"{quantity}\""), label, help));
-        }
+        let Some(value) = variant.solution.number(quantity) else { continue };
+        let is_negative = match value.sign() {
+            Some(sign) => sign == Ordering::Less && value.is_constant(),
+            None => matches!(quantity.of_its_impact(), Quantity::Velocity(..)),
+        };
+        let Some(help) = is_negative.then(|| help(part, answer, quantity)).flatten() else { continue };
+        let may = if value.is_constant() { "comes" } else { "may come" };
+        let what = format!("the answer `{}` {may} out below nought", print::text_unicode(&answer.name));
+        let label = "a student who gives its size is marked wrong";
+        remarks.push(Remark::new(what, format!("find = \"{quantity}\""), label, help));
     }
 }
 
-/// What to do about an answer that is to have no sign.
-fn other(answer: &Answer, quantity: Quantity) -> Option<String> {
+/// What to do about an answer that is to have no sign; none of one that may have it.
+fn help(part: &Part, answer: &Answer, quantity: Quantity) -> Option<String> {
     match quantity.of_its_impact() {
         Quantity::TanDeflection(_) => Some(format!("require `{quantity} > 0`, or ask for the angle itself")),
-        Quantity::Velocity(..) if print::text_unicode(&answer.name).to_lowercase().contains("speed") => {
-            Some(format!("find the speed, or require `{quantity} > 0`"))
-        }
+        Quantity::Velocity(..) if is_a_speed(part, answer) => Some(format!(
+            "ask for the velocity, and say which way is positive; or find the speed, or require `{quantity} > 0`"
+        )),
         _ => None,
     }
+}
+
+/// Is an answer called a speed, or are speeds alone asked for?
+fn is_a_speed(part: &Part, answer: &Answer) -> bool {
+    let asked: Vec<Sentence> = part.ask.iter().flat_map(sentences).filter(|sentence| !is_supposed(sentence)).collect();
+    let mut requests = asked.iter().flat_map(|sentence| requests(sentence));
+    print::text_unicode(&answer.name).to_lowercase().contains("speed")
+        || requests.any(|request| request.thing == Thing::Speed)
+            && !asked.iter().any(|sentence| says(sentence, &["velocity", "velocities", "component", "components"]))
 }
 
 #[cfg(test)]
@@ -43,6 +59,7 @@ mod tests {
     #[test]
     fn a_size_is_not_below_nought() {
         let (line, turned) = ("direct/velocities-after-impact", "rest-letters/distance-from-the-centre-of-b");
+        let letters = "direct/velocities-in-letters";
         let speed = ("find = \"A.after.speed\"", "find = \"A.after.x\"");
         let velocity = (
             "{ name = \"speed of *A*\", find = \"A.after.speed\"",
@@ -51,7 +68,28 @@ mod tests {
         let table = [
             (line, &[][..], ""),
             (line, &[speed], "the answer `speed of A` comes out below nought"),
-            (line, &[("exact = [\"speed of *A*\"", "exact = [\"velocity of *A*\""), velocity], ""),
+            (
+                line,
+                &[
+                    ("exact = [\"speed of *A*\"", "exact = [\"velocity of *A*\""),
+                    ("the speed of each", "the velocity of each"),
+                    velocity,
+                ],
+                "",
+            ),
+            (
+                line,
+                &[velocity, ("exact = [\"speed of *A*\"", "exact = [\"velocity of *A*\"")],
+                "the answer `velocity of A` comes out below nought",
+            ),
+            (line, &[("find = \"B.after.speed\"", "find = \"B.after.x\"")], ""),
+            (letters, &[], ""),
+            (letters, &[("the velocity of each", "the speed of each")], ""),
+            (
+                letters,
+                &[("the velocity of each", "the speed of each"), ("B = \"mB\"", "B = \"5*mB\"")],
+                "the answer `velocity of A` may come out below nought",
+            ),
             (turned, &[], ""),
             (
                 turned,

@@ -133,3 +133,25 @@ fn invites_rounding(answer: &Answer, variant: &Variant) -> bool {
         None => solution.angle(quantity).is_some_and(|angle| angle.is_constant() && angle.whole_degrees().is_none()),
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::examine::{Edits, edited};
+
+    #[test]
+    fn exact_form_is_asked_for_where_it_is_kept() {
+        let id = "rest/heavier-sphere-struck";
+        let note = "Give the speeds in exact form and the angle for *A* to 3 significant figures.";
+        let table: [(&str, Edits, &str); 4] = [
+            (id, &[], ""),
+            (id, &[(note, "Give exact answers.")], "`direction of A` may be rounded there"),
+            (id, &[(note, "Give exact answers, and angles to 3 significant figures.")], ""),
+            (id, &[(note, "Give your answers in exact form, except for angles.")], ""),
+        ];
+        for (id, edits, words) in table {
+            let said: String = unkept(&edited(id, edits)).into_iter().map(|finding| finding.message).collect();
+            assert!(said.contains(words) && said.is_empty() == words.is_empty(), "{id}: {edits:?}: {said}");
+        }
+    }
+}

@@ -72,16 +72,19 @@ mod tests {
     fn a_letter_is_introduced_where_it_stands_alone_and_is_not_asked_for() {
         let (ratio, size) = ("ranges/mass-ratio-that-can-be", "vector-impulse/size-of-the-impulse");
         let constant = ", where {k} is a positive constant";
-        let table: [(&str, Edits, &str); 6] = [
+        let table: [(&str, Edits, &str); 8] = [
             (ratio, &[], ""),
             (ratio, &[(constant, "")], "never say what `k` is"),
             (ratio, &[(constant, ", where {k > 0}")], ""),
             (size, &[], ""),
             (size, &[(constant, "")], "never say what `k` is"),
+            (size, &[(constant, "")], "where {k} is a positive constant"),
+            (ratio, &[(constant, ""), ("k = \"positive\"", "k = \"real\"")], "where {k} is a constant"),
             ("direct/velocities-in-letters", &[], ""),
         ];
         for (id, edits, words) in table {
-            let said: String = never(&edited(id, edits)).into_iter().map(|finding| finding.message).collect();
+            let said: Vec<_> = never(&edited(id, edits)).into_iter().map(|found| (found.message, found.help)).collect();
+            let said = if said.is_empty() { String::new() } else { format!("{said:?}") };
             assert!(said.contains(words) && said.is_empty() == words.is_empty(), "{id}: {edits:?}: {said}");
         }
     }

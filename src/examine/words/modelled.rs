@@ -4,7 +4,6 @@ use super::impacts::impacts;
 use super::sentence::{Sentence, Token, is_one_of, says, sentences};
 use crate::bank::{Question, Style};
 use crate::examine::Finding;
-use crate::mechanics::VelocityText;
 
 /// What meets.
 const SPHERES: [&str; 6] = ["sphere", "spheres", "ball", "balls", "disc", "discs"];
@@ -76,9 +75,7 @@ fn radii(question: &Question, said: &[Sentence]) -> Option<Finding> {
 
 /// Do two spheres meet first, and not in one line?
 fn is_oblique(question: &Question) -> bool {
-    let before = [&question.scene.before.a, &question.scene.before.b];
-    let is_in_line = before.into_iter().flatten().any(|velocity| matches!(velocity, VelocityText::Along(_)));
-    !is_in_line && impacts(&question.scene).first().is_some_and(|first| !first.is_of_one())
+    !question.scene.is_in_one_line() && impacts(&question.scene).first().is_some_and(|first| !first.is_of_one())
 }
 
 #[cfg(test)]
