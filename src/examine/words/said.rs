@@ -49,6 +49,8 @@ pub fn contradicted(question: &Question, style: &Style, variant: &Variant) -> Ve
             is_struck |= says(&sentence, &STRUCK);
             seen.growing(&sentence, &mut findings);
             seen.limited(&sentence, &mut findings);
+            seen.shares(&sentence, &mut findings);
+            seen.brought_to_rest(&sentence, &mut findings);
             seen.declared(&sentence, &mut findings);
             if !is_later {
                 seen.moving(&sentence, &mut findings);

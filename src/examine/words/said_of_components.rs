@@ -59,7 +59,10 @@ impl Seen<'_> {
             let clause =
                 sentence[place + 1..].iter().take_while(|token| !matches!(token, Token::Comma | Token::Sphere(_)));
             let clause: Vec<Token> = clause.cloned().collect();
-            let is_of_velocity = !says(&clause, &["angle", "component", "when", "where", "which", "parallel"]);
+            // What is parallel need not be the motion, unless that comes next.
+            let described = if clause.first().is_some_and(|next| is_one_of(next, &["parallel"])) { 1 } else { 0 };
+            let is_of_velocity =
+                !says(&clause[described..], &["angle", "component", "when", "where", "which", "parallel"]);
             let (Some(sphere), Some(axis), true) = (subject(&sentence[..place]), along_which(&clause), is_of_velocity)
             else {
                 continue;

@@ -20,7 +20,8 @@ fn said(id: &str, from: &str, to: &str) -> String {
 #[test]
 fn words_that_the_scene_contradicts_are_found() {
     let catches = "direct/one-sphere-catches-the-other";
-    let moving = "both-moving/energy-lost-and-impulse";
+    let (moving, rest, line) =
+        ("both-moving/energy-lost-and-impulse", "rest/speeds-and-directions", "collide directly.");
     let table = [
         (catches, "*B* is {w m/s}", "*B* is {w m/s}", ""),
         (catches, "{mA kg} and {mB kg}", "{mB kg} and {mA kg}", "give `*A*` the mass `mB`"),
@@ -47,6 +48,12 @@ fn words_that_the_scene_contradicts_are_found() {
         ),
         ("walls/tangents-in-letters", "towards a smooth", "away from a smooth", "away from the wall at first"),
         ("walls/tangents-in-letters", "rebounds from it", "rebounds, moving away from the wall", ""),
+        (
+            "walls/tangents-in-letters",
+            "A smooth sphere *A* of mass {mass} slides",
+            "A smooth sphere *A* of mass {mass} at rest slides",
+            "at rest",
+        ),
         (
             "walls/restitution-from-two-angles",
             "Before the collision the path of *A* makes an acute angle {alpha} with the wall, where {tan(alpha) = before}. After \
@@ -380,6 +387,76 @@ fn words_that_the_scene_contradicts_are_found() {
             "the words do not say that `*B*` is at rest",
         ),
         ("ranges/mass-ratio-when-a-goes-on", "is not changed", "is reversed", "the direction of `*A*` is reversed"),
+        (catches, line, "collide directly, which brings *A* to rest.", "`*A*` comes to rest, and it is not so"),
+        (catches, line, "collide directly. Given that *A* is brought to rest, all is known.", "`*A*` comes to rest"),
+        (catches, line, "collide directly, leaving *A* at rest.", "`*A*` comes to rest"),
+        (catches, line, "collide directly. *A* is at rest immediately after this.", "`*A*` comes to rest"),
+        (catches, line, "collide directly. *A* cannot be brought to rest.", ""),
+        (catches, line, "collide directly. *A* is not brought to rest.", ""),
+        (rest, "the plane. The", "the plane and is not brought to rest. The", ""),
+        (rest, "which is at rest on the plane", "which is at rest on the plane, and *A* then moves on", ""),
+        (
+            catches,
+            line,
+            "collide directly. The mass of *A* is 20 times that of *B*.",
+            "`*A*` is 20 times that of `*B*`",
+        ),
+        (
+            catches,
+            line,
+            "collide directly. The mass of *A* is half that of *B*.",
+            "the mass of `*A*` is 1/2 times that of `*B*`",
+        ),
+        (catches, line, "collide directly. *A* has five times the mass of *B*.", "the mass of `*A*` is 5 times that"),
+        (catches, line, "collide directly. *A* has more than five times the mass of *B*.", ""),
+        (catches, line, "collide directly. *A* has {mA/mB} times the mass of *B*.", ""),
+        (catches, line, "collide directly. *A* is a third as heavy as *B*.", "is 1/3 times that"),
+        (
+            catches,
+            line,
+            "collide directly. The speed of *A* is three times that of *B*.",
+            "the speed of `*A*` is 3 times that",
+        ),
+        (catches, line, "collide directly, with equal speeds before it.", "speeds are equal"),
+        (moving, "The coefficient", "Before it the spheres have equal speeds. The coefficient", "speeds are equal"),
+        (moving, "The coefficient", "*B* then has the same speed as before. The coefficient", ""),
+        (
+            moving,
+            "The coefficient",
+            "The speeds of *A* and *B* are equal after it. The coefficient",
+            "speeds are equal",
+        ),
+        (
+            moving,
+            "The coefficient",
+            "Half of the kinetic energy is lost. The coefficient",
+            "half of the kinetic energy",
+        ),
+        (
+            moving,
+            "The coefficient",
+            "*A* loses {1/7} of its kinetic energy. The coefficient",
+            "1/7 of the kinetic energy",
+        ),
+        (
+            moving,
+            "The coefficient",
+            "{99.5}% of the total kinetic energy is lost. The coefficient",
+            "99.5 of the kinetic",
+        ),
+        (moving, "The coefficient", "If half of the kinetic energy is lost, it is warm. The coefficient", ""),
+        (
+            rest,
+            "Immediately before the collision the speed",
+            "Sphere *A* moves perpendicular to the line of centres. The speed",
+            "`*A*` moves perpendicular to the line",
+        ),
+        (
+            rest,
+            "Immediately before the collision the speed",
+            "*A* moves parallel to the line of centres. The speed",
+            "`*A*` moves along the line of centres",
+        ),
     ];
     let mut wrong = Vec::new();
     for (id, from, to, words) in table {

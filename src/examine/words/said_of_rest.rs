@@ -1,0 +1,55 @@
+//! What the words say of who comes to rest.
+
+use super::said::Seen;
+use super::sentence::{Sentence, Token, is_one_of, says, subject};
+use crate::examine::Finding;
+use crate::mechanics::{Moment, Quantity, Sphere};
+
+impl Seen<'_> {
+    /// `*A* is brought to rest`, `which brings *A* to rest`, `*A* is then at rest`: so it is after the impact.
+    pub(super) fn brought_to_rest(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        if !self.question.scene.then.is_empty() {
+            return;
+        }
+        for at in 1..sentence.len() {
+            let Some(sphere) = rests(sentence, at) else { continue };
+            let Some(speed) = self.known.number(Quantity::Speed(sphere, Moment::After)) else { continue };
+            let is_denied = says(&sentence[..at], &["not", "never", "neither", "nor"]);
+            let is_wrong = match is_denied {
+                true => speed.is_zero(),
+                false => (&speed * &speed).sign().is_some_and(|sign| sign.is_gt()),
+            };
+            if is_wrong {
+                let rests = if is_denied { "does not come" } else { "comes" };
+                let message = format!("the words say that `*{}*` {rests} to rest, and it is not so", sphere.name());
+                let help = "mend the numbers or `conditions` of `[scene]`, or say what happens";
+                let Token::Word(lead) = &sentence[at - 1] else { continue };
+                findings.push(self.finding(message, &format!("{lead} rest"), help));
+            }
+        }
+    }
+}
+
+/// Who is said at this word to come to rest.
+fn rests(sentence: &[Token], at: usize) -> Option<Sphere> {
+    const COMES: [&str; 8] = ["brought", "comes", "come", "coming", "came", "brings", "bring", "bringing"];
+    const AFTER: [&str; 2] = ["after", "afterwards"];
+    let is_led = |lead: &str| is_one_of(&sentence[at - 1], &[lead]);
+    if !is_one_of(&sentence[at], &["rest"]) || says(sentence, &["before"]) {
+        return None;
+    }
+    let verb = sentence[..at].iter().rposition(|token| is_one_of(token, &COMES));
+    match verb {
+        Some(verb) if is_led("to") => match sentence[verb + 1..at - 1] {
+            [] => subject(&sentence[..verb]),
+            [Token::Sphere(sphere)] => Some(sphere),
+            _ => None,
+        },
+        _ if is_led("at") => match &sentence[..at - 1] {
+            [.., leaves, Token::Sphere(sphere)] if is_one_of(leaves, &["leaves", "leaving"]) => Some(*sphere),
+            [before @ .., then] if is_one_of(then, &["then"]) => subject(before),
+            before => subject(before).filter(|_| sentence[at + 1..].iter().take(2).any(|next| is_one_of(next, &AFTER))),
+        },
+        _ => None,
+    }
+}
