@@ -86,6 +86,22 @@ fn asks_at_once(sentence: &[Token]) -> bool {
     })
 }
 
+/// Do the words ask for a percentage, and name neither a fraction nor the sign to be written?
+fn asks_for_hundredths(part: &Part, asked: &[Sentence]) -> bool {
+    let words = |list: &[&str]| asked.iter().any(|sentence| says(sentence, list));
+    let has_sign = part.ask.iter().any(|text| print::text_unicode(text).contains('%'));
+    words(&["percentage", "percent", "cent"]) && !words(&["fraction", "proportion", "sign"]) && !has_sign
+}
+
+/// The words ask for a percentage, of which a student may leave the sign out.
+fn in_hundredths(answer: &Answer) -> Finding {
+    let name = print::text_unicode(&answer.name);
+    let message = format!("the words ask for a percentage, and the answer `{name}` is a fraction of one");
+    let help =
+        "ask for the fraction that is lost, of which `25%` is accepted too; or for the percentage with its sign, %";
+    Finding::new(message, "", "a student who writes 25 for 25% is marked wrong").with_help(help)
+}
+
 /// The words, or the name of the answer, speak of what is gained or left, or of a fraction, or of no loss at all, and the
 /// answer is what is lost; or the reverse.
 pub fn other_energy(answer: &Answer, part: &Part, asked: &[Sentence]) -> Option<Finding> {
@@ -142,6 +158,9 @@ pub fn other_energy(answer: &Answer, part: &Part, asked: &[Sentence]) -> Option<
         words.iter().flatten().find(|token| speaks && is_one_of(token, &OTHER))
     });
     let is_lost = asked.iter().any(|sentence| says(sentence, &LOST));
+    if other.is_none() && is_fraction && asks_for_hundredths(part, asked) {
+        return Some(in_hundredths(answer));
+    }
     let shown = print::text_unicode(&answer.name);
     let said = asked.iter().any(|sentence| says(sentence, &PART));
     let (asks, has) = match (other, is_fraction) {

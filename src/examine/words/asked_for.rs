@@ -316,7 +316,7 @@ mod tests {
     fn words_that_ask_for_another_answer_are_found() {
         let (rest, both) = ("rest/speeds-and-directions", "both-moving/energy-lost-and-impulse");
         let direction = "  { name = \"direction of *B*\", find = \"B.after.angle_to_loc_deg\", accept = \"awrt 3sf\", phrase = \"to the line of centres\" },\n";
-        let table: [(&str, Edits, &str); 32] = [
+        let table: [(&str, Edits, &str); 36] = [
             ("ranges/direction-reversed", &[], ""),
             ("ranges/direction-reversed", &[("set of possible values", "value")], "ask for one value"),
             (
@@ -380,7 +380,42 @@ mod tests {
                 &[("the fraction of the total", "the total")],
                 "ask for an energy, and the answer `fraction lost` is a fraction",
             ),
+            (
+                "both-moving/speeds-and-fraction-of-energy-lost",
+                &[("the fraction of the total", "the percentage of the total")],
+                "ask for a percentage, and the answer `fraction lost` is a fraction",
+            ),
+            (
+                "both-moving/speeds-and-fraction-of-energy-lost",
+                &[("the fraction of the total", "the fraction or percentage of the total")],
+                "",
+            ),
+            (
+                "both-moving/speeds-and-fraction-of-energy-lost",
+                &[
+                    ("the fraction of the total", "the percentage of the total"),
+                    (
+                        "lost in the collision.\"\nanswers = [{ name = \"fraction",
+                        "lost, with its sign, %.\"\nanswers = [{ name = \"fraction",
+                    ),
+                ],
+                "",
+            ),
             (both, &[("Find the total kinetic", "Find the fraction of the kinetic")], "is the energy itself"),
+            (
+                both,
+                &[
+                    (
+                        "Find the total kinetic energy lost in",
+                        "Find the kinetic energy lost, and the fraction of it, in",
+                    ),
+                    (
+                        "find = \"ke.lost\", accept = \"awrt 3sf\" }",
+                        "find = \"ke.lost\", accept = \"awrt 3sf\" }, { name = \"fraction lost\", find = \"ke.fraction_lost\" }",
+                    ),
+                ],
+                "",
+            ),
             (
                 "direct/velocities-after-impact",
                 &[("Find the speed of each sphere", "Find the velocity of each sphere")],
