@@ -64,6 +64,20 @@ fn an_author_sees_question_solution_marks_and_answers() {
 }
 
 #[test]
+fn what_check_calls_an_error_is_said_beside_the_page() {
+    let (folder, path) = bank("amiss");
+    edit(&path, "{mA kg}", "{mB kg}");
+    let output = preview(&[&path, "--seed", "1"]);
+    assert!(output.status.success(), "{}", stderr(&output));
+    assert!(stdout(&output).contains("Mark scheme"), "{}", stdout(&output));
+    let said = stderr(&output);
+    assert!(said.starts_with("error: `rest/speeds-and-directions`: the words"), "{said}");
+    assert!(said.contains(&format!("`carom check {}` says where", folder.display())), "{said}");
+    edit(&path, "{mB kg}", "{mA kg}");
+    assert!(!stderr(&preview(&[&path, "--seed", "1"])).contains("error"));
+}
+
+#[test]
 fn fresh_numbers_come_again_by_their_seed_from_bank_and_from_file() {
     let first = preview(&["rest/speeds-and-directions"]);
     let said = stderr(&first);

@@ -14,6 +14,7 @@ use super::output::{line_length, listed, print, say};
 use super::sheet::{fresh_seed, seed};
 use crate::bank::{Question, StyleName, read_question};
 use crate::diagnostic::render_all;
+use crate::examine::glance;
 use crate::generate::{Variant, reference};
 use crate::paper::{Dealer, Paper, compose};
 use crate::render::Formats;
@@ -72,6 +73,7 @@ pub fn run(arguments: &PreviewArguments) -> Result<(), Failure> {
     }
     let preview = Preview::new(&subject, &subject.read()?, &numbers)?;
     warn(preview.formats.warnings());
+    preview.amiss.iter().for_each(|line| say(line));
     if arguments.open {
         let page = Page::new(arguments.out.as_deref())?;
         page.write(&preview.html()?)?;
@@ -137,6 +139,8 @@ struct Numbers {
 struct Preview {
     formats: Formats,
     paper: Paper,
+    /// What must be mended, line by line, and how to learn more of it.
+    amiss: Vec<String>,
     /// How to see the same numbers again.
     note: String,
 }
@@ -147,6 +151,7 @@ impl Preview {
         let question = read_question(&subject.id, &written.source)?;
         let variant = numbers.of(&question)?;
         let printed = compose(&question, &variant, 1);
+        let amiss = amiss(subject, &question, &variant, written);
         let paper =
             Paper { title: question.title.clone(), seed: numbers.seed, questions: vec![printed], ..Paper::default() };
         let note = match numbers.seed {
@@ -156,12 +161,13 @@ impl Preview {
                 format!("seed {seed}, style {}; `--seed {seed}{style}` shows the same numbers again", variant.style)
             }
         };
-        Ok(Preview { formats, paper, note })
+        Ok(Preview { formats, paper, amiss, note })
     }
 
     /// What there is to say besides, files of one's own that nothing uses among it.
     fn notes(&self, colour: bool) -> String {
-        render_all(self.formats.warnings(), colour) + &self.note
+        let amiss = self.amiss.iter().map(|line| format!("{line}\n")).collect::<String>();
+        render_all(self.formats.warnings(), colour) + &amiss + &self.note
     }
 
     fn text(&self) -> Result<String, Failure> {
@@ -178,6 +184,17 @@ impl Preview {
             Failure::with_help(message, format!("say `preview = \"preview.…\"` in it, as the shipped `{name}` does"))
         })
     }
+}
+
+/// What is amiss with the question and shows in this variant, as `carom check` words it, and the command that tells where.
+fn amiss(subject: &Subject, question: &Question, variant: &Variant, written: &Written) -> Vec<String> {
+    let found = glance(question, variant);
+    let told = found.iter().map(|finding| finding.diagnostic(&subject.id, &written.source));
+    let mut lines: Vec<String> = told.map(|fault| format!("error: {}", fault.message)).collect();
+    if !lines.is_empty() {
+        lines.push(format!("`{}` says where each stands and what to try", subject.check()));
+    }
+    lines
 }
 
 impl Numbers {

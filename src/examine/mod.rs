@@ -10,6 +10,7 @@ mod apart;
 mod author;
 mod coverage;
 mod finding;
+mod glance;
 mod neighbours;
 mod promise;
 mod remark;
@@ -24,6 +25,7 @@ mod words;
 
 pub use coverage::{Coverage, MarkCount, coverage};
 pub use finding::Finding;
+pub use glance::glance;
 pub use neighbours::neighbours;
 pub use report::{AnswerForms, Hidden, Report, StyleReport, Turned};
 pub use students::{Expected, Student, students};

@@ -1,5 +1,6 @@
 //! What is amiss with one variant, and by which numbers that variant is known.
 
+use super::finding::Finding;
 use crate::bank::Style;
 use crate::expr::print;
 
@@ -55,6 +56,16 @@ impl Remark {
     /// With another thing to try where no variant is without it.
     pub fn with_help_for_all(self, help: &'static str) -> Remark {
         Remark { help_for_all: help, ..self }
+    }
+
+    /// As it is told of one variant by itself, with its numbers, if they are some of its style.
+    pub fn in_variant(&self, style: &Style, index: Option<u64>) -> Finding {
+        let shown = if self.shown.is_empty() { String::new() } else { format!(": `{}`", self.shown) };
+        let with = index.map_or_else(String::new, |index| format!(", with {}", numbers(style, index)));
+        let found = Finding::new(format!("{}{shown}{with}", self.what), self.at.as_str(), self.label.as_str());
+        let found =
+            self.key.iter().fold(found, |found, key| found.at_key(style.name, key)).with_help(self.help.as_str());
+        if self.weight == Weight::Error { found } else { found.as_warning() }
     }
 
     /// With what stands on the page of this variant.

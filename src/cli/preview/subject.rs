@@ -59,6 +59,17 @@ impl Subject {
         Ok(Written { source, templates: own_templates(self.templates.as_deref())? })
     }
 
+    /// The command that examines the bank of the question.
+    pub fn check(&self) -> String {
+        let bank = match &self.text {
+            Text::Shipped(_) => return "carom check".to_owned(),
+            Text::In(path) => path.ancestors().nth(self.id.split('/').count()),
+        };
+        let bank = bank.filter(|bank| !bank.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let bank = bank.display().to_string();
+        if bank.contains(' ') { format!("carom check \"{bank}\"") } else { format!("carom check {bank}") }
+    }
+
     /// What may change: the names of file and folder.
     pub fn watched(&self) -> Result<String, Failure> {
         let file = match &self.text {
@@ -92,6 +103,19 @@ fn id(path: &Path, bank: Option<&Path>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn carom_knows_the_bank_of_a_file() {
+        for (path, command) in [
+            ("new.toml", "carom check ."),
+            ("rest/new.toml", "carom check ."),
+            ("my-bank/rest/new.toml", "carom check my-bank"),
+            ("my bank/rest/new.toml", "carom check \"my bank\""),
+        ] {
+            let check = Subject::find(path, None, None).ok().map(|subject| subject.check());
+            assert_eq!(check.as_deref(), Some(command), "{path}");
+        }
+    }
 
     #[test]
     fn carom_knows_the_id_of_a_file() {
