@@ -75,7 +75,7 @@ impl SceneFile {
             before: walk.pair(&mut keys, "before", Walk::velocity),
             after: walk.pair(&mut keys, "after", Walk::velocity),
             line_of_centres: keys.get("line_of_centres").and_then(|value| walk.vector("line_of_centres", value)),
-            sense: keys.get("sense").and_then(|value| walk.sense(value)),
+            sense: keys.get("sense").and_then(|value| walk.sense("sense", value)),
             positions: walk.pair(&mut keys, "positions", Walk::vector),
             radii: walk.pair(&mut keys, "radii", Walk::word),
             impact_parameter: keys.get("impact_parameter").and_then(|value| walk.word("impact_parameter", value)),
@@ -205,7 +205,7 @@ impl Walk<'_> {
             mass: keys.get("mass").and_then(|value| self.word(&path("mass"), value)),
             before: keys.get("before").and_then(|value| self.velocity(&path("before"), value)),
             line_of_centres: keys.get("line_of_centres").and_then(|value| self.vector(&path("line_of_centres"), value)),
-            sense: keys.get("sense").and_then(|value| self.sense(value)),
+            sense: keys.get("sense").and_then(|value| self.sense(&path("sense"), value)),
             wall: keys.get("wall").and_then(|value| self.vector(&path("wall"), value)),
             e: keys.get("e").and_then(|value| self.word(&path("e"), value)),
         };
@@ -215,8 +215,9 @@ impl Walk<'_> {
         then
     }
 
-    fn sense(&mut self, value: &Spanned<DeValue>) -> Option<Sense> {
+    fn sense(&mut self, path: &str, value: &Spanned<DeValue>) -> Option<Sense> {
         let words = document::words("`sense`", value, self.faults)?;
+        self.places.push((path.to_owned(), words.clone()));
         match words.get_ref().as_str() {
             "A_to_B" => Some(Sense::FromAToB),
             "either" => Some(Sense::Either),

@@ -20,6 +20,10 @@ pub fn unknown_at(span: std::ops::Range<usize>, what: &str, name: &str, others: 
         let help = format!("say which impact you mean: `{later}`");
         return faults.report(span, format!("unknown {what} `{name}`"), label, help);
     }
+    if let Some(meant) = counted(name) {
+        let label = "an impact after the first is named in words";
+        return faults.report(span, format!("unknown {what} `{name}`"), label, format!("did you mean `{meant}`?"));
+    }
     let help = match near(name, names.iter().map(String::as_str)) {
         Some(near) => format!("did you mean `{near}`?"),
         None => match Quantity::meant(name).filter(|_| !name.contains('.')) {
@@ -29,6 +33,17 @@ pub fn unknown_at(span: std::ops::Range<usize>, what: &str, name: &str, others: 
     };
     let label = "no quantity of the collision has this name";
     faults.report(span, format!("unknown {what} `{name}`"), label, help);
+}
+
+/// `2.B.after.speed`: a quantity with the number of its impact.
+fn counted(name: &str) -> Option<String> {
+    let (number, rest) = name.split_once('.')?;
+    let meant = match number.parse().ok()? {
+        0_usize => return None,
+        1 => rest.to_owned(),
+        number => format!("{}.{rest}", LATER.get(number - 2)?),
+    };
+    meant.parse::<Quantity>().is_ok().then_some(meant)
 }
 
 /// What may follow the part of a name that is right.

@@ -133,6 +133,14 @@ fn refused(
                 && solve(&read, &[quantity]).is_err()
             {
                 open = true;
+                let impacts = question.scene.then.len() + 1;
+                if usize::from(quantity.impact()) >= impacts {
+                    let message = format!("`{quantity}` is of an impact that the scene does not have");
+                    let label = if impacts == 1 { "it has one".to_owned() } else { format!("it has {impacts}") };
+                    let help = format!("ask for `{}`, or add the impact as `[[scene.then]]`", quantity.of_its_impact());
+                    faults.report(words.span(), message, label, help);
+                    continue;
+                }
                 faults.report(
                     words.span(),
                     format!("the scene does not determine `{quantity}`"),
@@ -155,7 +163,9 @@ fn refused(
         Because::Underdetermined => ("with its reference numbers the question has no single answer", &None),
         Because::BeyondMethods => ("the question needs more than exam methods", &None),
     };
-    let span = label.clone().unwrap_or_else(|| scene.span.clone());
+    // What is to be found and is not found is nearer than the scene.
+    let nearest = || scene.words("unknowns[0]").map_or(scene.span.clone(), |words| words.span());
+    let span = label.clone().unwrap_or_else(nearest);
     let other = match refusal.because {
         Because::Impossible => "take numbers in `[reference]` for which you know the answers",
         _ => "give more in `[scene]`, or other `conditions`: one equation for each of `unknowns`",

@@ -110,6 +110,10 @@ impl<'a> Reader<'a> {
         };
         let inside = &self.text[open + 1..open + length];
         if inside.contains('{') {
+            // `{\frac{1}{2}}` is closed, and no formula.
+            if inside.contains('\\') {
+                expression(inside, open + 1)?;
+            }
             // The `}` belongs to another formula.
             let span = Span { start: open, end: open + 1 };
             return Err(Fault::new("`{` is never closed", span, "its `}` is missing")

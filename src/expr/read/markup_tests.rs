@@ -45,6 +45,7 @@ fn carom_knows_italics_and_displays() {
 fn carom_knows_where_marked_up_words_go_wrong() {
     let rows = [
         ("mass {2 kg", "`{` is never closed", "{"),
+        ("e is {\\frac{1}{2}}", "unknown character `\\`", "\\"),
         ("mass 2} kg", "`}` closes nothing", "}"),
         ("one\n\nsphere _with {u + $}_", "unknown character `$`", "$"),
         ("é {}", "an empty expression", ""),

@@ -27,9 +27,15 @@ impl Reader<'_> {
             Setting::Wall
         } else if text.impulse.is_some() || is_of_one_particle(text) {
             Setting::Impulse
-        } else if given.iter().any(|(_, is_direct)| *is_direct) {
+        } else if given.iter().any(|(_, is_direct)| *is_direct) && !is_laid_in_a_plane(text, &given) {
             Setting::Direct
         } else {
+            for (field, _) in given.iter().filter(|(_, is_direct)| *is_direct) {
+                let expected = "`[\"x\", \"y\"]`, as the others are in a plane";
+                let fault = Fault::new("a velocity along a line among others in a plane", Span::default(), expected);
+                let help = "give its components along i and along j; of a sphere at rest they are `[\"0\", \"0\"]`";
+                self.fault(field, fault.try_this(help));
+            }
             return Setting::Oblique;
         };
         let mut refuse = |field: &str, message: &str, expected: &str| {
@@ -147,6 +153,14 @@ impl Reader<'_> {
         let ([a_x, a_y], [b_x, b_y]) = (a?, b?);
         Some(Contact::Apart(&b_x - &a_x, &b_y - &a_y, sum))
     }
+}
+
+/// Is some velocity given in a plane, and do the others or the line of centres say that all are meant so?
+fn is_laid_in_a_plane<S>(text: &SceneText<S>, given: &[(&str, bool)]) -> bool {
+    let along_a_line = given.iter().filter(|(_, is_direct)| *is_direct).count();
+    let in_a_plane = given.len() - along_a_line;
+    let is_laid = text.line_of_centres.is_some() || text.impact_parameter.is_some() || !text.positions.is_none();
+    in_a_plane > 0 && (is_laid || in_a_plane > along_a_line)
 }
 
 /// Is nothing given but one body, before and after? Then its impulse is to be found.
