@@ -1,12 +1,13 @@
 //! The choice of letters and directions that makes a student's lines agree best.
 
 use super::compare::any_within;
+use super::critical::noughts;
 use super::examine::{Studied, value};
 use super::line::ReadLine;
 use super::linear::Linear;
-use super::misread::with_number_misread;
+use super::misread::{Misread, with_number_misread};
 use super::offered::{Offered, differences};
-use super::pair::{Convention, Laws, Matched, conventions};
+use super::pair::{Convention, Departure, Laws, Matched, conventions};
 use super::points::sizes;
 use super::prepared::Prepared;
 use super::slipped::false_number;

@@ -236,6 +236,7 @@ fn candidates(typed: &str) -> Vec<(Option<&str>, String)> {
     let typed = without_lead_in(typed);
     // `3 × −2` and `4·3` are written with signs that words do not have.
     let mut all: Vec<(Option<&str>, String)> = Vec::new();
+    all.extend(case(typed).map(|both| (None, both)));
     all.extend(turned_round(typed).map(|turned| (None, turned)));
     all.extend(along_impulse(typed).map(|along| (None, along)));
     all.extend(after_impact(typed).map(|after| (None, after)));
@@ -298,6 +299,28 @@ fn candidates(typed: &str) -> Vec<(Option<&str>, String)> {
     }
     all
 }
+
+/// `for v = 0: 10 = 3w`: what holds in a case, and the equation there, if there is one. It has a letter: `k = 3 : 2 = 1.5` is a ratio.
+fn case(typed: &str) -> Option<String> {
+    let (case, equation) = typed.split_once(':')?;
+    let sides: Vec<&str> = case.split(RELATIONS).collect();
+    let (words, letter) = sides[0].trim_end().rsplit_once(' ').unwrap_or(("", sides[0].trim()));
+    let is_letter = letter.len() <= 3 && letter.starts_with(char::is_alphabetic);
+    let is_case = sides.len() == 2
+        && is_letter
+        && words.split_whitespace().all(|word| CASES.contains(&word.to_lowercase().as_str()));
+    let case = case[words.len()..].trim().to_owned();
+    let is_equation = equation.contains(RELATIONS) && equation.contains(char::is_alphabetic);
+    match equation.trim() {
+        "" => Some(case),
+        equation => is_equation.then(|| format!("{case}, {equation}")),
+    }
+    .filter(|_| is_case)
+}
+
+/// What is said before a case.
+const CASES: [&str; 13] =
+    ["for", "when", "if", "the", "at", "let", "with", "where", "put", "take", "case", "critical", "limiting"];
 
 /// How the sign of a scalar product stands before a vector: `(2i + 5j).(i - j)`, `u_A·(1, -1)`.
 const SCALAR_PRODUCTS: [&str; 7] = [".(", " . (", "·(", "· (", "•(", "• (", "⋅("];

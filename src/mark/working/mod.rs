@@ -19,6 +19,8 @@ mod components;
 mod compound;
 mod condition;
 mod convention;
+mod conventions;
+mod critical;
 mod crossed_out;
 mod denied;
 mod departure;

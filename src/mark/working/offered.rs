@@ -3,6 +3,7 @@
 use super::apiece::Apiece;
 use super::compare::any_within;
 use super::convention::shows_e;
+use super::critical::{Critical, has_nought_term};
 use super::examine::context;
 use super::linear::{Context, Linear, Sum, difference, figures, sum};
 use super::pair::{Convention, Departure, Laws, Matched};
@@ -35,6 +36,8 @@ pub(super) struct Offered {
     shows_mass: bool,
     /// Does it say nothing but that the two unknowns are equal?
     says_equal: bool,
+    /// Does a nought stand for one of its terms?
+    has_nought: bool,
 }
 
 impl Offered {
@@ -59,6 +62,7 @@ impl Offered {
             says_equal,
             has_weights,
             shows_mass,
+            has_nought: has_nought_term(equation),
         })
     }
 
@@ -71,6 +75,16 @@ impl Offered {
     pub(super) fn is_of_velocities(&self) -> bool {
         let unknowns = &self.linear[0].unknowns;
         (1..=2).contains(&unknowns.len()) && unknowns.iter().all(|(name, _)| may_be_velocity(name))
+    }
+
+    /// The laws of the critical case of an inequality, if it is one of them.
+    pub(super) fn critical<'l>(
+        &self,
+        critical: Option<&'l Critical>,
+        convention: &Convention,
+        noughts: &[(usize, String)],
+    ) -> Option<&'l Laws> {
+        critical?.laws_for((&self.linear[0], self.place, self.has_nought), convention, noughts)
     }
 
     /// All that it may be in this convention, as the equation of this number.

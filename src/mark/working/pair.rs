@@ -8,6 +8,7 @@
 
 use super::apiece::Apiece;
 use super::changed::{Change, changes};
+pub(super) use super::conventions::{Convention, conventions, sphere};
 pub(super) use super::departure::Departure;
 use super::linear::Linear;
 use super::points::sizes;
@@ -16,18 +17,6 @@ use crate::mechanics::{Axis, Known, Moment, Quantity, Sphere};
 
 /// The two equations.
 pub(super) const BOTH: [Quantity; 2] = [Quantity::MomentumEquation, Quantity::RestitutionEquation];
-
-/// Which letters of the student are the components after the impact, and which way each is positive.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Convention {
-    pub(super) letters: [String; 2],
-    /// +1 where the student's positive direction is from A to B.
-    pub(super) signs: [f64; 2],
-    /// Does the letter that comes first in the alphabet stand for B?
-    pub(super) is_unusual: bool,
-    /// Does `v_1` stand for B? Only if both equations are right so: whoever exchanges the masses has not exchanged the numbers.
-    pub(super) is_against_numbers: bool,
-}
 
 /// A line that is one of the two equations.
 #[derive(Clone, Debug, PartialEq)]
@@ -139,6 +128,14 @@ impl Laws {
             laws.changed.push(Changed { change, unknowns, numbers });
         }
         Some(laws)
+    }
+
+    /// The same laws where a sphere is at rest after the impact: without the term of its velocity.
+    pub(super) fn with_at_rest(&self, sphere: Sphere) -> Laws {
+        let mut laws = self.clone();
+        laws.unknowns.iter_mut().flatten().for_each(|numbers| numbers[sphere as usize] = 0.0);
+        laws.changed.iter_mut().flat_map(|changed| &mut changed.numbers).for_each(|at| at[sphere as usize] = 0.0);
+        laws
     }
 
     /// What a line is, its unknowns in this convention: one of the laws as it stands, or either of them with the least
@@ -364,37 +361,5 @@ impl Side {
             Spread { low: difference.low - slack, high: difference.high + slack }.may_be_nought(scale)
         };
         close(self.constant.times(p), v.times(-r)) && close(self.constant.times(q), w.times(-r))
-    }
-}
-
-/// Every way to take the student's two unknowns: which is which, and the sign of each. The usual one first.
-pub(super) fn conventions(names: &[String]) -> Vec<Convention> {
-    let [one, other] = names else { return Vec::new() };
-    let mut orders = vec![[one.clone(), other.clone()], [other.clone(), one.clone()]];
-    if sphere(one) == Some(Sphere::B) || sphere(other) == Some(Sphere::A) {
-        orders.reverse();
-    }
-    let has_both = sphere(one).is_some() && sphere(other).is_some() && sphere(one) != sphere(other);
-    // `v_A` is the velocity of A; `v_1`, and a beside b, are what both equations make of them.
-    let are_told = has_both || matches!([one.as_str(), other.as_str()], ["a", "b"]);
-    if has_both && [one, other].iter().any(|letter| letter.ends_with(['A', 'B'])) {
-        orders.truncate(1);
-    }
-    let signs = [[1.0, 1.0], [-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]];
-    let usual = orders[0].clone();
-    let of = |letters: &[String; 2]| {
-        let is_unusual = *letters != usual;
-        let is_against_numbers = is_unusual && are_told;
-        signs.map(|signs| Convention { letters: letters.clone(), signs, is_unusual, is_against_numbers })
-    };
-    orders.iter().flat_map(of).collect()
-}
-
-/// The sphere that a letter names: `v_A`, `V_1`.
-pub(super) fn sphere(letter: &str) -> Option<Sphere> {
-    match letter.chars().last() {
-        Some('A' | '1') if letter.len() > 1 => Some(Sphere::A),
-        Some('B' | '2') if letter.len() > 1 => Some(Sphere::B),
-        _ => None,
     }
 }

@@ -1,5 +1,6 @@
 //! What looking through working needs of a question, made once for all its scripts.
 
+use super::critical::Critical;
 use super::examine::value;
 use super::misread::given_numbers;
 use super::pair::Laws;
@@ -24,6 +25,10 @@ pub struct Prepared {
     /// What is given, at every point.
     pub(super) given: Vec<Known<f64>>,
     pub(super) laws: Option<Laws>,
+    /// The coefficient of restitution as it is given.
+    pub(super) restitution: Option<Expr>,
+    /// The laws where the condition of a range changes from one side to the other.
+    pub(super) critical: Option<Critical>,
     /// Are the velocities before given by numbers for their components?
     pub(super) in_components: bool,
     /// Names under which students write what is given as a number.
@@ -104,12 +109,14 @@ impl Prepared {
         speeds.dedup();
         let at_points = |letter: &Letter| (0..points.count).map(|at| points.letter(letter.name(), at)).collect();
         let laws = Laws::of(&given[0], &known, in_components, speeds.iter().filter_map(at_points).collect());
-        Prepared {
+        let mut prepared = Prepared {
             setting: scene.setting,
             points,
             known,
             given,
             laws,
+            restitution: scene.restitution.as_ref().map(|given| given.shown.clone()),
+            critical: None,
             in_components,
             names,
             angles,
@@ -119,7 +126,9 @@ impl Prepared {
             masses,
             found,
             there,
-        }
+        };
+        prepared.critical = Critical::of(scene, &prepared);
+        prepared
     }
 }
 
