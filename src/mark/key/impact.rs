@@ -104,7 +104,7 @@ impl KeyedQuestion {
     }
 
     /// The parts, with nothing of what was worked out for the right values.
-    fn parts_unstated(&self) -> Vec<KeyedPart> {
+    pub(super) fn parts_unstated(&self) -> Vec<KeyedPart> {
         let of_mark = |mark: &KeyedMark| KeyedMark { stated: Default::default(), ..mark.clone() };
         let of_part =
             |part: &KeyedPart| KeyedPart { scheme: part.scheme.iter().map(of_mark).collect(), ..part.clone() };
@@ -119,7 +119,7 @@ impl KeyedQuestion {
     }
 
     /// The same question about a scene with what is given there: nothing is prepared yet.
-    fn of_scene(&self, scene: Scene, given: Known<Value>, parts: Vec<KeyedPart>) -> KeyedQuestion {
+    pub(super) fn of_scene(&self, scene: Scene, given: Known<Value>, parts: Vec<KeyedPart>) -> KeyedQuestion {
         KeyedQuestion {
             id: self.id.clone(),
             number: self.number,

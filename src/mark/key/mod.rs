@@ -7,6 +7,7 @@ mod agreement;
 mod fault;
 mod impact;
 mod mark;
+mod misread;
 mod motion;
 mod part;
 mod version;

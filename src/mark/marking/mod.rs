@@ -13,6 +13,7 @@ mod follow;
 mod last_word;
 mod left;
 mod memory;
+mod misread;
 mod overrule;
 mod withhold;
 
@@ -27,7 +28,7 @@ use super::judging::Verdict;
 use super::key::{KeyedMark, KeyedPart, KeyedQuestion};
 use super::profile::Profile;
 use super::script::{PartScript, Script};
-use super::working::{Theirs, examine};
+use super::working::{Misread, Theirs, examine};
 use crate::bank::{Code, Find};
 use crate::mechanics::Quantity;
 
@@ -77,18 +78,33 @@ fn or_for_a_person(script: &Script, mut mark: impl FnMut(&Script) -> Vec<MarkedP
     marked
 }
 
-/// Everything in the order of an examiner.
+/// Everything in the order of an examiner, and once more where a number of the question was copied wrongly.
 fn looked_through(
     question: &KeyedQuestion,
     script: &Script,
     profile: &Profile,
     memory: &mut Memory,
 ) -> Vec<MarkedPart> {
+    let (mut marked, misread) = as_printed(question, script, profile, memory);
+    if let Some(misread) = misread {
+        misread::follow(question, script, profile, &misread, &mut marked);
+    }
+    marked
+}
+
+/// A script marked by the question as it is printed, and a number that was copied wrongly out of it.
+fn as_printed(
+    question: &KeyedQuestion,
+    script: &Script,
+    profile: &Profile,
+    memory: &mut Memory,
+) -> (Vec<MarkedPart>, Option<Misread>) {
     let mut charged = decide::Charged::default();
     let mut theirs = Theirs::default();
     let mut is_unknown_wrong = false;
     let mut by_lines = by_lines::ByLines::default();
     let mut marked = Vec::new();
+    let mut misread = None;
     for part in &question.parts {
         let handed_in = together(script, &part.label);
         let mut examined = examine(question, part, &handed_in.working, &theirs);
@@ -127,10 +143,11 @@ fn looked_through(
         let own = if all_right { Vec::new() } else { examined.theirs.to_go_on_from(question) };
         theirs = examined.theirs;
         theirs.take_answers(question, part, judged.iter().map(|judged| judged.readings.as_deref()));
+        misread = misread.or(examined.misread);
         let (label, lines) = (part.label.clone(), examined.lines);
         marked.push(MarkedPart { label, answers, lines, awards, found, own });
     }
-    marked
+    (marked, misread)
 }
 
 /// Of a mark that a line has lost it is not said that it was probably earned.

@@ -68,8 +68,12 @@ pub(super) fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option
     let pairs = pairs(&offered, lines);
     let substituted: Vec<Substituted> =
         equations().flat_map(|equation| substituted(equation, &pairs, lines, prepared)).collect();
+    let noughts = noughts(lines);
     let matches = |convention: &Convention| -> Vec<Found> {
-        let alone = offered.iter().enumerate().flat_map(|(number, offered)| offered.found(number, laws, convention));
+        let alone = offered.iter().enumerate().flat_map(|(number, offered)| {
+            let critical = offered.critical(prepared.critical.as_ref(), convention, &noughts);
+            offered.found(number, critical.unwrap_or(laws), convention)
+        });
         let within = substituted.iter().flat_map(|substituted| {
             let found = |matched| substituted.whole.found_as(matched);
             substituted.matched(laws, convention).into_iter().map(found)
@@ -113,6 +117,14 @@ pub(super) fn take_as_laws(lines: &mut [Studied], prepared: &Prepared) -> Option
         if is_unlikely && let Some((law, misread)) = with_number_misread(equation, laws, &convention, prepared) {
             studied.misread = Some(misread);
             (studied.reading, studied.matched) = (Some(studied.line.readings[*which].clone()), vec![law]);
+        }
+        let is_another = |one: &Matched| one.departures == [Departure::AnotherRestitution];
+        if studied.matched.iter().any(is_another)
+            && let Some(given) = &prepared.restitution
+            && let Some(line) = differences(equation, prepared)
+            && let Some(written) = laws.another_restitution(&line, &convention)
+        {
+            studied.misread = Some(Misread::of_restitution(given.clone(), written));
         }
     }
     for studied in lines.iter_mut() {

@@ -51,7 +51,7 @@ pub(crate) struct Examined {
     /// What each line is short of one of the two equations, if it is one.
     pub(super) short_of_law: Vec<Option<u32>>,
     /// A number of the question that is copied wrongly into an equation.
-    pub(super) misread: Option<Misread>,
+    pub(crate) misread: Option<Misread>,
     /// Do equations deny the right value of the letter that is to be found?
     pub(crate) denies_what_is_found: bool,
     /// For each blank: is the right value in the lines, and only behind an equals sign that is false?

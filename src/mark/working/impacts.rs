@@ -288,6 +288,7 @@ impl Examined {
             *own = other.or(own.take());
         }
         self.theirs = later.theirs;
+        self.misread = self.misread.take().or(later.misread);
         self.to_be_subtracted = later.to_be_subtracted.or(self.to_be_subtracted.take());
         self.turns.extend(later.turns);
         self.denies_what_is_found &= later.denies_what_is_found;

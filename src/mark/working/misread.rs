@@ -17,6 +17,24 @@ pub(in crate::mark) struct Misread {
 }
 
 impl Misread {
+    /// Another coefficient of restitution than the one that is given: a simple fraction, if it is one.
+    pub(super) fn of_restitution(given: Expr, written: f64) -> Misread {
+        let is_whole = |below: &i64| {
+            let above = written * *below as f64;
+            (above - above.round()).abs() < 1e-9
+        };
+        let written = match (2..=MOST_BELOW).find(is_whole) {
+            Some(below) => Expr::integer((written * below as f64).round() as i64).over(Expr::integer(below)),
+            None => Expr::Decimal(format!("{written:.9}")),
+        };
+        Misread { given, written }
+    }
+
+    /// Is what is written for it another number of the question, and so perhaps taken for it?
+    pub(in crate::mark) fn is_of_another(&self, prepared: &Prepared) -> bool {
+        prepared.given_numbers.contains(&self.written)
+    }
+
     /// A formula of the question as the student has read it.
     pub(in crate::mark) fn read(&self, shown: &Expr) -> Expr {
         match shown {
@@ -26,6 +44,9 @@ impl Misread {
         }
     }
 }
+
+/// The largest denominator of a simple fraction.
+const MOST_BELOW: i64 = 20;
 
 /// An equation with more numbers is not gone through for one that is copied wrongly.
 const MOST_NUMBERS: usize = 8;
@@ -46,7 +67,8 @@ pub(super) fn given_numbers(scene: &Scene) -> Vec<Expr> {
             own.push(Expr::integer(1));
         }
         for number in own.into_iter().map(without_sign) {
-            if !all.contains(&number) {
+            // Of what is nought no number stands in the question.
+            if !number.is_zero() && !all.contains(&number) {
                 all.push(number);
             }
         }

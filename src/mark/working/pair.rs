@@ -303,6 +303,13 @@ impl Laws {
 
     /// Restitution with a number in place of e that could be one: misread, and otherwise right.
     pub(super) fn with_another_restitution(&self, line: &[Linear], convention: &Convention) -> Option<Matched> {
+        let departures = vec![Departure::AnotherRestitution];
+        self.another_restitution(line, convention)
+            .map(|_| Matched { equation: Quantity::RestitutionEquation, departures })
+    }
+
+    /// That number.
+    pub(super) fn another_restitution(&self, line: &[Linear], convention: &Convention) -> Option<f64> {
         let factors = self.inputs.iter().zip(line).map(|(at, line)| {
             let is_of_both = line.unknowns.iter().all(|(name, _)| convention.letters.contains(name));
             let [v, w] = [0, 1].map(|place| line.before(&convention.letters[place]).middle() * convention.signs[place]);
@@ -312,9 +319,7 @@ impl Laws {
         let factors: Vec<f64> = factors.collect::<Option<_>>()?;
         let first = *factors.first()?;
         let is_one = factors.iter().all(|factor| (factor - first).abs() < 1e-6);
-        let departures = vec![Departure::AnotherRestitution];
-        (is_one && (0.01..0.99).contains(&first))
-            .then_some(Matched { equation: Quantity::RestitutionEquation, departures })
+        (is_one && (0.01..0.99).contains(&first)).then_some(first)
     }
 }
 
