@@ -39,7 +39,10 @@ fn rests(sentence: &[Token], at: usize) -> Option<Sphere> {
         return None;
     }
     let verb = sentence[..at].iter().rposition(|token| is_one_of(token, &COMES));
+    // `The impulse needed to bring *A* to rest` says nothing of what happens.
+    let is_infinitive = |verb: usize| verb > 0 && is_one_of(&sentence[verb - 1], &["to"]);
     match verb {
+        Some(verb) if is_infinitive(verb) => None,
         Some(verb) if is_led("to") => match sentence[verb + 1..at - 1] {
             [] => subject(&sentence[..verb]),
             [Token::Sphere(sphere)] => Some(sphere),

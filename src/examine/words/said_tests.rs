@@ -393,6 +393,7 @@ fn words_that_the_scene_contradicts_are_found() {
         (catches, line, "collide directly. *A* is at rest immediately after this.", "`*A*` comes to rest"),
         (catches, line, "collide directly. *A* cannot be brought to rest.", ""),
         (catches, line, "collide directly. *A* is not brought to rest.", ""),
+        (catches, line, "collide directly. An impulse is needed to bring *A* to rest.", ""),
         (rest, "the plane. The", "the plane and is not brought to rest. The", ""),
         (rest, "which is at rest on the plane", "which is at rest on the plane, and *A* then moves on", ""),
         (
