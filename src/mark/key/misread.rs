@@ -23,8 +23,9 @@ enum Thing {
 }
 
 impl KeyedQuestion {
-    /// The question with everything that follows from the number as it was copied: once for each thing that it may be given for. Where
-    /// letters are to be found from conditions nothing is worked out again, nor for one number of the question in the place of another.
+    /// The question with everything that follows from the number as it was copied: once for each thing that it may be given
+    /// for. Where letters are to be found from conditions nothing is worked out again, nor for one number of the question in
+    /// the place of another.
     pub(in crate::mark) fn with_misread(&self, misread: &Misread) -> Vec<KeyedQuestion> {
         if !self.scene.unknowns.is_empty() || misread.is_of_another(self.prepared()) {
             return Vec::new();

@@ -1,8 +1,8 @@
-//! One number of the question copied wrongly, and then used throughout: the script is marked as if the question had it so, and that
-//! costs no more than two accuracy marks.
+//! One number of the question copied wrongly, and then used throughout: the script is marked as if the question had it so,
+//! and that costs no more than two accuracy marks.
 //!
-//! The board's rule is for a misreading that makes the question no easier. What earns a mark of the question as it was printed keeps
-//! it; of the marks that only the question as it was read gives, the first two for accuracy are those that are lost.
+//! The board's rule is for a misreading that makes the question no easier. What earns a mark of the question as it was
+//! printed keeps it; of the marks that only the question as it was read gives, the first two for accuracy are lost.
 
 use super::as_printed;
 use super::decide::settled;
