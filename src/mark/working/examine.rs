@@ -1,25 +1,18 @@
 //! Which marks the lines of a part earn.
 
+use super::numbers::{Context, Spread, Sum, sizes, sum};
 use std::rc::Rc;
 
-use super::convention::{shows_e, take_as_laws};
-use super::crossed_out::set_aside_replaced;
-use super::energies::ToBeSubtracted;
+use super::equations::{BOTH, ByNumbers, Convention, Departure, Matched, Misread, shows_e, take_as_laws};
 use super::evidence::Evidence as Shown;
 use super::going_on::{follow, follow_to};
 use super::impacts::{set_aside_of_others, short_of_law_or_step};
-use super::line::{self, Line, ReadLine};
-use super::linear::{Context, Sum};
-use super::misread::Misread;
-use super::pair::{BOTH, Convention, Departure, Matched};
-use super::points::sizes;
+use super::laws::ToBeSubtracted;
+use super::letters::undone;
+use super::lines::{Line, ReadLine, Stated, set_aside_replaced};
 use super::prepared::Prepared;
-use super::said::Stated;
-use super::slipped::undone;
-use super::spread::Spread;
-use super::terms::ByNumbers;
 use super::theirs::{Theirs, own_values};
-use super::{angle_letters, angles, radians};
+use super::{letters, lines};
 use crate::bank::{Code, EarnedFor};
 use crate::expr::Expr;
 use crate::mark::award::{Award, Evidence, Examiner, MarkedLine, Place};
@@ -143,10 +136,8 @@ pub(super) fn examine_one(
 ) -> Examined {
     let prepared = question.prepared();
     let vectors = has_vectors(question);
-    let mut read = line::read(working, &question.letters, vectors);
-    radians::put_in_place(&mut read, prepared);
-    angle_letters::put_in_place(&mut read, &question.letters, &|angle| prepared.points.letter(angle, 0).is_some());
-    angles::put_in_place(&mut read, &question.letters, prepared);
+    let mut read = lines::read(working, &question.letters, vectors);
+    letters::put_in_place(&mut read, &question.letters, prepared);
     let mut before = before.clone();
     let (undone, slips) = undone(&read, &before.1, prepared);
     before.1 = slips;
@@ -250,7 +241,7 @@ fn examine_lines(
 
 /// The first line of more than are read: a person is told of it.
 fn first_unread(working: &[String]) -> Option<MarkedLine> {
-    let mut rest = line::typed(working).skip(line::MOST_LINES);
+    let mut rest = lines::typed(working).skip(lines::MOST_LINES);
     rest.next().map(|typed| MarkedLine { typed: typed.to_owned(), reading: None, role: String::new() })
 }
 
@@ -281,7 +272,7 @@ pub(super) fn evaluate(lines: &mut [Studied], prepared: &Prepared, names: &[(Str
 
 /// What a formula without unknowns comes to at every point.
 pub(super) fn value(expr: &Expr, prepared: &Prepared, names: &[(String, Vec<f64>)]) -> Option<Vec<Value>> {
-    let at = |point| match super::linear::sum(expr, &Context { given: names, ..context(prepared, point) })? {
+    let at = |point| match sum(expr, &Context { given: names, ..context(prepared, point) })? {
         Sum::Number(linear) if linear.is_number() => Some(Value::Number(linear.constant)),
         Sum::Vector(x, y) if x.is_number() && y.is_number() => Some(Value::Vector(x.constant, y.constant)),
         _ => None,

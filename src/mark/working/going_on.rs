@@ -1,9 +1,8 @@
 //! What follows from the values that the student found.
 
 use super::examine::{Examined, Value, value};
-use super::points::sizes;
+use super::numbers::{Spread, sizes};
 use super::prepared::{Prepared, complete};
-use super::spread::Spread;
 use super::theirs::{Theirs, is_nearly_right};
 use crate::expr::Expr;
 use crate::mark::key::KeyedQuestion;

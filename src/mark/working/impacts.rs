@@ -1,10 +1,7 @@
 //! Working of several impacts that follow one another: each is looked through by itself, in its own letters.
 
-use super::convention::is_value;
-use super::departure::Departure;
+use super::equations::{Convention, Departure, Matched, differences, is_value, sphere};
 use super::examine::{Examined, Studied, examine_one};
-use super::offered::differences;
-use super::pair::{Convention, Matched, sphere};
 use super::prepared::Prepared;
 use super::theirs::Theirs;
 use crate::bank::{Code, EarnedFor};

@@ -3,19 +3,12 @@
 
 use std::borrow::Cow;
 
-use super::apiece::Apiece;
-use super::cleared::is_of_deflection;
-use super::compare::is_vector;
-use super::departure::Departure;
-use super::energies::ToBeSubtracted;
+use super::equations::{Apiece, BOTH, Departure, differences};
 use super::examine::{Examined, Value, Working, value};
-use super::linear::{Linear, common_root};
-use super::offered::differences;
-use super::pair::BOTH;
-use super::points::sizes;
+use super::laws::{ToBeSubtracted, along_for, is_of_deflection};
+use super::numbers::{Linear, common_root, is_vector, sizes};
 use super::prepared::Prepared;
 use super::theirs::Theirs;
-use super::values::along_for;
 use crate::bank::{Code, EarnedFor, Find};
 use crate::expr::Expr;
 use crate::mark::award::{Award, Evidence, Examiner, Place};

@@ -1,12 +1,10 @@
 //! What looking through working needs of a question, made once for all its scripts.
 
-use super::critical::Critical;
+use super::equations::{Critical, Laws, given_numbers};
 use super::examine::value;
-use super::misread::given_numbers;
-use super::pair::Laws;
-use super::points::{Points, sizes};
+use super::laws::along_for;
+use super::numbers::{Points, sizes};
 use super::theirs::numbers;
-use super::values::along_for;
 use crate::bank::{EarnedFor, Find};
 use crate::expr::Expr;
 use crate::mechanics::{

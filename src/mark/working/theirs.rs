@@ -2,15 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use super::by_components::momentum_by_components;
-use super::components::whole;
+use super::equations::{Convention, sphere};
 use super::examine::{Studied, Value};
-use super::own_speed::multiple;
-use super::pair::{Convention, sphere};
-use super::points::sizes;
+use super::laws::{momentum_by_components, multiple};
+use super::letters::{Slip, whole};
+use super::numbers::{Spread, sizes};
 use super::prepared::Prepared;
-use super::slipped::Slip;
-use super::spread::Spread;
 use crate::bank::Find;
 use crate::expr::{Expr, written};
 use crate::mark::key::{KeyedPart, KeyedQuestion};

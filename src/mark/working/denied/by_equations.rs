@@ -1,11 +1,10 @@
 //! What a student's own equations come to for a letter: `8 = 4e` has not led to `e = 1/2`.
 
-use super::super::compare::any_within;
-use super::super::examine::{Working, context, value};
-use super::super::line::Member;
-use super::super::linear::{Context, Linear, Sum, common_root, difference};
 use super::{are_apart_either_way, is_unfinished, middle};
 use crate::expr::Expr;
+use crate::mark::working::examine::{Working, context, value};
+use crate::mark::working::lines::Member;
+use crate::mark::working::numbers::{Context, Linear, Sum, any_within, common_root, difference};
 
 /// A root at every point, along i and along j; a number is along i alone.
 type Root = Vec<[f64; 2]>;
@@ -19,7 +18,7 @@ enum Equation {
 impl Working<'_> {
     /// Does a line give a letter a plain value, where the student's own equations in that letter, or in it and one other, all
     /// have plainly another root? Whatever sign the value has: one direction may have been turned round.
-    pub(in super::super) fn is_denied_by_equations(&self, member: &Member) -> bool {
+    pub(in crate::mark::working) fn is_denied_by_equations(&self, member: &Member) -> bool {
         let Some(letter) = member.letter.as_ref().filter(|_| !is_unfinished(&member.expr)) else { return false };
         let own = value(&member.expr, self.prepared, &self.prepared.names);
         let Some(own) = own.map(|values| values.iter().map(middle).collect::<Root>()) else { return false };

@@ -1,22 +1,18 @@
 //! Equations that deny what is found: `80 = 18m²` has not led to `m = 4`, nor `5 - 2 = 1 + 2w` to `w = 2`.
 
-use super::super::compare::any_within;
-use super::super::convention::is_value;
-use super::super::examine::{Working, value};
-use super::super::line::Member;
-use super::super::linear::Linear;
-use super::super::offered::differences;
-use super::super::pair::Convention;
-use super::super::points::sizes;
-use super::super::theirs::{is_of_velocity, numbers};
 use super::{are_far, is_unfinished};
 use crate::expr::Expr;
+use crate::mark::working::equations::{Convention, differences, is_value};
+use crate::mark::working::examine::{Working, value};
+use crate::mark::working::lines::Member;
+use crate::mark::working::numbers::{Linear, any_within, sizes};
+use crate::mark::working::theirs::{is_of_velocity, numbers};
 use crate::mechanics::{Axis, Moment, Quantity, Sphere};
 
 impl Working<'_> {
     /// Do lines set up an equation in the one letter that is sought of which the right value is plainly no root, and none of
     /// which it is? That the letter is so much is no such equation.
-    pub(in super::super) fn denies_what_is_found(&self) -> bool {
+    pub(in crate::mark::working) fn denies_what_is_found(&self) -> bool {
         if self.prepared.found.len() != 1 {
             return false;
         }
@@ -36,7 +32,7 @@ impl Working<'_> {
     /// Of each sphere: do the student's own equations lead elsewhere than to its right velocity after the impact, and is nothing
     /// after them right that is more than a value? Whatever is right then has not come from them; where they have been followed
     /// to what they lead to, the answer is another attempt.
-    pub(in super::super) fn denies_velocities(&self) -> [bool; 2] {
+    pub(in crate::mark::working) fn denies_velocities(&self) -> [bool; 2] {
         if !self.prepared.found.is_empty() {
             return [false; 2];
         }

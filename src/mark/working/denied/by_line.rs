@@ -1,13 +1,12 @@
 //! Values at the end of a line that plainly comes to something else: `3 × 64 - 2 × 49 = 40/3` has not found 40/3.
 
-use super::super::compare::{any_within, comes_to, comes_to_angle, is_vector};
-use super::super::examine::{Studied, Value, Working, value};
-use super::super::line::Member;
-use super::super::points::sizes;
-use super::super::printed::leaves;
 use super::{ROUNDED, are_apart_either_way, is_unfinished, middle};
 use crate::bank::Find;
 use crate::expr::{Expr, Function};
+use crate::mark::working::examine::{Studied, Value, Working, value};
+use crate::mark::working::laws::leaves;
+use crate::mark::working::lines::Member;
+use crate::mark::working::numbers::{any_within, comes_to, comes_to_angle, is_vector, sizes};
 use crate::mechanics::{Datum, Known, Quantity};
 use crate::number;
 
@@ -42,7 +41,7 @@ struct Formula {
 
 impl Working<'_> {
     /// For each blank: is the right value in the lines, and only behind an equals sign that is false?
-    pub(in super::super) fn denied_by_lines(&self) -> Vec<bool> {
+    pub(in crate::mark::working) fn denied_by_lines(&self) -> Vec<bool> {
         self.part.blanks.iter().map(|blank| self.is_only_denied(&blank.find)).collect()
     }
 
@@ -57,7 +56,7 @@ impl Working<'_> {
     }
 
     /// Does the right value of a blank stand anywhere in the lines?
-    pub(in super::super) fn has_right_value(&self, find: &Find) -> bool {
+    pub(in crate::mark::working) fn has_right_value(&self, find: &Find) -> bool {
         self.wanted(find).is_some_and(|wanted| self.members_that_are(&wanted).next().is_some())
     }
 
@@ -82,7 +81,7 @@ impl Working<'_> {
 
     /// Does a plain value follow formulas of the question's own names and numbers all of which plainly come to something else?
     /// In letters it is plain if it is shorter than each of them.
-    pub(in super::super) fn is_denied_by_line(&self, studied: &Studied, member: &Member) -> bool {
+    pub(in crate::mark::working) fn is_denied_by_line(&self, studied: &Studied, member: &Member) -> bool {
         let is_in_letters = !member.expr.names().is_empty();
         let is_plain = is_in_letters || !is_unfinished(&member.expr);
         let Some(own) = self.in_given_names(&member.expr).filter(|_| is_plain) else { return false };
@@ -125,7 +124,7 @@ impl Working<'_> {
 
     /// What a formula comes to by what is given, and not by the student's own letters, nor by one that is to be found or that
     /// only the words of the question have.
-    pub(in super::super) fn in_given_names(&self, expr: &Expr) -> Option<Vec<Value>> {
+    pub(super) fn in_given_names(&self, expr: &Expr) -> Option<Vec<Value>> {
         let is_given = |letter: &str| {
             let has = |value: &number::Value| value.letters().iter().any(|own| own.name() == letter);
             self.question.given.0.iter().any(|(_, datum)| match datum {

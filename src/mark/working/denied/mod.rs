@@ -4,10 +4,10 @@ mod by_equations;
 mod by_laws;
 mod by_line;
 
-use super::compare::any_within;
-use super::examine::Value;
-use super::impulse::is_worked;
 use crate::expr::{Expr, Function};
+use crate::mark::working::examine::Value;
+use crate::mark::working::laws::is_worked;
+use crate::mark::working::numbers::any_within;
 
 /// Values that are apart by less than this part of the greater may be so by rounding.
 const ROUNDED: f64 = 0.05;

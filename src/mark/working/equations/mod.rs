@@ -1,0 +1,30 @@
+//! Momentum and restitution along the line of centres: which of them a line is, and how it departs from it.
+
+mod agreement;
+mod apiece;
+mod changed;
+mod convention;
+mod conventions;
+mod critical;
+mod departure;
+mod elastic;
+mod misread;
+mod offered;
+mod pair;
+mod solved;
+mod substituted;
+mod terms;
+mod told_apart;
+mod trials;
+mod two_lines;
+
+pub(super) use apiece::Apiece;
+pub(super) use convention::{is_value, shows_e, take_as_laws};
+pub(super) use conventions::{Convention, sphere};
+pub(super) use critical::Critical;
+pub(super) use departure::Departure;
+pub(super) use misread::given_numbers;
+pub(in crate::mark) use misread::{Misread, numbers_of_masses};
+pub(super) use offered::differences;
+pub(super) use pair::{BOTH, Laws, Matched};
+pub(super) use terms::ByNumbers;

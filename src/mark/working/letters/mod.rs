@@ -1,0 +1,25 @@
+//! Letters that a student brings, and numbers that stand for something: what each of them is.
+
+mod angle_letters;
+mod angles;
+mod components;
+mod own_letters;
+mod radians;
+mod slipped;
+mod squares;
+
+pub(super) use components::whole;
+pub(super) use own_letters::{indexed_letters, own_capitals, short_letters};
+pub(super) use slipped::{Slip, false_number, undone};
+pub(super) use squares::squared;
+
+use super::lines::Line;
+use super::prepared::Prepared;
+use crate::number::Letter;
+
+/// Puts in their place what letters and radians of the student's own stand for, where that is an angle of the question.
+pub(super) fn put_in_place(lines: &mut [Line], letters: &[Letter], prepared: &Prepared) {
+    radians::put_in_place(lines, prepared);
+    angle_letters::put_in_place(lines, letters, &|angle| prepared.points.letter(angle, 0).is_some());
+    angles::put_in_place(lines, letters, prepared);
+}

@@ -1,0 +1,124 @@
+//! Numbers that were worked out wrongly on the way: after `9 cos 26° = 8.59` every 8.59 stands for `9 cos 26°`.
+//!
+//! Who goes on with such a number uses the same laws: with the formula in its place the lines show the method. What is
+//! accurate is seen without.
+
+use super::angles::put_everywhere;
+use crate::bank::Code;
+use crate::expr::Expr;
+use crate::mark::award::{Award, Ground};
+use crate::mark::key::KeyedPart;
+use crate::mark::working::examine::{Examined, Value, value};
+use crate::mark::working::lines::Line;
+use crate::mark::working::prepared::Prepared;
+use crate::mark::working::theirs::is_nearly_right;
+
+/// A number, without its sign, and the formula that it stands for.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Slip {
+    number: Expr,
+    formula: Expr,
+}
+
+/// The same lines with the formula in the place of each number that it was worked out to wrongly, and all such numbers;
+/// nothing if none is used again.
+pub(in crate::mark::working) fn undone(
+    lines: &[Line],
+    before: &[Slip],
+    prepared: &Prepared,
+) -> (Option<Vec<Line>>, Vec<Slip>) {
+    let mut slips = before.to_vec();
+    let mut undone = lines.to_vec();
+    for (line, typed) in undone.iter_mut().zip(lines).filter(|(_, typed)| !typed.is_crossed_out()) {
+        if !slips.is_empty() {
+            let put = |expr: &Expr| with_formulas(expr, &slips);
+            line.readings_mut().for_each(|reading| put_everywhere(reading, &put));
+        }
+        let equations = typed.readings.first().map(|reading| reading.equations.as_slice()).unwrap_or_default();
+        let found = equations.iter().filter_map(|(formula, number)| slip(formula, number, prepared));
+        for slip in found.collect::<Vec<Slip>>() {
+            slips.retain(|other| other.number != slip.number);
+            slips.push(slip);
+        }
+    }
+    let is_changed = |(one, other): (&Line, &Line)| {
+        one.readings.iter().zip(&other.readings).any(|(one, other)| one.equations != other.equations)
+    };
+    let is_used = !slips.is_empty() && lines.iter().zip(&undone).any(is_changed);
+    (is_used.then_some(undone), slips)
+}
+
+/// The number that a formula is said to come to and does not; `5 cos α = 5` is no slip of the calculator.
+pub(in crate::mark::working) fn false_number<'e>(
+    formula: &Expr,
+    number: &'e Expr,
+    prepared: &Prepared,
+) -> Option<&'e Expr> {
+    let is_worked_out = !is_plain(formula) && !has(formula, number) && is_plain(number);
+    (is_worked_out && is_false(formula, number, prepared)).then_some(number)
+}
+
+fn slip(formula: &Expr, number: &Expr, prepared: &Prepared) -> Option<Slip> {
+    Some(match false_number(formula, number, prepared)? {
+        Expr::Negative(size) => Slip { formula: formula.clone().negated(), number: (**size).clone() },
+        size => Slip { formula: formula.clone(), number: size.clone() },
+    })
+}
+
+fn has(formula: &Expr, number: &Expr) -> bool {
+    formula.children().into_iter().any(|child| child == number || has(child, number))
+}
+
+fn with_formulas(expr: &Expr, slips: &[Slip]) -> Expr {
+    match slips.iter().find(|slip| slip.number == *expr) {
+        Some(slip) => slip.formula.clone(),
+        None => expr.map_children(&mut |child| with_formulas(child, slips)),
+    }
+}
+
+/// Is it a number as it stands: `8.59`, `-33/5`?
+fn is_plain(expr: &Expr) -> bool {
+    match expr {
+        Expr::Number(_) | Expr::Decimal(_) => true,
+        Expr::Negative(size) => is_plain(size),
+        Expr::Quotient(above, below) => is_plain(above) && is_plain(below),
+        _ => false,
+    }
+}
+
+/// Is the formula known, and comes to another number?
+fn is_false(formula: &Expr, number: &Expr, prepared: &Prepared) -> bool {
+    let values = |expr: &Expr| value(expr, prepared, &prepared.names);
+    let is_other = |(right, own): (&Value, &Value)| match (right, own) {
+        (Value::Number(right), Value::Number(own)) => {
+            let (right, own) = (right.middle(), own.middle());
+            !is_nearly_right(own, right) && right != 0.0 && own != 0.0
+        }
+        _ => false,
+    };
+    values(formula).zip(values(number)).is_some_and(|(right, own)| right.iter().zip(&own).all(is_other))
+}
+
+impl Examined {
+    /// With the methods, and what follows through, that are seen where wrong numbers are what they were to be.
+    pub(in crate::mark::working) fn follow_slips(&mut self, part: &KeyedPart, undone: Examined) {
+        for ((mark, award), other) in part.scheme.iter().zip(&mut self.awards).zip(undone.awards) {
+            let follows = mark.code.is_method() || mark.code == Code::A1FollowThrough;
+            let is_open = award.as_ref().is_none_or(|award| !award.given);
+            if let Some(other) = other.filter(|other| follows && is_open && other.given) {
+                let (note, feedback) =
+                    (Some(Ground::FollowThrough.tag()), "followed through from your own values".to_owned());
+                *award = Some(Award { note, feedback, ..other });
+            }
+        }
+        for (line, other) in self.lines.iter_mut().zip(undone.lines) {
+            if line.role.is_empty() {
+                line.role = other.role;
+            }
+        }
+        if self.letters.is_none() && undone.letters.is_some() {
+            self.theirs.0.extend(undone.theirs.0);
+            (self.followed, self.solution, self.letters) = (undone.followed, undone.solution, undone.letters);
+        }
+    }
+}
