@@ -20,6 +20,8 @@ pub struct Profile {
     pub coordinates: bool,
     /// Is an angle in radians accepted where it does not say so?
     pub radians: bool,
+    /// How many accuracy marks a number costs that is copied wrongly from the question and then used throughout.
+    pub misread: u32,
     /// Is the method mark for momentum given where both masses are left out?
     pub masses_omitted: bool,
     /// Is it given where velocities are not resolved?

@@ -12,6 +12,9 @@ use crate::diagnostic::{Diagnostic, Source};
 /// How many figures can be asked for.
 const FIGURES: RangeInclusive<u32> = 1..=9;
 
+/// How many marks a number that is copied wrongly can cost.
+const MISREAD: RangeInclusive<u32> = 0..=9;
+
 /// How often a fault can cost a mark.
 const CHARGES: [(&str, Charge); 3] = [("never", Charge::Never), ("once", Charge::Once), ("always", Charge::Always)];
 
@@ -41,11 +44,12 @@ impl Profile {
         let profile = Profile {
             name: keys.words("name", faults).map_or_else(|| source.file.to_string(), Spanned::into_inner),
             about: keys.words("about", faults).map_or_else(String::new, Spanned::into_inner),
-            figures: figures(&mut keys, faults).unwrap_or(usual.figures),
+            figures: whole(&mut keys, "figures", FIGURES, usual.figures, faults).unwrap_or(usual.figures),
             inaccuracy: charge(&mut keys, "inaccuracy", faults).unwrap_or(usual.inaccuracy),
             units: charge(&mut keys, "units", faults).unwrap_or(usual.units),
             coordinates: yes_or_no(&mut keys, "coordinates", faults).unwrap_or(usual.coordinates),
             radians: yes_or_no(&mut keys, "radians", faults).unwrap_or(usual.radians),
+            misread: whole(&mut keys, "misread", MISREAD, usual.misread, faults).unwrap_or(usual.misread),
             masses_omitted: yes_or_no(&mut keys, "masses-omitted", faults).unwrap_or(usual.masses_omitted),
             unresolved: yes_or_no(&mut keys, "unresolved", faults).unwrap_or(usual.unresolved),
         };
@@ -54,18 +58,24 @@ impl Profile {
     }
 }
 
-fn figures(keys: &mut Keys, faults: &mut Faults) -> Option<u32> {
-    let value = keys.get("figures")?;
+fn whole(
+    keys: &mut Keys,
+    key: &'static str,
+    range: RangeInclusive<u32>,
+    usual: u32,
+    faults: &mut Faults,
+) -> Option<u32> {
+    let value = keys.get(key)?;
     let message = match value.get_ref() {
         DeValue::Integer(number) => match u32::from_str_radix(number.as_str(), number.radix()) {
-            Ok(figures) if FIGURES.contains(&figures) => return Some(figures),
-            _ => format!("{number} significant figures"),
+            Ok(number) if range.contains(&number) => return Some(number),
+            _ => format!("`{key}` is {number}"),
         },
-        DeValue::Float(number) => format!("{number} significant figures"),
-        other => format!("`figures` is {}", kind(other)),
+        DeValue::Float(number) => format!("`{key}` is {number}"),
+        other => format!("`{key}` is {}", kind(other)),
     };
-    let label = format!("expected a whole number from {} to {}", FIGURES.start(), FIGURES.end());
-    faults.report(value.span(), message, label, "write `figures = 3`, without quotes");
+    let label = format!("expected a whole number from {} to {}", range.start(), range.end());
+    faults.report(value.span(), message, label, format!("write `{key} = {usual}`, without quotes"));
     None
 }
 
@@ -122,7 +132,8 @@ mod tests {
                 let (inaccuracy, units) = (charge(p.inaccuracy), charge(p.units));
                 let rest = [p.coordinates, p.radians, p.masses_omitted, p.unresolved].map(yes);
                 let cells = [name.as_str(), &p.figures.to_string(), inaccuracy, units].map(str::to_owned);
-                cells.into_iter().chain(rest.map(str::to_owned)).collect()
+                let cells = cells.into_iter().chain([p.misread.to_string()]);
+                cells.chain(rest.map(str::to_owned)).collect()
             })
             .collect();
         assert_eq!(rows.iter().take(expected.len()).cloned().collect::<Vec<_>>(), expected);

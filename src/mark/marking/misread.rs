@@ -1,8 +1,8 @@
 //! One number of the question copied wrongly, and then used throughout: the script is marked as if the question had it so,
-//! and that costs no more than two accuracy marks.
+//! and that costs no more accuracy marks than the profile says.
 //!
 //! The board's rule is for a misreading that makes the question no easier. What earns a mark of the question as it was
-//! printed keeps it; of the marks that only the question as it was read gives, the first two for accuracy are lost.
+//! printed keeps it; of the marks that only the question as it was read gives, so many for accuracy are lost, the first.
 
 use super::as_printed;
 use super::decide::settled;
@@ -14,9 +14,6 @@ use crate::mark::key::KeyedQuestion;
 use crate::mark::profile::Profile;
 use crate::mark::script::Script;
 use crate::mark::working::Misread;
-
-/// How many accuracy marks are lost by a number that is copied wrongly.
-const COST: usize = 2;
 
 /// The note of what is right for the number as it was copied.
 const NOTE: &str = "number-misread";
@@ -31,7 +28,7 @@ pub(super) fn follow(
 ) {
     let as_read = question.with_misread(misread).into_iter().map(|own| {
         let as_read = as_printed(&own, script, profile, &mut Memory::default()).0;
-        joined(question, marked, &as_read)
+        joined(question, profile, marked, &as_read)
     });
     let best = as_read.flatten().max_by_key(|parts| parts.iter().map(MarkedPart::marks).sum::<usize>());
     let now = marked.iter().map(MarkedPart::marks).sum::<usize>();
@@ -42,7 +39,12 @@ pub(super) fn follow(
 
 /// Both together; nothing if a line that is right as the question is printed is not right as it was read, for then the number
 /// was not copied wrongly throughout.
-fn joined(question: &KeyedQuestion, printed: &[MarkedPart], read: &[MarkedPart]) -> Option<Vec<MarkedPart>> {
+fn joined(
+    question: &KeyedQuestion,
+    profile: &Profile,
+    printed: &[MarkedPart],
+    read: &[MarkedPart],
+) -> Option<Vec<MarkedPart>> {
     let is_of_line = |award: &Award| {
         award.given
             && matches!(award.evidence, Some(Evidence { place: Place::Line(_), .. }))
@@ -58,7 +60,7 @@ fn joined(question: &KeyedQuestion, printed: &[MarkedPart], read: &[MarkedPart])
             if own.given || !other.given || own.code == Code::A1Shown {
                 return own.clone();
             }
-            if !own.code.is_method() && lost < COST {
+            if !own.code.is_method() && lost < profile.misread {
                 lost += 1;
                 return Award { note: Some(NOTE), ..own.clone() };
             }
