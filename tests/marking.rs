@@ -245,6 +245,25 @@ fn a_slip_is_named_only_where_the_working_does_not_speak_against_it() {
 }
 
 #[test]
+fn an_answer_for_a_number_that_was_copied_wrongly_is_told_what_else_is_amiss_with_it() {
+    let working = "5sin30 = 2.5\n4(5cos30) = 4v + 2w\nw - v = 5cos30/3\nv = 2.4056\nw = 3.849";
+    for (style, expected) in
+        [("calculator", "copied it."), ("exact", "right as a decimal, but the exact value is wanted.")]
+    {
+        let row = Row {
+            question: "rest/speeds-and-directions".into(),
+            answers: [("speed of A".to_owned(), "3.47".to_owned())].into(),
+            working: working.into(),
+            style: Some(style.into()),
+            ..Row::default()
+        };
+        let answer = marked(&row).answers.remove(0).judgement;
+        assert_eq!(answer.note, Some("number-misread"));
+        assert!(answer.feedback.ends_with(expected), "{}", answer.feedback);
+    }
+}
+
+#[test]
 fn what_is_solved_again_starts_from_a_speed_as_the_velocity_along_the_line() {
     let table: Table = toml::from_str(include_str!("data/scripts.toml")).unwrap();
     let row = table.script.iter().find(|row| row.name.starts_with("a wrong speed taken into")).unwrap();

@@ -75,14 +75,24 @@ fn joined(
     Some(each.collect())
 }
 
-/// An answer that is right for the number as it was copied says so.
+/// An answer that is right for the number as it was copied says so, and what else is amiss with it.
 fn answer((own, other): (&MarkedAnswer, &MarkedAnswer)) -> MarkedAnswer {
+    let feedback = match (own.judgement.verdict, other.judgement.verdict) {
+        (Verdict::Correct, _) => return own.clone(),
+        (_, Verdict::Correct) => "Right for the number of the question as you have copied it.".to_owned(),
+        (Verdict::Partial, _) => return own.clone(),
+        (_, Verdict::Partial) => {
+            let mut signs = other.judgement.feedback.chars();
+            let first = signs.next().map(|first| first.to_ascii_lowercase());
+            let rest: String = first.into_iter().chain(signs).collect();
+            format!("For the number of the question as you have copied it: {rest}")
+        }
+        _ => return own.clone(),
+    };
     let mut answer = own.clone();
-    if own.judgement.verdict != Verdict::Correct && other.judgement.verdict == Verdict::Correct {
-        answer.judgement.verdict = Verdict::Partial;
-        answer.judgement.note = Some(NOTE);
-        answer.judgement.feedback = "Right for the number of the question as you have copied it.".to_owned();
-        answer.causes.clear();
-    }
+    answer.judgement.verdict = Verdict::Partial;
+    answer.judgement.note = Some(NOTE);
+    answer.judgement.feedback = feedback;
+    answer.causes.clear();
     answer
 }
