@@ -313,7 +313,7 @@ fn every_schema_that_is_kept_is_printed() {
 const UNSEEN: &str = "
 absent-mark accuracy-without-method angle-where-number asked-for-twice asked-for-what-is-given brace-never-closed
 brace-of-the-line-before components-exchanged components-of-two-spheres condition-as-a-sentence condition-misspelt
-condition-without-equation crlf depends-on-nothing derived-beside-parameter derived-from-each-other
+condition-without-equation condition-without-unknown crlf depends-on-nothing derived-beside-parameter derived-from-each-other
 derived-in-wrong-order division-by-nought empty-title empty-words exact-of-no-answer formulas-that-cannot-be-read
 fraction-of-latex function-that-is-none hidden-slips-misspelt impact-that-is-not-there impossible-restitution
 impossible key-below-parameters later-line-of-centres-missing later-mass-given-again later-newcomer-without-mass

@@ -255,7 +255,6 @@ fn part(mut keys: Keys, faults: &mut Faults) -> PartFile {
 
 fn answer(mut keys: Keys, faults: &mut Faults) -> AnswerFile {
     let name = keys.required("name", "name = \"speed of *A*\"", faults);
-    keys.demand("find", "find = \"A.after.speed\"");
     let find = match keys.get("find") {
         Some(value) if matches!(value.get_ref(), DeValue::Array(_)) => document::list("`find`", value, faults),
         Some(value) => document::words("`find`", value, faults).into_iter().collect(),
@@ -270,6 +269,9 @@ fn answer(mut keys: Keys, faults: &mut Faults) -> AnswerFile {
         phrase: keys.words("phrase", faults),
         show: keys.words("show", faults),
     };
+    // Nobody asks for the range of a speed.
+    let is_range = answer.kind.as_ref().is_some_and(|kind| kind.get_ref() == "range");
+    keys.demand("find", if is_range { "find = \"e\"" } else { "find = \"A.after.speed\"" });
     keys.finish(faults);
     answer
 }

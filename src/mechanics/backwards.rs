@@ -84,7 +84,7 @@ pub fn backwards(scene: &Scene) -> Result<Vec<Found>, Refusal> {
             return Ok(vec![Found { scene, values: vec![], range: None, remarks: vec![], derived: None, posed: None }]);
         }
         return Err(Refusal::underdetermined("there are conditions, but no unknown to be found from them")
-            .try_this("name what is to be found in `unknowns`"));
+            .try_this(name_the_unknown(scene)));
     }
     let scene = with_letters(scene);
     for unknown in &scene.unknowns {
@@ -134,6 +134,13 @@ pub fn backwards(scene: &Scene) -> Result<Vec<Found>, Refusal> {
         one.remarks.extend(left_out.iter().chain(&undecided).cloned());
     }
     Ok(found)
+}
+
+/// How to say what is to be found, if it is a letter of the scene: *e* if that is one, for it is asked for most.
+fn name_the_unknown(scene: &Scene) -> String {
+    let named = scene.letters.iter().find(|letter| letter.name() == "e").or(scene.letters.first());
+    let example = named.map(|letter| format!(", such as `unknowns = [\"{}\"]`", letter.name()));
+    format!("name what is to be found in `unknowns`{}", example.unwrap_or_default())
 }
 
 /// Why a candidate is no solution.

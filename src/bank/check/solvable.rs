@@ -164,7 +164,10 @@ fn refused(
         Because::BeyondMethods => ("the question needs more than exam methods", &None),
     };
     // What is to be found and is not found is nearer than the scene.
-    let nearest = || scene.words("unknowns[0]").map_or(scene.span.clone(), |words| words.span());
+    let nearest = || {
+        let words = scene.words("unknowns[0]").or_else(|| scene.words("conditions[0]"));
+        words.map_or(scene.span.clone(), |words| words.span())
+    };
     let span = label.clone().unwrap_or_else(nearest);
     let other = match refusal.because {
         Because::Impossible => "take numbers in `[reference]` for which you know the answers",
