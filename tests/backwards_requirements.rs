@@ -7,7 +7,7 @@ use std::sync::Mutex;
 
 use carom::bank::{Question, read_question};
 use carom::diagnostic::{Source, render_all};
-use carom::generate::{Variant, enumerate};
+use carom::generate::{Unfit, Variant, enumerate};
 
 /// Numbers by name: the parameters, and the velocities after the impact along and across the line of centres.
 type Numbers = BTreeMap<String, f64>;
@@ -234,4 +234,40 @@ fn what_is_required_of_a_letter_that_is_found_holds_of_what_it_comes_out_as() {
     expected.sort();
     assert!(expected.len() > 2, "{expected:?}");
     assert_eq!(fit(&question), expected);
+}
+
+const RESTING: &str = r#"
+title = "A may come to rest, and then has no direction"
+topic = "A strikes B"
+stem = "{m kg} {c m/s}"
+require = ["REQUIREMENT"]
+[parameters]
+m = "1..3"
+c = "0..2"
+[style.exact]
+[scene]
+masses = { A = "1", B = "m" }
+before = { A = ["4", "c"], B = ["0", "0"] }
+line_of_centres = ["1", "0"]
+sense = "A_to_B"
+e = "1"
+[[part]]
+ask = "Find the direction of *A* after the impact."
+answers = [{ name = "direction", find = "A.after.angle_to_loc_deg", accept = "awrt 3sf" }]
+marks = [{ code = "M1", for = "direction A" }, { code = "A1", for = "A.after.angle_to_loc_deg" }]
+[reference]
+m = "2"
+c = "1"
+"#;
+
+#[test]
+fn a_requirement_on_what_is_determined_turns_away_what_leaves_the_rest_open() {
+    // Of two equal spheres in an elastic impact A stops, unless it moves across the line.
+    for (requirement, open, turned_away) in [("m > 0", 1, 0), ("A.after.speed > 0", 0, 1)] {
+        let question = question(&RESTING.replace("REQUIREMENT", requirement));
+        let census = enumerate(&question, &question.styles[0], &|_| (), &|_| ());
+        let of = |reason: &Unfit| census.unfit.get(reason).copied().unwrap_or(0);
+        assert_eq!((of(&Unfit::Underdetermined), of(&Unfit::Results(0))), (open, turned_away), "{requirement}");
+        assert_eq!(census.fit, 8, "{requirement}");
+    }
 }

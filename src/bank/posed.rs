@@ -5,7 +5,7 @@ use super::question::{Question, Style};
 use crate::expr::{Angles, Fault, Meaning, Turn};
 use crate::mechanics::{Quantity, Refusal, Scene, SceneFault};
 use crate::number::{Angle, Range, Value};
-use crate::solve::{Solution, solve};
+use crate::solve::{Solution, solve, solve_all};
 
 /// A question with numbers in it, solved for all that it asks and requires.
 #[derive(Clone, Debug)]
@@ -48,6 +48,23 @@ impl Posed {
         let scene = Scene::read(&question.scene, &givens.shown, Angles::Degrees).map_err(Unposed::Scene)?;
         let solution = solve(&scene, wanted).map_err(Unposed::Refused)?;
         Ok(Posed { givens, scene, solution })
+    }
+
+    /// The same with no more than what is determined, where something that is wanted is left open; nothing if there is more
+    /// than one solution.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Posed::new`].
+    pub fn as_far_as_determined(
+        question: &Question,
+        wanted: &[Quantity],
+        givens: Givens,
+    ) -> Result<Option<Posed>, Unposed> {
+        let scene = Scene::read(&question.scene, &givens.shown, Angles::Degrees).map_err(Unposed::Scene)?;
+        let mut solutions = solve_all(&scene, wanted).map_err(Unposed::Refused)?;
+        let only = solutions.pop().filter(|_| solutions.is_empty());
+        Ok(only.map(|solution| Posed { givens, scene, solution }))
     }
 
     /// What a name of a requirement stands for: a given, or a result.

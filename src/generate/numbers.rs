@@ -4,7 +4,7 @@ use std::cell::OnceCell;
 
 use super::sieve::Sieve;
 use super::variant::{Unfit, Variant, answer_rounds_safely, variant};
-use crate::bank::{Givens, Posed, Question, Style, Unposed};
+use crate::bank::{Givens, Posed, Question, Requirement, Style, Unposed};
 use crate::expr::Expr;
 use crate::mechanics::Because;
 
@@ -83,7 +83,8 @@ impl<'s> Numbers<'s> {
         }
         // What cannot be posed is unfit whatever is required of it.
         let first = turned.first.clone();
-        let posed = self.posed().as_ref().map_err(|reason| (first.unwrap_or_else(|| reason.clone()), false))?;
+        let refused = |reason: &Unfit| self.turned_away_though_open(sieve, reason).unwrap_or_else(|| reason.clone());
+        let posed = self.posed().as_ref().map_err(|reason| (first.unwrap_or_else(|| refused(reason)), false))?;
         turned.goes_on = further != Further::Never;
         for (place, requirement) in sieve.on_results() {
             if !requirement.holds(&|name| posed.meaning(name)).unwrap_or(false) {
@@ -111,6 +112,18 @@ impl<'s> Numbers<'s> {
         let (question, style) = (self.sieve.question, self.sieve.style);
         let givens = || Givens::new(style, self.parameters(), &question.scene).map_err(|(name, _)| name);
         self.givens.get_or_init(givens).as_ref().map_err(String::as_str)
+    }
+
+    /// The first requirement that what is determined does not meet, where something else is left open: one on its speed
+    /// turns away a sphere that is at rest and so has no direction.
+    fn turned_away_though_open(&self, sieve: &Sieve, reason: &Unfit) -> Option<Unfit> {
+        if *reason != Unfit::Underdetermined {
+            return None;
+        }
+        let givens = self.givens().ok()?.clone();
+        let posed = Posed::as_far_as_determined(sieve.question, &sieve.wanted, givens).ok()??;
+        let is_unmet = |requirement: &Requirement| requirement.holds(&|name| posed.meaning(name)) == Ok(false);
+        sieve.on_results().find(|(_, requirement)| is_unmet(requirement)).map(|(place, _)| Unfit::Results(place))
     }
 
     fn posed(&self) -> &Result<Posed, Unfit> {
