@@ -589,6 +589,34 @@ fn a_bank_of_ones_own_is_listed_explained_and_checked() {
 }
 
 #[test]
+fn a_sheet_from_a_bank_of_ones_own_says_what_check_calls_an_error() {
+    let folder = folder("amiss");
+    let shipped = Path::new(env!("CARGO_MANIFEST_DIR")).join("question_bank/rest/speeds-and-directions.toml");
+    let text = fs::read_to_string(shipped).unwrap();
+    let bank = folder.join("my bank");
+    fs::create_dir_all(&bank).unwrap();
+    fs::write(bank.join("sound.toml"), &text).unwrap();
+    fs::write(bank.join("wrong.toml"), text.replacen("{mA kg}", "{mB kg}", 1)).unwrap();
+    fs::write(folder.join("class.csv"), "student\n1\n2\n").unwrap();
+    let (bank, class) = (bank.display().to_string(), folder.join("class.csv").display().to_string());
+    for more in [&["--seed", "3"][..], &["--class", &class], &["--reference"]] {
+        let sheet = |question| {
+            let out = folder.join("sheet");
+            let output = sheet(&out, &[&[question, "--bank", &bank], more].concat());
+            fs::remove_dir_all(out).unwrap();
+            output
+        };
+        let output = sheet("wrong");
+        let said = stderr(&output);
+        assert_eq!(code(&output), 0, "{said}");
+        assert!(said.starts_with("error: `wrong`: the words"), "{said}");
+        assert!(said.contains(&format!("`carom check \"{bank}\"` says where")), "{said}");
+        let output = sheet("sound");
+        assert!(!stderr(&output).contains("error"), "{}", stderr(&output));
+    }
+}
+
+#[test]
 fn usage_is_two_and_help_is_nought() {
     for (arguments, expected) in [
         (&["--help"][..], 0),

@@ -11,7 +11,7 @@ use super::super::text_file;
 use super::super::write::OutputFile;
 use super::choose::{checked, choose};
 use super::earlier::STUDENTS;
-use super::{SheetArguments, fresh_seed, json, paper, told, write_keyed};
+use super::{SheetArguments, amiss, fresh_seed, json, paper, told, write_keyed};
 use crate::bank::{Contents, Question, StyleName};
 use crate::diagnostic::Diagnostic;
 use crate::generate::Variant;
@@ -39,6 +39,7 @@ pub(super) fn run(
     let seed = lock.as_ref().map_or_else(|| arguments.seed.unwrap_or_else(fresh_seed), |old| old.lock.seed);
     let chosen = choose(arguments, contents, style, seed)?;
     let questions = checked(&chosen)?;
+    amiss::tell(arguments.bank.as_deref(), &questions, Some(seed), style);
     let in_order: Vec<&Question> = chosen.iter().filter_map(|heading| questions.get(heading.id.as_str())).collect();
     if let Some(old) = &lock {
         old.is_of(&in_order, style, arguments.seed)?;

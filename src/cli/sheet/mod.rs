@@ -1,5 +1,6 @@
 //! `carom sheet`: a question sheet, its mark scheme and its key.
 
+mod amiss;
 mod choose;
 mod class;
 mod earlier;
@@ -145,6 +146,7 @@ pub fn run(arguments: &SheetArguments) -> Result<(), Failure> {
     let seed = arguments.seed.unwrap_or_else(fresh_seed);
     let chosen = choose(arguments, &contents, style, seed)?;
     let questions = checked(&chosen)?;
+    amiss::tell(arguments.bank.as_deref(), &questions, (!arguments.reference).then_some(seed), style);
     let in_order = chosen.iter().filter_map(|heading| questions.get(heading.id.as_str()));
     let variants = if arguments.reference { references(in_order)? } else { dealt(in_order, seed, style)? };
     let sheet = Sheet::new(&contents, variants.iter().map(|(question, variant)| (*question, variant)));
