@@ -120,7 +120,7 @@ fn slips_that_cannot_show_are_named_and_so_is_what_is_declared_without_need() {
             (
                 "sine-for-cosine",
                 &[("alpha = [\"30\", \"60\"]", "alpha = [\"45\", \"60\"]")],
-                "the slip `sincos-swap` does not show in",
+                "add `\"abs(A.before.n) != abs(A.before.t)\"` to `require`, which leaves",
             ),
             (
                 "equal-masses",
@@ -136,7 +136,7 @@ fn slips_that_cannot_show_are_named_and_so_is_what_is_declared_without_need() {
                         "hidden = [\"sincos-swap\", \"masses-swapped\", \"coalesce\"]\n\n[parameters]\n",
                     ),
                 ],
-                "or write `hidden = [\"masses-swapped\", \"masses-omitted\"]`",
+                "add `\"A.mass != B.mass\"` to `require`, which leaves",
             ),
             (
                 "needless",

@@ -8,6 +8,7 @@
 mod again;
 mod apart;
 mod author;
+mod coincidence;
 mod coverage;
 mod finding;
 mod glance;

@@ -4,6 +4,7 @@
 //! taken for a cosine changes nothing, and with equal masses nothing that is wrong with a mass does: whoever makes the slip is
 //! marked right. An author who means that, or cannot help it, names the slip in `hidden`.
 
+use super::coincidence::wanted;
 use super::finding::Finding;
 use crate::answer::Accept;
 use crate::bank::{Answer, Question};
@@ -172,39 +173,56 @@ struct Hidden {
 
 /// Slips that do not show, against the list of the question: one finding, and with the list as it should be where several
 /// are amiss.
-fn undeclared(question: &Question, hidden: &[Hidden]) -> Option<Finding> {
+fn undeclared(question: &Question, acting: u128, hidden: &[Hidden]) -> Option<Finding> {
     let missing: Vec<&Hidden> =
         hidden.iter().filter(|slip| !question.hidden.iter().any(|known| known == slip.tag)).collect();
     let idle = |tag: &&str| !hidden.iter().any(|slip| slip.tag == *tag);
     let needless: Vec<&str> = question.hidden.iter().map(String::as_str).filter(idle).collect();
     match (missing.as_slice(), needless.as_slice()) {
         ([], []) => None,
-        ([slip], []) => Some(one_undeclared(slip)),
+        ([slip], []) => Some(one_undeclared(question, acting, slip)),
         ([], [tag]) => {
             let message = format!("the slip `{tag}` is declared hidden, and shows in every variant");
             Some(Finding::new(message, format!("\"{tag}\""), "not needed").with_help("take it out of `hidden`"))
         }
-        (missing, needless) => Some(several_amiss(question, hidden, missing, needless)),
+        (missing, needless) => Some(several_amiss(question, acting, hidden, missing, needless)),
     }
 }
 
-fn one_undeclared(Hidden { tag, variants, first }: &Hidden) -> Finding {
+fn one_undeclared(question: &Question, acting: u128, Hidden { tag, variants, first }: &Hidden) -> Finding {
     let did = Slip::all().iter().find(|(_, slip)| slip.tag == *tag).map_or("", |(_, slip)| slip.did);
     let message = format!("the slip `{tag}` does not show in {}, first with {first}", variants.join(", "));
-    let help = format!("require other numbers, or add `\"{tag}\"` to the list `hidden = [ … ]` of the question");
+    let require = wanted(question, acting, &[tag]).in_words().unwrap_or_else(|| "require other numbers".to_owned());
+    let help = format!("{require}, or add `\"{tag}\"` to the list `hidden = [ … ]` of the question");
     Finding::new(message, "[[part]]", format!("a student who {did} is marked right")).with_help(help)
 }
 
 /// All that is amiss with the list, and what it should be.
-fn several_amiss(question: &Question, hidden: &[Hidden], missing: &[&Hidden], needless: &[&str]) -> Finding {
+fn several_amiss(
+    question: &Question,
+    acting: u128,
+    hidden: &[Hidden],
+    missing: &[&Hidden],
+    needless: &[&str],
+) -> Finding {
     let is_kept = |tag: &&str| question.hidden.iter().any(|known| known == tag);
     let (kept, new): (Vec<&str>, Vec<&str>) = hidden.iter().map(|slip| slip.tag).partition(is_kept);
-    let whole: Vec<String> = kept.into_iter().chain(new).map(|tag| format!("\"{tag}\"")).collect();
+    let tags: Vec<&str> = missing.iter().map(|slip| slip.tag).collect();
+    let wanted = wanted(question, acting, &tags);
+    let left = new.into_iter().filter(|tag| !wanted.shows.contains(tag));
+    let whole: Vec<String> = kept.into_iter().chain(left).map(|tag| format!("\"{tag}\"")).collect();
     let list = format!("`hidden = [{}]`", whole.join(", "));
     let (label, help) = match (missing.is_empty(), whole.is_empty()) {
         (true, true) => ("not needed", "take the whole list out".to_owned()),
         (true, false) => ("not all of it is needed", format!("write {list}")),
-        _ => ("a student who makes a hidden slip is marked right", format!("require other numbers, or write {list}")),
+        _ => {
+            let help = match (wanted.in_words(), whole.is_empty()) {
+                (None, _) => format!("require other numbers, or write {list}"),
+                (Some(require), true) => require,
+                (Some(require), false) => format!("{require}, and write {list}"),
+            };
+            ("a student who makes a hidden slip is marked right", help)
+        }
     };
     let at = if question.hidden.is_empty() { "[[part]]" } else { "hidden" };
     Finding::new(amiss_in_words(missing, needless), at, label).with_help(help)
@@ -279,7 +297,7 @@ pub fn findings(
             }
         }
     }
-    findings.extend(undeclared(question, &hidden));
+    findings.extend(undeclared(question, acting, &hidden));
     let mut all = Slips::default();
     for slips in styles {
         all.add(slips.clone());
