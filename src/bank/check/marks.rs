@@ -77,11 +77,7 @@ fn read_earned_for(words: &Words, unknowns: &[String], faults: &mut Faults) -> O
         quantities::unknown_at(words.span(), "step", text, &[], faults);
         return None;
     }
-    let condition = || is_about_condition(text).then(|| EarnedFor::Condition.to_string());
-    let law = || Law::meant(text).map(|law| law.name().to_owned());
-    let quantity = || Quantity::meant(text).map(|quantity| quantity.to_string());
-    let near = || near(text, laws.iter().copied()).map(str::to_owned);
-    let (label, help) = match condition().or_else(near).or_else(law).or_else(quantity) {
+    let (label, help) = match step_meant(text, &laws) {
         Some(meant) => ("no law has this name".to_owned(), format!("did you mean `{meant}`?")),
         None => (
             format!("expected a quantity, or a law: {}", listed(&laws)),
@@ -90,6 +86,21 @@ fn read_earned_for(words: &Words, unknowns: &[String], faults: &mut Faults) -> O
     };
     faults.report(words.span(), format!("unknown step `{text}`"), label, help);
     None
+}
+
+/// The step that words are most probably about.
+fn step_meant(words: &str, laws: &[&str]) -> Option<String> {
+    let sphere = words.split(|sign: char| !sign.is_alphabetic()).find(|word| ["A", "B", "C"].contains(word));
+    let condition = is_about_condition(words).then(|| EarnedFor::Condition.to_string());
+    let quantity = || Quantity::meant(words).map(|quantity| quantity.to_string());
+    // No law is called after a velocity: it is the answer.
+    let velocity = || sphere.filter(|_| words.to_lowercase().contains("velocity")).and_then(|_| quantity());
+    let law = || {
+        let law = near(words, laws.iter().copied()).or_else(|| Law::meant(words).map(Law::name))?;
+        let of_sphere = sphere.map(|sphere| format!("{law} {sphere}"));
+        Some(of_sphere.filter(|law| EarnedFor::read(law, &[]).is_some()).unwrap_or_else(|| law.to_owned()))
+    };
+    condition.or_else(velocity).or_else(law).or_else(quantity)
 }
 
 /// Do words speak of what a condition asks: of an inequality, or of what is greatest?
@@ -185,4 +196,27 @@ fn usual(code: Code, earned_for: &EarnedFor, mark: &MarkFile, before: &[Mark], f
         );
     }
     needed
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_for_a_step_are_told_its_name() {
+        let laws = EarnedFor::names();
+        for (words, step) in [
+            ("momentun", "momentum"),
+            ("velocity A", "A.after.x"),
+            ("the velocity of B", "B.after.x"),
+            ("speed of A", "speed A"),
+            ("Pythagoras for B", "speed B"),
+            ("angle of A", "direction A"),
+            ("solving", "solve"),
+            ("loss in energy", "energy"),
+            ("inequality for v", "condition"),
+        ] {
+            assert_eq!(step_meant(words, &laws).as_deref(), Some(step), "{words}");
+        }
+    }
 }

@@ -14,6 +14,9 @@ const LETTERS: [(&str, &str); 8] = [
     ("ke", "energy"),
 ];
 
+/// Words that begin otherwise than those of the laws, and mean the same.
+const ALSO: [(&str, &str); 2] = [("solving", "solve"), ("angle", "direction")];
+
 impl Law {
     /// The law that words are most probably about: by its first letters, or by the words of its mark.
     ///
@@ -49,7 +52,8 @@ impl Law {
 /// How words of some length begin: `Newtons` and `conserved` as `Newton's` and `conservation` do.
 fn stems(words: &str) -> Vec<String> {
     let words = words.split(|sign: char| !sign.is_alphabetic()).filter(|word| word.chars().count() > 3);
-    words.map(|word| word.chars().take(6).collect()).collect()
+    let same = |word: &'_ str| ALSO.iter().find(|(also, _)| *also == word).map(|(_, same)| *same);
+    words.map(|word| same(word).unwrap_or(word).chars().take(6).collect()).collect()
 }
 
 #[cfg(test)]
@@ -67,6 +71,9 @@ mod tests {
             ("loss of kinetic energy", "energy"),
             ("resolving", "resolve"),
             ("solving the equations", "solve"),
+            ("solving", "solve"),
+            ("angle of A", "direction"),
+            ("angle of deflection", "deflection"),
         ];
         for (words, law) in table {
             assert_eq!(Law::meant(words).map(Law::name), Some(law), "{words}");
