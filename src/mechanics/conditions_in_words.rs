@@ -170,6 +170,7 @@ pub(super) fn in_english(quantity: Quantity, setting: Setting) -> String {
         Impulse(s, axis) if whole(axis) => format!("the impulse on *{}*", s.name()),
         Impulse(s, axis) => format!("the component of the impulse on *{}* {}", s.name(), along(axis)),
         SphereEnergyLost(s) => format!("the kinetic energy lost by *{}*", s.name()),
+        SphereEnergyGained(s) => format!("the kinetic energy gained by *{}*", s.name()),
         ImpulseMagnitude => "the magnitude of the impulse".to_owned(),
         ImpulseAngle => "the acute angle in degrees of the impulse with {i}".to_owned(),
         Approach => "the speed of approach along the line of centres".to_owned(),

@@ -40,13 +40,14 @@ impl Road {
     pub const ALL: [Road; 3] = [Road::Shortest, Road::BySpeeds, Road::ByA];
 
     fn avoids(self, rule: &Rule) -> bool {
-        use Quantity::{Impulse, KineticEnergy, Mass, SphereEnergyLost, Velocity};
+        use Quantity::{Impulse, KineticEnergy, Mass, SphereEnergyGained, SphereEnergyLost, Velocity};
         let (gives, needs) = (rule.gives[0], &rule.needs);
         match self {
             Road::Shortest => false,
             Road::BySpeeds => {
                 let from_components = || needs.iter().any(|need| matches!(need, Velocity(..)));
-                matches!(gives, SphereEnergyLost(_)) || (matches!(gives, KineticEnergy(..)) && from_components())
+                matches!(gives, SphereEnergyLost(_) | SphereEnergyGained(_))
+                    || (matches!(gives, KineticEnergy(..)) && from_components())
             }
             Road::ByA => matches!(gives, Impulse(Sphere::B, _)) && needs.contains(&Mass(Sphere::B)),
         }

@@ -145,6 +145,7 @@ fn without_energy_of_b(known: &mut Known<Value>) {
         put(known, Quantity::KineticEnergy(Sphere::B, moment), &Value::ZERO);
     }
     put(known, Quantity::SphereEnergyLost(Sphere::B), &Value::ZERO);
+    put(known, Quantity::SphereEnergyGained(Sphere::B), &Value::ZERO);
 }
 
 /// Where no sense of the line of centres is given and a velocity before has first to be found, the line is turned

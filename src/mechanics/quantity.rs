@@ -89,6 +89,8 @@ pub enum Quantity {
     Impulse(Sphere, Axis),
     /// `A.ke_lost`
     SphereEnergyLost(Sphere),
+    /// `A.ke_gained`
+    SphereEnergyGained(Sphere),
     /// `impulse.magnitude`
     ImpulseMagnitude,
     /// `impulse.angle_to_i_deg`: acute, 0 to 90; of the impulse on A, or on B, with i.
@@ -184,7 +186,7 @@ impl Quantity {
             all.extend([Deflection(sphere), SignedDeflection(sphere), DeflectionCross(sphere)]);
             all.extend([DeflectionDot(sphere), TanDeflection(sphere)]);
             all.extend([X, Y, N, T].map(|axis| Impulse(sphere, axis)));
-            all.push(SphereEnergyLost(sphere));
+            all.extend([SphereEnergyLost(sphere), SphereEnergyGained(sphere)]);
         }
         all.extend([ImpulseMagnitude, ImpulseAngle, Approach, Separation, Restitution, MassRatio]);
         all.extend([Line(X), Line(Y), Tangent(X), Tangent(Y)]);
@@ -227,6 +229,7 @@ impl Quantity {
             TanDeflection(s) => TanDeflection(of(s)),
             Impulse(s, axis) => Impulse(of(s), axis),
             SphereEnergyLost(s) => SphereEnergyLost(of(s)),
+            SphereEnergyGained(s) => SphereEnergyGained(of(s)),
             GivenDirection(s, moment) => GivenDirection(of(s), moment),
             other => other,
         }
@@ -247,7 +250,9 @@ impl Quantity {
             Later(later) => later.quantity().unit(),
             Mass(_) => Unit::Kilogram,
             Velocity(..) | Speed(..) | Approach | Separation => Unit::MetrePerSecond,
-            KineticEnergy(..) | SphereEnergyLost(_) | TotalEnergy(_) | EnergyLost => Unit::Joule,
+            KineticEnergy(..) | SphereEnergyLost(_) | SphereEnergyGained(_) | TotalEnergy(_) | EnergyLost => {
+                Unit::Joule
+            }
             SphereMomentum(..) | Impulse(..) | ImpulseMagnitude | TotalMomentum(_) => Unit::NewtonSecond,
             AngleToLine(..) | AngleFromN(..) | AngleFromI(..) | Deflection(_) | SignedDeflection(_) => Unit::Degree,
             AngleToWall(..) | AngleBetween(_) | Alpha | ImpulseAngle => Unit::Degree,
@@ -327,6 +332,7 @@ impl fmt::Display for Quantity {
             TanDeflection(s) => write!(f, "{}.tan_deflection", s.name()),
             Impulse(s, axis) => write!(f, "{}.impulse.{axis}", s.name()),
             SphereEnergyLost(s) => write!(f, "{}.ke_lost", s.name()),
+            SphereEnergyGained(s) => write!(f, "{}.ke_gained", s.name()),
             ImpulseMagnitude => f.write_str("impulse.magnitude"),
             ImpulseAngle => f.write_str("impulse.angle_to_i_deg"),
             Approach => f.write_str("approach"),

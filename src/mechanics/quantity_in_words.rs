@@ -39,6 +39,7 @@ impl Quantity {
             | Quantity::DeflectionDot(sphere) => format!("deflection of *{}*", sphere.name()),
             Quantity::Impulse(sphere, _) => format!("impulse on *{}*", sphere.name()),
             Quantity::SphereEnergyLost(sphere) => format!("kinetic energy that *{}* loses", sphere.name()),
+            Quantity::SphereEnergyGained(sphere) => format!("kinetic energy that *{}* gains", sphere.name()),
             Quantity::ImpulseMagnitude => "magnitude of the impulse".to_owned(),
             Quantity::ImpulseAngle => "direction of the impulse".to_owned(),
             Quantity::GivenImpulse(axis) => format!("impulse {}", along(axis)),

@@ -316,8 +316,9 @@ fn usual_words(mark: &Mark, here: &WorkedPart, setting: Setting, scene: &Scene) 
         EarnedFor::Law(law, _) if mark.code.is_accuracy() => marked_up(&setting.say(law.accuracy())),
         EarnedFor::Law(law, _) => {
             let words = setting.say(law.method().0);
-            let is_of_one =
-                here.asked.iter().any(|asked| matches!(asked.of_its_impact(), Quantity::SphereEnergyLost(_)));
+            let is_change =
+                |quantity| matches!(quantity, Quantity::SphereEnergyLost(_) | Quantity::SphereEnergyGained(_));
+            let is_of_one = here.asked.iter().any(|asked| is_change(asked.of_its_impact()));
             marked_up(&if is_of_one { words.replace(", both spheres", "") } else { words.into_owned() })
         }
         EarnedFor::Condition if scene.maximise.is_some() => Text::words("differentiates, or completes a square"),

@@ -126,14 +126,26 @@ pub fn other_energy(answer: &Answer, part: &Part, asked: &[Sentence]) -> Option<
         "cost",
         "costs",
     ];
-    const OTHER: [&str; 9] =
-        ["gained", "gain", "gains", "increase", "remaining", "remains", "left", "retained", "kept"];
+    const GAINED: [&str; 9] =
+        ["gained", "gain", "gains", "gaining", "increase", "increases", "change", "changes", "difference"];
+    const KEPT: [&str; 5] = ["remaining", "remains", "left", "retained", "kept"];
     const PART: [&str; 6] = ["fraction", "proportion", "percentage", "ratio", "share", "part"];
     let Find::Quantity(quantity) = answer.find else { return None };
-    let is_fraction = match quantity.of_its_impact() {
-        Quantity::EnergyLost | Quantity::SphereEnergyLost(_) => false,
-        Quantity::FractionLost => true,
+    let (is_fraction, gained) = match quantity.of_its_impact() {
+        Quantity::EnergyLost => (false, None),
+        Quantity::SphereEnergyLost(sphere) => (false, Some(Quantity::SphereEnergyGained(sphere))),
+        Quantity::SphereEnergyGained(_) => (false, None),
+        Quantity::FractionLost => (true, None),
         _ => return None,
+    };
+    let is_gain = matches!(quantity.of_its_impact(), Quantity::SphereEnergyGained(_));
+    // What is said of both is no sign of the opposite.
+    let opposite = |words: &'static [&'static str], own: &[&str]| -> Vec<&'static str> {
+        words.iter().chain(&KEPT).filter(|word| !own.contains(word)).copied().collect()
+    };
+    let (own, others, has) = match is_gain {
+        true => (&GAINED[..], opposite(&LOST, &GAINED), "is what is gained"),
+        false => (&LOST[..], opposite(&GAINED, &LOST), "is what is lost"),
     };
     if matches!(answer.kind, Kind::Shown | Kind::Range) {
         return None;
@@ -154,25 +166,31 @@ pub fn other_energy(answer: &Answer, part: &Part, asked: &[Sentence]) -> Option<
     let is_energy = asked.iter().any(|sentence| says(sentence, &["energy", "energies"]));
     // The name of an answer may be right where the words are not.
     let other = [asked, &name].into_iter().find_map(|words| {
-        let speaks = !words.iter().any(|sentence| says(sentence, &LOST));
-        words.iter().flatten().find(|token| speaks && is_one_of(token, &OTHER))
+        let speaks = !words.iter().any(|sentence| says(sentence, own));
+        words.iter().flatten().find(|token| speaks && is_one_of(token, &others))
     });
-    let is_lost = asked.iter().any(|sentence| says(sentence, &LOST));
+    let is_lost = asked.iter().any(|sentence| says(sentence, own));
     if other.is_none() && is_fraction && asks_for_hundredths(part, asked) {
         return Some(in_hundredths(answer));
     }
     let shown = print::text_unicode(&answer.name);
     let said = asked.iter().any(|sentence| says(sentence, &PART));
     let (asks, has) = match (other, is_fraction) {
-        (Some(Token::Word(word)), _) => (format!("what is `{word}`"), "is what is lost"),
+        (Some(Token::Word(word)), _) => (format!("what is `{word}`"), has),
         (_, true) if is_energy && !said => ("an energy".to_owned(), "is a fraction of one"),
         (_, false) if asked.iter().any(|words| says(words, &["fraction", "percentage", "proportion"])) => {
             ("a fraction".to_owned(), "is the energy itself")
         }
+        _ if is_energy && !is_lost && is_gain => ("a kinetic energy".to_owned(), "is what is gained of it"),
         _ if is_energy && !is_lost => ("a kinetic energy".to_owned(), "is what is lost of it"),
         _ => return None,
     };
     let found = Finding::new(format!("the words ask for {asks}, and the answer `{shown}` {has}"), "", "found here");
+    let is_gain_asked = matches!(other, Some(Token::Word(word)) if GAINED.contains(&word.as_str()));
+    let found = match gained.and_then(|gained| gained.in_impact(quantity.impact())).filter(|_| is_gain_asked) {
+        Some(gained) => found.with_help(format!("find `{gained}`, or ask for what is lost")),
+        None => found,
+    };
     // A loss has more words than are known here: `the amount by which it diminishes the energy`.
     let may_be_lost = other.is_none() && !is_lost && !asked.iter().any(|sentence| asks_at_once(sentence));
     Some(if may_be_lost { found.as_warning() } else { found })

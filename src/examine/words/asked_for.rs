@@ -219,7 +219,8 @@ pub(super) fn whose(quantity: Quantity) -> Option<Sphere> {
         | Quantity::AngleToLine(sphere, _)
         | Quantity::AngleToWall(sphere, _)
         | Quantity::Deflection(sphere)
-        | Quantity::SphereEnergyLost(sphere) => Some(sphere),
+        | Quantity::SphereEnergyLost(sphere)
+        | Quantity::SphereEnergyGained(sphere) => Some(sphere),
         _ => None,
     }
 }

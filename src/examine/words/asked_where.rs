@@ -42,6 +42,7 @@ fn is_of_one(quantity: Quantity) -> bool {
         quantity.of_its_impact(),
         Quantity::EnergyLost
             | Quantity::SphereEnergyLost(_)
+            | Quantity::SphereEnergyGained(_)
             | Quantity::FractionLost
             | Quantity::Impulse(..)
             | Quantity::ImpulseMagnitude

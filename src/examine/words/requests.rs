@@ -251,7 +251,13 @@ impl Thing {
             }
             Thing::Energy | Thing::Share => matches!(
                 quantity,
-                KineticEnergy(..) | SphereEnergyLost(_) | TotalEnergy(_) | EnergyLost | FractionLost | MassRatio
+                KineticEnergy(..)
+                    | SphereEnergyLost(_)
+                    | SphereEnergyGained(_)
+                    | TotalEnergy(_)
+                    | EnergyLost
+                    | FractionLost
+                    | MassRatio
             ),
             Thing::Impulse => matches!(quantity, Impulse(..) | ImpulseMagnitude),
             Thing::Momentum => {

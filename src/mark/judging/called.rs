@@ -9,13 +9,13 @@ use crate::expr::Expr;
 use crate::mark::reading::{Form, Label, Said, Statement, is_strange};
 use crate::mechanics::{Axis, Moment, Quantity, Sphere};
 
-use super::changes::{is_change, is_gain, is_turned_round};
+use super::changes::{is_change, is_opposite, is_turned_round};
 use super::finding::Finding;
 use super::letters::of_letter;
 use super::moments::{self, AT_THE_END, states};
 use super::multiplied::is_multiplied;
 use super::otherwise::{is_another_of_its_sort, is_changed_to, remark_names_another};
-use super::sorts::{LOSSES, Sort, is_of_loss, sort, suits, words};
+use super::sorts::{Sort, changes_in_words, is_of_change, sort, suits, words};
 use super::spheres::{self, named_sphere, sphere};
 use super::{Model, Note, besides, letters, quotients, sides};
 
@@ -68,8 +68,8 @@ pub(super) fn as_called(model: &Model, statement: &Statement, finding: Finding) 
     {
         return Finding::unreadable(Note::NamedOtherwise);
     }
-    let is_loss = is_of_loss(asked);
-    if is_loss && is_turned_round(&label.typed) && finding.note != Some(Note::ChangeNotLoss) {
+    let is_loss = is_of_change(asked);
+    if is_loss && is_turned_round(asked, &label.typed) && finding.note != Some(Note::ChangeNotLoss) {
         return finding.at_most_partial(Note::Sign);
     }
     finding
@@ -101,6 +101,9 @@ pub(in crate::mark) fn is_named(model: &Model, statement: &Statement) -> bool {
         Quantity::EnergyLost | Quantity::SphereEnergyLost(_) => {
             has(&["lost", "loss", "loses", "change", "decrease"]) || label.typed.contains(['Δ', '∆'])
         }
+        Quantity::SphereEnergyGained(_) => {
+            has(&["gain", "gains", "gained", "change", "increase"]) || label.typed.contains(['Δ', '∆'])
+        }
         Quantity::FractionLost => has(&["fraction", "proportion", "lost", "loss"]),
         Quantity::TanDeflection(_) | Quantity::TanToLine(..) => label.typed.starts_with("tan") || is_sort(),
         _ if asked.is_angle() => {
@@ -120,7 +123,8 @@ pub(in crate::mark) fn is_named(model: &Model, statement: &Statement) -> bool {
 /// `30 J lost`, where the loss is asked.
 pub(super) fn is_said_to_be_lost(model: &Model, statement: &Statement) -> bool {
     let mut remarks = statement.remarks().flat_map(|remark| words(remark));
-    model.quantity.is_some_and(is_of_loss) && remarks.any(|word| LOSSES.contains(&word))
+    let asked = model.quantity.filter(|asked| is_of_change(*asked));
+    asked.is_some_and(|asked| remarks.any(|word| changes_in_words(asked).contains(&word)))
 }
 
 /// May a value be this quantity by the name that a line gives it? A letter of the student's own may be anything, and so may
@@ -172,7 +176,7 @@ pub(in crate::mark) fn is_of_a_part(label: &str, asked: Quantity) -> bool {
     let is_whole = matches!(asked, Quantity::Speed(..));
     let is_after = matches!(asked, Quantity::Speed(_, Moment::After) | Quantity::Velocity(_, Moment::After, _))
         || matches!(asked, Quantity::KineticEnergy(_, Moment::After) | Quantity::TotalEnergy(Moment::After))
-        || matches!(asked, Quantity::EnergyLost | Quantity::SphereEnergyLost(_));
+        || matches!(asked, Quantity::EnergyLost | Quantity::SphereEnergyLost(_) | Quantity::SphereEnergyGained(_));
     let several = words(label).count() > 1;
     words(label).map(str::to_lowercase).any(|word| {
         let is = |list: &[&str]| list.contains(&word.as_str());
@@ -228,15 +232,16 @@ pub(super) fn as_remarked(model: &Model, statement: &Statement, finding: Finding
     }
     let label = statement.label.as_ref().map_or("", |label| &label.typed);
     let has = |wanted: &[&str]| remarks.iter().flat_map(|remark| words(remark)).any(|word| wanted.contains(&word));
-    let is_loss = is_of_loss(asked);
+    let is_loss = is_of_change(asked);
     // `13 lost 7 left`: of which of the two is it said?
-    let is_bare = statement.label.is_some() && LOSSES.contains(&label.trim().to_lowercase().as_str());
+    let is_bare = statement.label.is_some() && changes_in_words(asked).contains(&label.trim().to_lowercase().as_str());
     if is_loss && is_bare && has(states(asked)) {
         return Finding::unreadable(Note::NamedOtherwise);
     }
-    let calls_it_loss = has(&LOSSES) || words(&label.to_lowercase()).any(|word| LOSSES.contains(&word));
+    let calls_it_loss = has(changes_in_words(asked))
+        || words(&label.to_lowercase()).any(|word| changes_in_words(asked).contains(&word));
     if is_loss && !calls_it_loss {
-        if remarks.iter().any(|remark| is_gain(remark)) && finding.note != Some(Note::ChangeNotLoss) {
+        if remarks.iter().any(|remark| is_opposite(asked, remark)) && finding.note != Some(Note::ChangeNotLoss) {
             return finding.at_most_partial(Note::Sign);
         }
         if has(states(asked)) {
@@ -280,7 +285,7 @@ pub(in crate::mark) fn words_fit(model: &Model, typed: &str) -> bool {
     let Some(asked) = model.quantity else { return true };
     let small = typed.to_lowercase();
     let has = |wanted: &[&str]| words(&small).any(|word| wanted.contains(&word));
-    let is_loss = is_of_loss(asked);
+    let is_loss = is_of_change(asked);
     let is_share = asked != Quantity::FractionLost && has(&["fraction", "percentage", "proportion"]);
     // A loss is no quotient, and a fraction is none of what is left.
     let of_rest = |(_, below): (&str, &str)| words(below).any(|word| AT_THE_END.contains(&word));
@@ -292,7 +297,10 @@ pub(in crate::mark) fn words_fit(model: &Model, typed: &str) -> bool {
         return false;
     }
     // `each loses`, and `total loss` for one sphere
-    if is_loss && (has(&["each"]) || matches!(asked, Quantity::SphereEnergyLost(_)) && has(&["total"])) {
+    if is_loss
+        && (has(&["each"])
+            || matches!(asked, Quantity::SphereEnergyLost(_) | Quantity::SphereEnergyGained(_)) && has(&["total"]))
+    {
         return false;
     }
     // `v lost`
@@ -308,16 +316,20 @@ pub(in crate::mark) fn words_fit(model: &Model, typed: &str) -> bool {
     // `KE1 − loss`
     if is_loss
         && is_difference
-        && small.split(['-', '−', '–']).skip(1).flat_map(words).any(|word| LOSSES.contains(&word))
+        && small.split(['-', '−', '–']).skip(1).flat_map(words).any(|word| changes_in_words(asked).contains(&word))
     {
         return false;
     }
     // `total KE`, `KE falls to`
-    if is_loss && ((has(&["total"]) && !has(&LOSSES)) || is_changed_to(&small)) {
+    if is_loss && ((has(&["total"]) && !has(changes_in_words(asked))) || is_changed_to(&small)) {
         return false;
     }
     if is_loss {
-        return !has(states(asked)) || has(&LOSSES) || is_gain(typed) || is_change(typed) || is_difference;
+        return !has(states(asked))
+            || has(changes_in_words(asked))
+            || is_opposite(asked, typed)
+            || is_change(typed)
+            || is_difference;
     }
     if is_another_of_its_sort(model, asked, &small) {
         return false;

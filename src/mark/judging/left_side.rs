@@ -67,7 +67,7 @@ pub(super) fn of(model: &Model, label: &Label) -> Left {
         return if is_of_motion || is_impulse && is_of_speed { Left::Another } else { Left::Name };
     }
     // `T_2`: what there is at one moment, and not what is lost.
-    if model.quantity.is_some_and(sorts::is_of_loss) && moments::is_energy_of_one(typed) {
+    if model.quantity.is_some_and(sorts::is_of_change) && moments::is_energy_of_one(typed) {
         return Left::Another;
     }
     match expr {
@@ -170,7 +170,9 @@ fn is_of_others(asked: Option<Quantity>, expr: &Expr) -> bool {
         (FractionLost, Expr::Quotient(above, _)) => is_difference(above),
         (FractionLost, Expr::Sum(_)) => count > 1 && is_difference(expr),
         (MassRatio | TanToLine(..) | TOverN(..) | TanToWall(..) | TanDeflection(_), Expr::Quotient(..)) => count > 1,
-        (EnergyLost | SphereEnergyLost(_) | Separation | Approach, _) => count > 1 && has_difference(expr),
+        (EnergyLost | SphereEnergyLost(_) | SphereEnergyGained(_) | Separation | Approach, _) => {
+            count > 1 && has_difference(expr)
+        }
         (Impulse(..) | ImpulseMagnitude, Expr::Sum(_)) => count > 1 && is_difference(expr),
         (Impulse(..) | ImpulseMagnitude, Expr::Product(_)) => {
             distinct(expr).iter().any(|name| name.starts_with(['m', 'M'])) && count > 1

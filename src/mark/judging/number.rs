@@ -18,7 +18,7 @@ use super::exact::{self, Equality, same};
 use super::finding::Finding;
 use super::known::Further;
 use super::units::{self, UnitCheck};
-use super::{Model, Note, angle, changes, left_side, sense};
+use super::{Model, Note, angle, changes, left_side, sense, sorts};
 
 /// Judges one value against a number or formula.
 pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
@@ -170,8 +170,11 @@ fn signed(model: &Model, expr: &Expr, written: &Option<Written>, label: Option<&
     if positive != Some(Ordering::Greater) || has_a_sense(model.quantity) || is_never_negative(model) {
         return Finding::wrong(Note::Sign);
     }
+    let is_gain = model.quantity.is_some_and(sorts::is_of_gain);
     match label {
-        Some(label) if changes::is_change(&label.typed) => Finding { note: Some(Note::ChangeNotLoss), ..turned },
+        Some(label) if !is_gain && changes::is_change(&label.typed) => {
+            Finding { note: Some(Note::ChangeNotLoss), ..turned }
+        }
         _ => Finding::partial(Note::Sign),
     }
 }

@@ -38,7 +38,9 @@ pub(super) fn remark_names_another(model: &Model, asked: Quantity, remarks: &[&S
     if asked == Quantity::EnergyLost && words(remark).any(|word| word == "each") {
         return true;
     }
-    if matches!(asked, Quantity::SphereEnergyLost(_)) && words(remark).any(|word| word == "total") {
+    if matches!(asked, Quantity::SphereEnergyLost(_) | Quantity::SphereEnergyGained(_))
+        && words(remark).any(|word| word == "total")
+    {
         return true;
     }
     if matches!(asked, Quantity::Impulse(..) | Quantity::ImpulseMagnitude) && words(remark).any(|word| word == "force")

@@ -16,7 +16,7 @@ use crate::number::Fraction;
 use super::besides::{compared_with_a_bound, without_its_name, without_size_and_direction, without_told_besides};
 use super::moments::{COMPARING, EARLIER, LATER, moment, states};
 use super::otherwise::{DIRECTED, is_changed_to};
-use super::sorts::{LOSSES, is_of_loss, words};
+use super::sorts::{changes_in_words, is_of_change, words};
 use super::statements::is_rival;
 use super::{Model, exact};
 
@@ -321,7 +321,7 @@ fn without_steps(model: &Model, statements: Vec<Statement>) -> Vec<Statement> {
     const DEFLECTIONS: [&str; 3] = ["deflection", "deflected", "turned"];
     let Some(asked) = model.quantity.filter(|_| statements.len() > 1) else { return statements };
     let (asked_for, steps): (&[&str], &[&str]) = match asked.of_its_impact() {
-        _ if is_of_loss(asked) => (&LOSSES, states(asked)),
+        _ if is_of_change(asked) => (changes_in_words(asked), states(asked)),
         Quantity::Deflection(_) | Quantity::SignedDeflection(_) => (&DEFLECTIONS, states(asked)),
         Quantity::Speed(..) => (&["speed", "resultant", "magnitude", "total"], &DIRECTED),
         _ => return statements,

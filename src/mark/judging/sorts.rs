@@ -61,7 +61,12 @@ pub(super) fn suits(asked: Quantity, sort: Sort) -> bool {
     match asked {
         _ if sort.is_unasked() => false,
         Velocity(..) | Speed(..) | Approach | Separation => matches!(sort, Sort::Speed | Sort::Velocity),
-        KineticEnergy(..) | TotalEnergy(_) | EnergyLost | SphereEnergyLost(_) | FractionLost => sort == Sort::Energy,
+        KineticEnergy(..)
+        | TotalEnergy(_)
+        | EnergyLost
+        | SphereEnergyLost(_)
+        | SphereEnergyGained(_)
+        | FractionLost => sort == Sort::Energy,
         SphereMomentum(..) | TotalMomentum(_) | Impulse(..) | ImpulseMagnitude => sort == Sort::Impulse,
         AngleToLine(..) | AngleFromN(..) | AngleFromI(..) | AngleToWall(..) | AngleBetween(_) | Alpha => {
             matches!(sort, Sort::Angle | Sort::Velocity)
@@ -74,11 +79,24 @@ pub(super) fn suits(asked: Quantity, sort: Sort) -> bool {
     }
 }
 
-/// Is it lost in an impact?
-pub(super) fn is_of_loss(asked: Quantity) -> bool {
-    matches!(asked, Quantity::EnergyLost | Quantity::SphereEnergyLost(_) | Quantity::FractionLost)
+/// Is it lost or gained in an impact?
+pub(super) fn is_of_change(asked: Quantity) -> bool {
+    is_of_gain(asked) || matches!(asked, Quantity::EnergyLost | Quantity::SphereEnergyLost(_) | Quantity::FractionLost)
+}
+
+/// Is it gained?
+pub(super) fn is_of_gain(asked: Quantity) -> bool {
+    matches!(asked, Quantity::SphereEnergyGained(_))
 }
 
 /// Words for what is lost.
 pub(super) const LOSSES: [&str; 10] =
     ["loss", "losses", "lost", "lose", "loses", "decrease", "decreases", "decreased", "change", "dissipated"];
+
+/// Words for what is gained.
+pub(super) const GAINS: [&str; 7] = ["gain", "gains", "gained", "increase", "increases", "increased", "change"];
+
+/// Words for what is lost, or gained where that is asked.
+pub(super) fn changes_in_words(asked: Quantity) -> &'static [&'static str] {
+    if is_of_gain(asked) { &GAINS } else { &LOSSES }
+}

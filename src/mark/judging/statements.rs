@@ -294,7 +294,7 @@ fn by_custom<'s>(model: &Model, statements: &[&'s Statement]) -> Option<&'s Stat
 /// Two bare numbers, of which the second is drawn from the first, where a loss or an impulse is asked.
 fn is_from_one_to_another(model: &Model, statements: &[&Statement]) -> bool {
     let is_change = |asked: Quantity| {
-        sorts::is_of_loss(asked) || matches!(asked, Quantity::Impulse(..) | Quantity::ImpulseMagnitude)
+        sorts::is_of_change(asked) || matches!(asked, Quantity::Impulse(..) | Quantity::ImpulseMagnitude)
     };
     let is_bare = |statement: &&Statement| matches!(statement.said.as_slice(), [only] if is_bare_number(only));
     let [first, last] = statements else { return false };

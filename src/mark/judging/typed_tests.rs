@@ -211,4 +211,22 @@ fn a_right_value_under_another_name_is_for_a_person() {
             ("loss of 45.6 J", "correct"),
         ],
     );
+    earn(
+        &Asked("63", None, "A.ke_gained", None),
+        &[
+            ("63 J", "correct"),
+            ("gain of 63 J", "correct"),
+            ("KE increases by 63 J", "correct"),
+            ("change in KE = 63", "correct"),
+            ("ΔKE = 63 J", "correct"),
+            ("KE2 - KE1 = 63", "correct"),
+            ("KE1 - KE2 = 63", "partial sign"),
+            ("KE decreases by 63 J", "partial sign"),
+            ("loss of 63 J", "partial sign"),
+            ("-63 J", "partial sign"),
+            ("ΔKE = -63 J", "partial sign"),
+            ("81 J before, 18 J after, 63 J gained", "correct"),
+            ("KE2 = 63", OTHERWISE),
+        ],
+    );
 }

@@ -99,7 +99,7 @@ fn of_one_impact(quantity: Quantity) -> Vec<(Quantity, LastStep)> {
         Quantity::EnergyLost => {
             taken.extend([Before, After].map(|moment| (Quantity::TotalEnergy(moment), ENERGY_AT_ONE_MOMENT)));
         }
-        Quantity::SphereEnergyLost(sphere) => {
+        Quantity::SphereEnergyLost(sphere) | Quantity::SphereEnergyGained(sphere) => {
             taken.extend([Before, After].map(|moment| (Quantity::KineticEnergy(sphere, moment), ENERGY_AT_ONE_MOMENT)));
         }
         Quantity::FractionLost => taken.push((Quantity::EnergyLost, LOSS_FOR_FRACTION)),
@@ -111,7 +111,8 @@ fn of_one_impact(quantity: Quantity) -> Vec<(Quantity, LastStep)> {
 /// The same of the other sphere.
 fn of_other_sphere(quantity: Quantity) -> Option<Quantity> {
     use Quantity::{
-        AngleToLine, Deflection, KineticEnergy, Speed, SphereEnergyLost, TanDeflection, TanToLine, Velocity,
+        AngleToLine, Deflection, KineticEnergy, Speed, SphereEnergyGained, SphereEnergyLost, TanDeflection, TanToLine,
+        Velocity,
     };
     let other = Sphere::other;
     Some(match quantity {
@@ -119,6 +120,7 @@ fn of_other_sphere(quantity: Quantity) -> Option<Quantity> {
         Velocity(sphere, moment, axis) => Velocity(other(sphere), moment, axis),
         KineticEnergy(sphere, moment) => KineticEnergy(other(sphere), moment),
         SphereEnergyLost(sphere) => SphereEnergyLost(other(sphere)),
+        SphereEnergyGained(sphere) => SphereEnergyGained(other(sphere)),
         AngleToLine(sphere, moment) => AngleToLine(other(sphere), moment),
         TanToLine(sphere, moment) => TanToLine(other(sphere), moment),
         Deflection(sphere) => Deflection(other(sphere)),

@@ -33,6 +33,7 @@ fn start(prepared: &Prepared, theirs: &Theirs) -> Vec<Known<f64>> {
         for (known, [after, lost]) in at_points.iter_mut().zip(energies.into_iter().flatten()) {
             known.0.insert(Quantity::KineticEnergy(sphere, Moment::After), Datum::Number(after));
             known.0.insert(Quantity::SphereEnergyLost(sphere), Datum::Number(lost));
+            known.0.insert(Quantity::SphereEnergyGained(sphere), Datum::Number(-lost));
         }
     }
     at_points

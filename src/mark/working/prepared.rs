@@ -276,7 +276,7 @@ fn wanted() -> Vec<Quantity> {
         wanted.push(Quantity::TanDeflection(sphere));
         wanted.push(Quantity::DeflectionDot(sphere));
         wanted.push(Quantity::Impulse(sphere, Axis::N));
-        wanted.push(Quantity::SphereEnergyLost(sphere));
+        wanted.extend([Quantity::SphereEnergyLost(sphere), Quantity::SphereEnergyGained(sphere)]);
     }
     let both = [Quantity::TotalEnergy(Moment::Before), Quantity::TotalEnergy(Moment::After), Quantity::EnergyLost];
     wanted.extend(both);

@@ -102,6 +102,8 @@ const TOTAL: u8 = 5;
 const FRACTION: u8 = 6;
 const FRACTION_BY_TOTALS: u8 = 7;
 const OF_SPHERE_IN_I_J: u8 = 8;
+const GAINED_ALONG: u8 = 9;
+const GAINED_IN_I_J: u8 = 10;
 
 pub fn rules() -> Vec<Rule> {
     let mut rules = Vec::new();
@@ -118,6 +120,9 @@ pub fn rules() -> Vec<Rule> {
         rules.push(rule(Law::Energy, LOST_ALONG, &[mass, at(Before, N), at(After, N)], &[lost], 1));
         let x_y = [mass, at(Before, X), at(Before, Y), at(After, X), at(After, Y)];
         rules.push(rule(Law::Energy, LOST_IN_I_J, &x_y, &[lost], 1));
+        let gained = Quantity::SphereEnergyGained(sphere);
+        rules.push(rule(Law::Energy, GAINED_ALONG, &[mass, at(Before, N), at(After, N)], &[gained], 1));
+        rules.push(rule(Law::Energy, GAINED_IN_I_J, &x_y, &[gained], 1));
     }
     for moment in [Before, After] {
         let both = [Quantity::KineticEnergy(A, moment), Quantity::KineticEnergy(B, moment)];
@@ -143,14 +148,16 @@ pub fn evaluate<N: Number>(rule: &Rule, known: &Known<N>) -> Outcome<N> {
             let [mass, x, y] = known.numbers([n[0], n[1], n[2]])?;
             number((mass * (x.squared() + y.squared())).half())
         }
-        LOST_ALONG => {
+        LOST_ALONG | GAINED_ALONG => {
             let [mass, before, after] = known.numbers([n[0], n[1], n[2]])?;
             // As a product, which loses no figures where the two are nearly equal.
-            number((mass * (before.clone() - after.clone()) * (before + after)).half())
+            let lost = (mass * (before.clone() - after.clone()) * (before + after)).half();
+            number(if rule.form == LOST_ALONG { lost } else { -lost })
         }
-        LOST_IN_I_J => {
+        LOST_IN_I_J | GAINED_IN_I_J => {
             let [mass, u_x, u_y, v_x, v_y] = known.numbers([n[0], n[1], n[2], n[3], n[4]])?;
-            number((mass * (u_x.squared() + u_y.squared() - v_x.squared() - v_y.squared())).half())
+            let lost = (mass * (u_x.squared() + u_y.squared() - v_x.squared() - v_y.squared())).half();
+            number(if rule.form == LOST_IN_I_J { lost } else { -lost })
         }
         LOST_BY_SPHERES | TOTAL => number(known.number(n[0])? + known.number(n[1])?),
         LOST_BY_TOTALS => number(known.number(n[0])? - known.number(n[1])?),
@@ -174,7 +181,7 @@ pub fn slipped<N: Number>(slip: &str, rule: &Rule, known: &Known<N>) -> Outcome<
             number(of(A)? + of(B)?)
         }
         ("energy-one-sphere", LOST_BY_SPHERES | TOTAL) => number(known.number(n[0])?),
-        ("energy-no-half", OF_SPHERE | OF_SPHERE_IN_I_J | LOST_ALONG | LOST_IN_I_J) => {
+        ("energy-no-half", OF_SPHERE | OF_SPHERE_IN_I_J | LOST_ALONG | LOST_IN_I_J | GAINED_ALONG | GAINED_IN_I_J) => {
             let whole = evaluate(rule, known)?.pop()?;
             let super::Datum::Number(half) = whole else { return None };
             number(half.clone() + half)
@@ -223,10 +230,14 @@ pub fn earning(rule: &Rule, show: &Show) -> Option<Expr> {
 pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
     match (rule.form, rule.gives[0]) {
         (TOTAL, Quantity::TotalEnergy(moment)) => total(show, moment),
-        (LOST_BY_SPHERES | LOST_BY_TOTALS, _) => lost(show, show.spheres(), "L", "lost"),
-        (_, Quantity::SphereEnergyLost(sphere)) if show.is_asked(rule.gives[0]) => {
+        (LOST_BY_SPHERES | LOST_BY_TOTALS, gives) => changed(show, show.spheres(), gives, "L", "lost"),
+        (_, gives @ Quantity::SphereEnergyLost(sphere)) if show.is_asked(gives) => {
             let (left, of) = if sphere == A { ("L_A", &[A]) } else { ("L_B", &[B]) };
-            lost(show, of, left, &format!("that *{}* loses", sphere.name()))
+            changed(show, of, gives, left, &format!("that *{}* loses", sphere.name()))
+        }
+        (_, gives @ Quantity::SphereEnergyGained(sphere)) if show.is_asked(gives) => {
+            let (left, of) = if sphere == A { ("G_A", &[A]) } else { ("G_B", &[B]) };
+            changed(show, of, gives, left, &format!("that *{}* gains", sphere.name()))
         }
         (form, Quantity::KineticEnergy(sphere, moment)) if show.is_asked(rule.gives[0]) => {
             of_sphere(show, sphere, moment, form == OF_SPHERE)
@@ -282,9 +293,10 @@ fn square(show: &Show, sphere: Sphere, moment: Moment) -> Expr {
         .to_the(2)
 }
 
-/// What spheres lose, by the components that change.
-fn lost(show: &Show, of: &[Sphere], left: &str, words: &str) -> Vec<Line> {
+/// What spheres lose or gain, by the components that change.
+fn changed(show: &Show, of: &[Sphere], gives: Quantity, left: &str, words: &str) -> Vec<Line> {
     let along = show.given_along();
+    let is_gain = matches!(gives, Quantity::SphereEnergyGained(_));
     let terms = of.iter().map(|sphere| {
         let sphere = *sphere;
         let part = |moment| {
@@ -299,12 +311,10 @@ fn lost(show: &Show, of: &[Sphere], left: &str, words: &str) -> Vec<Line> {
                 squares_in_i_j(show, sphere, moment)
             }
         };
-        times(half(show, sphere), difference_of(part(Before), part(After)))
+        let [first, second] = if is_gain { [After, Before] } else { [Before, After] };
+        times(half(show, sphere), difference_of(part(first), part(second)))
     });
-    let value = match of {
-        [sphere] if left != "L" => show.exact(Quantity::SphereEnergyLost(*sphere)),
-        _ => show.exact(Quantity::EnergyLost),
-    };
+    let value = show.exact(gives);
     let left = Expr::name(left);
     let mut equations = Show::chain(left.clone(), [Expr::sum(terms), written(&value)]);
     equations.extend(Show::approximately(&left, &value));
@@ -326,12 +336,12 @@ fn squared(value: &Value) -> Expr {
     if value.is_zero() { Expr::integer(0) } else { size_of(value).to_the(2) }
 }
 
-fn difference_of(before: Expr, after: Expr) -> Expr {
-    if after.is_zero() {
-        return before;
+fn difference_of(first: Expr, second: Expr) -> Expr {
+    if second.is_zero() {
+        return first;
     }
     // A sum of two squares stays together in its bracket.
-    Expr::Sum(vec![before, after.negated()])
+    Expr::Sum(vec![first, second.negated()])
 }
 
 /// What is lost, or the energies before and after whose difference it is, over the energy before.

@@ -86,7 +86,10 @@ impl Working<'_> {
 /// Is a letter for it a name that the subject has for nothing else?
 fn names_itself(quantity: Quantity) -> bool {
     use Quantity::*;
-    matches!(quantity, Impulse(..) | ImpulseMagnitude | EnergyLost | SphereEnergyLost(_) | Restitution)
+    matches!(
+        quantity,
+        Impulse(..) | ImpulseMagnitude | EnergyLost | SphereEnergyLost(_) | SphereEnergyGained(_) | Restitution
+    )
 }
 
 /// `velocity of B`, `impulse`, `line of centres`: do words name this vector, and none of another sphere or moment?
