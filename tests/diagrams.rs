@@ -620,6 +620,33 @@ fn a_question_shows_what_is_given_and_nothing_else() {
     assert_eq!(shown, ["2 kg", "5 m s⁻¹", "A", "α", "β"]);
 }
 
+/// What is given of the motion after an impact, along i and j, is drawn along the line of centres.
+#[test]
+fn a_velocity_after_the_impact_that_is_given_has_its_components_in_the_solution() {
+    let manner = Manner { vectors: true, with_units: &[], angles: &[], after_walls: &[] };
+    let wall = json!({ "masses": { "A": "2" }, "before": { "A": ["2", "5"] }, "after": { "A": ["-2", "3"] },
+                       "wall": ["-1", "2"] });
+    let along_i = json!({ "masses": { "A": "2" }, "before": { "A": ["4", "-3"] }, "after": { "A": ["4", "3"] },
+                          "wall": ["1", "0"] });
+    for (text, size) in [(wall, "√5/5"), (along_i, "3")] {
+        let pictures: Vec<Diagram> = solution(&scene(&text), manner).into_iter().flatten().collect();
+        let after = labels(pictures.last().unwrap());
+        assert!(after.iter().any(|label| label.starts_with(size)) && !after.contains(&"0".to_owned()), "{after:?}");
+    }
+}
+
+/// The line of centres lies across the page, and i and j would lie as nobody draws them.
+#[test]
+fn the_solution_of_an_oblique_line_of_centres_has_no_unit_vectors() {
+    let manner = Manner { vectors: true, with_units: &[], angles: &[], after_walls: &[] };
+    for (line, expected) in [(["3", "1"], 0), (["1", "0"], 1), (["0", "1"], 1)] {
+        let text = impact(json!(["4", "5"]), json!(["-3", "0"]), line);
+        let pictures: Vec<Diagram> = solution(&scene(&text), manner).into_iter().flatten().collect();
+        let with_axes = pictures.iter().filter(|picture| labels(picture).contains(&"i".to_owned())).count();
+        assert_eq!(with_axes, expected, "{line:?}");
+    }
+}
+
 #[test]
 fn the_words_of_a_figure_tell_all_that_is_written_in_it() {
     let mut scenes = vec![(impact(json!(["4", "-1"]), json!(["-3", "2"]), ["0", "1"]), true)];

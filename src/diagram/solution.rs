@@ -77,6 +77,10 @@ fn needed(scene: &Scene) -> Vec<Quantity> {
         if scene.contact.is_none() {
             needed.extend(velocities(Moment::After, [Axis::X, Axis::Y]));
         }
+        // A velocity that is given along i and j has its component along the line of centres too.
+        let is_given = |sphere: &&Sphere| scene.velocity(**sphere, Moment::After).is_some();
+        let along = |sphere: &Sphere| Quantity::Velocity(*sphere, Moment::After, Axis::N);
+        needed.extend(spheres.iter().filter(is_given).map(along));
     }
     needed
 }
@@ -144,7 +148,9 @@ impl View<'_> {
             bodies[sphere as usize] = Body { mass, at_rest: motions.is_empty(), motions };
         }
         let apart = self.scene.setting == Setting::Direct;
-        let (names, axes) = (self.names, self.manner.vectors && moment == Moment::Before);
+        // Where the picture is turned i and j lie otherwise than on the page.
+        let axes = self.manner.vectors && moment == Moment::Before && self.show.axis().is_some();
+        let names = self.names;
         Some(Spheres {
             line,
             apart,

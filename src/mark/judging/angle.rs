@@ -258,7 +258,7 @@ pub(super) fn in_turns(model: &Model) -> Expr {
     match model.known().meaning() {
         Some(Meaning::Number(_) | Meaning::Degrees(_)) => Expr::degrees(model.value.clone()),
         Some(_) => model.value.clone(),
-        None => as_angle(model).clone(),
+        None => as_angle(model),
     }
 }
 

@@ -9,11 +9,23 @@ use super::exact::{self, Equality};
 use super::finding::Finding;
 use super::{Model, Note, number};
 
-/// The angle of which the model's value is the number of degrees.
-pub(super) fn as_angle(model: &Model) -> &Expr {
-    match &model.value {
-        Expr::Quotient(angle, below) if **below == Expr::degrees(Expr::integer(1)) => angle,
-        angle => angle,
+/// The angle of which the model's value is the number of degrees, or that it is.
+pub(super) fn as_angle(model: &Model) -> Expr {
+    in_degrees(&model.value).unwrap_or_else(|| model.value.clone())
+}
+
+/// So many degrees as an angle, if it is a number of them: `arctan(4/11)/1°`, and `180 − arctan(4/11)/1°`.
+fn in_degrees(expr: &Expr) -> Option<Expr> {
+    match expr {
+        Expr::Quotient(angle, below) if **below == Expr::degrees(Expr::integer(1)) => Some((**angle).clone()),
+        Expr::Negative(inner) => in_degrees(inner).map(Expr::negated),
+        Expr::Sum(terms) => {
+            let angles: Vec<Option<Expr>> = terms.iter().map(in_degrees).collect();
+            let number =
+                |(angle, term): (&Option<Expr>, &Expr)| angle.clone().unwrap_or_else(|| Expr::degrees(term.clone()));
+            angles.iter().any(Option::is_some).then(|| Expr::Sum(angles.iter().zip(terms).map(number).collect()))
+        }
+        _ => None,
     }
 }
 
@@ -21,7 +33,7 @@ pub(super) fn as_angle(model: &Model) -> &Expr {
 pub(super) fn by_enclosure(model: &Model, said: &Said, expr: &Expr) -> Finding {
     let angle = as_angle(model);
     let is_in_radians = said.unit.as_ref().is_some_and(|unit| !unit.degrees && unit.dimension == [0, 0, 0, 1]);
-    let size = if is_in_radians { angle.clone() } else { angle.clone().over(Expr::degrees(Expr::integer(1))) };
+    let size = if is_in_radians { angle } else { angle.over(Expr::degrees(Expr::integer(1))) };
     number::value(&model.of_value(size), expr, &Written::of(expr))
 }
 

@@ -307,7 +307,12 @@ impl Work {
         match function {
             Function::Abs => Some(inner),
             Function::Sqrt => self.root(argument, inner),
-            Function::Asin | Function::Acos | Function::Atan => {
+            // A tangent says where an angle points, and no root is taken; compared it meets another.
+            Function::Atan => {
+                self.product(inner.clone(), inner.clone())?;
+                Some(inner)
+            }
+            Function::Asin | Function::Acos => {
                 let square = self.product(inner.clone(), inner.clone())?;
                 let other = self.root(argument, square)?;
                 self.product(inner, other)

@@ -134,6 +134,34 @@ fn a_tangent_may_be_told_by_its_angle() {
 }
 
 #[test]
+fn an_obtuse_angle_is_less_than_two_right_angles_by_what_is_long_to_work_out() {
+    for (text, degrees) in [
+        ("180 - atan(sin(25*deg)/(2*cos(25*deg) - 1))/deg", "153"),
+        ("90 - atan(sin(25*deg)/(2*cos(25*deg) - 1))/deg", "62.5"),
+        ("atan(sin(25*deg)/(2*cos(25*deg) - 1))/deg - 10", "17.5"),
+    ] {
+        let model = model(text, None, "awrt 3sf");
+        assert_eq!(earns(&model, None, vec![value(degrees)]), "correct", "{text}");
+        assert_eq!(earns(&model, None, vec![value("31.4")]), "wrong", "{text}");
+    }
+}
+
+#[test]
+fn an_angle_with_a_root_of_a_letter_is_compared_however_long_its_numbers_are() {
+    for (text, own) in [
+        ("atan(sqrt(10*(9 - e))/10)/deg", "arctan(√((9 − e)/10))"),
+        ("atan(sqrt(10*(9 - e))/10)/deg", "tan⁻¹(√(90 − 10e)/10)"),
+        ("atan(sqrt(35*(29 - 4*e))/35)/deg", "arctan(√((29 − 4e)/35))"),
+    ] {
+        let letters = vec![crate::number::Letter::new("e", crate::number::Range::Unit).unwrap()];
+        let options = ModelOptions { letters, kind: Some(Kind::Angle), ..ModelOptions::default() };
+        let model = Model::read(text, &options).unwrap();
+        assert_eq!(named(&judge(&model, &read_answer(own, &model.vocabulary))), "correct", "{own}");
+        assert_eq!(named(&judge(&model, &read_answer("arctan(√((9 + e)/10))", &model.vocabulary))), "wrong", "{own}");
+    }
+}
+
+#[test]
 fn an_angle_with_roots_of_sines_is_worked_out() {
     for (text, degrees) in [
         ("atan(sqrt(49*tan(40*deg)^2 - 15)/8)", "28.9"),
