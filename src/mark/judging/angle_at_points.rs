@@ -1,6 +1,6 @@
 //! Angles that are too long to be worked out exactly: compared at points, and by their enclosures.
 
-use crate::expr::Expr;
+use crate::expr::{Expr, Function};
 use crate::mark::reading::Said;
 
 use super::accuracy::Written;
@@ -31,15 +31,33 @@ fn in_degrees(expr: &Expr) -> Option<Expr> {
 
 /// A number of degrees, or of radians, beside an angle that is too long to be worked out exactly.
 pub(super) fn by_enclosure(model: &Model, said: &Said, expr: &Expr) -> Finding {
-    let angle = as_angle(model);
     let is_in_radians = said.unit.as_ref().is_some_and(|unit| !unit.degrees && unit.dimension == [0, 0, 0, 1]);
-    let size = if is_in_radians { angle } else { angle.over(Expr::degrees(Expr::integer(1))) };
+    let size = match (in_degrees(&model.value), is_in_radians) {
+        (Some(angle), true) => angle,
+        (Some(_), false) | (None, true) => model.value.clone(),
+        (None, false) => model.value.clone().over(Expr::degrees(Expr::integer(1))),
+    };
     number::value(&model.of_value(size), expr, &Written::of(expr))
+}
+
+/// What an inverse tangent is of.
+fn tangent(angle: &Expr) -> Option<Expr> {
+    match angle {
+        Expr::Call(Function::Atan, tangent) => Some((**tangent).clone()),
+        _ => None,
+    }
 }
 
 /// An angle in letters that is long to compare, or of which only the tangent is seen to agree, is compared at points.
 pub(super) fn at_points(model: &Model, expr: &Expr) -> Finding {
-    match exact::same(&in_turns(model), expr, &model.vocabulary.letters) {
+    let letters = &model.vocabulary.letters;
+    let right = in_turns(model);
+    // Two angles of which the tangents are known are equal if those are.
+    let found = match tangent(&right).zip(tangent(&in_degrees(expr).unwrap_or_else(|| expr.clone()))) {
+        Some((right, own)) => exact::same(&right, &own, letters),
+        None => exact::same(&right, expr, letters),
+    };
+    match found {
         Equality::Equal => Finding::EXACT,
         Equality::Different => Finding::WRONG,
         Equality::Undecided => Finding::unreadable(Note::CannotBeCompared),

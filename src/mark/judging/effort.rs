@@ -307,12 +307,7 @@ impl Work {
         match function {
             Function::Abs => Some(inner),
             Function::Sqrt => self.root(argument, inner),
-            // A tangent says where an angle points, and no root is taken; compared it meets another.
-            Function::Atan => {
-                self.product(inner.clone(), inner.clone())?;
-                Some(inner)
-            }
-            Function::Asin | Function::Acos => {
+            Function::Asin | Function::Acos | Function::Atan => {
                 let square = self.product(inner.clone(), inner.clone())?;
                 let other = self.root(argument, square)?;
                 self.product(inner, other)

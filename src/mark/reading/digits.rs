@@ -146,6 +146,20 @@ impl Digits<'_> {
         }
     }
 
+    /// Is there more to be worked out than this number, or more than one sign of equality? The strokes and signs of units are
+    /// none.
+    fn is_in_a_formula(&self) -> bool {
+        let sign = |at: usize| self.glyphs.get(at).map_or(' ', |glyph| glyph.sign);
+        let equals = self.glyphs.iter().filter(|glyph| glyph.sign == '=').count();
+        let is_operation = |at: usize| match sign(at) {
+            '+' | '*' | '·' | '⋅' | '√' => at != self.at,
+            '-' => at > 0 && !matches!(sign(at - 1), 's' | '^' | '(' | OPEN),
+            '/' => sign(at + 1).is_ascii_digit() || matches!(sign(at + 1), '(' | OPEN),
+            _ => false,
+        };
+        equals > 1 || (0..self.glyphs.len()).any(is_operation)
+    }
+
     /// Does what follows a group of three digits belong to the number too?
     fn after_group(&self, ahead: usize) -> bool {
         self.sign(ahead) == '/' || (self.sign(ahead) == '.' && self.sign(ahead + 1).is_ascii_digit())
@@ -155,13 +169,18 @@ impl Digits<'_> {
         let place = self.place();
         let digit_after = self.sign(1).is_ascii_digit() || (self.sign(1) == '(' && self.sign(0) == '.');
         let raised = self.sign(0) == '·' && digit_after;
-        // `4·39^½` is rather a product than a power of a decimal, and `3·10cos α` may be one of a mass and a component.
+        // `4·39^½` is rather a product than a power of a decimal, `3·10cos α` may be one of a mass and a component, and so may
+        // be what stands in `6·15 = 6v + 3w`; `0·75` is none, and `½·4·36` can be nothing else.
         let after = 1 + self.run(1);
         let is_resolved =
             || ["cos", "sin"].iter().any(|name| name.chars().zip(after..).all(|(own, at)| self.sign(at) == own));
-        let may_multiply = !self.whole.is_empty() && (self.run(1) == 1 || self.sign(after) == '^' || is_resolved());
+        let is_likely = || self.run(1) == 1 || self.sign(after) == '^' || is_resolved() || self.is_in_a_formula();
+        let may_multiply = raised && !matches!(&*self.whole, "" | "0") && is_likely();
+        let is_raised = |sign: char| matches!(sign, '·' | '⋅');
+        let follows = self.start > 0 && is_raised(self.glyphs[self.start - 1].sign);
+        let is_chain = follows || is_raised(self.sign(after)) && self.sign(after + 1).is_ascii_digit();
         let point = self.sign(0) == '.' && digit_after
-            || raised && (!may_multiply || !choices.otherwise(Doubt::RaisedPoint, place))
+            || raised && (!may_multiply || choices.otherwise(Doubt::RaisedPoint, place) == is_chain)
             || self.sign(0) == '⋅' && digit_after && choices.otherwise(Doubt::RaisedPoint, place);
         let comma = self.sign(0) == ',' && self.sign(1).is_ascii_digit() && self.comma_is_decimal(depth, choices);
         if !point && !comma {

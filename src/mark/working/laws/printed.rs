@@ -132,10 +132,7 @@ impl Working<'_> {
 
     /// The first line that is false and stays so: neither crossed out nor put right.
     fn false_line(&self) -> Option<usize> {
-        // The letters of one impact are not those of the next.
-        if !self.question.scene.then.is_empty() || self.printed_models().next().is_none() {
-            return None;
-        }
+        self.printed_models().next()?;
         let (everywhere, where_found) = self.spots();
         if where_found.is_empty() && !self.prepared.found.is_empty() {
             return None;
@@ -150,12 +147,19 @@ impl Working<'_> {
                     return Truth::Unknown;
                 }
                 let goes_on = studied.line.typed.trim_start().starts_with('=');
-                let (equations, name) = self.equations(reading, named.take().filter(|_| goes_on));
+                let (mut equations, name) = self.equations(reading, named.take().filter(|_| goes_on));
                 named = name;
+                equations.retain(|(left, right)| self.is_of_every_impact(left) && self.is_of_every_impact(right));
                 self.truth_of_all(&equations, &everywhere, &where_found)
             })
             .collect();
         (0..truths.len()).find(|place| truths[*place] == Truth::False && !self.is_put_right(*place, &truths))
+    }
+
+    /// Has it the same value at every impact? A student's own letters of one are not those of the next.
+    fn is_of_every_impact(&self, side: &Expr) -> bool {
+        let is_given = |name: &str| self.question.letters.iter().any(|letter| letter.name() == name);
+        self.question.scene.then.is_empty() || side.names().iter().all(|name| is_given(&name.text))
     }
 
     /// Has the line been crossed out, or written once more as it should be? The result itself is no correction.
