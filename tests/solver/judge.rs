@@ -176,6 +176,7 @@ pub fn by_definition(quantity: Quantity, case: &Outcome<f64>) -> Option<f64> {
         TanDeflection(s) => turned(path(s).0, path(s).1) / times(path(s).0, path(s).1),
         Impulse(s, axis) => mass(s) * along(less(path(s).1, path(s).0), axis),
         SphereEnergyLost(s) => energy(s, Moment::Before) - energy(s, Moment::After),
+        SphereEnergyGained(s) => energy(s, Moment::After) - energy(s, Moment::Before),
         ImpulseMagnitude => {
             let change = less(path(a).1, path(a).0);
             mass(a) * change[0].hypot(change[1])

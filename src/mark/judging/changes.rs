@@ -1,5 +1,6 @@
 //! Labels that speak of a gain or of a change, of which a loss is the opposite.
 
+use super::Model;
 use super::moments::{EARLIER, LATER};
 use super::sorts::{is_of_gain, words};
 use crate::mechanics::Quantity;
@@ -43,6 +44,11 @@ fn is_second_less_first(of: &str, other: &str, of_end: char, of_start: char) -> 
         matches!(name, "ke" | "e" | "k" | "t").then(|| name.to_owned())
     };
     name(of, of_end).is_some_and(|of| name(other, of_start) == Some(of))
+}
+
+/// Does the label speak of a change, after minus before, where that is not what is asked?
+pub(super) fn is_of_loss(model: &Model, label: &str) -> bool {
+    !model.quantity.is_some_and(is_of_gain) && is_change(label)
 }
 
 /// Does the label speak of a change, after minus before?

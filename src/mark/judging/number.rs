@@ -18,7 +18,7 @@ use super::exact::{self, Equality, same};
 use super::finding::Finding;
 use super::known::Further;
 use super::units::{self, UnitCheck};
-use super::{Model, Note, angle, changes, left_side, sense, sorts};
+use super::{Model, Note, angle, changes, left_side, sense};
 
 /// Judges one value against a number or formula.
 pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
@@ -170,13 +170,8 @@ fn signed(model: &Model, expr: &Expr, written: &Option<Written>, label: Option<&
     if positive != Some(Ordering::Greater) || has_a_sense(model.quantity) || is_never_negative(model) {
         return Finding::wrong(Note::Sign);
     }
-    let is_gain = model.quantity.is_some_and(sorts::is_of_gain);
-    match label {
-        Some(label) if !is_gain && changes::is_change(&label.typed) => {
-            Finding { note: Some(Note::ChangeNotLoss), ..turned }
-        }
-        _ => Finding::partial(Note::Sign),
-    }
+    let is_loss = label.is_some_and(|label| changes::is_of_loss(model, &label.typed));
+    if is_loss { Finding { note: Some(Note::ChangeNotLoss), ..turned } } else { Finding::partial(Note::Sign) }
 }
 
 /// Is it one of which a negative value shows that nobody looked: a mass, e, a letter that is positive? Of a speed and an

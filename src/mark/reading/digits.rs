@@ -1,6 +1,7 @@
 //! Digits into numbers: decimal points and commas, thousands, recurring decimals, powers of ten.
 
 use super::Unreadable;
+use super::around::{equals_letters, has_operation};
 use super::characters::{CLOSE, Glyph, OPEN, RECURS};
 use super::choices::{Choices, Doubt};
 use crate::expr::Expr;
@@ -146,20 +147,6 @@ impl Digits<'_> {
         }
     }
 
-    /// Is there more to be worked out than this number, or more than one sign of equality? The strokes and signs of units are
-    /// none.
-    fn is_in_a_formula(&self) -> bool {
-        let sign = |at: usize| self.glyphs.get(at).map_or(' ', |glyph| glyph.sign);
-        let equals = self.glyphs.iter().filter(|glyph| glyph.sign == '=').count();
-        let is_operation = |at: usize| match sign(at) {
-            '+' | '*' | '·' | '⋅' | '√' => at != self.at,
-            '-' => at > 0 && !matches!(sign(at - 1), 's' | '^' | '(' | OPEN),
-            '/' => sign(at + 1).is_ascii_digit() || matches!(sign(at + 1), '(' | OPEN),
-            _ => false,
-        };
-        equals > 1 || (0..self.glyphs.len()).any(is_operation)
-    }
-
     /// Does what follows a group of three digits belong to the number too?
     fn after_group(&self, ahead: usize) -> bool {
         self.sign(ahead) == '/' || (self.sign(ahead) == '.' && self.sign(ahead + 1).is_ascii_digit())
@@ -174,7 +161,8 @@ impl Digits<'_> {
         let after = 1 + self.run(1);
         let is_resolved =
             || ["cos", "sin"].iter().any(|name| name.chars().zip(after..).all(|(own, at)| self.sign(at) == own));
-        let is_likely = || self.run(1) == 1 || self.sign(after) == '^' || is_resolved() || self.is_in_a_formula();
+        let is_likely =
+            || self.run(1) == 1 || self.sign(after) == '^' || is_resolved() || has_operation(self.glyphs, self.at);
         let may_multiply = raised && !matches!(&*self.whole, "" | "0") && is_likely();
         let is_raised = |sign: char| matches!(sign, '·' | '⋅');
         let follows = self.start > 0 && is_raised(self.glyphs[self.start - 1].sign);
@@ -304,20 +292,7 @@ impl Digits<'_> {
             Some(sign) => matches!(sign, '*' | '/' | '÷' | '⋅' | '·' | '√' | ')' | CLOSE),
             None => false,
         };
-        joined || after.is_some_and(is_operation) || self.equals_letters()
-    }
-
-    /// `w - v = 0.5(7)`: what a sum of letters equals is rather a law with its numbers in it than a result.
-    fn equals_letters(&self) -> bool {
-        let mut signs = self.glyphs.iter().map(|glyph| glyph.sign).filter(|sign| *sign != ' ').peekable();
-        let (mut is_equation, mut has_sum, mut before) = (false, false, ' ');
-        while let Some(sign) = signs.next() {
-            is_equation |= sign == '=';
-            let joins = matches!(sign, '+' | '-') && before.is_ascii_alphabetic();
-            has_sum |= joins && signs.peek().is_some_and(|after| after.is_ascii_alphanumeric());
-            before = sign;
-        }
-        is_equation && has_sum
+        joined || after.is_some_and(is_operation) || equals_letters(self.glyphs)
     }
 
     /// The fraction of a whole part, decimals that do not recur and a block that does.

@@ -6,6 +6,7 @@
 
 mod alone;
 mod angle_names;
+mod around;
 mod asides;
 mod both_signs;
 mod centres;
