@@ -4,7 +4,7 @@
 //! taken for a cosine changes nothing, and with equal masses nothing that is wrong with a mass does: whoever makes the slip is
 //! marked right. An author who means that, or cannot help it, names the slip in `hidden`.
 
-use super::coincidence::wanted;
+use super::coincidence::{Wanted, wanted};
 use super::finding::Finding;
 use crate::answer::Accept;
 use crate::bank::{Answer, Question};
@@ -208,7 +208,7 @@ fn several_amiss(
     let is_kept = |tag: &&str| question.hidden.iter().any(|known| known == tag);
     let (kept, new): (Vec<&str>, Vec<&str>) = hidden.iter().map(|slip| slip.tag).partition(is_kept);
     let tags: Vec<&str> = missing.iter().map(|slip| slip.tag).collect();
-    let wanted = wanted(question, acting, &tags);
+    let wanted = if tags.is_empty() { Wanted::default() } else { wanted(question, acting, &tags) };
     let left = new.into_iter().filter(|tag| !wanted.shows.contains(tag));
     let whole: Vec<String> = kept.into_iter().chain(left).map(|tag| format!("\"{tag}\"")).collect();
     let list = format!("`hidden = [{}]`", whole.join(", "));

@@ -258,14 +258,19 @@ const BEFORE_A_NAME: [&str; 9] = ["a", "the", "smooth", "uniform", "small", "sph
 pub fn subject(before: &[Token]) -> Option<Sphere> {
     for (at, token) in before.iter().enumerate().rev() {
         let leads = |at: usize| before[..at].iter().rev().find(|token| !is_one_of(token, &BEFORE_A_NAME));
-        let is_object = leads(at).is_some_and(|token| is_one_of(token, &OBJECT));
+        // `in front of *A*` and `ahead of *A*`, but `the speed of *A*`.
+        let is_ahead = matches!(&before[..at], [.., Word(place), Word(of)] if of == "of" && (place == "front" || place == "ahead"));
+        let is_object = is_ahead || leads(at).is_some_and(|token| is_one_of(token, &OBJECT));
         match token {
             Token::Sphere(_) if matches!(leads(at), Some(Token::Sphere(_))) => return None,
             Token::Sphere(sphere) => {
                 let in_row = leads(at).is_some_and(|token| is_one_of(token, &["and"]))
                     && matches!(before[..at].iter().rev().nth(1), Some(Token::Sphere(_)));
                 // `strikes *B*, of mass m, which is moving`: what follows is said of the one that is struck.
-                let is_described = before[at + 1..].iter().any(|token| is_one_of(token, &["which", "that"]));
+                // It is not `in a direction which makes an angle`.
+                let is_described = before[at..].windows(2).any(|pair| {
+                    is_one_of(&pair[1], &["which", "that"]) && !is_one_of(&pair[0], &["direction", "line", "path"])
+                });
                 match in_row {
                     true => return None,
                     false if is_described || !is_object => return Some(*sphere),
@@ -330,6 +335,12 @@ mod tests {
                 "u: Speed A, w: Speed B",
             ),
             ("*A* collides with *B*. It has speed {u m/s}.", ""),
+            ("*A* with speed {u m/s} and *B*, in front of *A*, with speed {w m/s}.", "u: Speed A, w: Speed B"),
+            ("*B*, which is ahead of *A*, has speed {w m/s}.", "w: Speed B"),
+            (
+                "*B* moves towards *A* with speed {w m/s} in a direction which makes an acute angle of {b deg} with the line of centres.",
+                "w: Speed B, b: Angle B",
+            ),
             (
                 "*A* has velocity {[p, q] m/s} and *B* has velocity {[r, s] m/s}.",
                 "[p, q]: Velocity A, [r, s]: Velocity B",
