@@ -153,3 +153,54 @@ fn a_mass_has_its_letters_in_the_order_in_which_they_were_typed() {
     let stem = compose(&question, &variant, 1).stem;
     assert!(print::text_unicode(&stem[0]).contains("of mass km"), "{}", print::text_unicode(&stem[0]));
 }
+
+const SUCCESSIVE: &str = r#"
+title = "A strikes B, and B strikes C"
+topic = "ranges"
+stem = "*A*, of mass {2*m}, strikes *B*, of mass {k*m}, directly with speed {u}. Then *B* strikes *C*, of mass {c*m}."
+[parameters]
+c = "3..4"
+[let]
+mA = "2*m"
+mC = "c*m"
+[style.exact]
+[scene]
+masses = { A = "mA", B = "k*m" }
+before = { A = "u", B = "0" }
+e = "1/2"
+symbols = { k = "positive", u = "positive", m = "positive" }
+unknowns = ["k"]
+conditions = ["A.after.x < 0"]
+[[scene.then]]
+of = ["B", "C"]
+mass = "mC"
+before = "0"
+e = "1/2"
+[[part]]
+ask = "*A* turns back. Find the values of {k}."
+answers = [{ name = "values of *k*", find = "k", kind = "range" }]
+marks = [{ code = "M1", for = "condition" }, { code = "A1", for = "k" }]
+[[part]]
+ask = "Find the speed of *C*."
+answers = [{ name = "speed of *C*", find = "second.C.after.speed" }]
+marks = [
+  { code = "M1", for = "momentum" },
+  { code = "A1", for = "momentum" },
+  { code = "M1", for = "restitution" },
+  { code = "A1", for = "restitution" },
+  { code = "A1", for = "second.C.after.speed" },
+]
+[reference]
+c = "3"
+"#;
+
+#[test]
+fn a_mark_of_a_later_impact_shows_its_equation_though_a_letter_was_found_from_the_first() {
+    let question = read_question("ranges/own", &Source::new("own", SUCCESSIVE))
+        .unwrap_or_else(|faults| panic!("{}", render_all(&faults, false)));
+    let printed = compose(&question, &reference(&question).unwrap(), 1);
+    let scheme = &printed.parts[1].scheme;
+    let equations: Vec<String> =
+        scheme.iter().flat_map(|row| &row.equations).map(print::unicode).filter(|row| row.contains('x')).collect();
+    assert_eq!(equations, ["km × 3u/(2 + k) = kmx + 3my", "y − x = (1/2) × 3u/(2 + k)"]);
+}

@@ -199,11 +199,16 @@ fn law_equations(step: &EarnedFor, place: usize, worked: &[WorkedPart]) -> Vec<E
     let before = count_before(place, marks);
     let is_last = !marks[place + 1..].iter().any(|later| later.earned_for == *step);
     let EarnedFor::Law(law, _) = step else { return Vec::new() };
-    for part in worked.iter().rev() {
-        // What leads to the letters comes first, and what is found again with their values is the same step.
+    for (earlier, part) in worked.iter().enumerate().rev() {
+        // What leads to the letters comes first, and what is found again with their values is the same step; so is what an
+        // earlier part has found in the letters.
+        let is_known = |own: &Step| {
+            let known = worked[..earlier].iter().flat_map(|earlier| &earlier.behind);
+            known.into_iter().any(|known| known.equations == own.equations)
+        };
         let of_step = |steps: &[Step]| -> Vec<(Option<Axis>, Vec<Expr>)> {
             let of_step = steps.iter().filter(|other| is_of(&other.rule, step) && !other.equations.is_empty());
-            of_step.map(|step| (axis(&step.rule), step.equations.clone())).collect()
+            of_step.filter(|step| !is_known(step)).map(|step| (axis(&step.rule), step.equations.clone())).collect()
         };
         let found = Some(of_step(&part.behind)).filter(|found| !found.is_empty());
         let mut found = found.unwrap_or_else(|| of_step(&part.steps));
