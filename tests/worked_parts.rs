@@ -121,6 +121,7 @@ fn a_mark_shows_the_equations_that_it_is_for_and_no_others() {
 fn what_is_asked_for_is_what_the_working_comes_to() {
     let table = [
         ("A.ke_lost", "L_A = "),
+        ("A.ke_gained", "G_A = "),
         ("A.after.ke", "K_A = "),
         ("momentum.x", "The momentum along i is mu"),
         ("A.after.px", "The momentum of A along i is "),
@@ -203,4 +204,40 @@ fn a_mark_of_a_later_impact_shows_its_equation_though_a_letter_was_found_from_th
     let equations: Vec<String> =
         scheme.iter().flat_map(|row| &row.equations).map(print::unicode).filter(|row| row.contains('x')).collect();
     assert_eq!(equations, ["km × 3u/(2 + k) = kmx + 3my", "y − x = (1/2) × 3u/(2 + k)"]);
+}
+
+const IN_A_PLANE: &str = r#"
+title = "A strikes B"
+topic = "impulse"
+stem = "{m kg}"
+[parameters]
+m = "2..3"
+[style.exact]
+[scene]
+masses = { A = "1", B = "m" }
+before = { A = ["4", "7"], B = ["1", "3"] }
+line_of_centres = ["3", "4"]
+e = "1/2"
+[[part]]
+ask = "Find the impulse."
+answers = [{ name = "impulse", find = ["SPHERE.impulse.x", "SPHERE.impulse.y"] }]
+marks = [{ code = "M1", for = "impulse" }, { code = "A1", for = "SPHERE.impulse.x" }]
+[reference]
+m = "2"
+"#;
+
+/// The impulse that is asked for as a vector is the last thing that the working finds, on whichever sphere it acts.
+#[test]
+fn an_impulse_along_i_and_j_is_found_from_that_along_the_line_of_centres() {
+    for (sphere, end) in [("B", "= 3i + 4j"), ("A", "= −3i − 4j")] {
+        let text = IN_A_PLANE.replace("SPHERE", sphere);
+        let question = read_question("impulse/own", &Source::new("own", text.as_str()))
+            .unwrap_or_else(|faults| panic!("{}", render_all(&faults, false)));
+        let printed = compose(&question, &reference(&question).unwrap(), 1);
+        let last = printed.parts[0].working.last().unwrap();
+        let (words, equations) = (print::text_unicode(&last.words), &last.equations);
+        assert!(words.starts_with(&format!("The impulse on {sphere} ")), "{words}");
+        let shown: Vec<String> = equations.iter().map(print::unicode).collect();
+        assert!(shown.last().is_some_and(|equation| equation.ends_with(end)), "{shown:?}");
+    }
 }

@@ -7,7 +7,7 @@ use crate::expr::{Expr, Function, written};
 use crate::mechanics::formula::{difference, times};
 use crate::mechanics::Axis::{N, T, X, Y};
 use crate::mechanics::Moment::{After, Before};
-use crate::mechanics::{Moment, Quantity, Sphere};
+use crate::mechanics::{Moment, Quantity, Setting, Sphere};
 use crate::number::{Number, Value};
 
 pub const NAME: &str = "impulse";
@@ -253,6 +253,8 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
         (OF_VECTOR, Quantity::Impulse(sphere, _)) => vector(show, sphere),
         (AFTER_GIVEN | BEFORE_GIVEN, Quantity::Velocity(sphere, moment, _)) => of_given(show, sphere, moment),
         (MASS, _) => mass(show),
+        (COMPONENTS, Quantity::Impulse(sphere, X)) if is_vector(rule, show) => along_the_line(show, sphere),
+        (REACTION, Quantity::Impulse(sphere, X)) if is_vector(rule, show) => opposite(show, sphere),
         (SIZE, _) => size(show, None),
         (SIZE_OF_VECTOR, _) => size(show, Some([X, Y].map(|axis| show.exact(Quantity::Impulse(Sphere::A, axis))))),
         _ => silent(),
@@ -268,6 +270,35 @@ fn along(show: &Show, sphere: Sphere) -> Vec<Line> {
     let rights = [times(show.mass(sphere), change), show.shown_value(impulse)];
     let words = "The impulse on {B} is its change of momentum along the line of centres:";
     vec![Line::with(words, &[("B", Expr::name(sphere.name()))], Show::chain(Expr::name("I"), rights))]
+}
+
+/// Is it asked for along i and j, which a straight line does not have?
+fn is_vector(rule: &Rule, show: &Show) -> bool {
+    show.is_asked(rule.gives[0]) && show.scene().setting != Setting::Direct
+}
+
+/// `I = 5(3i/5 + 4j/5)`: so much along the unit vector of the line of centres, in the positive direction of the working.
+fn along_the_line(show: &Show, sphere: Sphere) -> Vec<Line> {
+    let turned = |value: Value| if show.is_against_n() { -value } else { value };
+    let unit = [X, Y].map(|axis| Box::new(written(&turned(show.exact(Quantity::Line(axis))))));
+    let [x, y] = unit;
+    let along = times(show.shown_value(Quantity::Impulse(sphere, N)), Expr::Vector(x, y));
+    let words = "The impulse on {A} acts along the line of centres:";
+    let equations = Show::chain(Expr::name("vector.I"), [along, found(show, sphere)]);
+    vec![Line::with(words, &[("A", Expr::name(sphere.name()))], equations)]
+}
+
+/// `-I`, where `I` is the impulse on the other sphere.
+fn opposite(show: &Show, sphere: Sphere) -> Vec<Line> {
+    let words = "The impulse on {A} is equal and opposite:";
+    let equation = Expr::equation(Expr::name("vector.I").negated(), found(show, sphere));
+    vec![Line::with(words, &[("A", Expr::name(sphere.name()))], vec![equation])]
+}
+
+/// The impulse on a sphere along i and j.
+fn found(show: &Show, sphere: Sphere) -> Expr {
+    let [x, y] = [X, Y].map(|axis| Box::new(show.value(Quantity::Impulse(sphere, axis))));
+    Expr::Vector(x, y)
 }
 
 /// `I = m (v - u)` as a vector.
