@@ -11,8 +11,8 @@ use crate::expr::print;
 use crate::generate::Variant;
 use crate::mechanics::Quantity;
 
-/// The tangents of angles through which a path is turned, and components that are called speeds, where they are negative;
-/// and such speeds in letters that do not tell their sign.
+/// The tangents of angles through which a path is turned, components that are called speeds, and energies that a sphere
+/// loses or gains, where they are negative; and such speeds in letters that do not tell their sign.
 pub fn sizes(question: &Question, variant: &Variant, remarks: &mut Vec<Remark>) {
     let each = question.parts.iter().flat_map(|part| part.answers.iter().map(move |answer| (part, answer)));
     for (part, answer) in each.filter(|(_, answer)| answer.kind != Kind::Shown) {
@@ -37,8 +37,18 @@ fn help(part: &Part, answer: &Answer, quantity: Quantity) -> Option<String> {
         Quantity::Velocity(..) if is_a_speed(part, answer) => Some(format!(
             "ask for the velocity, and say which way is positive; or find the speed, or require `{quantity} > 0`"
         )),
+        Quantity::SphereEnergyLost(sphere) => of_change(part, quantity, Quantity::SphereEnergyGained(sphere), "gained"),
+        Quantity::SphereEnergyGained(sphere) => of_change(part, quantity, Quantity::SphereEnergyLost(sphere), "lost"),
         _ => None,
     }
+}
+
+/// What to do about an energy that is lost where it is called gained, or the other way round; a change may have either sign.
+fn of_change(part: &Part, quantity: Quantity, opposite: Quantity, word: &str) -> Option<String> {
+    let opposite = opposite.in_impact(quantity.impact())?;
+    let mut asked = part.ask.iter().flat_map(sentences);
+    let is_change = asked.any(|sentence| says(&sentence, &["change", "changes"]));
+    (!is_change).then(|| format!("require `{quantity} > 0`; or find `{opposite}`, and ask for what is {word}"))
 }
 
 /// Is an answer called a speed, or are speeds alone asked for?
@@ -90,6 +100,12 @@ mod tests {
                 &[("the velocity of each", "the speed of each"), ("B = \"mB\"", "B = \"5*mB\"")],
                 "the answer `velocity of A` may come out below nought",
             ),
+            (
+                line,
+                &[("find = \"A.after.speed\"", "find = \"B.ke_lost\"")],
+                "the answer `speed of A` comes out below nought",
+            ),
+            (line, &[("find = \"A.after.speed\"", "find = \"B.ke_gained\"")], ""),
             (turned, &[], ""),
             (
                 turned,
