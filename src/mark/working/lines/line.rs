@@ -261,7 +261,10 @@ fn candidates(typed: &str) -> Vec<(Option<&str>, String)> {
             name => all.push((name, after.trim().to_owned())),
         }
     }
-    all.extend(after_stationary(typed).map(|formula| (None, formula.to_owned())));
+    // `d/dt = 0: 2 - 6t² = 0` is no ratio.
+    if let Some(formula) = after_stationary(typed) {
+        all.insert(0, (None, formula.to_owned()));
+    }
     // `v - u = 2i - 2j, which is parallel to i - j`: the vector, and one along it.
     let along = ["parallel to", "parallel", "∥"].into_iter().find_map(|word| typed.split_once(word));
     if let Some((before, after)) = along.filter(|(before, _)| before.contains('=')) {
