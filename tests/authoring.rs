@@ -326,7 +326,7 @@ requirement-twice requirement-without-truth requirements-of-both restitution-abo
 result-in-stem result-without-show reversed-range second-component-tested shown-is-an-equation shown-is-not-found
 shown-letter-given shown-letter-undeclared shown-without-a-result shown-without-a-star sine-shown-for-a-tangent
 star-where-nothing-is-shown style-lacks-parameter tabs three-dots two-answers-of-one-name underdetermined
-unit-in-a-value unit-misspelt unit-of-grams unit-per-hour unit-with-a-power unit-without-a-space
+unit-in-a-value unit-misspelt unit-of-a-force unit-of-grams unit-per-hour unit-with-a-power unit-without-a-space
 unknown-letter-misspelt unknown-name unknown-quantity-required unknown-that-is-given unreadable-formula
 unused-parameter value-from-parameter value-left-empty value-twice-in-other-words value-without-value
 velocity-along-a-line-in-a-plane velocity-in-words wrong-kind

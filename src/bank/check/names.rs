@@ -175,7 +175,9 @@ impl NamesUsed {
         {
             let message = format!("unknown unit `{}`", &faults.source.text[span.clone()]);
             let label = format!("expected {}", listed(&units()));
-            let is_same = is_spelt(&faults.source.text[span.clone()], meant);
+            let typed = &faults.source.text[span.clone()];
+            // Of `N` the second has been forgotten.
+            let is_same = is_spelt(typed, meant) || meant.starts_with(typed);
             let number = if is_same { "" } else { ", and give the number in it" };
             faults.report(span, message, label, format!("write `{meant}`{number}"));
             return;
@@ -283,7 +285,8 @@ fn units() -> Vec<&'static str> {
 }
 
 /// Units that are written in words and that the bank does not have, with the one that it has in their place.
-const OTHERS: [(&str, Unit); 12] = [
+const OTHERS: [(&str, Unit); 13] = [
+    ("N", Unit::NewtonSecond),
     ("g", Unit::Kilogram),
     ("gram", Unit::Kilogram),
     ("grams", Unit::Kilogram),
@@ -305,7 +308,9 @@ fn unit_meant(text: &str, at: &Range<usize>) -> Option<(Range<usize>, &'static s
     let close =
         at.end + text[at.end..].find(['{', '}', '\n']).filter(|length| text[at.end + length..].starts_with('}'))?;
     let inside = text[open..close].trim_end();
-    let start = open + inside.trim_start().find(char::is_whitespace)? + (inside.len() - inside.trim_start().len());
+    // `{[p, q] N}`: the blank between components stands before no unit.
+    let before = if inside.starts_with('[') { inside.rfind(']')? } else { inside.len() - inside.trim_start().len() };
+    let start = open + before + inside[before..].find(char::is_whitespace)?;
     let unit = text[start..open + inside.len()].trim_start();
     let start = open + inside.len() - unit.len();
     let is_sign = |sign: char| sign.is_ascii_alphanumeric() || " ^-+()/.·⁻¹²−".contains(sign);

@@ -12,12 +12,13 @@ use crate::unit::Unit;
 /// such a thing. What a condition takes by name is looked for where names are.
 pub fn conditions(question: &Question) -> Vec<Finding> {
     let mut findings = Vec::new();
+    let is_in_a_line = matches!(question.scene.before.a, Some(VelocityText::Along(_)));
     for condition in &question.scene.conditions {
         let untold = question.styles.iter().find_map(|style| {
             let asks = question.parts.iter().flat_map(|part| &part.ask);
             let texts = style.stem.iter().chain([&style.note]).chain(asks);
             let said: Vec<Sentence> = texts.flat_map(sentences).collect();
-            untold(condition, &said)
+            untold(condition, &said, is_in_a_line)
         });
         if let Some(Untold { what, example, is_hinted }) = untold {
             let message = format!("the words never tell of {what}, which the condition `{condition}` takes");
@@ -101,7 +102,9 @@ pub fn unit_vectors(question: &Question) -> Vec<Finding> {
 
 /// Angles that are given and of which no word says between what they are.
 pub fn lines_of_angles(question: &Question) -> Vec<Finding> {
-    const BETWEEN: [&str; 14] = [
+    const BETWEEN: [&str; 16] = [
+        "meet",
+        "meeting",
         "with",
         "to",
         "from",
@@ -145,7 +148,7 @@ struct Untold {
 }
 
 /// What a condition takes that no sentence tells of.
-fn untold(condition: &str, said: &[Sentence]) -> Option<Untold> {
+fn untold(condition: &str, said: &[Sentence], is_in_a_line: bool) -> Option<Untold> {
     let (left, right) = condition.split_once(['=', '<', '>'])?;
     let right = right.trim_start_matches('=').trim();
     let sides = [left.trim(), right].map(|side| side.parse::<Quantity>().ok().map(Quantity::of_its_impact));
@@ -170,8 +173,15 @@ fn untold(condition: &str, said: &[Sentence]) -> Option<Untold> {
         }
         ([side, None], "0") if along(side) && is_equation => {
             is_told(!said.iter().any(|sentence| tells_of_rest(sentence) || tells_of_the_way_after(sentence)))?;
-            let example = "Immediately after the collision *A* is at rest.";
-            Some(Untold { what: "a sphere that is brought to rest", example, is_hinted: false })
+            // In a plane it still moves across the line of centres.
+            let (what, example) = match is_in_a_line {
+                true => ("a sphere that is brought to rest", "Immediately after the collision *A* is at rest."),
+                false => (
+                    "a sphere that goes on perpendicular to the line of centres",
+                    "Immediately after the collision *A* moves perpendicular to the line of centres.",
+                ),
+            };
+            Some(Untold { what, example, is_hinted: false })
         }
         ([side, None], "0") if along(side) => {
             is_told(!said.iter().any(|sentence| tells_of_the_way_after(sentence)))?;
@@ -345,7 +355,12 @@ mod tests {
         let at_rest = ("conditions = [\"A.after.x < 0\"]", "conditions = [\"A.after.x = 0\"]");
         let single = (", kind = \"range\"", "");
         let more = "The direction of motion of *A* is turned through more than a right angle by the impact. Find";
-        let table: [(&str, Edits, &str); 30] = [
+        let oblique = "ranges/turned-back-by-an-oblique-impact";
+        let away = "After the collision the component of the velocity of *A* along the line of centres is directed away from *B*. Find";
+        let across = ("conditions      = [\"A.after.n < 0\"]", "conditions = [\"A.after.n = 0\"]");
+        let table: [(&str, Edits, &str); 32] = [
+            (oblique, &[across, single, (away, "Find")], "a sphere that goes on perpendicular to the line of centres"),
+            (oblique, &[across, single, (away, "*A* then moves perpendicular to the line of centres. Find")], ""),
             (reversed, &[(back, "Find")], "the way in which a sphere goes on"),
             (reversed, &[(back, "As a result *A* moves away from *B*. Find")], ""),
             (reversed, &[(back, "For *A* to rebound, find")], ""),
