@@ -1551,6 +1551,49 @@ fn numbers_under_other_names_and_what_the_words_leave_out_are_named() {
 }
 
 #[test]
+fn what_a_condition_compares_with_a_number_is_so_in_the_words() {
+    const ASK: &str = "The direction of motion of *A* is reversed by the collision. Find";
+    const IF: &str = "\"A.after.x < 0\"";
+    const LET: (&str, &str) = ("[style.friendly]\n", "[let]\nw = \"u/4\"\n\n[style.friendly]\n");
+    const FASTER: (&str, &str) = (IF, "\"B.after.x > w\"");
+    found(
+        "ranges/direction-reversed",
+        &[
+            (
+                "less-for-more",
+                &[LET, FASTER, (ASK, "The speed of *B* is then less than {w m/s}. Find")],
+                "the words say `less than` of `w`, and the condition of the scene has `more than`",
+            ),
+            (
+                "at-least",
+                &[LET, FASTER, (ASK, "The speed of *B* is then at least {w m/s}. Find")],
+                "the words let it be equal to `w`, and the condition of the scene does not",
+            ),
+            (
+                "not-more",
+                &[LET, FASTER, (ASK, "The speed of *B* then does not exceed {w m/s}. Find")],
+                "the words say `at most` of `w`",
+            ),
+            (
+                "of-another",
+                &[LET, FASTER, (ASK, "The speed of *A* is then more than {w m/s}. Find")],
+                "the words compare the motion of `*A*` with `w`, and the condition of the scene that of `*B*`",
+            ),
+            (
+                "of-another-kind",
+                &[LET, FASTER, (ASK, "The impulse on *B* is more than {w N s}. Find")],
+                "the words compare an impulse with `w`, and the condition of the scene the motion",
+            ),
+            (
+                "also-asked",
+                &[("possible values of {e}", "possible values of {e}, and the speed of *B* after the collision")],
+                "the words ask for the speed of *B* too, and no answer of the part is one",
+            ),
+        ],
+    );
+}
+
+#[test]
 fn a_mark_that_nobody_can_earn_is_told_of_once() {
     let edits = [("{ code = \"B1\", for = \"perpendicular\" }", "{ code = \"B1\", for = \"impulse\" }")];
     let (_, said) = checked("unearnable", "rest-letters/direction-and-deflection", &edits);

@@ -29,6 +29,7 @@ pub fn others(question: &Question) -> Vec<Finding> {
             findings.extend(found.map(|found| with_help(found).at_row(place, "answers", row)));
         }
         findings.extend(one_of_each(part, &all).map(|found| found.at_row(place, "answers", 0).as_warning()));
+        findings.extend(also_asked(part, &all).map(|found| found.at_row(place, "answers", 0)));
         let more = more_than_asked(part, &all).into_iter();
         findings.extend(more.map(|(row, found)| found.at_row(place, "answers", row).as_warning()));
     }
@@ -158,6 +159,35 @@ fn one_of_each(part: &Part, asked: &[Sentence]) -> Option<Finding> {
     let message = format!("the words ask for the {kind} of each sphere, and only `{name}` is found");
     let help = "find it of the other sphere too, or ask for it of one";
     Some(Finding::new(message, "", "one sphere alone").with_help(help))
+}
+
+/// `Find k, and the speed of *B*`, and no answer is a motion of *B*.
+fn also_asked(part: &Part, asked: &[Sentence]) -> Option<Finding> {
+    const ASKING: [&str; 5] = ["find", "calculate", "determine", "state", "work"];
+    const OTHERWISE: [&str; 9] = ["ratio", "between", "difference", "sum", "given", "when", "if", "where", "show"];
+    let noun = |token: &Token| ["speed", "velocity"].into_iter().find(|noun| is_one_of(token, &[noun]));
+    let motion = |words: &[Token]| match words {
+        [joined, the, motion, of, Token::Sphere(sphere)]
+            if (*joined == Token::Comma || is_one_of(joined, &["and"]))
+                && is_one_of(the, &["the"])
+                && is_one_of(of, &["of"]) =>
+        {
+            Some((noun(motion)?, *sphere))
+        }
+        _ => None,
+    };
+    let is_found = |sphere: Sphere| {
+        part.answers.iter().any(|answer| answer.kind == Kind::Shown || sphere_of(&answer.find) == Some(sphere))
+    };
+    let is_asking = |sentence: &&Sentence| says(sentence, &ASKING);
+    let (noun, sphere) = asked.iter().filter(is_asking).find_map(|sentence| {
+        let at = sentence.windows(5).position(|words| motion(words).is_some_and(|(_, sphere)| !is_found(sphere)))?;
+        let found = motion(&sentence[at..at + 5])?;
+        (says(&sentence[..at], &ASKING) && !says(&sentence[..at], &OTHERWISE)).then_some(found)
+    })?;
+    let message = format!("the words ask for the {noun} of *{}* too, and no answer of the part is one", sphere.name());
+    let help = "find it in an answer of its own, or do not ask for it";
+    Some(Finding::new(message, "", "without it").with_help(help))
 }
 
 /// The words name one sphere, and the answer is of another.

@@ -10,13 +10,17 @@ const SPHERES: [&str; 6] = ["sphere", "spheres", "ball", "balls", "disc", "discs
 /// On what they move.
 const PLANES: [&str; 6] = ["plane", "table", "surface", "floor", "ice", "ground"];
 
-/// What the words leave out.
+/// Words that may describe a plane or a wall beside others.
+const DESCRIBING: [&str; 6] = ["smooth", "fixed", "vertical", "horizontal", "long", "straight"];
+
+/// What the words leave out, and what they say of planes and walls that no scene has.
 pub fn unsaid(question: &Question) -> Vec<Finding> {
-    let checks = [spheres, planes, radii];
     let found = |check: &fn(&Question, &[Sentence]) -> Option<Finding>| {
         question.styles.iter().find_map(|style| check(question, &said(style)))
     };
-    checks.iter().filter_map(found).map(Finding::as_warning).collect()
+    let left_out = [spheres, planes, radii];
+    let of_no_scene = [sloping, walls];
+    left_out.iter().filter_map(found).map(Finding::as_warning).chain(of_no_scene.iter().filter_map(found)).collect()
 }
 
 fn said(style: &Style) -> Vec<Sentence<'_>> {
@@ -64,6 +68,38 @@ fn planes(_: &Question, said: &[Sentence]) -> Option<Finding> {
     (!is_smooth).then(|| untold(&format!("that the {word} is smooth"), &word, &help))
 }
 
+/// The word for something, and the word that describes it so.
+fn described_as<'s>(said: &'s [Sentence], nouns: &[&str], words: &[&str]) -> Option<(&'s str, &'s str)> {
+    let (nouns_after, is_word) = (|token: &Token| is_one_of(token, nouns), |token: &Token| is_one_of(token, words));
+    said.iter().find_map(|sentence| {
+        (0..sentence.len()).filter(|at| is_word(&sentence[*at])).find_map(|at| {
+            let noun = sentence[at + 1..].iter().find(|token| !is_one_of(token, &DESCRIBING))?;
+            let noun = Some(noun).filter(|noun| nouns_after(noun))?;
+            match (noun, &sentence[at]) {
+                (Token::Word(noun), Token::Word(word)) => Some((noun.as_str(), word.as_str())),
+                _ => None,
+            }
+        })
+    })
+}
+
+/// On a plane that slopes the weight acts along it.
+fn sloping(_: &Question, said: &[Sentence]) -> Option<Finding> {
+    let (noun, word) = described_as(said, &PLANES, &["inclined", "sloping", "vertical", "rough"])?;
+    let message = format!("the words say `{word} {noun}`, and scenes are of smooth horizontal ones");
+    let help = format!("write `a smooth horizontal {noun}`");
+    Some(Finding::new(message, format!("{word} {noun}"), "not as the scene is solved").with_help(help))
+}
+
+/// Walls stand, and stand still.
+fn walls(_: &Question, said: &[Sentence]) -> Option<Finding> {
+    let (noun, word) =
+        described_as(said, &["wall", "walls"], &["horizontal", "inclined", "sloping", "moving", "rough"])?;
+    let message = format!("the words say `{word} {noun}`, and scenes are of smooth fixed vertical ones");
+    let help = format!("write `smooth fixed vertical {noun}`");
+    Some(Finding::new(message, word, "not as the scene is solved").with_help(help))
+}
+
 /// Spheres of unlike radii have a line of centres that is not horizontal.
 fn radii(question: &Question, said: &[Sentence]) -> Option<Finding> {
     let is_told =
@@ -87,7 +123,7 @@ mod tests {
     fn what_the_scene_takes_to_be_so_is_said() {
         let (rest, wall, direct) =
             ("rest/speeds-and-directions", "walls/rebound-speed-and-direction", "direct/velocities-after-impact");
-        let table: [(&str, Edits, &str); 10] = [
+        let table: [(&str, Edits, &str); 14] = [
             (rest, &[], ""),
             (rest, &[("smooth uniform sphere", "uniform sphere")], "that the spheres are smooth"),
             (rest, &[("smooth uniform", "uniform"), ("have equal", "are smooth and have equal")], ""),
@@ -100,6 +136,10 @@ mod tests {
             (rest, &[(" The spheres have equal radii.", "")], "that the spheres have equal radii"),
             (wall, &[("smooth horizontal", "horizontal")], "that the plane is smooth"),
             (wall, &[("A smooth uniform", "A uniform")], ""),
+            (rest, &[("smooth horizontal", "smooth inclined")], "say `inclined plane`"),
+            (wall, &[("fixed vertical", "fixed horizontal")], "say `horizontal wall`"),
+            (wall, &[("smooth fixed", "moving smooth")], "say `moving wall`"),
+            (wall, &[("smooth fixed", "large smooth fixed")], ""),
             (direct, &[], ""),
             ("i-j/velocities-after-impact", &[], ""),
         ];

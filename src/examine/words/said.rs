@@ -34,6 +34,7 @@ pub fn contradicted(question: &Question, style: &Style, variant: &Variant) -> Ve
             seen.centres(&sentence, &mut findings);
             seen.equal_masses(&sentence, &mut findings);
             seen.heavier(&sentence, &mut findings);
+            seen.greater_mass(&sentence, &mut findings);
             seen.order(&sentence, &mut findings);
             seen.speed_of_a_vector(&sentence, &mut findings);
             seen.impulses(&sentence, &mut findings);
@@ -42,6 +43,8 @@ pub fn contradicted(question: &Question, style: &Style, variant: &Variant) -> Ve
             seen.positive(&sentence, &mut findings);
             seen.same_way(&sentence, &mut findings);
             seen.old_way(&sentence, &mut findings);
+            seen.towards_itself(&sentence, &mut findings);
+            seen.lines_of_motion(&sentence, is_later, &mut findings);
             seen.across(&sentence, &mut findings);
             seen.about_a_wall(&sentence, is_struck, &mut findings);
             seen.striking(&sentence, is_struck, &mut findings);
@@ -56,7 +59,6 @@ pub fn contradicted(question: &Question, style: &Style, variant: &Variant) -> Ve
                 seen.moving(&sentence, &mut findings);
                 seen.direction_of_nothing(&sentence, &mut findings);
                 seen.components(&sentence, &mut findings);
-                seen.lines_of_motion(&sentence, &mut findings);
             }
             // What is said otherwise than it is has been told.
             if findings.len() == known {

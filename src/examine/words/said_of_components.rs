@@ -1,7 +1,7 @@
 //! What the words say of components, impulses, distances and radii: each as the scene has it.
 
 use super::said::Seen;
-use super::sentence::{Noun, Sentence, Token, is_one_of, noun_of, says, subject};
+use super::sentence::{Noun, Sentence, Token, is_one_of, noun_of, says};
 use crate::examine::Finding;
 use crate::expr::{Angles, Expr, Meaning, print, read, written};
 use crate::mechanics::{Axis, Moment, Quantity, Sphere};
@@ -40,46 +40,6 @@ impl Seen<'_> {
     fn is_object(&self, sentence: &Sentence, sphere: Sphere, place: usize) -> bool {
         let named = sentence[..place].iter().rposition(|token| *token == Token::Sphere(sphere));
         named.is_some_and(|at| at > 0 && is_one_of(&sentence[at - 1], &["towards", "from"]))
-    }
-
-    /// A sphere that is said to move along the line of centres, or perpendicular to it, or towards itself.
-    pub(super) fn lines_of_motion(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
-        for (place, token) in sentence.iter().enumerate() {
-            if is_one_of(token, &["towards"])
-                && let (Some(own), Some(Token::Sphere(other))) = (subject(&sentence[..place]), sentence.get(place + 1))
-                && own == *other
-            {
-                let name = own.name();
-                let message = format!("the words have `*{name}*` move towards itself");
-                findings.push(self.finding(message, &format!("towards *{name}*"), "name the other sphere"));
-            }
-            if !is_one_of(token, &["moving", "moves"]) || !self.question.scene.then.is_empty() {
-                continue;
-            }
-            let clause =
-                sentence[place + 1..].iter().take_while(|token| !matches!(token, Token::Comma | Token::Sphere(_)));
-            let clause: Vec<Token> = clause.cloned().collect();
-            // What is parallel need not be the motion, unless that comes next.
-            let described = if clause.first().is_some_and(|next| is_one_of(next, &["parallel"])) { 1 } else { 0 };
-            let is_of_velocity =
-                !says(&clause[described..], &["angle", "component", "when", "where", "which", "parallel"]);
-            let (Some(sphere), Some(axis), true) = (subject(&sentence[..place]), along_which(&clause), is_of_velocity)
-            else {
-                continue;
-            };
-            let across = if axis == Axis::N { Axis::T } else { Axis::N };
-            let beside = self.known.number(Quantity::Velocity(sphere, Moment::Before, across));
-            if beside.is_some_and(|beside| !beside.is_zero()) {
-                let line = if axis == Axis::N { "along" } else { "perpendicular to" };
-                let message = format!(
-                    "the words say that `*{}*` moves {line} the line of centres, and it is not so",
-                    sphere.name()
-                );
-                let help = "name in the words how it moves in `[scene]`, or change it there";
-                let at = if axis == Axis::N { "along the line of" } else { "perpendicular to the line of" };
-                findings.push(self.finding(message, at, help));
-            }
-        }
     }
 
     /// `An impulse of {[p, q] N s}`: that of the scene.

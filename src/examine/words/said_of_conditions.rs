@@ -7,8 +7,8 @@ use super::impacts::{impacts, ordinal};
 use super::said::{Seen, moment};
 use super::sentence::{Sentence, Token, is_one_of, says, subject};
 use crate::examine::Finding;
-use crate::expr::{Expr, Relation, print};
-use crate::mechanics::{Axis, Condition, Moment, Quantity, Sphere};
+use crate::expr::{Relation, print};
+use crate::mechanics::{Axis, Moment, Quantity, Sphere};
 
 /// Words for what a sphere had before the impact.
 const OLD: [&str; 6] = ["old", "original", "previous", "initial", "former", "earlier"];
@@ -151,18 +151,43 @@ impl Seen<'_> {
     /// A sphere that goes on in the same direction, or in the opposite one, after a direct impact.
     pub(super) fn same_way(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
         let at = (1..sentence.len()).find(|at| {
-            is_one_of(&sentence[*at], &["direction"]) && is_one_of(&sentence[at - 1], &["same", "opposite"])
+            is_one_of(&sentence[*at], &["direction", "directions"])
+                && is_one_of(&sentence[at - 1], &["same", "opposite"])
         });
         let Some(at) = at.filter(|at| moment(sentence, *at) == Moment::After) else { return };
         let Token::Word(said) = &sentence[at - 1] else { return };
-        let Some(sphere) = subject(&sentence[..at - 1]) else { return };
         let is_back = said == "opposite";
+        let Some(sphere) = subject(&sentence[..at - 1]) else {
+            self.same_way_as_each_other(&sentence[..at - 1], &sentence[at + 1..], said, findings);
+            return;
+        };
         // The direction of another, or that opposite to its own, is told in other words.
         let is_plain =
             !sentence[at + 1..].iter().take(2).any(|token| is_one_of(token, &["to", "as", "of", "opposite"]));
         if is_plain && self.question.scene.then.is_empty() && self.turns_round(sphere) == Some(!is_back) {
             let message =
                 format!("the words say that `*{}*` moves in the {said} direction, and it is not so", sphere.name());
+            findings.push(self.finding(message, &format!("{said} direction"), MEND));
+        }
+    }
+
+    /// Both spheres move in one direction after a direct impact, or in opposite ones.
+    fn same_way_as_each_other(&self, before: &[Token], after: &[Token], said: &str, findings: &mut Vec<Finding>) {
+        let are_both = says(before, &["both", "they", "spheres", "two"])
+            || Sphere::BOTH.into_iter().all(|sphere| before.contains(&Token::Sphere(sphere)));
+        let is_old = says(after, &OLD) || after.first().is_some_and(|next| is_one_of(next, &["as", "to", "of"]));
+        if !are_both || is_old || !self.is_direct() || !self.question.scene.then.is_empty() || self.is_alone() {
+            return;
+        }
+        let way = |sphere: Sphere| {
+            let along = self.known.number(Quantity::Velocity(sphere, Moment::After, Axis::N));
+            along.and_then(|along| along.sign()).or_else(|| self.required(sphere))
+        };
+        let (Some(a), Some(b)) = (way(Sphere::A), way(Sphere::B)) else { return };
+        let is_so = if said == "same" { a == b } else { a == b.reverse() };
+        if a.is_ne() && b.is_ne() && !is_so {
+            let plural = if said == "same" { "the same direction" } else { "opposite directions" };
+            let message = format!("the words say that the spheres then move in {plural}, and it is not so");
             findings.push(self.finding(message, &format!("{said} direction"), MEND));
         }
     }
@@ -233,47 +258,6 @@ impl Seen<'_> {
                 format!("the words say that `*{name}*` then moves across its old direction, and it is not so");
             let Token::Word(word) = &sentence[at] else { return };
             findings.push(self.finding(message, word, MEND));
-        }
-    }
-
-    /// A speed that is said to be more or less than a number which a condition of the scene has for another sphere.
-    pub(super) fn limited(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
-        const MORE_OR_LESS: [&str; 8] = ["greater", "more", "less", "exceeds", "exceed", "faster", "slower", "least"];
-        if !self.question.scene.then.is_empty() || !says(sentence, &MORE_OR_LESS) {
-            return;
-        }
-        for (place, token) in sentence.iter().enumerate() {
-            let Token::Number(expr, _, lead) = token else { continue };
-            let named = |at: usize| match &sentence[at..(at + 3).min(place)] {
-                [of_motion, of, Token::Sphere(sphere)] => {
-                    let is_named = is_one_of(of_motion, &["speed", "velocity"]) && is_one_of(of, &["of"]);
-                    is_named.then_some(*sphere)
-                }
-                _ => None,
-            };
-            let Some(said) = (0..place).rev().find_map(named) else { continue };
-            let Some(number) = self.number(expr) else { continue };
-            // Whose motion after the impact a condition compares with this number.
-            let limited = |condition: &Condition| {
-                let sides = [&condition.left, &condition.right];
-                let is_it = |side: &&Expr| self.number(side).is_some_and(|value| value.equals(&number));
-                let own = sides.iter().position(is_it)?;
-                match print::plain(sides[1 - own]).parse::<Quantity>().ok()? {
-                    Quantity::Velocity(sphere, Moment::After, _) | Quantity::Speed(sphere, Moment::After) => {
-                        Some(sphere)
-                    }
-                    _ => None,
-                }
-            };
-            let of: Vec<Sphere> = self.variant.scene.conditions.iter().filter_map(limited).collect();
-            if let Some(other) = of.first().filter(|_| !of.contains(&said)) {
-                let (said, other, number) = (said.name(), other.name(), print::plain(expr));
-                let message = format!(
-                    "the words compare the motion of `*{said}*` with `{number}`, and the condition of the scene that of `*{other}*`"
-                );
-                let help = format!("name `*{other}*` in the words, or `{said}` in `conditions`");
-                findings.push(self.finding(message, &format!("{lead}{{{number}"), &help));
-            }
         }
     }
 

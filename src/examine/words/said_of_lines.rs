@@ -18,7 +18,7 @@ enum Lies {
 }
 
 /// Are two directions parallel, or else perpendicular?
-fn do_lie([x, y]: [Value; 2], [p, q]: [Value; 2], are_parallel: bool) -> bool {
+pub(super) fn do_lie([x, y]: [Value; 2], [p, q]: [Value; 2], are_parallel: bool) -> bool {
     let turned = if are_parallel { &(&x * &q) - &(&y * &p) } else { &(&x * &p) + &(&y * &q) };
     turned.is_zero()
 }

@@ -14,7 +14,7 @@ use crate::unit::Unit;
 
 impl Seen<'_> {
     /// Does all of it happen along one line?
-    fn is_direct(&self) -> bool {
+    pub(super) fn is_direct(&self) -> bool {
         self.variant.scene.setting == Setting::Direct
     }
 
@@ -32,6 +32,7 @@ impl Seen<'_> {
         for (place, token) in sentence.iter().enumerate() {
             let is_perfectly = place > 0 && is_one_of(&sentence[place - 1], &["perfectly"]);
             let coefficient = match token {
+                Token::Word(word) if word == "energy" && is_kept(sentence, place) => Value::ONE,
                 Token::Word(word) if is_perfectly && ["elastic", "elastically"].contains(&word.as_str()) => Value::ONE,
                 Token::Word(word) if word == "inelastic" && !is_perfectly => {
                     if given.as_ref().is_some_and(|e| self.number(e).is_some_and(|e| e.equals(&Value::ONE))) {
@@ -48,11 +49,16 @@ impl Seen<'_> {
             let all: Vec<Value> = all.filter_map(|quantity| self.known.number(*quantity)).collect();
             if !is_open && !all.is_empty() && !all.iter().any(|e| e.equals(&coefficient)) {
                 let Token::Word(word) = token else { continue };
-                let said = if is_perfectly { format!("perfectly {word}") } else { word.clone() };
+                let said = match word.as_str() {
+                    "energy" => "no energy is lost".to_owned(),
+                    word if is_perfectly => format!("perfectly {word}"),
+                    word => word.to_owned(),
+                };
                 let e = print::unicode(&written(&all[0]));
                 let wanted = print::unicode(&written(&coefficient));
                 let message = format!("the words say `{said}`, for which e is {wanted}, and in the scene it is {e}");
-                findings.push(self.finding(message, &said, "give in `[scene]` the `e` that is said, or say another"));
+                let at = if word == "energy" { word } else { &said };
+                findings.push(self.finding(message, at, "give in `[scene]` the `e` that is said, or say another"));
             }
         }
         let says = |words: &[&str]| sentence.iter().find(|token| is_one_of(token, words));
@@ -172,12 +178,20 @@ impl Seen<'_> {
             _ => return,
         };
         let of: Vec<Sphere> = sentence[at..end].iter().filter_map(sphere).collect();
-        let [of] = of.as_slice() else { return };
-        let met = self.known.0.keys().filter(|known| known.of_its_impact() == Quantity::Mass(*of));
+        let of = match of.as_slice() {
+            [of] => *of,
+            // `*A* has its direction of motion reversed`
+            [] if !says(&sentence[at..end], &["and", "both", "each"]) => match subject(&sentence[..at]) {
+                Some(of) => of,
+                None => return,
+            },
+            _ => return,
+        };
+        let met = self.known.0.keys().filter(|known| known.of_its_impact() == Quantity::Mass(of));
         if met.map(|mass| mass.impact()).ne([0]) {
             return;
         }
-        if self.goes_on(*of, is_back) == Some(false) {
+        if self.goes_on(of, is_back) == Some(false) {
             let said = match word.as_str() {
                 "changed" if is_back => "changed",
                 _ if is_back => "reversed",
@@ -186,7 +200,7 @@ impl Seen<'_> {
             let message = format!("the words say that the direction of `*{}*` is {said}, and it is not so", of.name());
             let help = "mend the `conditions` or velocities of `[scene]`, or say what happens";
             findings.push(self.finding(message, &format!("is {}{word}", if is_not { "not " } else { "" }), help));
-        } else if is_back && self.may_come_to_rest(*of) {
+        } else if is_back && self.may_come_to_rest(of) {
             let message = format!(
                 "the words say that the direction of `*{}*` is {word}, and the condition lets it come to rest",
                 of.name()
@@ -372,4 +386,14 @@ impl Seen<'_> {
             |condition: &&Condition| after.contains(&print::plain(&condition.left)) && condition.right.is_zero();
         Some(self.variant.scene.conditions.iter().find(of_it)?.relation)
     }
+}
+
+/// Do the words say that no energy is lost? Of its conservation a law of mechanics speaks too, but not of kinetic energy.
+fn is_kept(sentence: &[Token], energy: usize) -> bool {
+    let (before, after) = (&sentence[..energy], &sentence[energy + 1..]);
+    let is_of_motion = before.last().is_some_and(|token| is_one_of(token, &["kinetic"]));
+    let is_none = before.iter().rev().take(3).any(|token| is_one_of(token, &["no"]));
+    let is_lost = after.iter().take(2).any(|token| is_one_of(token, &["lost"]));
+    let is_conserved = after.iter().take(2).any(|token| is_one_of(token, &["conserved"]));
+    is_of_motion && ((is_none && is_lost) || (is_conserved && !says(sentence, &["not", "if"])))
 }

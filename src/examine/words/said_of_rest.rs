@@ -1,6 +1,6 @@
 //! What the words say of who comes to rest.
 
-use super::said::Seen;
+use super::said::{Seen, moment};
 use super::sentence::{Sentence, Token, is_one_of, says, subject};
 use crate::examine::Finding;
 use crate::mechanics::{Moment, Quantity, Sphere};
@@ -11,8 +11,10 @@ impl Seen<'_> {
         if !self.question.scene.then.is_empty() {
             return;
         }
-        for at in 1..sentence.len() {
-            let Some(sphere) = rests(sentence, at) else { continue };
+        let named = (1..sentence.len()).filter_map(|at| Some((at, rests(sentence, at)?)));
+        let both = (1..sentence.len()).filter(|at| both_rest(sentence, *at) && !self.is_alone());
+        let both = both.flat_map(|at| Sphere::BOTH.map(|sphere| (at, sphere)));
+        for (at, sphere) in named.chain(both).collect::<Vec<_>>() {
             let Some(speed) = self.known.number(Quantity::Speed(sphere, Moment::After)) else { continue };
             let is_denied = says(&sentence[..at], &["not", "never", "neither", "nor"]);
             let is_wrong = match is_denied {
@@ -51,8 +53,24 @@ fn rests(sentence: &[Token], at: usize) -> Option<Sphere> {
         _ if is_led("at") => match &sentence[..at - 1] {
             [.., leaves, Token::Sphere(sphere)] if is_one_of(leaves, &["leaves", "leaving"]) => Some(*sphere),
             [before @ .., then] if is_one_of(then, &["then"]) => subject(before),
-            before => subject(before).filter(|_| sentence[at + 1..].iter().take(2).any(|next| is_one_of(next, &AFTER))),
+            before => {
+                let is_after = sentence[at + 1..].iter().take(2).any(|next| is_one_of(next, &AFTER))
+                    // `Immediately after the collision *B* is at rest`
+                    || (moment(sentence, at) == Moment::After && before.last().is_some_and(|is| is_one_of(is, &["is"])));
+                subject(before).filter(|_| is_after)
+            }
         },
         _ => None,
     }
+}
+
+/// `Both spheres are brought to rest`, `they come to rest`
+fn both_rest(sentence: &[Token], at: usize) -> bool {
+    const COME: [&str; 4] = ["brought", "come", "came", "coming"];
+    let before = &sentence[..at];
+    let comes = before.len() > 1
+        && is_one_of(&before[before.len() - 1], &["to"])
+        && is_one_of(&before[before.len() - 2], &COME);
+    let names_any = before.iter().any(|token| matches!(token, Token::Sphere(_)));
+    is_one_of(&sentence[at], &["rest"]) && comes && says(before, &["both", "they"]) && !names_any
 }

@@ -18,6 +18,12 @@ impl Seen<'_> {
     /// has it.
     pub(super) fn coefficients(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
         let Some(start) = sentence.iter().position(|token| is_one_of(token, &["restitution"])) else { return };
+        if let Some(at) = self.gives_what_is_asked(&sentence[start..]) {
+            let message = "the words give the coefficient of restitution, for which a part asks".to_owned();
+            let help = "leave it out of the words, or give it as `e` in `[scene]` and ask for something else";
+            findings.push(self.finding(message, &at, help));
+            return;
+        }
         for (place, token) in sentence.iter().enumerate().skip(start + 1) {
             let Token::Number(expr, Unit::None, lead) = token else { continue };
             let leads = is_one_of(&sentence[place - 1], &["is", "restitution"]);
@@ -52,6 +58,26 @@ impl Seen<'_> {
                 findings.push(self.finding(message, lead, help));
             }
         }
+    }
+
+    /// The words of a number that is given for the only coefficient there is, where a part asks for that.
+    fn gives_what_is_asked(&self, words: &[Token]) -> Option<String> {
+        let finds = |answer: &Answer| answer.find == Find::Quantity(Quantity::Restitution);
+        let is_asked = self.question.parts.iter().flat_map(|part| &part.answers).any(finds);
+        if !is_asked || !self.question.scene.then.is_empty() {
+            return None;
+        }
+        words.windows(2).find_map(|pair| match pair {
+            [is, Token::Word(typed)] if is_one_of(is, &["is"]) => {
+                typed.parse::<f64>().ok().map(|_| format!("is {typed}"))
+            }
+            [is, Token::Number(expr, Unit::None, lead)]
+                if is_one_of(is, &["is"]) && !self.names_what_is_found(expr) =>
+            {
+                self.number(expr).map(|_| lead.clone())
+            }
+            _ => None,
+        })
     }
 
     /// `The coefficient of restitution is e. Find e`: a letter that the scene has nowhere is the name of what comes out.

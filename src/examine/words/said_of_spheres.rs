@@ -1,6 +1,8 @@
 //! What the words say of spheres beside each other: whose masses and radii are alike, who is the heavier, and in which order
 //! they lie.
 
+use std::cmp::Ordering;
+
 use super::said::Seen;
 use super::sentence::{Noun, Sentence, Token, is_one_of, noun_of, says};
 use crate::examine::Finding;
@@ -104,6 +106,45 @@ impl Seen<'_> {
         }
     }
 
+    /// `The mass of *A* is greater than that of *B*`
+    pub(super) fn greater_mass(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        const GREATER: [&str; 4] = ["greater", "larger", "more", "bigger"];
+        const LESS: [&str; 2] = ["less", "smaller"];
+        let sphere = |token: &Token| if let Token::Sphere(sphere) = token { Some(*sphere) } else { None };
+        for at in 1..sentence.len().saturating_sub(1) {
+            let (before, after) = (&sentence[..at], &sentence[at + 1..]);
+            let wanted = match &sentence[at] {
+                word if is_one_of(word, &GREATER) => Ordering::Greater,
+                word if is_one_of(word, &LESS) => Ordering::Less,
+                _ => continue,
+            };
+            let is_mass = |pair: &[Token]| is_one_of(&pair[0], &["mass"]) && is_one_of(&pair[1], &["of"]);
+            let mass = before.windows(2).rposition(is_mass);
+            let one = mass.and_then(|mass| before[mass + 2..].iter().find_map(sphere));
+            // `than {2} times the mass of *B*` says more.
+            let than = after.iter().position(|token| sphere(token).is_some()).unwrap_or(after.len());
+            let is_plain = after[..than]
+                .iter()
+                .all(|token| is_one_of(token, &["than", "that", "of", "the", "mass", "sphere", "ball", "particle"]));
+            let (Some(one), Some(other), true) = (one, after.get(than).and_then(sphere), is_plain) else { continue };
+            let own = |of: Sphere| self.known.number(self.first(of, Quantity::Mass(of))?);
+            let (Some(own), Some(its)) = (own(one), own(other)) else { continue };
+            let is_denied = says(before, &["not"]);
+            let sign = (&own - &its).sign();
+            if is_one_of(&after[0], &["than"]) && sign.is_some_and(|sign| (sign == wanted) == is_denied) {
+                let Token::Word(word) = &sentence[at] else { continue };
+                let not = if is_denied { "not " } else { "" };
+                let message = format!(
+                    "the words say that the mass of `*{}*` is {not}{word} than that of `*{}*`, and it is not so",
+                    one.name(),
+                    other.name()
+                );
+                let help = "require that it is so, or take the words out";
+                findings.push(self.finding(message, &format!("{word} than"), help));
+            }
+        }
+    }
+
     pub(super) fn radius(&self, sphere: Sphere) -> Option<Value> {
         let radii = &self.question.scene.radii;
         let radius = if sphere == Sphere::A { &radii.a } else { &radii.b };
@@ -129,11 +170,12 @@ impl Seen<'_> {
         // `Twice the radius` or `the radius of *A* is twice`, and not a mass that is twice another.
         let near = &sentence[at.saturating_sub(2)..sentence.len().min(at + 5)];
         let is_of_another = near.iter().any(|token| is_one_of(token, &["mass", "masses", "speed", "speeds"]));
-        let beside = near.iter().find(|token| is_one_of(token, &OTHER) && !is_of_another);
-        let (said, is_so) = match (is_said_equal, beside) {
-            (true, _) => ("equal", are_equal),
-            (false, Some(_)) => ("different", !are_equal),
-            (false, None) => return,
+        let beside = near.iter().any(|token| is_one_of(token, &OTHER) && !is_of_another);
+        let is_told = is_one_of(&sentence[at.saturating_sub(1)], &["different", "unequal"]);
+        let (said, is_so) = match is_said_equal {
+            true => ("equal", are_equal),
+            false if beside || is_told || are_typed_unlike(&sentence[at + 1..]) => ("different", !are_equal),
+            false => return,
         };
         if !is_so {
             let message = format!("the words say that the radii are {said}, and in the scene they are not");
@@ -141,4 +183,15 @@ impl Seen<'_> {
             findings.push(self.finding(message, radii, "give in `[scene]` the `radii` that are said, or say others"));
         }
     }
+}
+
+/// Are radii typed in the words, as numbers without braces, and is one of them another than the first?
+fn are_typed_unlike(after: &[Token]) -> bool {
+    let typed = after.iter().take_while(|token| !matches!(token, Token::Comma | Token::Sphere(_) | Token::Number(..)));
+    let numbers = typed.filter_map(|token| match token {
+        Token::Word(word) => word.parse::<f64>().ok(),
+        _ => None,
+    });
+    let numbers: Vec<f64> = numbers.collect();
+    numbers.iter().any(|number| *number != numbers[0])
 }

@@ -254,7 +254,8 @@ fn ways(text: &Text, variant: &Variant, remarks: &mut Vec<Remark>) {
     for (place, piece) in text.0.iter().enumerate() {
         let Piece::Words(words) = piece else { continue };
         for sentence in words.split_inclusive('.') {
-            is_after = is_after || sentence.to_lowercase().contains("after ");
+            let lower = sentence.to_lowercase();
+            is_after = is_after || ["after ", " then "].iter().any(|later| lower.contains(later));
             let is_said = |way: &&(&str, Whom)| match way.1 {
                 Whom::Next(_) | Whom::Behind | Whom::Ahead => sentence.trim_end().ends_with(way.0),
                 _ => sentence.contains(way.0),

@@ -2,13 +2,14 @@
 
 use super::equations::{Convention, Departure, Matched, differences, is_value, sphere};
 use super::examine::{Examined, Studied, examine_one};
+use super::numbers::sizes;
 use super::prepared::Prepared;
-use super::theirs::Theirs;
+use super::theirs::{Theirs, is_nearly_right};
 use crate::bank::{Code, EarnedFor};
 use crate::expr::Expr;
 use crate::mark::award::{Award, Evidence, Ground, MarkedLine, Place};
 use crate::mark::key::{KeyedMark, KeyedPart, KeyedQuestion};
-use crate::mechanics::{Law, Meeting, Quantity, Sphere};
+use crate::mechanics::{Law, Meeting, Moment, Quantity, Sphere};
 
 /// Looks through the working of a part; `before` is what the student found in earlier parts.
 pub(crate) fn examine(question: &KeyedQuestion, part: &KeyedPart, working: &[String], before: &Theirs) -> Examined {
@@ -35,6 +36,9 @@ pub(crate) fn examine(question: &KeyedQuestion, part: &KeyedPart, working: &[Str
     };
     all.keep_of(0, &about);
     let later: Vec<Meeting> = impacts.into_iter().filter_map(|number| question.meeting(number)).collect();
+    if !later.is_empty() {
+        all.leave_to_later(question);
+    }
     // What is false of one impact may be a line of another, if there is another.
     let is_only = later.len() == 1 && all.has_e.is_none();
     for meeting in later {
@@ -220,6 +224,22 @@ impl Examined {
         for (award, _) in self.awards.iter_mut().zip(about).filter(|(_, own)| own.is_some_and(|own| own != number)) {
             *award = None;
         }
+    }
+
+    /// Without wrong velocities after the first impact that are right ones after a later one: their letters are of that.
+    fn leave_to_later(&mut self, question: &KeyedQuestion) {
+        let is_after = |quantity: Quantity| matches!(quantity.of_its_impact(), Quantity::Velocity(_, Moment::After, _));
+        let known = &question.prepared().known;
+        let all = known.first().into_iter().flat_map(|known| known.0.keys().copied());
+        let later: Vec<Vec<f64>> = all
+            .filter(|quantity| quantity.impact() > 0 && is_after(*quantity))
+            .filter_map(|of| sizes(known, of))
+            .collect();
+        let wrong: Vec<Quantity> = self.theirs.wrong(question).map(|(quantity, _)| quantity).collect();
+        self.theirs.0.retain(|quantity, (own, _)| {
+            let is_it = |right: &Vec<f64>| own.iter().zip(right).all(|(own, right)| is_nearly_right(*own, *right));
+            !(quantity.impact() == 0 && is_after(*quantity) && wrong.contains(quantity) && later.iter().any(is_it))
+        });
     }
 
     /// Without the condition on a velocity after a later impact where its line has the letter of the other sphere there, as
