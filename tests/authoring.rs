@@ -319,7 +319,7 @@ fraction-of-latex function-that-is-none hidden-slips-misspelt impact-that-is-not
 impossible key-below-parameters later-line-of-centres-missing later-mass-given-again later-newcomer-without-mass
 later-newcomer-without-velocity later-struck-by-nobody later-wall-along-the-line law-with-a-number
 letter-called-as-a-unit letter-nowhere-declared letters-beyond-ascii long-line mass-of-b-beside-a-wall mass-of-nought
-measure-never-closed method-on-accuracy no-relation not-equal-misspelt numbers-squared-without-end open-without-a-mass
+measure-never-closed method-on-accuracy no-relation not-equal-misspelt numbers-squared-without-end open-without-a-mass open-without-b-before
 parameter-and-letter parameter-in-another-case range-in-words range-with-a-dash reference-lacks-parameter
 requirement-as-a-sentence requirement-in-words-misspelt requirement-of-another-kind requirement-that-says-two-things
 requirement-twice requirement-without-truth requirements-of-both restitution-above-one restitution-nowhere-declared

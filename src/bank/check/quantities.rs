@@ -17,7 +17,7 @@ pub fn unknown_at(span: std::ops::Range<usize>, what: &str, name: &str, others: 
     let later = format!("{}.{name}", LATER[0]);
     if later.parse::<Quantity>().is_ok() {
         let label = "this sphere has no part in the first impact";
-        let help = format!("say which impact you mean: `{later}`");
+        let help = format!("say which impact you mean, `{later}`; or name a sphere of the first, *A* or *B*");
         return faults.report(span, format!("unknown {what} `{name}`"), label, help);
     }
     if let Some(meant) = counted(name) {

@@ -9,7 +9,7 @@ use super::super::question::{Question, Style};
 use super::super::scene_file::{MEND_SCENE, SceneFile};
 use crate::answer::Kind;
 use crate::expr::{Angles, Expr, Fault};
-use crate::mechanics::{Because, Given, Quantity, Refusal, Scene, SceneFault, pose};
+use crate::mechanics::{Because, Given, Quantity, Refusal, Scene, SceneFault, SceneText, pose};
 use crate::number::Value;
 use crate::solve::solve;
 
@@ -126,35 +126,44 @@ fn refused(
     let Ok(read) = Scene::read(&question.scene, &givens.shown, Angles::Degrees) else { return };
     // If the collision itself is sound, each quantity that is left open is a fault of its own.
     if refusal.because == Because::Underdetermined && solve(&read, &[]).is_ok() {
-        let mut open = false;
+        let (mut is_told, mut open): (bool, Vec<(&Words, Quantity)>) = (false, Vec::new());
         for words in wanted(question, file) {
             let quantity = words.get_ref().parse::<Quantity>();
             if let Ok(quantity) = quantity
                 && solve(&read, &[quantity]).is_err()
             {
-                open = true;
                 let impacts = question.scene.then.len() + 1;
                 if usize::from(quantity.impact()) >= impacts {
                     let message = format!("`{quantity}` is of an impact that the scene does not have");
                     let label = if impacts == 1 { "it has one".to_owned() } else { format!("it has {impacts}") };
                     let help = format!("ask for `{}`, or add the impact as `[[scene.then]]`", quantity.of_its_impact());
                     faults.report(words.span(), message, label, help);
+                    is_told = true;
                     continue;
                 }
-                faults.report(
-                    words.span(),
-                    format!("the scene does not determine `{quantity}`"),
-                    "asked for here, with the reference numbers",
-                    match needs_only_e(&read, quantity) {
-                        true => {
-                            "give more in `[scene]`, such as `e`, the coefficient of restitution, or ask for something else"
-                        }
-                        false => "give more in `[scene]`, or ask for something else",
-                    },
-                );
+                open.push((words, quantity));
             }
         }
-        if open {
+        if let Some((words, quantity)) = open.first() {
+            let others = match open.len() - 1 {
+                0 => String::new(),
+                1 => ", nor what else is asked for".to_owned(),
+                more => format!(", nor {more} others for which you ask"),
+            };
+            let message = format!("the scene does not determine `{quantity}`{others}");
+            let help = match needs_only_e(&read, *quantity) {
+                true => {
+                    "give more in `[scene]`, such as `e`, the coefficient of restitution, or ask for something else"
+                        .to_owned()
+                }
+                false => match left_out(&question.scene) {
+                    Some(missing) => format!("give in `[scene]` {missing}, or ask for something else"),
+                    None => "give more in `[scene]`, or ask for something else".to_owned(),
+                },
+            };
+            faults.report(words.span(), message, "asked for here, with the reference numbers", help);
+        }
+        if is_told || !open.is_empty() {
             return;
         }
     }
@@ -182,6 +191,24 @@ fn needs_only_e(scene: &Scene, quantity: Quantity) -> bool {
     let half = Given { value: Value::fraction(1, 2), shown: Expr::Decimal("0.5".to_owned()) };
     let with_e = || Scene { restitution: Some(half), ..scene.clone() };
     scene.restitution.is_none() && solve(&with_e(), &[quantity]).is_ok()
+}
+
+/// The first thing that a scene of two spheres, or of one and a wall, has as a rule and this one has not.
+fn left_out(scene: &SceneText) -> Option<&'static str> {
+    if scene.before.a.is_none() {
+        return Some("the velocity of *A* before, `before.A`");
+    }
+    match (scene.wall.is_some() || scene.impulse.is_some(), scene.masses.b.is_some()) {
+        (true, _) => None,
+        (false, false) if scene.before.b.is_none() => {
+            Some("what *A* meets, a sphere by `masses.B` and `before.B` or a `wall`")
+        }
+        (false, false) => Some("the mass of *B*, `masses.B`"),
+        (false, true) if scene.before.b.is_none() => {
+            Some("the velocity of *B* before, `before.B`, which is nought if it is at rest")
+        }
+        (false, true) => scene.masses.a.is_none().then_some("the mass of *A*, `masses.A`"),
+    }
 }
 
 /// Every string that asks for a quantity.

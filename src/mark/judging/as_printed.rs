@@ -7,9 +7,26 @@
 use crate::expr::Expr;
 use crate::number::Fraction;
 
-/// Are the two one formula but for order, signs and numbers?
+/// Are the two one formula but for order, signs and numbers? A number over a number within a fraction is still to be cleared.
 pub(super) fn looks_like(printed: &Expr, written: &Expr) -> bool {
-    printed == written || look(printed).is_some_and(|printed| look(written) == Some(printed))
+    let is_cleared = || !has_fraction_within(written) || has_fraction_within(printed);
+    printed == written || look(printed).is_some_and(|printed| look(written) == Some(printed)) && is_cleared()
+}
+
+/// Is there a fraction above or below the line of a fraction?
+pub(in crate::mark) fn has_fraction_within(expr: &Expr) -> bool {
+    match expr {
+        Expr::Quotient(above, below) if holds_fraction(above) || holds_fraction(below) => true,
+        other => other.children().into_iter().any(has_fraction_within),
+    }
+}
+
+fn holds_fraction(expr: &Expr) -> bool {
+    match expr {
+        Expr::Quotient(..) => true,
+        Expr::Number(number) => !number.is_integer(),
+        other => other.children().into_iter().any(holds_fraction),
+    }
 }
 
 /// A formula as a number times factors over others, each in a spelling of its own that no order changes.

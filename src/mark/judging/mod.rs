@@ -55,6 +55,7 @@ use crate::mechanics::{Quantity, Setting, Sphere};
 use crate::unit::Unit;
 
 use super::reading::{Reading, Said, Unreadable, Vocabulary, is_strange};
+pub(super) use as_printed::has_fraction_within;
 pub(super) use called::{is_named, is_of_a_part, may_be_named, words_fit};
 use finding::Finding;
 use known::Prepared;

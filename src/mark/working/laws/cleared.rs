@@ -3,11 +3,11 @@
 use crate::answer::Kind;
 use crate::bank::{Code, EarnedFor};
 use crate::expr::Expr;
-use crate::mark::judging::is_printed_value;
+use crate::mark::judging::{has_fraction_within, is_printed_value};
 use crate::mark::key::KeyedPart;
 use crate::mark::working::evidence::Evidence;
 use crate::mark::working::examine::{Examined, Working};
-use crate::mark::working::numbers::{any_within, comes_to, sizes};
+use crate::mark::working::numbers::{comes_to, sizes};
 use crate::mechanics::{Law, Quantity, Seen};
 
 /// Does the law give the tangent of a deflection?
@@ -54,9 +54,4 @@ impl Examined {
         });
         result.filter(|_| is_found)
     }
-}
-
-fn has_fraction_within(expr: &Expr) -> bool {
-    let is_fraction = |inner: &Expr| matches!(inner, Expr::Quotient(..));
-    any_within(expr, &|inner| is_fraction(inner) && inner.children().iter().any(|side| any_within(side, &is_fraction)))
 }

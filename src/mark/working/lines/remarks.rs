@@ -42,8 +42,12 @@ pub(super) fn after_remark(typed: &str) -> Option<&str> {
 
 /// Without the word with which a sentence goes on, or the name of the law that is used: `NEL: y - x = 4`.
 pub(super) fn without_lead_in(typed: &str) -> &str {
+    // `By CLM 32 = 4v + 6w`
+    let first = typed.split(' ').next().unwrap_or_default();
+    let by = ["by", "using", "from"].into_iter().find(|by| first.eq_ignore_ascii_case(by));
+    let named = by.map_or(typed, |by| typed[by.len()..].trim_start());
     let after_law = |(law, ends): (&str, &[char])| {
-        let (lead, after) = typed.split_at_checked(law.len())?;
+        let (lead, after) = named.split_at_checked(law.len())?;
         let after = after.strip_prefix(ends).filter(|after| lead.eq_ignore_ascii_case(law) && after.contains('='))?;
         Some(after.trim_start_matches([' ', ':']))
     };
