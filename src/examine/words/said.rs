@@ -44,6 +44,7 @@ pub fn contradicted(question: &Question, style: &Style, variant: &Variant) -> Ve
             seen.same_way(&sentence, &mut findings);
             seen.old_way(&sentence, &mut findings);
             seen.towards_itself(&sentence, &mut findings);
+            seen.sides(&sentence, &mut findings);
             seen.lines_of_motion(&sentence, is_later, &mut findings);
             seen.across(&sentence, &mut findings);
             seen.about_a_wall(&sentence, is_struck, &mut findings);

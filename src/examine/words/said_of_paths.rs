@@ -78,6 +78,30 @@ impl Seen<'_> {
         }
     }
 
+    /// Spheres that are said to move on opposite sides of the line of centres before the impact, or on the same side of it.
+    pub(super) fn sides(&self, sentence: &Sentence, findings: &mut Vec<Finding>) {
+        const OF_LINE: [&str; 3] = ["of", "the", "line"];
+        let is_side = |words: &&[Token]| {
+            is_one_of(&words[0], &["opposite", "same"])
+                && is_one_of(&words[1], &["side", "sides"])
+                && words[2..].iter().zip(OF_LINE).all(|(token, word)| is_one_of(token, &[word]))
+        };
+        let Some(words) = sentence.windows(5).find(is_side) else { return };
+        let is_after = says(sentence, &["after", "then"]) && !says(sentence, &["before"]);
+        let across = Sphere::BOTH.map(|sphere| {
+            let across = self.known.number(Quantity::Velocity(sphere, Moment::Before, Axis::T))?;
+            across.sign().filter(|sign| sign.is_ne())
+        });
+        let ([Some(a), Some(b)], false, Token::Word(said)) = (across, is_after, &words[0]) else { return };
+        if (a == b) != (said == "same") && self.question.scene.then.is_empty() {
+            let sides = if said == "same" { "the same side" } else { "opposite sides" };
+            let message =
+                format!("the words say that the spheres move on {sides} of the line of centres, and it is not so");
+            let help = "turn one of their velocities to the other side in `[scene]`, or say on which side it is";
+            findings.push(self.finding(message, &format!("{said} side"), help));
+        }
+    }
+
     /// The line that comes next after `moving`, if it is that of the motion.
     fn path(&self, after: &[Token]) -> Option<Path> {
         const OF_ANOTHER: [&str; 10] =

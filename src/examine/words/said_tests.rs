@@ -484,6 +484,13 @@ fn how_spheres_move_afterwards_and_what_they_have_beside_each_other_is_so() {
         (both, e, "Both spheres are brought to rest. The coefficient", "`*A*` comes to rest"),
         (catches, "collide directly.", "collide. *B* has its direction of motion reversed.", "`*B*` is reversed"),
         (catches, "collide directly.", "collide. They then move in opposite directions.", ""),
+        (
+            both,
+            e,
+            "The spheres move on opposite sides of the line of centres. The coefficient",
+            "on opposite sides of the line",
+        ),
+        (both, e, "The spheres move on the same side of the line of centres. The coefficient", ""),
         (catches, "collide directly.", "collide. After it both spheres move in opposite directions.", "in opposite"),
         (catches, "collide directly.", "collide. No kinetic energy is lost.", "`no energy is lost`, for which e is 1"),
         (catches, "collide directly.", "collide. Kinetic energy is not conserved.", ""),

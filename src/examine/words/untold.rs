@@ -172,7 +172,8 @@ fn untold(condition: &str, said: &[Sentence], is_in_a_line: bool) -> Option<Unto
             Some(Untold { what: "the right angle", example, is_hinted })
         }
         ([side, None], "0") if along(side) && is_equation => {
-            is_told(!said.iter().any(|sentence| tells_of_rest(sentence) || tells_of_the_way_after(sentence)))?;
+            let tells = |sentence: &Sentence| tells_of_rest(sentence) || tells_of_the_way_after(sentence);
+            is_told(!said.iter().any(|sentence| tells(sentence) && may_be_of(sentence, side)))?;
             // In a plane it still moves across the line of centres.
             let (what, example) = match is_in_a_line {
                 true => ("a sphere that is brought to rest", "Immediately after the collision *A* is at rest."),
@@ -184,7 +185,7 @@ fn untold(condition: &str, said: &[Sentence], is_in_a_line: bool) -> Option<Unto
             Some(Untold { what, example, is_hinted: false })
         }
         ([side, None], "0") if along(side) => {
-            is_told(!said.iter().any(|sentence| tells_of_the_way_after(sentence)))?;
+            is_told(!said.iter().any(|sentence| tells_of_the_way_after(sentence) && may_be_of(sentence, side)))?;
             let example = match condition.contains('>') {
                 true => "The direction of motion of *A* is not changed.",
                 false => "The direction of motion of *A* is reversed.",
@@ -198,6 +199,15 @@ fn untold(condition: &str, said: &[Sentence], is_in_a_line: bool) -> Option<Unto
         }
         _ => None,
     }
+}
+
+/// May a sentence be of the sphere of a quantity? Not if it names another sphere alone.
+fn may_be_of(sentence: &[Token], quantity: Option<Quantity>) -> bool {
+    let names = |sphere: Sphere| sentence.contains(&Token::Sphere(sphere));
+    let own = quantity.and_then(Quantity::sphere);
+    own.is_none_or(names)
+        || !Sphere::ALL.into_iter().any(names)
+        || says(sentence, &["both", "each", "they", "spheres", "it", "its", "other"])
 }
 
 /// `Is brought to rest`, `stops`, and not `which is at rest`; along a line of centres `moves perpendicular to it` too.
@@ -358,7 +368,7 @@ mod tests {
         let oblique = "ranges/turned-back-by-an-oblique-impact";
         let away = "After the collision the component of the velocity of *A* along the line of centres is directed away from *B*. Find";
         let across = ("conditions      = [\"A.after.n < 0\"]", "conditions = [\"A.after.n = 0\"]");
-        let table: [(&str, Edits, &str); 32] = [
+        let table: [(&str, Edits, &str); 34] = [
             (oblique, &[across, single, (away, "Find")], "a sphere that goes on perpendicular to the line of centres"),
             (oblique, &[across, single, (away, "*A* then moves perpendicular to the line of centres. Find")], ""),
             (reversed, &[(back, "Find")], "the way in which a sphere goes on"),
@@ -369,6 +379,12 @@ mod tests {
             (goes_on, &[(on, "Find")], "the way in which a sphere goes on"),
             (goes_on, &[(on, "*A* moves in the same direction as before. Find")], ""),
             (goes_on, &[(on, "*A* continues in its direction. Find")], ""),
+            (
+                goes_on,
+                &[(on, "The direction of motion of *B* is not changed. Find")],
+                "the way in which a sphere goes on",
+            ),
+            (reversed, &[at_rest, single, (back, "*B* is brought to rest. Find")], "a sphere that is brought to rest"),
             ("ranges/turned-through-more-than-a-right-angle", &[(more, "Find")], "the right angle"),
             (reversed, &[at_rest, single, (back, "Find")], "a sphere that is brought to rest"),
             (reversed, &[at_rest, single, (back, "*A* is brought to rest by the collision. Find")], ""),

@@ -322,10 +322,18 @@ impl Working<'_> {
             (EarnedFor::Law(law, _), _) if law.seen() == Seen::Unknown => self.solved(),
             (EarnedFor::Law(law, sphere), code) => match self.by_law(*law, *sphere, code) {
                 Some(shown) if shown.given => Some(shown),
-                shown => self.by_own(*law, code).or_else(|| self.by_direction(*law, *sphere, code)).or(shown),
+                shown => {
+                    let by_direction = || self.by_direction(*law, *sphere, code);
+                    self.by_own(*law, code)
+                        .or_else(by_direction)
+                        .or(shown)
+                        .or_else(|| self.direction_by_deflection(mark))
+                }
             },
             (EarnedFor::Condition, _) => self.uses_condition(mark),
-            (EarnedFor::Quantity(_) | EarnedFor::Both(_), code) => self.own_values(code, mark),
+            (EarnedFor::Quantity(_) | EarnedFor::Both(_), code) => {
+                self.own_values(code, mark).or_else(|| self.direction_by_deflection(mark))
+            }
             (EarnedFor::Unknown(_), _) => None,
         }?;
         let studied = &mut self.lines[shown.line];

@@ -162,10 +162,15 @@ impl Working<'_> {
             return None;
         }
         let quotients = reading.members.iter().filter(|_| equation == Quantity::RestitutionEquation);
+        // `1.5` in `e = (8u + 2u)/(4u/3 + 16u/3) = 1.5` is no factor of the law, but what its quotient comes to.
+        let is_worth = |(left, right): &(Expr, Expr)| {
+            let is_called_e = || reading.equations.iter().any(|(name, quotient)| is_e(name) && quotient == left);
+            right.names().is_empty() && is_called_e()
+        };
         let of_equations = reading
             .equations
             .iter()
-            .filter(|equation| !is_value(equation))
+            .filter(|equation| !is_value(equation) && !is_worth(equation))
             .filter_map(|(left, right)| self.of_equation(left, right, equation, numbers));
         let of_quotients = quotients
             .filter(|member| {

@@ -4,11 +4,11 @@ use crate::answer::Kind;
 use crate::bank::{Code, EarnedFor};
 use crate::expr::Expr;
 use crate::mark::judging::{has_fraction_within, is_printed_value};
-use crate::mark::key::KeyedPart;
+use crate::mark::key::{KeyedMark, KeyedPart};
 use crate::mark::working::evidence::Evidence;
 use crate::mark::working::examine::{Examined, Working};
 use crate::mark::working::numbers::{comes_to, sizes};
-use crate::mechanics::{Law, Quantity, Seen};
+use crate::mechanics::{Law, Moment, Quantity, Seen, Sphere};
 
 /// Does the law give the tangent of a deflection?
 pub(in crate::mark::working) fn is_of_deflection(law: Law) -> bool {
@@ -31,6 +31,25 @@ impl Working<'_> {
             })
         })?;
         Some(Evidence { line, ..found })
+    }
+
+    /// The direction after the impact, which the tangent of the deflection has in it where it is found from the components
+    /// at once: by their cross product over their scalar product.
+    pub(in crate::mark::working) fn direction_by_deflection(&self, mark: &KeyedMark) -> Option<Evidence> {
+        let is_direction = |quantity: Quantity| matches!(quantity, Quantity::TOverN(_, Moment::After));
+        let is_of_it = match &mark.earned_for {
+            EarnedFor::Law(Law::Direction, _) => true,
+            EarnedFor::Quantity(quantity) => is_direction(*quantity),
+            _ => false,
+        };
+        let laws = self.part.scheme.iter().filter_map(|other| match other.earned_for {
+            EarnedFor::Law(law, _) if is_of_deflection(law) => Some(law),
+            _ => None,
+        });
+        let law = laws.filter(|_| is_of_it).last()?;
+        let known = &self.prepared.known;
+        let line = Sphere::BOTH.into_iter().find_map(|of| self.line_that_is(known, Quantity::TanDeflection(of)))?;
+        Some(Evidence::given(line, law.name()))
     }
 }
 
