@@ -1554,7 +1554,7 @@ fn numbers_under_other_names_and_what_the_words_leave_out_are_named() {
 fn what_a_condition_compares_with_a_number_is_so_in_the_words() {
     const ASK: &str = "The direction of motion of *A* is reversed by the collision. Find";
     const IF: &str = "\"A.after.x < 0\"";
-    const LET: (&str, &str) = ("[style.friendly]\n", "[let]\nw = \"u/4\"\n\n[style.friendly]\n");
+    const LET: (&str, &str) = ("[style.friendly]\n", "[let]\nw = \"3*mA*u/(2*(mA + mB))\"\n\n[style.friendly]\n");
     const FASTER: (&str, &str) = (IF, "\"B.after.x > w\"");
     found(
         "ranges/direction-reversed",

@@ -1,6 +1,8 @@
 //! Is a value fit to be asked for in rounded form? Not if the rounding hangs on the last figures of the working.
 
-use crate::number::{Angle, Fraction, Interval, Places, Value, clear_of_tie, round};
+use crate::number::{
+    Angle, FloatInterval, Fraction, Interval, Places, Value, clear_of_tie, round, surely_clear_of_tie,
+};
 
 /// The part of a unit in the last figure that must lie between a value and a tie.
 const MARGIN: (i64, i64) = (1, 20);
@@ -19,7 +21,24 @@ pub fn rounds_safely(value: &Value, places: &Places) -> bool {
     if let Some(exact) = value.as_fraction() {
         return fraction_rounds_safely(exact, places);
     }
-    !value.is_constant() || clear(|bits| value.enclose(bits, &|_| None), places)
+    is_clear_in_doubles(value.between_doubles(), places)
+        || !value.is_constant()
+        || clear(|bits| value.enclose(bits, &|_| None), places)
+}
+
+/// As [`degrees_round_safely`], for the angle of a direction with these components.
+pub fn direction_rounds_safely((y, x): &(Value, Value), places: &Places) -> bool {
+    let degrees = || {
+        let (y, x) = (y.between_doubles()?, x.between_doubles()?);
+        let acute = (y.checked_div(x)?.abs().atan() * FloatInterval::point(180.0)).checked_div(FloatInterval::pi())?;
+        Some(if x.upper < 0.0 { FloatInterval::point(180.0) - acute } else { acute })
+    };
+    is_clear_in_doubles(degrees(), places) || Angle::of(y, x).is_none_or(|angle| degrees_round_safely(&angle, places))
+}
+
+/// Nearly all are clear by far, and doubles show it.
+fn is_clear_in_doubles(ends: Option<FloatInterval>, places: &Places) -> bool {
+    ends.is_some_and(|ends| surely_clear_of_tie(ends, places, MARGIN.0 as f64 / MARGIN.1 as f64))
 }
 
 /// As [`rounds_safely`], for the number of degrees of an angle.
@@ -65,6 +84,49 @@ mod tests {
         let root = Value::fraction(155, 100).square_root().unwrap();
         assert!(!rounds_safely(&root, &Places::SignificantFigures(3)));
         assert!(rounds_safely(&root, &Places::SignificantFigures(2)));
+    }
+
+    #[test]
+    fn what_doubles_find_clear_of_a_tie_is_clear_of_it() {
+        let margin = Fraction::new(MARGIN.0, MARGIN.1);
+        let all = [Places::SignificantFigures(2), Places::SignificantFigures(3), Places::DecimalPlaces(1)];
+        let mut found = 0;
+        for one in (-4000..4000_i64).step_by(7) {
+            for below in [1, 3, 37, 400, 9973] {
+                // Fractions, and fractions with a surd.
+                let surd = &Value::fraction(one, below) * &Value::from(2).square_root().unwrap();
+                for value in [Value::fraction(one, below), &surd + &Value::ONE] {
+                    for places in &all {
+                        if surely_clear_of_tie(value.between_doubles().unwrap(), places, 0.05) {
+                            found += 1;
+                            let certain = value.enclose_constant(128).unwrap();
+                            assert!(clear_of_tie(&certain, places, &margin), "{value:?} to {places:?}");
+                        }
+                    }
+                }
+            }
+        }
+        // Nine in ten are.
+        assert!(found > 25_000, "{found}");
+    }
+
+    #[test]
+    fn a_direction_rounds_as_its_angle_does() {
+        let places = Places::SignificantFigures(3);
+        let root = Value::from(3).square_root().unwrap();
+        let mut unsafe_ones = 0;
+        for y in -40..40 {
+            for x in -25..25 {
+                for scale in [Value::ONE, root.clone()] {
+                    let direction = (&Value::from(y) * &scale, Value::from(x));
+                    let angle = Angle::of(&direction.0, &direction.1);
+                    let expected = angle.is_none_or(|angle| degrees_round_safely(&angle, &places));
+                    unsafe_ones += u32::from(!expected);
+                    assert_eq!(direction_rounds_safely(&direction, &places), expected, "{y}, {x}");
+                }
+            }
+        }
+        assert!(unsafe_ones > 100, "{unsafe_ones}");
     }
 
     #[test]

@@ -7,7 +7,7 @@ use crate::mechanics::Scene;
 use crate::number::{Angle, Places, Range, Value};
 use crate::solve::Solution;
 
-use super::rounding::{degrees_round_safely, rounds_safely};
+use super::rounding::{degrees_round_safely, direction_rounds_safely, rounds_safely};
 
 /// A question with numbers that are fit for print.
 #[derive(Clone, Debug)]
@@ -55,7 +55,7 @@ pub fn answer_rounds_safely(answer: &Answer, style: StyleName, solution: &Soluti
         Find::Unknown(name) => found_rounds_safely(solution, name, places),
         find => find.quantities().into_iter().all(|quantity| {
             let number = solution.number(quantity).map(|value| rounds_safely(&value, places));
-            let angle = || solution.angle(quantity).map(|angle| degrees_round_safely(&angle, places));
+            let angle = || solution.known().direction(quantity).map(|of| direction_rounds_safely(&of, places));
             number.or_else(angle).unwrap_or(true)
         }),
     }

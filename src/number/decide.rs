@@ -21,7 +21,7 @@ use dashu_int::ops::BitTest;
 
 use super::polynomial::{Monomial, Polynomial};
 use super::value::{Root, Terms, Value, term};
-use super::{Fraction, Interval, Letter, Range, waves};
+use super::{FloatInterval, Fraction, Interval, Letter, Range, waves};
 
 /// Beyond this many binary places a decision is not tried any further. No angle in whole
 /// hundredths of a degree comes near it.
@@ -35,7 +35,15 @@ impl Value {
     pub fn is_zero(&self) -> bool {
         let Value::Compound(compound) = self else { return self.is_written_zero() };
         let roots = self.roots();
-        if let Some(root @ Root::Nested { .. }) = roots.last() {
+        let nested = roots.last().filter(|root| matches!(root, Root::Nested { .. }));
+        if nested.is_none() && !self.has_letter(Letter::is_constant) {
+            // No nested root and no given angle: the normal form is nought only as nought itself.
+            return false;
+        }
+        if self.between_doubles().and_then(FloatInterval::sign).is_some_and(Ordering::is_ne) {
+            return false;
+        }
+        if let Some(root) = nested {
             if is_one_product(&compound.terms) {
                 let is_nought = |root: &Root| matches!(root, Root::Nested { .. }) && root.square().is_zero();
                 return roots.iter().any(is_nought);
@@ -43,11 +51,7 @@ impl Value {
             // Nearly always one point tells, of what is very small more finely; and to square root after root is long.
             return self.may_vanish(0, 64) && self.may_vanish(0, 512) && self.is_zero_with(root);
         }
-        if !self.has_letter(Letter::is_constant) {
-            // No nested root and no given angle: the normal form is nought only as nought itself.
-            return false;
-        }
-        // Nearly always a rough enclosure tells.
+        // A finer enclosure may tell where doubles do not.
         if self.is_constant() && self.enclose_constant(64).is_some_and(|interval| !interval.contains_zero()) {
             return false;
         }
@@ -175,6 +179,9 @@ fn without_units(terms: &Terms) -> Terms {
 fn constant_sign(value: &Value) -> Option<Ordering> {
     if let Some(number) = value.as_fraction() {
         return Some(number.sign());
+    }
+    if let Some(sign) = value.between_doubles().and_then(FloatInterval::sign).filter(|sign| sign.is_ne()) {
+        return Some(sign);
     }
     let enclosed = |bits| value.enclose_constant(bits).and_then(|interval: Interval| interval.sign());
     if let Some(sign) = enclosed(64).or_else(|| enclosed(256)) {

@@ -2,34 +2,103 @@
 
 use std::cell::RefCell;
 use std::collections::HashMap;
+use std::ops::{Add, Mul};
 
 use super::decimal::{Decimal, Places};
 use super::polynomial::Polynomial;
 use super::rounding::{Uncertain, round, round_certified};
 use super::value::{Root, Value};
-use super::{Fraction, Interval, Letter};
+use super::{FloatInterval, Fraction, Interval, Letter};
 
 /// What the letters stand for while a value is enclosed: for an angle its tangent.
 pub type Assignment<'a> = &'a dyn Fn(Letter) -> Option<Interval>;
+
+/// What a value is enclosed by: ends with as many binary places as are wanted, or two doubles.
+trait Enclosure: Clone + Add<Output = Self> + Mul<Output = Self> {
+    fn of_fraction(value: &Fraction, bits: usize) -> Self;
+    fn over(self, divisor: Self) -> Option<Self>;
+    fn root(self) -> Option<Self>;
+    /// The cosine and tangent of so many degrees.
+    fn cosine_and_tangent(letter: Letter, bits: usize) -> Option<(Self, Self)>;
+}
+
+impl Enclosure for Interval {
+    fn of_fraction(value: &Fraction, bits: usize) -> Interval {
+        Interval::from_fraction(value, bits)
+    }
+
+    fn over(self, divisor: Interval) -> Option<Interval> {
+        self.checked_div(&divisor)
+    }
+
+    fn root(self) -> Option<Interval> {
+        self.sqrt()
+    }
+
+    fn cosine_and_tangent(letter: Letter, bits: usize) -> Option<(Interval, Interval)> {
+        cosine_and_tangent(letter, bits)
+    }
+}
+
+impl Enclosure for FloatInterval {
+    fn of_fraction(value: &Fraction, _: usize) -> FloatInterval {
+        FloatInterval::from_fraction(value)
+    }
+
+    fn over(self, divisor: FloatInterval) -> Option<FloatInterval> {
+        self.checked_div(divisor)
+    }
+
+    fn root(self) -> Option<FloatInterval> {
+        self.sqrt()
+    }
+
+    fn cosine_and_tangent(letter: Letter, _: usize) -> Option<(FloatInterval, FloatInterval)> {
+        type Angles = HashMap<Letter, (FloatInterval, FloatInterval)>;
+        thread_local!(static ANGLES: RefCell<Angles> = RefCell::default());
+        if let Some(known) = ANGLES.with_borrow(|angles| angles.get(&letter).copied()) {
+            return Some(known);
+        }
+        let (cosine, tangent) = cosine_and_tangent(letter, 96)?;
+        let both = (FloatInterval::from_interval(&cosine), FloatInterval::from_interval(&tangent));
+        ANGLES.with_borrow_mut(|angles| {
+            if angles.len() >= MOST_ANGLES {
+                angles.clear();
+            }
+            angles.insert(letter, both);
+        });
+        Some(both)
+    }
+}
 
 impl Value {
     /// An interval that surely holds the value, about `bits` binary places wide; `None` if a letter
     /// has no number, or the precision does not yet suffice for a quotient or a root.
     pub fn enclose(&self, bits: usize, at: Assignment) -> Option<Interval> {
+        self.enclosed(bits, at)
+    }
+
+    /// Two doubles that surely hold a value without letters: nearly always enough to decide by. `None` if it has letters, or if
+    /// doubles do not suffice.
+    pub(crate) fn between_doubles(&self) -> Option<FloatInterval> {
+        self.enclosed(0, &|_| None).filter(|ends: &FloatInterval| ends.is_finite())
+    }
+
+    fn enclosed<E: Enclosure>(&self, bits: usize, at: &dyn Fn(Letter) -> Option<E>) -> Option<E> {
         let (terms, denominator) = match self {
-            Value::Rational(number) => return Some(Interval::from_fraction(number, bits)),
+            Value::Rational(number) => return Some(E::of_fraction(number, bits)),
             Value::Compound(compound) => (&compound.terms, &compound.denominator),
         };
-        let mut known: Vec<(Letter, Interval)> = Vec::new();
-        let mut letter = |letter: Letter| -> Option<Interval> {
+        let mut known: Vec<(Letter, E)> = Vec::new();
+        let mut letter = |letter: Letter| -> Option<E> {
             if let Some((_, value)) = known.iter().find(|(other, _)| *other == letter) {
                 return Some(value.clone());
             }
-            let value = if letter.is_constant() { tangent(letter, bits)? } else { at(letter)? };
+            let value = if letter.is_constant() { E::cosine_and_tangent(letter, bits)?.1 } else { at(letter)? };
             known.push((letter, value.clone()));
             Some(value)
         };
-        let mut sum = Interval::integer(0, bits);
+        let mut sum = E::of_fraction(&Fraction::ZERO, bits);
         for (roots, coefficient) in terms {
             let mut term = enclose_polynomial(coefficient, bits, &mut letter)?;
             for root in roots {
@@ -37,11 +106,7 @@ impl Value {
             }
             sum = sum + term;
         }
-        if denominator.is_one() {
-            Some(sum)
-        } else {
-            sum.checked_div(&enclose_polynomial(denominator, bits, &mut letter)?)
-        }
+        if denominator.is_one() { Some(sum) } else { sum.over(enclose_polynomial(denominator, bits, &mut letter)?) }
     }
 
     /// An enclosure of a value without letters.
@@ -108,11 +173,6 @@ impl Value {
     }
 }
 
-/// The tangent of so many degrees.
-fn tangent(letter: Letter, bits: usize) -> Option<Interval> {
-    cosine_and_tangent(letter, bits).map(|(_, tangent)| tangent)
-}
-
 /// How many angles are remembered at once.
 const MOST_ANGLES: usize = 512;
 
@@ -141,22 +201,22 @@ fn radians(letter: Letter, bits: usize) -> Option<Interval> {
     Some(Interval::pi(bits) * Interval::from_fraction(&turn, bits))
 }
 
-fn enclose_root(root: &Root, bits: usize, at: Assignment) -> Option<Interval> {
+fn enclose_root<E: Enclosure>(root: &Root, bits: usize, at: &dyn Fn(Letter) -> Option<E>) -> Option<E> {
     match root {
-        Root::Cosine(letter) if letter.is_constant() => cosine_and_tangent(*letter, bits).map(|(cosine, _)| cosine),
-        Root::Nested { radicand, .. } => radicand.enclose(bits, at)?.sqrt(),
-        other => other.square().enclose(bits, at)?.sqrt(),
+        Root::Cosine(letter) if letter.is_constant() => E::cosine_and_tangent(*letter, bits).map(|(cosine, _)| cosine),
+        Root::Nested { radicand, .. } => radicand.enclosed(bits, at)?.root(),
+        other => other.square().enclosed(bits, at)?.root(),
     }
 }
 
-fn enclose_polynomial(
+fn enclose_polynomial<E: Enclosure>(
     polynomial: &Polynomial,
     bits: usize,
-    letter: &mut dyn FnMut(Letter) -> Option<Interval>,
-) -> Option<Interval> {
-    let mut sum = Interval::integer(0, bits);
+    letter: &mut dyn FnMut(Letter) -> Option<E>,
+) -> Option<E> {
+    let mut sum = E::of_fraction(&Fraction::ZERO, bits);
     for (monomial, coefficient) in polynomial.terms() {
-        let mut term = Interval::from_fraction(coefficient, bits);
+        let mut term = E::of_fraction(coefficient, bits);
         for (name, power) in monomial {
             let base = letter(*name)?;
             for _ in 0..*power {

@@ -13,7 +13,7 @@ use dashu_int::ops::{BitTest, UnsignedAbs};
 
 use super::decimal::power_of_ten;
 use super::interval::floor_quotient;
-use super::{Decimal, Fraction, Interval, Places};
+use super::{Decimal, FloatInterval, Fraction, Interval, Places};
 
 /// Rounds an exact value.
 ///
@@ -124,6 +124,29 @@ pub fn clear_of_tie(enclosure: &Interval, places: &Places, margin: &Fraction) ->
     };
     let room = Fraction::new(1, 2) - margin.clone();
     enclosure.lower() >= &centre - &(lower_unit * room.clone()) && enclosure.upper() <= centre + upper_unit * room
+}
+
+/// Are two doubles, and so what lies between them, surely clear of a tie by this part of a unit? If not, [`clear_of_tie`] may
+/// still find that they are: near a power of ten, and for steps, nothing is said.
+pub(crate) fn surely_clear_of_tie(ends: FloatInterval, places: &Places, margin: f64) -> bool {
+    const SLACK: f64 = 1e-6;
+    let size = ends.abs().lower;
+    let exponent = match places {
+        Places::SignificantFigures(figures) => {
+            let magnitude = size.log10();
+            let next = 10f64.powf(magnitude - magnitude.floor());
+            if !(1.001..9.99).contains(&next) {
+                return false;
+            }
+            magnitude.floor() - f64::from((*figures).max(1)) + 1.0
+        }
+        Places::DecimalPlaces(places) => -f64::from(*places),
+        Places::Nearest(_) => return false,
+    };
+    let unit = 10f64.powf(exponent);
+    let (count, width) = (size / unit, (ends.upper - ends.lower) / unit);
+    // Counts beyond this have no figures left after the point.
+    count < 1e8 && width < SLACK && ((count - count.floor()) - 0.5).abs() > margin + SLACK
 }
 
 /// Both ends, rounded.

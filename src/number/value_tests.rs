@@ -134,3 +134,17 @@ fn a_letter_can_be_replaced_everywhere() {
     let replaced = value.substitute(name, &root(3)).unwrap();
     assert_eq!(replaced, Value::fraction(5, 4));
 }
+
+#[test]
+fn two_doubles_hold_what_a_finer_interval_holds() {
+    let nested = (&Value::from(5) + &root(3)).square_root().unwrap();
+    let surd = Value::fraction(7, 9).square_root().unwrap();
+    let values = [&surd + &nested, &nested * &degrees(25).cos, &degrees(70).sin - &surd, Value::fraction(-22, 7)];
+    for value in values {
+        let (ends, finer) = (value.between_doubles().unwrap(), value.enclose_constant(160).unwrap());
+        let [lower, upper] = [ends.lower, ends.upper].map(|end| Fraction::from_f64(end).unwrap());
+        assert!(lower <= finer.lower() && finer.upper() <= upper, "{value:?}");
+        assert!(ends.upper - ends.lower < 1e-12, "{value:?}");
+    }
+    assert_eq!(Value::letter(letter("u", Range::Positive)).between_doubles(), None);
+}
