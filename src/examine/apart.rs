@@ -8,7 +8,7 @@ use crate::bank::{Answer, Find, Question};
 use crate::expr::{Meaning, Piece, evaluate};
 use crate::generate::Variant;
 use crate::mechanics::Quantity;
-use crate::number::{Places, Value};
+use crate::number::{Angle, FloatInterval, Places, Value};
 use crate::paper::Words;
 use crate::unit::Unit;
 
@@ -103,6 +103,7 @@ fn share<'a>(one: &'a Answer, other: &'a Answer, variant: &Variant) -> bool {
             }
             match (solution.number(*a), solution.number(*b)) {
                 (Some(a), Some(b)) => round_alike(&a, &b, places(one).or(places(other))),
+                _ if are_far_apart(variant, [*a, *b], places(one)) => false,
                 _ => match (solution.angle(*a), solution.angle(*b)) {
                     (Some(a), Some(b)) => {
                         let places = places(one).unwrap_or(&Places::SignificantFigures(3));
@@ -115,12 +116,28 @@ fn share<'a>(one: &'a Answer, other: &'a Answer, variant: &Variant) -> bool {
         })
 }
 
+/// Are two angles so far apart that two figures of them are unlike? To find what they are exactly costs more than a glance.
+fn are_far_apart(variant: &Variant, of: [Quantity; 2], places: Option<&Places>) -> bool {
+    let size = |quantity| {
+        let (y, x) = variant.solution.known().direction(quantity)?;
+        Angle::size_between_doubles(&y, &x)
+    };
+    match (places, of.map(size)) {
+        (None | Some(Places::SignificantFigures(2..)), [Some(a), Some(b)]) => {
+            let (less, more) = if a.upper < b.lower { (a, b) } else { (b, a) };
+            1.2 * less.upper < more.lower
+        }
+        _ => false,
+    }
+}
+
 fn round_alike(a: &Value, b: &Value, places: Option<&Places>) -> bool {
     if a == b {
         return true;
     }
     let (Some(places), true) = (places, a.is_constant() && b.is_constant()) else { return false };
     // Most are far apart, and a certified rounding costs more than a glance.
-    let near = matches!((a.to_f64(), b.to_f64()), (Some(a), Some(b)) if (a - b).abs() <= 0.01 * a.abs().max(b.abs()));
+    let glance = |value: &Value| value.between_doubles().and_then(FloatInterval::sharp).or_else(|| value.to_f64());
+    let near = matches!((glance(a), glance(b)), (Some(a), Some(b)) if (a - b).abs() <= 0.01 * a.abs().max(b.abs()));
     near && matches!((a.rounded(places), b.rounded(places)), (Ok(a), Ok(b)) if a == b)
 }

@@ -28,12 +28,8 @@ pub fn rounds_safely(value: &Value, places: &Places) -> bool {
 
 /// As [`degrees_round_safely`], for the angle of a direction with these components.
 pub fn direction_rounds_safely((y, x): &(Value, Value), places: &Places) -> bool {
-    let degrees = || {
-        let (y, x) = (y.between_doubles()?, x.between_doubles()?);
-        let acute = (y.checked_div(x)?.abs().atan() * FloatInterval::point(180.0)).checked_div(FloatInterval::pi())?;
-        Some(if x.upper < 0.0 { FloatInterval::point(180.0) - acute } else { acute })
-    };
-    is_clear_in_doubles(degrees(), places) || Angle::of(y, x).is_none_or(|angle| degrees_round_safely(&angle, places))
+    is_clear_in_doubles(Angle::size_between_doubles(y, x), places)
+        || Angle::of(y, x).is_none_or(|angle| degrees_round_safely(&angle, places))
 }
 
 /// Nearly all are clear by far, and doubles show it.

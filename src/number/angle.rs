@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use super::decimal::{Decimal, Places};
 use super::enclose::Assignment;
 use super::rounding::{Uncertain, round, round_certified};
-use super::{Direction, Fraction, Interval, Letter, Value};
+use super::{Direction, FloatInterval, Fraction, Interval, Letter, Value};
 
 /// The angle from the positive x-direction to the vector `(x, y)`, anticlockwise, above -180 and up
 /// to 180 degrees.
@@ -18,6 +18,14 @@ pub struct Angle {
 }
 
 impl Angle {
+    /// The size in degrees, without its sign, of the angle of a direction with these components: two doubles that surely hold
+    /// it. `None` where a component has letters, or doubles do not suffice.
+    pub(crate) fn size_between_doubles(y: &Value, x: &Value) -> Option<FloatInterval> {
+        let (y, x) = (y.between_doubles()?, x.between_doubles()?);
+        let acute = (y.checked_div(x)?.abs().atan() * FloatInterval::point(180.0)).checked_div(FloatInterval::pi())?;
+        Some(if x.upper < 0.0 { FloatInterval::point(180.0) - acute } else { acute })
+    }
+
     /// The angle of a vector; `None` for the vector nought.
     pub fn of(y: &Value, x: &Value) -> Option<Angle> {
         if x.is_zero() {

@@ -81,7 +81,12 @@ impl Value {
     /// Two doubles that surely hold a value without letters: nearly always enough to decide by. `None` if it has letters, or if
     /// doubles do not suffice.
     pub(crate) fn between_doubles(&self) -> Option<FloatInterval> {
-        self.enclosed(0, &|_| None).filter(|ends: &FloatInterval| ends.is_finite())
+        self.between_doubles_at(&|_| None)
+    }
+
+    /// The same where the letters have these numbers.
+    pub(crate) fn between_doubles_at(&self, at: &dyn Fn(Letter) -> Option<FloatInterval>) -> Option<FloatInterval> {
+        self.enclosed(0, at).filter(|ends: &FloatInterval| ends.is_finite())
     }
 
     fn enclosed<E: Enclosure>(&self, bits: usize, at: &dyn Fn(Letter) -> Option<E>) -> Option<E> {

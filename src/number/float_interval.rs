@@ -68,6 +68,12 @@ impl FloatInterval {
         self.lower.is_finite() && self.upper.is_finite()
     }
 
+    /// The middle, if the ends are so near it that it has twelve right figures.
+    pub(crate) fn sharp(self) -> Option<f64> {
+        let middle = self.lower / 2.0 + self.upper / 2.0;
+        (self.upper - self.lower <= 1e-12 * middle.abs()).then_some(middle)
+    }
+
     /// Do the two have a point in common? If not, the values inside are certainly different.
     pub(crate) fn overlaps(self, other: FloatInterval) -> bool {
         self.lower <= other.upper && other.lower <= self.upper

@@ -3,7 +3,7 @@
 use std::ops::{Add, Mul, Neg, Sub};
 
 use crate::mechanics::{Datum, Known};
-use crate::number::{Fraction, Interval, Letter, Number, Range, Value};
+use crate::number::{FloatInterval, Fraction, Interval, Letter, Number, Range, Value};
 
 /// How many points there are.
 pub(super) const POINTS: usize = 3;
@@ -27,11 +27,18 @@ impl Sample {
             return Some(Sample::constant(number.to_f64()));
         }
         if value.is_constant() {
-            return value.to_f64().map(Sample::constant);
+            let near = value.between_doubles().and_then(FloatInterval::sharp);
+            return near.or_else(|| value.to_f64()).map(Sample::constant);
         }
         let mut sample = [0.0; POINTS];
         for (point, at_point) in sample.iter_mut().enumerate() {
-            *at_point = value.enclose(96, &|letter| Some(Interval::from_fraction(&at(letter, point), 96)))?.to_f64();
+            let near = value.between_doubles_at(&|letter| Some(FloatInterval::from_fraction(&at(letter, point))));
+            let finely = || value.enclose(96, &|letter| Some(Interval::from_fraction(&at(letter, point), 96)));
+            *at_point = match near.and_then(FloatInterval::sharp) {
+                Some(near) => near,
+                // Where terms cancel doubles have too few figures.
+                None => finely()?.to_f64(),
+            };
         }
         Some(Sample(sample))
     }

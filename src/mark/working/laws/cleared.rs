@@ -38,7 +38,7 @@ impl Working<'_> {
     pub(in crate::mark::working) fn direction_by_deflection(&self, mark: &KeyedMark) -> Option<Evidence> {
         let is_direction = |quantity: Quantity| matches!(quantity, Quantity::TOverN(_, Moment::After));
         let is_of_it = match &mark.earned_for {
-            EarnedFor::Law(Law::Direction, _) => true,
+            EarnedFor::Law(law, _) => Sphere::BOTH.into_iter().any(|of| law.gives(Quantity::TOverN(of, Moment::After))),
             EarnedFor::Quantity(quantity) => is_direction(*quantity),
             _ => false,
         };
