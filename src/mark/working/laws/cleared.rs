@@ -1,5 +1,6 @@
 //! The tangent of a deflection once the fraction within the fraction has been cleared: the second method mark for it.
 
+use super::compound::has_two_tangents;
 use crate::answer::Kind;
 use crate::bank::{Code, EarnedFor};
 use crate::expr::Expr;
@@ -34,7 +35,7 @@ impl Working<'_> {
     }
 
     /// The direction after the impact, which the tangent of the deflection has in it where it is found from the components
-    /// at once: by their cross product over their scalar product.
+    /// at once: by their cross product over their scalar product. Of tangents that stand there nobody sees whence they come.
     pub(in crate::mark::working) fn direction_by_deflection(&self, mark: &KeyedMark) -> Option<Evidence> {
         let is_direction = |quantity: Quantity| matches!(quantity, Quantity::TOverN(_, Moment::After));
         let is_of_it = match &mark.earned_for {
@@ -49,7 +50,8 @@ impl Working<'_> {
         let law = laws.filter(|_| is_of_it).last()?;
         let known = &self.prepared.known;
         let line = Sphere::BOTH.into_iter().find_map(|of| self.line_that_is(known, Quantity::TanDeflection(of)))?;
-        Some(Evidence::given(line, law.name()))
+        let of_tangents = self.members(&self.lines[line]).any(|(member, _)| has_two_tangents(&member.expr));
+        (!of_tangents).then(|| Evidence::given(line, law.name()))
     }
 }
 

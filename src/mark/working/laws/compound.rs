@@ -85,6 +85,11 @@ impl Working<'_> {
     }
 }
 
+/// Has a formula tangents of two angles in it, whatever they are written as?
+pub(super) fn has_two_tangents(expr: &Expr) -> bool {
+    any_within(expr, &|inner| added(inner).is_some())
+}
+
 /// The two terms above the line of `(p + q)/(1 - pq)`, with their signs.
 fn added(expr: &Expr) -> Option<[&Expr; 2]> {
     let Expr::Quotient(above, below) = expr else { return None };
