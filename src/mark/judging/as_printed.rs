@@ -149,3 +149,25 @@ fn bracket(term: &Expr) -> Option<(Fraction, &[Expr])> {
         _ => None,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::expr::{Angles, read};
+
+    #[test]
+    fn a_number_over_a_number_within_a_fraction_is_still_to_be_cleared() {
+        let printed = "tan(alpha)/(3 + 4*tan(alpha)^2)";
+        let table = [
+            (printed, true),
+            ("tan(alpha)/(4*tan(alpha)^2 + 3)", true),
+            ("2*tan(alpha)/(6 + 8*tan(alpha)^2)", true),
+            ("(tan(alpha)/3)/(1 + 4*tan(alpha)^2/3)", false),
+            ("((1/3)*tan(alpha))/(1 + (4/3)*tan(alpha)^2)", false),
+        ];
+        let formula = |text| read(text, Angles::Radians).unwrap();
+        for (written, expected) in table {
+            assert_eq!(looks_like(&formula(printed), &formula(written)), expected, "{written}");
+        }
+    }
+}

@@ -163,9 +163,7 @@ impl Words<'_> {
             // Half of what, if not of a letter of the question? Nobody takes the half of e.
             (None, Some("half")) => {
                 let is_share = |letter: &Letter| letter.range() == Range::Unit;
-                // What is said all alone is a number: a half.
-                let is_number = at == 0 || self.vocabulary.letters.iter().all(is_share);
-                let is_number = is_number && self.tokens.get(at + 1).is_none();
+                let is_number = self.vocabulary.letters.iter().all(is_share) && self.tokens.get(at + 1).is_none();
                 return (is_number || self.is_factor_after(at + 1)).then_some((1, 2, at + 1));
             }
             (None, word) => {
