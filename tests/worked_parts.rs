@@ -3,8 +3,9 @@
 
 use carom::bank::{Bank, read_question};
 use carom::diagnostic::{Source, render_all};
+use carom::examine::coverage;
 use carom::expr::print;
-use carom::generate::reference;
+use carom::generate::{Deal, reference};
 use carom::paper::{WorkingLine, compose};
 
 const IN_LETTERS: &str = r#"
@@ -204,6 +205,19 @@ fn a_mark_of_a_later_impact_shows_its_equation_though_a_letter_was_found_from_th
     let equations: Vec<String> =
         scheme.iter().flat_map(|row| &row.equations).map(print::unicode).filter(|row| row.contains('x')).collect();
     assert_eq!(equations, ["km × 3u/(2 + k) = kmx + 3my", "y − x = (1/2) × 3u/(2 + k)"]);
+}
+
+/// The model solution of (b) has no line of the first impact, and yet goes on from it.
+#[test]
+fn the_next_impact_is_marked_though_no_line_of_the_first_is_written() {
+    let question = read_question("ranges/own", &Source::new("own", SUCCESSIVE))
+        .unwrap_or_else(|faults| panic!("{}", render_all(&faults, false)));
+    let mut found = coverage(&question, &reference(&question).unwrap());
+    for variant in Deal::new(&question, &question.styles[0], 5).take(2) {
+        found.add(coverage(&question, &variant));
+    }
+    assert_eq!(found.faults.iter().map(ToString::to_string).collect::<Vec<_>>(), Vec::<String>::new());
+    assert_eq!(found.idle().count(), 0);
 }
 
 const IN_A_PLANE: &str = r#"

@@ -21,8 +21,8 @@ pub fn rounds_safely(value: &Value, places: &Places) -> bool {
     if let Some(exact) = value.as_fraction() {
         return fraction_rounds_safely(exact, places);
     }
-    is_clear_in_doubles(value.between_doubles(), places)
-        || !value.is_constant()
+    !value.is_constant()
+        || is_clear_in_doubles(value.between_doubles(), places)
         || clear(|bits| value.enclose(bits, &|_| None), places)
 }
 

@@ -40,7 +40,7 @@ impl Value {
             // No nested root and no given angle: the normal form is nought only as nought itself.
             return false;
         }
-        if self.between_doubles().and_then(FloatInterval::sign).is_some_and(Ordering::is_ne) {
+        if self.is_constant() && self.between_doubles().and_then(FloatInterval::sign).is_some_and(Ordering::is_ne) {
             return false;
         }
         if let Some(root) = nested {

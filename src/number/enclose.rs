@@ -2,7 +2,9 @@
 
 use std::cell::RefCell;
 use std::collections::HashMap;
+use std::hash::Hash;
 use std::ops::{Add, Mul};
+use std::thread::LocalKey;
 
 use super::decimal::{Decimal, Places};
 use super::polynomial::Polynomial;
@@ -54,20 +56,11 @@ impl Enclosure for FloatInterval {
     }
 
     fn cosine_and_tangent(letter: Letter, _: usize) -> Option<(FloatInterval, FloatInterval)> {
-        type Angles = HashMap<Letter, (FloatInterval, FloatInterval)>;
-        thread_local!(static ANGLES: RefCell<Angles> = RefCell::default());
-        if let Some(known) = ANGLES.with_borrow(|angles| angles.get(&letter).copied()) {
-            return Some(known);
-        }
-        let (cosine, tangent) = cosine_and_tangent(letter, 96)?;
-        let both = (FloatInterval::from_interval(&cosine), FloatInterval::from_interval(&tangent));
-        ANGLES.with_borrow_mut(|angles| {
-            if angles.len() >= MOST_ANGLES {
-                angles.clear();
-            }
-            angles.insert(letter, both);
-        });
-        Some(both)
+        thread_local!(static ANGLES: RefCell<Angles<Letter, FloatInterval>> = RefCell::default());
+        remembered(&ANGLES, letter, || {
+            let (cosine, tangent) = cosine_and_tangent(letter, 96)?;
+            Some((FloatInterval::from_interval(&cosine), FloatInterval::from_interval(&tangent)))
+        })
     }
 }
 
@@ -181,23 +174,36 @@ impl Value {
 /// How many angles are remembered at once.
 const MOST_ANGLES: usize = 512;
 
+/// The cosine and tangent of each angle that is remembered.
+type Angles<K, E> = HashMap<K, (E, E)>;
+
 /// The cosine and tangent of so many degrees. The same angle comes back in every quantity of a scene,
 /// so it is remembered.
 fn cosine_and_tangent(letter: Letter, bits: usize) -> Option<(Interval, Interval)> {
-    type Angles = HashMap<(Letter, usize), (Interval, Interval)>;
-    thread_local!(static ANGLES: RefCell<Angles> = RefCell::default());
-    ANGLES.with_borrow_mut(|angles| {
-        if let Some(known) = angles.get(&(letter, bits)) {
-            return Some(known.clone());
-        }
+    thread_local!(static ANGLES: RefCell<Angles<(Letter, usize), Interval>> = RefCell::default());
+    remembered(&ANGLES, (letter, bits), || {
+        let angle = radians(letter, bits)?;
+        Some((angle.cos(), angle.tan()?))
+    })
+}
+
+/// What is remembered of an angle, or found and remembered.
+fn remembered<K: Eq + Hash, E: Clone>(
+    angles: &'static LocalKey<RefCell<Angles<K, E>>>,
+    key: K,
+    find: impl FnOnce() -> Option<(E, E)>,
+) -> Option<(E, E)> {
+    if let Some(known) = angles.with_borrow(|angles| angles.get(&key).cloned()) {
+        return Some(known);
+    }
+    let both = find()?;
+    angles.with_borrow_mut(|angles| {
         if angles.len() >= MOST_ANGLES {
             angles.clear();
         }
-        let angle = radians(letter, bits)?;
-        let both = (angle.cos(), angle.tan()?);
-        angles.insert((letter, bits), both.clone());
-        Some(both)
-    })
+        angles.insert(key, both.clone());
+    });
+    Some(both)
 }
 
 fn radians(letter: Letter, bits: usize) -> Option<Interval> {

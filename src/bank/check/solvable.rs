@@ -125,47 +125,8 @@ fn refused(
 ) {
     let Ok(read) = Scene::read(&question.scene, &givens.shown, Angles::Degrees) else { return };
     // If the collision itself is sound, each quantity that is left open is a fault of its own.
-    if refusal.because == Because::Underdetermined && solve(&read, &[]).is_ok() {
-        let (mut is_told, mut open): (bool, Vec<(&Words, Quantity)>) = (false, Vec::new());
-        for words in wanted(question, file) {
-            let quantity = words.get_ref().parse::<Quantity>();
-            if let Ok(quantity) = quantity
-                && solve(&read, &[quantity]).is_err()
-            {
-                let impacts = question.scene.then.len() + 1;
-                if usize::from(quantity.impact()) >= impacts {
-                    let message = format!("`{quantity}` is of an impact that the scene does not have");
-                    let label = if impacts == 1 { "it has one".to_owned() } else { format!("it has {impacts}") };
-                    let help = format!("ask for `{}`, or add the impact as `[[scene.then]]`", quantity.of_its_impact());
-                    faults.report(words.span(), message, label, help);
-                    is_told = true;
-                    continue;
-                }
-                open.push((words, quantity));
-            }
-        }
-        if let Some((words, quantity)) = open.first() {
-            let others = match open.len() - 1 {
-                0 => String::new(),
-                1 => ", nor what else is asked for".to_owned(),
-                more => format!(", nor {more} others for which you ask"),
-            };
-            let message = format!("the scene does not determine `{quantity}`{others}");
-            let help = match needs_only_e(&read, *quantity) {
-                true => {
-                    "give more in `[scene]`, such as `e`, the coefficient of restitution, or ask for something else"
-                        .to_owned()
-                }
-                false => match left_out(&question.scene) {
-                    Some(missing) => format!("give in `[scene]` {missing}, or ask for something else"),
-                    None => "give more in `[scene]`, or ask for something else".to_owned(),
-                },
-            };
-            faults.report(words.span(), message, "asked for here, with the reference numbers", help);
-        }
-        if is_told || !open.is_empty() {
-            return;
-        }
+    if refusal.because == Because::Underdetermined && solve(&read, &[]).is_ok() && open(&read, question, file, faults) {
+        return;
     }
     let (message, label) = match refusal.because {
         Because::Impossible => ("with its reference numbers the collision cannot happen", &file.reference_span),
@@ -184,6 +145,46 @@ fn refused(
     };
     let help = refusal.help.clone().unwrap_or_else(|| other.to_owned());
     faults.report(span, message, refusal.reason.clone(), help);
+}
+
+/// Reports what is asked for and not determined by the scene; was there any such thing?
+fn open(read: &Scene, question: &Question, file: &QuestionFile, faults: &mut Faults) -> bool {
+    let (mut is_told, mut open): (bool, Vec<(&Words, Quantity)>) = (false, Vec::new());
+    for words in wanted(question, file) {
+        let quantity = words.get_ref().parse::<Quantity>();
+        if let Ok(quantity) = quantity
+            && solve(read, &[quantity]).is_err()
+        {
+            let impacts = question.scene.then.len() + 1;
+            if usize::from(quantity.impact()) >= impacts {
+                let message = format!("`{quantity}` is of an impact that the scene does not have");
+                let label = if impacts == 1 { "it has one".to_owned() } else { format!("it has {impacts}") };
+                let help = format!("ask for `{}`, or add the impact as `[[scene.then]]`", quantity.of_its_impact());
+                faults.report(words.span(), message, label, help);
+                is_told = true;
+                continue;
+            }
+            open.push((words, quantity));
+        }
+    }
+    if let Some((words, quantity)) = open.first() {
+        let others = match open.len() - 1 {
+            0 => String::new(),
+            1 => ", nor what else is asked for".to_owned(),
+            more => format!(", nor {more} others for which you ask"),
+        };
+        let message = format!("the scene does not determine `{quantity}`{others}");
+        let help = match needs_only_e(read, *quantity) {
+            true => "give more in `[scene]`, such as `e`, the coefficient of restitution, or ask for something else"
+                .to_owned(),
+            false => match left_out(&question.scene) {
+                Some(missing) => format!("give in `[scene]` {missing}, or ask for something else"),
+                None => "give more in `[scene]`, or ask for something else".to_owned(),
+            },
+        };
+        faults.report(words.span(), message, "asked for here, with the reference numbers", help);
+    }
+    is_told || !open.is_empty()
 }
 
 /// Would a coefficient of restitution, which the scene does not give, determine the quantity?

@@ -5,6 +5,7 @@
 
 mod agreement;
 mod asked;
+mod asked_count;
 mod asked_energy;
 mod asked_for;
 mod asked_things;
