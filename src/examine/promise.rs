@@ -14,10 +14,10 @@ use crate::paper::Words;
 /// What the answers of a variant do not keep.
 pub fn broken(question: &Question, variant: &Variant, words: &Words, remarks: &mut Vec<Remark>) {
     for answer in question.parts.iter().flat_map(|part| &part.answers).filter(|answer| answer.kind != Kind::Line) {
-        let is_angle = answer.find.quantities().iter().any(|quantity| variant.solution.angle(*quantity).is_some());
+        let is_angle = || answer.find.quantities().iter().any(|of| variant.solution.known().direction(*of).is_some());
         let promised = match (answer.accept(variant.style), variant.style) {
             (Accept::Exact, _) => "the rule `exact` promises an exact value",
-            (_, StyleName::Friendly | StyleName::Exact) if !is_angle => "the style promises an exact value",
+            (_, StyleName::Friendly | StyleName::Exact) if !is_angle() => "the style promises an exact value",
             _ => continue,
         };
         if Form::of_answer(answer, &variant.solution) == Some(Form::Decimal) {

@@ -70,7 +70,12 @@ impl Form {
     pub fn of_answer(answer: &Answer, solution: &Solution) -> Option<Form> {
         let one = |quantity| {
             let number = solution.number(quantity).map(|value| Form::of_number(&value));
-            number.or_else(|| solution.angle(quantity).map(|angle| Form::of_angle(&angle)))
+            // The letters of a direction may cancel; of numbers all that is asked is whether the degrees are whole.
+            let of_numbers = || {
+                let (y, x) = solution.known().direction(quantity)?;
+                (y.is_constant() && x.is_constant()).then(|| Form::of_angle(&Angle::unscaled(&y, &x)))
+            };
+            number.or_else(of_numbers).or_else(|| solution.angle(quantity).map(|angle| Form::of_angle(&angle)))
         };
         answer.find.quantities().into_iter().filter_map(one).max()
     }

@@ -173,7 +173,7 @@ impl Derivation {
             banned.push(plan.derivation.steps[place]);
             let there = computed.to_mut();
             for (quantity, datum) in std::mem::take(&mut known.0).into_pairs() {
-                if given.contains(&quantity) {
+                if given.binary_search(&quantity).is_ok() {
                     known.0.insert(quantity, datum);
                 } else {
                     there.0.insert_new(quantity, datum);

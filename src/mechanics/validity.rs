@@ -49,6 +49,10 @@ fn one(known: &Known<Value>) -> Result<(), Refusal> {
     kept(known)
 }
 
+fn is_nought(known: &Known<Value>, quantity: Quantity) -> bool {
+    known.number(quantity).is_some_and(|value| value.is_written_zero())
+}
+
 fn sign(known: &Known<Value>, quantity: Quantity) -> Option<Ordering> {
     known.number(quantity)?.sign()
 }
@@ -248,8 +252,12 @@ fn broken(known: &Known<Value>) -> Vec<(String, Value)> {
 /// What the laws speak of.
 fn sides(known: &Known<Value>) -> Vec<Quantity> {
     let moments = [Moment::Before, Moment::After];
-    let mut asked = vec![Quantity::Approach, Quantity::Separation, Quantity::Restitution, MASSES[0], MASSES[1]];
-    asked.push(Quantity::MassRatio);
+    let mut asked = vec![Quantity::Approach, Quantity::Separation, Quantity::Restitution, MASSES[0]];
+    // Of what stands still before and after, as a wall does, no mass follows; and of masses that are given no ratio is asked.
+    let stands_still = || ALONG.into_iter().skip(1).step_by(2).all(|along| is_nought(known, along));
+    if !MASSES.into_iter().all(|mass| known.0.contains_key(&mass)) && !stands_still() {
+        asked.extend([MASSES[1], Quantity::MassRatio]);
+    }
     asked.extend(ALONG);
     for sphere in Sphere::BOTH {
         asked.extend(moments.map(|moment| Quantity::Velocity(sphere, moment, Axis::T)));

@@ -101,7 +101,7 @@ impl Angle {
     /// one, or one as fine as the angles that were given. Found by measuring, then proved.
     pub fn whole_degrees(&self) -> Option<Fraction> {
         let letters = self.letters();
-        if !letters.iter().all(Letter::is_constant) || self.is_no_rational_number_of_degrees() {
+        if !letters.iter().all(Letter::is_constant) {
             return None;
         }
         let fine = letters.iter().filter_map(|letter| letter.name().parse::<Fraction>().ok());
@@ -109,12 +109,25 @@ impl Angle {
             let below = Fraction::from(given.denominator());
             if (&product / &below).is_integer() { product } else { &product * &below }
         });
+        if self.is_between_parts_of_a_degree(&denominator) || self.is_no_rational_number_of_degrees() {
+            return None;
+        }
         let measured = self.enclose(64, &|_| None)?;
         let middle = &(&measured.lower() + &measured.upper()) * &Fraction::new(1, 2);
         let steps = Fraction::from((&(&middle * &denominator) + &Fraction::new(1, 2)).floor());
         let candidate = &steps / &denominator;
         let gap = (&middle - &candidate).abs();
         (gap < Fraction::new(1, 1 << 40) && self.is_degrees(&candidate)).then_some(candidate)
+    }
+
+    /// Is it surely no whole number of such parts of a degree? Nearly always doubles show it.
+    fn is_between_parts_of_a_degree(&self, denominator: &Fraction) -> bool {
+        const SLACK: f64 = 1e-6;
+        let parts = denominator.to_f64();
+        Angle::size_between_doubles(&self.y, &self.x).is_some_and(|size| {
+            let (low, high) = (size.lower * parts, size.upper * parts);
+            high - low < SLACK && high < 1e8 && (low - low.round()).abs() > 2.0 * SLACK
+        })
     }
 
     /// Does the square of its tangent `t²` show it? If that is rational, so is `cos 2θ = (1 − t²)/(1 + t²)`, and of rational

@@ -8,7 +8,7 @@
 
 use dashu_int::IBig;
 
-use super::{Letter, Polynomial};
+use super::{Fraction, Letter, Polynomial};
 
 /// A prime below 2^31, so that products stay in machine integers.
 const PRIME: u64 = 2_147_483_647;
@@ -37,11 +37,7 @@ fn coprime_in(a: &Polynomial, b: &Polynomial, letter: Letter, point: u64) -> boo
 fn image(polynomial: &Polynomial, letter: Letter, point: u64) -> Option<Vec<u64>> {
     let mut image = vec![0; polynomial.degree(letter) as usize + 1];
     for (monomial, coefficient) in polynomial.terms() {
-        let below = modulo(coefficient.denominator());
-        if below == 0 {
-            return None;
-        }
-        let mut value = modulo(coefficient.numerator()) * power(below, PRIME - 2) % PRIME;
+        let mut value = remainder(coefficient)?;
         let mut place = 0;
         for (other, exponent) in monomial {
             if *other == letter {
@@ -53,6 +49,22 @@ fn image(polynomial: &Polynomial, letter: Letter, point: u64) -> Option<Vec<u64>
         image[place] = (image[place] + value) % PRIME;
     }
     Some(image)
+}
+
+/// A fraction modulo the prime; `None` if the prime divides its denominator.
+fn remainder(fraction: &Fraction) -> Option<u64> {
+    let (above, below) = match fraction.as_small() {
+        Some((above, below)) => {
+            let prime = PRIME as i64;
+            (above.rem_euclid(prime).unsigned_abs(), below.rem_euclid(prime).unsigned_abs())
+        }
+        None => (modulo(fraction.numerator()), modulo(fraction.denominator())),
+    };
+    match below {
+        0 => None,
+        1 => Some(above),
+        _ => Some(above * power(below, PRIME - 2) % PRIME),
+    }
 }
 
 /// A number for a letter, spread over the range by its name.
@@ -104,7 +116,7 @@ fn remainder_degree(mut a: Vec<u64>, mut b: Vec<u64>) -> Option<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::{Fraction, Range};
+    use crate::number::Range;
 
     fn coprime(a: &Polynomial, b: &Polynomial) -> bool {
         letters_of_common_factors(a, b).0.is_empty()

@@ -43,7 +43,7 @@ pub use inequality::{Demand, End, Span, solve_inequalities};
 pub use interval::Interval;
 pub use letter::{Letter, Range};
 pub use polynomial::{Monomial, Polynomial};
-pub(crate) use rounding::surely_clear_of_tie;
+pub(crate) use rounding::clear_in_doubles;
 pub use rounding::{Uncertain, clear_of_tie, round, round_certified};
 #[cfg(fuzzing)]
 pub use steps::taken as steps_taken;

@@ -126,9 +126,9 @@ pub fn clear_of_tie(enclosure: &Interval, places: &Places, margin: &Fraction) ->
     enclosure.lower() >= &centre - &(lower_unit * room.clone()) && enclosure.upper() <= centre + upper_unit * room
 }
 
-/// Are two doubles, and so what lies between them, surely clear of a tie by this part of a unit? If not, [`clear_of_tie`] may
-/// still find that they are: near a power of ten, and for steps, nothing is said.
-pub(crate) fn surely_clear_of_tie(ends: FloatInterval, places: &Places, margin: f64) -> bool {
+/// Are two doubles, and so what lies between them, clear of a tie by this part of a unit, as [`clear_of_tie`] says it? Nothing
+/// is said near a power of ten, for steps, and where they are about so far from a tie.
+pub(crate) fn clear_in_doubles(ends: FloatInterval, places: &Places, margin: f64) -> Option<bool> {
     const SLACK: f64 = 1e-6;
     let size = ends.abs().lower;
     let exponent = match places {
@@ -136,17 +136,18 @@ pub(crate) fn surely_clear_of_tie(ends: FloatInterval, places: &Places, margin: 
             let magnitude = size.log10();
             let next = 10f64.powf(magnitude - magnitude.floor());
             if !(1.001..9.99).contains(&next) {
-                return false;
+                return None;
             }
             magnitude.floor() - f64::from((*figures).max(1)) + 1.0
         }
         Places::DecimalPlaces(places) => -f64::from(*places),
-        Places::Nearest(_) => return false,
+        Places::Nearest(_) => return None,
     };
     let unit = 10f64.powf(exponent);
     let (count, width) = (size / unit, (ends.upper - ends.lower) / unit);
+    let beyond = ((count - count.floor()) - 0.5).abs() - margin;
     // Counts beyond this have no figures left after the point.
-    count < 1e8 && width < SLACK && ((count - count.floor()) - 0.5).abs() > margin + SLACK
+    (count < 1e8 && width < SLACK && beyond.abs() > SLACK).then_some(beyond > 0.0)
 }
 
 /// Both ends, rounded.

@@ -8,7 +8,6 @@ use crate::bank::{Answer, Find, Part, Question};
 use crate::examine::Finding;
 use crate::expr::{Expr, Function, print};
 use crate::mechanics::{Quantity, Sphere};
-use crate::unit::Unit;
 
 /// Answers for which the words of their part do not ask, though they ask for something of the kind. What makes the paper
 /// wrong must be mended; where the words may be read in another way it is a warning.

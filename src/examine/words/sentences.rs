@@ -37,9 +37,9 @@ pub fn unreadable(words: &Words, variant: &Variant, heard: &mut Heard, remarks: 
 
 /// A text that begins in small letters, unless what stands before it leads up to it: `Find`, `(a) the speed of *A*`.
 fn without_a_capital(text: &Text, words: &Words, remarks: &mut Vec<Remark>) {
-    let leads_up = words.stem.last().is_some_and(|last| !tail(last).ends_with(['.', '?', '!', ']']));
-    let Some(Piece::Words(start)) = text.0.first().filter(|_| !leads_up) else { return };
-    if start.starts_with(|first: char| first.is_lowercase()) {
+    let Some(Piece::Words(start)) = text.0.first() else { return };
+    let leads_up = || words.stem.last().is_some_and(|last| !tail(last).ends_with(['.', '?', '!', ']']));
+    if start.starts_with(|first: char| first.is_lowercase()) && !leads_up() {
         let at = start.split_whitespace().take(4).collect::<Vec<_>>().join(" ");
         remarks.push(remark_at("a sentence without a capital", &at, &at, "begin it with a capital letter"));
     }
@@ -53,6 +53,12 @@ fn divides_by_nought(expr: &Expr, variant: &Variant) -> bool {
     };
     let here = matches!(expr, Expr::Quotient(_, below) if is_nought(below));
     here || expr.children().into_iter().any(|inner| divides_by_nought(inner, variant))
+}
+
+/// Does a number of degrees stand below a line?
+fn divides_by_degrees(expr: &Expr) -> bool {
+    let here = matches!(expr, Expr::Quotient(_, below) if matches!(**below, Expr::Degrees(_)));
+    here || expr.children().into_iter().any(divides_by_degrees)
 }
 
 pub(super) fn remark(what: &str, shown: &str, help: &str) -> Remark {
@@ -86,7 +92,7 @@ fn of_text(text: &Text, words: &Words, remarks: &mut Vec<Remark>) {
                     Some(Piece::Words(words)) => words.as_str(),
                     _ => "",
                 };
-                if shown(piece).contains("/1°") {
+                if divides_by_degrees(expr) && shown(piece).contains("/1°") {
                     let help = "print it in degrees, as in `{alpha deg}`; or say `{tan(alpha) = t}`, with `alpha` a letter of `symbols`";
                     remarks.push(remark("an angle over one degree", &shown(piece), help).warning());
                 }
