@@ -1,8 +1,6 @@
 //! Is a value fit to be asked for in rounded form? Not if the rounding hangs on the last figures of the working.
 
-use crate::number::{
-    Angle, FloatInterval, Fraction, Interval, Places, Value, clear_in_doubles, clear_of_tie, round,
-};
+use crate::number::{Angle, FloatInterval, Fraction, Interval, Places, Value, clear_in_doubles, clear_of_tie, round};
 
 /// The part of a unit in the last figure that must lie between a value and a tie.
 const MARGIN: (i64, i64) = (1, 20);
