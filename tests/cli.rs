@@ -435,6 +435,9 @@ fn hostile_scenes_are_refused_and_never_panic() {
     let deep_toml = format!("a = {}1{}", "[".repeat(5000), "]".repeat(5000));
     let deep_formula = format!(r#"{{"e": "{}1{}"}}"#, "(".repeat(5000), ")".repeat(5000));
     let long = format!(r#"{{"e": "{}"}}"#, "1+".repeat(600_000));
+    let roots = format!(r#"{{"e": "{}1/2{}"}}"#, "sqrt(".repeat(20), ")".repeat(20));
+    let angles: Vec<String> = (1..8).map(|degrees| format!("cos({degrees} deg)")).collect();
+    let angles = format!(r#"{{"e": "{}"}}"#, angles.join("+"));
     let table: &[(&str, &[u8], &str)] = &[
         ("empty", b"", "is empty"),
         ("blank", b" \n\t", "is empty"),
@@ -458,6 +461,8 @@ fn hostile_scenes_are_refused_and_never_panic() {
         ("deep toml", deep_toml.as_bytes(), "error"),
         ("deep formula", deep_formula.as_bytes(), "error"),
         ("long", long.as_bytes(), "too long"),
+        ("roots", roots.as_bytes(), "too many roots within roots"),
+        ("angles", angles.as_bytes(), "too many different angles"),
         ("caret after the end", "{\"e\": \"é\\u00e9+\"}".as_bytes(), "error"),
     ];
     for (name, input, words) in table {
@@ -485,6 +490,72 @@ fn hostile_scenes_are_refused_and_never_panic() {
     let output = with_stdin(&["solve", "-", "--method", "flaot"], SCENE.as_bytes());
     assert_eq!(code(&output), 1);
     assert!(stderr(&output).contains("`exact`, `float`"), "{}", stderr(&output));
+}
+
+#[test]
+fn what_happens_later_can_happen_on_the_line_on_which_the_spheres_lie() {
+    // A has 9/2 and B has 9 after the first impact, so that B runs ahead.
+    let first = r#"{"masses": {"A": "4", "B": "2"}, "before": {"A": "9", "B": "0"}, "e": "1/2", "then": ["#;
+    let c = |of: &str, before: &str| format!(r#"{{"of": [{of}], "mass": "4", "before": {before}, "e": "1"}}"#);
+    let wall = |of: &str| format!(r#"{{"of": ["{of}"], "wall": ["0", "1"], "e": "1"}}"#);
+    let again = |of: &str| format!(r#"{{"of": [{of}], "e": "1"}}"#);
+    let table = [
+        (c(r#""B", "C""#, r#""0""#), ""),
+        (c(r#""C", "A""#, r#""20""#), ""),
+        (format!("{}, {}", wall("B"), again(r#""A", "B""#)), ""),
+        (c(r#""B", "C""#, r#"["3", "100"]"#), "a velocity in a plane among others along a line"),
+        (c(r#""B", "C""#, r#"{"speed": "3", "angle_deg": "60"}"#), "a velocity in a plane among others along a line"),
+        (again(r#""B", "A""#), "B and A are not next to each other in this order"),
+        (c(r#""A", "C""#, r#""0""#), "on their line the spheres lie in the order A, B"),
+        (c(r#""C", "B""#, r#""20""#), "C and B are not next to each other"),
+        (wall("A"), "A moves towards B, which lies between it and the wall"),
+        (format!("{}, {}", wall("B"), wall("A")), "at the third impact: A moves towards B"),
+        (wall("B").replace(r#""e": "1""#, r#""e": "7/5""#), "is given as 7/5, which is above 1"),
+    ];
+    for (then, words) in table {
+        let output = with_stdin(&["solve", "-"], format!("{first}{then}]}}").as_bytes());
+        assert_eq!(code(&output), i32::from(!words.is_empty()), "{then}: {}", stderr(&output));
+        assert!(stderr(&output).contains(words), "{then}: {}", stderr(&output));
+    }
+    let plane = r#"{"masses": {"A": "2", "B": "4"}, "before": {"A": ["9", "1"], "B": ["0", "0"]}, "line_of_centres": ["1", "0"],
+        "e": "1/2", "then": ["#;
+    let at_rest = plane.replace(r#"["9", "1"]"#, r#"["9", "0"]"#);
+    for (first, then, words) in [
+        (plane, c(r#""B", "C""#, r#""-3""#), "a velocity along a line among others in a plane"),
+        (&at_rest, wall("A"), "at the second impact: the sphere is at rest before, so it does not strike the wall"),
+        (&at_rest, wall("B").replace(r#"["0", "1"]"#, r#"["1", "0"]"#), "the sphere moves parallel to the wall"),
+    ] {
+        let output = with_stdin(&["solve", "-"], format!("{first}{then}]}}").as_bytes());
+        assert!(code(&output) == 1 && stderr(&output).contains(words), "{then}: {}", stderr(&output));
+    }
+}
+
+#[test]
+fn what_a_scene_asks_beyond_what_there_is_is_said_as_it_is() {
+    let scene =
+        |rest: &str| format!(r#"{{"masses": {{"A": "3", "B": "2"}}, "before": {{"A": "4", "B": "0"}}, {rest}}}"#);
+    let found = |rest: &str| scene(&format!(r#""e": "e", "symbols": {{"e": "unit"}}, "unknowns": ["e"], {rest}"#));
+    let table = [
+        (scene(r#""e": "3/2""#), "is given as 3/2, which is above 1"),
+        (scene(r#""e": "-1/2""#), "is given as −1/2, which is negative"),
+        (found(r#""conditions": ["A.after.n = 2"], "maximise": "ke.lost""#), "two ways to find an unknown"),
+        (found(r#""conditions": ["second.B.after.n = 2"]"#), "of an impact that the scene does not have: there is one"),
+        (
+            r#"{"masses": {"A": "2"}, "before": {"A": ["3", "-1"]}, "wall": ["1", "0"]}"#.to_owned(),
+            "the velocity before and e",
+        ),
+        (scene(r#""e": "cos(7/3 deg)""#), "as in `(7/3) deg`"),
+    ];
+    for (scene, words) in table {
+        let output = with_stdin(&["solve", "-"], scene.as_bytes());
+        assert!(code(&output) == 1 && stderr(&output).contains(words), "{scene}: {}", stderr(&output));
+    }
+    // e = 0 is one of its values, and no remark forbids it.
+    let scene = r#"{"masses": {"A": "1", "B": "1"}, "before": {"A": "u", "B": "0"}, "e": "e", "unknowns": ["e"],
+        "symbols": {"e": "unit", "u": "positive", "k": "positive"}, "conditions": ["A.after.n = k"]}"#;
+    let output = with_stdin(&["solve", "-"], scene.as_bytes());
+    let said = format!("{}{}", stdout(&output), stderr(&output));
+    assert!(said.contains("(u − 2k)/u ≥ 0") && !said.contains("(u − 2k)/u > 0"), "{said}");
 }
 
 #[test]

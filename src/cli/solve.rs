@@ -147,8 +147,16 @@ fn open_ends(solutions: &[Solution], wanted: &[Quantity]) -> Result<(), Failure>
         ));
     }
     if is_nothing {
-        let help = "give both masses, both velocities before, the line of centres and e, or velocities after in \
-                    place of some of them";
+        let help = match solution.scene().setting {
+            Setting::Wall => "give the velocity before and e, or the velocity after in place of one of them",
+            Setting::Impulse => {
+                "give the mass, the velocity before and the impulse, or the velocity after in place of one"
+            }
+            _ => {
+                "give both masses, both velocities before, the line of centres and e, or velocities after in place of \
+                 some of them; but if e is 0 the velocities after do not tell those before"
+            }
+        };
         let absent = absent(solution.scene());
         let message = match absent.is_empty() {
             true => "what is given determines nothing more".to_owned(),

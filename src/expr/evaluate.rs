@@ -112,6 +112,7 @@ pub fn degrees(expr: &Expr, names: Names) -> Result<Turn, Fault> {
                 .try_this("declare the letter as `acute`, or give `cos` and `sin` instead")),
         },
         Degrees(turn) | Meaning::Angle(turn) => Ok(turn),
+        OverPi(_) => Err(over_an_angle()),
         _ => Err(fault("a vector stands where an angle is expected", "a number of degrees")),
     }
 }
@@ -233,6 +234,12 @@ fn multiply(left: Meaning, right: Meaning) -> Result<Meaning, Fault> {
     }
 }
 
+/// `7/3 deg` is seven over three degrees.
+fn over_an_angle() -> Fault {
+    fault("a number over an angle stands where an angle is expected", "an angle")
+        .try_this("put brackets round the number of degrees, as in `(7/3) deg`")
+}
+
 fn divide(above: Meaning, below: Meaning) -> Result<Meaning, Fault> {
     let nought = || fault("division by nought", "a denominator that is not nought");
     match (above, below) {
@@ -320,6 +327,7 @@ fn trigonometric(function: Function, argument: Meaning) -> Result<Meaning, Fault
             return Err(fault(format!("`{}` of a letter that is no angle", function.name()), "an acute letter")
                 .try_this("declare the letter as `acute`"));
         }
+        OverPi(_) => return Err(over_an_angle()),
         _ => return Err(fault(format!("`{}` of something that is no angle", function.name()), "an angle")),
     };
     let direction = || turn.direction().ok_or_else(too_fine);

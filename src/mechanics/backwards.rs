@@ -83,8 +83,15 @@ pub fn backwards(scene: &Scene) -> Result<Vec<Found>, Refusal> {
             let scene = scene.clone();
             return Ok(vec![Found { scene, values: vec![], range: None, remarks: vec![], derived: None, posed: None }]);
         }
-        return Err(Refusal::underdetermined("there are conditions, but no unknown to be found from them")
-            .try_this(name_the_unknown(scene)));
+        let what = match scene.maximise.is_some() {
+            true => "a quantity is to be as large as possible, but there is no unknown on which it depends",
+            false => "there are conditions, but no unknown to be found from them",
+        };
+        return Err(Refusal::underdetermined(what).try_this(name_the_unknown(scene)));
+    }
+    if scene.maximise.is_some() && !scene.conditions.is_empty() {
+        return Err(Refusal::underdetermined("`maximise` and `conditions` are two ways to find an unknown")
+            .try_this("leave one of the two out"));
     }
     let scene = with_letters(scene);
     for unknown in &scene.unknowns {
@@ -190,6 +197,13 @@ impl Posed {
         asked.sort();
         asked.dedup();
         let (derivation, missing) = Derivation::carry_out(&mut known, &asked);
+        let impacts = scene.then.len() + 1;
+        if let Some(beyond) = missing.iter().find(|quantity| usize::from(quantity.impact()) >= impacts) {
+            let has = if impacts == 1 { "there is one".to_owned() } else { format!("there are {impacts}") };
+            let reason = format!("a condition speaks of `{beyond}`, of an impact that the scene does not have: {has}");
+            return Err(Refusal::underdetermined(reason)
+                .try_this(format!("write `{}`, or add the impact in `then`", beyond.of_its_impact())));
+        }
         if !missing.is_empty() {
             let names: Vec<String> = missing.iter().map(|quantity| format!("`{quantity}`")).collect();
             return Err(Refusal::underdetermined(format!(
@@ -375,7 +389,8 @@ fn in_range(unknown: Letter, value: &Value, remarks: &mut Vec<String>) -> Result
         Range::Unit if (value - &Value::ONE).sign() == Some(Ordering::Greater) => {
             Err(format!("{name} is at most 1, or the impact would create kinetic energy"))
         }
-        Range::Positive | Range::Acute | Range::Unit if sign.is_none() => {
+        // That a coefficient of restitution is one is looked at where the scene is solved.
+        Range::Positive | Range::Acute if sign.is_none() => {
             remarks.push(format!("this needs {} > 0", print::unicode(&written(value))));
             Ok(())
         }

@@ -116,6 +116,20 @@ pub fn numbered(number: u8, words: &str) -> String {
     words.replace("the impact", &format!("the {} impact", ordinal(number)))
 }
 
+/// The spheres on one line, in the order in which they lie there once these have met: who is new comes from beyond the others.
+pub fn row(meetings: &[Meeting]) -> Vec<Sphere> {
+    let mut row = Meeting::FIRST.of.to_vec();
+    for meeting in meetings.iter().filter(|meeting| !meeting.with_wall) {
+        let [one, other] = meeting.of;
+        if !row.contains(&other) {
+            row.push(other);
+        } else if !row.contains(&one) {
+            row.insert(0, one);
+        }
+    }
+    row
+}
+
 impl Meeting {
     /// The first impact.
     pub const FIRST: Meeting = Meeting { number: 0, of: Sphere::BOTH, with_wall: false };

@@ -3,7 +3,7 @@
 
 use std::cmp::Ordering;
 
-use super::later::Meeting;
+use super::later::{Meeting, row};
 use super::law::{Datum, Known};
 use super::refusal::Refusal;
 use super::scene::{Contact, Given, Scene, Then, Velocity};
@@ -47,6 +47,7 @@ fn later(then: &Then, in_a_line: bool, known: &mut Known<Value>) -> Result<(), R
     }
     let mut here = one(&scene)?;
     if in_a_line && scene.setting == Setting::Wall {
+        reaches_the_wall(&scene, meeting, &Meeting::all(known.0.keys()))?;
         along_one_line(&mut here);
     }
     for part in carried {
@@ -57,6 +58,29 @@ fn later(then: &Then, in_a_line: bool, known: &mut Known<Value>) -> Result<(), R
     known.0.insert(Quantity::Meeting(meeting), Datum::Number(Value::ONE));
     known.0.extend(here.0.into_pairs().map(|(quantity, datum)| (meeting.quantity(quantity), datum)));
     Ok(())
+}
+
+/// On one line a sphere strikes a wall only if no other lies between.
+fn reaches_the_wall(scene: &Scene, meeting: Meeting, before: &[Meeting]) -> Result<(), Refusal> {
+    let row = row(before);
+    let way = scene.before[0].as_ref().and_then(|velocity| components(velocity).0.sign());
+    let place = row.iter().position(|sphere| *sphere == meeting.of[0]);
+    let between = match (way, place) {
+        (Some(Ordering::Greater), Some(place)) => row.get(place + 1),
+        (Some(Ordering::Less), Some(place)) => place.checked_sub(1).and_then(|before| row.get(before)),
+        _ => None,
+    };
+    match between {
+        None => Ok(()),
+        Some(other) => {
+            let (own, other) = (meeting.of[0].name(), other.name());
+            Err(Refusal::impossible_at(
+                meeting,
+                &format!("{own} moves towards {other}, which lies between it and the wall"),
+            )
+            .try_this(format!("put the impact of {own} and {other} in before this one")))
+        }
+    }
 }
 
 /// The quantities that one impact gives.

@@ -69,6 +69,23 @@ impl<S> SceneText<S> {
             .flatten()
             .any(|velocity| matches!(velocity, VelocityText::Along(_)))
     }
+
+    /// Is nothing given but one body in a plane, before and after, or the impulse that it receives?
+    pub fn is_of_one_particle(&self) -> bool {
+        let in_a_plane = |velocity: &Option<VelocityText<S>>| !matches!(velocity, None | Some(VelocityText::Along(_)));
+        let of_b = self.masses.b.is_some() || self.before.b.is_some() || self.after.b.is_some();
+        let of_an_impact = self.wall.is_some()
+            || self.e.is_some()
+            || self.line_of_centres.is_some()
+            || !self.positions.is_none()
+            || self.impact_parameter.is_some();
+        self.impulse.is_some() || (in_a_plane(&self.before.a) && in_a_plane(&self.after.a) && !of_b && !of_an_impact)
+    }
+
+    /// Is there no other sphere in the first impact?
+    pub fn is_of_one(&self) -> bool {
+        self.wall.is_some() || self.is_of_one_particle()
+    }
 }
 
 /// An impact that comes after another. Masses and velocities are those that the spheres have by then.

@@ -29,23 +29,24 @@ pub fn check(known: &Known<Value>) -> Result<Known<Value>, Refusal> {
 pub fn check_with(known: &Known<Value>, computed: &Known<Value>) -> Result<Known<Value>, Refusal> {
     let mut all = known.clone();
     Derivation::carry_out_with(&mut all, computed, &sides(known));
-    one(&all)?;
+    one(&all, known.0.contains_key(&Quantity::Restitution))?;
     for meeting in Meeting::all(known.0.keys()) {
         let sides = sides(&meeting.known(known)).into_iter().map(|quantity| meeting.quantity(quantity));
         let sides: Vec<Quantity> = sides.collect();
         let mut there = known.clone();
         Derivation::carry_out_with(&mut there, &all, &sides);
-        one(&meeting.known(&there)).map_err(|refusal| refusal.at(meeting))?;
+        let is_given = known.0.contains_key(&meeting.quantity(Quantity::Restitution));
+        one(&meeting.known(&there), is_given).map_err(|refusal| refusal.at(meeting))?;
     }
     Ok(all)
 }
 
-/// One impact.
-fn one(known: &Known<Value>) -> Result<(), Refusal> {
+/// One impact, of which the coefficient of restitution may be given or have come out.
+fn one(known: &Known<Value>, e_is_given: bool) -> Result<(), Refusal> {
     impulse_given(known)?;
     masses(known)?;
     approach(known)?;
-    restitution(known)?;
+    restitution(known, e_is_given)?;
     kept(known)
 }
 
@@ -131,9 +132,20 @@ fn approach(known: &Known<Value>) -> Result<(), Refusal> {
     }
 }
 
-fn restitution(known: &Known<Value>) -> Result<(), Refusal> {
+fn restitution(known: &Known<Value>, e_is_given: bool) -> Result<(), Refusal> {
     let separation = known.number(Quantity::Separation);
     let e = known.number(Quantity::Restitution);
+    if let Some(e) = e.as_ref().filter(|_| e_is_given) {
+        let beyond = match (e.sign(), (e - &Value::ONE).sign()) {
+            (Some(Ordering::Less), _) => "negative",
+            (_, Some(Ordering::Greater)) => "above 1",
+            _ => "",
+        };
+        if !beyond.is_empty() {
+            let reason = format!("the coefficient of restitution is given as {}, which is {beyond}", show(e));
+            return Err(Refusal::impossible(reason).try_this("give a number from 0 to 1"));
+        }
+    }
     if let Some(separation) = &separation
         && separation.sign() == Some(Ordering::Less)
     {

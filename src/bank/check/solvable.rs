@@ -199,7 +199,7 @@ fn left_out(scene: &SceneText) -> Option<&'static str> {
     if scene.before.a.is_none() {
         return Some("the velocity of *A* before, `before.A`");
     }
-    match (scene.wall.is_some() || scene.impulse.is_some(), scene.masses.b.is_some()) {
+    match (scene.is_of_one(), scene.masses.b.is_some()) {
         (true, _) => None,
         (false, false) if scene.before.b.is_none() => {
             Some("what *A* meets, a sphere by `masses.B` and `before.B` or a `wall`")

@@ -241,6 +241,8 @@ fn begins_a_clause(sentence: &Sentence, place: usize, subject: &Phrase, verb: &s
         Token::Word(word) if word == "then" => {
             before.checked_sub(1).is_none_or(|and| word_at(sentence, and) != "and") || subject.count() == Count::Several
         }
+        // `Of the same radius as *A*` compares, and begins nothing.
+        Token::Word(word) if word == "as" && says(&sentence[before.saturating_sub(3)..before], &["same"]) => false,
         Token::Word(word) if IN_TIME.contains(&word.as_str()) => {
             let is_body = row(sentence, place).is_some()
                 || noun_after(sentence, place).is_some_and(|noun| body(word_at(sentence, noun)).is_some());
@@ -336,6 +338,7 @@ mod tests {
     fn one_is_not_several() {
         let table = [
             ("Two small smooth spheres *A* and *B* have equal radii.", ""),
+            ("A sphere *A*, of mass {m}, and a sphere *B*, of the same radius as *A*, moving at {u}, collide.", ""),
             ("Two smooth spheres *A*, *B* and *C* lie in a line.", "two of which 3 are named"),
             ("Two smooth spheres *A*, of mass {m}, and *B*, of mass {k}, have equal radii.", ""),
             ("Two balls *A* (mass {m}) and *B* (mass {k}) roll towards each other.", ""),

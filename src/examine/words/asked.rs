@@ -157,8 +157,7 @@ fn texts(question: &Question) -> impl Iterator<Item = &Text> {
 fn absent(question: &Question) -> Vec<Finding> {
     let scene = &question.scene;
     let has_wall = scene.wall.is_some() || scene.then.iter().any(|then| then.wall.is_some());
-    let is_alone = scene.wall.is_some() || scene.impulse.is_some();
-    let has_spheres = !is_alone || scene.then.iter().any(|then| then.of.len() > 1);
+    let has_spheres = !scene.is_of_one() || scene.then.iter().any(|then| then.of.len() > 1);
     let (wall, line) = ("speak of a wall, and the scene has none", "speak of a line of centres, and no spheres meet");
     let (name, mend) = ("name what there is", "give in `[scene]` what is said, or say what it has");
     let mut told: Vec<&str> = Vec::new();

@@ -109,21 +109,29 @@ fn plain<'t>(texts: impl Iterator<Item = &'t Text>) -> Vec<Sentence<'t>> {
     texts.flat_map(sentences).filter(|sentence| !is_supposed(sentence) && !is_denied(sentence)).collect()
 }
 
-/// `That A exerts on B`: who is named, where an impact is of others.
 /// `The impulse that *A* exerts on the wall`, where the vector that is found is the one on *A*.
 fn exerted_by_its_own(asked: &[Sentence], answer: &Answer) -> Option<Finding> {
     let Find::Vector(component, _) = answer.find else { return None };
     let Quantity::Impulse(own, _) = component.of_its_impact() else { return None };
     let exerts = |sentence: &Sentence| {
-        says(sentence, &["impulse"])
-            && sentence.windows(3).any(|words| match words {
-                [Token::Sphere(sphere), exerts, on] => {
-                    *sphere == own && is_one_of(exerts, &["exerts", "gives"]) && is_one_of(on, &["on", "to"])
-                }
-                _ => false,
-            })
+        sentence.windows(3).any(|words| match words {
+            [Token::Sphere(sphere), exerts, on] => {
+                *sphere == own && is_one_of(exerts, &["exerts", "gives"]) && is_one_of(on, &["on", "to"])
+            }
+            _ => false,
+        })
     };
-    asked.iter().find(|sentence| exerts(sentence))?;
+    // `The impulse exerted on the bat by *A*`
+    let exerted = |sentence: &Sentence| {
+        let at = sentence.iter().position(|token| is_one_of(token, &["exerted", "given", "received"]));
+        let is_by = |words: &[Token]| is_one_of(&words[0], &["by"]) && words[1] == Token::Sphere(own);
+        at.is_some_and(|at| {
+            is_one_of(sentence.get(at + 1).unwrap_or(&Token::Comma), &["on", "to"])
+                && sentence[at..].windows(2).any(is_by)
+                && !sentence[..at].contains(&Token::Sphere(own))
+        })
+    };
+    asked.iter().find(|sentence| says(sentence, &["impulse"]) && (exerts(sentence) || exerted(sentence)))?;
     let own = own.name();
     let message =
         format!("the words ask for the impulse that `*{own}*` exerts, and the answer is the impulse on `*{own}*`");
@@ -131,6 +139,7 @@ fn exerted_by_its_own(asked: &[Sentence], answer: &Answer) -> Option<Finding> {
     Some(Finding::new(message, "", format!("on {own}")).with_help(help))
 }
 
+/// `That A exerts on B`: who is named, where an impact is of others.
 fn exerts_otherwise(sentence: &[Token], impact: &Impact) -> Option<String> {
     let at = sentence.windows(2).position(|pair| is_one_of(&pair[0], &["exerts"]) && is_one_of(&pair[1], &["on"]))?;
     let beside = [at.checked_sub(1)?, at + 2].into_iter().filter_map(|place| sentence.get(place));
@@ -213,7 +222,7 @@ mod tests {
         let onto = "successive/struck-onto-a-wall";
         let both = "both-moving/energy-lost-and-impulse";
         let after = ("rest/speeds-and-directions", "Immediately before the collision");
-        let table: [(&str, Edits, &str); 23] = [
+        let table: [(&str, Edits, &str); 25] = [
             (line, &[], ""),
             (
                 both,
@@ -225,6 +234,16 @@ mod tests {
                 "vector-impulse/impulse-from-two-velocities",
                 &[("the impulse on *A*", "the impulse that *A* exerts on the stick")],
                 "impulse that `*A*` exerts, and the answer is the impulse on `*A*`",
+            ),
+            (
+                "vector-impulse/impulse-from-two-velocities",
+                &[("the impulse on *A*", "the impulse exerted on the stick by *A*")],
+                "impulse that `*A*` exerts, and the answer is the impulse on `*A*`",
+            ),
+            (
+                "vector-impulse/impulse-from-two-velocities",
+                &[("the impulse on *A*", "the impulse exerted on *A* by the stick")],
+                "",
             ),
             (
                 "vector-impulse/impulse-from-two-velocities",

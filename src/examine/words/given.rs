@@ -109,7 +109,10 @@ pub fn unit_of(expr: &Expr, scene: &SceneText) -> Unit {
     let (mut speed, mut angle) = (false, false);
     for velocity in velocities {
         match velocity {
-            VelocityText::Along(along) => speed |= is(along, expr),
+            // Against the line its size is a speed, too.
+            VelocityText::Along(along) => {
+                speed |= is(along, expr) || along.strip_prefix('-').is_some_and(|size| is(&size.to_owned(), expr));
+            }
             VelocityText::Components(components) => speed |= is_vector(components),
             VelocityText::Polar(polar) => {
                 speed |= is(&polar.speed, expr);

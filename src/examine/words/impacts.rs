@@ -26,8 +26,7 @@ impl Impact<'_> {
 
 /// All of them, in their order.
 pub fn impacts(scene: &SceneText) -> Vec<Impact<'_>> {
-    let is_alone = scene.wall.is_some() || scene.impulse.is_some();
-    let first = (scene.wall.is_some(), if is_alone { vec!["A"] } else { vec!["A", "B"] });
+    let first = (scene.wall.is_some(), if scene.is_of_one() { vec!["A"] } else { vec!["A", "B"] });
     let later = scene.then.iter().map(|then| (then.wall.is_some(), then.of.iter().map(String::as_str).collect()));
     let all = [first].into_iter().chain(later);
     (0..).zip(all).map(|(number, (is_wall, of))| Impact { number, is_wall, of }).collect()

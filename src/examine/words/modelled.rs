@@ -123,7 +123,7 @@ mod tests {
     fn what_the_scene_takes_to_be_so_is_said() {
         let (rest, wall, direct) =
             ("rest/speeds-and-directions", "walls/rebound-speed-and-direction", "direct/velocities-after-impact");
-        let table: [(&str, Edits, &str); 14] = [
+        let table: [(&str, Edits, &str); 15] = [
             (rest, &[], ""),
             (rest, &[("smooth uniform sphere", "uniform sphere")], "that the spheres are smooth"),
             (rest, &[("smooth uniform", "uniform"), ("have equal", "are smooth and have equal")], ""),
@@ -142,6 +142,7 @@ mod tests {
             (wall, &[("smooth fixed", "large smooth fixed")], ""),
             (direct, &[], ""),
             ("i-j/velocities-after-impact", &[], ""),
+            ("vector-impulse/impulse-from-two-velocities", &[("A puck *A*", "A ball *A*")], ""),
         ];
         for (id, edits, words) in table {
             let said: String = unsaid(&edited(id, edits)).into_iter().map(|finding| finding.message).collect();

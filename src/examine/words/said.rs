@@ -247,7 +247,8 @@ fn of_it(sentence: &[Token], place: usize, it: Sphere) -> Option<(Noun, Sphere)>
 }
 
 /// Words of what happens once the impact is over.
-const AFTERWARDS: [&str; 6] = ["after", "afterwards", "rebounds", "rebounding", "leaves", "leaving"];
+const AFTERWARDS: [&str; 8] =
+    ["after", "afterwards", "result", "rebounds", "rebound", "rebounding", "leaves", "leaving"];
 
 /// Is a number of a sentence of the time before the impact, or after it?
 pub(super) fn moment(sentence: &[Token], place: usize) -> Moment {

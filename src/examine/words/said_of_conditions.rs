@@ -14,7 +14,7 @@ use crate::mechanics::{Axis, Moment, Quantity, Sphere};
 const OLD: [&str; 6] = ["old", "original", "previous", "initial", "former", "earlier"];
 
 /// One thing to try where the words and the scene disagree on what happens.
-const MEND: &str = "mend the `conditions` or velocities of `[scene]`, or say what happens";
+pub(super) const MEND: &str = "mend the `conditions` or velocities of `[scene]`, or say what happens";
 
 impl Seen<'_> {
     /// Two spheres that are said to meet again, or not to, where a condition compares their velocities: the one ahead is
@@ -154,7 +154,8 @@ impl Seen<'_> {
             is_one_of(&sentence[*at], &["direction", "directions"])
                 && is_one_of(&sentence[at - 1], &["same", "opposite"])
         });
-        let Some(at) = at.filter(|at| moment(sentence, *at) == Moment::After) else { return };
+        let goes_on = says(sentence, &["continues", "carries", "keeps"]);
+        let Some(at) = at.filter(|at| goes_on || moment(sentence, *at) == Moment::After) else { return };
         let Token::Word(said) = &sentence[at - 1] else { return };
         let is_back = said == "opposite";
         let Some(sphere) = subject(&sentence[..at - 1]) else {
@@ -214,8 +215,9 @@ impl Seen<'_> {
             "unchanged",
         ];
         let Some(at) = sentence.iter().position(|token| is_one_of(token, &["direction", "directions"])) else { return };
-        let near = &sentence[at.saturating_sub(4)..sentence.len().min(at + 7)];
-        let is_as_before = near.windows(2).any(|pair| is_one_of(&pair[0], &["as"]) && is_one_of(&pair[1], &["before"]));
+        let near = &sentence[at.saturating_sub(4)..sentence.len().min(at + 9)];
+        let is_as_before = near.windows(2).any(|pair| is_one_of(&pair[0], &["as"]) && is_one_of(&pair[1], &["before"]))
+            || near.windows(4).any(was_moving);
         let is_other = says(sentence, &OTHERWISE);
         let is_after = moment(sentence, at) == Moment::After;
         if is_other || !is_after || !(is_as_before || says(near, &OLD)) || !self.question.scene.then.is_empty() {
@@ -288,4 +290,13 @@ impl Seen<'_> {
             }
         }
     }
+}
+
+/// `In which it was moving`
+fn was_moving(words: &[Token]) -> bool {
+    let [which, it, was, moving] = words else { return false };
+    is_one_of(which, &["which"])
+        && is_one_of(it, &["it"])
+        && is_one_of(was, &["was", "had"])
+        && is_one_of(moving, &["moving", "travelling", "been"])
 }

@@ -22,10 +22,21 @@ pub fn unreadable(words: &Words, variant: &Variant, heard: &mut Heard, remarks: 
             remarks.push(remark("a division by nought", &print::unicode(expr), help));
         }
     }
-    for text in words.stem.iter().chain(&words.asks) {
+    each_sentence(words, remarks);
+}
+
+/// Sentences begin with a capital and end with a full stop.
+fn each_sentence(words: &Words, remarks: &mut Vec<Remark>) {
+    let all: Vec<&Text> = words.stem.iter().chain(&words.asks).collect();
+    for (place, text) in all.iter().enumerate() {
         without_a_capital(text, words, remarks);
+        // `Given that the coefficient of restitution is {e},` and then `(a) find …, (b) find …`
+        let goes_on = || all.get(place + 1).is_some_and(|next| place + 1 >= words.stem.len() && is_begun_small(next));
         let ends = match text.0.last() {
-            Some(Piece::Words(words)) => words.trim_end().ends_with(['.', '?', '!', ':', ']', ')']),
+            Some(Piece::Words(words)) => {
+                let words = words.trim_end();
+                words.ends_with(['.', '?', '!', ':', ']', ')']) || (words.ends_with([',', ';']) && goes_on())
+            }
             Some(Piece::Formula(_) | Piece::Quantity(..)) => false,
             _ => true,
         };
@@ -39,10 +50,14 @@ pub fn unreadable(words: &Words, variant: &Variant, heard: &mut Heard, remarks: 
 fn without_a_capital(text: &Text, words: &Words, remarks: &mut Vec<Remark>) {
     let Some(Piece::Words(start)) = text.0.first() else { return };
     let leads_up = || words.stem.last().is_some_and(|last| !tail(last).ends_with(['.', '?', '!', ']']));
-    if start.starts_with(|first: char| first.is_lowercase()) && !leads_up() {
+    if is_begun_small(text) && !leads_up() {
         let at = start.split_whitespace().take(4).collect::<Vec<_>>().join(" ");
         remarks.push(remark_at("a sentence without a capital", &at, &at, "begin it with a capital letter"));
     }
+}
+
+fn is_begun_small(text: &Text) -> bool {
+    matches!(text.0.first(), Some(Piece::Words(words)) if words.starts_with(char::is_lowercase))
 }
 
 /// Is there a quotient in it of which what stands below the line comes to nought?
@@ -345,6 +360,27 @@ mod tests {
             }
             let said = format!("{remarks:?}");
             assert!(remarks.is_empty() == shown.is_empty() && said.contains(shown), "{words}: {said}");
+        }
+    }
+
+    #[test]
+    fn a_sentence_may_go_on_into_the_parts() {
+        let text = |words: &str| read_markup(words).unwrap().remove(0);
+        let table = [
+            ("*A* strikes *B*. Given that e is {e},", &["find the speed of *A*,", "find the speed of *B*."][..], ""),
+            ("*A* strikes *B*. Given that e is {e},", &["Find the speed of *A*."], "without a full stop"),
+            ("*A* strikes *B*. Find", &["the speed of *A*."], "without a full stop"),
+            ("*A* strikes *B*. Find:", &["the speed of *A*;", "the speed of *B*."], ""),
+            ("*A* strikes *B*.", &["Find the speed of *A*,"], "without a full stop"),
+            ("*A* strikes *B*.", &["find the speed of *A*."], "without a capital"),
+        ];
+        for (stem, asks, shown) in table {
+            let words =
+                Words { stem: vec![text(stem)], asks: asks.iter().map(|ask| text(ask)).collect(), said: vec![] };
+            let mut remarks = Vec::new();
+            each_sentence(&words, &mut remarks);
+            let said = format!("{remarks:?}");
+            assert!(remarks.is_empty() == shown.is_empty() && said.contains(shown), "{stem} {asks:?}: {said}");
         }
     }
 }

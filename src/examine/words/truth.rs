@@ -218,7 +218,7 @@ fn is_acute(expr: &Expr, piece: &Piece, variant: &Variant) -> Option<bool> {
 
 /// Words of who moves which way along the line of centres, and what they say of *A* and of *B*: with the line from *A* to
 /// *B* or against it. What is said of the other is said of both.
-const WAYS: [(&str, Whom); 11] = [
+const WAYS: [(&str, Whom); 12] = [
     ("towards each other", Whom::Both(1.0, -1.0)),
     ("towards the other", Whom::Both(1.0, -1.0)),
     ("towards", Whom::Next(1.0)),
@@ -226,11 +226,15 @@ const WAYS: [(&str, Whom); 11] = [
     ("away from the other", Whom::Both(-1.0, 1.0)),
     ("away from", Whom::Next(-1.0)),
     ("in opposite directions", Whom::Opposite(-1.0)),
+    ("in the opposite direction along", Whom::Opposite(-1.0)),
     ("in the same direction", Whom::Opposite(1.0)),
     ("behind", Whom::Behind),
     ("in front of", Whom::Ahead),
     ("ahead of", Whom::Ahead),
 ];
+
+/// What comes next where a sphere's way is set beside its own old one.
+const OF_ITSELF: [&str; 4] = [" as before", " as it ", " as its ", " as that"];
 
 /// Whom such words are said of.
 #[derive(Clone, Copy)]
@@ -258,9 +262,9 @@ fn ways(text: &Text, variant: &Variant, remarks: &mut Vec<Remark>) {
             is_after = is_after || ["after ", " then "].iter().any(|later| lower.contains(later));
             let is_said = |way: &&(&str, Whom)| match way.1 {
                 Whom::Next(_) | Whom::Behind | Whom::Ahead => sentence.trim_end().ends_with(way.0),
-                _ => sentence.contains(way.0),
+                _ => sentence.split(way.0).skip(1).any(|rest| !OF_ITSELF.iter().any(|old| rest.starts_with(old))),
             };
-            if let Some((way, whom)) = WAYS.iter().find(is_said).filter(|_| !is_after) {
+            for (way, whom) in WAYS.iter().filter(is_said).filter(|_| !is_after) {
                 let next = match text.0.get(place + 1) {
                     Some(Piece::Formula(Expr::Name(name))) => name.text.as_str(),
                     _ => "",

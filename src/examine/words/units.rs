@@ -198,7 +198,8 @@ fn is_stated(before: &[Piece], after: &str, style: &Style) -> bool {
     let said = print::text_unicode(&Text(before[before.len().saturating_sub(6)..].to_vec()));
     let is_between = |word: &&str| {
         let word = word.trim_end_matches(',');
-        matches!(word, "is" | "are" | "of" | "and" | "have" | "A" | "B" | "C") || is_number(word, style)
+        matches!(word, "is" | "are" | "of" | "and" | "have" | "A" | "B" | "C" | "kg" | "m" | "s⁻¹")
+            || is_number(word, style)
     };
     let mut words = said.split_whitespace().rev().skip_while(is_between);
     let is_said = words.next().is_some_and(|word| matches!(word, "speed" | "mass" | "speeds" | "masses"));
@@ -217,10 +218,15 @@ fn is_coefficient(expr: &Expr, question: &Question) -> bool {
     matches!(expr, Expr::Name(name) if all.any(|e| *e == name.text))
 }
 
-/// Is it a parameter whose values are all plain numbers?
+/// Is it a parameter whose values are all plain numbers, or derived from such alone?
 fn is_number(name: &str, style: &Style) -> bool {
     let domain = style.parameters.iter().find(|(own, _)| own == name).map(|(_, domain)| domain);
-    domain.is_some_and(|domain| (0..domain.size().min(100)).all(|place| domain.value(place).names().is_empty()))
+    let formula = style.lets.iter().find(|(own, _)| own == name).map(|(_, formula)| formula);
+    let is_of_numbers = |formula: &Expr| formula.names().iter().all(|name| is_number(&name.text, style));
+    match domain {
+        Some(domain) => (0..domain.size().min(100)).all(|place| domain.value(place).names().is_empty()),
+        None => formula.is_some_and(is_of_numbers),
+    }
 }
 
 /// Is it a number of degrees, or a term of one, as in `180 - beta`?
@@ -252,7 +258,8 @@ mod tests {
     fn each_number_is_said_in_its_unit() {
         let (line, size) = ("successive/no-more-collisions", "vector-impulse/size-of-the-impulse");
         let direct = "direct/velocities-after-impact";
-        let table: [(&str, Edits, &str); 11] = [
+        let (same, letters) = ("direct/one-sphere-catches-the-other", "vector-impulse/mass-from-the-speed-after");
+        let table: [(&str, Edits, &str); 14] = [
             (line, &[], ""),
             (direct, &[("{mA kg} and", "{mA} grams and")], "`mA` is said in `grams`, and the scene takes it in kg"),
             (direct, &[("{u m/s} and", "{u} cm/s and")], "`u` is said in `cm/s`, and the scene takes it in m/s"),
@@ -268,6 +275,9 @@ mod tests {
                 "`e` is said in m/s, and a coefficient of restitution has no unit",
             ),
             ("walls/restitution-from-two-angles", &[], ""),
+            (same, &[("{w m/s}", "{w}")], "`w` is said without a unit"),
+            (direct, &[("{mA kg} and {mB kg}", "{mA kg} and {mB}")], "`mB` is said without a unit"),
+            (letters, &[], ""),
         ];
         for (id, edits, words) in table {
             let said: String = astray(&edited(id, edits)).into_iter().map(|finding| finding.message).collect();

@@ -25,7 +25,7 @@ impl Reader<'_> {
         let given: Vec<(&str, bool)> = given.collect();
         let setting = if text.wall.is_some() {
             Setting::Wall
-        } else if text.impulse.is_some() || is_of_one_particle(text) {
+        } else if text.is_of_one_particle() {
             Setting::Impulse
         } else if given.iter().any(|(_, is_direct)| *is_direct) && !is_laid_in_a_plane(text, &given) {
             Setting::Direct
@@ -161,15 +161,4 @@ fn is_laid_in_a_plane<S>(text: &SceneText<S>, given: &[(&str, bool)]) -> bool {
     let in_a_plane = given.len() - along_a_line;
     let is_laid = text.line_of_centres.is_some() || text.impact_parameter.is_some() || !text.positions.is_none();
     in_a_plane > 0 && (is_laid || in_a_plane > along_a_line)
-}
-
-/// Is nothing given but one body, before and after? Then its impulse is to be found.
-fn is_of_one_particle<S: AsRef<str>>(text: &SceneText<S>) -> bool {
-    let in_a_plane = |velocity: &Option<VelocityText<S>>| !matches!(velocity, None | Some(VelocityText::Along(_)));
-    let of_b = text.masses.b.is_some() || text.before.b.is_some() || text.after.b.is_some();
-    let of_an_impact = text.e.is_some()
-        || text.line_of_centres.is_some()
-        || !text.positions.is_none()
-        || text.impact_parameter.is_some();
-    in_a_plane(&text.before.a) && in_a_plane(&text.after.a) && !of_b && !of_an_impact
 }

@@ -40,6 +40,15 @@ fn is_decimal(expr: &Expr) -> bool {
 /// Formulas in a scene may not be longer than this; their derived quantities grow with the square.
 const MOST_TERMS: usize = 40;
 
+/// Each angle in degrees within one number doubles what there is to do, and so does each root within a root.
+const MOST_ANGLES: usize = 4;
+const MOST_DEPTH: u32 = 4;
+
+/// How many angles in degrees stand in a value.
+fn given_angles(value: &Value) -> usize {
+    value.letters().iter().filter(|letter| letter.is_constant()).count()
+}
+
 impl Scene {
     /// Reads every expression of a scene. Names stand for parameters, or for the scene's letters;
     /// in the words of a bank question a bare trigonometric argument is in degrees.
@@ -112,7 +121,7 @@ impl Reader<'_> {
             maximise,
             then,
         };
-        scene.then = self.then(&text.then, &scene);
+        scene.then = self.then(text, &scene);
         scene
     }
 
@@ -155,6 +164,18 @@ impl Reader<'_> {
         match number(&expr, &|name| meaning(letters, name)) {
             Ok(value) if value.terms() > MOST_TERMS => {
                 self.whole_fault(field, text, "too long a formula", "a shorter one");
+                None
+            }
+            Ok(value) if given_angles(&value) > MOST_ANGLES => {
+                let expected = format!("sines, cosines and tangents of at most {MOST_ANGLES} angles");
+                self.whole_fault(field, text, "too many different angles in one formula", &expected);
+                self.help("write what it comes to as a decimal");
+                None
+            }
+            Ok(value) if value.depth() > MOST_DEPTH => {
+                let expected = format!("at most {MOST_DEPTH} roots, one within another");
+                self.whole_fault(field, text, "too many roots within roots", &expected);
+                self.help("write what it comes to as a decimal");
                 None
             }
             Ok(value) => {

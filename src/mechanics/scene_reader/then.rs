@@ -2,9 +2,9 @@
 
 use super::Reader;
 use crate::mechanics::Sphere;
-use crate::mechanics::later::{LATER, Meeting, ordinal};
+use crate::mechanics::later::{LATER, Meeting, ordinal, row};
 use crate::mechanics::scene::{Contact, Given, Scene, Then, Velocity};
-use crate::mechanics::scene_text::{Sense, ThenText};
+use crate::mechanics::scene_text::{SceneText, Sense, ThenText, VelocityText};
 use crate::mechanics::setting::Setting;
 use crate::number::Value;
 
@@ -13,7 +13,8 @@ type Bodies = Vec<(Sphere, Option<Given>)>;
 
 impl Reader<'_> {
     /// Every later impact as a scene by itself, with A and B for who meets there.
-    pub(super) fn then<S: AsRef<str>>(&mut self, texts: &[ThenText<S>], first: &Scene) -> Vec<Then> {
+    pub(super) fn then<S: AsRef<str>>(&mut self, text: &SceneText<S>, first: &Scene) -> Vec<Then> {
+        let texts = text.then.as_slice();
         if texts.len() > LATER.len() {
             let label = "at most three later impacts, four with the first";
             self.misfit("then", "there are too many impacts", label, "end with the last impact that is asked about");
@@ -33,7 +34,67 @@ impl Reader<'_> {
         if !first.setting.is_of_one() {
             bodies.push((Sphere::B, first.masses[1].clone()));
         }
-        texts.iter().zip(1..).filter_map(|(text, number)| self.one(text, number, first, &mut bodies)).collect()
+        let mut all: Vec<Then> = Vec::new();
+        for (then, number) in texts.iter().zip(1..) {
+            let in_a_line = first.setting == Setting::Direct || text.is_in_one_line();
+            let is_mixed = self.is_mixed(then, number, in_a_line);
+            let one = self.one(then, number, first, &mut bodies).filter(|_| !is_mixed);
+            let before: Vec<Meeting> = all.iter().map(|then| then.meeting).collect();
+            if let Some(one) = &one
+                && first.setting == Setting::Direct
+            {
+                self.in_their_row(one.meeting, &before);
+            }
+            all.extend(one);
+        }
+        all
+    }
+
+    /// Is the velocity of who is new along a line where the others are in a plane, or the other way round?
+    fn is_mixed<S: AsRef<str>>(&mut self, then: &ThenText<S>, number: u8, in_a_line: bool) -> bool {
+        let Some(before) = &then.before else { return false };
+        let is_along = match before {
+            VelocityText::Along(text) => self.vector_in_words(text.as_ref()).is_none(),
+            _ => false,
+        };
+        let field = format!("then[{}].before", number - 1);
+        match (is_along, in_a_line) {
+            (true, false) => {
+                let label = "expected `[\"x\", \"y\"]`, as the others are in a plane";
+                let help = "give its components along i and along j; of a sphere at rest they are `[\"0\", \"0\"]`";
+                self.misfit(&field, "a velocity along a line among others in a plane", label, help);
+            }
+            (false, true) if !matches!(before, VelocityText::Along(_)) => {
+                let label = "expected one number, positive from A to B, as the others move along one line";
+                let help = "give its velocity along the line, as in `before = \"-3\"`";
+                self.misfit(&field, "a velocity in a plane among others along a line", label, help);
+            }
+            _ => return false,
+        }
+        true
+    }
+
+    /// Spheres on one line meet the next one, and are named in the order in which they lie there.
+    fn in_their_row(&mut self, meeting: Meeting, before: &[Meeting]) {
+        let line = row(before);
+        let place = |sphere: Sphere| line.iter().position(|other| *other == sphere);
+        let last = line.len().saturating_sub(1);
+        let [one, other] = meeting.of;
+        let is_so = match (place(one), place(other)) {
+            // Which way it moves the numbers say.
+            _ if meeting.with_wall => return,
+            (Some(one), Some(other)) => one + 1 == other,
+            (Some(one), None) => one == last,
+            (None, Some(other)) => other == 0,
+            (None, None) => return,
+        };
+        if !is_so {
+            let names = |row: &[Sphere]| row.iter().map(|sphere| sphere.name()).collect::<Vec<_>>().join(", ");
+            let message = format!("{} and {} are not next to each other in this order", one.name(), other.name());
+            let label = format!("on their line the spheres lie in the order {}", names(&line));
+            let help = "name two that are neighbours, the one first that lies first on the line";
+            self.misfit(&format!("then[{}].of", meeting.number - 1), &message, &label, help);
+        }
     }
 
     fn one<S: AsRef<str>>(
