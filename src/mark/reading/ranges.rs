@@ -47,6 +47,32 @@ pub(super) fn with_round_brackets(tokens: Vec<Placed>) -> Vec<Placed> {
     out
 }
 
+/// `e > 1/3 up to 1` as `e > 1/3, up to 1`, and `from 1/3 to 1, not including 1/3` in one.
+pub(super) fn with_ends_apart(tokens: Vec<Placed>, text: &str) -> Vec<Placed> {
+    let said = |placed: &Placed| text.get(placed.start..placed.end).unwrap_or_default().to_lowercase();
+    let is_up_to = |at: usize| match &tokens[at].token {
+        Token::Phrase(_) => said(&tokens[at]) == "up" && tokens.get(at + 1).is_some_and(|to| said(to) == "to"),
+        Token::Sign('≤') => said(&tokens[at]).starts_with("up to"),
+        _ => false,
+    };
+    let mut out: Vec<Placed> = Vec::with_capacity(tokens.len());
+    for (at, placed) in tokens.iter().enumerate() {
+        let is_excluding = tokens.get(at + 1).is_some_and(|next| next.token == Token::Phrase(Phrase::Excluding));
+        if placed.is(',') && is_excluding {
+            continue;
+        }
+        let begun = out.iter().rposition(|placed| is_any(placed, &[',', ';', '\n'])).map_or(0, |comma| comma + 1);
+        if is_up_to(at) && has_inequality(&out[begun..]) {
+            if out.last().is_some_and(|last| matches!(said(last).as_str(), "and" | "but")) {
+                out.pop();
+            }
+            out.push(Placed { token: Token::Sign(','), end: placed.start, ..placed.clone() });
+        }
+        out.push(placed.clone());
+    }
+    out
+}
+
 /// What holds of the letter in `{e : e > 1/3}`, `{e ∈ ℝ : e > 1/3}`.
 pub(super) fn without_set_builder(tokens: &[Placed]) -> &[Placed] {
     let [open, Placed { token: Token::Word(_) | Token::Greek(_), .. }, inside @ .., close] = tokens else {

@@ -25,7 +25,8 @@ pub(super) fn statements(
     choices: &mut Choices,
     passes_over: bool,
 ) -> Result<Vec<Statement>, Unreadable> {
-    let tokens = with_arrows_after_names(ranges::with_round_brackets(tokens), vocabulary);
+    let tokens = ranges::with_ends_apart(ranges::with_round_brackets(tokens), text);
+    let tokens = with_arrows_after_names(tokens, vocabulary);
     let tokens = with_both_signs(tokens);
     let mut reader = Statements {
         text,

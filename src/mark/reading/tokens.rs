@@ -212,6 +212,8 @@ impl Lexer<'_> {
             }
             ('=', '>') | ('-', '>') => ('⇒', 2),
             ('>', '=') => ('≥', 2),
+            ('<', _) if let Some(length) = self.or_equal() => ('≤', length),
+            ('>', _) if let Some(length) = self.or_equal() => ('≥', length),
             ('/', '/') => ('¦', 2),
             ('\'', '\'') => ('"', 2),
             // The circle of degrees, as a letter.
@@ -278,6 +280,15 @@ impl Lexer<'_> {
     /// Does a letter stand straight before it?
     fn follows_letter(&self) -> bool {
         self.at > 0 && self.glyphs[self.at - 1].sign.is_alphabetic()
+    }
+
+    /// `< or =`: how many signs that is.
+    fn or_equal(&self) -> Option<usize> {
+        let blanks = |from: usize| from + (from..).take_while(|at| self.sign(*at) == Some(' ')).count();
+        let or = blanks(1);
+        let equal = blanks(or + 2);
+        let is_or = self.sign(or) == Some('o') && self.sign(or + 1) == Some('r') && equal > or + 2;
+        (is_or && self.sign(equal) == Some('=')).then_some(equal + 1)
     }
 
     /// Is what stands straight before it a decimal?

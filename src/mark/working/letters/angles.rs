@@ -12,7 +12,7 @@ use crate::mark::working::prepared::Prepared;
 use crate::number::{Letter, Range};
 
 /// Letters for angles that are still to be found: nobody calls a given one so, unless the question does.
-const NEW: [&str; 4] = ["beta", "gamma", "delta", "phi"];
+pub(super) const NEW: [&str; 4] = ["beta", "gamma", "delta", "phi"];
 
 /// Puts the angles that letters stand for in their places under sines, cosines and tangents.
 ///
@@ -188,7 +188,7 @@ fn in_degrees(degrees: f64) -> Expr {
 }
 
 /// `cos θ = 4/5` or `θ = 36.9°`: the letter, and the angle in degrees.
-fn definition((left, right): &(Expr, Expr), prepared: &Prepared) -> Option<(String, f64)> {
+pub(super) fn definition((left, right): &(Expr, Expr), prepared: &Prepared) -> Option<(String, f64)> {
     let number = |expr: &Expr| constant(expr, &context(prepared, 0)).map(Spread::middle);
     // In letters of the question it is no number, and a letter of the question is none of the student's.
     let is_letter = |expr: &Expr| expr.names().iter().any(|name| prepared.points.letter(&name.text, 0).is_some());
