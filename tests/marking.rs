@@ -244,6 +244,24 @@ fn a_slip_is_named_only_where_the_working_does_not_speak_against_it() {
     assert_eq!(tags("4*4cos30 = 4v + 2w\nw - v = 4cos30/3\nw = 2.31"), ["arithmetic"]);
 }
 
+/// A line that has a sign wrong denies every mistake whose value comes of the right equation.
+#[test]
+fn a_sign_that_a_line_has_wrong_is_not_another_mistake() {
+    let tags = |working: &str| {
+        let row = Row {
+            question: "direct/restitution-from-one-speed".into(),
+            part: "a".into(),
+            answers: [("speed of B".to_owned(), "2".to_owned())].into(),
+            working: working.into(),
+            ..Row::default()
+        };
+        causes(&row, "speed of B")
+    };
+    assert_eq!(tags(""), ["other-sphere"]);
+    assert_eq!(tags("8 - 2 × 1 = -2 + 2w"), ["other-sphere"]);
+    assert!(tags("8 - 2 × 1 = 2 + 2w\nw = 2").is_empty());
+}
+
 #[test]
 fn an_answer_for_a_number_that_was_copied_wrongly_is_told_what_else_is_amiss_with_it() {
     let working = "5sin30 = 2.5\n4(5cos30) = 4v + 2w\nw - v = 5cos30/3\nv = 2.4056\nw = 3.849";

@@ -26,6 +26,8 @@ pub(super) struct ByLines {
     values: Vec<Quantity>,
     /// What is plainly wrong with a law.
     wrong: Vec<(Law, &'static str)>,
+    /// The equations that a line has wrongly, by what is seen of it: no value comes from the right ones.
+    departed: Vec<Law>,
     /// The marks of this part that lines earn, and the last of those lines.
     earned: Vec<bool>,
     last_line: Option<usize>,
@@ -85,8 +87,9 @@ impl ByLines {
                 EarnedFor::Law(law, _) if is_equation(*law) => {
                     equations.push(given.is_some());
                     all.laws.extend(given.map(|_| *law));
-                    let note = line.and_then(|(award, _)| award.note).filter(|note| PLAIN.contains(note));
-                    all.wrong.extend(note.map(|note| (*law, note)));
+                    let note = line.filter(|(award, _)| !award.given).and_then(|(award, _)| award.note);
+                    all.wrong.extend(note.filter(|note| PLAIN.contains(note)).map(|note| (*law, note)));
+                    all.departed.extend(note.filter(|note| *note == "sign-error").map(|_| *law));
                 }
                 // A speed may be right though its law was not used rightly: the root of one square is its base.
                 value => {
@@ -114,7 +117,8 @@ impl ByLines {
             let differs = |(law, note): &(Law, &str)| cause.laws.contains(law) && !has(cause, note);
             self.wrong.iter().any(differs)
         };
-        !(is_of_law && (spoils() || is_another() || forgets_e()))
+        let presupposes = self.departed.iter().any(|law| cause.earns_accuracy(*law));
+        !(presupposes || is_of_law && (spoils() || is_another() || forgets_e()))
     }
 
     /// Is it a mistake that a line shows plainly?
