@@ -220,6 +220,47 @@ fn the_next_impact_is_marked_though_no_line_of_the_first_is_written() {
     assert_eq!(found.idle().count(), 0);
 }
 
+const STOPPED: &str = r#"
+title = "A is brought to rest"
+topic = "direct impact"
+stem = "*A*, of mass {mA kg}, moves at {u m/s} and strikes *B*, of mass {M kg}, which is at rest. *A* stops, and *B* moves at {v m/s}."
+[parameters]
+mA = "2..3"
+mB = "4..5"
+u = ["10"]
+[let]
+v = "mA*u/mB"
+[style.exact]
+[scene]
+masses = { A = "mA", B = "M" }
+before = { A = "u", B = "0" }
+after = { A = "0", B = "v" }
+symbols = { M = "positive" }
+unknowns = ["M"]
+[[part]]
+ask = "Find the value of {M}."
+answers = [{ name = "{M}", find = "M" }]
+marks = [{ code = "M1", for = "momentum" }, { code = "A1", for = "momentum" }, { code = "A1", for = "M" }]
+[reference]
+mA = "2"
+mB = "4"
+u = "10"
+"#;
+
+/// No condition says what the letter is: the law itself does, and so it stands there.
+#[test]
+fn a_law_that_determines_a_letter_stands_in_the_working_and_in_the_scheme() {
+    let question = read_question("direct/own", &Source::new("own", STOPPED))
+        .unwrap_or_else(|faults| panic!("{}", render_all(&faults, false)));
+    let printed = compose(&question, &reference(&question).unwrap(), 1);
+    let lines = &printed.parts[0].working;
+    let working: Vec<String> = lines.iter().flat_map(|line| &line.equations).map(print::unicode).collect();
+    assert_eq!(working, ["2 × 10 = M × 5", "M = 4"]);
+    let scheme = &printed.parts[0].scheme;
+    let equations: Vec<String> = scheme.iter().flat_map(|row| &row.equations).map(print::unicode).collect();
+    assert_eq!(equations[0], "2 × 10 = M × 5");
+}
+
 const IN_A_PLANE: &str = r#"
 title = "A strikes B"
 topic = "impulse"

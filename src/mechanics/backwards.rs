@@ -18,7 +18,7 @@ use super::root_in_words;
 use super::scene::{Condition, Scene};
 use super::scene_reader::meaning;
 use super::unknowns::{mentions, substituted, with_letters};
-use super::validity::{broken_laws, check};
+use super::validity::{broken_laws, check, demanding};
 use super::working::Show;
 use super::{Derivation, Quantity, pose};
 use crate::expr::{Expr, Meaning, Turn, evaluate, holds, print, written, written_angle};
@@ -196,7 +196,7 @@ impl Posed {
         }
         asked.sort();
         asked.dedup();
-        let (derivation, missing) = Derivation::carry_out(&mut known, &asked);
+        let (mut derivation, missing) = Derivation::carry_out(&mut known, &asked);
         let impacts = scene.then.len() + 1;
         if let Some(beyond) = missing.iter().find(|quantity| usize::from(quantity.impact()) >= impacts) {
             let has = if impacts == 1 { "there is one".to_owned() } else { format!("there are {impacts}") };
@@ -211,6 +211,7 @@ impl Posed {
                 names.join(", ")
             )));
         }
+        derivation.steps.extend(demanding(&scene.unknowns, &known));
         Ok(Posed { scene, known, derivation, asked })
     }
 
@@ -271,7 +272,7 @@ impl Posed {
 
     /// What the laws demand beyond the derivation, where more is given than it needs.
     fn broken_laws(&self) -> Vec<Value> {
-        broken_laws(&self.known).into_iter().map(|(_, difference)| difference).collect()
+        broken_laws(&self.known).into_iter().map(|law| law.difference).collect()
     }
 
     /// The forward derivation in letters, the condition, and what follows from it.
@@ -292,7 +293,7 @@ impl Posed {
         for (letter, value) in values {
             lines.extend(root_in_words::lines(equation.as_ref(), *letter, value));
         }
-        lines.into_iter().map(Line::with_masses_in_symbols).collect()
+        lines.into_iter().map(|line| line.without_identities().with_masses_in_symbols()).collect()
     }
 }
 

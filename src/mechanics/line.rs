@@ -55,6 +55,13 @@ impl Line {
         self
     }
 
+    /// The same line without `M = M`, which a law says of a letter that it does not find.
+    pub(super) fn without_identities(mut self) -> Line {
+        let says_nothing = |equation: &Expr| matches!(equation, Expr::Relation(left, _, right) if left == right);
+        self.equations.retain(|equation| !says_nothing(equation));
+        self
+    }
+
     /// The same line in other words.
     pub(super) fn said_by(mut self, say: &impl Fn(&str) -> String) -> Line {
         for piece in &mut self.words.0 {

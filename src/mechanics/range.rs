@@ -127,7 +127,7 @@ pub(super) fn values(posed: &Posed) -> Result<Values, Refusal> {
 /// Where more is given than an impact needs, a law determines the unknown by itself, and there is no range of it.
 fn not_determined_already(posed: &Posed, unknown: Letter) -> Result<(), Refusal> {
     let broken = broken_laws(&posed.known);
-    if broken.iter().any(|(_, difference)| difference.has_letter(|letter| *letter == unknown)) {
+    if broken.iter().any(|law| law.difference.has_letter(|letter| *letter == unknown)) {
         let name = unknown.name();
         return Err(Refusal::beyond(format!("more is given than the impact needs: the laws alone determine {name}"))
             .try_this(format!(
@@ -135,7 +135,7 @@ fn not_determined_already(posed: &Posed, unknown: Letter) -> Result<(), Refusal>
             )));
     }
     match broken.into_iter().next() {
-        Some((reason, _)) => Err(Refusal::impossible(reason)),
+        Some(law) => Err(Refusal::impossible(law.reason)),
         None => Ok(()),
     }
 }

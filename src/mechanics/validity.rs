@@ -6,11 +6,11 @@
 use std::cmp::Ordering;
 
 use super::later::Meeting;
-use super::law::{ALONG, Known, MASSES};
+use super::law::{ALONG, Known, MASSES, Rule, all_rules};
 use super::refusal::Refusal;
 use super::{Axis, Derivation, Moment, Quantity, Sphere};
 use crate::expr::{print, written};
-use crate::number::Value;
+use crate::number::{Letter, Value};
 
 /// Refuses what cannot happen, as far as what is known determines it; all that was derived on the way.
 ///
@@ -178,27 +178,51 @@ fn restitution(known: &Known<Value>, e_is_given: bool) -> Result<(), Refusal> {
 /// Where more is given than is needed, the laws must agree with all of it.
 fn kept(derived: &Known<Value>) -> Result<(), Refusal> {
     match broken(derived).into_iter().next() {
-        Some((reason, _)) => Err(Refusal::impossible(reason)),
+        Some(broken) => Err(Refusal::impossible(broken.reason)),
         None => Ok(()),
     }
 }
 
-/// For each law of which everything is known and which is not kept: what is wrong, and by how much.
-pub fn broken_laws(known: &Known<Value>) -> Vec<(String, Value)> {
+/// A law of which everything is known and which is not kept.
+pub struct Broken {
+    /// The equation that the law gives of two velocities after the impact, if it is momentum or restitution.
+    pub equation: Option<Quantity>,
+    /// What is wrong.
+    pub reason: String,
+    /// By how much.
+    pub difference: Value,
+}
+
+/// Each law that is not kept.
+pub fn broken_laws(known: &Known<Value>) -> Vec<Broken> {
     let mut all = known.clone();
     Derivation::carry_out(&mut all, &sides(known));
     broken(&all)
 }
 
+/// The laws that determine unknowns where more is given than is needed, each as the rule that would find a mass or *e* by it.
+pub fn demanding(unknowns: &[Letter], known: &Known<Value>) -> Vec<&'static Rule> {
+    let is_open = |law: &Broken| law.difference.has_letter(|letter| unknowns.contains(letter));
+    let equations = broken_laws(known).into_iter().filter(is_open).filter_map(|law| law.equation);
+    let rule = |equation: Quantity| {
+        all_rules(&[]).iter().find(|rule| {
+            let is_of_it = rule.law.gives(equation) && ALONG.iter().all(|along| rule.needs.contains(along));
+            is_of_it && matches!(rule.gives[..], [Quantity::Mass(Sphere::B) | Quantity::Restitution])
+        })
+    };
+    equations.filter_map(rule).collect()
+}
+
 /// The same, once everything has been derived. A law that is kept needs no words, and gets none.
-fn broken(known: &Known<Value>) -> Vec<(String, Value)> {
+fn broken(known: &Known<Value>) -> Vec<Broken> {
     let mut broken = Vec::new();
-    let mut compare = |one: &Value, other: &Value, reason: &dyn Fn() -> String| {
+    let mut compare_in = |equation: Option<Quantity>, one: &Value, other: &Value, reason: &dyn Fn() -> String| {
         let difference = other - one;
         if !difference.is_zero() {
-            broken.push((reason(), difference));
+            broken.push(Broken { equation, reason: reason(), difference });
         }
     };
+    let mut compare = |one: &Value, other: &Value, reason: &dyn Fn() -> String| compare_in(None, one, other, reason);
     // Of a given impulse the line of centres is only the direction: it, and not the line, says what changes.
     let is_given = given_impulse(known).is_some();
     for (axis, name) in [(Axis::X, "i"), (Axis::Y, "j")] {
@@ -240,7 +264,7 @@ fn broken(known: &Known<Value>) -> Vec<(String, Value)> {
     if let Some([m_a, m_b, a, b, x, y]) = known.numbers([m_a, m_b, a, b, x, y]) {
         let before = &(&m_a * &a) + &(&m_b * &b);
         let after = &(&m_a * &x) + &(&m_b * &y);
-        compare(&before, &after, &|| {
+        compare_in(Some(Quantity::MomentumEquation), &before, &after, &|| {
             format!(
                 "momentum along the line of centres would change from {} to {}, but no outside force acts",
                 show(&before),
@@ -250,7 +274,7 @@ fn broken(known: &Known<Value>) -> Vec<(String, Value)> {
     }
     if let Some([e, a, b, x, y]) = known.numbers([Quantity::Restitution, a, b, x, y]) {
         let (expected, separation) = (&e * &(&a - &b), &y - &x);
-        compare(&expected, &separation, &|| {
+        compare_in(Some(Quantity::RestitutionEquation), &expected, &separation, &|| {
             format!(
                 "the separation along the line of centres is {}, but e times the approach is {}",
                 show(&separation),

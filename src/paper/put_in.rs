@@ -2,7 +2,9 @@
 
 use super::working::Step;
 use crate::expr::{Expr, written, written_angle};
-use crate::mechanics::{Axis, Datum, Derivation, Known, Line, Moment, Quantity, Rule, Scene, Show, pose, with_letters};
+use crate::mechanics::{
+    Axis, Datum, Derivation, Known, Line, Moment, Quantity, Rule, Scene, Show, demanding, pose, with_letters,
+};
 use crate::number::{Angle, Letter, Range, Value};
 
 /// What was worked out in terms of letters before they were found.
@@ -23,7 +25,8 @@ impl InLetters {
         let sides = scene.conditions.iter().flat_map(|condition| [&condition.left, &condition.right]);
         let named = sides.flat_map(Expr::names).filter_map(|name| name.text.parse().ok());
         let asked: Vec<Quantity> = named.chain(scene.maximise).collect();
-        let (derivation, _) = Derivation::carry_out(&mut known, &asked);
+        let (mut derivation, _) = Derivation::carry_out(&mut known, &asked);
+        derivation.steps.extend(demanding(&scene.unknowns, &known));
         Some(InLetters { rules: derivation.steps, scene, known, asked, found: found.to_vec() })
     }
 

@@ -9,7 +9,7 @@ use super::super::question::{Question, Style};
 use super::super::scene_file::{MEND_SCENE, SceneFile};
 use crate::answer::Kind;
 use crate::expr::{Angles, Expr, Fault};
-use crate::mechanics::{Because, Given, Quantity, Refusal, Scene, SceneFault, SceneText, pose};
+use crate::mechanics::{Because, Derivation, Given, Quantity, Refusal, Scene, SceneFault, SceneText, pose};
 use crate::number::Value;
 use crate::solve::solve;
 
@@ -25,6 +25,7 @@ pub fn solvable(question: &Question, file: &QuestionFile, faults: &mut Faults) {
             requirements(&posed, style, file, faults);
             ranges(&posed, question, file, faults);
             given_answers(&posed, question, file, faults);
+            given_conditions(&posed, scene, faults);
         }
         Err(Unposed::Given(name, fault)) => given(&name, fault, question, file, faults),
         Err(Unposed::Scene(found)) => {
@@ -69,6 +70,27 @@ fn given_answers(posed: &Posed, question: &Question, file: &QuestionFile, faults
             let message = format!("`{}` is given by the scene, so there is nothing to find", words.get_ref());
             let help = "ask for something else; or name it in `unknowns` of `[scene]`, with what determines it in `conditions`";
             faults.report(words.span(), message, "asked for here", help);
+        }
+    }
+}
+
+/// A condition on what the scene determines without it says nothing of the unknown, which comes from somewhere else.
+fn given_conditions(posed: &Posed, scene: &SceneFile, faults: &mut Faults) {
+    let Ok(given) = pose(&posed.scene) else { return };
+    let is_open = |value: &Value| value.has_letter(|letter| posed.scene.unknowns.contains(letter));
+    let determined = |quantity: &Quantity| {
+        let mut known = given.clone();
+        Derivation::carry_out(&mut known, &[*quantity]);
+        known.number(*quantity).is_some_and(|value| !is_open(&value))
+    };
+    for (place, condition) in posed.scene.conditions.iter().enumerate() {
+        let names: Vec<_> = [&condition.left, &condition.right].into_iter().flat_map(Expr::names).collect();
+        let quantities: Option<Vec<Quantity>> = names.iter().map(|name| name.text.parse().ok()).collect();
+        let Some(quantities) = quantities.filter(|of| !of.is_empty() && of.iter().all(determined)) else { continue };
+        if let Some(words) = scene.words(&format!("conditions[{place}]")) {
+            let message = format!("the condition says of `{}` what the scene determines without it", quantities[0]);
+            let help = "take the condition out, or leave out of the scene what gives the same";
+            faults.report(words.span(), message, "nothing is found from it", help);
         }
     }
 }
@@ -143,8 +165,21 @@ fn refused(
         Because::Impossible => "take numbers in `[reference]` for which you know the answers",
         _ => "give more in `[scene]`, or other `conditions`: one equation for each of `unknowns`",
     };
-    let help = refusal.help.clone().unwrap_or_else(|| other.to_owned());
+    let unknown = || unknown_meant(refusal, question, givens);
+    let help = refusal.help.clone().or_else(unknown).unwrap_or_else(|| other.to_owned());
     faults.report(span, message, refusal.reason.clone(), help);
+}
+
+/// The letter that makes an impossible collision possible, once it is one to be found.
+fn unknown_meant(refusal: &Refusal, question: &Question, givens: &Givens) -> Option<String> {
+    let scene = &question.scene;
+    let is_open = refusal.because == Because::Impossible && scene.unknowns.is_empty() && scene.conditions.is_empty();
+    let possible = |letter: &&String| {
+        let with_unknown = SceneText { unknowns: vec![(*letter).clone()], ..scene.clone() };
+        Scene::read(&with_unknown, &givens.shown, Angles::Degrees).is_ok_and(|scene| solve(&scene, &[]).is_ok())
+    };
+    let letter = scene.symbols.keys().filter(|_| is_open).find(possible)?;
+    Some(format!("if `{letter}` is to be found, write `unknowns = [\"{letter}\"]` in `[scene]`"))
 }
 
 /// Reports what is asked for and not determined by the scene; was there any such thing?
