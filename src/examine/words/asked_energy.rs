@@ -6,7 +6,7 @@ use crate::answer::Kind;
 use crate::bank::{Answer, Find, Part, Question};
 use crate::examine::Finding;
 use crate::expr::print;
-use crate::mechanics::{Quantity, Sphere};
+use crate::mechanics::{Moment, Quantity, Sphere};
 
 /// The words ask for the energy that both lose, and the answer is what one does, or the other way round.
 pub fn energy_of_another(question: &Question, answer: &Answer, asked: &[Sentence]) -> Option<Finding> {
@@ -72,6 +72,27 @@ pub fn of_several_impacts(question: &Question, answer: &Answer, asked: &[Sentenc
         format!("the words ask for what several impacts lose, and the answer `{name}` is what one of them does");
     let help = "ask for the loss of one impact, or for each by itself: `ke.lost` is of the first, `second.ke.lost` of the second";
     Some(Finding::new(message, "", "of one impact").with_help(help))
+}
+
+/// The words ask for what is lost, and the answer is what there is before the impact or after it.
+pub fn energy_at_a_moment(answer: &Answer, part: &Part, asked: &[Sentence]) -> Option<Finding> {
+    const LOST: [&str; 7] = ["lost", "loss", "losses", "lose", "loses", "reduction", "decrease"];
+    let Find::Quantity(quantity) = answer.find else { return None };
+    let (moment, lost) = match quantity.of_its_impact() {
+        Quantity::TotalEnergy(moment) => (moment, Quantity::EnergyLost),
+        Quantity::KineticEnergy(sphere, moment) => (moment, Quantity::SphereEnergyLost(sphere)),
+        _ => return None,
+    };
+    let word =
+        asked.iter().filter(|sentence| says(sentence, &["energy"])).flatten().find(|token| is_one_of(token, &LOST));
+    let Some(Token::Word(word)) = word.filter(|_| part.answers.len() == 1 && answer.kind != Kind::Shown) else {
+        return None;
+    };
+    let when = if moment == Moment::Before { "before" } else { "after" };
+    let name = print::text_unicode(&answer.name);
+    let message = format!("the words ask for what is `{word}`, and the answer `{name}` is an energy {when} the impact");
+    let lost = lost.in_impact(quantity.impact())?;
+    Some(Finding::new(message, "", "found here").with_help(format!("find `{lost}`, or ask for the energy {when}")))
 }
 
 /// Is an energy the very thing that a sentence asks for: `find the total kinetic energy`?

@@ -1,7 +1,7 @@
 //! Do the words of a part ask for this very answer: of this sphere, this angle, one value or a set of them?
 
 use super::asked_count::otherwise;
-use super::asked_energy::{energy_of_another, of_several_impacts, other_energy};
+use super::asked_energy::{energy_at_a_moment, energy_of_another, of_several_impacts, other_energy};
 use super::sentence::{Sentence, Token, is_one_of, is_supposed, says, sentences};
 use crate::answer::Kind;
 use crate::bank::{Answer, Find, Part, Question};
@@ -24,6 +24,7 @@ pub fn others(question: &Question) -> Vec<Finding> {
             let found = found.or_else(|| another_angle(answer, &all)).or_else(|| set(answer, &all));
             let found = found.or_else(|| another_function(answer, &all)).or_else(|| other_energy(answer, part, &all));
             let found = found.or_else(|| size_alone(answer, part, &all));
+            let found = found.or_else(|| energy_at_a_moment(answer, part, &all));
             let help = "ask for what `find` finds, or find what is asked for";
             let with_help = |found: Finding| if found.help.is_some() { found } else { found.with_help(help) };
             findings.extend(found.map(|found| with_help(found).at_row(place, "answers", row)));
@@ -238,7 +239,7 @@ mod tests {
     fn words_that_ask_for_another_answer_are_found() {
         let (rest, both) = ("rest/speeds-and-directions", "both-moving/energy-lost-and-impulse");
         let direction = "  { name = \"direction of *B*\", find = \"B.after.angle_to_loc_deg\", accept = \"awrt 3sf\", phrase = \"to the line of centres\" },\n";
-        let table: [(&str, Edits, &str); 36] = [
+        let table: [(&str, Edits, &str); 38] = [
             ("ranges/direction-reversed", &[], ""),
             ("ranges/direction-reversed", &[("set of possible values", "value")], "ask for one value"),
             (
@@ -287,6 +288,8 @@ mod tests {
             ),
             (both, &[("energy lost in", "energy before")], "a kinetic energy, and the answer"),
             (both, &[("Find the total kinetic energy lost in", "Find how much kinetic energy is lost in")], ""),
+            (both, &[("find = \"ke.lost\"", "find = \"ke.before\"")], "is an energy before the impact"),
+            (both, &[("energy lost in", "energy before"), ("find = \"ke.lost\"", "find = \"ke.before\"")], ""),
             (
                 "direct/mass-from-the-velocities",
                 &[("the mass of *B*.\"", "the mass of *A*.\"")],

@@ -41,8 +41,21 @@ fn looked_at(text: &Text, pieces: &[&Piece]) -> Vec<Remark> {
         }
         before = closing(piece);
     }
+    pieces.windows(2).for_each(|pair| small_name(pair, &mut remarks));
     disagreeing(text, &mut remarks);
     remarks
+}
+
+/// `A sphere *a*`, which no other place of the question knows.
+fn small_name(pair: &[&Piece], remarks: &mut Vec<Remark>) {
+    const BODIES: [&str; 5] = ["sphere", "spheres", "particle", "ball", "disc"];
+    let [Piece::Words(words), Piece::Formula(Expr::Name(name))] = pair else { return };
+    let capital = name.text.to_uppercase();
+    let is_body = words.ends_with(' ') && words.split_whitespace().last().is_some_and(|last| BODIES.contains(&last));
+    if is_body && capital != name.text && Sphere::ALL.iter().any(|sphere| sphere.name() == capital) {
+        let (at, help) = (format!("*{}*", name.text), format!("write `*{capital}*`"));
+        remarks.push(remark_at("the name of a sphere in a small letter", &at, &name.text, &help));
+    }
 }
 
 /// The sign with which a formula closes in the file.

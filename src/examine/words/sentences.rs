@@ -344,6 +344,8 @@ mod tests {
             ("A a smooth sphere.", "A a"),
             ("It lies on the\nthe plane.", "the the"),
             ("It starts at a, a point of the plane.", ""),
+            ("A smooth sphere *a* strikes the sphere *B*.", "small letter"),
+            ("The spheres *A* and *B* have radius *a*.", ""),
             ("The the mass is {m}.", "The the"),
             ("A uniform sphere, an elastic one, a mass, an hour, an {8 kg} mass.", ""),
             ("It is an smooth sphere.", "an smooth"),
