@@ -290,7 +290,14 @@ fn along_a_line() -> Vec<Json> {
             json!([third(["C", "A"], speed), wall("C"), wall("B")]),
         ] {
             let symbols = json!({ "m": "positive", "u": "positive", "e": "unit" });
-            let masses = json!({ "A": "2", "B": "0.25" });
+            // Who strikes what is behind it has been turned back.
+            let is_turned = then
+                .as_array()
+                .unwrap()
+                .iter()
+                .any(|impact| impact["of"] == json!(["A"]) || impact["of"] == json!(["C", "A"]));
+            let [a, b] = if is_turned { ["0.25", "2"] } else { ["2", "0.25"] };
+            let masses = json!({ "A": a, "B": b });
             scenes.push(json!({ "masses": masses, "before": { "A": "5", "B": "-1" }, "e": "2/3", "symbols": symbols, "then": then }));
         }
     }

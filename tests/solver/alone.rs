@@ -201,7 +201,7 @@ fn carom_refuses_an_impact_with_a_wall_in_words_for_a_wall() {
             "A would still be moving into the wall: the velocity of A away from the wall is −2",
         ),
         (at_wall(down, Some(["3", "-2"]), None), "the sphere would pass through the wall, though kinetic energy falls"),
-        (at_wall(down, None, Some("-1/2")), "the sphere would pass through the wall"),
+        (at_wall(down, None, Some("-1/2")), "is given as −1/2, which is negative"),
         (at_wall(down, Some(["2", "2"]), None), "A's velocity parallel to the wall would change from"),
         (at_wall(down, Some(["2", "2"]), None), "but a smooth wall exerts no force that way"),
         (

@@ -105,6 +105,13 @@ fn chain(numbers: &mut ChaCha8Rng, in_a_line: bool) -> Option<Chain> {
             _ if seen.contains(&2) && whole(0, 1) == 0 => Blow::Spheres(1, 2),
             _ => Blow::Spheres(0, 1),
         };
+        // On one line a sphere reaches a wall only if no other lies before it.
+        if let (Blow::Wall(place), true) = (&blow, in_a_line) {
+            let is_to_the_right = bodies.0[*place].1[0].sign().is_gt();
+            if *place != if is_to_the_right { seen.len() - 1 } else { 0 } {
+                return None;
+            }
+        }
         let line = lines[whole(0, lines.len() as i64 - 1) as usize].map(Fraction::from);
         let e = E[whole(0, 4) as usize];
         bodies.struck(blow, &line, &fraction(e))?;
@@ -255,7 +262,7 @@ fn agrees(chain: &Chain) {
 fn every_impact_of_a_chain_is_what_a_judge_with_three_formulas_says() {
     for in_a_line in [true, false] {
         let mut numbers = ChaCha8Rng::seed_from_u64(20);
-        let chains: Vec<Chain> = (0..4000).filter_map(|_| chain(&mut numbers, in_a_line)).take(150).collect();
+        let chains: Vec<Chain> = (0..8000).filter_map(|_| chain(&mut numbers, in_a_line)).take(150).collect();
         assert_eq!(chains.len(), 150);
         // Each way of being struck comes up.
         for wanted in ["Wall", "Spheres(1, 2)", "Spheres(0, 1)"] {

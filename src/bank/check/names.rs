@@ -101,8 +101,13 @@ impl NamesUsed {
         let mut lacking: Vec<(&str, &str)> = Vec::new();
         let mut unknown = false;
         let mut units: Vec<&Range<usize>> = Vec::new();
+        let mut in_values: Vec<&str> = Vec::new();
         for used in &self.uses {
             let name = used.name.as_str();
+            // Of a letter that stands in values it is told once.
+            if in_values.contains(&name) {
+                continue;
+            }
             if letters.contains(&name) || (used.also == Also::Quantities && name.parse::<Quantity>().is_ok()) {
                 continue;
             }
@@ -116,9 +121,14 @@ impl NamesUsed {
                 continue;
             }
             if used.also == Also::OnlyLetters {
+                in_values.push(name);
                 let message = format!("`{name}` in the value of a parameter");
                 let label = "expected numbers, or letters that the scene declares";
-                let help = "derive names from parameters in `[let]`";
+                let is_given = scopes.iter().any(|(_, scope)| scope.given.iter().any(|(given, ..)| given == name));
+                let help = match is_given {
+                    true => "derive names from parameters in `[let]`".to_owned(),
+                    false => format!("if it is a letter, declare it in `[scene.symbols]`: `{name} = \"positive\"`"),
+                };
                 faults.report(used.span.clone(), message, label, help);
                 continue;
             }

@@ -209,7 +209,11 @@ fn open(read: &Scene, question: &Question, file: &QuestionFile, faults: &mut Fau
             more => format!(", nor {more} others for which you ask"),
         };
         let message = format!("the scene does not determine `{quantity}`{others}");
+        let own = usize::from(quantity.impact()).checked_sub(1).and_then(|place| question.scene.then.get(place));
         let help = match needs_only_e(read, *quantity) {
+            _ if own.is_some_and(|then| then.e.is_none()) => {
+                "give `e` in the `[[scene.then]]` of this impact, or ask for something else".to_owned()
+            }
             true => "give more in `[scene]`, such as `e`, the coefficient of restitution, or ask for something else"
                 .to_owned(),
             false => match left_out(&question.scene) {
