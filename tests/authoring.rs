@@ -315,8 +315,8 @@ absent-mark accuracy-without-method angle-where-number asked-for-twice asked-for
 brace-of-the-line-before components-exchanged components-of-two-spheres condition-as-a-sentence condition-misspelt
 condition-on-what-is-given condition-without-equation condition-without-unknown crlf depends-on-nothing derived-beside-parameter
 derived-from-each-other derived-in-wrong-order division-by-nought empty-title empty-words exact-of-no-answer
-formulas-that-cannot-be-read fraction-of-latex function-that-is-none hidden-slips-misspelt impact-that-is-not-there impossible
-impossible-restitution key-below-parameters later-line-of-centres-missing later-mass-given-again later-newcomer-without-mass
+formulas-that-cannot-be-read fraction-of-latex function-that-is-none hidden-slips-misspelt impact-that-is-not-there
+impossible-restitution impossible key-below-parameters later-line-of-centres-missing later-mass-given-again later-newcomer-without-mass
 later-newcomer-without-velocity later-not-neighbours later-struck-by-nobody later-velocity-in-a-plane later-wall-along-the-line
 later-without-e law-with-a-number letter-called-as-a-unit letter-nowhere-declared letter-that-is-no-unknown
 letter-that-is-not-declared letters-beyond-ascii long-line mass-of-b-beside-a-wall mass-of-nought measure-never-closed
