@@ -7,6 +7,7 @@ mod own_letters;
 mod radians;
 mod slipped;
 mod squares;
+mod wrong_angle;
 
 pub(super) use components::whole;
 pub(super) use own_letters::{indexed_letters, own_capitals, short_letters};
