@@ -3,7 +3,7 @@
 use super::Reader;
 use crate::expr::{Expr, Fault, Span};
 use crate::mechanics::scene::{Contact, Given};
-use crate::mechanics::scene_text::{SceneText, Sense, VelocityText};
+use crate::mechanics::scene_text::{SceneText, Sense};
 use crate::mechanics::setting::Setting;
 use crate::number::Value;
 
@@ -16,12 +16,7 @@ impl Reader<'_> {
             ("after.A", &text.after.a),
             ("after.B", &text.after.b),
         ];
-        // A vector in one text is a fault of its own.
-        let is_direct = |velocity: &VelocityText<S>| match velocity {
-            VelocityText::Along(text) => self.vector_in_words(text.as_ref()).is_none(),
-            _ => false,
-        };
-        let given = velocities.iter().filter_map(|(field, velocity)| Some((*field, is_direct(velocity.as_ref()?))));
+        let given = velocities.iter().filter_map(|(field, velocity)| Some((*field, self.is_along(velocity.as_ref()?))));
         let given: Vec<(&str, bool)> = given.collect();
         let setting = if text.wall.is_some() {
             Setting::Wall
@@ -31,10 +26,7 @@ impl Reader<'_> {
             Setting::Direct
         } else {
             for (field, _) in given.iter().filter(|(_, is_direct)| *is_direct) {
-                let expected = "`[\"x\", \"y\"]`, as the others are in a plane";
-                let fault = Fault::new("a velocity along a line among others in a plane", Span::default(), expected);
-                let help = "give its components along i and along j; of a sphere at rest they are `[\"0\", \"0\"]`";
-                self.fault(field, fault.try_this(help));
+                self.along_among_others(field);
             }
             return Setting::Oblique;
         };

@@ -241,6 +241,18 @@ impl Reader<'_> {
         }
     }
 
+    /// Is a velocity one number, along a line? A vector in one text is a fault of its own.
+    fn is_along<S: AsRef<str>>(&self, velocity: &VelocityText<S>) -> bool {
+        matches!(velocity, VelocityText::Along(text) if self.vector_in_words(text.as_ref()).is_none())
+    }
+
+    /// A fault of one number among vectors.
+    fn along_among_others(&mut self, field: &str) {
+        let expected = "expected `[\"x\", \"y\"]`, as the others are in a plane";
+        let help = "give its components along i and along j; of a sphere at rest they are `[\"0\", \"0\"]`";
+        self.misfit(field, "a velocity along a line among others in a plane", expected, help);
+    }
+
     fn velocity<S: AsRef<str>>(&mut self, text: &VelocityText<S>, field: &str) -> Option<Velocity> {
         let polar = match text {
             VelocityText::Along(velocity) => {

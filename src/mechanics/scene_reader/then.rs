@@ -53,21 +53,13 @@ impl Reader<'_> {
     /// Is the velocity of who is new along a line where the others are in a plane, or the other way round?
     fn is_mixed<S: AsRef<str>>(&mut self, then: &ThenText<S>, number: u8, in_a_line: bool) -> bool {
         let Some(before) = &then.before else { return false };
-        let is_along = match before {
-            VelocityText::Along(text) => self.vector_in_words(text.as_ref()).is_none(),
-            _ => false,
-        };
         let field = format!("then[{}].before", number - 1);
-        match (is_along, in_a_line) {
-            (true, false) => {
-                let label = "expected `[\"x\", \"y\"]`, as the others are in a plane";
-                let help = "give its components along i and along j; of a sphere at rest they are `[\"0\", \"0\"]`";
-                self.misfit(&field, "a velocity along a line among others in a plane", label, help);
-            }
+        match (self.is_along(before), in_a_line) {
+            (true, false) => self.along_among_others(&field),
             (false, true) if !matches!(before, VelocityText::Along(_)) => {
-                let label = "expected one number, positive from A to B, as the others move along one line";
-                let help = "give its velocity along the line, as in `before = \"-3\"`";
-                self.misfit(&field, "a velocity in a plane among others along a line", label, help);
+                let expected = "expected one number, positive from A to B, as the others move along one line";
+                let help = "give its velocity along the line, as in `\"-3\"`";
+                self.misfit(&field, "a velocity in a plane among others along a line", expected, help);
             }
             _ => return false,
         }
