@@ -152,9 +152,12 @@ fn open_ends(solutions: &[Solution], wanted: &[Quantity]) -> Result<(), Failure>
             Setting::Impulse => {
                 "give the mass, the velocity before and the impulse, or the velocity after in place of one"
             }
+            _ if solution.scene().restitution.as_ref().is_some_and(|e| e.value.is_zero()) => {
+                "give a velocity before: where e is 0 those after do not tell it"
+            }
             _ => {
                 "give both masses, both velocities before, the line of centres and e, or velocities after in place of \
-                 some of them; but if e is 0 the velocities after do not tell those before"
+                 some of them"
             }
         };
         let absent = absent(solution.scene());
