@@ -1,7 +1,7 @@
 //! The working of a question stands in the parts to which it belongs: a letter is found where it is asked for, nothing is
 //! worked out twice, and no part is an empty heading.
 
-use carom::bank::{Bank, read_question};
+use carom::bank::{Bank, Question, read_question};
 use carom::diagnostic::{Source, render_all};
 use carom::examine::coverage;
 use carom::expr::print;
@@ -30,6 +30,10 @@ k = "3"
 const SPEED_BEFORE: &str = "A.before.speed";
 const B_AFTER: &str = "B.after.x";
 
+fn read(id: &str, text: &str) -> Question {
+    read_question(id, &Source::new("own", text)).unwrap_or_else(|faults| panic!("{}", render_all(&faults, false)))
+}
+
 /// A condition, what is asked of each part, and of each an equation that stands in its working and one that does not.
 type Row<'t> = (&'t str, &'t [&'t str], &'t [(&'t str, &'t str)]);
 
@@ -44,8 +48,7 @@ fn working(condition: &str, asked: &[&str]) -> Vec<Vec<String>> {
     };
     let parts: String = asked.iter().map(part).collect();
     let text = IN_LETTERS.replace("CONDITION", condition).replace("PARTS", &parts);
-    let question = read_question("ranges/own", &Source::new("own", text.as_str()))
-        .unwrap_or_else(|faults| panic!("{}", render_all(&faults, false)));
+    let question = read("ranges/own", &text);
     let variant = reference(&question).unwrap_or_else(|refused| panic!("{refused:?}"));
     let lines = compose(&question, &variant, 1).parts.into_iter().map(|part| part.working);
     let words = |lines: Vec<WorkingLine>| {
@@ -149,8 +152,7 @@ fn a_mass_has_its_letters_in_the_order_in_which_they_were_typed() {
             "[[part]]\nask = \"Find it.\"\nanswers = [{ name = \"it\", find = \"B.after.x\" }]\n\
              marks = [{ code = \"B1\", for = \"B.after.x\" }]\n",
         );
-    let question = read_question("ranges/own", &Source::new("own", text.as_str()))
-        .unwrap_or_else(|faults| panic!("{}", render_all(&faults, false)));
+    let question = read("ranges/own", &text);
     let variant = reference(&question).unwrap_or_else(|refused| panic!("{refused:?}"));
     let stem = compose(&question, &variant, 1).stem;
     assert!(print::text_unicode(&stem[0]).contains("of mass km"), "{}", print::text_unicode(&stem[0]));
@@ -198,8 +200,7 @@ c = "3"
 
 #[test]
 fn a_mark_of_a_later_impact_shows_its_equation_though_a_letter_was_found_from_the_first() {
-    let question = read_question("ranges/own", &Source::new("own", SUCCESSIVE))
-        .unwrap_or_else(|faults| panic!("{}", render_all(&faults, false)));
+    let question = read("ranges/own", SUCCESSIVE);
     let printed = compose(&question, &reference(&question).unwrap(), 1);
     let scheme = &printed.parts[1].scheme;
     let equations: Vec<String> =
@@ -210,8 +211,7 @@ fn a_mark_of_a_later_impact_shows_its_equation_though_a_letter_was_found_from_th
 /// The model solution of (b) has no line of the first impact, and yet goes on from it.
 #[test]
 fn the_next_impact_is_marked_though_no_line_of_the_first_is_written() {
-    let question = read_question("ranges/own", &Source::new("own", SUCCESSIVE))
-        .unwrap_or_else(|faults| panic!("{}", render_all(&faults, false)));
+    let question = read("ranges/own", SUCCESSIVE);
     let mut found = coverage(&question, &reference(&question).unwrap());
     for variant in Deal::new(&question, &question.styles[0], 5).take(2) {
         found.add(coverage(&question, &variant));
@@ -250,8 +250,7 @@ u = "10"
 /// No condition says what the letter is: the law itself does, and so it stands there.
 #[test]
 fn a_law_that_determines_a_letter_stands_in_the_working_and_in_the_scheme() {
-    let question = read_question("direct/own", &Source::new("own", STOPPED))
-        .unwrap_or_else(|faults| panic!("{}", render_all(&faults, false)));
+    let question = read("direct/own", STOPPED);
     let printed = compose(&question, &reference(&question).unwrap(), 1);
     let lines = &printed.parts[0].working;
     let working: Vec<String> = lines.iter().flat_map(|line| &line.equations).map(print::unicode).collect();
@@ -286,8 +285,7 @@ m = "2"
 fn an_impulse_along_i_and_j_is_found_from_that_along_the_line_of_centres() {
     for (sphere, end) in [("B", "= 3i + 4j"), ("A", "= −3i − 4j")] {
         let text = IN_A_PLANE.replace("SPHERE", sphere);
-        let question = read_question("impulse/own", &Source::new("own", text.as_str()))
-            .unwrap_or_else(|faults| panic!("{}", render_all(&faults, false)));
+        let question = read("impulse/own", &text);
         let printed = compose(&question, &reference(&question).unwrap(), 1);
         let last = printed.parts[0].working.last().unwrap();
         let (words, equations) = (print::text_unicode(&last.words), &last.equations);
