@@ -8,7 +8,7 @@ use std::cmp::Ordering;
 use std::sync::Arc;
 
 use super::condition::{beyond_its_range, fault, name_of, put_back, residual, vanishes};
-use super::conditions_in_words::{condition_line, no_roots};
+use super::conditions_in_words::{condition_line, no_roots, of_no_impact};
 use super::extreme;
 use super::law::{Known, Rule};
 use super::line::Line;
@@ -18,7 +18,7 @@ use super::root_in_words;
 use super::scene::{Condition, Scene};
 use super::scene_reader::meaning;
 use super::unknowns::{mentions, substituted, with_letters};
-use super::validity::{broken_laws, check, demanding};
+use super::validity::{Broken, broken_laws, check, demanding};
 use super::working::Show;
 use super::{Derivation, Quantity, pose};
 use crate::expr::{Expr, Meaning, Turn, evaluate, holds, print, written, written_angle};
@@ -183,6 +183,8 @@ pub(super) struct Posed {
     pub(super) known: Known<Value>,
     pub(super) derivation: Derivation,
     pub(super) asked: Vec<Quantity>,
+    /// What the laws demand beyond the derivation, where more is given than it needs.
+    pub(super) broken: Vec<Broken>,
 }
 
 impl Posed {
@@ -199,10 +201,7 @@ impl Posed {
         let (mut derivation, missing) = Derivation::carry_out(&mut known, &asked);
         let impacts = scene.then.len() + 1;
         if let Some(beyond) = missing.iter().find(|quantity| usize::from(quantity.impact()) >= impacts) {
-            let has = if impacts == 1 { "there is one".to_owned() } else { format!("there are {impacts}") };
-            let reason = format!("a condition speaks of `{beyond}`, of an impact that the scene does not have: {has}");
-            return Err(Refusal::underdetermined(reason)
-                .try_this(format!("write `{}`, or add the impact in `then`", beyond.of_its_impact())));
+            return Err(of_no_impact(*beyond, impacts));
         }
         if !missing.is_empty() {
             let names: Vec<String> = missing.iter().map(|quantity| format!("`{quantity}`")).collect();
@@ -211,8 +210,9 @@ impl Posed {
                 names.join(", ")
             )));
         }
-        derivation.steps.extend(demanding(&scene.unknowns, &known));
-        Ok(Posed { scene, known, derivation, asked })
+        let broken = broken_laws(&known);
+        derivation.steps.extend(demanding(&scene.unknowns, &broken));
+        Ok(Posed { scene, known, derivation, asked, broken })
     }
 
     /// Every assignment of the unknowns that solves the equations, right or not.
@@ -227,7 +227,7 @@ impl Posed {
             return self.extremes(quantity);
         }
         let open = |value: &Value| value.has_letter(|letter| unknowns.contains(letter));
-        equations.extend(self.broken_laws().into_iter().filter(open));
+        equations.extend(self.demands().filter(open));
         let names: Vec<&str> = unknowns.iter().map(Letter::name).collect();
         if equations.iter().any(|equation| !open(equation) && !equation.is_zero()) {
             return Err(Refusal::impossible(format!("the condition cannot hold, whatever {} is", names.join(", "))));
@@ -265,14 +265,13 @@ impl Posed {
         let letters = |name: &str| meaning(&self.scene.letters, name);
         let gap = |condition| residual(condition, &letters, &self.known).ok().map(|gap| gap.value);
         let conditions: Option<Vec<Value>> = self.scene.conditions.iter().map(gap).collect();
-        let mut open: Vec<Value> = conditions?.into_iter().chain(self.broken_laws()).collect();
+        let mut open: Vec<Value> = conditions?.into_iter().chain(self.demands()).collect();
         open.retain(|value| value.has_letter(|own| own == unknown));
         open.pop().filter(|_| open.is_empty())
     }
 
-    /// What the laws demand beyond the derivation, where more is given than it needs.
-    fn broken_laws(&self) -> Vec<Value> {
-        broken_laws(&self.known).into_iter().map(|law| law.difference).collect()
+    fn demands(&self) -> impl Iterator<Item = Value> {
+        self.broken.iter().map(|law| law.difference.clone())
     }
 
     /// The forward derivation in letters, the condition, and what follows from it.

@@ -238,6 +238,14 @@ fn capitalised(words: &str) -> String {
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
+/// A condition on what no impact of the scene has.
+pub(super) fn of_no_impact(quantity: Quantity, impacts: usize) -> Refusal {
+    let has = if impacts == 1 { "there is one".to_owned() } else { format!("there are {impacts}") };
+    let reason = format!("a condition speaks of `{quantity}`, of an impact that the scene does not have: {has}");
+    Refusal::underdetermined(reason)
+        .try_this(format!("write `{}`, or add the impact in `then`", quantity.of_its_impact()))
+}
+
 /// Why a system was not solved, in words.
 pub(super) fn no_roots(reason: NoRoots) -> Refusal {
     match reason {

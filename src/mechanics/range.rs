@@ -13,7 +13,6 @@ use super::refusal::Refusal;
 use super::scene::{Condition, Contact};
 use super::scene_reader::meaning;
 use super::sought::Vanishing;
-use super::validity::broken_laws;
 use super::working::Show;
 use super::{Derivation, Quantity, Sphere, pose};
 use crate::expr::{Expr, Relation, number, print, written};
@@ -126,16 +125,15 @@ pub(super) fn values(posed: &Posed) -> Result<Values, Refusal> {
 
 /// Where more is given than an impact needs, a law determines the unknown by itself, and there is no range of it.
 fn not_determined_already(posed: &Posed, unknown: Letter) -> Result<(), Refusal> {
-    let broken = broken_laws(&posed.known);
-    if broken.iter().any(|law| law.difference.has_letter(|letter| *letter == unknown)) {
+    if posed.broken.iter().any(|law| law.difference.has_letter(|letter| *letter == unknown)) {
         let name = unknown.name();
         return Err(Refusal::beyond(format!("more is given than the impact needs: the laws alone determine {name}"))
             .try_this(format!(
                 "leave out the inequality, and {name} is found; or leave out a velocity after the impact"
             )));
     }
-    match broken.into_iter().next() {
-        Some(law) => Err(Refusal::impossible(law.reason)),
+    match posed.broken.first() {
+        Some(law) => Err(Refusal::impossible(law.reason.clone())),
         None => Ok(()),
     }
 }

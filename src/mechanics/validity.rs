@@ -184,6 +184,7 @@ fn kept(derived: &Known<Value>) -> Result<(), Refusal> {
 }
 
 /// A law of which everything is known and which is not kept.
+#[derive(Debug)]
 pub struct Broken {
     /// The equation that the law gives of two velocities after the impact, if it is momentum or restitution.
     pub equation: Option<Quantity>,
@@ -201,9 +202,9 @@ pub fn broken_laws(known: &Known<Value>) -> Vec<Broken> {
 }
 
 /// The laws that determine unknowns where more is given than is needed, each as the rule that would find a mass or *e* by it.
-pub fn demanding(unknowns: &[Letter], known: &Known<Value>) -> Vec<&'static Rule> {
-    let is_open = |law: &Broken| law.difference.has_letter(|letter| unknowns.contains(letter));
-    let equations = broken_laws(known).into_iter().filter(is_open).filter_map(|law| law.equation);
+pub fn demanding(unknowns: &[Letter], broken: &[Broken]) -> Vec<&'static Rule> {
+    let is_open = |law: &&Broken| law.difference.has_letter(|letter| unknowns.contains(letter));
+    let equations = broken.iter().filter(is_open).filter_map(|law| law.equation);
     let rule = |equation: Quantity| {
         all_rules(&[]).iter().find(|rule| {
             let is_of_it = rule.law.gives(equation) && ALONG.iter().all(|along| rule.needs.contains(along));

@@ -3,7 +3,8 @@
 use super::working::Step;
 use crate::expr::{Expr, written, written_angle};
 use crate::mechanics::{
-    Axis, Datum, Derivation, Known, Line, Moment, Quantity, Rule, Scene, Show, demanding, pose, with_letters,
+    Axis, Datum, Derivation, Known, Line, Moment, Quantity, Rule, Scene, Show, broken_laws, demanding, pose,
+    with_letters,
 };
 use crate::number::{Angle, Letter, Range, Value};
 
@@ -26,7 +27,7 @@ impl InLetters {
         let named = sides.flat_map(Expr::names).filter_map(|name| name.text.parse().ok());
         let asked: Vec<Quantity> = named.chain(scene.maximise).collect();
         let (mut derivation, _) = Derivation::carry_out(&mut known, &asked);
-        derivation.steps.extend(demanding(&scene.unknowns, &known));
+        derivation.steps.extend(demanding(&scene.unknowns, &broken_laws(&known)));
         Some(InLetters { rules: derivation.steps, scene, known, asked, found: found.to_vec() })
     }
 

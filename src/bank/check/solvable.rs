@@ -78,15 +78,16 @@ fn given_answers(posed: &Posed, question: &Question, file: &QuestionFile, faults
 fn given_conditions(posed: &Posed, scene: &SceneFile, faults: &mut Faults) {
     let Ok(given) = pose(&posed.scene) else { return };
     let is_open = |value: &Value| value.has_letter(|letter| posed.scene.unknowns.contains(letter));
-    let determined = |quantity: &Quantity| {
-        let mut known = given.clone();
-        Derivation::carry_out(&mut known, &[*quantity]);
-        known.number(*quantity).is_some_and(|value| !is_open(&value))
-    };
     for (place, condition) in posed.scene.conditions.iter().enumerate() {
         let names: Vec<_> = [&condition.left, &condition.right].into_iter().flat_map(Expr::names).collect();
         let quantities: Option<Vec<Quantity>> = names.iter().map(|name| name.text.parse().ok()).collect();
-        let Some(quantities) = quantities.filter(|of| !of.is_empty() && of.iter().all(determined)) else { continue };
+        let Some(quantities) = quantities.filter(|of| !of.is_empty()) else { continue };
+        let mut known = given.clone();
+        Derivation::carry_out(&mut known, &quantities);
+        let is_determined = |quantity: &Quantity| known.number(*quantity).is_some_and(|value| !is_open(&value));
+        if !quantities.iter().all(is_determined) {
+            continue;
+        }
         if let Some(words) = scene.words(&format!("conditions[{place}]")) {
             let message = format!("the condition says of `{}` what the scene determines without it", quantities[0]);
             let help = "take the condition out, or leave out of the scene what gives the same";
