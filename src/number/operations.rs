@@ -77,6 +77,9 @@ impl Mul for &Value {
             }
             _ => {}
         }
+        if let (Some(one), Some(other)) = (self.as_surd(), other.as_surd()) {
+            return product_of_surds(one, other);
+        }
         let ((left, a), (right, b)) = (self.parts(), other.parts());
         let denominator = &*a * &*b;
         let mut terms = Terms::new();
@@ -108,6 +111,20 @@ impl Mul for &Value {
         let plain = Value::build(terms, denominator);
         squared.iter().fold(plain, |sum, (term, square)| &sum + &(term * square))
     }
+}
+
+/// The product of two surds: a root that meets itself comes out.
+fn product_of_surds((a, x): (&Fraction, &[Root]), (b, y): (&Fraction, &[Root])) -> Value {
+    let mut number = a * b;
+    let mut roots: Vec<Root> = y.iter().filter(|root| !x.contains(root)).cloned().collect();
+    for root in x {
+        match root {
+            Root::Prime(prime) if y.contains(root) => number = &number * &integer(*prime),
+            _ => roots.push(root.clone()),
+        }
+    }
+    roots.sort();
+    Value::surd(number, roots)
 }
 
 impl Neg for &Value {

@@ -79,9 +79,13 @@ impl Polynomial {
 
     /// Its value, if there is no letter in it.
     pub fn as_constant(&self) -> Option<Fraction> {
+        if self.is_zero() { Some(Fraction::ZERO) } else { self.as_number().cloned() }
+    }
+
+    /// The same of what is not nought.
+    pub(super) fn as_number(&self) -> Option<&Fraction> {
         match self.terms.as_slice() {
-            [] => Some(Fraction::ZERO),
-            [(monomial, value)] if monomial.is_empty() => Some(value.clone()),
+            [(monomial, value)] if monomial.is_empty() => Some(value),
             _ => None,
         }
     }

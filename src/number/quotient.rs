@@ -8,6 +8,11 @@ impl Value {
         if let Value::Rational(number) = self {
             return number.reciprocal().map(Value::Rational);
         }
+        // 1/x = x/x², and the square of a surd is a number.
+        if self.as_surd().is_some() {
+            let square = self * self;
+            return Some(self * &Value::Rational(square.as_fraction()?.reciprocal()?));
+        }
         let Some(root) = self.roots().pop() else {
             let (numerator, denominator) = self.as_quotient()?;
             return Some(Value::quotient(denominator, numerator));

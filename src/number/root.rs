@@ -149,7 +149,7 @@ fn root_of_fraction(number: &Fraction) -> Option<Value> {
         let factor = Fraction::from(square);
         outside = if below { &outside / &factor } else { &outside * &factor };
         for prime in primes {
-            roots.push(prime);
+            roots.push(Root::Prime(prime));
             if below {
                 outside = &outside / &integer(prime);
             }
@@ -166,10 +166,8 @@ fn root_of_fraction(number: &Fraction) -> Option<Value> {
     take(square, primes, rest, false);
     let (square, primes, rest) = square_part(number.denominator());
     take(square, primes, rest, true);
-    let mut value = Value::Rational(outside);
-    for prime in roots {
-        value = &value * &Value::root(Root::Prime(prime));
-    }
+    roots.sort();
+    let value = Value::surd(outside, roots);
     // Too long for a machine integer: kept whole, as a root of its own.
     Some(if inside.is_one() { value } else { &value * &Value::nested(Value::Rational(inside)) })
 }

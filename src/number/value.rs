@@ -92,7 +92,7 @@ impl Root {
 
 /// A whole number as a fraction.
 pub(crate) fn integer(value: u128) -> Fraction {
-    Fraction::from(dashu_int::IBig::from(value))
+    i64::try_from(value).map_or_else(|_| Fraction::from(dashu_int::IBig::from(value)), Fraction::from)
 }
 
 impl Value {
@@ -124,6 +124,23 @@ impl Value {
     /// A root.
     pub(crate) fn root(root: Root) -> Value {
         Value::build(term(vec![root], Polynomial::one()), Polynomial::one())
+    }
+
+    /// A number that is not nought times different roots of primes, sorted: the normal form as it stands.
+    pub(super) fn surd(number: Fraction, roots: Vec<Root>) -> Value {
+        if roots.is_empty() {
+            return Value::Rational(number);
+        }
+        let (terms, denominator) = (term(roots, Polynomial::constant(number)), Polynomial::one());
+        Value::Compound(Arc::new(Compound { terms, denominator }))
+    }
+
+    /// The number and the roots of which [`Value::surd`] makes it, if it is irrational and made so.
+    pub(super) fn as_surd(&self) -> Option<(&Fraction, &[Root])> {
+        let Value::Compound(compound) = self else { return None };
+        let (roots, coefficient) = compound.terms.first().filter(|_| compound.terms.len() == 1)?;
+        let is_surd = compound.denominator.is_one() && roots.iter().all(|root| matches!(root, Root::Prime(_)));
+        is_surd.then_some((coefficient.as_number()?, roots))
     }
 
     /// A nested root of a value that is no square.

@@ -63,14 +63,20 @@ fn resting(text: &Text, variant: &Variant, remarks: &mut Vec<Remark>) {
     for (place, piece) in pieces.iter().enumerate() {
         let Piece::Words(words) = piece else { continue };
         for (nth, sentence) in words.split_inclusive('.').enumerate() {
-            let lower = sentence.to_lowercase();
-            let is_elsewhere = elsewhere || ELSEWHERE.iter().any(|word| lower.contains(word));
-            elsewhere = is_elsewhere && !sentence.ends_with('.');
-            if is_elsewhere {
-                continue;
-            }
             let starts = |of: &[&str]| nth == 0 && of.iter().any(|start| sentence.starts_with(start));
             let (rests, moves) = (starts(&[" is at rest", " are at rest"]), starts(&[" is moving", " are moving"]));
+            let (is_said, ends) = (rests || moves || sentence.contains(" at rest"), sentence.ends_with('.'));
+            // Nearly all sentences say nothing of it, and every variant says all of them.
+            if ends && !is_said {
+                elsewhere = false;
+                continue;
+            }
+            let lower = sentence.to_lowercase();
+            let is_elsewhere = elsewhere || ELSEWHERE.iter().any(|word| lower.contains(word));
+            elsewhere = is_elsewhere && !ends;
+            if is_elsewhere || !is_said {
+                continue;
+            }
             let named = if rests || moves { named_before(&pieces[..place]) } else { Vec::new() };
             let wrong = named.into_iter().find(|sphere| is_at_rest(variant, *sphere) == Some(!rests));
             let nobody = || {
@@ -258,13 +264,16 @@ fn ways(text: &Text, variant: &Variant, remarks: &mut Vec<Remark>) {
     for (place, piece) in text.0.iter().enumerate() {
         let Piece::Words(words) = piece else { continue };
         for sentence in words.split_inclusive('.') {
-            let lower = sentence.to_lowercase();
-            is_after = is_after || ["after ", " then "].iter().any(|later| lower.contains(later));
             let is_said = |way: &&(&str, Whom)| match way.1 {
                 Whom::Next(_) | Whom::Behind | Whom::Ahead => sentence.trim_end().ends_with(way.0),
                 _ => sentence.split(way.0).skip(1).any(|rest| !OF_ITSELF.iter().any(|old| rest.starts_with(old))),
             };
-            for (way, whom) in WAYS.iter().filter(is_said).filter(|_| !is_after) {
+            let said: Vec<_> = WAYS.iter().filter(is_said).collect();
+            if !is_after && !(said.is_empty() && sentence.ends_with('.')) {
+                let lower = sentence.to_lowercase();
+                is_after = ["after ", " then "].iter().any(|later| lower.contains(later));
+            }
+            for (way, whom) in said.into_iter().filter(|_| !is_after) {
                 let next = match text.0.get(place + 1) {
                     Some(Piece::Formula(Expr::Name(name))) => name.text.as_str(),
                     _ => "",
