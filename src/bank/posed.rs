@@ -1,5 +1,7 @@
 //! A question with numbers in it: its scene read and solved.
 
+use std::sync::Arc;
+
 use super::givens::Givens;
 use super::question::{Question, Style};
 use crate::expr::{Angles, Fault, Meaning, Turn};
@@ -7,15 +9,15 @@ use crate::mechanics::{Quantity, Refusal, Scene, SceneFault};
 use crate::number::{Angle, Range, Value};
 use crate::solve::{Solution, solve, solve_all};
 
-/// A question with numbers in it, solved for all that it asks and requires.
+/// A question with numbers in it, solved for all that it asks and requires. Styles that have the same numbers share it.
 #[derive(Clone, Debug)]
 pub struct Posed {
     /// What its names stand for.
-    pub givens: Givens,
+    pub givens: Arc<Givens>,
     /// The collision.
-    pub scene: Scene,
+    pub scene: Arc<Scene>,
     /// Its solution.
-    pub solution: Solution,
+    pub solution: Arc<Solution>,
 }
 
 /// Why numbers do not make a question.
@@ -36,7 +38,7 @@ impl Posed {
     ///
     /// Why these numbers do not make a question that can be solved.
     pub fn new(question: &Question, style: &Style, givens: Givens) -> Result<Posed, Unposed> {
-        Posed::for_wanted(question, &question.wanted(style), givens)
+        Posed::for_wanted(question, &question.wanted(style), Arc::new(givens))
     }
 
     /// The same for quantities that are known: those that [`Question::wanted`] tells.
@@ -44,10 +46,10 @@ impl Posed {
     /// # Errors
     ///
     /// As for [`Posed::new`].
-    pub fn for_wanted(question: &Question, wanted: &[Quantity], givens: Givens) -> Result<Posed, Unposed> {
+    pub fn for_wanted(question: &Question, wanted: &[Quantity], givens: Arc<Givens>) -> Result<Posed, Unposed> {
         let scene = Scene::read(&question.scene, &givens.shown, Angles::Degrees).map_err(Unposed::Scene)?;
         let solution = solve(&scene, wanted).map_err(Unposed::Refused)?;
-        Ok(Posed { givens, scene, solution })
+        Ok(Posed { givens, scene: Arc::new(scene), solution: Arc::new(solution) })
     }
 
     /// The same with no more than what is determined, where something that is wanted is left open; nothing if there is more
@@ -59,12 +61,12 @@ impl Posed {
     pub fn as_far_as_determined(
         question: &Question,
         wanted: &[Quantity],
-        givens: Givens,
+        givens: Arc<Givens>,
     ) -> Result<Option<Posed>, Unposed> {
         let scene = Scene::read(&question.scene, &givens.shown, Angles::Degrees).map_err(Unposed::Scene)?;
         let mut solutions = solve_all(&scene, wanted).map_err(Unposed::Refused)?;
         let only = solutions.pop().filter(|_| solutions.is_empty());
-        Ok(only.map(|solution| Posed { givens, scene, solution }))
+        Ok(only.map(|solution| Posed { givens, scene: Arc::new(scene), solution: Arc::new(solution) }))
     }
 
     /// What a name of a requirement stands for: a given, or a result.

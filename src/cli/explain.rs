@@ -4,6 +4,7 @@ mod as_json;
 mod mistakes;
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use clap::Args;
 
@@ -58,7 +59,7 @@ impl Reference {
         let printed = compose(question, &variant, 1);
         // What is only required has steps too, but a student need not take them.
         let asked = solve(&variant.scene, &question.asked());
-        let variant = Variant { solution: asked.unwrap_or_else(|_| variant.solution.clone()), ..variant };
+        let variant = Variant { solution: asked.map_or_else(|_| variant.solution.clone(), Arc::new), ..variant };
         let mistakes = mistakes(question, &variant, &printed);
         Some(Reference { variant, printed, mistakes })
     }

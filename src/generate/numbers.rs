@@ -1,6 +1,7 @@
 //! One set of numbers of a style, examined: does everything hold that is required of it?
 
 use std::cell::OnceCell;
+use std::sync::Arc;
 
 use super::sieve::Sieve;
 use super::variant::{Unfit, Variant, answer_rounds_safely, variant};
@@ -15,7 +16,7 @@ pub struct Numbers<'s> {
     pub index: u64,
     sieve: &'s Sieve<'s>,
     parameters: OnceCell<Vec<(String, Expr)>>,
-    givens: OnceCell<Result<Givens, String>>,
+    givens: OnceCell<Result<Arc<Givens>, String>>,
     posed: OnceCell<Result<Posed, Unfit>>,
 }
 
@@ -108,9 +109,9 @@ impl<'s> Numbers<'s> {
     }
 
     /// What its names stand for, or the first that has no value.
-    pub(super) fn givens(&self) -> Result<&Givens, &str> {
+    pub(super) fn givens(&self) -> Result<&Arc<Givens>, &str> {
         let (question, style) = (self.sieve.question, self.sieve.style);
-        let givens = || Givens::new(style, self.parameters(), &question.scene).map_err(|(name, _)| name);
+        let givens = || Givens::new(style, self.parameters(), &question.scene).map(Arc::new).map_err(|(name, _)| name);
         self.givens.get_or_init(givens).as_ref().map_err(String::as_str)
     }
 

@@ -1,5 +1,7 @@
 //! A question with numbers that are fit for print, and why numbers are not.
 
+use std::sync::Arc;
+
 use crate::answer::Kind;
 use crate::bank::{Answer, Find, Givens, Posed, Question, Style, StyleName, Unposed};
 use crate::expr::Expr;
@@ -21,11 +23,11 @@ pub struct Variant {
     /// The parameters in the order of the file.
     pub parameters: Vec<(String, Expr)>,
     /// What every given name stands for, derived names included.
-    pub givens: Givens,
+    pub givens: Arc<Givens>,
     /// The collision.
-    pub scene: Scene,
+    pub scene: Arc<Scene>,
     /// Its solution, for all that is asked and required.
-    pub solution: Solution,
+    pub solution: Arc<Solution>,
 }
 
 /// Why a set of numbers is not fit for print, in the order in which that is examined.
