@@ -151,11 +151,9 @@ impl Walk<'_> {
 
     /// `towards A`, `away from the sphere B`, `from A to B`: a sense, without the line along which it is.
     fn sense(&self, at: usize) -> Option<(ReferenceLine, usize)> {
-        if let Some(end) = self.any(at, &["from a to b", "from a towards b"]) {
-            return Some((ReferenceLine::AlongAToB, end));
-        }
-        if let Some(end) = self.any(at, &["from b to a", "from b towards a"]) {
-            return Some((ReferenceLine::AlongBToA, end));
+        let led = self.any(at, &wording::IN_THE_SENSE).map_or(at, |next| self.article(next));
+        if let Some(found) = self.from_one_to_the_other(led).filter(|(_, end)| led > at || self.is_a_way(at, *end)) {
+            return Some(found);
         }
         let (next, towards) = match self.any(at, &wording::AWAY_FROM) {
             Some(next) => (next, false),
@@ -171,6 +169,33 @@ impl Walk<'_> {
             ("A", true) | ("B", false) => Some((ReferenceLine::TowardsA, next + 1)),
             _ => None,
         }
+    }
+
+    /// `from A to B`, `A to B`, `A → B`.
+    fn from_one_to_the_other(&self, at: usize) -> Option<(ReferenceLine, usize)> {
+        let first = self.words(at, "from").unwrap_or(at);
+        let sphere = |at: usize| Some(self.typed(at)).filter(|_| at < self.tokens.len());
+        let next = match self.tokens.get(first + 1) {
+            Some(arrow) if arrow.is('⇒') => first + 2,
+            _ => self.any(first + 1, &["to", "towards"])?,
+        };
+        match (self.tokens.get(first).and(sphere(first))?, self.tokens.get(next).and(sphere(next))?) {
+            ("A", "B") => Some((ReferenceLine::AlongAToB, next + 1)),
+            ("B", "A") => Some((ReferenceLine::AlongBToA, next + 1)),
+            _ => None,
+        }
+    }
+
+    /// Is `A to B` from here to there a way to go: after `from`, or behind a value with nothing more said of *B*?
+    fn is_a_way(&self, at: usize, end: usize) -> bool {
+        let is_measure = |placed: &Placed| match &placed.token {
+            Token::Number(_) | Token::Sign(')' | '(' | '°' | ',') => true,
+            Token::Word(word) => is_unit_word(word),
+            _ => false,
+        };
+        let is_after_value = at > 0 && is_measure(&self.tokens[at - 1]);
+        let ends = |next: &Placed| matches!(next.token, Token::Sign(')' | ',' | ';' | '.' | '\n'));
+        self.words(at, "from").is_some() || is_after_value && self.tokens.get(end).is_none_or(ends)
     }
 
     fn relation(&self, at: usize) -> Option<(Relation, usize)> {

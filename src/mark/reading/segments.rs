@@ -3,8 +3,8 @@
 use super::phrases::Phrase;
 use super::tokens::{Placed, Token};
 
-/// The stretches between newlines, semicolons, commas and arrows that stand outside brackets, and whether an arrow leads
-/// to each of them.
+/// The stretches between newlines, semicolons, commas, arrows and full stops that stand outside brackets, and whether an
+/// arrow leads to each of them.
 pub(super) fn segments(tokens: &[Placed]) -> Vec<(bool, &[Placed])> {
     let mut found: Vec<(bool, &[Placed])> = Vec::new();
     let (mut depth, mut start, mut arrow) = (0_usize, 0, false);
@@ -17,6 +17,7 @@ pub(super) fn segments(tokens: &[Placed]) -> Vec<(bool, &[Placed])> {
         let parts = match placed.token {
             Token::Sign('\n' | '¦' | '⇒') => true,
             Token::Sign(';' | ',') => depth == 0,
+            Token::Sign('.') => depth == 0 && is_full_stop(&tokens[start..at], &tokens[at + 1..]),
             _ => false,
         };
         if parts {
@@ -31,6 +32,15 @@ pub(super) fn segments(tokens: &[Placed]) -> Vec<(bool, &[Placed])> {
     found.push((arrow, &tokens[start..]));
     found.retain(|(_, part)| !part.is_empty());
     found
+}
+
+/// `KE before = 20 J. KE after = 11 J.`: does a point part two sentences that state a value each? After `k` and `i` it does
+/// not.
+fn is_full_stop(before: &[Placed], after: &[Placed]) -> bool {
+    let is_equals = |placed: &Placed| placed.is('=') || placed.is(':');
+    let ends = |placed: &Placed| matches!(placed.token, Token::Sign('.' | ';' | ',' | '\n' | '⇒'));
+    let mut sentence = after.iter().take_while(|placed| !ends(placed));
+    before.iter().any(is_equals) && after.first().is_some_and(|next| next.spaced) && sentence.any(is_equals)
 }
 
 /// Where the name of a sphere begins that a colon ends here, after a value of another: `speed of B:`. So does the name of

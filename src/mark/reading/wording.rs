@@ -156,6 +156,9 @@ pub(super) const B_TO_A: [&str; 11] = [
 pub(super) const TOWARDS: [&str; 6] =
     ["towards", "toward", "heading towards", "heading for", "in direction of", "in direction towards"];
 
+/// Words before the two spheres from one of which to the other something moves.
+pub(super) const IN_THE_SENSE: [&str; 5] = ["in direction of", "in direction", "in sense of", "in sense", "sense"];
+
 /// Words before the sphere from which something moves away.
 pub(super) const AWAY_FROM: [&str; 1] = ["away from"];
 
