@@ -306,6 +306,21 @@ fn a_scene_is_solved_from_json_and_from_toml() {
 }
 
 #[test]
+fn an_error_that_is_proved_holds_for_the_decimal_as_it_is_printed() {
+    let scene =
+        r#"{"masses":{"A":"3","B":"10"},"before":{"A":["3","0"],"B":["0","0"]},"line_of_centres":["1","0"],"e":"1/2"}"#;
+    for method in ["certified-float", "float-intervals", "intervals"] {
+        let output = with_stdin(&["solve", "-", "--json", "--method", method], scene.as_bytes());
+        let solution: Json = serde_json::from_str(&stdout(&output)).unwrap();
+        let ratio = &solution["quantities"]["mass_ratio"];
+        // 10/3 lies 1.67e-16 below this decimal, and 1.48e-16 below the double that prints so.
+        assert_eq!(ratio["decimal"], "3.3333333333333335", "{method}");
+        let error: f64 = ratio["error"].as_str().unwrap().parse().unwrap();
+        assert!((1.67e-16..1e-15).contains(&error), "{method}: {error}");
+    }
+}
+
+#[test]
 fn a_scene_is_worked_out_by_the_least_that_suffices_or_by_the_method_asked_for() {
     let solved = |arguments: &[&str]| {
         let output = with_stdin(&[&["solve", "-", "--json"], arguments].concat(), SCENE.as_bytes());

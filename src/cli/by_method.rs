@@ -54,9 +54,13 @@ struct Decimal {
 }
 
 impl Decimal {
-    /// `± 2.3e-16`, a little more than the error so that it may be rounded.
+    /// `± 2.3e-16`: how far off the printed decimal may be, which is only the nearest to the double that prints so; and a little
+    /// more, so that the error may be rounded.
     fn error(&self) -> Option<String> {
-        self.error.map(|error| format!("{:.1e}", error * 1.06))
+        let printed: Option<Fraction> = self.value.to_string().parse().ok();
+        let gap =
+            printed.zip(Fraction::from_f64(self.value)).map(|(printed, double)| (&printed - &double).abs().to_f64());
+        Some(format!("{:.1e}", (self.error? + gap?) * 1.06))
     }
 }
 

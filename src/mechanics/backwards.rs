@@ -7,7 +7,7 @@
 use std::cmp::Ordering;
 use std::sync::Arc;
 
-use super::condition::{beyond_its_range, fault, name_of, put_back, residual, vanishes};
+use super::condition::{beyond_its_range, fault, name_of, put_back, residual, vanishes, without_value};
 use super::conditions_in_words::{condition_line, no_roots, of_no_impact};
 use super::extreme;
 use super::law::{Known, Rule};
@@ -321,7 +321,6 @@ fn tried(posed: &Arc<Posed>, values: &[Value]) -> Result<Found, Reason> {
             }
         };
         let gap = || residual(&condition, &letters, &known);
-        let near = || gap().is_ok_and(|gap| vanishes(&gap.value));
         match holds(&relation, &|name| name_of(name, &letters, &known)) {
             Ok(Some(true)) => {}
             // The sine of the gap is nought half a turn away too.
@@ -329,7 +328,9 @@ fn tried(posed: &Arc<Posed>, values: &[Value]) -> Result<Found, Reason> {
                 let relation = print::plain(&relation);
                 return Err(format!("it does not satisfy `{relation}`: the direction would be opposite").into());
             }
-            _ if near() => {}
+            // Who is at rest turns through no angle and moves in no direction.
+            Err(_) if let Some(reason) = without_value(&relation, &known) => return Err(reason.into()),
+            _ if gap().is_ok_and(|gap| vanishes(&gap.value)) => {}
             // What it speaks of has no short exact form there.
             Err(_) if posed.holds_at(given, values).ok_or(Reason::Undecided)? => {}
             _ if posed.scene.conditions.len() > 1 => {

@@ -93,6 +93,13 @@ pub(super) fn name_of(name: &str, letters: &dyn Fn(&str) -> Option<Meaning>, kno
     }
 }
 
+/// What is wrong with a condition that speaks of a quantity which does not exist.
+pub(super) fn without_value(relation: &Expr, known: &Known<Value>) -> Option<String> {
+    let mut quantities = relation.names().into_iter().filter_map(|name| name.text.parse::<Quantity>().ok());
+    let missing = quantities.find(|quantity| !known.0.contains_key(quantity))?;
+    Some(format!("there `{missing}` has no value"))
+}
+
 /// What a condition makes nought.
 pub(super) struct Gap {
     /// The difference of its sides, or the sine of the difference of angles.

@@ -117,6 +117,11 @@ fn angles_of_whole_degrees_are_found_and_proved() {
     assert!(!turned.sin.equals(&one.sin) && one.plus(&other).sin.equals(&exact("29.468").sin));
     let thrice = exact("12.345").times(3);
     assert!(thrice.cos.equals(&exact("37.035").cos) && !thrice.cos.equals(&exact("37.036").cos));
+    // √3 and √2 are cosines that join in: 36.87° + 30° = 66.87°.
+    for (given, sum) in [("30", "66.87"), ("60", "96.87"), ("45", "81.87"), ("-30", "6.87"), ("-105", "-68.13")] {
+        let turned = exact("36.87").plus(&exact(given));
+        assert_eq!(Angle::of(&turned.sin, &turned.cos).unwrap().whole_degrees(), Some(sum.parse().unwrap()), "{given}");
+    }
     // Tangents whose squares are 1/2, 2 and 9/16.
     for (y, x) in [(root(1), root(2)), (root(6), -&root(3)), (Value::from(3), Value::from(4))] {
         assert_eq!(Angle::of(&y, &x).unwrap().whole_degrees(), None);

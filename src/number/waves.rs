@@ -1,7 +1,9 @@
 //! Sums of products of sines and cosines of given degrees, written as sums of cosines.
 //!
 //! `2 cos a cos b = cos(a − b) + cos(a + b)`, and a sine is the cosine of the complement. So what vanishes because angles add up,
-//! as `sin 70° cos 20° + cos 70° sin 20° − 1` does, is seen to vanish term by term, whatever the angles are.
+//! as `sin 70° cos 20° + cos 70° sin 20° − 1` does, is seen to vanish term by term, whatever the angles are. √2 and √3 are twice the
+//! cosines of 45° and 30°, which may be among these angles; and `cos(60° + a) = cos a − cos(60° − a)`, so that no angle beyond
+//! 60° is left.
 
 use std::collections::BTreeMap;
 
@@ -18,8 +20,15 @@ type Cosines = BTreeMap<Fraction, Fraction>;
 pub(super) fn vanishes(terms: &Terms, angles: &[Letter], highest: &[u32]) -> bool {
     let mut sum = Value::ZERO;
     for (roots, polynomial) in terms {
-        let surds = roots.iter().filter(|root| matches!(root, Root::Prime(_)));
-        let surds = surds.fold(Value::ONE, |product, root| &product * &Value::root(root.clone()));
+        let (mut surds, mut halves) = (Value::ONE, Vec::new());
+        for root in roots {
+            match root {
+                Root::Prime(2) => halves.push(Fraction::from(45)),
+                Root::Prime(3) => halves.push(Fraction::from(30)),
+                Root::Prime(_) => surds = &surds * &Value::root(root.clone()),
+                _ => {}
+            }
+        }
         let mut cosines = Cosines::new();
         for (monomial, coefficient) in polynomial.terms() {
             let power =
@@ -29,11 +38,12 @@ pub(super) fn vanishes(terms: &Terms, angles: &[Letter], highest: &[u32]) -> boo
                 (angle, sines, highest - sines + u32::from(roots.contains(&Root::Cosine(*angle))))
             });
             let Some(product) = product(coefficient, powers) else { return false };
+            let product = halves.iter().fold(product, |product, half| twice(times_cosine(&product, half)));
             for (degrees, times) in product {
                 add(&mut cosines, degrees, times);
             }
         }
-        for (degrees, times) in cosines {
+        for (degrees, times) in up_to_sixty(cosines) {
             let Some(direction) = Direction::degrees(&degrees) else { return false };
             sum = &sum + &(&(&surds * &direction.cos) * &Value::from(times));
         }
@@ -69,6 +79,26 @@ fn times_cosine(cosines: &Cosines, angle: &Fraction) -> Cosines {
         add(&mut product, degrees + angle, half);
     }
     product
+}
+
+fn twice(mut cosines: Cosines) -> Cosines {
+    cosines.values_mut().for_each(|times| *times = &*times + &*times);
+    cosines
+}
+
+/// The same without angles beyond 60 degrees.
+fn up_to_sixty(cosines: Cosines) -> Cosines {
+    let sixty = Fraction::from(60);
+    let mut kept = Cosines::new();
+    for (degrees, times) in cosines {
+        if degrees > sixty {
+            add(&mut kept, &degrees - &sixty, times.clone());
+            add(&mut kept, &Fraction::from(120) - &degrees, -times);
+        } else {
+            add(&mut kept, degrees, times);
+        }
+    }
+    kept
 }
 
 /// Adds so many times the cosine of any angle, which is that of an angle up to 90 degrees or its negative.

@@ -104,7 +104,14 @@ fn complaint(case: &Case) -> Option<String> {
         return Some(format!("takes {:?}", started.elapsed()));
     }
     let solutions = match (outcome, &case.refused) {
-        (Err(refusal), Some(expected)) if kind(&refusal) == expected => return None,
+        (Err(refusal), Some(expected)) if kind(&refusal) == expected => {
+            let named = |root: &&String| !refusal.reason.contains(&format!("{root} is left out"));
+            return case
+                .left_out
+                .iter()
+                .find(named)
+                .map(|root| format!("{root} is not left out in `{}`", refusal.reason));
+        }
         (Err(refusal), _) => return Some(format!("refused as {}: {refusal}", kind(&refusal))),
         (Ok(_), Some(expected)) => return Some(format!("is solved, though it is {expected}")),
         (Ok(solutions), None) => solutions,
