@@ -7,7 +7,7 @@
 use std::cmp::Ordering;
 use std::sync::Arc;
 
-use super::condition::{beyond_its_range, fault, name_of, put_back, residual, vanishes, without_value};
+use super::condition::{beyond_its_range, fault, name_of, put_back, residual, vanishes, without_direction};
 use super::conditions_in_words::{condition_line, no_roots, of_no_impact};
 use super::extreme;
 use super::law::{Known, Rule};
@@ -328,8 +328,7 @@ fn tried(posed: &Arc<Posed>, values: &[Value]) -> Result<Found, Reason> {
                 let relation = print::plain(&relation);
                 return Err(format!("it does not satisfy `{relation}`: the direction would be opposite").into());
             }
-            // Who is at rest turns through no angle and moves in no direction.
-            Err(_) if let Some(reason) = without_value(&relation, &known) => return Err(reason.into()),
+            Err(_) if let Some(reason) = without_direction(&relation, &known, &derived) => return Err(reason.into()),
             _ if gap().is_ok_and(|gap| vanishes(&gap.value)) => {}
             // What it speaks of has no short exact form there.
             Err(_) if posed.holds_at(given, values).ok_or(Reason::Undecided)? => {}

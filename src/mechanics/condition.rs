@@ -3,7 +3,7 @@
 use super::law::Known;
 use super::refusal::Refusal;
 use super::scene::Condition;
-use super::{Datum, Quantity};
+use super::{Datum, Moment, Quantity, Sphere};
 use crate::expr::{Expr, Fault, Meaning, Relation, Turn, evaluate, print, written};
 use crate::number::{Angle, Fraction, Letter, Range, Value};
 
@@ -93,11 +93,40 @@ pub(super) fn name_of(name: &str, letters: &dyn Fn(&str) -> Option<Meaning>, kno
     }
 }
 
-/// What is wrong with a condition that speaks of a quantity which does not exist.
-pub(super) fn without_value(relation: &Expr, known: &Known<Value>) -> Option<String> {
+/// What is wrong with a condition that speaks of the direction of a sphere at rest, by what was derived when it was tried.
+pub(super) fn without_direction(relation: &Expr, known: &Known<Value>, derived: &Known<Value>) -> Option<String> {
     let mut quantities = relation.names().into_iter().filter_map(|name| name.text.parse::<Quantity>().ok());
-    let missing = quantities.find(|quantity| !known.0.contains_key(quantity))?;
-    Some(format!("there `{missing}` has no value"))
+    let missing = quantities.find(|quantity| {
+        let rests = |(sphere, moment)| is_at_rest(derived, quantity.impact(), sphere, moment);
+        !known.0.contains_key(quantity) && of_directions(*quantity).into_iter().any(rests)
+    })?;
+    Some(format!("there `{missing}` has no value, since a sphere at rest has no direction"))
+}
+
+/// The spheres and moments of whose directions an angle or tangent is.
+fn of_directions(quantity: Quantity) -> Vec<(Sphere, Moment)> {
+    use Quantity::*;
+    match quantity.of_its_impact() {
+        AngleToLine(sphere, moment) | AngleFromN(sphere, moment) | AngleFromI(sphere, moment) => vec![(sphere, moment)],
+        TanToLine(sphere, moment) | TOverN(sphere, moment) => vec![(sphere, moment)],
+        AngleToWall(sphere, moment) | TanToWall(sphere, moment) => vec![(sphere, moment)],
+        Deflection(sphere) | SignedDeflection(sphere) | TanDeflection(sphere) => {
+            vec![(sphere, Moment::Before), (sphere, Moment::After)]
+        }
+        AngleBetween(moment) => Sphere::BOTH.map(|sphere| (sphere, moment)).to_vec(),
+        _ => Vec::new(),
+    }
+}
+
+/// Is every component of a velocity known and nought?
+fn is_at_rest(known: &Known<Value>, impact: u8, sphere: Sphere, moment: Moment) -> bool {
+    let is_its = |quantity: &Quantity| {
+        quantity.impact() == impact
+            && matches!(quantity.of_its_impact(), Quantity::Velocity(of, at, _) if (of, at) == (sphere, moment))
+    };
+    let mut components = known.0.iter().filter(|(quantity, _)| is_its(quantity)).peekable();
+    components.peek().is_some()
+        && components.all(|(_, datum)| matches!(datum, Datum::Number(component) if component.is_zero()))
 }
 
 /// What a condition makes nought.

@@ -249,7 +249,9 @@ pub(super) fn of_no_impact(quantity: Quantity, impacts: usize) -> Refusal {
 /// Why a system was not solved, in words.
 pub(super) fn no_roots(reason: NoRoots) -> Refusal {
     match reason {
-        NoRoots::Always => Refusal::underdetermined("the conditions hold whatever the unknowns are"),
+        NoRoots::Always => {
+            Refusal::underdetermined("the conditions leave the unknowns open: one of them adds nothing to the others")
+        }
         NoRoots::Never => Refusal::impossible("the conditions contradict each other"),
         NoRoots::Degree(degree) => Refusal::beyond(format!(
             "the conditions lead to an equation of degree {degree}; only linear and quadratic ones, in an unknown or its square, are solved"

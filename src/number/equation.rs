@@ -1,4 +1,4 @@
-//! Equations in one or two unknown letters, solved exactly.
+//! Equations in one unknown letter, solved exactly; of several unknowns the others leave first: [`super::elimination`].
 //!
 //! An equation is a value that must be nought. Roots that hold an unknown are removed by squaring,
 //! which may bring in roots of its own: whoever asks must try each solution in the original. What is
@@ -27,15 +27,6 @@ pub enum NoRoots {
 /// Squaring doubles a formula; beyond this many terms it is given up.
 pub(super) const MOST_TERMS: usize = 600;
 
-/// Every value of the unknowns, in the order of `unknowns`, for which all equations may hold.
-///
-/// # Errors
-///
-/// See [`NoRoots`].
-pub fn solve_system(equations: &[Value], unknowns: &[Letter]) -> Result<Vec<Vec<Value>>, NoRoots> {
-    eliminate(equations, unknowns)
-}
-
 /// The coefficients of the powers 0, 1, 2, … of the unknown in an equation whose other side is nought, once it is free of
 /// denominators and of roots that hold the unknown; and whether it had to be squared for that.
 pub fn collected(equation: &Value, unknown: Letter) -> Option<(Vec<Value>, bool)> {
@@ -53,104 +44,8 @@ pub fn collected(equation: &Value, unknown: Letter) -> Option<(Vec<Value>, bool)
     Some((coefficients(&cleared, unknown), is_squared))
 }
 
-fn eliminate(equations: &[Value], unknowns: &[Letter]) -> Result<Vec<Vec<Value>>, NoRoots> {
-    match unknowns {
-        [] => Ok(vec![Vec::new()]),
-        [unknown] => {
-            let cleared: Result<Vec<Value>, NoRoots> =
-                equations.iter().map(|equation| clear(equation, unknowns)).collect();
-            let cleared = cleared?;
-            if cleared.iter().any(|equation| equation.is_constant() && !equation.is_zero()) {
-                return Err(NoRoots::Never);
-            }
-            let equation = cleared
-                .iter()
-                .filter(|equation| equation.has_letter(|own| own == unknown))
-                .min_by_key(|equation| coefficients(equation, *unknown).len())
-                .ok_or(NoRoots::Always)?;
-            Ok(roots_of(equation, *unknown)?.into_iter().map(|root| vec![root]).collect())
-        }
-        _ => several(equations, unknowns),
-    }
-}
-
-/// Two unknowns or more: one of them leaves, by substitution where it occurs linearly, else by the
-/// resultant of two equations.
-fn several(equations: &[Value], unknowns: &[Letter]) -> Result<Vec<Vec<Value>>, NoRoots> {
-    let mut reason = None;
-    for place in 0..unknowns.len() {
-        for index in 0..equations.len() {
-            match by_substitution(equations, index, unknowns, place) {
-                Some(Err(NoRoots::Degree(_) | NoRoots::TooLong)) if reason.is_some() => {}
-                Some(Err(given_up @ (NoRoots::Degree(_) | NoRoots::TooLong))) => reason = Some(given_up),
-                Some(outcome) => return outcome,
-                None => {}
-            }
-        }
-    }
-    if let Some(reason) = reason {
-        return Err(reason);
-    }
-    let ([first, second, ..], [x, y]) = (equations, unknowns) else { return Err(NoRoots::Degree(2)) };
-    let (first, second) = without_shared(clear(first, unknowns)?, clear(second, unknowns)?);
-    let resultant = resultant(&coefficients(&first, *x), &coefficients(&second, *x))?;
-    let mut solutions = Vec::new();
-    for value in roots_of(&clear(&resultant, &[*y])?, *y)? {
-        let Some(left) = first.substitute(*y, &value) else { continue };
-        for root in roots_of(&clear(&left, &[*x])?, *x)? {
-            solutions.push(vec![root, value.clone()]);
-        }
-    }
-    Ok(solutions)
-}
-
-/// Two equations without the factor that both have, such as a sum of masses that squaring left in them.
-fn without_shared(first: Value, second: Value) -> (Value, Value) {
-    let (Some((p, _)), Some((q, _))) = (first.as_quotient(), second.as_quotient()) else { return (first, second) };
-    let shared = p.greatest_common_divisor(&q);
-    let rest = |all: &Polynomial| Some(Value::quotient(all.divided_by(&shared)?, Polynomial::one()));
-    match (rest(&p), rest(&q)) {
-        (Some(p), Some(q)) if !p.is_constant() && !q.is_constant() => (p, q),
-        _ => (first, second),
-    }
-}
-
-/// The unknown at a place taken from one equation and put into the others. Roots that hold other
-/// unknowns stay as they are, so that a speed or a cosine is squared only where it must be. `None` if
-/// the unknown does not occur linearly.
-fn by_substitution(
-    equations: &[Value],
-    index: usize,
-    unknowns: &[Letter],
-    place: usize,
-) -> Option<Result<Vec<Vec<Value>>, NoRoots>> {
-    let unknown = unknowns[place];
-    let cleared = clear(&equations[index], &[unknown]).ok()?;
-    let [constant, slope] = coefficients(&cleared, unknown).try_into().ok()?;
-    let root = (-&constant).divided_by(&slope)?;
-    let rest: Vec<Letter> = unknowns.iter().filter(|other| **other != unknown).copied().collect();
-    let others = equations.iter().enumerate().filter(|(other, _)| *other != index);
-    let substituted: Option<Vec<Value>> = others.map(|(_, other)| other.substitute(unknown, &root)).collect();
-    let solve = || {
-        let mut solutions = Vec::new();
-        for solution in eliminate(&substituted.ok_or(NoRoots::Never)?, &rest)? {
-            if let Some(value) = put_in(&root, &rest, &solution) {
-                let mut all = solution;
-                all.insert(place, value);
-                solutions.push(all);
-            }
-        }
-        Ok(solutions)
-    };
-    Some(solve())
-}
-
-fn put_in(value: &Value, unknowns: &[Letter], solution: &[Value]) -> Option<Value> {
-    unknowns.iter().zip(solution).try_fold(value.clone(), |value, (unknown, root)| value.substitute(*unknown, root))
-}
-
 /// The equation times whatever makes it free of denominators and of roots that hold an unknown.
-fn clear(equation: &Value, unknowns: &[Letter]) -> Result<Value, NoRoots> {
+pub(super) fn clear(equation: &Value, unknowns: &[Letter]) -> Result<Value, NoRoots> {
     let mut equation = numerator(equation);
     loop {
         if equation.terms() > MOST_TERMS {
@@ -181,7 +76,7 @@ fn numerator(value: &Value) -> Value {
 }
 
 /// The coefficients of the powers 0, 1, 2, … of the unknown in a cleared equation.
-fn coefficients(equation: &Value, unknown: Letter) -> Vec<Value> {
+pub(super) fn coefficients(equation: &Value, unknown: Letter) -> Vec<Value> {
     let mut by_power: BTreeMap<usize, Terms> = BTreeMap::new();
     for (roots, polynomial) in equation.numerator_terms() {
         for (power, coefficient) in polynomial.coefficients(unknown).into_iter().enumerate() {
@@ -197,7 +92,7 @@ fn coefficients(equation: &Value, unknown: Letter) -> Vec<Value> {
 }
 
 /// The values of the unknown for which a cleared equation holds.
-fn roots_of(equation: &Value, unknown: Letter) -> Result<Vec<Value>, NoRoots> {
+pub(super) fn roots_of(equation: &Value, unknown: Letter) -> Result<Vec<Value>, NoRoots> {
     if equation.is_zero() {
         return Err(NoRoots::Always);
     }
@@ -256,55 +151,6 @@ fn without_common_factor(equation: &Value, unknown: Letter) -> Value {
     equation.divided_by(&Value::quotient(shared, Polynomial::one())).unwrap_or_else(|| equation.clone())
 }
 
-/// The determinant that is nought exactly where two polynomials share a root.
-fn resultant(first: &[Value], second: &[Value]) -> Result<Value, NoRoots> {
-    let (m, n) = (first.len().saturating_sub(1), second.len().saturating_sub(1));
-    if m == 0 || n == 0 || m + n > 8 {
-        return Err(NoRoots::Degree(m.max(n)));
-    }
-    let size = m + n;
-    let mut rows = vec![vec![Value::ZERO; size]; size];
-    for shift in 0..n {
-        for (power, coefficient) in first.iter().rev().enumerate() {
-            rows[shift][shift + power] = coefficient.clone();
-        }
-    }
-    for shift in 0..m {
-        for (power, coefficient) in second.iter().rev().enumerate() {
-            rows[n + shift][shift + power] = coefficient.clone();
-        }
-    }
-    determinant(rows)
-}
-
-fn determinant(mut rows: Vec<Vec<Value>>) -> Result<Value, NoRoots> {
-    let size = rows.len();
-    let mut result = Value::ONE;
-    for column in 0..size {
-        let Some(pivot) = (column..size).find(|row| !rows[*row][column].is_zero()) else { return Ok(Value::ZERO) };
-        if pivot != column {
-            rows.swap(pivot, column);
-            result = -result;
-        }
-        let lead = rows[column][column].clone();
-        result = &result * &lead;
-        for row in column + 1..size {
-            let Some(factor) = rows[row][column].divided_by(&lead) else { continue };
-            if factor.is_zero() {
-                continue;
-            }
-            let pivot_row = rows[column].clone();
-            for (entry, above) in rows[row].iter_mut().zip(&pivot_row).skip(column) {
-                *entry = &*entry - &(&factor * above);
-                if entry.terms() > MOST_TERMS {
-                    return Err(NoRoots::TooLong);
-                }
-            }
-        }
-    }
-    Ok(result)
-}
-
 impl Value {
     /// The rate of change with a letter that no root in the value holds; `None` if one does.
     pub fn derivative(&self, letter: Letter) -> Option<Value> {
@@ -331,7 +177,7 @@ impl Value {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Range;
+    use super::super::{Range, solve_system};
     use super::*;
 
     fn unknown(name: &str) -> (Letter, Value) {
@@ -357,18 +203,5 @@ mod tests {
         let roots = solve_system(&[&cube - &Value::from(8)], &[x]).unwrap();
         assert_eq!(roots, vec![vec![Value::from(2)]]);
         assert_eq!(solve_system(&[&(&cube - &value) - &Value::ONE], &[x]), Err(NoRoots::Degree(3)));
-    }
-
-    #[test]
-    fn two_unknowns_by_substitution_and_by_resultant() {
-        let ((x, a), (y, b)) = (unknown("x"), unknown("y"));
-        let sum = &(&a + &b) - &Value::from(5);
-        let product = &(&a * &b) - &Value::from(6);
-        let roots = solve_system(&[product, sum], &[x, y]).unwrap();
-        assert!(roots.contains(&vec![Value::from(2), Value::from(3)]) && roots.len() == 2, "{roots:?}");
-        let circle = &(&(&a * &a) + &(&b * &b)) - &Value::from(25);
-        let hyperbola = &(&(&a * &a) - &(&b * &b)) - &Value::from(7);
-        let roots = solve_system(&[circle, hyperbola], &[x, y]).unwrap();
-        assert!(roots.contains(&vec![Value::from(4), Value::from(-3)]), "{roots:?}");
     }
 }

@@ -5,10 +5,10 @@
 //! signed, anticlockwise.
 
 use super::{Shape, Seen, Datum, Known, Law, Line, Outcome, Rule, Show, Slip, components, first_equation, is_at_rest_before, number, rule, silent, velocity, with_inputs};
-use crate::expr::{Expr, Function, written};
+use crate::expr::{Expr, Function, print, written};
 use crate::mechanics::Axis::{N, T, X, Y};
-use crate::mechanics::{Moment, Quantity, Sphere};
-use crate::number::Number;
+use crate::mechanics::{Axis, Moment, Quantity, Sphere};
+use crate::number::{Angle, Number};
 
 pub const NAME: &str = "direction";
 
@@ -152,6 +152,15 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
     }
 }
 
+/// The axis, of the two from which an acute angle may be measured, along which the direction is; then no tangent tells it.
+fn of_an_axis(angle: &Angle) -> Option<Axis> {
+    match angle.whole_degrees()?.as_small()? {
+        (0, 1) => Some(X),
+        (90, 1) => Some(Y),
+        _ => None,
+    }
+}
+
 /// The acute angle to the line of centres.
 fn angle_to_line(show: &Show, sphere: Sphere, moment: Moment) -> Vec<Line> {
     let quantity = Quantity::AngleToLine(sphere, moment);
@@ -159,13 +168,11 @@ fn angle_to_line(show: &Show, sphere: Sphere, moment: Moment) -> Vec<Line> {
     let name = Expr::name(sphere.name());
     // Of a sphere whose components are not both there the speed has said so.
     let said = show.is_asked(Quantity::Speed(sphere, moment));
-    match angle.whole_degrees().and_then(|degrees| degrees.as_small()) {
-        Some((0 | 90, 1)) if said => return silent(),
-        Some((0, 1)) => return vec![Line::with("{A} moves along the line of centres.", &[("A", name)], vec![])],
-        Some((90, 1)) => {
-            return vec![Line::with("{A} moves perpendicular to the line of centres.", &[("A", name)], vec![])];
-        }
-        _ => {}
+    match of_an_axis(&angle) {
+        Some(_) if said => return silent(),
+        Some(X) => return vec![Line::with("{A} moves along the line of centres.", &[("A", name)], vec![])],
+        Some(_) => return vec![Line::with("{A} moves perpendicular to the line of centres.", &[("A", name)], vec![])],
+        None => {}
     }
     let left = Expr::name("beta");
     let mut equations = vec![tangent_equation(show, sphere, moment, true)];
@@ -178,6 +185,11 @@ fn angle_to_line(show: &Show, sphere: Sphere, moment: Moment) -> Vec<Line> {
 /// The acute angle of an impulse with i.
 fn angle_of_impulse(show: &Show) -> Vec<Line> {
     let Some(angle) = show.angle(Quantity::ImpulseAngle) else { return silent() };
+    match of_an_axis(&angle) {
+        Some(X) => return vec![Line::with("The impulse is parallel to {i}.", &[], vec![])],
+        Some(_) => return vec![Line::with("The impulse is perpendicular to {i}.", &[], vec![])],
+        None => {}
+    }
     let left = Expr::name("beta");
     let at = |axis| written(&show.exact(Quantity::Impulse(Sphere::A, axis)).absolute());
     let tangent = at(Y).over(at(X));
@@ -190,12 +202,18 @@ fn angle_of_impulse(show: &Show) -> Vec<Line> {
 /// The acute angle to the wall.
 fn angle_to_wall(show: &Show, sphere: Sphere, moment: Moment) -> Vec<Line> {
     let Some(angle) = show.angle(Quantity::AngleToWall(sphere, moment)) else { return silent() };
+    let name = Expr::name(sphere.name());
+    match of_an_axis(&angle) {
+        Some(X) => return vec![Line::with("{A} moves along the wall.", &[("A", name)], vec![])],
+        Some(_) => return vec![Line::with("{A} moves perpendicular to the wall.", &[("A", name)], vec![])],
+        None => {}
+    }
     let left = Expr::name("beta");
     let mut equations = vec![wall_tangent(show, sphere, moment)];
     equations.push(Expr::equation(left.clone(), Show::angle_expr(&angle)));
     equations.extend(Show::approximate_angle(&left, &angle));
     let words = "The path of {A} makes an angle {b} with the wall, where";
-    vec![Line::with(words, &[("A", Expr::name(sphere.name())), ("b", left)], equations)]
+    vec![Line::with(words, &[("A", name), ("b", left)], equations)]
 }
 
 fn tangent_to_wall(show: &Show, sphere: Sphere, moment: Moment) -> Vec<Line> {
@@ -220,17 +238,23 @@ fn wall_tangent(show: &Show, sphere: Sphere, moment: Moment) -> Expr {
 /// `tan β = p/v`, in numbers.
 fn tangent_equation(show: &Show, sphere: Sphere, moment: Moment, size: bool) -> Expr {
     let at = |axis| {
-        let value = show.worked(velocity(sphere, moment, axis));
-        written(&if size && value.sign() == Some(std::cmp::Ordering::Less) { -value } else { value })
+        let component = velocity(sphere, moment, axis);
+        if !size {
+            // The sign is that of n and t, whichever way the working goes.
+            return written(&show.exact(component));
+        }
+        let value = show.worked(component);
+        written(&if value.sign() == Some(std::cmp::Ordering::Less) { -value } else { value })
     };
     let quotient = at(T).over(at(N));
     Expr::equation(Expr::call(Function::Tan, Expr::name("beta")), quotient)
 }
 
-/// An equation, and the value of its left side where that is another form.
+/// An equation, and the value of its left side where that looks otherwise.
 fn with_value(equation: Expr, left: Expr, value: Expr) -> Vec<Expr> {
     let found = Expr::equation(left, value);
-    if found == equation { vec![equation] } else { vec![equation, found] }
+    let is_seen = print::plain(&found) == print::plain(&equation);
+    if is_seen { vec![equation] } else { vec![equation, found] }
 }
 
 fn tangent_of_direction(show: &Show, sphere: Sphere, moment: Moment, quantity: Quantity) -> Vec<Line> {
@@ -241,6 +265,9 @@ fn tangent_of_direction(show: &Show, sphere: Sphere, moment: Moment, quantity: Q
     let left = Expr::call(Function::Tan, Expr::name("beta"));
     let quotient = tangent_equation(show, sphere, moment, quantity == Quantity::TanToLine(sphere, moment));
     let equations = with_value(quotient, left, show.value(quantity));
-    let words = "The path of {A} then makes an angle {b} with the line of centres, where";
+    let words = match moment {
+        Moment::Before => "The path of {A} makes an angle {b} with the line of centres, where",
+        Moment::After => "The path of {A} then makes an angle {b} with the line of centres, where",
+    };
     vec![Line::with(words, &[("A", Expr::name(sphere.name())), ("b", Expr::name("beta"))], equations)]
 }
