@@ -4,7 +4,6 @@
 //! in them, and so is each law that the given data do not satisfy by themselves. Every solution is put
 //! back into the scene, tried in the original condition, and tested for whether it can happen.
 
-use std::cmp::Ordering;
 use std::sync::Arc;
 
 use super::condition::{beyond_its_range, fault, name_of, put_back, residual, vanishes, without_direction};
@@ -17,8 +16,9 @@ use super::refusal::Refusal;
 use super::root_in_words;
 use super::scene::{Condition, Scene};
 use super::scene_reader::meaning;
-use super::unknowns::{mentions, substituted, with_letters};
+use super::unknowns::{in_range, mentions, substituted, with_letters};
 use super::validity::{Broken, broken_laws, check, demanding};
+use super::ways::{either_way, of_both_ways};
 use super::working::Show;
 use super::{Derivation, Quantity, pose};
 use crate::expr::{Expr, Meaning, Turn, evaluate, holds, print, written, written_angle};
@@ -106,6 +106,14 @@ pub fn backwards(scene: &Scene) -> Result<Vec<Found>, Refusal> {
     if let Some(refusal) = scene.conditions.iter().find_map(|condition| beyond_its_range(condition, &letters)) {
         return Err(refusal);
     }
+    match either_way(&scene).filter(|_| scene.maximise.is_none()) {
+        Some(ways) if !scene.conditions.iter().any(Condition::is_inequality) => of_both_ways(&scene, ways.map(solved)),
+        _ => solved(scene),
+    }
+}
+
+/// The unknowns of a scene whose line of centres has its sense, or finds it.
+fn solved(scene: Scene) -> Result<Vec<Found>, Refusal> {
     let posed = Arc::new(Posed::new(scene)?);
     let scene = &posed.scene;
     if scene.conditions.iter().any(Condition::is_inequality) {
@@ -367,33 +375,5 @@ impl Posed {
             |value: &Value| value.roots().iter().filter(|root| matches!(root, Root::Nested { .. })).count() > 1;
         let short = left.terms() <= MOST_SHOWN && right.terms() <= MOST_SHOWN && !nested(&left) && !nested(&right);
         short.then(|| Expr::equation(written(&left), written(&right)))
-    }
-}
-
-/// An unknown must lie in its range; where that depends on other letters it becomes a remark.
-fn in_range(unknown: Letter, value: &Value, remarks: &mut Vec<String>) -> Result<(), String> {
-    let name = unknown.name();
-    let sign = value.sign();
-    for root in value.roots() {
-        if let Root::Nested { radicand, .. } = root
-            && radicand.sign().is_none()
-            && radicand.square_root_of_square().is_none()
-        {
-            remarks.push(format!("this needs {} > 0", print::unicode(&written(&radicand))));
-        }
-    }
-    match unknown.range() {
-        Range::Positive if sign.is_some_and(Ordering::is_le) => Err(format!("{name} is positive")),
-        Range::Acute if sign.is_some_and(Ordering::is_le) => Err(format!("{name} is an acute angle")),
-        Range::Unit if sign == Some(Ordering::Less) => Err(format!("{name} is not negative")),
-        Range::Unit if (value - &Value::ONE).sign() == Some(Ordering::Greater) => {
-            Err(format!("{name} is at most 1, or the impact would create kinetic energy"))
-        }
-        // That a coefficient of restitution is one is looked at where the scene is solved.
-        Range::Positive | Range::Acute if sign.is_none() => {
-            remarks.push(format!("this needs {} > 0", print::unicode(&written(value))));
-            Ok(())
-        }
-        _ => Ok(()),
     }
 }

@@ -11,7 +11,10 @@ use super::refusal::Refusal;
 use super::working::Show;
 use super::{Derivation, Quantity, pose};
 use crate::expr::{Expr, Function, Relation, print, written, written_angle};
-use crate::number::{Angle, Demand, Letter, NoRoots, Polynomial, Range, Span, Value, solve_inequalities, solve_system};
+use crate::number::{
+    Angle, Demand, Fraction, Interval, Letter, NoRoots, Polynomial, Range, Span, Value, solve_inequalities,
+    solve_system,
+};
 
 /// So many signs stand above the line of a derivative.
 const WIDEST: usize = 40;
@@ -47,6 +50,14 @@ impl Posed {
     pub(super) fn extremes(&self, quantity: Quantity) -> Result<Vec<Vec<Value>>, Refusal> {
         let slopes = self.stationary(quantity)?;
         let unknown = self.scene.unknowns[0];
+        if let Some(pole) = self.pole(quantity, unknown) {
+            let name = without_markup(&in_english(quantity, self.scene.setting));
+            return Err(Refusal::impossible(format!(
+                "{name} has no largest value: it grows beyond every number as {} comes near {}",
+                unknown.name(),
+                print::unicode(&written(&pole))
+            )));
+        }
         let mut candidates = match slopes.as_slice() {
             [slope] if slope.is_zero() => {
                 let name = without_markup(&in_english(quantity, self.scene.setting));
@@ -72,6 +83,27 @@ impl Posed {
             )));
         }
         Ok(candidates)
+    }
+
+    /// Where a quantity grows beyond every number, inside the range of the unknown.
+    fn pole(&self, quantity: Quantity, unknown: Letter) -> Option<Value> {
+        let value = self.known.number(quantity)?;
+        let below = Value::quotient(value.parts().1.into_owned(), Polynomial::one());
+        let near = Fraction::new(1, 1 << 20);
+        let is_inside = |at: &Fraction| match unknown.range() {
+            Range::Real | Range::Degrees => true,
+            Range::Positive | Range::Acute => at.sign().is_gt(),
+            Range::Unit => at.sign().is_ge() && *at <= Fraction::ONE,
+        };
+        let grows = |pole: &Value| {
+            let Some(at) = pole.as_fraction() else { return false };
+            [at - &near, at + &near].iter().filter(|beside| is_inside(beside)).any(|beside| {
+                let there = |letter: Letter| (letter == unknown).then(|| Interval::from_fraction(beside, 128));
+                value.enclose(128, &there).is_some_and(|large| large.lower() > Fraction::from(1 << 10))
+            })
+        };
+        let poles = solve_system(&[below], &[unknown]).ok()?;
+        poles.into_iter().map(|mut pole| pole.remove(0)).find(grows)
     }
 
     /// The rate of change of what is to be as large as possible. A square root is largest where its

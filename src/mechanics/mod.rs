@@ -28,6 +28,7 @@ mod setting;
 mod sought;
 mod unknowns;
 mod validity;
+mod ways;
 mod working;
 
 pub use again::{Carried, MadeSlip, Steps, Trace};

@@ -202,7 +202,7 @@ fn components(velocity: &Velocity) -> (Value, Value) {
 }
 
 /// The velocity of A relative to B before the impact.
-fn relative(scene: &Scene) -> Option<(Value, Value)> {
+pub(super) fn relative(scene: &Scene) -> Option<(Value, Value)> {
     let [a, b] = [scene.before[0].as_ref()?, scene.before[1].as_ref()?].map(components);
     Some((&a.0 - &b.0, &a.1 - &b.1))
 }

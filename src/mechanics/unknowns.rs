@@ -1,9 +1,11 @@
 //! A scene with letters in the place of what is to be found, and with what was found in the place of letters.
 
+use std::cmp::Ordering;
+
 use super::Sphere;
 use super::scene::{Contact, Given, Scene, Velocity};
-use crate::expr::{Expr, Turn, written, written_angle};
-use crate::number::{Angle, Letter, Value};
+use crate::expr::{Expr, Turn, print, written, written_angle};
+use crate::number::{Angle, Letter, Range, Root, Value};
 
 /// `e`, `A.mass` and `B.mass` among the unknowns stand where the scene leaves a gap.
 pub fn with_letters(scene: &Scene) -> Scene {
@@ -104,4 +106,32 @@ pub(super) fn substituted(scene: &Scene, unknowns: &[Letter], values: &[Value]) 
     scene.conditions.clear();
     scene.maximise = None;
     Some(scene)
+}
+
+/// An unknown must lie in its range; where that depends on other letters it becomes a remark.
+pub(super) fn in_range(unknown: Letter, value: &Value, remarks: &mut Vec<String>) -> Result<(), String> {
+    let name = unknown.name();
+    let sign = value.sign();
+    for root in value.roots() {
+        if let Root::Nested { radicand, .. } = root
+            && radicand.sign().is_none()
+            && radicand.square_root_of_square().is_none()
+        {
+            remarks.push(format!("this needs {} > 0", print::unicode(&written(&radicand))));
+        }
+    }
+    match unknown.range() {
+        Range::Positive if sign.is_some_and(Ordering::is_le) => Err(format!("{name} is positive")),
+        Range::Acute if sign.is_some_and(Ordering::is_le) => Err(format!("{name} is an acute angle")),
+        Range::Unit if sign == Some(Ordering::Less) => Err(format!("{name} is not negative")),
+        Range::Unit if (value - &Value::ONE).sign() == Some(Ordering::Greater) => {
+            Err(format!("{name} is at most 1, or the impact would create kinetic energy"))
+        }
+        // That a coefficient of restitution is one is looked at where the scene is solved.
+        Range::Positive | Range::Acute if sign.is_none() => {
+            remarks.push(format!("this needs {} > 0", print::unicode(&written(value))));
+            Ok(())
+        }
+        _ => Ok(()),
+    }
 }
