@@ -1,6 +1,8 @@
 //! Answers made of pieces of answers: each byte chooses one, so that formulas, words and commands come whole.
 #![no_main]
 
+mod chance;
+#[path = "../../tests/strange/laws.rs"]
 mod laws;
 
 /// What answers are made of; nothing is longer than it must be.

@@ -1,6 +1,8 @@
 //! Any bytes as an answer; the first chooses the model.
 #![no_main]
 
+mod chance;
+#[path = "../../tests/strange/laws.rs"]
 mod laws;
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| {

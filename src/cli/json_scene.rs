@@ -90,14 +90,19 @@ fn not_a_scene(source: &Source, places: &[(String, Range<usize>)], error: &serde
     let at = offset(&source.text, error.line(), error.column());
     let said = error.to_string();
     let said = said.split(" at line ").next().unwrap_or_default();
-    if !error.is_data() {
+    // Of a word that stands for a choice serde asks for a string as JSON does.
+    let is_json = || serde_json::from_str::<serde_json::Value>(&source.text).is_ok();
+    if !error.is_data() && !is_json() {
         let message = format!("this is no JSON: {}", why_no_json(error));
         let fault = Diagnostic::new(message, source, at..at + 1, "expected readable JSON");
         return fault.with_help("`carom solve --help` shows a scene");
     }
     // It is told of once the value has been read: the place of its last byte, or just behind it.
     let ends = |(_, place): &&(String, Range<usize>)| place.end == at + 1 || place.end == at;
-    let value = places.iter().filter(ends).max_by_key(|(_, place)| place.end);
+    let value = match error.is_data() {
+        true => places.iter().filter(ends).max_by_key(|(_, place)| place.end),
+        false => places.iter().find(|(field, _)| field == "sense"),
+    };
     let (field, span) = match value {
         Some((field, place)) => (field.as_str(), place.clone()),
         None => ("", at..at + 1),
@@ -108,7 +113,7 @@ fn not_a_scene(source: &Source, places: &[(String, Range<usize>)], error: &serde
                 "write `[\"x\", \"y\"]`, or `{\"speed\": \"6\", \"angle_deg\": \"10\"}`, every number as a string",
             );
     }
-    if field == "sense" && said.starts_with("unknown variant") {
+    if field == "sense" {
         let help = "turn the line of centres round for the other sense: write its components with the other signs";
         let written = &source.text[span.clone()];
         let fault = Diagnostic::new(format!("no sense {written}"), source, span, "expected `A_to_B` or `either`");

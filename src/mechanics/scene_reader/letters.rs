@@ -14,8 +14,17 @@ impl Reader<'_> {
                 continue;
             };
             match Letter::new(name, found) {
-                Some(letter) if !name.is_empty() => self.letters.push(letter),
-                _ => self.whole_fault(&field, name, "a letter's name is too long", &at_most()),
+                _ if !is_name(name) => {
+                    self.whole_fault(
+                        &field,
+                        name,
+                        "no name of a letter:",
+                        "expected a letter from a to z, then letters, digits or `_`",
+                    );
+                    self.help("write `alpha` for α, and `x1` or `x_1` for a letter with a number");
+                }
+                Some(letter) => self.letters.push(letter),
+                None => self.whole_fault(&field, name, "a letter's name is too long", &at_most()),
             }
         }
     }
@@ -50,6 +59,12 @@ impl Reader<'_> {
             }
         }
     }
+}
+
+/// A letter, then letters, digits or `_`.
+fn is_name(name: &str) -> bool {
+    name.starts_with(|first: char| first.is_ascii_alphabetic())
+        && name.chars().all(|sign| sign.is_ascii_alphanumeric() || sign == '_')
 }
 
 /// Which letters there are, or how they are declared.

@@ -5,7 +5,9 @@ use std::sync::LazyLock;
 use carom::answer::{Accept, Kind};
 use carom::mark::judging::{Judgement, Model, ModelOptions, Verdict, judge};
 use carom::mark::reading::{Form, LONGEST, MOST_READINGS, Reading, Statement, Unreadable, read_answer};
-use carom::number::{Letter, Places, Range, steps_taken};
+#[cfg(fuzzing)]
+use carom::number::steps_taken;
+use carom::number::{Letter, Places, Range};
 
 /// The most steps of arithmetic that an answer may take, read and judged once: about seven milliseconds.
 const MOST_STEPS: u64 = 500_000;
@@ -40,42 +42,44 @@ const LETTERS: [(&str, Range); 5] = [
     ("theta", Range::Acute),
 ];
 
-struct Pair {
+/// Steps are counted for the fuzzer alone.
+#[cfg(not(fuzzing))]
+fn steps_taken() -> u64 {
+    0
+}
+
+/// A model, and what is compared with it.
+pub struct Pair {
     right: Model,
     other: Model,
     /// The right one by a looser rule.
     rounded: Model,
 }
 
-static MODELS: LazyLock<Vec<Pair>> = LazyLock::new(|| {
+static MODELS: LazyLock<Vec<Pair>> =
+    LazyLock::new(|| PAIRS.iter().map(|(right, other, kind)| pair(right, other, *kind)).collect());
+
+/// A model and another one.
+pub fn pair(right: &str, other: &str, kind: Option<Kind>) -> Pair {
     let letters: Vec<Letter> = LETTERS.iter().map(|(name, range)| Letter::new(name, *range).expect("short")).collect();
-    let read = |text: &str, kind, accept| {
+    let read = |text: &str, accept| {
         let options = ModelOptions { kind, accept: Some(accept), letters: letters.clone(), ..ModelOptions::default() };
         Model::read(text, &options).unwrap_or_else(|fault| panic!("{text}: {fault:?}"))
     };
-    let pair = |(right, other, kind): &(&str, &str, Option<Kind>)| Pair {
-        right: read(right, *kind, Accept::Exact),
-        other: read(other, *kind, Accept::Exact),
-        rounded: read(right, *kind, Accept::RoundsTo(Places::SignificantFigures(3))),
-    };
-    PAIRS.iter().map(pair).collect()
-});
-
-/// Where chance comes from, which orders what a hash table holds: always the same, so that a search can be made again.
-///
-/// # Safety
-///
-/// That of the system's own function: there is room for so many bytes.
-#[unsafe(no_mangle)]
-unsafe extern "C" fn getrandom(room: *mut u8, length: usize, _flags: u32) -> isize {
-    // SAFETY: as above.
-    unsafe { room.write_bytes(7, length) };
-    length.cast_signed()
+    Pair {
+        right: read(right, Accept::Exact),
+        other: read(other, Accept::Exact),
+        rounded: read(right, Accept::RoundsTo(Places::SignificantFigures(3))),
+    }
 }
 
-/// Reads and judges a text against the model of that number, and asserts the laws.
+/// Reads and judges a text against the models of that number, and asserts the laws.
 pub fn hold(number: u8, text: &str) {
-    let pair = &MODELS[usize::from(number) % MODELS.len()];
+    hold_for(&MODELS[usize::from(number) % MODELS.len()], text);
+}
+
+/// Reads and judges a text against a model, and asserts the laws.
+pub fn hold_for(pair: &Pair, text: &str) {
     let vocabulary = &pair.right.vocabulary;
     steps_taken();
     let readings = read_answer(text, vocabulary);
