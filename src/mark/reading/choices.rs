@@ -17,6 +17,8 @@ pub(super) enum Doubt {
     Square,
     /// `e2v`: the square of e, or e times 2v.
     Multiple,
+    /// `m2 = 3m`: the square of m, or the name of a mass.
+    NumberedName,
     /// `2^3/2`: how far the exponent reaches.
     Exponent,
     /// `√uv`: how far the root reaches.

@@ -49,7 +49,8 @@ impl Walk<'_> {
             // `to the line perpendicular to AB`
             let named = || self.any(self.article(next), &["line", "direction"]);
             let on_it = || Some((Line::Centres, centres::on_it(|at| self.word(at), next)?));
-            if let Some((line, end)) = self.line(next).or_else(|| self.line(named()?)).or_else(on_it) {
+            let axis = || self.axis(next).filter(|_| relation == Relation::Angle);
+            if let Some((line, end)) = self.line(next).or_else(|| self.line(named()?)).or_else(on_it).or_else(axis) {
                 // `in the direction AB` has a sense, and `parallel to AB` has none.
                 let line = match line {
                     Line::Ab if self.any(at, &["in direction", "direction of"]).is_some() => Line::AToB,
@@ -174,12 +175,12 @@ impl Walk<'_> {
     /// `from A to B`, `A to B`, `A → B`.
     fn from_one_to_the_other(&self, at: usize) -> Option<(ReferenceLine, usize)> {
         let first = self.words(at, "from").unwrap_or(at);
-        let sphere = |at: usize| Some(self.typed(at)).filter(|_| at < self.tokens.len());
+        let sphere = |at: usize| (at < self.tokens.len()).then(|| self.typed(at));
         let next = match self.tokens.get(first + 1) {
             Some(arrow) if arrow.is('⇒') => first + 2,
             _ => self.any(first + 1, &["to", "towards"])?,
         };
-        match (self.tokens.get(first).and(sphere(first))?, self.tokens.get(next).and(sphere(next))?) {
+        match (sphere(first)?, sphere(next)?) {
             ("A", "B") => Some((ReferenceLine::AlongAToB, next + 1)),
             ("B", "A") => Some((ReferenceLine::AlongBToA, next + 1)),
             _ => None,
@@ -193,7 +194,12 @@ impl Walk<'_> {
             Token::Word(word) => is_unit_word(word),
             _ => false,
         };
-        let is_after_value = at > 0 && is_measure(&self.tokens[at - 1]);
+        // `2:3 (A to B)` says which of the two comes first.
+        let is_ratio = |three: &[Placed]| {
+            let is_number = |placed: &Placed| matches!(placed.token, Token::Number(_));
+            three[1].is(':') && is_number(&three[0]) && is_number(&three[2])
+        };
+        let is_after_value = at > 0 && is_measure(&self.tokens[at - 1]) && !self.tokens[..at].windows(3).any(is_ratio);
         let ends = |next: &Placed| matches!(next.token, Token::Sign(')' | ',' | ';' | '.' | '\n'));
         self.words(at, "from").is_some() || is_after_value && self.tokens.get(end).is_none_or(ends)
     }
@@ -294,6 +300,15 @@ impl Walk<'_> {
         }
     }
 
+    /// `the vector i`, `the direction of i`, `+i`, `the positive x-axis`
+    fn axis(&self, at: usize) -> Option<(Line, usize)> {
+        let at = self.any(self.article(at), &["direction of"]).unwrap_or(at);
+        let at = self.any(self.article(at), &["vector", "unit vector"]).unwrap_or(self.article(at));
+        let is_positive = self.tokens.get(at).is_some_and(|token| token.is('+')) || self.word(at) == Some("positive");
+        let (line, end) = self.plain_line(at + usize::from(is_positive))?;
+        matches!(line, Line::I | Line::J).then_some((line, end))
+    }
+
     /// `-i`, `the negative i direction`: the token after it.
     fn minus_i(&self, at: usize) -> Option<usize> {
         let at = self.article(at);
@@ -314,6 +329,10 @@ impl Walk<'_> {
     /// A noun that could be a line, but is none that we know: its token.
     fn unknown_line(&self, at: usize) -> Option<usize> {
         let noun = self.article(at);
+        // `moves off along the line of centres`
+        if self.word(noun) == Some("along") {
+            return None;
+        }
         if self.is_some_course(noun) {
             return Some(noun);
         }

@@ -182,11 +182,14 @@ impl Parser<'_> {
         })
     }
 
-    /// `√(-2² + 3²)`: first under a root nobody takes a square off, and the sign may be meant to be squared.
+    /// `√(-2² + 3²)`, `√(3² + -2²)`: first under a root nobody takes a square off, nor behind a plus, and the sign may be meant
+    /// to be squared.
     pub(super) fn is_sign_squared(&mut self) -> bool {
-        let before = self.at.checked_sub(3).and_then(|root| self.tokens.get(root..self.at - 1));
-        let is_under_root = matches!(before, Some([root, open])
-            if matches!(root.token, Token::Root { cube: false }) && (open.is('(') || open.is(OPEN)));
+        let minus = self.at - 1;
+        let opened = self.opened_before(minus);
+        let is_root = |at: usize| matches!(self.tokens[at].token, Token::Root { cube: false });
+        let is_added = minus > 0 && self.tokens[minus - 1].is('+');
+        let is_under_root = opened.is_some_and(|open| open > 0 && is_root(open - 1) && (open + 1 == minus || is_added));
         let two = 2 + usize::from(self.sign(2) == Some(OPEN));
         let is_square = matches!(self.token(0), Some(Token::Number(_)))
             && self.sign(1) == Some('^')
@@ -197,6 +200,23 @@ impl Parser<'_> {
             self.choices.note(|| "the sign before a square read as squared".to_owned());
         }
         is_squared
+    }
+
+    /// Where the bracket opens in which a token stands.
+    fn opened_before(&self, at: usize) -> Option<usize> {
+        let mut depth = 0_usize;
+        (0..at).rev().find(|before| match self.tokens[*before].token {
+            Token::Sign(')' | CLOSE) => {
+                depth += 1;
+                false
+            }
+            Token::Sign('(' | OPEN) if depth == 0 => true,
+            Token::Sign('(' | OPEN) => {
+                depth -= 1;
+                false
+            }
+            _ => false,
+        })
     }
 
     fn bars(&mut self) -> Parsed {

@@ -34,6 +34,13 @@ pub struct Statement {
 }
 
 impl Reading {
+    /// Was a comma between figures read as a decimal point?
+    pub(in crate::mark) fn has_decimal_comma(&self) -> bool {
+        let figures = |text: &str| text.bytes().all(|sign| sign.is_ascii_digit() || sign == b',');
+        let mut decided = self.decided.iter().filter_map(|decided| decided.split_once(" read as "));
+        decided.any(|(typed, read)| typed.contains(',') && figures(typed) && read.contains('.'))
+    }
+
     /// Says of every value that it is crossed out.
     pub(super) fn take_back(&mut self) {
         let said = self.statements.iter_mut().flat_map(|statement| &mut statement.said);

@@ -35,12 +35,13 @@ pub(super) fn segments(tokens: &[Placed]) -> Vec<(bool, &[Placed])> {
 }
 
 /// `KE before = 20 J. KE after = 11 J.`: does a point part two sentences that state a value each? After `k` and `i` it does
-/// not.
+/// not, nor before an equals sign.
 fn is_full_stop(before: &[Placed], after: &[Placed]) -> bool {
     let is_equals = |placed: &Placed| placed.is('=') || placed.is(':');
     let ends = |placed: &Placed| matches!(placed.token, Token::Sign('.' | ';' | ',' | '\n' | '⇒'));
     let mut sentence = after.iter().take_while(|placed| !ends(placed));
-    before.iter().any(is_equals) && after.first().is_some_and(|next| next.spaced) && sentence.any(is_equals)
+    let begins = after.first().is_some_and(|next| next.spaced && !is_equals(next));
+    before.iter().any(is_equals) && begins && sentence.any(is_equals)
 }
 
 /// Where the name of a sphere begins that a colon ends here, after a value of another: `speed of B:`. So does the name of

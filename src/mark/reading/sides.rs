@@ -1,5 +1,6 @@
 //! What stands on one side of an equals sign: a name, a number, a formula, or words.
 
+use super::choices::Doubt;
 use super::formula::formula;
 use super::grammar::Parser;
 use super::names;
@@ -59,6 +60,11 @@ impl Statements<'_> {
                 Err(reason) => Err(reason),
             };
         };
+        if let Some(name) = numbered_name(tokens, &expr)
+            && self.choices.otherwise(Doubt::NumberedName, tokens[0].start)
+        {
+            return Ok(Side::Label(Label { typed, expr: Some(name) }));
+        }
         let strange = self.has_strange_names(&expr);
         let letters = !expr.names().is_empty();
         Ok(match (is_a_name(&expr), strange, letters) {
@@ -219,6 +225,16 @@ pub(super) fn is_called(before: &[Placed], after: &[Placed]) -> bool {
         |token: &Token| !matches!(token, Token::Phrase(_) | Token::Sign('=' | '≈' | '<' | '>' | '≤' | '≥' | '≠'));
     let letters = before.iter().all(|placed| matches!(placed.token, Token::Word(_) | Token::Greek(_)));
     letters && !before.is_empty() && after.first().is_some_and(|placed| value(&placed.token))
+}
+
+/// `m2`, `v2` where the question has an m or a v: what such letters name has a number more often than others, and so the two
+/// behind one may be its number.
+fn numbered_name(tokens: &[Placed], expr: &Expr) -> Option<Expr> {
+    let ([_, digit], Expr::Power(base, exponent)) = (tokens, expr) else { return None };
+    let Expr::Name(name) = &**base else { return None };
+    let is_two = digit.token == Token::Number(Expr::integer(2)) && **exponent == Expr::integer(2);
+    (is_two && !digit.spaced && matches!(&*name.text, "m" | "u" | "v" | "w"))
+        .then(|| Expr::name(format!("{}_2", name.text)))
 }
 
 /// A name, its size, or a sine, cosine or tangent of one: what an answer calls its value by.

@@ -171,8 +171,11 @@ impl Values<'_> {
                             return Err(Unreadable::Sign(tokens[at].start, "an angle is missing".to_owned()));
                         }
                         let label = self.label(tokens, lead);
+                        let mut said = said_in_words(Form::Direction, Some(line));
+                        self.refuse_short_of(tokens, lead)?;
+                        said.remarks = self.plain_words(tokens, lead);
                         lead.clear();
-                        found.values.push((label, said_in_words(Form::Direction, Some(line))));
+                        found.values.push((label, said));
                     }
                 }
                 // Away from the other sphere, and so towards the one that is meant, or just apart.
@@ -207,10 +210,7 @@ impl Values<'_> {
 
     /// At rest, with what is said before it: `initially at rest` is of another moment, and `nearly at rest` is something else.
     fn at_rest(&self, tokens: &[Placed], lead: &[usize], at: usize) -> Result<Said, Unreadable> {
-        let short_of = lead.iter().copied().find(|at| falls_short(&self.slice(tokens, *at, *at + 1).to_lowercase()));
-        if let Some(strange) = self.strange(tokens, lead).or(short_of) {
-            return Err(self.strange_word(tokens, strange));
-        }
+        self.refuse_short_of(tokens, lead)?;
         let name = lead.iter().position(|at| names_something(tokens, *at)).filter(|name| *name > 0);
         let before_name = name.map(|name| self.slice(tokens, lead[0], lead[name - 1] + 1).to_lowercase());
         // `was at rest` tells of a state, `was brought to rest` of what happens.
@@ -221,14 +221,29 @@ impl Values<'_> {
         Ok(Said { form: Form::AtRest, unit: None, reference: None, remarks })
     }
 
+    /// `nearly along the line of centres`, `nearly at rest`: what falls short of what is said, and what nobody knows, goes to
+    /// a person.
+    fn refuse_short_of(&self, tokens: &[Placed], lead: &[usize]) -> Result<(), Unreadable> {
+        let short_of = || lead.iter().find(|at| falls_short(&self.slice(tokens, **at, **at + 1).to_lowercase()));
+        match self.strange(tokens, lead).or_else(|| short_of().copied()) {
+            Some(at) => Err(self.strange_word(tokens, at)),
+            None => Ok(()),
+        }
+    }
+
+    /// `B reverses direction along AB`: the words before a direction that name nothing, and may turn it.
+    fn plain_words(&self, tokens: &[Placed], lead: &[usize]) -> Vec<String> {
+        let plain = lead.iter().filter(|at| is_plain(tokens, **at));
+        plain.map(|at| self.slice(tokens, *at, *at + 1).to_lowercase()).collect()
+    }
+
     /// `A rebounds with 2.41`: what is said between the name, if there is one, and the value.
     fn after_name(&self, tokens: &[Placed], lead: &[usize]) -> Option<String> {
         let last_name = lead.iter().rposition(|at| names_something(tokens, *at));
         let between = &lead[last_name.map_or(0, |last| last + 1)..];
-        let is_plain = |at: &usize| matches!(phrase_at(tokens, *at), Some(Phrase::Remark | Phrase::Unknown));
         between
             .iter()
-            .any(is_plain)
+            .any(|at| is_plain(tokens, *at))
             .then(|| self.slice(tokens, between[0], between[between.len() - 1] + 1).to_lowercase())
     }
 
@@ -362,6 +377,11 @@ fn is_angle(said: &Said) -> bool {
 
 fn is_after_number(tokens: &[Placed], at: usize) -> bool {
     at > 0 && matches!(tokens[at - 1].token, Token::Number(_))
+}
+
+/// Is it a word that neither names nor joins?
+fn is_plain(tokens: &[Placed], at: usize) -> bool {
+    matches!(phrase_at(tokens, at), Some(Phrase::Remark | Phrase::Unknown))
 }
 
 /// Does a word name a quantity or a sphere?
