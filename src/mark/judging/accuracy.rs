@@ -315,9 +315,7 @@ pub(super) fn decimal(written: &Written, target: &Target, accept: &Accept) -> Fi
     match last {
         LastPlace::Rounded if written.figures >= FEWEST => Finding::partial(Note::UnderAccurate),
         LastPlace::CutOff if written.figures >= FEWEST => Finding::partial(Note::Truncated),
-        LastPlace::Rounded | LastPlace::CutOff if written.figures > 0 && was_rounded => {
-            Finding::wrong(Note::TooFewFigures)
-        }
+        LastPlace::Rounded if written.figures > 0 && was_rounded => Finding::wrong(Note::TooFewFigures),
         LastPlace::Rounded | LastPlace::CutOff => Finding::WRONG,
         LastPlace::Neither => {
             if to_noughts {

@@ -56,8 +56,8 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Findin
         Form::Direction => return direction(model, &right.turn, own_line(model), said.reference),
         _ => return Finding::WRONG,
     };
-    if let Some(Expr::Call(function, _)) = label.and_then(|label| label.expr.as_ref()) {
-        return ratio_of_angle(model, *function, expr);
+    if let Some(function) = label.and_then(named_ratio) {
+        return ratio_of_angle(model, function, expr);
     }
     if exact::unknown_letter(expr, letters).is_some() {
         let bare = matches!(expr, Expr::Name(_));
@@ -90,6 +90,17 @@ pub(super) fn judge(model: &Model, said: &Said, label: Option<&Label>) -> Findin
             if finding.is_credited() { finding } else { explain(model, said, stated, right, finding) }
         }
         None => from_another_line(model, stated, right, radians, said.reference),
+    }
+}
+
+/// The function of which a label is the value, `tan α`, or `tan` alone.
+fn named_ratio(label: &Label) -> Option<Function> {
+    match (&label.expr, label.typed.trim()) {
+        (Some(Expr::Call(function, _)), _) => Some(*function),
+        (None, "sin") => Some(Function::Sin),
+        (None, "cos") => Some(Function::Cos),
+        (None, "tan") => Some(Function::Tan),
+        _ => None,
     }
 }
 

@@ -108,7 +108,10 @@ pub(super) fn links(statement: &Statement, one: One) -> Finding {
         let is_false =
             |at: usize| is_wrong(at) && !is_rooted(at) && cannot_lead_to(&statement.said[at], &statement.said[at + 1]);
         let is_named = label.is_none_or(|label| matches!(label.expr, None | Some(Expr::Name(_))));
-        label.is_none() && (0..right).any(is_rival) || is_named && right.checked_sub(1).is_some_and(is_false)
+        let is_untrue =
+            |at: usize| is_wrong(at) && !is_rooted(at) && is_another(&statement.said[at], &statement.said[at + 1]);
+        label.is_none() && (0..right).any(|at| is_rival(at) || is_untrue(at))
+            || is_named && right.checked_sub(1).is_some_and(is_false)
     };
     if let Some(at) = all.clone().find(counts) {
         if is_preceded(at) {
@@ -176,6 +179,18 @@ fn cannot_lead_to(said: &Said, next: &Said) -> bool {
         |part: &Expr| matches!(part, Expr::Power(root, _) if matches!(**root, Expr::Call(Function::Sqrt, _)));
     let is_it = |part: &Expr| exact::same(part, number, &[]) == Equality::Equal;
     is_exact && !any(number, &is_undone) && !any(next, &is_it)
+}
+
+/// `9.1 = √73`: a decimal that is set equal to a finished number, and is another.
+fn is_another(said: &Said, next: &Said) -> bool {
+    let value = |said: &Said| match &said.form {
+        Form::Value(value) => about(value, &[]),
+        _ => None,
+    };
+    let is_decimal = matches!(&said.form, Form::Value(Expr::Decimal(text)) if Written::text(text).is_some_and(|own| own.figures > 1));
+    is_decimal
+        && is_finished_number(next)
+        && value(said).zip(value(next)).is_some_and(|(one, other)| !are_about(one, other))
 }
 
 /// `√7`, `7/5`, `2√3/3`: a number with nothing left to work out.

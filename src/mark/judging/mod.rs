@@ -34,11 +34,13 @@ mod otherwise;
 mod quotients;
 mod range;
 mod ratio;
+mod said_twice;
 mod selection;
 mod sense;
 mod shown;
 mod sides;
 mod sorts;
+mod sources;
 mod spheres;
 mod statements;
 mod together;
@@ -222,6 +224,10 @@ pub fn judge(model: &Model, readings: &Result<Vec<Reading>, Unreadable>) -> Judg
     let found = first_readings.map(|reading| (one(model, reading), reading));
     let best = found.reduce(|best, next| if best.0.or_better(next.0) == best.0 { best } else { next });
     match best {
+        // `8,540` for 8.544: rightly rounded it would be a decimal comma; so it may be thousands.
+        Some((finding, reading)) if finding.note == Some(Note::LaterFigures) && reading.has_decimal_comma() => {
+            report(Finding::unreadable(Note::CannotBeRead), Some(reading))
+        }
         Some((finding, reading)) => report(finding, Some(reading)),
         None => report(Finding::unreadable(Note::CannotBeRead), None),
     }

@@ -11,12 +11,12 @@ use crate::number::{FloatInterval, Fraction, Places, Range, Span, Value};
 use crate::unit::Unit;
 
 use super::accuracy::{Target, Written, decimal, is_far, places};
-use super::chain::has_arithmetic;
 use super::coarsest::Coarsest;
 use super::coefficients;
 use super::exact::{self, Equality, same};
 use super::finding::Finding;
 use super::known::Further;
+use super::said_twice::said_twice;
 use super::units::{self, UnitCheck};
 use super::{Model, Note, angle, changes, left_side, sense};
 
@@ -53,7 +53,7 @@ fn said_of_the_square<'s>(said: &'s Said, label: Option<&Label>) -> Option<&'s E
     }
 }
 
-fn as_it_stands(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
+pub(super) fn as_it_stands(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
     let nought = Expr::integer(0);
     let (expr, percent) = match &said.form {
         Form::Value(expr) => (expr, false),
@@ -93,6 +93,9 @@ fn as_it_stands(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
     } else {
         signed(model, expr, &Written::of(expr), label)
     };
+    if let Some((number, note)) = units::taken_for_a_letter(model, expr).filter(|_| !plain.is_credited()) {
+        return signed(model, &number, &Written::of(&number), label).at_most_partial(note);
+    }
     match units::check(model, said.unit.as_ref()) {
         UnitCheck::Fine if percent && model.unit().is_some_and(|unit| unit != Unit::None) => {
             plain.spoilt_by(Note::UnitWrong)
@@ -105,52 +108,14 @@ fn as_it_stands(model: &Model, said: &Said, label: Option<&Label>) -> Finding {
         }
         UnitCheck::Spoilt(note) => plain.spoilt_by(note),
         UnitCheck::Converted(scale) => {
+            let own = units::in_its_own_unit(model, &scale).map(|own| signed(&own, expr, &Written::of(expr), label));
             let written = Written::of(expr).map(|written| written.converted(&scale));
             let scaled = Expr::product([Expr::Number(scale), expr.clone()]);
-            let converted = signed(model, &scaled, &written, label).remarked(Note::UnitConverted);
+            let usual = signed(model, &scaled, &written, label);
+            let converted = own.map_or(usual, |own| own.or_better(usual)).remarked(Note::UnitConverted);
             converted.or_better(plain.at_most_partial(Note::UnitWrong))
         }
     }
-}
-
-/// `5m/2 × 8u = 20mu`: two ways of writing one value, of which the second is the answer.
-fn said_twice(model: &Model, said: &Said, sides: [&Expr; 2]) -> Finding {
-    let [left, right] =
-        sides.map(|side| as_it_stands(model, &Said { form: Form::Value(side.clone()), ..said.clone() }, None));
-    let is_one = same(sides[0], sides[1], &model.vocabulary.letters) == Equality::Equal;
-    if is_one || (left.is_correct() && right.is_correct()) || (right.exact && left.is_credited()) {
-        right
-    } else if left.exact && (Coarsest::of(sides[1]).is_some() || is_finished(model, sides)) {
-        // `√7u/4 = 0.66u`: what comes after the exact value is its decimal, or a slip in making it simpler.
-        left.remarked(Note::IgnoredAfter)
-    } else if right.is_correct() && has_names_of_its_own(model, sides) {
-        // `mv(1 + e) sin α = 4mv sin α/3`: with what is given of e, for a person to see.
-        Finding::unreadable(Note::CannotBeCompared)
-    } else {
-        Finding::WRONG
-    }
-}
-
-/// Is there a letter on the left that is not on the right, and none that is to be found? In `k/2 = 8` it is the only one, and
-/// what is found.
-fn has_names_of_its_own(model: &Model, [left, right]: [&Expr; 2]) -> bool {
-    let (on_the_left, on_the_right) = (left.names(), right.names());
-    let is_own = |own: &str| on_the_right.iter().all(|name| name.text != own);
-    on_the_left.len() > 1
-        && on_the_left.iter().any(|name| is_own(&name.text))
-        && on_the_left.iter().all(|name| Some(&name.text) != model.letter.as_ref())
-}
-
-/// Is nothing left to be worked out in the first of two sides, which is a formula with numbers in it and no law, where the
-/// second is in the letters of the question too?
-fn is_finished(model: &Model, [left, right]: [&Expr; 2]) -> bool {
-    fn has_number(expr: &Expr) -> bool {
-        matches!(expr, Expr::Number(_)) || expr.children().into_iter().any(has_number)
-    }
-    let is_known = exact::unknown_letter(right, &model.vocabulary.letters).is_none();
-    // `5M = m` is no slip in making 5m simpler.
-    let is_simpler = !right.names().is_empty() && !matches!(right, Expr::Name(_));
-    is_known && is_simpler && has_number(left) && !has_arithmetic(left)
 }
 
 /// The value as it is, or with its sign changed.

@@ -118,7 +118,7 @@ pub(super) fn spheres_in_remark(remark: &str) -> Vec<Sphere> {
 }
 
 /// Words for a component of a velocity.
-const PARTS: [&str; 4] = ["component", "components", "comp", "comps"];
+pub(super) const PARTS: [&str; 4] = ["component", "components", "comp", "comps"];
 /// Words that give a speed a direction, which is then that of a component.
 pub(super) const DIRECTED: [&str; 8] =
     ["along", "parallel", "perpendicular", "perp", "normal", "tangential", "horizontal", "vertical"];

@@ -132,6 +132,19 @@ fn components_told_together_are_shared_out_by_their_directions() {
 }
 
 #[test]
+fn a_vector_and_its_size_by_its_letter_are_shared_out() {
+    let asked = [("i + 9*j/2", None), ("sqrt(85)/2", Some("A.after.speed"))];
+    let models = asked.map(|(right, quantity)| {
+        let quantity = quantity.map(|quantity| quantity.parse().unwrap());
+        Model::read(right, &ModelOptions { quantity, ..ModelOptions::default() }).unwrap()
+    });
+    for typed in ["v = i + 4.5j, |v| = 4.61", "v = i + 4.5j\n|v| = √85/2", "i + 4.5j, 4.61"] {
+        let judged = judge_together(&models, &read_answer(typed, &models[0].vocabulary));
+        assert!(judged.iter().all(|judgement| judgement.verdict == Verdict::Correct), "{typed}: {judged:?}");
+    }
+}
+
+#[test]
 fn what_is_called_by_the_letter_to_be_found_is_that() {
     let of = |right: &str, quantity: Option<&str>, letter: Option<&str>| {
         let options = ModelOptions {

@@ -17,6 +17,7 @@ use super::besides::{compared_with_a_bound, without_its_name, without_size_and_d
 use super::moments::{COMPARING, EARLIER, LATER, moment, states};
 use super::otherwise::{DIRECTED, is_changed_to};
 use super::sorts::{changes_in_words, is_of_change, words};
+use super::sources::without_its_sources;
 use super::statements::is_rival;
 use super::{Model, exact};
 
@@ -31,11 +32,17 @@ pub(super) fn counted<'r>(model: &Model, reading: &'r Reading) -> Option<Cow<'r,
     let kept = match model.kind {
         Kind::Number | Kind::Expression => {
             let kept = compared_with_a_bound(model, kept);
-            without_told_besides(model, meeting_conditions(model, without_steps(model, kept)))
+            without_told_besides(
+                model,
+                meeting_conditions(model, without_its_sources(model, without_steps(model, kept))),
+            )
         }
         Kind::Line => without_its_name(kept),
         Kind::Vector => without_size_and_direction(model, kept),
-        Kind::Angle => without_told_besides(model, meeting_conditions(model, without_steps(model, kept))),
+        Kind::Angle => {
+            let kept = without_its_sources(model, without_steps(model, kept));
+            without_told_besides(model, meeting_conditions(model, kept))
+        }
         _ => kept,
     };
     let same = kept.len() == reading.statements.len() && kept == reading.statements;
@@ -372,7 +379,7 @@ fn without_what_changes(model: &Model, mut statements: Vec<Statement>) -> Vec<St
 }
 
 /// Does one of these words stand in its label or beside its values?
-fn says(statement: &Statement, wanted: &[&str]) -> bool {
+pub(super) fn says(statement: &Statement, wanted: &[&str]) -> bool {
     let label = statement.label.iter().map(|label| &label.typed);
     let texts = label.chain(statement.remarks());
     texts.flat_map(|text| words(text)).any(|word| wanted.contains(&word.to_lowercase().as_str()))

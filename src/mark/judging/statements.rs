@@ -89,6 +89,9 @@ fn choose(model: &Model, statements: &[&Statement], one: One) -> Finding {
     if let Some(own) = called_as_asked(model, statements).or_else(|| of_the_component(model, statements)) {
         return chain(model, own, one);
     }
+    if let Some(size) = size_at_the_end(model, statements, one) {
+        return size;
+    }
     let spheres: Vec<Option<Sphere>> = statements.iter().map(|statement| named_sphere(statement)).collect();
     if let Some(asked) = model.quantity.and_then(sphere) {
         let own: Vec<&Statement> =
@@ -131,6 +134,33 @@ fn choose(model: &Model, statements: &[&Statement], one: One) -> Finding {
         true => Finding::WRONG,
         false => finding,
     }
+}
+
+/// `v_A = -5 so speed = 5`, `-5, i.e. 5 m/s` where a speed is asked: a velocity, and last its size.
+fn size_at_the_end(model: &Model, statements: &[&Statement], one: One) -> Option<Finding> {
+    let asked = model.quantity.map(Quantity::of_its_impact)?;
+    let (last, before) = statements.split_last().filter(|_| matches!(asked, Quantity::Speed(..)))?;
+    let is_of_asked = |statement: &&Statement| named_sphere(statement).is_none_or(|own| Some(own) == sphere(asked));
+    let any_rival = || statements.iter().flat_map(|statement| &statement.said).any(is_rival);
+    let is_size = is_called_a_size(last) || is_concluded(statements) || is_said_in_other_words(last);
+    if before.is_empty() || !is_size || any_rival() || !statements.iter().all(is_of_asked) {
+        return None;
+    }
+    let is_velocity = |statement: &&Statement| chain(model, statement, one).note == Some(Note::Sign);
+    let size = chain(model, last, one);
+    (size.is_correct() && before.iter().all(is_velocity)).then_some(size)
+}
+
+/// `speed = 5`, `|v| = 5`
+fn is_called_a_size(statement: &Statement) -> bool {
+    let label = statement.label.as_ref().map(|label| label.typed.to_lowercase());
+    label.is_some_and(|label| ["speed", "magnitude", "size", "|"].iter().any(|size| label.contains(size)))
+}
+
+/// `i.e. 5 m/s`
+fn is_said_in_other_words(statement: &Statement) -> bool {
+    let first = statement.said.first();
+    first.is_some_and(|said| said.remarks.iter().any(|remark| matches!(remark.as_str(), "i.e" | "i.e." | "ie")))
 }
 
 fn last_or_rivals(model: &Model, statements: &[&Statement], one: One) -> Finding {
@@ -208,16 +238,14 @@ fn last_or_rivals(model: &Model, statements: &[&Statement], one: One) -> Finding
         return Finding::partial(Note::SeveralAnswers);
     }
     // `-4 m/s, speed = 4`: the velocity, and then its size.
-    let is_size = |label: &Option<String>| {
-        label.as_ref().is_some_and(|label| ["speed", "magnitude", "size", "|"].iter().any(|size| label.contains(size)))
-    };
-    let (before, of_last) = (&findings[..findings.len() - 1], labels.last());
-    if last.note == Some(Note::Sign) && of_last.is_some_and(is_size) && before.iter().all(Finding::is_correct) {
+    let is_size = statements.last().is_some_and(|last| is_called_a_size(last));
+    let before = &findings[..findings.len() - 1];
+    if last.note == Some(Note::Sign) && is_size && before.iter().all(Finding::is_correct) {
         return before.first().copied().unwrap_or(last);
     }
     if matches!(model.quantity.map(Quantity::of_its_impact), Some(Quantity::Speed(..) | Quantity::ImpulseMagnitude))
         && last.is_correct()
-        && of_last.is_some_and(is_size)
+        && is_size
         && before.iter().all(|finding| finding.note == Some(Note::Sign) || finding.is_correct())
     {
         return last;
@@ -271,21 +299,26 @@ fn is_chosen_from_the_others(statements: &[&Statement]) -> bool {
     any_rival && last.label.is_some() && !last.said.iter().any(is_rival) && others.iter().any(is_it)
 }
 
-/// `v = 4, w = 5`, `v1 = 4, v2 = 5` where the speed of one of two spheres is asked: by custom the first letter is of *A*.
+/// `v = 4, w = 5`, `v1 = 4, v2 = 5` where the speed of one of two spheres is asked, `m1 = 2, m2 = 3` where its mass is: by custom
+/// the first letter is of *A*.
 fn by_custom<'s>(model: &Model, statements: &[&'s Statement]) -> Option<&'s Statement> {
-    const PAIRS: [[&str; 2]; 3] = [["v", "w"], ["v1", "v2"], ["v_1", "v_2"]];
+    const SPEEDS: [[&str; 2]; 3] = [["v", "w"], ["v1", "v2"], ["v_1", "v_2"]];
+    const MASSES: [[&str; 2]; 2] = [["m1", "m2"], ["m_1", "m_2"]];
     let [first, second] = statements else { return None };
     let typed = |statement: &Statement| Some(statement.label.as_ref()?.typed.trim().to_lowercase());
     let names = [typed(first)?, typed(second)?];
     let is_pair = |pair: &[&str; 2]| pair.iter().all(|name| names.iter().any(|own| own == name));
-    let pair = PAIRS.iter().find(|pair| is_pair(pair))?;
     // What happens in a later impact, or to one sphere twice, has no such custom.
     let is_of_both =
         |asked: &Quantity| asked.impact() == 0 && !Sphere::BOTH.iter().any(|own| model.strangers.contains(own));
-    let at = match model.quantity.filter(is_of_both)? {
-        asked @ (Quantity::Speed(..) | Quantity::Velocity(_, _, Axis::N)) => sphere(asked)? as usize,
+    let asked = model.quantity.filter(is_of_both)?;
+    let pairs: &[[&str; 2]] = match asked {
+        Quantity::Speed(..) | Quantity::Velocity(_, _, Axis::N) => &SPEEDS,
+        Quantity::Mass(_) => &MASSES,
         _ => return None,
     };
+    let pair = pairs.iter().find(|pair| is_pair(pair))?;
+    let at = sphere(asked)? as usize;
     let own = names.iter().position(|name| Some(&name.as_str()) == pair.get(at))?;
     let any_rival = statements.iter().flat_map(|statement| &statement.said).any(is_rival);
     statements.get(own).filter(|_| !any_rival).copied()

@@ -115,7 +115,7 @@ const DECIMALS: &[(&str, &str, &str, &str)] = &[
     ("4*sqrt(39)/9", "awrt 3sf", "2.79", "partial near-miss"),
     ("4*sqrt(39)/9", "awrt 3sf", "2.74", "wrong"),
     ("4*sqrt(39)/9", "awrt 3sf", "3", "wrong too-few-figures"),
-    ("4*sqrt(39)/9", "awrt 3sf", "2", "wrong too-few-figures"),
+    ("4*sqrt(39)/9", "awrt 3sf", "2", "wrong"),
     // 10/43 = 0.232558…
     ("10/43", "awrt 3sf", "0.233", "correct"),
     ("10/43", "awrt 3sf", ".233", "correct"),

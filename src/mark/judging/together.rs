@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use crate::answer::Kind;
 use crate::mark::reading::{Form, Label, Reading, Said, Statement, Unreadable};
 
-use crate::expr::Expr;
+use crate::expr::{Expr, Function};
 use crate::mechanics::Sphere;
 
 use super::finding::Finding;
@@ -107,7 +107,7 @@ fn shared_out(models: &[Model], reading: &Reading) -> Vec<Option<Reading>> {
 /// `tan α = 0.6 so α = 30.96°`: is it the tangent of what another statement names?
 fn leads_to_angle(statement: &Statement, reading: &Reading) -> bool {
     let expr = |statement: &Statement| statement.label.as_ref().and_then(|label| label.expr.clone());
-    let Some(Expr::Call(_, angle)) = expr(statement) else { return false };
+    let Some(Expr::Call(Function::Sin | Function::Cos | Function::Tan, angle)) = expr(statement) else { return false };
     reading.statements.iter().any(|other| expr(other).is_some_and(|named| named == *angle))
 }
 

@@ -1,7 +1,7 @@
 //! Units: read, converted, condoned or flagged; never demanded.
 
 use crate::expr::Expr;
-use crate::number::Fraction;
+use crate::number::{Fraction, Places};
 use crate::unit::Unit;
 
 use super::exact;
@@ -59,4 +59,25 @@ pub(super) fn check(model: &Model, said: Option<&SaidUnit>) -> UnitCheck {
         Unit::None => UnitCheck::Spoilt(Note::UnitNotNeeded),
         _ => UnitCheck::Spoilt(Note::UnitWrong),
     }
+}
+
+/// The model in the unit of which so much makes the usual one, where a decimal in it counts by its figures: `30.8 km/h`. A power
+/// of ten only moves the point.
+pub(super) fn in_its_own_unit(model: &Model, scale: &Fraction) -> Option<Model> {
+    let by_figures = !matches!(model.accept.places(), Some(Places::DecimalPlaces(_) | Places::Nearest(_)));
+    let is_power_of_ten = (-60..=60).any(|power| Fraction::from(10).power(power).as_ref() == Some(scale));
+    let share = scale.reciprocal().filter(|_| by_figures && !is_power_of_ten)?;
+    Some(model.of_value(Expr::product([Expr::Number(share), model.value.clone()])))
+}
+
+/// `8.54 m` where the question has a mass m and the answer has not: the number before what may be metres, and what is to be
+/// said of that.
+pub(super) fn taken_for_a_letter(model: &Model, expr: &Expr) -> Option<(Expr, Note)> {
+    let Expr::Product(factors) = expr else { return None };
+    let [number @ .., Expr::Name(letter)] = factors.as_slice() else { return None };
+    let number = Expr::product(number.iter().cloned());
+    let is_constant = !model.known().has_names() && number.names().is_empty();
+    let is_wrong = model.unit().is_some_and(|unit| unit != Unit::Metre);
+    let note = if model.unit() == Some(Unit::None) { Note::UnitNotNeeded } else { Note::UnitWrong };
+    (letter.text == "m" && is_constant && is_wrong).then_some((number, note))
 }
