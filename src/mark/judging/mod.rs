@@ -19,6 +19,7 @@ mod equation;
 mod events;
 mod exact;
 mod finding;
+mod given_values;
 mod known;
 mod left_side;
 mod letters;
@@ -298,6 +299,9 @@ fn one(model: &Model, reading: &Reading) -> Finding {
         true => by_kind(model, reading).at_most_partial(Note::DirectionUnchecked),
         false => by_kind(model, reading),
     };
+    if finding.verdict == Verdict::Wrong && given_values::come_to_the_answer(model, reading) {
+        return Finding::unreadable(Note::CannotBeCompared);
+    }
     if finding.is_credited() && *is_from_unknown {
         return Finding::unreadable(Note::ReferenceUnchecked);
     }

@@ -38,7 +38,9 @@ pub(super) fn is_said_to_go_otherwise(model: &Model, statement: &Statement) -> b
             is_else(says_away_from_the_wall(&remarks), model.pushes_back)
                 || is_else(says_to_the_left(&remarks), model.pushes_back)
         }
-        Some(AngleToLine(..)) => is_else(says_which_way(&remarks), model.turns_back),
+        Some(AngleToLine(..)) => {
+            is_else(says_which_way(&remarks), model.turns_back) || is_else(says_to_the_left(&remarks), model.rebounds)
+        }
         // Of which of the two impulses it is nobody says: the one that the answer turns to may be the other.
         Some(ImpulseAngle) if model.anticlockwise.is_none() => says_anticlockwise(&remarks) == Some(false),
         Some(_) => is_else(says_anticlockwise(&remarks), model.anticlockwise),

@@ -329,10 +329,6 @@ impl Walk<'_> {
     /// A noun that could be a line, but is none that we know: its token.
     fn unknown_line(&self, at: usize) -> Option<usize> {
         let noun = self.article(at);
-        // `moves off along the line of centres`
-        if self.word(noun) == Some("along") {
-            return None;
-        }
         if self.is_some_course(noun) {
             return Some(noun);
         }
@@ -352,9 +348,11 @@ impl Walk<'_> {
 
     /// `B's path`, `the way that it was going`, `velocity of B`, where no value follows: some line, but which?
     fn is_some_course(&self, from: usize) -> bool {
+        // `to the right along the line of centres`, `moves off along AB`
         let goes_on = |at: &usize| {
-            self.word(*at)
-                .is_some_and(|word| !matches!(word, "in" | "at" | "and" | "so" | "because" | "when" | "after"))
+            self.word(*at).is_some_and(|word| {
+                !matches!(word, "in" | "at" | "and" | "so" | "because" | "when" | "after" | "along")
+            })
         };
         let most = self.tokens.len().min(from + FEW_WORDS);
         let end = (from..most).find(|at| !goes_on(at)).unwrap_or(most);

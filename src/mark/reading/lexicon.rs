@@ -74,7 +74,7 @@ pub(super) const COMPARISONS: [&str; 9] =
     ["than", "less", "more", "under", "over", "negative", "opposite", "zero", "nought"];
 
 /// Words that stand for signs or functions, and these.
-pub(super) const SIGNS: [(&str, &str); 95] = [
+pub(super) const SIGNS: [(&str, &str); 96] = [
     ("times", "*"),
     ("lots of", "*"),
     ("multiplied by", "*"),
@@ -162,6 +162,7 @@ pub(super) const SIGNS: [(&str, &str); 95] = [
     ("can't be less than", "≥"),
     ("up to and including", "≤"),
     ("infinity", "∞"),
+    ("inf", "∞"),
     ("element of", "∈"),
     ("must exceed", ">"),
     ("is positive", ">0"),

@@ -241,7 +241,14 @@ impl Parser<'_> {
                 Some(self.sum()?)
             }
             Some('-') => Some(self.column_component()?),
-            None if matches!(self.token(0), Some(Token::Number(_))) && self.spaced(0) => Some(self.column_component()?),
+            // `3u 7-3e over 5` has no brackets of its own, and a question without vectors no columns.
+            None if matches!(self.token(0), Some(Token::Number(_)))
+                && self.spaced(0)
+                && open != OPEN
+                && self.vocabulary.vectors =>
+            {
+                Some(self.column_component()?)
+            }
             _ => None,
         };
         self.open.pop();

@@ -112,7 +112,7 @@ pub(super) fn with_signs(tokens: &[Placed], vocabulary: &Vocabulary, choices: &m
             at = next;
             continue;
         }
-        // `f in [0, 3/4]`, `f is in [0, 3/4]`
+        // `f in [0, 3/4]`, `f is in [0, 3/4]`, `f lies in the interval [0, 3/4]`
         let is_letter = match out.as_slice() {
             [Placed { token: Token::Word(_) | Token::Greek(_), .. }, rest @ ..] => match rest {
                 [] => true,
@@ -121,11 +121,13 @@ pub(super) fn with_signs(tokens: &[Placed], vocabulary: &Vocabulary, choices: &m
             },
             _ => false,
         };
-        let opens = is_sign(at + 1, '[') || is_sign(at + 1, '(');
+        let the = at + 1 + usize::from(is(at + 1, "the"));
+        let bracket = if is(the, "interval") || is(the, "range") { the + 1 } else { at + 1 };
+        let opens = is_sign(bracket, '[') || is_sign(bracket, '(');
         if is(at, "in") && is_letter && opens && tokens[at..].iter().any(|placed| placed.is(',')) {
             out.truncate(1);
             out.push(Placed { token: Token::Sign('∈'), ..placed.clone() });
-            at += 1;
+            at = bracket;
             continue;
         }
         // `u - eu all over 2`; of `u - eu over 2` it is not said how much stands above.

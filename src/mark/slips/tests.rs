@@ -177,6 +177,7 @@ fn vectors_are_recognised_by_their_components() {
         (0, "j", &["perpendicular-dropped"]),
         (0, "2i", &["other-sphere"]),
         (0, "4i - j", &["before-for-after"]),
+        (0, "4.00i - 1.00j", &["before-for-after"]),
         (0, "-4i - j", &["wrong-sign"]),
         (1, "2i - j", &["e-wrong-side", "masses-swapped"]),
     ] {

@@ -94,7 +94,7 @@ impl Written {
     /// Can the value have been written so, rounded or cut off to these figures, by someone who found it and not the
     /// truth? Without regard to the sign if that is no part of the answer.
     pub(super) fn is(self, value: Sample, truth: Sample, signed: bool) -> bool {
-        self.fit(value, signed) != Fit::None && !self.rounds_alike(value, truth)
+        self.fit(value, signed) != Fit::None && !self.rounds_alike(value, truth, signed)
     }
 
     /// Is it the truth at its own figures?
@@ -160,9 +160,12 @@ impl Written {
     }
 
     /// Are the two one at the figures that were written?
-    fn rounds_alike(self, one: Sample, two: Sample) -> bool {
+    fn rounds_alike(self, one: Sample, two: Sample, signed: bool) -> bool {
         let Some(unit) = self.unit else { return one.is_near(two, EXACT) };
-        let place = |value: f64, own: f64| (value.abs() / (own.abs() * unit) + SLACK).round();
+        let place = |value: f64, own: f64| {
+            let size = (value.abs() / (own.abs() * unit) + SLACK).round();
+            if signed { size.copysign(value) } else { size }
+        };
         one.0.iter().zip(two.0).zip(self.value.0).all(|((one, two), own)| place(*one, own) == place(two, own))
     }
 }
