@@ -153,7 +153,7 @@ impl Walk<'_> {
     /// `towards A`, `away from the sphere B`, `from A to B`: a sense, without the line along which it is.
     fn sense(&self, at: usize) -> Option<(ReferenceLine, usize)> {
         let led = self.any(at, &wording::IN_THE_SENSE).map_or(at, |next| self.article(next));
-        if let Some(found) = self.from_one_to_the_other(led).filter(|(_, end)| led > at || self.is_a_way(at, *end)) {
+        if let Some(found) = self.one_to_the_other(led).filter(|(_, end)| led > at || self.is_a_way(at, *end)) {
             return Some(found);
         }
         let (next, towards) = match self.any(at, &wording::AWAY_FROM) {
@@ -173,7 +173,7 @@ impl Walk<'_> {
     }
 
     /// `from A to B`, `A to B`, `A → B`.
-    fn from_one_to_the_other(&self, at: usize) -> Option<(ReferenceLine, usize)> {
+    fn one_to_the_other(&self, at: usize) -> Option<(ReferenceLine, usize)> {
         let first = self.words(at, "from").unwrap_or(at);
         let sphere = |at: usize| (at < self.tokens.len()).then(|| self.typed(at));
         let next = match self.tokens.get(first + 1) {
@@ -300,10 +300,15 @@ impl Walk<'_> {
         }
     }
 
+    /// `the direction of the unit vector` before its name: the token after it.
+    fn of_a_vector(&self, at: usize) -> usize {
+        let at = self.any(self.article(at), &["direction of"]).unwrap_or(at);
+        self.any(self.article(at), &["vector", "unit vector"]).unwrap_or(self.article(at))
+    }
+
     /// `the vector i`, `the direction of i`, `+i`, `the positive x-axis`
     fn axis(&self, at: usize) -> Option<(Line, usize)> {
-        let at = self.any(self.article(at), &["direction of"]).unwrap_or(at);
-        let at = self.any(self.article(at), &["vector", "unit vector"]).unwrap_or(self.article(at));
+        let at = self.of_a_vector(at);
         let is_positive = self.tokens.get(at).is_some_and(|token| token.is('+')) || self.word(at) == Some("positive");
         let (line, end) = self.plain_line(at + usize::from(is_positive))?;
         matches!(line, Line::I | Line::J).then_some((line, end))
@@ -311,7 +316,7 @@ impl Walk<'_> {
 
     /// `-i`, `the negative i direction`: the token after it.
     fn minus_i(&self, at: usize) -> Option<usize> {
-        let at = self.article(at);
+        let at = self.of_a_vector(at);
         let turned = self.tokens.get(at).is_some_and(|token| token.is('-')) || self.word(at) == Some("negative");
         let (line, end) = self.plain_line(at + 1).filter(|_| turned)?;
         (line == Line::I).then(|| self.any(end, &["axis"]).unwrap_or(end))

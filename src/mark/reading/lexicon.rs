@@ -218,7 +218,7 @@ const SINGLE: [(Sort, &str); 9] = [
          that this these set for on off each other line centres centers vector unit magnitude required shown qed \
          respectively simplified exact value form answer ans greatest largest system exerts continues path paths motion travel axis oe awrt cao sense \
          immediately original towards heading bounces bouncing bounce rebounds rebounding rebounded rebound separates separating yes reversed reverses unchanged done \
-         remains remaining retained kept hopefully think calculator working see diagram there here now directed acts acting straight slides rolls very nearly almost precisely overall resultant \
+         remains remaining retained kept hopefully think calculator working see diagram there here now directed directly acts acting straight slides rolls glides very nearly almost precisely overall resultant \
          scalar using used calculated find found get got have we solution value values part question result results \
          answers both my our checked units metric decimal fraction respectively clm com colm pclm plm mom cons nel nlr nlor nli \
          collide collides meet meets catch catches hit hits strike strikes again continue does do will clearly obviously eventually need needs provided requires needed condition conservation linear law eq eqn equation substituting subtracting adding pythagoras pythag trig trigonometry",
