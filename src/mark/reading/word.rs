@@ -75,6 +75,9 @@ impl Lexer<'_> {
             length += digits.len();
             word.push_str(&digits);
         }
+        let primes = self.primes(&word, length);
+        length += primes;
+        word.extend(std::iter::repeat_n('\'', primes));
         let mut whole = length;
         // `perp.` and `approx.` end in a stop that ends no sentence.
         if self.sign(length) == Some('.') && ABBREVIATED.contains(&word.to_ascii_lowercase().as_str()) {
@@ -89,6 +92,17 @@ impl Lexer<'_> {
             _ => self.put(Token::Word(word), whole),
         }
         Ok(())
+    }
+
+    /// `v' = 2.4`, `3v'` where that is a letter: how many primes after a word are part of its name.
+    fn primes(&self, word: &str, length: usize) -> usize {
+        let count = (length..).take_while(|ahead| self.sign(*ahead) == Some('\'')).count();
+        let primed = format!("{word}{}", "'".repeat(count));
+        let ends_so = |letter: &Letter| letter.name().ends_with('\'') && primed.ends_with(letter.name());
+        let after = (length + count..).find(|ahead| self.sign(*ahead) != Some(' '));
+        let is_named = after.and_then(|ahead| self.sign(ahead)) == Some('=');
+        let is_name = is_named || self.is_letter(&primed.replace('_', "")) || self.letters.iter().any(ends_so);
+        if is_name { count } else { 0 }
     }
 
     /// `v(A)`: the name of a sphere in brackets after one letter is an index, unless the question has such a letter.

@@ -24,7 +24,7 @@ pub(super) fn conventions(names: &[String]) -> Vec<Convention> {
     let has_both = sphere(one).is_some() && sphere(other).is_some() && sphere(one) != sphere(other);
     // `v_A` is the velocity of A; `v_1`, and a beside b, are what both equations make of them.
     let are_told = has_both || matches!([one.as_str(), other.as_str()], ["a", "b"]);
-    if has_both && [one, other].iter().any(|letter| letter.ends_with(['A', 'B'])) {
+    if has_both && [one, other].iter().any(|letter| matches!(index(letter), Some('A' | 'B'))) {
         orders.truncate(1);
     }
     let signs = [[1.0, 1.0], [-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]];
@@ -37,11 +37,19 @@ pub(super) fn conventions(names: &[String]) -> Vec<Convention> {
     orders.iter().flat_map(of).collect()
 }
 
-/// The sphere that a letter names: `v_A`, `V_1`.
+/// The sphere that a letter names: `v_A`, `V_1`, `v_B'`, `v_Ax`.
 pub(in crate::mark::working) fn sphere(letter: &str) -> Option<Sphere> {
-    match letter.chars().last() {
-        Some('A' | '1') if letter.len() > 1 => Some(Sphere::A),
-        Some('B' | '2') if letter.len() > 1 => Some(Sphere::B),
+    match index(letter)? {
+        'A' | '1' => Some(Sphere::A),
+        'B' | '2' => Some(Sphere::B),
         _ => None,
     }
+}
+
+/// What tells the sphere of a letter: its last sign before its primes, or the capital before that of a component or a moment.
+fn index(letter: &str) -> Option<char> {
+    let mut back = letter.trim_end_matches('\'').chars().rev();
+    let (last, before, is_long) = (back.next()?, back.next()?, back.next().is_some());
+    let is_told_before = is_long && matches!(before, 'A' | 'B') && !last.is_ascii_uppercase();
+    Some(if is_told_before { before } else { last })
 }

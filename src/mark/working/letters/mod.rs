@@ -7,12 +7,14 @@ mod own_letters;
 mod radians;
 mod slipped;
 mod squares;
+mod unknowns;
 mod wrong_angle;
 
 pub(super) use components::whole;
 pub(super) use own_letters::{indexed_letters, own_capitals, short_letters};
 pub(super) use slipped::{Slip, false_number, undone};
 pub(super) use squares::squared;
+pub(super) use unknowns::{own_unknowns, with_primes};
 
 use super::lines::Line;
 use super::prepared::Prepared;

@@ -10,7 +10,7 @@ use super::remarks::{
 };
 use crate::expr::{Expr, Relation};
 use crate::mark::reading::{Form, Reading, Said, Statement, Vocabulary, is_never_letters, read_whole};
-use crate::mark::working::letters::{indexed_letters, own_capitals, short_letters};
+use crate::mark::working::letters::{indexed_letters, own_capitals, own_unknowns, short_letters, with_primes};
 use crate::number::{Letter, Range};
 
 /// A line of working, read.
@@ -109,7 +109,8 @@ pub(in crate::mark::working) fn read(working: &[String], letters: &[Letter], vec
     let capitals = own_capitals(working, letters);
     let short = short_letters(working, letters);
     let indexed = indexed_letters(working);
-    let own = capitals.iter().chain(&short).map(String::as_str).chain(indexed);
+    let unknowns = own_unknowns(working, letters);
+    let own = capitals.iter().chain(&short).chain(&unknowns).map(String::as_str).chain(indexed);
     let usual: Vec<&str> = UNKNOWNS.into_iter().chain(GIVEN).chain(own).collect();
     let doubtful: Vec<&str> = usual.iter().copied().chain(DOUBTFUL).collect();
     let own: Vec<&str> = doubtful.iter().copied().chain(OWN).collect();
@@ -122,7 +123,7 @@ pub(in crate::mark::working) fn read(working: &[String], letters: &[Letter], vec
     let read = |(place, typed): (usize, &str)| Line {
         number: place + 1,
         typed: typed.to_owned(),
-        readings: readings(&products.signed(typed), &vocabularies).into_iter().map(Rc::new).collect(),
+        readings: readings(&products.signed(&with_primes(typed)), &vocabularies).into_iter().map(Rc::new).collect(),
     };
     typed(working).take(MOST_LINES).enumerate().map(read).collect()
 }
