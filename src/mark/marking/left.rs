@@ -16,7 +16,7 @@ use crate::mark::judging::{Judgement, Note, Verdict, is_made_of_others};
 use crate::mark::key::{KeyedBlank, KeyedPart};
 use crate::mark::reading::{Form, Reading, Said, Statement};
 use crate::mark::script::PartScript;
-use crate::mark::working::Examined;
+use crate::mark::working::{Examined, typed_lines};
 use crate::mechanics::{Moment, Quantity};
 
 /// The last lines of the working of a part, as many as it has blanks.
@@ -33,8 +33,8 @@ pub(super) struct Left<'s> {
 
 impl<'s> Left<'s> {
     pub(super) fn of(part: &'s KeyedPart, script: &'s PartScript, examined: &'s Examined) -> Left<'s> {
-        let lines = script.working.iter().flat_map(|cell| cell.lines()).map(str::trim).filter(|line| !line.is_empty());
-        let mut lines: Vec<(usize, &str)> = lines.enumerate().map(|(place, line)| (place + 1, line)).collect();
+        let mut lines: Vec<(usize, &str)> =
+            typed_lines(&script.working).enumerate().map(|(place, line)| (place + 1, line)).collect();
         lines.reverse();
         let goes_on = |(_, line): &&(usize, &str)| line.starts_with(['=', '≈']);
         let begun = lines.first().filter(goes_on).and_then(|_| lines.iter().find(|line| !goes_on(line)));

@@ -280,6 +280,16 @@ pub(super) fn sort(word: &str) -> Option<Sort> {
     SORTS.get(word).copied()
 }
 
+/// Does it name a quantity?
+pub(crate) fn names_a_quantity(word: &str) -> bool {
+    sort(&word.to_lowercase()) == Some(Sort::Noun)
+}
+
+/// May it turn round what is said, or take it back?
+pub(crate) fn turns_round(word: &str) -> bool {
+    matches!(sort(&word.to_lowercase()), Some(Sort::Negation | Sort::Rejection))
+}
+
 /// Does a word that does this stand for itself, whatever letters the question has?
 pub(super) fn stands_for_itself(word: &str, sort: Option<Sort>) -> bool {
     word.len() >= 4 && sort.is_some()

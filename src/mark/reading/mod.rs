@@ -63,7 +63,10 @@ mod word;
 mod wording;
 
 pub(crate) use events::{FURTHER, MEETING, NEVER};
-pub(crate) use lexicon::{LEAST, MOST, NOT_QUITE, PAST, SIZES, WAYS, is_never_letters, is_rejection, is_strange};
+pub(crate) use lexicon::{
+    LEAST, MOST, NOT_QUITE, PAST, SIZES, WAYS, is_never_letters, is_rejection, is_strange, names_a_quantity,
+    turns_round,
+};
 pub(crate) use line::ACROSS;
 pub(crate) use named_line::{NamedLine, named_line};
 pub use reference::{ReferenceLine, Sense};

@@ -12,7 +12,8 @@ pub(in crate::mark::working) fn own_unknowns(working: &[String], letters: &[Lett
     let is_free = |name: &str| {
         let of_question = |letter: &Letter| without_underscores(letter.name()) == without_underscores(name);
         let base = name.split(['_', '\'']).next().unwrap_or_default();
-        !NEVER.contains(&base.trim_end_matches(['A', 'B'])) && !letters.iter().any(of_question)
+        let is_sign = || matches!(name, "x" | "X") && typed(working).any(has_x_for_times);
+        !NEVER.contains(&base.trim_end_matches(['A', 'B'])) && !letters.iter().any(of_question) && !is_sign()
     };
     let mut found: Vec<String> = Vec::new();
     let mut sums: Vec<(String, String, char)> = Vec::new();
@@ -42,6 +43,15 @@ pub(in crate::mark::working) fn own_unknowns(working: &[String], letters: &[Lett
     own
 }
 
+/// `3x4`, `3 x 8cos48`: does an x stand for a sign here?
+fn has_x_for_times(line: &str) -> bool {
+    line.match_indices(['x', 'X']).any(|(at, sign)| {
+        let (before, after) = (line[..at].trim_end(), line[at + sign.len()..].trim_start());
+        let is_factor = |next: char| next.is_alphanumeric() || "(√½¼¾⅓⅔".contains(next);
+        before.ends_with(|last: char| last.is_ascii_digit() || ")½¼¾⅓⅔".contains(last)) && after.starts_with(is_factor)
+    })
+}
+
 /// A line with primes as keyboards have them, where they are raised or typed as TeX's command: `v^{\\prime}`.
 pub(in crate::mark::working) fn with_primes(line: &str) -> Cow<'_, str> {
     const RAISED: [&str; 6] = ["^{\\prime}", "^\\prime", "\\prime", "^{'}", "^'", "^′"];
@@ -50,7 +60,7 @@ pub(in crate::mark::working) fn with_primes(line: &str) -> Cow<'_, str> {
     if is_there { Cow::Owned(RAISED.iter().fold(line.to_owned(), put)) } else { Cow::Borrowed(line) }
 }
 
-/// Names that have a meaning of their own: unit vectors, e, impulses, energies, π, degrees.
+/// Names that have a meaning of their own: unit vectors, e, impulses, energies, π and degrees.
 const NEVER: [&str; 11] = ["i", "j", "e", "E", "I", "J", "KE", "ke", "PE", "π", "o"];
 
 /// A piece of a line: a name as formulas have it, a number, or any other sign.

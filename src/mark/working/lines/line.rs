@@ -3,11 +3,11 @@
 use std::borrow::Cow;
 use std::rc::Rc;
 
+use super::candidates::candidates;
+use super::labels::without_label;
 use super::products::{Products, factors_of_functions, has_letters};
-use super::remarks::{
-    after_impact, after_remark, after_stationary, along_impulse, is_formula, named_by_moment, turned_round,
-    without_arrow, without_cancelling, without_lead_in, without_remark,
-};
+use super::remarks::{is_formula, without_arrow};
+use super::sentence::{equations_in_sentence, steps};
 use crate::expr::{Expr, Relation};
 use crate::mark::reading::{Form, Reading, Said, Statement, Vocabulary, is_never_letters, read_whole};
 use crate::mark::working::letters::{indexed_letters, own_capitals, own_unknowns, short_letters, with_primes};
@@ -89,9 +89,6 @@ pub(in crate::mark::working) const OWN: [&str; 26] = [
 /// Letters that stand for what is given as a number.
 const GIVEN: [&str; 5] = ["e", "m_A", "m_B", "m_1", "m_2"];
 
-/// The signs of an equation or an inequality.
-const RELATIONS: [char; 5] = ['=', '<', '>', '≤', '≥'];
-
 /// More lines than this are for a person to read.
 pub(in crate::mark) const MOST_LINES: usize = 60;
 
@@ -123,14 +120,17 @@ pub(in crate::mark::working) fn read(working: &[String], letters: &[Letter], vec
     let read = |(place, typed): (usize, &str)| Line {
         number: place + 1,
         typed: typed.to_owned(),
-        readings: readings(&products.signed(&with_primes(typed)), &vocabularies).into_iter().map(Rc::new).collect(),
+        readings: readings(&products.signed(&with_primes(without_label(typed))), &vocabularies)
+            .into_iter()
+            .map(Rc::new)
+            .collect(),
     };
     typed(working).take(MOST_LINES).enumerate().map(read).collect()
 }
 
-/// The lines of a working that say something.
-pub(in crate::mark::working) fn typed(working: &[String]) -> impl Iterator<Item = &str> {
-    working.iter().flat_map(|cell| cell.lines()).map(str::trim).filter(|line| !line.is_empty())
+/// The lines of a working that say something, each step of a line by itself.
+pub(in crate::mark) fn typed(working: &[String]) -> impl DoubleEndedIterator<Item = &str> {
+    working.iter().flat_map(|cell| cell.lines()).flat_map(steps)
 }
 
 impl ReadLine {
@@ -168,7 +168,7 @@ fn readings(typed: &str, vocabularies: &[Vocabulary]) -> Vec<ReadLine> {
     let typed = &*without_arrow(typed);
     let has_factors = |vocabulary: &Vocabulary| factors_of_functions(typed).all(|own| has_letters(vocabulary, own));
     let may_have = vocabularies.iter().any(has_factors);
-    let candidates = candidates(typed);
+    let (candidates, sentence) = (candidates(typed), equations_in_sentence(typed));
     for (place, vocabulary) in vocabularies.iter().enumerate() {
         if may_have && !has_factors(vocabulary) {
             continue;
@@ -192,8 +192,16 @@ fn readings(typed: &str, vocabularies: &[Vocabulary]) -> Vec<ReadLine> {
             }
             // Words before a formula may be a name or a remark: what has an equation or a value is enough.
             if found.iter().any(|line| !line.equations.is_empty()) {
-                return found;
+                break;
             }
+        }
+        // A sentence of several equations says more than one of them with a name.
+        let sentence = sentence.as_deref().and_then(|text| read_whole(text, vocabulary).ok());
+        let most = found.iter().map(|line| line.equations.len()).max().unwrap_or(0);
+        let several = sentence.into_iter().flatten().map(read_line).filter(|line| line.equations.len() > most);
+        found.splice(0..0, several);
+        if found.iter().any(|line| !line.equations.is_empty()) {
+            return found;
         }
         // What makes sense without an equation has none in other letters.
         if !found.is_empty() && !may_equate {
@@ -224,110 +232,6 @@ fn may_have_column(typed: &str) -> bool {
     };
     typed.contains([',', ';', '[', '<', '⟨', '\\', '&']) || typed.split('(').skip(1).any(|opened| inside(&opened))
 }
-
-/// The line, and the line without the words before its formula: `CLM: …`, `by conservation of momentum …`.
-///
-/// With the words of which a colon says that they are its name.
-fn candidates(typed: &str) -> Vec<(Option<&str>, String)> {
-    let typed = typed.trim_start_matches(['∴', '→', '⇒', '•']).trim_start_matches("=>").trim();
-    // An equals sign with nothing after it waits for what is worked out on the next line.
-    let typed = without_remark(without_cancelling(typed.trim_end_matches(['=', ' '])));
-    // A bullet stands apart; a minus sign does not.
-    let typed = ["- ", "* "].iter().find_map(|bullet| typed.strip_prefix(bullet)).unwrap_or(typed).trim();
-    let typed = without_lead_in(typed);
-    // `3 × −2` and `4·3` are written with signs that words do not have.
-    let mut all: Vec<(Option<&str>, String)> = Vec::new();
-    all.extend(case(typed).map(|both| (None, both)));
-    all.extend(turned_round(typed).map(|turned| (None, turned)));
-    all.extend(along_impulse(typed).map(|along| (None, along)));
-    all.extend(after_impact(typed).map(|after| (None, after)));
-    all.extend(after_remark(typed).map(|formula| (None, formula.to_owned())));
-    all.extend(named_by_moment(typed).map(|(name, formula)| (Some(name), formula.to_owned())));
-    all.push((None, typed.to_owned()));
-    if let Some((before, after)) = typed.split_once(':')
-        && after.contains(RELATIONS)
-    {
-        // A law in general letters is no name of its numbers: `mu = m_A v_A + m_B v_B: 16 cos 30° = …`.
-        let is_law = before.contains('=') && !before.contains(|sign: char| sign.is_ascii_digit());
-        let name = if is_law { None } else { Some(before.trim()).filter(|before| !before.contains('=')) };
-        // `product = -1: …` says in words what the formula is set equal to.
-        let is_said = before
-            .split_once('=')
-            .map(|(name, _)| name.trim())
-            .is_some_and(|name| name.len() > 3 && !is_formula(name) && name.chars().all(char::is_alphabetic));
-        match name {
-            _ if is_said => all = vec![(None, after.trim().to_owned())],
-            _ if is_law => all.insert(0, (None, after.trim().to_owned())),
-            None => {}
-            name => all.push((name, after.trim().to_owned())),
-        }
-    }
-    // `d/dt = 0: 2 - 6t² = 0` is no ratio.
-    if let Some(formula) = after_stationary(typed) {
-        all.insert(0, (None, formula.to_owned()));
-    }
-    // `v - u = 2i - 2j, which is parallel to i - j`: the vector, and one along it.
-    let along = ["parallel to", "parallel", "∥"].into_iter().find_map(|word| typed.split_once(word));
-    if let Some((before, after)) = along.filter(|(before, _)| before.contains('=')) {
-        let before = before.trim_end().trim_end_matches("which is").trim_end_matches([' ', ',']);
-        all.push((None, format!("{before}, {}", after.trim())));
-    }
-    // A scalar product is worked out on its right: `(2i + 5j).(i - j) = 2 - 5`, `p = (2i + 5j).(i - j) = -3`.
-    let sides: Vec<&str> = typed.split('=').collect();
-    let is_product = |side: &&str| SCALAR_PRODUCTS.iter().any(|sign| side.contains(sign));
-    if let Some(product) = sides.iter().rposition(is_product).filter(|at| at + 1 < sides.len()) {
-        let after = sides[product + 1..].join("=").trim().to_owned();
-        all.extend((product > 0).then(|| (None, format!("{} = {after}", sides[0].trim()))));
-        all.push((None, after));
-    }
-    // `p = -3 gives m = 2`: both, or what is concluded from a remark.
-    for word in [" so ", " gives ", " hence ", " therefore "] {
-        let Some((before, after)) = typed.split_once(word) else { continue };
-        if after.contains(RELATIONS) {
-            all.push((None, format!("{before}, {after}")));
-            all.push((None, after.trim().to_owned()));
-        }
-    }
-    let is_word = |word: &str| {
-        let letters = word.trim_matches(['(', ')', '.', ',', ':']);
-        // `3 and 4` are two values.
-        let is_long = letters.chars().count() >= 3 && letters != "and";
-        is_long && letters.chars().all(char::is_alphabetic) && !is_formula(letters)
-    };
-    let words: Vec<&str> = typed.split_whitespace().collect();
-    let last = words.iter().take_while(|word| !word.contains('=')).enumerate().filter(|(_, word)| is_word(word)).last();
-    if let Some((last, _)) = last
-        && last + 1 < words.len()
-    {
-        all.push((None, without_lead_in(&words[last + 1..].join(" ")).to_owned()));
-    }
-    all
-}
-
-/// `for v = 0: 10 = 3w`: what holds in a case, and the equation there, if there is one. It has a letter: `k = 3 : 2 = 1.5` is a ratio.
-fn case(typed: &str) -> Option<String> {
-    let (case, equation) = typed.split_once(':')?;
-    let sides: Vec<&str> = case.split(RELATIONS).collect();
-    let (words, letter) = sides[0].trim_end().rsplit_once(' ').unwrap_or(("", sides[0].trim()));
-    let is_letter = letter.len() <= 3 && letter.starts_with(char::is_alphabetic);
-    let is_case = sides.len() == 2
-        && is_letter
-        && words.split_whitespace().all(|word| CASES.contains(&word.to_lowercase().as_str()));
-    let case = case[words.len()..].trim().to_owned();
-    let is_equation = equation.contains(RELATIONS) && equation.contains(char::is_alphabetic);
-    match equation.trim() {
-        "" => Some(case),
-        equation => is_equation.then(|| format!("{case}, {equation}")),
-    }
-    .filter(|_| is_case)
-}
-
-/// What is said before a case.
-const CASES: [&str; 13] =
-    ["for", "when", "if", "the", "at", "let", "with", "where", "put", "take", "case", "critical", "limiting"];
-
-/// How the sign of a scalar product stands before a vector: `(2i + 5j).(i - j)`, `u_A·(1, -1)`.
-const SCALAR_PRODUCTS: [&str; 7] = [".(", " . (", "·(", "· (", "•(", "• (", "⋅("];
 
 fn read_line(reading: Reading) -> ReadLine {
     let mut equations = Vec::new();

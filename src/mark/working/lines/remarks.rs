@@ -196,7 +196,13 @@ fn is_function(word: &str) -> bool {
 }
 
 /// Words with which a sentence goes on to its formula.
-const LEAD_INS: [&str; 16] = [
+const LEAD_INS: [&str; 22] = [
+    "which gives",
+    "this gives",
+    "and so",
+    "i.e.",
+    "i.e",
+    "ie",
     "let",
     "Let",
     "put",
