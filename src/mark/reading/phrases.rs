@@ -251,6 +251,10 @@ impl Walk<'_> {
             return Ok(Some(found));
         }
         let sort = lexicon::sort(word);
+        // `2ke` is a product, and no energy.
+        if touches && sort == Some(Sort::Noun) && word.len() == 2 && self.typed(at) == word {
+            return Ok(None);
+        }
         // `a(2)`, `a2` and `a = 2` have a letter, and no article.
         let begins = at == 0 || matches!(self.tokens[at - 1].token, Token::Sign(',' | ';' | '\n' | '⇒'));
         let is_letter = self.tokens.get(at + 1).is_some_and(|next| match next.token {

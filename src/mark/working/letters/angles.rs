@@ -104,6 +104,8 @@ fn put_short_letters_in_place(lines: &mut [Line], letters: &[Letter], prepared: 
         }
         let members = line.readings.iter().flat_map(|reading| &reading.members);
         let mut defined: Vec<(String, Expr)> = members.filter_map(|member| short(member, prepared)).collect();
+        let equations = line.readings.iter().flat_map(|reading| &reading.equations);
+        defined.extend(equations.filter_map(|equation| turned_round(equation, prepared)));
         // In `9cos26 = 8.59 = k` the letter is the number, which the formula is not.
         let equations = line.readings.iter().flat_map(|reading| &reading.equations);
         let false_numbers = equations.filter_map(|(formula, number)| false_number(formula, number, prepared));
@@ -158,6 +160,24 @@ fn short(member: &Member, prepared: &Prepared) -> Option<(String, Expr)> {
     let is_of_known = value.names().iter().all(|name| !is_free(&name.text));
     let is_known = is_of_known && (argument(value).is_some() || constant(value, &context(prepared, 0)).is_some());
     (is_known && is_free(letter) && is_short(letter)).then(|| (letter.clone(), value.clone()))
+}
+
+/// `u/√5 = c`, `u cos α = 2k`: the letter behind the equals sign, and what it is.
+fn turned_round((left, right): &(Expr, Expr), prepared: &Prepared) -> Option<(String, Expr)> {
+    let (number, name) = match right {
+        Expr::Name(name) => (None, name),
+        Expr::Product(factors) => match factors.as_slice() {
+            [number @ Expr::Number(_), Expr::Name(name)] => (Some(number), name),
+            _ => return None,
+        },
+        _ => return None,
+    };
+    let is_angle = |name: &str| prepared.angles.iter().any(|(known, _)| known == name);
+    let is_of_question = |name: &str| prepared.points.letter(name, 0).is_some() || is_angle(name);
+    let names = left.names();
+    let is_known = !names.is_empty() && names.iter().all(|name| is_of_question(&name.text));
+    let value = || number.map_or(left.clone(), |number| left.clone().over(number.clone()));
+    (is_known && !prepared.gives(&name.text) && is_short(&name.text)).then(|| (name.text.clone(), value()))
 }
 
 /// May it be a letter for something known? Others stand for what is to be found, by the custom of the subject.

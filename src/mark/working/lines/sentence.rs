@@ -30,6 +30,8 @@ pub(super) fn equations_in_sentence(typed: &str) -> Option<String> {
         start = parting.end;
     }
     clauses.push(&typed[start..]);
+    // `Let k = u/√5, so the components are 2k along and k across`
+    let is_let = typed.get(..4).is_some_and(|start| start.eq_ignore_ascii_case("let "));
     let mut kept: Vec<&str> = Vec::new();
     let mut equations = 0;
     for clause in clauses.into_iter().map(str::trim).filter(|clause| !clause.is_empty()) {
@@ -46,9 +48,9 @@ pub(super) fn equations_in_sentence(typed: &str) -> Option<String> {
             return None;
         }
         let is_value = words.any(|word| is_formula(word) || word.contains(|sign: char| sign.is_ascii_digit()));
-        kept.extend(is_value.then_some(clause));
+        kept.extend((is_value && !is_let).then_some(clause));
     }
-    (equations > 1).then(|| kept.join(", "))
+    (equations > usize::from(!is_let)).then(|| kept.join(", "))
 }
 
 /// Where two clauses part.
@@ -123,7 +125,8 @@ fn without_words(clause: &str) -> &str {
     let Some(last) = left.split_whitespace().filter(|word| is_word(bare(word))).last() else { return clause };
     let (words, rest) = clause.split_at(end(last));
     let is_of_law = |word: &str| LAWS.contains(&word.to_lowercase().as_str());
-    let is_name = words.split_whitespace().map(bare).any(|word| names_a_quantity(word) && !is_of_law(word));
+    let names = |word: &str| COMPONENTS.contains(&word) || (names_a_quantity(word) && !is_of_law(word));
+    let is_name = words.split_whitespace().map(bare).any(names);
     let formula = rest[..rest.find('=').unwrap_or(0)].trim();
     let is_in_words = |word: &str| word.len() > 1 && word.chars().all(char::is_alphabetic) && !is_formula(word);
     if is_name || formula.is_empty() || formula.split_whitespace().any(is_in_words) { clause } else { rest.trim() }
@@ -131,6 +134,10 @@ fn without_words(clause: &str) -> &str {
 
 /// Names of laws that are names of quantities too.
 const LAWS: [&str; 2] = ["momentum", "restitution"];
+
+/// Words that tell a component.
+const COMPONENTS: [&str; 9] =
+    ["along", "across", "perp", "perpendicular", "parallel", "para", "normal", "tangential", "wall"];
 
 fn bare(word: &str) -> &str {
     word.trim_matches(['(', ')', '.', ',', ':', '\'', '’'])
