@@ -161,6 +161,12 @@ impl Lexer<'_> {
         let digit_next = self.sign(1).is_some_and(|next| next.is_ascii_digit());
         // `mu²·9`: a raised point after a power or a bracket is a sign.
         let after_group = self.at > 0 && matches!(self.glyphs[self.at - 1].sign, CLOSE | ')' | ']');
+        // `½.2`: nor is any point straight behind a fraction that of a decimal.
+        let after_fraction = self.at > 0 && self.glyphs[self.at - 1].sign == CLOSE;
+        if sign == '.' && after_fraction && digit_next {
+            self.put(Token::Sign('*'), 1);
+            return Ok(());
+        }
         let point = sign == '.' || (sign == '·' && !after_group);
         let point_first = point && digit_next && !after_digit;
         if sign.is_ascii_digit() || (point_first && !self.follows_letter()) {

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::rc::Rc;
 
+use super::all_over::all_over;
 use super::candidates::candidates;
 use super::labels::without_label;
 use super::products::{Products, factors_of_functions, has_letters};
@@ -200,6 +201,12 @@ fn readings(typed: &str, vocabularies: &[Vocabulary]) -> Vec<ReadLine> {
         let most = found.iter().map(|line| line.equations.len()).max().unwrap_or(0);
         let several = sentence.into_iter().flatten().map(read_line).filter(|line| line.equations.len() > most);
         found.splice(0..0, several);
+        // What may be meant by a stroke without brackets comes last.
+        let quotient = candidates.iter().rev().find_map(|(_, text)| read_whole(&all_over(text)?, vocabulary).ok());
+        if !found.is_empty() {
+            let lines = quotient.into_iter().flatten().map(read_line).filter(|line| !line.equations.is_empty());
+            found.extend(lines.take(1));
+        }
         if found.iter().any(|line| !line.equations.is_empty()) {
             return found;
         }

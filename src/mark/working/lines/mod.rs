@@ -1,5 +1,6 @@
 //! Lines as students write them: what stands in one, and what is said around it.
 
+mod all_over;
 mod candidates;
 mod crossed_out;
 mod doubtful;

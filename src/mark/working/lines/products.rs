@@ -25,8 +25,8 @@ impl Products {
 
     /// A line with the signs of its products.
     pub(super) fn signed<'t>(&self, typed: &'t str) -> Cow<'t, str> {
-        let mut signed = Cow::Borrowed(typed);
-        if !self.has_x && typed.contains(" x ") {
+        let mut signed = without_units(typed);
+        if !self.has_x && signed.contains(" x ") {
             signed = Cow::Owned(with_times(&signed));
         }
         if self.has_m && signed.contains('m') {
@@ -54,6 +54,32 @@ impl Products {
         }
         out
     }
+}
+
+/// `3 kg × 5 m/s = 3 kg × v + 4 kg × w` without its units: a kilogram that is multiplied says no more than its number.
+fn without_units(typed: &str) -> Cow<'_, str> {
+    const VELOCITY: [&str; 7] = ["m/s", "ms⁻¹", "m s⁻¹", "ms^-1", "ms^{-1}", "ms-1", "m s^-1"];
+    let is_multiplied =
+        |rest: &str| rest.trim_start().starts_with(['×', '*', '·', '⋅', '(']) || rest.starts_with(" x ");
+    let has_factor = typed.split("kg").skip(1).any(is_multiplied);
+    if !has_factor || !typed.contains('=') {
+        return Cow::Borrowed(typed);
+    }
+    let mut out = String::with_capacity(typed.len());
+    let mut rest = typed;
+    while let Some(next) = rest.chars().next() {
+        let is_after_number = out.trim_end().ends_with(|sign: char| sign.is_ascii_digit() || sign == ')');
+        let unit = ["kg"].iter().chain(&VELOCITY).find(|unit| is_after_number && rest.starts_with(**unit));
+        let ends = |unit: &&&str| !rest[unit.len()..].starts_with(|sign: char| sign.is_alphanumeric() || sign == '_');
+        match unit.filter(ends) {
+            Some(unit) => rest = &rest[unit.len()..],
+            None => {
+                out.push(next);
+                rest = &rest[next.len_utf8()..];
+            }
+        }
+    }
+    Cow::Owned(out)
 }
 
 /// Do a and b stand on one side of an equals sign, or on both, each by itself?

@@ -105,12 +105,19 @@ pub(super) fn after_stationary(typed: &str) -> Option<&str> {
     (is_derivative && after.contains('=')).then(|| after.trim())
 }
 
-/// A line without the remark in brackets of what has gone from both sides: `u cos α = x + y (m cancels)`.
+/// A line without the remark in brackets of what has gone from both sides, or of what the law says: `u cos α = x + y (m cancels)`,
+/// `… (momentum gained = momentum lost)`.
 pub(super) fn without_cancelling(typed: &str) -> &str {
     let Some((before, remark)) = typed.trim_end_matches(['.', ' ']).rsplit_once('(') else { return typed };
-    let says_so =
-        remark.ends_with(')') && !remark.contains('=') && ["cancel", "divid"].iter().any(|word| remark.contains(word));
-    if says_so { before.trim_end() } else { typed }
+    let is_in_words = |side: &str| {
+        side.chars().all(|sign| sign.is_alphabetic() || sign == ' ')
+            && side.split_whitespace().any(|word| word.len() > 3 && !is_formula(word))
+    };
+    let says_so = |remark: &str| match remark.contains('=') {
+        true => before.contains('=') && remark.split('=').all(is_in_words),
+        false => ["cancel", "divid"].iter().any(|word| remark.contains(word)),
+    };
+    if remark.strip_suffix(')').is_some_and(says_so) { before.trim_end() } else { typed }
 }
 
 /// What an impulse is said to be along: `impulse is in direction i − j` for `I ∝ i − j`, where I is no number.
