@@ -40,6 +40,7 @@ fn is_full_stop(before: &[Placed], after: &[Placed]) -> bool {
     let is_equals = |placed: &Placed| placed.is('=') || placed.is(':');
     let ends = |placed: &Placed| matches!(placed.token, Token::Sign('.' | ';' | ',' | '\n' | '⇒'));
     let mut sentence = after.iter().take_while(|placed| !ends(placed));
+    // In `45. = 46.1` the same sentence goes on.
     let begins = after.first().is_some_and(|next| next.spaced && !is_equals(next));
     before.iter().any(is_equals) && begins && sentence.any(is_equals)
 }
