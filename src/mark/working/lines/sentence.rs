@@ -122,7 +122,7 @@ fn has_equation(typed: &str) -> bool {
 fn without_words(clause: &str) -> &str {
     let left = &clause[..clause.find('=').unwrap_or(0)];
     let end = |word: &str| word.as_ptr() as usize - clause.as_ptr() as usize + word.len();
-    let Some(last) = left.split_whitespace().filter(|word| is_word(bare(word))).last() else { return clause };
+    let Some(last) = left.split_whitespace().rfind(|word| is_word(bare(word))) else { return clause };
     let (words, rest) = clause.split_at(end(last));
     let is_of_law = |word: &str| LAWS.contains(&word.to_lowercase().as_str());
     let names = |word: &str| COMPONENTS.contains(&word) || (names_a_quantity(word) && !is_of_law(word));
