@@ -37,7 +37,9 @@ impl Examined {
                 EarnedFor::Law(law, _) if mark.code.is_method() && law.gives(Quantity::RestitutionEquation) => law,
                 _ => return None,
             };
-            award.as_ref().is_none_or(|award| !award.given).then_some(law)
+            // A line has the component changed: an answer is not what it stayed.
+            let is_changed = |award: &Award| award.note == Some(Departure::WrongAxis.tag());
+            award.as_ref().is_none_or(|award| !award.given && !is_changed(award)).then_some(law)
         };
         let marks = part.scheme.iter().zip(&self.awards).enumerate();
         let open: Vec<(usize, Law)> =

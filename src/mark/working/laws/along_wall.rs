@@ -40,9 +40,11 @@ impl Working<'_> {
 
     /// Is a component in a formula that is not *e* times it, or said again after a line? `½ × 16 = 8` beside `√(16² + 6²)`
     /// cancels a fraction.
-    fn reckons_with(&self, component: &[f64], line: usize) -> bool {
+    pub(super) fn reckons_with(&self, component: &[f64], line: usize) -> bool {
         let sizes = [component.to_vec()];
-        self.lines.iter().enumerate().filter(|(_, studied)| !studied.line.is_crossed_out()).any(|(place, studied)| {
+        // In a law along the line of centres its number is that of something else.
+        let is_open = |studied: &Studied| !studied.line.is_crossed_out() && studied.matched.is_empty();
+        self.lines.iter().enumerate().filter(|(_, studied)| is_open(studied)).any(|(place, studied)| {
             self.members(studied).any(|(member, _)| {
                 let is_said = || place > line && self.is_one_of(&member.expr, &sizes);
                 !self.is_e_times(&member.expr, component) && (self.has_part(&member.expr, &sizes) || is_said())
@@ -55,6 +57,10 @@ impl Working<'_> {
         // The size in `-6` is no part of it.
         if let Expr::Negative(inner) = expr {
             return self.has_part(inner, sizes);
+        }
+        // Nor is the 2 of a square.
+        if let Expr::Power(base, _) = expr {
+            return self.is_one_of(base, sizes) || self.has_part(base, sizes);
         }
         let mut parts = expr.children().into_iter().filter(|part| !self.is_e_times(part, &sizes[0]));
         parts.any(|part| self.is_one_of(part, sizes) || self.has_part(part, sizes))
@@ -112,6 +118,13 @@ impl Working<'_> {
             }
         }
         None
+    }
+
+    /// What a wall would make of the component along it, taken for the other.
+    pub(in crate::mark::working) fn rebound_with_sine_for_cosine(&self) -> Option<Vec<f64>> {
+        let along = self.before_wall(Axis::T).filter(|_| self.prepared.setting == Setting::Wall)?;
+        let [e] = self.restitution()?;
+        Some(along.iter().zip(&e).map(|(along, e)| along * e).collect())
     }
 
     fn restitution(&self) -> Option<[Vec<f64>; 1]> {

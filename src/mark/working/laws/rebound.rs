@@ -7,7 +7,7 @@ use crate::expr::{Expr, Function};
 use crate::mark::judging::may_be_named;
 use crate::mark::working::equations::Departure;
 use crate::mark::working::evidence::Evidence;
-use crate::mark::working::examine::{Value, Working};
+use crate::mark::working::examine::{Studied, Value, Working};
 use crate::mark::working::lines::{Member, says_into_wall};
 use crate::mark::working::numbers::{comes_to, is_vector, sizes};
 use crate::mechanics::{Axis, Datum, Known, Law, Moment, Quantity, Setting, Sphere};
@@ -163,6 +163,7 @@ impl Working<'_> {
                     (self.is_called(member) || self.is_worked_out(&member.expr))
                         && !member.label.as_ref().is_some_and(is_else)
                         && is_exchanged(member)
+                        && !self.says_across(self.clause(studied, member))
                 })
         })
     }
@@ -181,8 +182,13 @@ impl Working<'_> {
             (across != 0.0).then_some(swapped)
         });
         let swapped: Vec<Known<f64>> = swapped.collect::<Option<_>>()?;
+        let sizes = [sizes(&swapped, quantity)?];
         // What is said to be along the wall was not taken for the other.
-        self.line_that_is(&swapped, quantity).filter(|line| !self.says_across(&self.lines[*line].line.typed))
+        let is_other = |studied: &Studied| {
+            let mut members = self.members(studied).filter(|(member, _)| self.is_one_of(&member.expr, &sizes));
+            members.any(|(member, _)| !self.says_across(self.clause(studied, member)))
+        };
+        self.line_that_is(&swapped, quantity).filter(|line| is_other(&self.lines[*line]))
     }
 
     /// The line of a vector with both components after an impact with a wall, whichever way the student's axes along the

@@ -15,4 +15,6 @@ pub(super) use crossed_out::set_aside_replaced;
 pub(super) use line::{Line, Member, OWN, ReadLine, read};
 pub(in crate::mark) use line::{MOST_LINES, typed};
 pub(super) use products::FUNCTIONS;
-pub(super) use said::{Stated, clauses, is_called_otherwise, says_across, says_along, says_into_wall};
+pub(super) use said::{
+    Stated, clauses, clauses_by_words, is_called_otherwise, says_across, says_along, says_into_wall,
+};

@@ -133,6 +133,20 @@ pub(in crate::mark::working) fn clauses(typed: &str) -> Vec<&str> {
     all
 }
 
+/// The clauses of a line in which the words for the two components stand before each, with no sign between them.
+pub(in crate::mark::working) fn clauses_by_words(typed: &str) -> Vec<&str> {
+    const WORDS: [&str; 5] = ["parallel", "para ", "par ", "perp", "⊥"];
+    let lower = typed.to_ascii_lowercase();
+    let mut starts: Vec<usize> = WORDS.iter().flat_map(|word| lower.match_indices(word).map(|(at, _)| at)).collect();
+    starts.sort_unstable();
+    // The first must begin the line: in `8 parallel, 6 perp` the words stand behind.
+    if starts.first() != Some(&0) {
+        return vec![typed];
+    }
+    let ends = starts.iter().skip(1).copied().chain([typed.len()]);
+    starts.iter().zip(ends).map(|(start, end)| &typed[*start..end]).collect()
+}
+
 /// Is it said of what stands here that it is along the line of centres, and of nothing that it is across?
 pub(in crate::mark::working) fn says_along(typed: &str) -> bool {
     let typed = typed.to_lowercase();

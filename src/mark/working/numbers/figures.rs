@@ -40,7 +40,8 @@ impl Working<'_> {
         let members = self.lines.iter().flat_map(|studied| self.members(studied));
         let of_letters = members.filter(|(member, _)| member.letter.is_some() && !member.is_given);
         let said = of_letters.filter_map(|(_, values)| numbers(values));
-        let known: Vec<Vec<f64>> = self.sizes_of(sphere, Axis::N).into_iter().chain(said).collect();
+        let known = self.sizes_of(sphere, Axis::N).into_iter().chain(self.rebound_with_sine_for_cosine()).chain(said);
+        let known: Vec<Vec<f64>> = known.collect();
         is(across, &self.sizes_of(sphere, Axis::T)) && is(along, &known)
     }
 
