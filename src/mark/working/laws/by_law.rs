@@ -57,7 +57,7 @@ impl Working<'_> {
                 let found = found.or_else(|| if code.is_accuracy() { None } else { self.fraction_of_energies(law) });
                 let is_of_wall = shape == Shape::ChangeOfMomentum && self.prepared.setting == Setting::Wall;
                 let found = found.or_else(|| if is_of_wall { self.change_in_vectors(law.name(), code) } else { None });
-                let found = found.or_else(|| self.energies_apart(law, code));
+                let found = found.or_else(|| self.energies_apart(law, code).or_else(|| self.losses_apart(law, code)));
                 let found = found.or_else(|| self.with_sine_for_cosine(law, code));
                 let found = found.or_else(|| self.without_a_letter(law, &quantities, code));
                 let by_cosine = || self.scalar_quotient(law).or_else(|| self.between_directions(law));

@@ -209,12 +209,19 @@ impl Working<'_> {
             ["los", "change", "before - after", "before − after"].iter().any(|word| typed.contains(word))
         };
         let last = before.max(after);
-        let line = self.lines.iter().skip(last + 1).position(|studied| {
+        let takes_off = |expr: &Expr| matches!(expr, Expr::Sum(terms) if terms.iter().any(|term| matches!(term, Expr::Negative(_))));
+        // `T1 - T2 = 70` says it before the sign.
+        let is_called_difference = |member: &Member| {
+            member.label.as_ref().is_some_and(|label| label.contains(['-', '−']) && label.contains(char::is_alphabetic))
+        };
+        let subtracts = |studied: &Studied| {
             let mut members = studied.reading.iter().flat_map(|reading| &reading.members);
-            let takes_off = |expr: &Expr| matches!(expr, Expr::Sum(terms) if terms.iter().any(|term| matches!(term, Expr::Negative(_))));
-            members.any(|member| takes_off(&member.expr)) || speaks_of_loss(studied)
-        })?;
-        Some(Evidence::given(last + 1 + line, law.name()))
+            members.any(|member| takes_off(&member.expr) || is_called_difference(member)) || speaks_of_loss(studied)
+        };
+        // All of it may stand on one line.
+        let first = if before == after { last } else { last + 1 };
+        let line = self.lines.iter().skip(first).position(subtracts)?;
+        Some(Evidence::given(first + line, law.name()))
     }
 
     /// The lines of all the energy before the impact and of all that after it, where the part asks for the loss.
@@ -228,13 +235,16 @@ impl Working<'_> {
         let own = || if follows { total(&self.followed, Moment::After) } else { None };
         let before = total(&self.prepared.known, Moment::Before)?;
         let after = total(&self.prepared.known, Moment::After).or_else(own)?;
-        (before != after).then_some([before, after])
+        let energies =
+            [Moment::Before, Moment::After].map(|moment| sizes(&self.prepared.known, Quantity::TotalEnergy(moment)));
+        // Where nothing is lost, one number is both.
+        (before != after || energies[0] != energies[1]).then_some([before, after])
     }
 
     /// Both energies, of which the answer alone may be the difference.
     pub(in crate::mark::working) fn to_be_subtracted(&self) -> Option<ToBeSubtracted> {
         let law = *Law::ALL.iter().find(|law| law.gives(Quantity::EnergyLost))?;
-        let totals = self.totals(law, Code::M1)?;
+        let totals = self.totals(law, Code::M1).filter(|[before, after]| before != after)?;
         let worked_out = |place: usize| {
             let (_, values) = self.members(&self.lines[place]).last()?;
             numbers(values)

@@ -10,6 +10,7 @@ mod compound;
 mod condition;
 mod energies;
 mod impulse;
+mod losses;
 mod own;
 mod own_condition;
 mod own_speed;

@@ -216,7 +216,10 @@ impl Working<'_> {
             },
             _ => false,
         };
-        member.label.as_deref().is_some_and(names_loss) || is_difference() || (has(a) && has(b))
+        member.label.as_deref().is_some_and(names_loss)
+            || is_difference()
+            || self.is_of_both_losses(&member.expr)
+            || (has(a) && has(b))
     }
 
     /// Is it said to be lost by one of two spheres, where what both lose together is looked for: `loss in A`?
