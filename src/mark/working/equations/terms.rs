@@ -64,7 +64,8 @@ impl Numbers {
     fn anything(&self) -> Vec<f64> {
         let [v, w] = self.after;
         let mut all = vec![v, w, -v, -w, self.e];
-        all.extend(self.masses);
+        let [m, n] = self.masses;
+        all.extend([m, n, m / n, n / m]);
         all
     }
 }
@@ -281,7 +282,7 @@ impl Working<'_> {
         if open.iter().any(|name| name.contains(' ') && letters.contains(&whole(name))) {
             return None;
         }
-        let is_velocity = |name: &str| open.contains(&name) && may_stand_for(name, None)[0] == 0;
+        let is_velocity = |name: &str| open.contains(&name) && may_stand_for(name, None, false)[0] == 0;
         // With both unknowns in it a line is one of the two by its form, or neither.
         if letters.len() == 2 && letters.iter().all(|letter| open.contains(&letter.as_str())) {
             return None;
@@ -290,7 +291,10 @@ impl Working<'_> {
             return None;
         }
         let anything: Vec<Vec<f64>> = numbers.iter().map(Numbers::anything).collect();
-        let choices: Vec<&[usize]> = open.iter().map(|name| may_stand_for(name, self.sphere_of(name))).collect();
+        let is_mass_open =
+            Sphere::BOTH.iter().any(|sphere| !self.prepared.given[0].0.contains_key(&Quantity::Mass(*sphere)));
+        let choices = open.iter().map(|name| may_stand_for(name, self.sphere_of(name), is_mass_open));
+        let choices: Vec<&[usize]> = choices.collect();
         let trials = choices.iter().map(|choices| choices.len()).product();
         let points: Vec<Points> =
             (0..numbers.len()).map(|point| self.prepared.points.with(&self.prepared.found, point)).collect();

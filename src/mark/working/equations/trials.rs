@@ -21,15 +21,17 @@ impl Working<'_> {
     }
 }
 
-/// What a letter may stand for by its name, as places in a list of both velocities, both the other way, e and both masses: a
-/// velocity after the impact either way, that of the sphere if it names one, a mass, or e.
-pub(super) fn may_stand_for(name: &str, of: Option<Sphere>) -> &'static [usize] {
+/// What a letter may stand for by its name, as places in a list of both velocities, both the other way, e, both masses and each
+/// mass in parts of the other: a velocity after the impact either way, that of the sphere if it names one, a mass, or e. A mass
+/// that is to be found may also be so many times the other, `km`.
+pub(super) fn may_stand_for(name: &str, of: Option<Sphere>, is_mass_open: bool) -> &'static [usize] {
     match name.chars().next() {
         Some('e') if name == "e" => &[4],
         Some('m' | 'M') => &[5, 6],
         _ if of == Some(Sphere::A) => &[0, 2],
         _ if of == Some(Sphere::B) => &[1, 3],
         Some('u' | 'v' | 'w' | 'U' | 'V' | 'W' | 'x' | 'y' | 'X' | 'Y' | 'p' | 'q') => &[0, 1, 2, 3],
+        _ if is_mass_open => &[0, 1, 2, 3, 4, 5, 6, 7, 8],
         _ => &[0, 1, 2, 3, 4, 5, 6],
     }
 }
