@@ -42,6 +42,7 @@ impl Working<'_> {
             let holds = |equation: &(Expr, Expr)| {
                 *place < copied_from && self.holds_only_where_found(equation)
                     || self.is_of_own_speed(equation, *place)
+                    || self.is_speed_by_letters(equation, *place)
                     || self.makes_right_angle(equation)
                     || self.is_set_on_own(equation, *place)
             };

@@ -139,6 +139,25 @@ impl Working<'_> {
         self.at_every_point(&at)
     }
 
+    /// The letters that equations up to a line have for the components of the velocity that is sought, along i and along j:
+    /// `m(x + 1) = -4, m(y - 2) = 4`.
+    pub(super) fn letters_of_components(&self, place: usize) -> Option<[String; 2]> {
+        let letter_along = |axis| {
+            let along = self.along(axis).filter(|along| !along.is_impulse)?;
+            let readings = self.lines[..=place].iter().filter_map(|studied| studied.reading.as_ref());
+            let mut equations = readings.flat_map(|reading| &reading.equations);
+            equations.find_map(|equation @ (left, right)| {
+                self.of_components(equation, &along)?;
+                match difference(left, right, &context(self.prepared, 0))? {
+                    Sum::Number(linear) => linear.unknowns.first().map(|(letter, _)| letter.clone()),
+                    Sum::Vector(..) => None,
+                }
+            })
+        };
+        let [x, y] = [letter_along(Axis::X)?, letter_along(Axis::Y)?];
+        (x != y).then_some([x, y])
+    }
+
     fn at_every_point(&self, at: &dyn Fn(usize) -> Option<Agrees>) -> Option<Agrees> {
         (0..self.prepared.points.count).map(at).collect::<Option<Vec<_>>>()?.into_iter().min()
     }

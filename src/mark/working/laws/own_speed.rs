@@ -1,6 +1,7 @@
 //! The speed after the impact that is given, set equal to that of the student's own velocity.
 
-use crate::expr::Expr;
+use super::shapes::two_squares;
+use crate::expr::{Expr, Function};
 use crate::mark::working::examine::{Value, Working, value};
 use crate::mark::working::prepared::Prepared;
 use crate::mark::working::theirs::{is_of_velocity, numbers};
@@ -60,6 +61,26 @@ impl Working<'_> {
                     || is(&other, &own_square) && (is(&one, &square) || is_a_square(left))
             })
         })
+    }
+
+    /// `x² + y² = 25`: is the speed that is given set on the student's own letters for the components of the velocity?
+    pub(super) fn is_speed_by_letters(&self, (left, right): &(Expr, Expr), place: usize) -> bool {
+        let is_letter = |expr: &Expr, letter: &str| matches!(expr, Expr::Name(name) if name.text == letter);
+        let squares = |side: &Expr| match side {
+            Expr::Call(Function::Sqrt, inner) => two_squares(inner).map(|two| (two, false)),
+            side => two_squares(side).map(|two| (two, true)),
+        };
+        let is_set = |side: &Expr, other: &Expr| {
+            let Some(((one, another), is_squared)) = squares(side) else { return false };
+            let (Some(given), Some([x, y])) = (self.given_speed(), self.letters_of_components(place)) else {
+                return false;
+            };
+            let are_both =
+                is_letter(&one, &x) && is_letter(&another, &y) || is_letter(&one, &y) && is_letter(&another, &x);
+            let size: Vec<f64> = given.iter().map(|given| if is_squared { given * given } else { *given }).collect();
+            are_both && self.values_of(other).and_then(|values| numbers(&values)).is_some_and(|own| is(&own, &size))
+        };
+        is_set(left, right) || is_set(right, left)
     }
 
     /// The speed after the impact, where that is what is given.
