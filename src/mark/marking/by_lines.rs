@@ -53,6 +53,10 @@ impl ByLines {
             });
             let given = line.filter(|(award, _)| award.given && award.note.is_none());
             all.earned.push(line.is_some_and(|(award, _)| award.given));
+            // Who has another component has not slipped in the arithmetic.
+            if mark.code == Code::B1 && line.is_some_and(|(award, _)| !award.given) {
+                equations.push(false);
+            }
             if !mark.code.is_accuracy() {
                 // Of a later impact the scheme may have the methods alone.
                 if let EarnedFor::Law(law, _) = mark.earned_for

@@ -3,9 +3,10 @@
 use super::answers::is_shown;
 use super::follow::Followed;
 use super::withhold::{
-    contradicts, drop_dependent, lacks_letter, withhold_for_direction, withhold_from_wrong_equations,
+    contradicts, drop_dependent, lacks_letter, withhold_by_luck, withhold_for_direction, withhold_from_wrong_equations,
     withhold_from_wrong_method,
 };
+use crate::answer::Accept;
 use crate::bank::{Code, EarnedFor, Find};
 use crate::mark::award::{Award, Evidence, Examiner, Ground, MarkedAnswer, Place};
 use crate::mark::judging::{Note, Verdict};
@@ -37,12 +38,16 @@ pub(super) struct Findings<'a> {
     pub(super) has_right_value: bool,
     /// Of each sphere: do the student's own equations lead elsewhere than to its right velocity?
     pub(super) denies_velocities: [bool; 2],
+    /// For each mark: does a right value of it follow from velocities that are wrong?
+    pub(super) by_luck: Vec<bool>,
 }
 
 /// The awards of a part, in the order of the scheme, each as if it stood alone: [`settled`] sets them side by side.
 pub(super) fn awards(part: &KeyedPart, found: Findings, profile: &Profile, charged: &mut Charged) -> Vec<Award> {
-    let Findings { needed, answers, by_working, followed, contradicted, has_right_value, denies_velocities } = found;
-    let worth: Vec<Worth> = answers.iter().map(|answer| Worth::of(answer, profile, charged)).collect();
+    let Findings { needed, answers, by_working, followed, contradicted, has_right_value, denies_velocities, by_luck } =
+        found;
+    let each = part.blanks.iter().zip(answers);
+    let worth: Vec<Worth> = each.map(|(blank, answer)| Worth::of(answer, blank, profile, charged)).collect();
     let mut awards: Vec<Award> = Vec::new();
     for (((mark, by_working), needed), contradicted) in part.scheme.iter().zip(by_working).zip(needed).zip(contradicted)
     {
@@ -66,7 +71,7 @@ pub(super) fn awards(part: &KeyedPart, found: Findings, profile: &Profile, charg
             (Some(award), _) => award,
             (None, Some(shown)) if shown.given => shown,
             (None, shown) => by_followed(mark, part, followed)
-                .or_else(|| shown.map(|shown| in_figures(shown, mark, profile, charged)))
+                .or_else(|| shown.map(|shown| in_figures(shown, mark, part, profile, charged)))
                 .unwrap_or_else(|| unearned(mark, own)),
         };
         awards.push(award);
@@ -74,6 +79,7 @@ pub(super) fn awards(part: &KeyedPart, found: Findings, profile: &Profile, charg
     imply_needed(&part.scheme, &mut awards);
     withhold_from_wrong_method(part, needed, has_right_value, &mut awards);
     withhold_from_wrong_equations(part, needed, denies_velocities, &mut awards);
+    withhold_by_luck(part, &by_luck, &mut awards);
     withhold_for_direction(part, answers, &mut awards);
     awards
 }
@@ -125,14 +131,20 @@ fn in_profile(award: Award, mark: &KeyedMark, profile: &Profile) -> Award {
 }
 
 /// A value on the way with too few figures, for which they are enough, or which have been charged already.
-fn in_figures(award: Award, mark: &KeyedMark, profile: &Profile, charged: &mut Charged) -> Award {
+fn in_figures(award: Award, mark: &KeyedMark, part: &KeyedPart, profile: &Profile, charged: &mut Charged) -> Award {
     let is = |notes: &[Note]| notes.iter().any(|note| award.note == Some(note.tag()));
-    let is_value = !mark.earned_for.quantities().is_empty();
+    let must_be_exact = own_blanks(mark, part).iter().any(|place| wants_exact(&part.blanks[*place]));
+    let is_value = !mark.earned_for.quantities().is_empty() && !must_be_exact;
     let is_enough = is(&[Note::UnderAccurate]) && profile.figures <= ENOUGH;
     let costs = is(&[Note::UnderAccurate, Note::Truncated]) && !is_enough;
     let given =
         is_value && (is_enough || costs && charge(profile.inaccuracy, &mut charged.inaccuracy) == Worth::Everything);
     Award { given: award.given || given, ..award }
+}
+
+/// Where the exact value is wanted, no decimal is enough, however many figures it has.
+fn wants_exact(blank: &KeyedBlank) -> bool {
+    blank.model.accept == Accept::Exact
 }
 
 /// The fewest figures that are right as far as they go: one is no evidence.
@@ -201,7 +213,10 @@ fn shown(place: usize, part: &KeyedPart, answers: &[MarkedAnswer], awards: &[Awa
             let feedback = format!("the result is printed in the question: it earns nothing without {}", missing.id);
             Award { note: Some(Ground::NotShown.tag()), feedback, ..withheld(mark) }
         }
-        _ => Award { feedback: "the working must end with the result as it is printed".to_owned(), ..withheld(mark) },
+        _ => {
+            let feedback = "the working must show every step and end with the result as it is printed".to_owned();
+            Award { feedback, ..withheld(mark) }
+        }
     }
 }
 
@@ -235,13 +250,13 @@ const NOT_FINISHED: [Note; 11] = [
 ];
 
 impl Worth {
-    fn of(answer: &MarkedAnswer, profile: &Profile, charged: &mut Charged) -> Worth {
+    fn of(answer: &MarkedAnswer, blank: &KeyedBlank, profile: &Profile, charged: &mut Charged) -> Worth {
         let is = |notes: &[Note]| notes.iter().any(|note| answer.judgement.note == Some(note.tag()));
+        let is_inaccurate = is(&[Note::UnderAccurate, Note::Truncated]);
         match answer.judgement.verdict {
             Verdict::Correct => Worth::Everything,
-            Verdict::Partial if is(&[Note::UnderAccurate, Note::Truncated]) => {
-                charge(profile.inaccuracy, &mut charged.inaccuracy)
-            }
+            Verdict::Partial if is_inaccurate && wants_exact(blank) => Worth::Method,
+            Verdict::Partial if is_inaccurate => charge(profile.inaccuracy, &mut charged.inaccuracy),
             // What is rounded too early costs its mark every time.
             Verdict::Partial if is(&[Note::EarlyRounding]) => Worth::Method,
             Verdict::Partial if is(&[Note::UnitWrong, Note::UnitNotNeeded]) => {

@@ -46,9 +46,11 @@ pub(super) fn answers(
             .scheme
             .iter()
             .any(|mark| mark.code == Code::A1FollowThrough && mark.earned_for.quantities().contains(&quantity));
-        // What is right but for its form follows from nothing wrong.
+        // What is right but for its form follows from nothing wrong, though it may from what was rounded before.
+        let goes_on_in_figures =
+            || is_marked && !examined.finds_exactly && examined.theirs.rounded(question).next().is_some();
         let is_right =
-            answer.judgement.verdict == Verdict::Correct || answer.judgement.note == Some(Note::ExactWanted.tag());
+            answer.judgement.verdict == Verdict::Correct || wants_exact(&answer.judgement) && !goes_on_in_figures();
         let is_wrong = || answer.judgement.verdict == Verdict::Wrong || is_near_miss(&answer.judgement);
         let is_value = || matches!(blank.model.kind, Kind::Number | Kind::Angle | Kind::Expression);
         let follows = is_marked || (is_wrong_before && is_wrong() && is_value());
@@ -137,6 +139,11 @@ fn has_decimal(expr: &Expr) -> bool {
     matches!(expr, Expr::Decimal(_)) || expr.children().into_iter().any(has_decimal)
 }
 
+/// Is it right as a decimal, where the exact value is wanted?
+fn wants_exact(judgement: &Judgement) -> bool {
+    judgement.note == Some(Note::ExactWanted.tag())
+}
+
 /// Is it less than one hundredth off?
 pub(super) fn is_near_miss(judgement: &Judgement) -> bool {
     judgement.note == Some(Note::NearMiss.tag())
@@ -162,7 +169,7 @@ fn are_near(one: &[f64], other: &[f64], part: f64) -> bool {
 /// Answers that follow from the student's own values say so, and no other mistake is looked for in them.
 pub(super) fn say(answers: &mut [MarkedAnswer], followed: &[Option<Followed>]) {
     for (answer, followed) in answers.iter_mut().zip(followed) {
-        if followed.as_ref().is_some_and(|followed| followed.is_marked) {
+        if followed.as_ref().is_some_and(|followed| followed.is_marked) && !wants_exact(&answer.judgement) {
             say_of(answer);
         }
     }

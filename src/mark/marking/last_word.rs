@@ -1,11 +1,13 @@
-//! A right answer beside working that comes to another value: it has not come from there.
+//! Answers beside working that says another thing: a right one has not come from where another value was found, and one with too
+//! few figures has lost nothing that a line has.
 
+use super::decide::is_own;
 use super::memory::Lines;
 use crate::bank::Find;
-use crate::mark::award::{Ground, MarkedAnswer};
+use crate::mark::award::{Award, Evidence, Ground, MarkedAnswer, Place};
 use crate::mark::enclosure::about;
-use crate::mark::judging::{Verdict, judge};
-use crate::mark::key::{KeyedBlank, KeyedPart};
+use crate::mark::judging::{Note, Verdict, judge};
+use crate::mark::key::{KeyedBlank, KeyedMark, KeyedPart};
 use crate::mark::reading::{Form, Reading, Statement};
 use crate::mark::script::PartScript;
 use crate::mark::working::Examined;
@@ -33,6 +35,26 @@ pub(super) fn contradict(part: &KeyedPart, script: &PartScript, examined: &Exami
             answer.judgement.verdict = Verdict::Partial;
             answer.judgement.note = Some(Ground::Contradicted.tag());
             answer.judgement.feedback = "This is the right value, but your working comes to another.".to_owned();
+        }
+    }
+}
+
+/// An answer with too few figures says no less than the working does, where a line has the value in all of them: what is rounded
+/// after that is let pass.
+pub(super) fn take_figures_from_working(part: &KeyedPart, examined: &Examined, answers: &mut [MarkedAnswer]) {
+    for (blank, answer) in part.blanks.iter().zip(answers) {
+        let is_shown = |(mark, award): (&KeyedMark, &Option<Award>)| {
+            let by_line = |award: &Award| {
+                let is_line = matches!(&award.evidence, Some(Evidence { place: Place::Line(_), .. }));
+                award.given && award.note.is_none() && is_line
+            };
+            mark.code.is_accuracy() && is_own(mark, blank) && award.as_ref().is_some_and(by_line)
+        };
+        let is_short = answer.judgement.note == Some(Note::UnderAccurate.tag());
+        if is_short && part.scheme.iter().zip(&examined.awards).any(is_shown) {
+            answer.judgement.verdict = Verdict::Correct;
+            answer.judgement.note = None;
+            answer.judgement.feedback = "Right.".to_owned();
         }
     }
 }

@@ -12,6 +12,7 @@ mod decide;
 mod follow;
 mod last_word;
 mod left;
+mod luck;
 mod memory;
 mod misread;
 mod overrule;
@@ -111,6 +112,7 @@ fn as_printed(
         let (mut answers, judged) = answers::judged(part, &handed_in, profile, memory, &examined);
         last_word::contradict(part, &handed_in, &examined, &mut answers);
         let readings = judged.iter().map(|judged| judged.readings.as_deref());
+        last_word::take_figures_from_working(part, &examined, &mut answers);
         examined.see_in_answers(question, part, &theirs, readings);
         let followed = follow::answers(question, part, &answers, &judged, &examined);
         follow::say(&mut answers, &followed);
@@ -126,6 +128,7 @@ fn as_printed(
         let contradicted = contradicted(question, part, &theirs, &examined.theirs);
         let wrong = examined.theirs.wrong(question).count();
         let has_right_value = examined.theirs.0.len() > wrong;
+        let by_luck = luck::is_by_luck(question, part, &examined);
         let found = decide::Findings {
             needed,
             answers: &answers,
@@ -134,6 +137,7 @@ fn as_printed(
             contradicted,
             has_right_value,
             denies_velocities: examined.denies_velocities,
+            by_luck,
         };
         let found = decide::awards(part, found, profile, &mut charged);
         let awards = decide::settled(part, &answers, &found);

@@ -93,6 +93,16 @@ pub(super) fn withhold_from_wrong_equations(
     }
 }
 
+/// A right value that follows from wrong velocities is one by luck.
+pub(super) fn withhold_by_luck(part: &KeyedPart, by_luck: &[bool], awards: &mut [Award]) {
+    for ((mark, award), by_luck) in part.scheme.iter().zip(awards).zip(by_luck) {
+        if *by_luck && award.given && !award.is(Ground::FollowThrough) {
+            let feedback = "the value is right, but it follows from velocities that are not".to_owned();
+            *award = Award { note: Some(Ground::Depends.tag()), feedback, ..withheld(mark) };
+        }
+    }
+}
+
 /// Does a mark depend on one like this, by itself or by another?
 fn depends_on(scheme: &[KeyedMark], place: usize, is: &dyn Fn(&KeyedMark) -> bool) -> bool {
     scheme[place].depends.iter().any(|other| is(&scheme[*other]) || depends_on(scheme, *other, is))

@@ -41,6 +41,8 @@ pub(crate) struct Examined {
     pub(super) turns: Vec<Vec<f64>>,
     /// The student's letters for the velocities of A and B after the impact, where an equation says so.
     pub(super) letters: Option<[String; 2]>,
+    /// Does a line have a velocity after the impact exactly, so that nobody had to go on in figures?
+    pub(crate) finds_exactly: bool,
     /// What each line is short of one of the two equations, if it is one.
     pub(super) short_of_law: Vec<Option<u32>>,
     /// A number of the question that is copied wrongly into an equation.
@@ -75,7 +77,7 @@ impl Examined {
         let known = self.followed.as_deref().filter(|_| !is_stated).and_then(|known| sizes(known, quantity));
         known.or_else(|| {
             let others = self.theirs.0.iter().filter(|(own, _)| **own != quantity);
-            let others = Theirs(others.map(|(own, value)| (*own, value.clone())).collect(), Vec::new());
+            let others = Theirs(others.map(|(own, value)| (*own, value.clone())).collect(), Vec::new(), None);
             follow_to(question.prepared(), &others, quantity)
         })
     }
@@ -206,6 +208,7 @@ fn examine_lines(
     let to_be_subtracted = working.to_be_subtracted();
     let turns = working.turns();
     let denied = working.denied_by_lines();
+    let finds_exactly = working.finds_exactly();
     let denies_velocities = working.denies_velocities();
     let denies_what_is_found = working.denies_what_is_found();
     let shows = |studied: &Studied| {
@@ -219,6 +222,10 @@ fn examine_lines(
         role: question.said_of_impact(&studied.role),
     });
     let lines = lines.collect();
+    if question.scene.then.is_empty() {
+        let by_laws = working.convention_by_laws().map(|own| (own.letters.clone(), own.signs));
+        working.theirs.2 = by_laws.or(working.theirs.2.take());
+    }
     let (theirs, followed) = (working.theirs, Some(working.followed));
     Examined {
         awards,
@@ -231,6 +238,7 @@ fn examine_lines(
         to_be_subtracted,
         turns,
         letters,
+        finds_exactly,
         short_of_law,
         misread,
         denies_what_is_found,
@@ -281,25 +289,6 @@ pub(super) fn value(expr: &Expr, prepared: &Prepared, names: &[(String, Vec<f64>
 }
 
 impl Working<'_> {
-    /// The names that are given, and the student's letters for the components after the impact, which are these.
-    pub(super) fn names(&self, component: &dyn Fn(Quantity) -> Option<Vec<f64>>) -> Vec<(String, Vec<f64>)> {
-        let mut names = self.prepared.names.clone();
-        if let Some(convention) = &self.convention {
-            for (place, letter) in convention.letters.iter().enumerate() {
-                let values = component(Quantity::Velocity(Sphere::BOTH[place], Moment::After, Axis::N));
-                let signed = |values: Vec<f64>| values.iter().map(|value| value * convention.signs[place]).collect();
-                names.extend(values.map(|values| (letter.clone(), signed(values))));
-            }
-        }
-        names
-    }
-
-    /// Whose the student's letters are, where an equation says so.
-    pub(super) fn convention_by_laws(&self) -> Option<&Convention> {
-        let is_law = |studied: &Studied| !studied.matched.is_empty();
-        self.convention.as_ref().filter(|_| self.lines.iter().any(is_law))
-    }
-
     /// What formulas are evaluated with at a point.
     pub(super) fn context(&self, point: usize) -> Context<'_> {
         Context { given: &self.names, ..context(self.prepared, point) }

@@ -85,9 +85,9 @@ fn examine_as_begun(
     let typed: Vec<String> = working.iter().map(plain).collect();
     let here = before.0.iter().filter_map(|(quantity, own)| Some((meeting.in_law(*quantity)?, own.clone())));
     let part = impact.parts.iter().find(|other| other.label == part.label)?;
-    let examined = examine_one(impact, part, &typed, &Theirs(here.collect(), before.1.clone()), of_others);
+    let examined = examine_one(impact, part, &typed, &Theirs(here.collect(), before.1.clone(), None), of_others);
     let own = examined.theirs.0.into_iter().map(|(quantity, own)| (meeting.quantity(quantity), own));
-    let theirs = Theirs(before.0.clone().into_iter().chain(own).collect(), examined.theirs.1);
+    let theirs = Theirs(before.0.clone().into_iter().chain(own).collect(), examined.theirs.1, before.2.clone());
     let lines = examined.lines.into_iter().zip(working).map(|(line, typed)| MarkedLine {
         typed: typed.clone(),
         role: meeting.in_words(&line.role),
@@ -154,6 +154,7 @@ impl Examined {
             to_be_subtracted: None,
             turns: Vec::new(),
             letters: None,
+            finds_exactly: false,
             short_of_law,
             misread: None,
             denies_what_is_found: false,

@@ -14,6 +14,7 @@ mod in_answers;
 mod laws;
 mod letters;
 mod lines;
+mod names;
 mod numbers;
 mod prepared;
 mod theirs;

@@ -26,9 +26,14 @@ fn is_near(share: f64, own: f64, right: f64) -> bool {
     (own - right).abs() <= share * right.abs()
 }
 
-/// A student's own values, by quantity: at every point, and as they were written; and numbers that were worked out wrongly.
+/// A student's own values, by quantity: at every point, and as they were written; numbers that were worked out wrongly; and the
+/// letters that equations have for the velocities of A and B after the first impact, with their signs.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Theirs(pub(crate) BTreeMap<Quantity, (Vec<f64>, Expr)>, pub(super) Vec<Slip>);
+pub(crate) struct Theirs(
+    pub(crate) BTreeMap<Quantity, (Vec<f64>, Expr)>,
+    pub(super) Vec<Slip>,
+    pub(super) Option<([String; 2], [f64; 2])>,
+);
 
 impl Theirs {
     /// Those that are not right, as they were written.
