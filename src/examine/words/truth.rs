@@ -269,7 +269,8 @@ fn ways(text: &Text, variant: &Variant, remarks: &mut Vec<Remark>) {
                 _ => sentence.split(way.0).skip(1).any(|rest| !OF_ITSELF.iter().any(|old| rest.starts_with(old))),
             };
             let said: Vec<_> = WAYS.iter().filter(is_said).collect();
-            if !is_after && !(said.is_empty() && sentence.ends_with('.')) {
+            let is_of_no_matter = is_after || said.is_empty() && sentence.ends_with('.');
+            if !is_of_no_matter {
                 let lower = sentence.to_lowercase();
                 is_after = ["after ", " then "].iter().any(|later| lower.contains(later));
             }
