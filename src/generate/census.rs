@@ -40,7 +40,7 @@ pub const MOST_SETS: u64 = 500_000;
 /// The most sets of a style that are solved only because, turned away by their givens, they are asked for a second reason:
 /// that takes longer than all the rest, and whoever thinks about a requirement wants to know whether it costs ten variants
 /// or a thousand. Which ones follows from their index, so that every run says the same.
-const MOST_ASKED: u64 = 512;
+const MOST_ASKED: u64 = 1024;
 
 /// Out of how many sets something was counted: `144`, or `the first 500000 of 900000`.
 pub fn out_of(examined: u64, size: u64) -> String {

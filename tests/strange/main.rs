@@ -12,7 +12,7 @@ use rand::seq::IndexedRandom;
 use rand::{RngExt, SeedableRng};
 
 /// So many answers are made, half of them on each of two threads.
-const ANSWERS: u64 = 24_000;
+const ANSWERS: u64 = 100_000;
 
 /// Signs and commands that are put in.
 const PIECES: [&str; 40] = [
