@@ -1,4 +1,4 @@
-//! Every style of every question, many variants of each: pdflatex sets them all without a complaint.
+//! Every style of every question, two hundred variants of each: pdflatex sets them all without a complaint.
 
 use carom::bank::Question;
 
@@ -8,14 +8,12 @@ use super::engine::{complaints, placed};
 use super::papers::{Batch, bank, batch};
 use super::{folder, on_both};
 
-/// How many variants of a style are set, where it has so many; `CAROM_VARIANTS=200` sets more of them, which takes minutes.
-fn most() -> usize {
-    std::env::var("CAROM_VARIANTS").map_or(60, |number| number.parse().expect("a number of variants"))
-}
+/// How many variants of a style are set, where it has so many.
+const VARIANTS: usize = 200;
 
 /// A question's variants, set; what is wrong with which.
 fn faults(question: &Question) -> (Batch, Vec<String>) {
-    let batch = batch(question, most());
+    let batch = batch(question, VARIANTS);
     let folder = folder(&format!("variants/{}", question.id.replace('/', "-")));
     let found = placed(&batch.paper, &|paper| complaints(&folder, paper));
     let named = |(place, complaint): (Option<usize>, String)| {
@@ -39,14 +37,14 @@ fn crowded(batch: &Batch) -> Vec<String> {
 
 #[test]
 #[ignore = "needs TeX, poppler and Chromium, which `.ci/run` installs"]
-fn carom_knows_latex_for_many_variants_of_every_style() {
-    let (bank, most) = (bank(), most());
+fn carom_knows_latex_for_two_hundred_variants_of_every_style() {
+    let bank = bank();
     let (mut all, mut styles, mut wrong) = (0, 0, Vec::new());
     for (batch, faults) in on_both(&bank.questions, faults) {
         for (style, count, exhausted) in &batch.styles {
-            assert!(*count == most || *exhausted, "{style} gave {count} variants and has more");
+            assert!(*count == VARIANTS || *exhausted, "{style} gave {count} variants and has more");
             assert!(*count > 0, "{style} has no variants");
-            if *count < most {
+            if *count < VARIANTS {
                 println!("{style} has no more than {count} variants");
             }
             all += count;
@@ -55,6 +53,6 @@ fn carom_knows_latex_for_many_variants_of_every_style() {
         wrong.extend(faults);
     }
     println!("{all} variants of {styles} styles of {} questions set", bank.questions.len());
-    assert!(styles >= 2 * bank.questions.len() && 2 * all > most.min(60) * styles, "{all} variants of {styles} styles");
+    assert!(styles >= 2 * bank.questions.len() && all > 100 * styles, "{all} variants of {styles} styles");
     assert!(wrong.is_empty(), "\n{}", wrong.join("\n"));
 }
