@@ -1,14 +1,14 @@
-//! How much arithmetic was done, counted in tests and by the fuzzer alone: a bound on work is asserted by counting,
-//! never by a clock.
+//! How much arithmetic was done, counted in builds with assertions, as those of tests, and by the fuzzer: a bound on work is
+//! asserted by counting, never by a clock.
 
-#[cfg(any(test, fuzzing))]
+#[cfg(any(debug_assertions, test, fuzzing))]
 pub use counter::taken;
 
 /// So many steps more.
 pub(crate) fn add(steps: usize) {
-    #[cfg(any(test, fuzzing))]
+    #[cfg(any(debug_assertions, test, fuzzing))]
     counter::add(steps);
-    #[cfg(not(any(test, fuzzing)))]
+    #[cfg(not(any(debug_assertions, test, fuzzing)))]
     let _ = steps;
 }
 
@@ -18,7 +18,7 @@ pub(crate) fn of_bits(bits: usize) -> usize {
     1 + (bits / 64).pow(2) / 24
 }
 
-#[cfg(any(test, fuzzing))]
+#[cfg(any(debug_assertions, test, fuzzing))]
 mod counter {
     use std::cell::Cell;
 

@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 use carom::answer::{Accept, Kind};
 use carom::mark::judging::{Judgement, Model, ModelOptions, Verdict, judge};
 use carom::mark::reading::{Form, LONGEST, MOST_READINGS, Reading, Statement, Unreadable, read_answer};
-#[cfg(fuzzing)]
+#[cfg(any(debug_assertions, fuzzing))]
 use carom::number::steps_taken;
 use carom::number::{Letter, Places, Range};
 
@@ -42,8 +42,8 @@ const LETTERS: [(&str, Range); 5] = [
     ("theta", Range::Acute),
 ];
 
-/// Steps are counted for the fuzzer alone.
-#[cfg(not(fuzzing))]
+/// A build for speed counts no steps.
+#[cfg(not(any(debug_assertions, fuzzing)))]
 fn steps_taken() -> u64 {
     0
 }
