@@ -31,7 +31,7 @@ fn carom_shows_a_stranger_two_commands_on_the_first_screen() {
     let [sheet, test] = &first[..] else { panic!("the first block has two commands, not {first:?}") };
     assert!(sheet.starts_with("$ cargo run --release -- sheet "), "{sheet}");
     assert!(sheet.ends_with(" --out sheet"), ".ci/run looks for the pages in `sheet`: {sheet}");
-    assert_eq!(test, "$ cargo test", "plain, so that it needs Rust and nothing else");
+    assert_eq!(test, "$ cargo test --release", "needs Rust and nothing else, and what the first has built");
     let above = page.lines().position(|line| line == sheet).unwrap();
     assert!(above < 12, "line {above} is not on the first screen");
     assert!(page.lines().take(25).any(|line| line.starts_with("![")), "the first screen has a picture of a sheet");

@@ -47,7 +47,6 @@ pub use letter::{Letter, Range};
 pub use polynomial::{Monomial, Polynomial};
 pub(crate) use rounding::clear_in_doubles;
 pub use rounding::{Uncertain, clear_of_tie, round, round_certified};
-#[cfg(any(debug_assertions, fuzzing))]
 #[doc(hidden)]
 pub use steps::taken as steps_taken;
 pub use value::{Compound, Root, Value};

@@ -230,7 +230,7 @@ fn taken_apart(number: IBig) -> SquarePart {
         Ok(last) => primes.push(last),
         Err(_) => return (square, primes, Some(rest)),
     }
-    debug_assert!(rest.bit_len() <= 128);
+    assert!(rest.bit_len() <= 128);
     (square, primes, None)
 }
 

@@ -11,6 +11,8 @@ use carom::mark::report::Names;
 use carom::paper::{Dealer, Edition, Paper, compose};
 use carom::render::{Formats, RenderedFile};
 
+use super::on_both::on_both;
+
 /// How a page is looked at.
 #[derive(Clone, Copy, Debug)]
 struct Look {
@@ -22,6 +24,7 @@ const DESK: Look = Look { width: 1200, dark: false };
 const DESK_AT_NIGHT: Look = Look { width: 1200, dark: true };
 const PHONE: Look = Look { width: 360, dark: false };
 const PHONE_AT_NIGHT: Look = Look { width: 360, dark: true };
+const LOOKS: [Look; 4] = [DESK, DESK_AT_NIGHT, PHONE, PHONE_AT_NIGHT];
 
 /// What runs within the page: axe-core, and then the report to the frame around it, a fault a line.
 const REPORT: &str = r#"addEventListener("load", async () => {
@@ -57,13 +60,21 @@ fn folder(name: &str) -> PathBuf {
     folder
 }
 
-/// The faults of a page. It stands in a frame, since no window of a browser is as narrow as a phone.
-fn faults(folder: &Path, page: &str, look: Look) -> Vec<String> {
+/// The faults of each page. They stand in a frame one after another, since no window of a browser is as narrow as a phone.
+fn faults_of_each(folder: &Path, pages: &[&str], look: Look) -> Vec<Vec<String>> {
     let scripts = format!("<script>{}</script><script>{REPORT}</script></body>", axe());
-    fs::write(folder.join("page.html"), page.replace("</body>", &scripts)).unwrap();
+    for (place, page) in pages.iter().enumerate() {
+        fs::write(folder.join(format!("page-{place}.html")), page.replace("</body>", &scripts)).unwrap();
+    }
     let frame = format!(
-        r#"<!DOCTYPE html><script>onmessage = ({{ data }}) => {{ document.documentElement.dataset.found = data }}</script>
-        <iframe src="page.html" width="{}" height="900" style="border: 0"></iframe>"#,
+        r#"<!DOCTYPE html><script>
+            let place = 0;
+            onmessage = ({{ data }}) => {{
+                document.documentElement.dataset[`found${{place}}`] = data;
+                if (++place < {}) document.querySelector("iframe").src = `page-${{place}}.html`;
+            }};
+        </script><iframe src="page-0.html" width="{}" height="900" style="border: 0"></iframe>"#,
+        pages.len(),
         look.width
     );
     let path = folder.join("frame.html");
@@ -76,24 +87,36 @@ fn faults(folder: &Path, page: &str, look: Look) -> Vec<String> {
     chromium.arg(format!("file://{}", path.display()));
     let output = chromium.output().unwrap();
     let dom = String::from_utf8_lossy(&output.stdout);
-    let said = dom.split("data-found=\"").nth(1).and_then(|rest| rest.split('"').next());
-    let said = said.unwrap_or_else(|| panic!("{look:?}: {}", String::from_utf8_lossy(&output.stderr)));
-    let mut lines = said.lines().map(str::to_owned);
-    assert_eq!(lines.next(), Some(format!("{} {}", look.width, look.dark)), "not looked at as was meant");
-    lines.collect()
+    let faults = |place: usize| {
+        let said = dom.split(&format!("data-found{place}=\"")).nth(1).and_then(|rest| rest.split('"').next());
+        let said = said.unwrap_or_else(|| panic!("{look:?}: {}", String::from_utf8_lossy(&output.stderr)));
+        let mut lines = said.lines().map(str::to_owned);
+        assert_eq!(lines.next(), Some(format!("{} {}", look.width, look.dark)), "not looked at as was meant");
+        lines.collect()
+    };
+    (0..pages.len()).map(faults).collect()
 }
 
-/// The shipped pages of a paper; faults are told with the page and the look.
-fn faults_of_paper(name: &str, paper: &Paper, looks: &[Look]) -> Vec<String> {
-    let folder = folder(name);
-    let files: Vec<RenderedFile> = Formats::shipped().unwrap().render("html", paper).unwrap();
-    assert_eq!(files.len(), 3);
-    let each = files.iter().flat_map(|file| looks.iter().map(move |look| (file, *look)));
-    each.flat_map(|(file, look)| {
-        let placed = move |fault| format!("{} {look:?}: {fault}", file.name);
-        faults(&folder, &file.contents, look).into_iter().map(placed)
-    })
-    .collect()
+/// The faults of pages, each with the page that has it and the look; so many pages are shown by one browser.
+fn faults(name: &str, pages: &[RenderedFile], together: usize, looks: &[Look]) -> Vec<String> {
+    let of_look = |look: &Look| pages.chunks(together).map(|pages| (pages, *look)).collect::<Vec<_>>();
+    let visits: Vec<_> = looks.iter().flat_map(of_look).enumerate().collect();
+    let found = on_both(&visits, |(visit, (pages, look))| {
+        let contents: Vec<&str> = pages.iter().map(|page| page.contents.as_str()).collect();
+        let found = faults_of_each(&folder(&format!("{name}-{visit}")), &contents, *look);
+        let placed = |(page, faults): (&RenderedFile, Vec<String>)| {
+            faults.into_iter().map(|fault| format!("{} {look:?}: {fault}", page.name)).collect::<Vec<_>>()
+        };
+        pages.iter().zip(found).flat_map(placed).collect::<Vec<_>>()
+    });
+    found.concat()
+}
+
+/// The shipped pages of a paper.
+fn pages(paper: &Paper) -> Vec<RenderedFile> {
+    let pages = Formats::shipped().unwrap().render("html", paper).unwrap();
+    assert_eq!(pages.len(), 3);
+    pages
 }
 
 /// The faults of every shipped question, with its own numbers and with fresh ones in each style that it offers.
@@ -109,7 +132,7 @@ fn faults_of_bank(name: &str, edition: Edition, look: Look) -> Vec<String> {
             paper.questions.push(compose(question, &variant, paper.questions.len() + 1));
         }
     }
-    faults_of_paper(name, &paper, &[look])
+    faults(name, &pages(&paper), 1, &[look])
 }
 
 #[test]
@@ -134,10 +157,11 @@ fn carom_knows_pages_of_the_whole_bank_that_axe_finds_no_fault_in_in_large_print
 #[test]
 #[ignore = "needs Chromium and axe-core, which `.ci/run` installs"]
 fn carom_knows_editions_that_axe_finds_no_fault_in() {
-    let found = faults_of_paper("plain", &super::paper::paper(), &[DESK_AT_NIGHT, PHONE]);
+    let found = faults("plain", &pages(&super::paper::paper()), 3, &[DESK_AT_NIGHT, PHONE]);
     assert!(found.is_empty(), "{}", found.join("\n"));
     let edition = Edition { large_print: true, answer_space: true, ..Edition::default() };
-    let found = faults_of_paper("large", &Paper { edition, ..super::paper::paper() }, &[PHONE, PHONE_AT_NIGHT]);
+    let large = pages(&Paper { edition, ..super::paper::paper() });
+    let found = faults("large", &large, 3, &[PHONE, PHONE_AT_NIGHT]);
     assert!(found.is_empty(), "{}", found.join("\n"));
 }
 
@@ -145,14 +169,11 @@ fn carom_knows_editions_that_axe_finds_no_fault_in() {
 #[ignore = "needs Chromium and axe-core, which `.ci/run` installs"]
 fn carom_knows_pages_of_feedback_that_axe_finds_no_fault_in() {
     let formats = Formats::shipped().unwrap();
-    super::class::pages(|pages| {
-        for page in pages {
-            let html = formats.feedback("html", page).unwrap().unwrap().contents;
-            for look in [DESK, DESK_AT_NIGHT, PHONE, PHONE_AT_NIGHT] {
-                let found = faults(&folder("feedback"), &html, look);
-                assert!(found.is_empty(), "{} {look:?}: {}", page.student, found.join("\n"));
-            }
-        }
+    super::class::pages(|students| {
+        let pages: Vec<_> = students.iter().map(|page| formats.feedback("html", page).unwrap().unwrap()).collect();
+        assert!(pages.len() > 1);
+        let found = faults("feedback", &pages, pages.len(), &LOOKS);
+        assert!(found.is_empty(), "{}", found.join("\n"));
     });
 }
 
@@ -165,12 +186,8 @@ fn carom_knows_reports_and_pages_of_a_class_that_axe_finds_no_fault_in() {
     for names in [Names::Shown, Names::LeftOut] {
         super::class::report(names, |class| pages.extend(formats.report("html", class).unwrap()));
     }
-    for page in pages {
-        for look in [DESK, DESK_AT_NIGHT, PHONE, PHONE_AT_NIGHT] {
-            let found = faults(&folder("class"), &page.contents, look);
-            assert!(found.is_empty(), "{} {look:?}: {}", page.name, found.join("\n"));
-        }
-    }
+    let found = faults("class", &pages, pages.len(), &LOOKS);
+    assert!(found.is_empty(), "{}", found.join("\n"));
 }
 
 #[test]
@@ -183,9 +200,9 @@ fn a_fault_of_a_page_is_seen() {
         (r#"<p style="color: #888; background: #fff">Find the speed of the sphere.</p>"#, Some("color-contrast: ")),
         (r#"<p style="width: 400px">Find the speed of the sphere.</p>"#, Some("too-wide: ")),
     ];
-    for (planted, expected) in cases {
-        let page = sound.replace("</main>", &format!("{planted}</main>"));
-        let found = faults(&folder("planted"), &page, PHONE);
+    let pages = cases.map(|(planted, _)| sound.replace("</main>", &format!("{planted}</main>")));
+    let found = faults_of_each(&folder("planted"), &pages.each_ref().map(String::as_str), PHONE);
+    for ((planted, expected), found) in cases.into_iter().zip(found) {
         assert_eq!(found.len(), usize::from(expected.is_some()), "{planted}: {found:?}");
         assert!(expected.is_none_or(|id| found[0].starts_with(id)), "{planted}: {found:?}");
     }

@@ -6,6 +6,8 @@ mod accessibility;
 mod class;
 mod families;
 mod feedback;
+#[path = "../typeset/on_both.rs"]
+mod on_both;
 mod paper;
 mod report;
 

@@ -5,9 +5,7 @@ use std::sync::LazyLock;
 use carom::answer::{Accept, Kind};
 use carom::mark::judging::{Judgement, Model, ModelOptions, Verdict, judge};
 use carom::mark::reading::{Form, LONGEST, MOST_READINGS, Reading, Statement, Unreadable, read_answer};
-#[cfg(any(debug_assertions, fuzzing))]
-use carom::number::steps_taken;
-use carom::number::{Letter, Places, Range};
+use carom::number::{Letter, Places, Range, steps_taken};
 
 /// The most steps of arithmetic that an answer may take, read and judged once: about seven milliseconds.
 const MOST_STEPS: u64 = 500_000;
@@ -41,12 +39,6 @@ const LETTERS: [(&str, Range); 5] = [
     ("v_A", Range::Positive),
     ("theta", Range::Acute),
 ];
-
-/// A build for speed counts no steps.
-#[cfg(not(any(debug_assertions, fuzzing)))]
-fn steps_taken() -> u64 {
-    0
-}
 
 /// A model, and what is compared with it.
 pub struct Pair {

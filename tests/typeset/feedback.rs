@@ -36,12 +36,12 @@ fn carom_knows_feedback_for_three_engines() {
 #[test]
 #[ignore = "needs TeX, poppler and Chromium, which `.ci/run` installs"]
 fn carom_knows_feedback_that_fits_on_a_phone() {
-    for page in rendered("html") {
-        for seen in seen(&folder(&format!("feedback/{}", page.name)), &page) {
+    on_both(&rendered("html"), |page| {
+        for seen in seen(&folder(&format!("feedback/{}", page.name)), page) {
             assert!(seen.reach <= seen.window, "{}: {seen:?}", page.name);
             assert!(seen.faults.is_empty(), "{}: {seen:?}", page.name);
         }
-    }
+    });
 }
 
 /// The same class with so many questions, and a student with a name as long as they come.
@@ -60,18 +60,22 @@ fn with_questions(class: &ClassReport, count: usize) -> ClassReport {
 #[test]
 #[ignore = "needs TeX, poppler and Chromium, which `.ci/run` installs"]
 fn carom_knows_a_report_that_fits_on_a_phone_a_desk_and_a_sheet_of_paper() {
-    for names in [Names::Shown, Names::LeftOut] {
+    let mut work = Vec::new();
+    for (names, called) in [(Names::Shown, "named"), (Names::LeftOut, "nameless")] {
         for count in [2, 12, 18, 19, 60] {
             report(names, |class| {
                 let class = with_questions(class, count);
                 let page = Formats::shipped().unwrap().report("html", &class).unwrap().unwrap();
-                let all = seen(&folder(&format!("report/{count}")), &page);
-                for seen in &all {
-                    assert!(seen.reach <= seen.window, "{count} questions: {seen:?}");
-                }
-                let found = on_a4(&format!("report/{count}/printed"), &page, &all[0].margins);
-                assert!(found.is_empty(), "{count} questions: {found:?}");
+                work.push((format!("report/{called}-{count}"), page));
             });
         }
     }
+    on_both(&work, |(name, page)| {
+        let all = seen(&folder(name), page);
+        for seen in &all {
+            assert!(seen.reach <= seen.window, "{name}: {seen:?}");
+        }
+        let found = on_a4(&format!("{name}/printed"), page, &all[0].margins);
+        assert!(found.is_empty(), "{name}: {found:?}");
+    });
 }

@@ -1,7 +1,7 @@
 //! What is really on paper and on screen: pages set by TeX engines and by a browser, then measured.
 //!
 //! Each file holds one promise and shows that its check can fail. `.ci/run` installs what they need; alone they run by
-//! `cargo test --test typeset -- --ignored`, and `--show-output` says how much was set.
+//! `cargo test --release --test typeset -- --ignored`, and `--show-output` says how much was set.
 
 #[path = "../pages/paper.rs"]
 mod by_hand;
@@ -18,6 +18,7 @@ mod engines;
 mod feedback;
 mod ink;
 mod margins;
+mod on_both;
 mod papers;
 mod screen;
 mod variants;
@@ -29,6 +30,7 @@ use std::process::{Command, Output};
 
 use carom::paper::Paper;
 use carom::render::{Formats, RenderedFile};
+use on_both::on_both;
 
 /// A folder of its own, empty.
 fn folder(name: &str) -> PathBuf {
@@ -58,20 +60,4 @@ fn said(command: &mut Command) -> String {
     let output = run(command);
     assert!(output.status.success(), "{command:?}:\n{}", String::from_utf8_lossy(&output.stderr));
     String::from_utf8_lossy(&output.stdout).into_owned()
-}
-
-/// The sum of what workers on both processors make of each item, in the order of the items.
-fn on_both<Item: Sync, Made: Send>(items: &[Item], work: impl Fn(&Item) -> Made + Sync) -> Vec<Made> {
-    let next = std::sync::atomic::AtomicUsize::new(0);
-    let mut made: Vec<(usize, Made)> = std::thread::scope(|scope| {
-        let worker = || {
-            let places = std::iter::from_fn(|| Some(next.fetch_add(1, std::sync::atomic::Ordering::Relaxed)));
-            places.map_while(|place| Some((place, work(items.get(place)?)))).collect::<Vec<_>>()
-        };
-        let workers = [scope.spawn(worker), scope.spawn(worker)];
-        let joined = workers.map(|worker| worker.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)));
-        joined.into_iter().flatten().collect()
-    });
-    made.sort_by_key(|(place, _)| *place);
-    made.into_iter().map(|(_, made)| made).collect()
 }

@@ -135,7 +135,7 @@ fn infer(value: &Expr, letters: &[Letter]) -> Result<Kind, Fault> {
             left => evaluate(left, &names)?,
         };
         evaluate(right, &names)?;
-        debug_assert!(!matches!(relation, Relation::Implies | Relation::Approximately), "these are never read");
+        assert!(!matches!(relation, Relation::Implies | Relation::Approximately), "these are never read");
         return Ok(Kind::Equation);
     }
     match evaluate(value, &names)? {
