@@ -22,7 +22,7 @@ use super::ways::{either_way, of_both_ways};
 use super::working::Show;
 use super::{Derivation, Quantity, pose};
 use crate::expr::{Expr, Meaning, Turn, evaluate, holds, print, written, written_angle};
-use crate::number::{Angle, Letter, Range, Root, Value, solve_system};
+use crate::number::{Angle, Letter, Range, Root, Value, discriminant_of_squares, solve_system};
 
 /// One solution for the unknowns of a scene.
 #[derive(Clone, Debug)]
@@ -244,6 +244,9 @@ impl Posed {
         equations.retain(open);
         if equations.is_empty() && conditions > 0 {
             return Err(Refusal::underdetermined(format!("the condition holds whatever {} is", names.join(", "))));
+        }
+        if let ([equation], [_, _]) = (equations.as_slice(), unknowns.as_slice()) {
+            equations.extend(discriminant_of_squares(equation, unknowns));
         }
         if equations.len() < unknowns.len() {
             return Err(Refusal::underdetermined(format!(

@@ -1,5 +1,7 @@
 //! Equations in several unknown letters: one unknown after the other leaves, until one is left, which [`super::equation`] finds.
 
+use std::cmp::Ordering;
+
 use super::equation::{MOST_TERMS, NoRoots, clear, coefficients, roots_of};
 use super::{Letter, Polynomial, Value};
 
@@ -33,9 +35,14 @@ fn eliminate(equations: &[Value], unknowns: &[Letter]) -> Result<Vec<Vec<Value>>
     }
 }
 
-/// Two unknowns or more: one of them leaves, by substitution where it occurs linearly, else by the
-/// resultant of two equations.
+/// Two unknowns or more: one of them leaves, with its roots where an equation has it alone, by substitution where it occurs
+/// linearly, else by the resultant of two equations.
 fn several(equations: &[Value], unknowns: &[Letter]) -> Result<Vec<Vec<Value>>, NoRoots> {
+    for index in 0..equations.len() {
+        if let Some(solutions) = by_one_alone(equations, index, unknowns) {
+            return solutions;
+        }
+    }
     let mut reason = None;
     for place in 0..unknowns.len() {
         for index in 0..equations.len() {
@@ -53,6 +60,34 @@ fn several(equations: &[Value], unknowns: &[Letter]) -> Result<Vec<Vec<Value>>, 
     }
 }
 
+/// Each root of an equation of higher degree in one of the unknowns alone, put into the others. `None` where it has more
+/// unknowns than one, or its roots or those of the others are not found in this way.
+fn by_one_alone(equations: &[Value], index: usize, unknowns: &[Letter]) -> Option<Result<Vec<Vec<Value>>, NoRoots>> {
+    let cleared = clear(&equations[index], unknowns).ok()?;
+    let mut held = (0..unknowns.len()).filter(|place| cleared.has_letter(|letter| *letter == unknowns[*place]));
+    let (place, None) = (held.next()?, held.next()) else { return None };
+    let unknown = unknowns[place];
+    if coefficients(&cleared, unknown).len() == 2 {
+        return None;
+    }
+    let rest: Vec<Letter> = unknowns.iter().filter(|other| **other != unknown).copied().collect();
+    let mut solutions = Vec::new();
+    for root in roots_of(&cleared, unknown).ok()? {
+        let others = equations.iter().enumerate().filter(|(other, _)| *other != index);
+        let others: Option<Vec<Value>> = others.map(|(_, other)| other.substitute(unknown, &root)).collect();
+        let Some(others) = others else { continue };
+        match eliminate(&others, &rest) {
+            Ok(found) => solutions.extend(found.into_iter().map(|mut all| {
+                all.insert(place, root.clone());
+                all
+            })),
+            Err(NoRoots::Never) => {}
+            Err(_) => return None,
+        }
+    }
+    Some(if solutions.is_empty() { Err(NoRoots::Never) } else { Ok(solutions) })
+}
+
 /// Of two equations in two unknowns the one unknown leaves by their resultant.
 fn by_resultant(equations: &[Value], unknowns: &[Letter]) -> Result<Vec<Vec<Value>>, NoRoots> {
     let ([first, second, ..], [x, y]) = (equations, unknowns) else { return Err(NoRoots::Degree(2)) };
@@ -60,7 +95,10 @@ fn by_resultant(equations: &[Value], unknowns: &[Letter]) -> Result<Vec<Vec<Valu
     let resultant = resultant(&coefficients(&first, *x), &coefficients(&second, *x))?;
     let mut solutions = Vec::new();
     for value in roots_of(&clear(&resultant, &[*y])?, *y)? {
-        let Some(left) = first.substitute(*y, &value) else { continue };
+        // Where the first holds whatever the other unknown is, the second finds it.
+        let left =
+            [&first, &second].into_iter().filter_map(|one| one.substitute(*y, &value)).find(|left| !left.is_zero());
+        let Some(left) = left else { continue };
         for root in roots_of(&clear(&left, &[*x])?, *x)? {
             solutions.push(vec![root, value.clone()]);
         }
@@ -127,11 +165,11 @@ fn of_both(
     system: Result<Vec<Vec<Value>>, NoRoots>,
     of_factor: Result<Vec<Vec<Value>>, NoRoots>,
 ) -> Result<Vec<Vec<Value>>, NoRoots> {
-    let Ok(more) = of_factor else { return system };
-    let mut all = match system {
-        Ok(all) => all,
-        Err(NoRoots::Never) => Vec::new(),
-        Err(reason) => return Err(reason),
+    let (mut all, more) = match (system, of_factor) {
+        // Elsewhere there is none: what is not found where the factor vanishes is not found at all.
+        (Err(NoRoots::Never), of_factor) => (Vec::new(), of_factor?),
+        (system, Err(_)) => return system,
+        (system, Ok(more)) => (system?, more),
     };
     for solution in more {
         if !all.contains(&solution) {
@@ -143,6 +181,26 @@ fn of_both(
 
 fn put_in(value: &Value, unknowns: &[Letter], solution: &[Value]) -> Option<Value> {
     unknowns.iter().zip(solution).try_fold(value.clone(), |value, (unknown, root)| value.substitute(*unknown, root))
+}
+
+/// What two unknowns must fulfil besides, where one equation determines them both: that of squares which add up to nought.
+/// Of a square in one unknown the discriminant is then nowhere positive, so that it is nought.
+pub fn discriminant_of_squares(equation: &Value, unknowns: &[Letter]) -> Option<Value> {
+    let cleared = clear(equation, unknowns).ok()?;
+    let discriminant = |unknown: &Letter| {
+        let [c, b, a] = coefficients(&cleared, *unknown).try_into().ok()?;
+        Some(&(&b * &b) - &(&(&a * &c) * &Value::from(4)))
+    };
+    unknowns.iter().filter_map(discriminant).find(is_nowhere_positive)
+}
+
+/// Is it a negative number times squares, and times what is positive?
+fn is_nowhere_positive(value: &Value) -> bool {
+    let Some((polynomial, _)) = value.as_quotient() else { return false };
+    let (number, factors) = polynomial.square_free();
+    let is_positive =
+        |factor: &Polynomial| Value::quotient(factor.clone(), Polynomial::one()).sign() == Some(Ordering::Greater);
+    number.sign() == Ordering::Less && factors.iter().all(|(factor, power)| power % 2 == 0 || is_positive(factor))
 }
 
 /// The determinant that is nought exactly where two polynomials share a root.
@@ -196,13 +254,8 @@ fn determinant(mut rows: Vec<Vec<Value>>) -> Result<Value, NoRoots> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Range;
+    use super::super::equation::tests::unknown;
     use super::*;
-
-    fn unknown(name: &str) -> (Letter, Value) {
-        let letter = Letter::new(name, Range::Real).unwrap();
-        (letter, Value::letter(letter))
-    }
 
     #[test]
     fn two_unknowns_by_substitution_and_by_resultant() {
@@ -227,5 +280,42 @@ mod tests {
         let halves = vec![Value::fraction(3, 2), Value::fraction(11, 2)];
         assert!(roots.contains(&vec![Value::from(7), Value::ZERO]) && roots.contains(&halves), "{roots:?}");
         assert_eq!(roots.len(), 2, "{roots:?}");
+    }
+
+    #[test]
+    fn an_unknown_that_an_equation_has_alone_leaves_with_its_roots() {
+        let ((x, a), (y, b)) = (unknown("x"), unknown("y"));
+        let square = |value: &Value| value * value;
+        let [four, nine] = [4, 9].map(Value::from);
+        // x² = 4 and y² = 9
+        let roots = solve_system(&[&square(&a) - &four, &square(&b) - &nine], &[x, y]).unwrap();
+        assert_eq!(roots.len(), 4, "{roots:?}");
+        // x y² = 0 and 3x + y² + x³ = 0
+        let cubed = &square(&a) * &a;
+        let second = &(&(&a * &Value::from(3)) + &square(&b)) + &cubed;
+        let roots = solve_system(&[&a * &square(&b), second], &[x, y]).unwrap();
+        assert!(roots.contains(&vec![Value::ZERO, Value::ZERO]), "{roots:?}");
+    }
+
+    #[test]
+    fn a_product_that_vanishes_leaves_the_other_equation() {
+        let ((x, a), (y, b)) = (unknown("x"), unknown("y"));
+        let less = |value: &Value, by: i64| &(value * value) - &Value::from(by);
+        // (x² - 1)(y² - 4) = 0 and x² + y² = 5
+        let product = &less(&a, 1) * &less(&b, 4);
+        let circle = &less(&a, 5) + &(&b * &b);
+        let roots = solve_system(&[product, circle], &[x, y]).unwrap();
+        assert!(roots.contains(&vec![Value::from(-1), Value::from(2)]) && roots.len() == 4, "{roots:?}");
+    }
+
+    #[test]
+    fn squares_that_add_up_to_nought_are_nought() {
+        let ((x, a), (y, b)) = (unknown("x"), unknown("y"));
+        let [first, second] = [&a - &Value::ONE, &b - &Value::from(2)];
+        let sum = &(&first * &first) + &(&second * &second);
+        let besides = discriminant_of_squares(&sum, &[x, y]).unwrap();
+        assert_eq!(solve_system(&[sum.clone(), besides], &[x, y]), Ok(vec![vec![Value::ONE, Value::from(2)]]));
+        assert!(discriminant_of_squares(&(&sum - &Value::ONE), &[x, y]).is_none());
+        assert!(discriminant_of_squares(&(&(&a * &a) - &(&b * &b)), &[x, y]).is_none());
     }
 }

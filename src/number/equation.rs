@@ -176,11 +176,12 @@ impl Value {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::super::{Range, solve_system};
     use super::*;
 
-    fn unknown(name: &str) -> (Letter, Value) {
+    /// A letter to be found, and its value.
+    pub fn unknown(name: &str) -> (Letter, Value) {
         let letter = Letter::new(name, Range::Real).unwrap();
         (letter, Value::letter(letter))
     }

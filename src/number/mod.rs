@@ -36,7 +36,7 @@ pub use angle::Angle;
 pub use arithmetic::Number;
 pub use decimal::{Decimal, Places, Step};
 pub use direction::Direction;
-pub use elimination::solve_system;
+pub use elimination::{discriminant_of_squares, solve_system};
 pub use enclose::Assignment;
 pub use equation::{NoRoots, collected};
 pub(crate) use float_interval::FloatInterval;
