@@ -343,6 +343,9 @@ fn a_scene_is_worked_out_by_the_least_that_suffices_or_by_the_method_asked_for()
         let answer = &solution["quantities"]["A.after.speed"];
         let is_exact = method.promises() == carom::method::Promise::Exact;
         assert_eq!([answer.get("exact").is_some(), solution.get("steps").is_some()], [is_exact; 2], "{name}");
+        let only_simulates = matches!(method.promises(), carom::method::Promise::Nothing(_));
+        let remark = solution["remarks"][0].as_str().unwrap_or_default();
+        assert_eq!(remark.contains("only simulates: components are off by up to "), only_simulates, "{name}: {remark}");
         let speed: f64 = answer["decimal"].as_str().unwrap().parse().unwrap();
         let allowed = match name {
             "single" => 1e-6,
@@ -359,6 +362,29 @@ fn a_scene_is_worked_out_by_the_least_that_suffices_or_by_the_method_asked_for()
     );
     let output = with_stdin(&["solve", "-", "--method", "eliminaton"], SCENE.as_bytes());
     assert!(stderr(&output).contains("did you mean `elimination`?"), "{}", stderr(&output));
+}
+
+#[test]
+fn what_has_too_many_roots_for_an_exact_form_has_decimals() {
+    let scene = r#"{"masses": {"A": "1", "B": "2"}, "radii": {"A": "1", "B": "1"}, "impact_parameter": "1/2",
+        "before": {"A": ["sqrt(2)", "sqrt(3)"], "B": ["-sqrt(5)", "sqrt(7)"]}, "e": "1/2"}"#;
+    let by = |method: &str| with_stdin(&["solve", "-", "--method", method], scene.as_bytes());
+    assert!(stderr(&by("exact")).contains("`A.after.x` ≈ -2.23 m/s"), "{}", stderr(&by("exact")));
+    let decimals = stdout(&by("float"));
+    assert!(decimals.contains("A.after.x                 -2.23"), "{decimals}");
+}
+
+#[test]
+fn a_simulation_says_where_it_is_too_coarse_and_is_not_slow_where_the_spheres_are() {
+    let scene = |x: &str, y: &str| {
+        let velocities = format!(r#"{{"A": ["{x}", "{y}"], "B": ["0", "0"]}}"#);
+        let masses = r#"{"A": "4", "B": "1"}"#;
+        format!(r#"{{"masses": {masses}, "before": {velocities}, "line_of_centres": ["1", "0"], "e": "1/2"}}"#)
+    };
+    let by = |scene: &str| with_stdin(&["solve", "-", "--method", "fixed-step"], scene.as_bytes());
+    assert!(stdout(&by(&scene("6", "2"))).contains("% of the larger speed before: too coarse for this impact"));
+    let slow = stdout(&by(&scene("10^(-9)", "0")));
+    assert!(slow.contains("only simulates") && !slow.contains("too coarse"), "{slow}");
 }
 
 #[test]

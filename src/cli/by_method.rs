@@ -7,8 +7,8 @@ use serde_json::{Map, Value as Json, json};
 use super::failure::Failure;
 use super::output::{listed, print, print_json, table};
 use crate::diagnostic::near;
-use crate::mechanics::{ALONG, Datum, Known, pose};
-use crate::method::{After, Found, METHODS, Method, method, solve_once};
+use crate::mechanics::{ALONG, Datum, Derivation, Known, Quantity, pose};
+use crate::method::{After, Found, Geometry, Impact, METHODS, Method, Promise, method, solve_once};
 use crate::number::{Fraction, Interval, Number, Value};
 use crate::solve::{Solution, report};
 
@@ -41,6 +41,8 @@ pub struct Decimals {
     method: &'static str,
     why: String,
     quantities: Quantities,
+    /// How far off they are, of a method that promises nothing.
+    remark: Option<String>,
 }
 
 /// Decimals by the names of quantities.
@@ -88,7 +90,8 @@ impl Chosen {
             Chosen::Least => return Ok(Outcome::Exact(None)),
             Chosen::Float => {
                 let why = "asked for: the derivation evaluated in floating point, good to about 15 figures";
-                return floats(solution, &Known::default()).map(|quantities| decimals(FLOAT, why, quantities));
+                let quantities = floats(solution, &Known::default())?;
+                return Ok(Outcome::Decimals(decimals(FLOAT, why, quantities)));
             }
             Chosen::By(method) => *method,
         };
@@ -106,10 +109,14 @@ impl Chosen {
         match found {
             Found::Exact(_) => Ok(Outcome::Exact(Some(method.name()))),
             Found::Float(after) => {
-                floats(solution, &along(&after)).map(|quantities| decimals(method.name(), &why, quantities))
+                let remark = matches!(method.promises(), Promise::Nothing(_)).then(|| off(method, &impact, &after));
+                let quantities = floats(solution, &along(&after))?;
+                let decimals = decimals(method.name(), &why, quantities);
+                Ok(Outcome::Decimals(Decimals { remark: remark.flatten(), ..decimals }))
             }
             Found::Enclosed(after) => {
-                enclosed(solution, &along(&after)).map(|quantities| decimals(method.name(), &why, quantities))
+                let quantities = enclosed(solution, &along(&after))?;
+                Ok(Outcome::Decimals(decimals(method.name(), &why, quantities)))
             }
             Found::Missed(why) => Err(refused(&why)),
         }
@@ -129,8 +136,30 @@ fn capital(words: &str) -> String {
     words.chars().take(1).flat_map(char::to_uppercase).chain(words.chars().skip(1)).collect()
 }
 
-fn decimals(method: &'static str, why: &str, quantities: Quantities) -> Outcome {
-    Outcome::Decimals(Decimals { method, why: why.to_owned(), quantities })
+fn decimals(method: &'static str, why: &str, quantities: Quantities) -> Decimals {
+    Decimals { method, why: why.to_owned(), quantities, remark: None }
+}
+
+/// An error above this part of the larger speed is none of rounding: the simulation has missed what happens.
+const COARSE: f64 = 0.01;
+
+/// How far off the velocities of a simulation are, beside those in closed form.
+fn off(method: &dyn Method, impact: &Impact<Value>, after: &After<f64>) -> Option<String> {
+    let impact = impact.in_floats()?;
+    let exact = Geometry::AnyLine.solve(&impact)?;
+    let components = after.as_flattened().iter().zip(exact.as_flattened());
+    let error = components.map(|(simulated, exact)| (simulated - exact).abs()).fold(0.0, f64::max);
+    let speed = impact.before.iter().map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max);
+    let part = error / speed;
+    let percent = match part * 100.0 {
+        hardly if hardly < 0.01 => "less than 0.01".to_owned(),
+        percent => format!("{percent:.2}"),
+    };
+    let coarse = if part > COARSE { ": too coarse for this impact" } else { "" };
+    Some(format!(
+        "`{}` only simulates: components are off by up to {error:.1e} m/s, {percent} % of the larger speed before{coarse}",
+        method.name()
+    ))
 }
 
 /// The components along the line of centres after the impact.
@@ -156,6 +185,11 @@ fn evaluated<N: Number>(
         .ok_or_else(|| Failure::with_help("the method needs numbers, and letters remain", help))?;
     // A step that does not exist in these numbers leaves the rest unknown.
     let _ = solution.derivation().evaluate_with(computed, &mut known);
+    // What has too many roots for an exact form has none too many for these numbers.
+    let inexact: Vec<Quantity> = solution.without_exact_form().into_iter().map(|inexact| inexact.quantity).collect();
+    if !inexact.is_empty() {
+        Derivation::carry_out(&mut known, &inexact);
+    }
     let mut quantities = BTreeMap::new();
     for quantity in solution.scene().quantities() {
         let angle = || known.direction(quantity).and_then(|(y, x)| degrees(&y, &x));
@@ -213,15 +247,20 @@ impl Decimals {
             };
             let all: Map<String, Json> = self.quantities.iter().map(each).collect();
             let model = report(solution).model;
-            return print_json(&json!({
+            let mut whole = json!({
                 "model": model, "method": self.method, "why": self.why, "quantities": all,
-            }));
+            });
+            if let Some(remark) = &self.remark {
+                whole["remarks"] = json!([remark]);
+            }
+            return print_json(&whole);
         }
         let row = |(name, decimal): (&String, &Decimal)| {
             let error = decimal.error().map_or(String::new(), |error| format!(" ± {error}"));
             vec![format!("  {name}"), format!("{}{error} {}", decimal.value, decimal.unit)]
         };
         let rows: Vec<Vec<String>> = self.quantities.iter().map(row).collect();
-        print(&table(&rows))
+        let remark = self.remark.iter().map(|remark| format!("\n{remark}\n")).collect::<String>();
+        print(&(table(&rows) + &remark))
     }
 }

@@ -53,7 +53,11 @@ pub fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     let wanted = wanted(&scene);
     let asked = if arguments.json { scene.quantities() } else { wanted.clone() };
     let solutions = solve_all(&scene, &asked)?;
-    open_ends(&solutions, &wanted)?;
+    // What has no exact form has its decimal all the same.
+    let is_inexact = || solutions.first().is_some_and(|first| !first.without_exact_form().is_empty());
+    if !(matches!(method, by_method::Chosen::Float) && is_inexact()) {
+        open_ends(&solutions, &wanted)?;
+    }
     let Some(first) = solutions.first() else { return Ok(()) };
     let by = match method.outcome(first)? {
         by_method::Outcome::Exact(by) => by,

@@ -61,21 +61,18 @@ impl FixedStep {
         let [a, b] = impact.before;
         let relative = [b[0] - a[0], b[1] - a[1]];
         let speed = relative[0].hypot(relative[1]);
-        // The centre of B seen from that of A, one metre of the way before contact.
-        let mut place = [line[0] - relative[0] / speed, line[1] - relative[1] / speed];
-        let mut moved = |step: f64| {
-            place = [place[0] + relative[0] * step, place[1] + relative[1] * step];
-            place
-        };
-        let mut seen = moved(self.step * self.phase);
-        // Contact comes within 1/speed seconds, and overlap lasts no longer than one more metre.
-        let mut left = 2.0 / speed + 2.0 * self.step;
-        while left > 0.0 {
-            if seen[0] * seen[0] + seen[1] * seen[1] < 1.0 {
+        // Contact comes one metre of the way from the start. Until then no look shows an overlap, however slow the way is; the
+        // last of them, and as many after it as roundings may need, tell all there is to see.
+        let contact = 1.0 / speed;
+        let first = self.step * self.phase;
+        let before = ((contact - first) / self.step).floor().max(0.0);
+        for look in [0.0, 1.0, 2.0, 3.0] {
+            let late = first + (before + look) * self.step - contact;
+            // The centre of B seen from that of A.
+            let seen = [line[0] + relative[0] * late, line[1] + relative[1] * late];
+            if late > 0.0 && seen[0] * seen[0] + seen[1] * seen[1] < 1.0 {
                 return Geometry::AnyLine.solve(&Impact { line: seen, ..impact.clone() });
             }
-            seen = moved(self.step);
-            left -= self.step;
         }
         None
     }
