@@ -19,6 +19,9 @@ pub fn written(value: &Value) -> Expr {
     if let Some(number) = value.as_fraction() {
         return number_expr(number);
     }
+    if let Some(size) = size_below(value) {
+        return ratio(&(value * &size), &size);
+    }
     let (terms, below) = collect(value);
     if let Some((above, below)) = by_cosines(value, terms.len(), &below) {
         return written(&above).over(written(&below));
@@ -61,6 +64,19 @@ pub fn written(value: &Value) -> Expr {
     let denominator = Expr::product([Expr::Number(scale.denominator().into()), below_expr(&below)]);
     let size = Expr::product(factors).over(denominator);
     if negative { size.negated() } else { size }
+}
+
+/// What stands below the line in lowest terms, where its square does and it itself above: of `|x|/x²`, which is `1/|x|`.
+fn size_below(value: &Value) -> Option<Value> {
+    let below = value.denominator();
+    let is_size = |root: &Root| {
+        let Root::Nested { radicand, .. } = root else { return false };
+        let Some((square, _)) = radicand.as_quotient() else { return false };
+        let is_square = square.square_free().1.iter().all(|(_, power)| power % 2 == 0);
+        is_square && below.divided_by(&square).is_some() && value.split(root).0.is_zero()
+    };
+    let size = value.roots().into_iter().find(|root| !below.is_one() && is_size(root))?;
+    Some(Value::root(size))
 }
 
 /// Numerator and denominator with sines and cosines in place of the tangents of given degrees below, where that

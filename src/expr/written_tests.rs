@@ -15,6 +15,7 @@ fn letter(name: &str, range: Range) -> Value {
 fn values_are_written_as_a_teacher_writes_them() {
     let (u, e, m) = (letter("u", Range::Positive), letter("e", Range::Unit), letter("m", Range::Positive));
     let theta = Direction::acute(Letter::new("theta", Range::Acute).unwrap());
+    let x = letter("x", Range::Real);
     let one = Value::ONE;
     let half = Value::fraction(1, 2);
     let ten = Direction::degrees(&Fraction::from(10)).unwrap();
@@ -33,6 +34,10 @@ fn values_are_written_as_a_teacher_writes_them() {
         (quotient(&(&Value::from(2) * &theta.tangent().unwrap()), &(&one - &e)), "2*tan(theta)/(1 - e)"),
         (quotient(&(&one + &e), &(&e - &Value::from(3))), "-(1 + e)/(3 - e)"),
         (&(&m * &(&u * &u)) * &Value::fraction(9, 2), "9*m*u^2/2"),
+        // Sizes of what may be negative.
+        (quotient(&Value::from(20), &x.absolute()), "20/abs(x)"),
+        (quotient(&m, &(&(&m - &Value::from(2)) * &Value::fraction(5, 2)).absolute()), "2*m/(5*abs(m - 2))"),
+        (quotient(&x.absolute(), &(&x * &Value::from(3))), "abs(x)/(3*x)"),
         (&Value::from(6) * &ten.sin, "6*sin(10*deg)"),
         (quotient(&ten.sin, &ten.cos), "tan(10*deg)"),
         ((&Value::ONE + &root(2)).square_root().unwrap(), "sqrt(1 + sqrt(2))"),

@@ -142,6 +142,9 @@ fn solved(scene: Scene) -> Result<Vec<Found>, Refusal> {
         return Err(Refusal::beyond(undecided.join("; ")));
     }
     if found.is_empty() {
+        if let (Some(quantity), false) = (scene.maximise, left_out.is_empty()) {
+            return Err(extreme::without_largest(scene, quantity, &left_out.join("; ")));
+        }
         let reasons = if left_out.is_empty() { "it has no real solution".to_string() } else { left_out.join("; ") };
         return Err(Refusal::impossible(format!("no collision satisfies the conditions: {reasons}")));
     }
@@ -154,7 +157,7 @@ fn solved(scene: Scene) -> Result<Vec<Found>, Refusal> {
 /// How to say what is to be found, if it is a letter of the scene: *e* if that is one, for it is asked for most.
 fn name_the_unknown(scene: &Scene) -> String {
     let named = scene.letters.iter().find(|letter| letter.name() == "e").or(scene.letters.first());
-    let example = named.map(|letter| format!(", such as `unknowns = [\"{}\"]`", letter.name()));
+    let example = named.map(|letter| format!(", such as `[\"{}\"]`", letter.name()));
     format!("name what is to be found in `unknowns`{}", example.unwrap_or_default())
 }
 

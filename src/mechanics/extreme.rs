@@ -9,7 +9,7 @@ use super::law::Known;
 use super::line::Line;
 use super::refusal::Refusal;
 use super::working::Show;
-use super::{Derivation, Quantity, pose};
+use super::{Derivation, Quantity, Scene, pose};
 use crate::expr::{Expr, Function, Relation, print, written, written_angle};
 use crate::number::{
     Angle, Demand, Fraction, Interval, Letter, NoRoots, Polynomial, Range, Span, Value, solve_inequalities,
@@ -43,6 +43,13 @@ pub(super) fn only_largest(found: &mut Vec<Found>, quantity: Quantity) {
         .collect();
     let mut kept = kept.into_iter();
     found.retain(|_| kept.next().unwrap_or(true));
+}
+
+/// A quantity that is nowhere largest: what was left out where its rate of change is nought.
+pub(super) fn without_largest(scene: &Scene, quantity: Quantity, left_out: &str) -> Refusal {
+    let name = without_markup(&in_english(quantity, scene.setting));
+    let unknown = scene.unknowns.first().map_or("", Letter::name);
+    Refusal::impossible(format!("no {unknown} makes {name} as large as possible: {left_out}"))
 }
 
 impl Posed {
@@ -140,9 +147,10 @@ impl Posed {
     /// The rate of change as it is first written down, by the rule for a quotient, and as it comes out.
     fn differentiation(&self, quantity: Quantity, unknown: Letter) -> Vec<Expr> {
         let Some(value) = self.differentiated(quantity, unknown) else { return Vec::new() };
+        let show = Show::new(&self.scene, &self.known, &self.asked);
         let symbol = match quantity.of_its_impact() {
-            Quantity::TanDeflection(_) | Quantity::Deflection(_) => Expr::call(Function::Tan, Expr::name("delta")),
-            Quantity::EnergyLost if self.known.number(quantity).is_some() => Expr::name("L"),
+            Quantity::TanDeflection(_) | Quantity::Deflection(_) => Expr::call(Function::Tan, show.name("delta")),
+            Quantity::EnergyLost if self.known.number(quantity).is_some() => show.name("L"),
             _ => return Vec::new(),
         };
         let step = |of: Expr| Expr::product([Expr::name("d"), of]);

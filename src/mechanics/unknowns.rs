@@ -122,7 +122,7 @@ pub(super) fn in_range(unknown: Letter, value: &Value, remarks: &mut Vec<String>
     }
     match unknown.range() {
         Range::Positive if sign.is_some_and(Ordering::is_le) => Err(format!("{name} is positive")),
-        Range::Acute if sign.is_some_and(Ordering::is_le) => Err(format!("{name} is an acute angle")),
+        Range::Acute if sign.is_some_and(Ordering::is_le) => Err(format!("{name} is an acute angle, more than 0°")),
         Range::Unit if sign == Some(Ordering::Less) => Err(format!("{name} is not negative")),
         Range::Unit if (value - &Value::ONE).sign() == Some(Ordering::Greater) => {
             Err(format!("{name} is at most 1, or the impact would create kinetic energy"))

@@ -2,6 +2,8 @@
 
 use std::time::{Duration, Instant};
 
+use carom::expr::print;
+use carom::mechanics::{Moment, Quantity, Sphere};
 use carom::solve::{report, solve_all};
 use serde_json::{Value as Json, json};
 
@@ -73,4 +75,36 @@ fn a_letter_that_both_components_share_does_not_hide_an_angle() {
     let quantities = quantities(&scene);
     assert!(quantities.contains(&("A.deflection_deg".to_owned(), "30".to_owned())), "{quantities:?}");
     assert!(quantities.contains(&("A.tan_deflection".to_owned(), "sqrt(3)/3".to_owned())), "{quantities:?}");
+}
+
+/// Every equation of the working of a scene.
+fn working(scene: &Json) -> Vec<String> {
+    let read = read(scene);
+    let solutions = solve_all(&read, &[Quantity::ImpulseMagnitude, Quantity::EnergyLost, ANGLE]).unwrap();
+    let equations = solutions[0].lines().into_iter().flat_map(|line| line.equations);
+    equations.map(|equation| print::plain(&equation)).collect()
+}
+
+const ANGLE: Quantity = Quantity::AngleToLine(Sphere::A, Moment::After);
+
+#[test]
+fn what_the_scene_calls_by_a_letter_is_not_called_so_again() {
+    let direct = json!({
+        "masses": {"A": "I", "B": "L"}, "before": {"A": "5", "B": "1"}, "e": "1/2",
+        "symbols": {"I": "positive", "L": "positive"},
+    });
+    let working = working(&direct);
+    for equation in ["J = 6*I*L/(L + I)", "D = 6*I*L/(L + I)"] {
+        assert!(working.iter().any(|line| line == equation), "{equation}: {working:?}");
+    }
+}
+
+#[test]
+fn an_angle_has_a_tangent_of_sizes_in_lowest_terms() {
+    let mut scene = oblique(["2", "m"], [json!(["5", "y"]), json!(["0", "0"])], ["1", "0"], "1/2");
+    scene["symbols"] = json!({"y": "real", "m": "positive"});
+    scene["sense"] = json!("A_to_B");
+    let working = working(&scene);
+    let is_there = |equation: &str| working.iter().any(|line| line == equation);
+    assert!(is_there("tan(beta) = abs(y)/(5*abs(m - 4)/(2*(2 + m)))"), "{working:?}");
 }

@@ -186,12 +186,12 @@ pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
 fn by_tangents(show: &Show, sphere: Sphere) -> Vec<Line> {
     let value = |moment| show.value(Quantity::TOverN(sphere, moment));
     let (alpha, beta) = (value(Before), value(After));
-    let left = Expr::call(Function::Tan, Expr::name("delta"));
+    let left = Expr::call(Function::Tan, show.name("delta"));
     let product = times(beta.clone(), alpha.clone());
     let quotient = Expr::Quotient(Box::new(difference(beta, alpha)), Box::new(Expr::sum([Expr::integer(1), product])));
     let found = show.value(Quantity::TanDeflection(sphere));
     let words = "The deflection {d} of {A} is the difference of the angles that its path makes with the line of centres before and after, so";
-    let formulas = [("d", Expr::name("delta")), ("A", Expr::name(sphere.name()))];
+    let formulas = [("d", show.name("delta")), ("A", Expr::name(sphere.name()))];
     vec![Line::with(words, &formulas, Show::chain(left, [quotient, found]))]
 }
 
@@ -210,7 +210,7 @@ fn scalar_product(show: &Show, sphere: Sphere) -> Vec<Line> {
         (before, after) if before == after => written(&show.exact(velocity(sphere, Before, axis)).squared()),
         (before, after) => times(before, after),
     });
-    let left = Expr::name("s");
+    let left = show.name("s");
     let found = show.value(Quantity::DeflectionDot(sphere));
     let words = "The scalar product of the velocities of {A} before and after is";
     vec![Line::with(words, &[("A", Expr::name(sphere.name()))], Show::chain(left, [Expr::sum(terms), found]))]
@@ -223,7 +223,7 @@ fn is_components(velocity: &Velocity) -> bool {
 /// The angle between the velocities before and after, by its cosine.
 fn turned(show: &Show, sphere: Sphere) -> Vec<Line> {
     let Some(angle) = show.angle(Quantity::Deflection(sphere)) else { return silent() };
-    let left = Expr::name("delta");
+    let left = show.name("delta");
     let dot = show.exact(Quantity::DeflectionDot(sphere));
     let mut found = vec![Expr::equation(left.clone(), Show::angle_expr(&angle))];
     found.extend(Show::approximate_angle(&left, &angle));
@@ -251,8 +251,8 @@ fn turned(show: &Show, sphere: Sphere) -> Vec<Line> {
 }
 
 fn by_products(show: &Show, sphere: Sphere) -> Vec<Line> {
-    let left = Expr::call(Function::Tan, Expr::name("delta"));
+    let left = Expr::call(Function::Tan, show.name("delta"));
     let words = "The tangent of the deflection {d} of {A} is the cross product of the two velocities over their scalar product:";
-    let formulas = [("d", Expr::name("delta")), ("A", Expr::name(sphere.name()))];
+    let formulas = [("d", show.name("delta")), ("A", Expr::name(sphere.name()))];
     vec![Line::with(words, &formulas, vec![Expr::equation(left, show.value(Quantity::TanDeflection(sphere)))])]
 }

@@ -174,7 +174,7 @@ fn angle_to_line(show: &Show, sphere: Sphere, moment: Moment) -> Vec<Line> {
         Some(_) => return vec![Line::with("{A} moves perpendicular to the line of centres.", &[("A", name)], vec![])],
         None => {}
     }
-    let left = Expr::name("beta");
+    let left = show.name("beta");
     let mut equations = vec![tangent_equation(show, sphere, moment, true)];
     equations.push(Expr::equation(left.clone(), Show::angle_expr(&angle)));
     equations.extend(Show::approximate_angle(&left, &angle));
@@ -190,7 +190,7 @@ fn angle_of_impulse(show: &Show) -> Vec<Line> {
         Some(_) => return vec![Line::with("The impulse is perpendicular to {i}.", &[], vec![])],
         None => {}
     }
-    let left = Expr::name("beta");
+    let left = show.name("beta");
     let at = |axis| written(&show.exact(Quantity::Impulse(Sphere::A, axis)).absolute());
     let tangent = at(Y).over(at(X));
     let mut equations = vec![Expr::equation(Expr::call(Function::Tan, left.clone()), tangent)];
@@ -208,7 +208,7 @@ fn angle_to_wall(show: &Show, sphere: Sphere, moment: Moment) -> Vec<Line> {
         Some(_) => return vec![Line::with("{A} moves perpendicular to the wall.", &[("A", name)], vec![])],
         None => {}
     }
-    let left = Expr::name("beta");
+    let left = show.name("beta");
     let mut equations = vec![wall_tangent(show, sphere, moment)];
     equations.push(Expr::equation(left.clone(), Show::angle_expr(&angle)));
     equations.extend(Show::approximate_angle(&left, &angle));
@@ -220,10 +220,10 @@ fn tangent_to_wall(show: &Show, sphere: Sphere, moment: Moment) -> Vec<Line> {
     if moment == Moment::Before && !show.is_asked(Quantity::TanToWall(sphere, moment)) {
         return silent();
     }
-    let left = Expr::call(Function::Tan, Expr::name("beta"));
+    let left = Expr::call(Function::Tan, show.name("beta"));
     let found = show.value(Quantity::TanToWall(sphere, moment));
     let words = "The path of {A} makes an angle {b} with the wall, where";
-    let formulas = [("A", Expr::name(sphere.name())), ("b", Expr::name("beta"))];
+    let formulas = [("A", Expr::name(sphere.name())), ("b", show.name("beta"))];
     let quotient = wall_tangent(show, sphere, moment);
     vec![Line::with(words, &formulas, with_value(quotient, left, found))]
 }
@@ -232,7 +232,7 @@ fn tangent_to_wall(show: &Show, sphere: Sphere, moment: Moment) -> Vec<Line> {
 fn wall_tangent(show: &Show, sphere: Sphere, moment: Moment) -> Expr {
     let at = |axis| written(&show.worked(velocity(sphere, moment, axis)).absolute());
     let quotient = at(N).over(at(T));
-    Expr::equation(Expr::call(Function::Tan, Expr::name("beta")), quotient)
+    Expr::equation(Expr::call(Function::Tan, show.name("beta")), quotient)
 }
 
 /// `tan β = p/v`, in numbers.
@@ -243,11 +243,10 @@ fn tangent_equation(show: &Show, sphere: Sphere, moment: Moment, size: bool) -> 
             // The sign is that of n and t, whichever way the working goes.
             return written(&show.exact(component));
         }
-        let value = show.worked(component);
-        written(&if value.sign() == Some(std::cmp::Ordering::Less) { -value } else { value })
+        written(&show.worked(component).absolute())
     };
     let quotient = at(T).over(at(N));
-    Expr::equation(Expr::call(Function::Tan, Expr::name("beta")), quotient)
+    Expr::equation(Expr::call(Function::Tan, show.name("beta")), quotient)
 }
 
 /// An equation, and the value of its left side where that looks otherwise.
@@ -262,12 +261,12 @@ fn tangent_of_direction(show: &Show, sphere: Sphere, moment: Moment, quantity: Q
     if moment == Moment::Before && !show.is_asked(quantity) {
         return silent();
     }
-    let left = Expr::call(Function::Tan, Expr::name("beta"));
+    let left = Expr::call(Function::Tan, show.name("beta"));
     let quotient = tangent_equation(show, sphere, moment, quantity == Quantity::TanToLine(sphere, moment));
     let equations = with_value(quotient, left, show.value(quantity));
     let words = match moment {
         Moment::Before => "The path of {A} makes an angle {b} with the line of centres, where",
         Moment::After => "The path of {A} then makes an angle {b} with the line of centres, where",
     };
-    vec![Line::with(words, &[("A", Expr::name(sphere.name())), ("b", Expr::name("beta"))], equations)]
+    vec![Line::with(words, &[("A", Expr::name(sphere.name())), ("b", show.name("beta"))], equations)]
 }

@@ -230,7 +230,7 @@ pub fn earning(rule: &Rule, show: &Show) -> Option<Expr> {
 pub fn lines(rule: &Rule, show: &Show) -> Vec<Line> {
     match (rule.form, rule.gives[0]) {
         (TOTAL, Quantity::TotalEnergy(moment)) => total(show, moment),
-        (LOST_BY_SPHERES | LOST_BY_TOTALS, gives) => changed(show, show.spheres(), gives, "L", "lost"),
+        (LOST_BY_SPHERES | LOST_BY_TOTALS, gives) => changed(show, show.spheres(), gives, show.letter("L"), "lost"),
         (_, gives @ Quantity::SphereEnergyLost(sphere)) if show.is_asked(gives) => {
             let (left, of) = if sphere == A { ("L_A", &[A]) } else { ("L_B", &[B]) };
             changed(show, of, gives, left, &format!("that *{}* loses", sphere.name()))
@@ -347,7 +347,7 @@ fn difference_of(first: Expr, second: Expr) -> Expr {
 /// What is lost, or the energies before and after whose difference it is, over the energy before.
 fn fraction(form: u8, show: &Show) -> Vec<Line> {
     let (first, name) = match form {
-        FRACTION => (Quantity::EnergyLost, "L"),
+        FRACTION => (Quantity::EnergyLost, show.letter("L")),
         _ => (Quantity::TotalEnergy(After), "E_2"),
     };
     let (first, before) = match [first, Quantity::TotalEnergy(Before)].map(|energy| show.value(energy)) {
@@ -356,7 +356,7 @@ fn fraction(form: u8, show: &Show) -> Vec<Line> {
     };
     let lost = if form == FRACTION { first } else { Expr::Sum(vec![before.clone(), first.negated()]) };
     let quotient = Expr::Quotient(Box::new(lost), Box::new(before));
-    let (left, value) = (Expr::name("f"), show.exact(Quantity::FractionLost));
+    let (left, value) = (show.name("f"), show.exact(Quantity::FractionLost));
     let mut equations = Show::chain(left.clone(), [quotient, written(&value)]);
     equations.extend(Show::approximately(&left, &value));
     vec![Line::plain("The fraction of the kinetic energy that is lost is", equations)]

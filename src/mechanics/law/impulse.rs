@@ -269,7 +269,7 @@ fn along(show: &Show, sphere: Sphere) -> Vec<Line> {
     let impulse = Quantity::Impulse(sphere, N);
     let rights = [times(show.mass(sphere), change), show.shown_value(impulse)];
     let words = "The impulse on {B} is its change of momentum along the line of centres:";
-    vec![Line::with(words, &[("B", Expr::name(sphere.name()))], Show::chain(Expr::name("I"), rights))]
+    vec![Line::with(words, &[("B", Expr::name(sphere.name()))], Show::chain(show.name("I"), rights))]
 }
 
 /// Is it asked for along i and j, which a straight line does not have?
@@ -284,14 +284,14 @@ fn along_the_line(show: &Show, sphere: Sphere) -> Vec<Line> {
     let [x, y] = unit;
     let along = times(show.shown_value(Quantity::Impulse(sphere, N)), Expr::Vector(x, y));
     let words = "The impulse on {A} acts along the line of centres:";
-    let equations = Show::chain(Expr::name("vector.I"), [along, found(show, sphere)]);
+    let equations = Show::chain(show.vector_name("I"), [along, found(show, sphere)]);
     vec![Line::with(words, &[("A", Expr::name(sphere.name()))], equations)]
 }
 
 /// `-I`, where `I` is the impulse on the other sphere.
 fn opposite(show: &Show, sphere: Sphere) -> Vec<Line> {
     let words = "The impulse on {A} is equal and opposite:";
-    let equation = Expr::equation(Expr::name("vector.I").negated(), found(show, sphere));
+    let equation = Expr::equation(show.vector_name("I").negated(), found(show, sphere));
     vec![Line::with(words, &[("A", Expr::name(sphere.name()))], vec![equation])]
 }
 
@@ -307,7 +307,7 @@ fn vector(show: &Show, sphere: Sphere) -> Vec<Line> {
     let at = |axis| Box::new(show.value(Quantity::Impulse(sphere, axis)));
     let rights = [times(show.mass(sphere), change), Expr::Vector(at(X), at(Y))];
     let words = "The impulse on {A} is its change of momentum:";
-    vec![Line::with(words, &[("A", Expr::name(sphere.name()))], Show::chain(Expr::name("vector.I"), rights))]
+    vec![Line::with(words, &[("A", Expr::name(sphere.name()))], Show::chain(show.vector_name("I"), rights))]
 }
 
 /// `m v = m u + I`, for the velocity that is not given.
@@ -340,7 +340,7 @@ fn mass(show: &Show) -> Vec<Line> {
 /// The magnitude, of a vector by Pythagoras, with its decimal.
 fn size(show: &Show, vector: Option<[Value; 2]>) -> Vec<Line> {
     let value = show.exact(Quantity::ImpulseMagnitude);
-    let left = Expr::call(Function::Abs, Expr::name("I"));
+    let left = Expr::call(Function::Abs, show.name("I"));
     let root = vector.filter(|sides| sides.iter().all(|side| !side.is_zero())).map(|sides| {
         let squares = sides.iter().map(|side| written(&side.absolute()).to_the(2));
         Expr::call(Function::Sqrt, Expr::sum(squares))

@@ -6,6 +6,7 @@
 
 mod chain;
 mod equations;
+mod names;
 mod several;
 mod vectors;
 
@@ -166,11 +167,6 @@ impl<'a> Show<'a> {
         written(&self.worked(quantity))
     }
 
-    /// Does a letter of this name occur in the scene?
-    fn taken(&self, name: &str) -> bool {
-        self.scene.letters.iter().any(|letter| letter.name() == name)
-    }
-
     /// The letter by which the working calls a quantity.
     pub fn letter_of(&self, quantity: Quantity) -> &'static str {
         use Moment::{After, Before};
@@ -199,10 +195,10 @@ impl<'a> Show<'a> {
             Quantity::Mass(A) => "m_A",
             Quantity::Mass(B) => "m_B",
             Quantity::Restitution => "e",
-            Quantity::ImpulseMagnitude => "I",
+            Quantity::ImpulseMagnitude => self.letter("I"),
             Quantity::Speed(A, _) => "s_A",
             Quantity::Speed(B, _) => "s_B",
-            Quantity::EnergyLost => "L",
+            Quantity::EnergyLost => self.letter("L"),
             _ => "x",
         }
     }
@@ -350,10 +346,5 @@ impl<'a> Show<'a> {
             }
             _ => None,
         }
-    }
-
-    /// The name of the angle between the path of A and the line of centres.
-    pub fn contact_angle(&self) -> &'static str {
-        if self.taken("alpha") { "phi" } else { "alpha" }
     }
 }
