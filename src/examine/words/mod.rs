@@ -39,6 +39,7 @@ mod said_of_constants;
 mod said_of_limits;
 mod said_of_lines;
 mod said_of_motion;
+mod said_of_order;
 mod said_of_paths;
 mod said_of_rest;
 mod said_of_restitution;

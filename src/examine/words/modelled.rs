@@ -13,6 +13,9 @@ const PLANES: [&str; 6] = ["plane", "table", "surface", "floor", "ice", "ground"
 /// Words that may describe a plane or a wall beside others.
 const DESCRIBING: [&str; 6] = ["smooth", "fixed", "vertical", "horizontal", "long", "straight"];
 
+/// How something is to the touch. That nothing is rough is told where the word stands.
+const TOUCHED: [&str; 2] = ["smooth", "rough"];
+
 /// What the words leave out, and what they say of planes and walls that no scene has.
 pub fn unsaid(question: &Question) -> Vec<Finding> {
     let found = |check: &fn(&Question, &[Sentence]) -> Option<Finding>| {
@@ -37,13 +40,12 @@ fn described(said: &[Sentence], nouns: &[&str]) -> Option<(String, bool)> {
     let first = said.iter().flatten().find(is_noun)?;
     let is_smooth = said.iter().any(|sentence| {
         let of = |at: usize| sentence[at + 1..].iter().take(4).any(|token| is_one_of(token, nouns));
-        (0..sentence.len()).any(|at| is_one_of(&sentence[at], &["smooth"]) && of(at))
+        (0..sentence.len()).any(|at| is_one_of(&sentence[at], &TOUCHED) && of(at))
     });
     // `The spheres are smooth and have equal radii`, `The plane on which they move is smooth`
     let are_smooth = |sentence: &Sentence| {
-        let at = sentence
-            .windows(2)
-            .position(|pair| is_one_of(&pair[0], &["is", "are"]) && is_one_of(&pair[1], &["smooth"]));
+        let at =
+            sentence.windows(2).position(|pair| is_one_of(&pair[0], &["is", "are"]) && is_one_of(&pair[1], &TOUCHED));
         at.is_some_and(|at| says(&sentence[..at], nouns))
     };
     let is_smooth = is_smooth || said.iter().any(are_smooth);
@@ -85,7 +87,7 @@ fn described_as<'s>(said: &'s [Sentence], nouns: &[&str], words: &[&str]) -> Opt
 
 /// On a plane that slopes the weight acts along it.
 fn sloping(_: &Question, said: &[Sentence]) -> Option<Finding> {
-    let (noun, word) = described_as(said, &PLANES, &["inclined", "sloping", "vertical", "rough"])?;
+    let (noun, word) = described_as(said, &PLANES, &["inclined", "sloping", "vertical"])?;
     let message = format!("the words say `{word} {noun}`, and scenes are of smooth horizontal ones");
     let help = format!("write `a smooth horizontal {noun}`");
     Some(Finding::new(message, format!("{word} {noun}"), "not as the scene is solved").with_help(help))
@@ -93,8 +95,7 @@ fn sloping(_: &Question, said: &[Sentence]) -> Option<Finding> {
 
 /// Walls stand, and stand still.
 fn walls(_: &Question, said: &[Sentence]) -> Option<Finding> {
-    let (noun, word) =
-        described_as(said, &["wall", "walls"], &["horizontal", "inclined", "sloping", "moving", "rough"])?;
+    let (noun, word) = described_as(said, &["wall", "walls"], &["horizontal", "inclined", "sloping", "moving"])?;
     let message = format!("the words say `{word} {noun}`, and scenes are of smooth fixed vertical ones");
     let help = format!("write `smooth fixed vertical {noun}`");
     Some(Finding::new(message, word, "not as the scene is solved").with_help(help))

@@ -69,6 +69,7 @@ pub fn contradicted(question: &Question, style: &Style, variant: &Variant) -> Ve
     }
     let stem: Vec<Sentence> = seen.stem().flat_map(sentences).collect();
     seen.resting(&stem, &mut findings);
+    seen.struck_first(&stem, &mut findings);
     seen.letters_unsaid(&mut findings);
     seen.results(&mut findings);
     findings
