@@ -33,10 +33,10 @@ pub fn read(source: &Source) -> Result<Scene, Vec<Diagnostic>> {
         vec![vector.unwrap_or_else(|| not_a_scene(source, &of_all, &error))]
     })?;
     let is_words = |place: &Range<usize>| source.text[place.clone()].starts_with('"');
-    let places: Vec<_> = of_all.into_iter().filter(|(_, place)| is_words(place)).collect();
-    if let Some(fault) = no_vector(source, &places) {
+    if let Some(fault) = no_vector(source, &of_all) {
         return Err(vec![fault]);
     }
+    let places: Vec<_> = of_all.into_iter().filter(|(_, place)| is_words(place)).collect();
     let faults = match (Scene::read(&text, &BTreeMap::new(), Angles::Radians), scene_names(&text)) {
         (Ok(scene), amiss) if amiss.is_empty() => {
             let weightless = weightless(&scene, &text);
@@ -70,13 +70,28 @@ fn weightless(scene: &Scene, text: &SceneText) -> Vec<SceneFault> {
 
 /// A vector that is a list of more or fewer than two; of a velocity serde would take that for a speed and an angle.
 fn no_vector(source: &Source, places: &[(String, Range<usize>)]) -> Option<Diagnostic> {
-    for velocity in ["before.A", "before.B", "after.A", "after.B", "line_of_centres", "impulse"] {
-        let below = format!("{velocity}[");
+    const VECTORS: [&str; 9] = [
+        "before.A",
+        "before.B",
+        "after.A",
+        "after.B",
+        "line_of_centres",
+        "impulse",
+        "wall",
+        "positions.A",
+        "positions.B",
+    ];
+    for vector in VECTORS {
+        let below = format!("{vector}[");
         let within: Vec<_> = places.iter().filter(|(path, _)| path.starts_with(&below)).collect();
+        if let Some((_, place)) = within.iter().find(|(_, place)| &source.text[place.clone()] == "null") {
+            let fault = Diagnostic::new("null in a vector", source, place.clone(), "expected a component");
+            return Some(fault.with_help("leave out the whole vector if it is not given"));
+        }
         if let (Some((_, first)), Some((_, last))) = (within.first(), within.last())
             && within.len() != 2
         {
-            let message = format!("`{velocity}` is no vector");
+            let message = format!("`{vector}` is no vector");
             let label = format!("expected two components, found {}", within.len());
             let fault = Diagnostic::new(message, source, first.start..last.end, label);
             return Some(fault.with_help("write `[\"x\", \"y\"]`, along i and along j"));
@@ -119,9 +134,22 @@ fn not_a_scene(source: &Source, places: &[(String, Range<usize>)], error: &serde
         let fault = Diagnostic::new(format!("no sense {written}"), source, span, "expected `A_to_B` or `either`");
         return fault.with_help(help);
     }
+    if field.starts_with("positions[") {
+        let help =
+            "write `{\"A\": [\"0\", \"0\"], \"B\": [\"3\", \"4\"]}`, the components of each centre along i and along j";
+        let fault = Diagnostic::new("no centre of a sphere", source, span, "expected a vector for A and one for B");
+        return fault.with_help(help);
+    }
     if let Some((what, expected)) = said.strip_prefix("invalid type: ").and_then(|rest| rest.split_once(", expected "))
     {
-        let expected = expected.replace("struct Pair", "a pair `{\"A\": …, \"B\": …}`");
+        let expected = match expected {
+            "struct Pair" => "a pair `{\"A\": …, \"B\": …}`",
+            "struct ThenText" => "an impact `{\"of\": […], …}`",
+            "an array of length 2" => "a vector `[\"x\", \"y\"]`",
+            "a sequence" => "a list",
+            "a map" => "a list of letters `{\"u\": \"positive\"}`",
+            other => other,
+        };
         let help = match what {
             _ if what.starts_with("integer") || what.starts_with("floating") => {
                 let written = source.text.get(span.clone()).unwrap_or_default();
@@ -202,6 +230,11 @@ mod tests {
             (r#""e": true"#, "true", "shows a scene"),
             (r#""e": 0.5, "sense": "A_to_B""#, "0.5", "write every number as a string: `\"0.5\"`"),
             (r#""after": null, "e": "1""#, "null", "leave out what is not given"),
+            (r#""after": {"A": ["3", null]}, "e": "1""#, "null", "leave out the whole vector"),
+            (r#""positions": [1, 2], "e": "1""#, "1", "the components of each centre"),
+            (r#""positions": {"A": ["0"], "B": ["3", "4"]}"#, r#""0""#, "write `[\"x\", \"y\"]`"),
+            (r#""e": "1", "symbols": {"pi": "positive"}"#, r#""positive""#, "call the letter something else"),
+            (r#""e": "e", "unknowns": ["e", "e"], "conditions": ["e = 1"]"#, "e", ""),
         ];
         for (line, at, help) in rows {
             let faults = read(&Source::new("scene.json", scene(line))).unwrap_err();

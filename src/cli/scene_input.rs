@@ -32,8 +32,8 @@ pub fn scene(path: &Path) -> Result<Scene, Failure> {
     let is_json = match ending.as_deref() {
         Some("json") => true,
         Some("toml") => false,
-        // A list is no scene in either language; `[masses]` is a heading of TOML, and no list.
-        _ => text.trim_start().starts_with('{') || serde_json::from_str::<Vec<serde_json::Value>>(text).is_ok(),
+        // A list or a word is no scene in either language; `[masses]` is a heading of TOML, and no list.
+        _ => text.trim_start().starts_with('{') || serde_json::from_str::<serde_json::Value>(text).is_ok(),
     };
     let scene = if is_json { json_scene::read(&source) } else { read_scene(&source) };
     Ok(scene?)

@@ -2,6 +2,7 @@
 
 use super::{Reader, at_most};
 use crate::diagnostic::near;
+use crate::expr::{Angles, Expr, Fault, Span, read};
 use crate::mechanics::scene_text::SceneText;
 use crate::number::{Letter, Range};
 
@@ -22,6 +23,11 @@ impl Reader<'_> {
                         "expected a letter from a to z, then letters, digits or `_`",
                     );
                     self.help("write `alpha` for α, and `x1` or `x_1` for a letter with a number");
+                }
+                _ if has_a_meaning(name) => {
+                    let message = format!("no name of a letter: `{name}`");
+                    self.fault(&field, Fault::new(message, Span::default(), "it has a meaning of its own in formulas"));
+                    self.help("call the letter something else");
                 }
                 Some(letter) => self.letters.push(letter),
                 None => self.whole_fault(&field, name, "a letter's name is too long", &at_most()),
@@ -65,6 +71,11 @@ impl Reader<'_> {
 fn is_name(name: &str) -> bool {
     name.starts_with(|first: char| first.is_ascii_alphabetic())
         && name.chars().all(|sign| sign.is_ascii_alphanumeric() || sign == '_')
+}
+
+/// Is it a constant or a function in every formula, such as `pi`?
+fn has_a_meaning(name: &str) -> bool {
+    !matches!(read(name, Angles::Radians), Ok(Expr::Name(_)))
 }
 
 /// Which letters there are, or how they are declared.

@@ -329,6 +329,10 @@ impl Reader<'_> {
         for (index, name) in text.unknowns.iter().enumerate() {
             let name = name.as_ref();
             match self.letters.iter().find(|letter| letter.name() == name).copied() {
+                Some(letter) if unknowns.contains(&letter) => {
+                    let field = format!("unknowns[{index}]");
+                    self.whole_fault(&field, name, "the unknown is named twice:", "each letter once");
+                }
                 Some(letter) => unknowns.push(letter),
                 None => {
                     let field = format!("unknowns[{index}]");

@@ -127,13 +127,13 @@ impl Reader<'_> {
             let label = format!("{name} takes part here for the first time");
             let number = ordinal(number);
             if text.mass.is_none() {
-                let help = format!("add `mass`, as in `mass = \"m{name}\"`");
+                let help = format!("add `mass`, such as `\"m{name}\"`");
                 self.misfit(&field("mass"), &format!("the mass of {name} is missing"), &label, &help);
             }
             if text.before.is_none() {
                 let message = format!("the velocity of {name} before the {number} impact is missing");
                 let at_rest = if first.setting == Setting::Direct { "\"0\"" } else { "[\"0\", \"0\"]" };
-                let help = format!("add `before`; if {name} is at rest, `before = {at_rest}`");
+                let help = format!("add `before`; if {name} is at rest, it is `{at_rest}`");
                 self.misfit(&field("before"), &message, &label, &help);
             }
             before.as_ref()?;
