@@ -4,6 +4,7 @@ use super::remarks::{
     after_impact, after_remark, after_stationary, along_impulse, is_formula, named_by_moment, turned_round,
     without_cancelling, without_lead_in, without_remark,
 };
+use super::sentence::conclusions;
 
 /// The signs of an equation or an inequality.
 const RELATIONS: [char; 5] = ['=', '<', '>', '≤', '≥'];
@@ -64,12 +65,9 @@ pub(super) fn candidates(typed: &str) -> Vec<(Option<&str>, String)> {
         all.push((None, after));
     }
     // `p = -3 gives m = 2`: both, or what is concluded from a remark.
-    for word in [" so ", " gives ", " hence ", " therefore "] {
-        let Some((before, after)) = typed.split_once(word) else { continue };
-        if after.contains(RELATIONS) {
-            all.push((None, format!("{before}, {after}")));
-            all.push((None, after.trim().to_owned()));
-        }
+    for (before, after) in conclusions(typed).filter(|(_, after)| after.contains(RELATIONS)) {
+        all.push((None, format!("{before}, {after}")));
+        all.push((None, after.to_owned()));
     }
     let is_word = |word: &str| {
         let letters = word.trim_matches(['(', ')', '.', ',', ':']);

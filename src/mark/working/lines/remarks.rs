@@ -2,6 +2,8 @@
 
 use std::borrow::Cow;
 
+use super::sentence::conclusions;
+
 /// A line without the arrow that says which way is positive: `R(→) 16 cos 30° = …`, `PCLM ↔ …`, `perp (↑+): …`.
 pub(super) fn without_arrow(typed: &str) -> Cow<'_, str> {
     let (words, rest) = typed.split_at(typed.find(|sign: char| !(sign.is_alphabetic() || sign == ' ')).unwrap_or(0));
@@ -34,7 +36,7 @@ fn after_arrow(typed: &str) -> Option<&str> {
 
 /// What follows from a remark in words: `right angle so tan θ = …`.
 pub(super) fn after_remark(typed: &str) -> Option<&str> {
-    let (remark, formula) = [" so ", " hence ", " therefore "].iter().find_map(|word| typed.split_once(word))?;
+    let (remark, formula) = conclusions(typed).next()?;
     let is_in_words = remark.chars().all(|sign| sign.is_alphabetic() || " ,".contains(sign))
         && remark.split_whitespace().any(|word| word.len() > 3 && !is_formula(word));
     (is_in_words && formula.contains('=')).then(|| formula.trim())

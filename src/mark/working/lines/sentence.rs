@@ -53,6 +53,15 @@ pub(super) fn equations_in_sentence(typed: &str) -> Option<String> {
     (equations > usize::from(!is_let)).then(|| kept.join(", "))
 }
 
+/// What stands before a word that draws a conclusion and what follows from it, at each such word: `p = -3 gives m = 2`.
+pub(super) fn conclusions(typed: &str) -> impl Iterator<Item = (&str, &str)> {
+    let concludes = |parting: &Parting| {
+        parting.kind == Kind::Conclusion || typed[parting.start..parting.end].eq_ignore_ascii_case(GIVES)
+    };
+    let found = partings(typed).into_iter().filter(concludes);
+    found.map(|parting| (typed[..parting.start].trim(), typed[parting.end..].trim()))
+}
+
 /// Where two clauses part.
 struct Parting {
     /// Where the stop, arrow or joining word begins, and where it ends.
@@ -73,6 +82,8 @@ enum Kind {
 
 /// Words from which a conclusion follows, and words that only join.
 const CONCLUSIONS: [&str; 8] = [" so ", " giving ", " which gives ", " hence ", " therefore ", " thus ", " => ", " ⇒ "];
+/// It joins the steps of one line.
+const GIVES: &str = " gives";
 const JOINTS: [&str; 6] = [" and ", " gives ", " then ", " also ", " but ", " // "];
 
 /// The commas, stops, arrows and joining words that stand outside brackets.
@@ -121,9 +132,13 @@ fn has_equation(typed: &str) -> bool {
 /// An equation without the words before it, unless they name what it is about.
 fn without_words(clause: &str) -> &str {
     let left = &clause[..clause.find('=').unwrap_or(0)];
-    let end = |word: &str| word.as_ptr() as usize - clause.as_ptr() as usize + word.len();
-    let Some(last) = left.split_whitespace().rfind(|word| is_word(bare(word))) else { return clause };
-    let (words, rest) = clause.split_at(end(last));
+    // Each word with the blank behind it.
+    let lengths = left.split_inclusive(char::is_whitespace).scan(0, |end, word| {
+        *end += word.len();
+        Some((word.trim_end(), *end))
+    });
+    let Some((_, end)) = lengths.filter(|(word, _)| is_word(bare(word))).last() else { return clause };
+    let (words, rest) = clause.split_at(end);
     let is_of_law = |word: &str| LAWS.contains(&word.to_lowercase().as_str());
     let names = |word: &str| COMPONENTS.contains(&word) || (names_a_quantity(word) && !is_of_law(word));
     let is_name = words.split_whitespace().map(bare).any(names);
