@@ -44,7 +44,7 @@ pub(super) fn name(
         let Some(readings) = judged.readings.as_ref().filter(|_| is_open) else { continue };
         let behind = || behind(question, part, blank, readings, examined, seen.by_lines);
         // What is on paper belongs to a student, and so does what comes of rounding it.
-        let mut found = match examined.lines.is_empty() && examined.theirs.0.is_empty() {
+        let mut found = match examined.lines.is_empty() && examined.theirs.values.is_empty() {
             true => judged.causes.get_or_init(behind).clone(),
             false => behind(),
         };
@@ -107,7 +107,7 @@ fn behind(
 ) -> Vec<Found> {
     let asked = blank.asked();
     let rounded = rounded(question, &blank.find, readings, examined);
-    let is_of_paper = !examined.theirs.0.is_empty();
+    let is_of_paper = !examined.theirs.values.is_empty();
     let mut found: Vec<Found> =
         rounded.into_iter().map(|cause| Found { cause, is_of_law: false, explains: true, is_of_paper }).collect();
     let is_rounded = !found.is_empty();
@@ -178,7 +178,8 @@ fn last_said(reading: &Reading) -> Option<&Said> {
 fn rounded(question: &KeyedQuestion, find: &Find, readings: &[Reading], examined: &Examined) -> Option<Cause> {
     let Find::Quantity(quantity) = find else { return None };
     let said = last_said(readings.first()?)?;
-    let shown: Vec<_> = examined.theirs.0.iter().map(|(quantity, (_, written))| (*quantity, written.clone())).collect();
+    let shown: Vec<_> =
+        examined.theirs.values.iter().map(|(quantity, (_, written))| (*quantity, written.clone())).collect();
     if shown.is_empty() && !question.mistakes().may_be_rounded(*quantity, said) {
         return None;
     }

@@ -54,7 +54,7 @@ pub(super) fn answers(
         let is_wrong = || answer.judgement.verdict == Verdict::Wrong || is_near_miss(&answer.judgement);
         let is_value = || matches!(blank.model.kind, Kind::Number | Kind::Angle | Kind::Expression);
         let follows = is_marked || (is_wrong_before && is_wrong() && is_value());
-        if !follows || is_right || examined.theirs.0.is_empty() {
+        if !follows || is_right || examined.theirs.values.is_empty() {
             return None;
         }
         let values = examined.followed(question, quantity)?;
@@ -154,7 +154,7 @@ fn is_stated(question: &KeyedQuestion, examined: &Examined, asked: Quantity, val
     let is_it = |quantity: Quantity| {
         examined
             .theirs
-            .0
+            .values
             .get(&quantity)
             .is_some_and(|(own, _)| own.len() == values.len() && are_near(own, values, 1e-6))
     };

@@ -15,7 +15,7 @@ pub(super) fn is_by_luck(question: &KeyedQuestion, part: &KeyedPart, examined: &
             matches!(*quantity, Quantity::Velocity(sphere, Moment::After, _) | Quantity::Speed(sphere, Moment::After)
                 if sphere == of)
         };
-        let mut own = examined.theirs.0.iter().filter(|(quantity, _)| is_velocity(quantity));
+        let mut own = examined.theirs.values.iter().filter(|(quantity, _)| is_velocity(quantity));
         own.any(|(quantity, (values, _))| {
             let right = question.prepared().known_sizes(*quantity);
             right.is_some_and(|right| !are_near(values, &right))

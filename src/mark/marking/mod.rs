@@ -127,7 +127,7 @@ fn as_printed(
         let needed = question.needed(part);
         let contradicted = contradicted(question, part, &theirs, &examined.theirs);
         let wrong = examined.theirs.wrong(question).count();
-        let has_right_value = examined.theirs.0.len() > wrong;
+        let has_right_value = examined.theirs.values.len() > wrong;
         let by_luck = luck::is_by_luck(question, part, &examined);
         let found = decide::Findings {
             needed,
@@ -182,7 +182,7 @@ fn say_shown(part: &KeyedPart, awards: &[Award], answers: &mut [MarkedAnswer]) {
 /// For each mark: does the working of this part state another value than the one that it is for? Then no answer implies it.
 fn contradicted(question: &KeyedQuestion, part: &KeyedPart, before: &Theirs, now: &Theirs) -> Vec<bool> {
     let wrong: Vec<Quantity> = now.wrong(question).map(|(quantity, _)| quantity).collect();
-    let is_stated = |quantity| wrong.contains(&quantity) && !before.0.contains_key(&quantity);
+    let is_stated = |quantity| wrong.contains(&quantity) && !before.values.contains_key(&quantity);
     let is_another = |quantity: &Quantity| is_stated(*quantity) || is_stated(question.prepared().along(*quantity));
     let states_another = |mark: &KeyedMark| mark.earned_for.quantities().iter().any(is_another);
     part.scheme.iter().map(states_another).collect()

@@ -73,11 +73,12 @@ impl Examined {
 
     /// What follows for a quantity from the student's own other values, at every point.
     pub(crate) fn followed(&self, question: &KeyedQuestion, quantity: Quantity) -> Option<Vec<f64>> {
-        let is_stated = self.theirs.0.contains_key(&quantity);
+        let is_stated = self.theirs.values.contains_key(&quantity);
         let known = self.followed.as_deref().filter(|_| !is_stated).and_then(|known| sizes(known, quantity));
         known.or_else(|| {
-            let others = self.theirs.0.iter().filter(|(own, _)| **own != quantity);
-            let others = Theirs(others.map(|(own, value)| (*own, value.clone())).collect(), Vec::new(), None);
+            let others = self.theirs.values.iter().filter(|(own, _)| **own != quantity);
+            let values = others.map(|(own, value)| (*own, value.clone())).collect();
+            let others = Theirs { values, ..Theirs::default() };
             follow_to(question.prepared(), &others, quantity)
         })
     }
@@ -141,8 +142,8 @@ pub(super) fn examine_one(
     let mut read = lines::read(working, &question.letters, vectors);
     letters::put_in_place(&mut read, &question.letters, prepared);
     let mut before = before.clone();
-    let (undone, slips) = undone(&read, &before.1, prepared);
-    before.1 = slips;
+    let (undone, slips) = undone(&read, &before.slips, prepared);
+    before.slips = slips;
     let mut all = examine_lines(question, part, read, &before, of_others);
     if let Some(lines) = undone {
         all.follow_slips(part, examine_lines(question, part, lines, &before, of_others));
@@ -182,7 +183,7 @@ fn examine_lines(
     evaluate(&mut lines, prepared, &prepared.names);
     let mut theirs = before.clone();
     let found = own_values(&lines, convention.as_ref(), part, prepared);
-    theirs.0.extend(found);
+    theirs.values.extend(found);
     let followed = follow(prepared, &theirs);
     let names = Vec::new();
     let mut working = Working {
@@ -198,7 +199,12 @@ fn examine_lines(
     };
     // Now that it is known what the student's letters stand for, formulas with them have values.
     working.names = working.names(&|quantity| {
-        working.theirs.0.get(&quantity).map(|(values, _)| values.clone()).or_else(|| sizes(&prepared.known, quantity))
+        working
+            .theirs
+            .values
+            .get(&quantity)
+            .map(|(values, _)| values.clone())
+            .or_else(|| sizes(&prepared.known, quantity))
     });
     working.settle_doubts();
     working.evaluate();
@@ -224,7 +230,7 @@ fn examine_lines(
     let lines = lines.collect();
     if question.scene.then.is_empty() {
         let by_laws = working.convention_by_laws().map(|own| (own.letters.clone(), own.signs));
-        working.theirs.2 = by_laws.or(working.theirs.2.take());
+        working.theirs.letters = by_laws.or(working.theirs.letters.take());
     }
     let (theirs, followed) = (working.theirs, Some(working.followed));
     Examined {

@@ -14,7 +14,7 @@ use crate::mechanics::{Axis, Datum, Derivation, Known, Moment, Quantity, Sphere}
 /// that is none.
 fn start(prepared: &Prepared, theirs: &Theirs) -> Vec<Known<f64>> {
     let mut at_points = prepared.given.clone();
-    for (quantity, (values, _)) in &theirs.0 {
+    for (quantity, (values, _)) in &theirs.values {
         let right = sizes(&prepared.known, *quantity);
         let trivial = match quantity {
             Quantity::Restitution => values.iter().any(|value| !(0.0..=1.0).contains(value)),
@@ -43,7 +43,7 @@ fn start(prepared: &Prepared, theirs: &Theirs) -> Vec<Known<f64>> {
 /// it, unless that was said as well.
 fn resolve(prepared: &Prepared, theirs: &Theirs, sphere: Sphere, at_points: &mut [Known<f64>]) {
     let of = |axis| Quantity::Velocity(sphere, Moment::After, axis);
-    let own = |axis| theirs.0.get(&of(axis)).map(|(values, _)| values);
+    let own = |axis| theirs.values.get(&of(axis)).map(|(values, _)| values);
     let line = |axis| sizes(&prepared.known, Quantity::Line(axis));
     let (Some(x), Some(y), None) = (own(Axis::X), own(Axis::Y), own(Axis::N)) else { return };
     let (Some(along_i), Some(along_j)) = (line(Axis::X), line(Axis::Y)) else { return };
@@ -66,7 +66,7 @@ fn resolve(prepared: &Prepared, theirs: &Theirs, sphere: Sphere, at_points: &mut
 fn energies_by_speed(prepared: &Prepared, theirs: &Theirs, sphere: Sphere) -> Option<Vec<[f64; 2]>> {
     let right = |quantity| sizes(&prepared.known, quantity);
     let own_if_wrong = |quantity: Quantity| {
-        let (own, _) = theirs.0.get(&quantity)?;
+        let (own, _) = theirs.values.get(&quantity)?;
         let near = |(own, right): (&f64, &f64)| is_nearly_right(own.abs(), right.abs());
         (!own.iter().zip(&right(quantity)?).all(near)).then_some(own)
     };
@@ -83,7 +83,7 @@ fn energies_by_speed(prepared: &Prepared, theirs: &Theirs, sphere: Sphere) -> Op
 
 /// Everything that follows from what is given and from the student's own values.
 pub(super) fn follow(prepared: &Prepared, theirs: &Theirs) -> Vec<Known<f64>> {
-    if theirs.0.is_empty() {
+    if theirs.values.is_empty() {
         return prepared.known.clone();
     }
     start(prepared, theirs).iter().map(complete).collect()
@@ -106,14 +106,14 @@ const MOST_ROUNDED: usize = 4;
 /// 3.05 and goes on with what the calculator holds has something from 3.045 to 3.055. Only where nothing is a letter.
 fn follow_unrounded(prepared: &Prepared, theirs: &Theirs, quantity: Quantity) -> Option<Spread> {
     let width = |written: &Expr| rounded(written, prepared);
-    let own = theirs.0.iter().filter_map(|(quantity, (_, written))| Some((*quantity, width(written)?)));
+    let own = theirs.values.iter().filter_map(|(quantity, (_, written))| Some((*quantity, width(written)?)));
     let own: Vec<(Quantity, Spread)> = own.take(MOST_ROUNDED).collect();
     let mut found: Option<Spread> = None;
     for corner in 0..1_u32 << own.len() {
         let mut theirs = theirs.clone();
         for (place, (quantity, spread)) in own.iter().enumerate() {
             let end = if corner >> place & 1 == 0 { spread.low } else { spread.high };
-            if let Some((values, _)) = theirs.0.get_mut(quantity) {
+            if let Some((values, _)) = theirs.values.get_mut(quantity) {
                 *values = vec![end];
             }
         }

@@ -83,11 +83,13 @@ fn examine_as_begun(
     // `V_B'` after `V_B`: the stroke says that it is of a later impact, and here all is.
     let plain = |line: &String| meeting.in_law_names(&line.replace(['\'', '’', '′'], ""));
     let typed: Vec<String> = working.iter().map(plain).collect();
-    let here = before.0.iter().filter_map(|(quantity, own)| Some((meeting.in_law(*quantity)?, own.clone())));
+    let here = before.values.iter().filter_map(|(quantity, own)| Some((meeting.in_law(*quantity)?, own.clone())));
     let part = impact.parts.iter().find(|other| other.label == part.label)?;
-    let examined = examine_one(impact, part, &typed, &Theirs(here.collect(), before.1.clone(), None), of_others);
-    let own = examined.theirs.0.into_iter().map(|(quantity, own)| (meeting.quantity(quantity), own));
-    let theirs = Theirs(before.0.clone().into_iter().chain(own).collect(), examined.theirs.1, before.2.clone());
+    let before_it = Theirs { values: here.collect(), slips: before.slips.clone(), letters: None };
+    let examined = examine_one(impact, part, &typed, &before_it, of_others);
+    let own = examined.theirs.values.into_iter().map(|(quantity, own)| (meeting.quantity(quantity), own));
+    let values = before.values.clone().into_iter().chain(own).collect();
+    let theirs = Theirs { values, slips: examined.theirs.slips, letters: before.letters.clone() };
     let lines = examined.lines.into_iter().zip(working).map(|(line, typed)| MarkedLine {
         typed: typed.clone(),
         role: meeting.in_words(&line.role),
@@ -237,7 +239,7 @@ impl Examined {
             .filter_map(|of| sizes(known, of))
             .collect();
         let wrong: Vec<Quantity> = self.theirs.wrong(question).map(|(quantity, _)| quantity).collect();
-        self.theirs.0.retain(|quantity, (own, _)| {
+        self.theirs.values.retain(|quantity, (own, _)| {
             let is_it = |right: &Vec<f64>| own.iter().zip(right).all(|(own, right)| is_nearly_right(*own, *right));
             !(quantity.impact() == 0 && is_after(*quantity) && wrong.contains(quantity) && later.iter().any(is_it))
         });

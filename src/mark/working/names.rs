@@ -11,7 +11,7 @@ impl Working<'_> {
         let mut names = self.prepared.names.clone();
         let here = self.convention.as_ref().map(|convention| (&convention.letters, &convention.signs));
         // What an earlier part called them, unless a letter is used for something else now.
-        let earlier = self.theirs.2.as_ref().map(|(letters, signs)| (letters, signs));
+        let earlier = self.theirs.letters.as_ref().map(|(letters, signs)| (letters, signs));
         let earlier = earlier.filter(|(letters, _)| !letters.iter().any(|letter| self.is_said_to_be_something(letter)));
         if let Some((letters, signs)) = here.or(earlier) {
             for (place, letter) in letters.iter().enumerate() {

@@ -26,14 +26,16 @@ fn is_near(share: f64, own: f64, right: f64) -> bool {
     (own - right).abs() <= share * right.abs()
 }
 
-/// A student's own values, by quantity: at every point, and as they were written; numbers that were worked out wrongly; and the
-/// letters that equations have for the velocities of A and B after the first impact, with their signs.
+/// What a student found.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Theirs(
-    pub(crate) BTreeMap<Quantity, (Vec<f64>, Expr)>,
-    pub(super) Vec<Slip>,
-    pub(super) Option<([String; 2], [f64; 2])>,
-);
+pub(crate) struct Theirs {
+    /// Values of quantities: at every point, and as they were written.
+    pub(crate) values: BTreeMap<Quantity, (Vec<f64>, Expr)>,
+    /// Numbers that were worked out wrongly.
+    pub(super) slips: Vec<Slip>,
+    /// The letters that equations have for the velocities of A and B after the first impact, with their signs.
+    pub(super) letters: Option<([String; 2], [f64; 2])>,
+}
 
 impl Theirs {
     /// Those that are not right, as they were written.
@@ -45,7 +47,7 @@ impl Theirs {
     pub(crate) fn right_velocities(&self, question: &KeyedQuestion) -> Vec<Quantity> {
         let wrong: Vec<Quantity> = self.wrong(question).map(|(quantity, _)| quantity).collect();
         let is_velocity = |quantity: &Quantity| matches!(quantity, Quantity::Velocity(_, Moment::After, _));
-        self.0.keys().copied().filter(|quantity| is_velocity(quantity) && !wrong.contains(quantity)).collect()
+        self.values.keys().copied().filter(|quantity| is_velocity(quantity) && !wrong.contains(quantity)).collect()
     }
 
     /// Those that are right but for their figures.
@@ -63,12 +65,12 @@ impl Theirs {
         }
         // The velocity along the one line says what the speed says.
         let is_said =
-            |quantity| question.along_its_line(quantity).is_some_and(|(along, _)| self.0.contains_key(&along));
+            |quantity| question.along_its_line(quantity).is_some_and(|(along, _)| self.values.contains_key(&along));
         let is_kept = |quantity: &Quantity| {
             let is_velocity_after = matches!(quantity.of_its_impact(), Quantity::Velocity(_, Moment::After, _));
             (wrong.contains(quantity) || is_velocity_after) && !is_said(*quantity)
         };
-        let kept = self.0.iter().filter(|(quantity, _)| is_kept(quantity));
+        let kept = self.values.iter().filter(|(quantity, _)| is_kept(quantity));
         kept.map(|(quantity, (_, written))| (*quantity, written.clone())).collect()
     }
 
@@ -81,7 +83,7 @@ impl Theirs {
         // Once a letter has been found, what it leads to is right too.
         let found = prepared.all_where_found().unwrap_or_default();
         let near = move |(own, right): (&f64, &f64)| is_near(share, *own, *right);
-        self.0.iter().filter_map(move |(quantity, (values, written))| {
+        self.values.iter().filter_map(move |(quantity, (values, written))| {
             let is = |known: &[Known<f64>]| values.iter().zip(&sizes(known, *quantity).unwrap_or_default()).all(near);
             let is_right = is(&prepared.known) || !found.is_empty() && is(&found);
             (!is_right).then_some((*quantity, written))
@@ -109,9 +111,9 @@ impl Theirs {
                         let signed = |number: &f64| if is_negative { -number.abs() } else { number.abs() };
                         let written = if is_negative { expr.clone().negated() } else { expr.clone() };
                         let own = (numbers.iter().map(signed).collect(), written);
-                        self.0.entry(along).or_insert(own);
+                        self.values.entry(along).or_insert(own);
                     }
-                    self.0.insert(*quantity, (numbers, expr.clone()));
+                    self.values.insert(*quantity, (numbers, expr.clone()));
                     if let Some(letter) = prepared.letter_of(*quantity) {
                         self.take_letter(question, &letter, expr);
                     }
@@ -119,7 +121,7 @@ impl Theirs {
                 (Find::Vector(x, y), Form::Vector(along_i, along_j, _)) => {
                     for (quantity, expr) in [(x, along_i), (y, along_j)] {
                         let numbers = prepared.sizes_of(expr);
-                        self.0.extend(numbers.map(|numbers| (*quantity, (numbers, expr.clone()))));
+                        self.values.extend(numbers.map(|numbers| (*quantity, (numbers, expr.clone()))));
                     }
                 }
                 (Find::Unknown(letter), Form::Value(expr)) => self.take_letter(question, letter, expr),
@@ -142,7 +144,7 @@ impl Theirs {
             return;
         }
         // What was found in the letter is now what it comes to with this value.
-        for (values, in_letter) in self.0.values_mut() {
+        for (values, in_letter) in self.values.values_mut() {
             let put = in_letter.substitute(&|other| (other == name).then(|| found.clone()));
             if put != *in_letter
                 && let Some(sizes) = size(&put)
@@ -158,7 +160,7 @@ impl Theirs {
             let value = known.number(quantity).filter(|value| value.letters().contains(letter));
             let own = value.and_then(|value| value.substitute(*letter, &own)).map(|value| written(&value));
             let own = own.and_then(|own| Some((size(&own)?, own)));
-            self.0.extend(own.map(|own| (quantity, own)));
+            self.values.extend(own.map(|own| (quantity, own)));
         }
     }
 }

@@ -47,7 +47,7 @@ impl Working<'_> {
             _ => [false; 2],
         };
         let is_followed = |place: usize| {
-            let own = self.theirs.0.get(&along[place]);
+            let own = self.theirs.values.get(&along[place]);
             own.zip(right[place].as_ref()).is_some_and(|((own, _), right)| are_far(own, right))
         };
         [0, 1].map(|place| denied[place] && !is_followed(place))

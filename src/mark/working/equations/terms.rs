@@ -106,7 +106,7 @@ impl Working<'_> {
             return Some(Evidence::given(place, law.name()));
         }
         let own = || {
-            self.by_numbers.own(equation, || match self.theirs.0.is_empty() {
+            self.by_numbers.own(equation, || match self.theirs.values.is_empty() {
                 true => Vec::new(),
                 false => self.agreements(equation, &|point| &self.followed[point]),
             })

@@ -12,7 +12,7 @@ impl Working<'_> {
             _ => false,
         };
         let is_said = |sphere| {
-            let mut known = self.prepared.given[0].0.keys().chain(self.theirs.0.keys());
+            let mut known = self.prepared.given[0].0.keys().chain(self.theirs.values.keys());
             known.any(|quantity| is_of(sphere, quantity))
         };
         let is_nought = |place: usize| after.iter().all(|velocities| velocities[place].abs() < 1e-9);

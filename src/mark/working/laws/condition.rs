@@ -230,7 +230,7 @@ impl Working<'_> {
             let place = letters.iter().position(|letter| letter == name);
             let along = |place: usize| Quantity::Velocity(Sphere::BOTH[place], Moment::After, Axis::N);
             alone.iter().any(|(own, _)| own == name)
-                || place.is_none_or(|place| self.theirs.0.contains_key(&along(place)))
+                || place.is_none_or(|place| self.theirs.values.contains_key(&along(place)))
         };
         expr.names().into_iter().all(|name| is_stated(&name.text))
     }

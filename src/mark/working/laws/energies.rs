@@ -139,7 +139,7 @@ impl Working<'_> {
         let sums = bases.iter().filter(|base| two(base).is_some());
         sums.clone().next()?;
         let known = |quantity| sizes(&self.prepared.known, quantity).into_iter();
-        let own = |quantity| self.theirs.0.get(&quantity).map(|(values, _)| values.clone()).into_iter();
+        let own = |quantity| self.theirs.values.get(&quantity).map(|(values, _)| values.clone()).into_iter();
         let either = |quantity| known(quantity).chain(own(quantity));
         let components = |sphere, moment| -> Vec<Vec<f64>> {
             let axes = [Axis::N, Axis::T, Axis::X, Axis::Y].into_iter();

@@ -110,7 +110,7 @@ impl Working<'_> {
     pub(super) fn own_change(&self, sphere: Sphere) -> Option<[Vec<f64>; 2]> {
         let mass = sizes(&self.prepared.known, Quantity::Mass(sphere))?;
         let along = |axis| {
-            let (own, _) = self.theirs.0.get(&Quantity::Velocity(sphere, Moment::After, axis))?;
+            let (own, _) = self.theirs.values.get(&Quantity::Velocity(sphere, Moment::After, axis))?;
             let before = sizes(&self.prepared.known, Quantity::Velocity(sphere, Moment::Before, axis))?;
             let each = mass.iter().zip(own.iter().zip(before));
             Some(each.map(|(mass, (after, before))| mass * (after - before)).collect::<Vec<f64>>())

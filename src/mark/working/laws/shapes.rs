@@ -115,7 +115,7 @@ impl Working<'_> {
         let mut all = Vec::new();
         let quantity = Quantity::Velocity(sphere, Moment::After, axis);
         all.extend(sizes(&self.prepared.known, quantity));
-        all.extend(self.theirs.0.get(&quantity).map(|(values, _)| values.clone()));
+        all.extend(self.theirs.values.get(&quantity).map(|(values, _)| values.clone()));
         if axis == Axis::T {
             all.extend(sizes(&self.prepared.known, Quantity::Velocity(sphere, Moment::Before, Axis::N)));
             // And what e makes of it.
@@ -162,9 +162,9 @@ impl Working<'_> {
 
     fn are_components(&self, across: &Expr, along: &Expr, sphere: Option<Sphere>) -> bool {
         self.spheres(sphere).into_iter().any(|of| {
-            let own = self.theirs.0.contains_key(&Quantity::Velocity(of, Moment::After, Axis::N));
+            let own = self.theirs.values.contains_key(&Quantity::Velocity(of, Moment::After, Axis::N));
             // A velocity before that was to be found is the student's own too.
-            let own_before = |axis| self.theirs.0.get(&Quantity::Velocity(of, Moment::Before, axis));
+            let own_before = |axis| self.theirs.values.get(&Quantity::Velocity(of, Moment::Before, axis));
             let in_i_j = [Axis::X, Axis::Y].map(|axis| {
                 let mut all = self.sizes_of(of, axis);
                 all.extend(own_before(axis).map(|(values, _)| values.clone()));
@@ -202,7 +202,7 @@ impl Working<'_> {
     fn are_components_of_impulse(&self, one: &Expr, other: &Expr) -> bool {
         let of = |axis| {
             let quantity = Quantity::Impulse(Sphere::A, axis);
-            let own = self.theirs.0.get(&quantity).map(|(values, _)| values.clone());
+            let own = self.theirs.values.get(&quantity).map(|(values, _)| values.clone());
             let both = sizes(&self.prepared.known, quantity).into_iter().chain(own);
             both.collect::<Vec<_>>()
         };

@@ -142,7 +142,7 @@ impl Examined {
             }
         }
         if self.letters.is_none() && undone.letters.is_some() {
-            self.theirs.0.extend(undone.theirs.0);
+            self.theirs.values.extend(undone.theirs.values);
             (self.followed, self.solution, self.letters) = (undone.followed, undone.solution, undone.letters);
         }
     }
